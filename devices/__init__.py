@@ -1,0 +1,1 @@
+"""Everything that Donnie can be: the ports, and the devices that stand behind them."""

@@ -1,0 +1,141 @@
+"""What every robot can do, simulated or real, and the values it answers with.
+
+Steps and degrees are the learner's units and exist only at this border: a step is 0.05 m, the heading
+is a compass (0 north, 90 east, clockwise). Every method of ``Robot`` except ``halt`` and ``where``
+blocks the program's thread until it is done, and returns early, with ``StoppedBy.USER``, once the
+pace that the robot was made with tells it to.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from enum import Enum
+from typing import Protocol
+
+STEP = 0.05
+"""Metres in a step (the manual gives none; fixed by the language specification, section 4)."""
+
+FARTHEST = 60
+"""Steps that a sensor tells when nothing is within its range (manual, section 8)."""
+
+
+class Bearing(Enum):
+    """Where a sensor looks, as a compass angle in degrees relative to the robot's front."""
+
+    FRONT = 0
+    FRONT_RIGHT = 45
+    BACK_RIGHT = 135
+    BACK = 180
+    BACK_LEFT = 225
+    FRONT_LEFT = 315
+
+
+class StoppedBy(Enum):
+    """Why a movement did less than it was asked."""
+
+    OBSTACLE = "obstacle"
+    COLLISION = "collision"
+    USER = "stopped"
+
+
+class Motion(Enum):
+    """What a robot is doing while it reports progress."""
+
+    FORWARD = "forward"
+    BACKWARD = "backward"
+    RIGHT = "right"
+    LEFT = "left"
+
+
+@dataclass(frozen=True, slots=True)
+class Pose:
+    """A place and a direction: x steps to the east, y steps to the north, heading in compass degrees."""
+
+    x: float
+    y: float
+    heading: float
+
+
+@dataclass(frozen=True, slots=True)
+class Moved:
+    """A finished walk. ``asked`` and ``walked`` are whole steps, in the direction of the command."""
+
+    asked: int
+    walked: int
+    stopped_by: StoppedBy | None
+    pose: Pose
+
+
+@dataclass(frozen=True, slots=True)
+class Turned:
+    """A finished turn. ``asked`` and ``turned`` are whole degrees, positive to the right."""
+
+    asked: int
+    turned: int
+    stopped_by: StoppedBy | None
+    pose: Pose
+
+
+@dataclass(frozen=True, slots=True)
+class Sighting:
+    """One thing that the robot sees."""
+
+    degrees: float
+    """From the robot's front, positive to the right, -90 to 90."""
+    steps: float
+    colour: str
+    """An English colour word of the language, such as ``red``."""
+    name: str
+    """The thing's name in its world, or an empty string."""
+
+
+class Watcher(Protocol):
+    """Told by a robot, in the program's thread, how far it has come."""
+
+    def progressed(self, motion: Motion, pose: Pose) -> None:
+        """A whole step was walked, or ten degrees (or the rest of a turn) were turned."""
+
+    def passing(self, pose: Pose) -> None:
+        """Where the robot is just now, some 20 times a second of real time; for display only."""
+
+
+class Pace(Protocol):
+    """Real time, as far as a robot has to do with it."""
+
+    def sleep(self, seconds: float) -> bool:
+        """Wait. False as soon as the program must stop; it holds on while the program is paused."""
+
+
+class Robot(Protocol):
+    """A robot that GoDonnie can program."""
+
+    @property
+    def name(self) -> str: ...
+
+    @property
+    def colours(self) -> frozenset[str]:
+        """The colour words that the robot can tell apart."""
+
+    def forward(self, steps: int) -> Moved: ...
+
+    def backward(self, steps: int) -> Moved: ...
+
+    def turn(self, degrees: int) -> Turned:
+        """Turn on the spot, to the right if positive, to the left if negative."""
+
+    def wait(self, seconds: float) -> bool:
+        """Let ``seconds`` of robot time pass. False if it was cut short."""
+
+    def time(self) -> float:
+        """Robot time in seconds since the robot was made or last reset."""
+
+    def pose(self) -> Pose: ...
+
+    def distance(self, bearing: Bearing) -> int:
+        """Whole steps from that sensor to the nearest obstacle in its cone, or the sensor's maximum."""
+
+    def scan(self) -> tuple[Sighting, ...]:
+        """What is visible from 90 degrees left to 90 right, from left to right."""
+
+    def halt(self) -> None:
+        """Motors off. From any thread, at any time; never raises."""

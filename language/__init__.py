@@ -1,0 +1,1 @@
+"""GoDonnie: its text, its meaning and how a program of it runs. It knows robots only by the bearings of their sensors."""

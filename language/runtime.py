@@ -1,0 +1,75 @@
+"""What a running program asks of the world around it, and what it leaves behind.
+
+``Actions`` is the whole border between the language and everything else: the core implements it with a
+robot and a stream of events, tests with a list. An action may raise ``Refused``; the runtime adds the
+place. After an action was cut short by a stop, the runtime raises ``Stopped`` at its next checkpoint.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, field
+from typing import Any, Protocol
+
+from devices.ports.robot import Bearing
+from language.syntax import Axis
+
+
+class Actions(Protocol):
+    """The commands of GoDonnie. ``command`` is the command as it was typed, for STATE and HISTORY."""
+
+    def speak(self, what: int | str) -> None: ...
+
+    def sound(self, on: bool) -> None: ...
+
+    def forward(self, steps: int, command: str) -> None: ...
+
+    def backward(self, steps: int, command: str) -> None: ...
+
+    def turn_right(self, degrees: int, command: str) -> None: ...
+
+    def turn_left(self, degrees: int, command: str) -> None: ...
+
+    def scan(self) -> None: ...
+
+    def state(self) -> None: ...
+
+    def history(self) -> None: ...
+
+    def tell_position(self) -> None: ...
+
+    def wait(self, seconds: int) -> None: ...
+
+    def belt(self, on: bool) -> None: ...
+
+    def vibrate(self, bearing: Bearing) -> None: ...
+
+    def help(self, topic: str | None) -> None: ...
+
+    def distance(self, bearing: Bearing) -> int: ...
+
+    def position(self, axis: Axis) -> int: ...
+
+    def colour(self, colour: str) -> int: ...
+
+    def overwritten(self, name: str) -> None:
+        """In the terminal a later batch declared a variable or procedure again."""
+
+
+@dataclass(slots=True)
+class Memory:
+    """What one batch leaves to the next in the terminal; a file starts with an empty one."""
+
+    variables: dict[str, int] = field(default_factory=dict)
+    """By folded name."""
+    procedures: dict[str, Any] = field(default_factory=dict)
+    """By folded name; what the compiler made of them, opaque to everybody else."""
+
+
+@dataclass(frozen=True, slots=True)
+class Frame:
+    """One level of a running program, for front ends: the program itself or a procedure."""
+
+    procedure: str
+    """The name as declared; empty for the program itself."""
+    line: int
+    variables: tuple[tuple[str, int], ...]
