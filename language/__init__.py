@@ -1,1 +1,1 @@
-"""GoDonnie: its text, its meaning and how a program of it runs. It knows robots only by the bearings of their sensors."""
+"""GoDonnie: its text, its meaning, how its programs run. Of robots it knows the bearings of their sensors."""

@@ -61,11 +61,12 @@ class Diagnostic:
     """What stands there, as typed; empty at the end of the text."""
     expected: tuple[str, ...] = ()
     """Canonical command words (``TIMES``, ``END REPEAT``) or lower-case classes (``number``, ``name``,
-    ``expression``, ``command``, ``comparison``, ``direction``, ``axis``, ``colour``, ``on-or-off``, ``end of text``)."""
+    ``expression``, ``command``, ``comparison``, ``direction``, ``axis``, ``colour``, ``on-or-off``,
+    ``end of text``)."""
     meant: str = ""
     """The word that was probably meant, in the language of the program, or empty."""
     details: Mapping[str, str | int] = field(default_factory=dict)
-    """What else the sentence needs: ``name``, ``opener``, ``opener_line``, ``wanted``, ``given``, ``limit`` ..."""
+    """What else the sentence needs: ``name``, ``opener``, ``opener_line``, ``wanted``, ``limit`` ..."""
     severity: Severity = Severity.ERROR
 
 

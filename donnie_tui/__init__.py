@@ -1,0 +1,3 @@
+"""Donnie: learners program a robot in the terminal, by ear, by touch and by eye."""
+
+__version__ = "0.1.0"

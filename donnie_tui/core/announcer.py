@@ -1,0 +1,126 @@
+"""What is worth telling about an event, and with which cue: decided here, once, for every front end.
+
+Listens to the stream and publishes announcements and cues into it. Bearings of cues are degrees from the
+robot's front, positive to the right.
+"""
+
+from __future__ import annotations
+
+from typing import assert_never
+
+from devices.ports.robot import StoppedBy
+from donnie_tui.core.events import (
+    Announced,
+    BeltShown,
+    CueSounded,
+    Error,
+    Link,
+    Moved,
+    Outcome,
+    Passing,
+    Read,
+    RunEnded,
+    RunStarted,
+    Scanned,
+    SeenGroup,
+    SoundSwitched,
+    Spoke,
+    Stamped,
+    Statement,
+    Turned,
+    Waited,
+)
+from donnie_tui.core.hub import Hub
+from donnie_tui.core.telling import Teller
+from donnie_tui.core.wording import Wording
+
+
+class Announcer:
+    """Makes the sentences and cues that accompany what happens."""
+
+    def __init__(self, hub: Hub, teller: Teller, wording: Wording) -> None:
+        self._hub = hub
+        self._teller = teller
+        self._say = wording
+        hub.subscribe(self._hear)
+
+    def _hear(self, stamped: Stamped) -> None:
+        match stamped.event:
+            case Moved() as moved:
+                self._moved(moved)
+            case Turned() as turned:
+                self._turned(turned)
+            case Scanned(objects=groups):
+                self._scanned(groups)
+            case SoundSwitched(on=on):
+                self._teller.announce("sound", "sound-on" if on else "sound-off")
+            case Link(state=state, reason=reason):
+                self._teller.announce("link", f"link-{state}", reason=reason)
+            case Error():
+                self._cue("error")
+            case RunEnded(outcome=outcome):
+                self._ended(outcome)
+            case (
+                RunStarted()
+                | Statement()
+                | Spoke()
+                | Announced()
+                | Read()
+                | Waited()
+                | CueSounded()
+                | BeltShown()
+                | Passing()
+            ):
+                pass
+            case never:
+                assert_never(never)
+
+    def _moved(self, moved: Moved) -> None:
+        way = "forward" if moved.forward else "backward"
+        ahead = 0.0 if moved.forward else 180.0
+        self._bumped(moved.stopped_by, ahead)
+        self._teller.announce("moved", _with_reason(f"walked-{way}", moved.stopped_by), steps=moved.walked)
+
+    def _turned(self, turned: Turned) -> None:
+        to_the_right = turned.right == (turned.asked >= 0)
+        side = "right" if to_the_right else "left"
+        self._bumped(turned.stopped_by, 90.0 if to_the_right else -90.0)
+        self._teller.announce(
+            "turned", _with_reason(f"turned-{side}", turned.stopped_by), degrees=abs(turned.turned)
+        )
+
+    def _bumped(self, stopped_by: StoppedBy | None, bearing: float) -> None:
+        if stopped_by is StoppedBy.OBSTACLE:
+            self._cue("obstacle", bearing, 1.0)
+        elif stopped_by is StoppedBy.COLLISION:
+            self._cue("bump", bearing, 0.0)
+
+    def _scanned(self, groups: tuple[SeenGroup, ...]) -> None:
+        self._cue("scan")
+        for group in groups:
+            sign = -1.0 if group.side == "left" else 1.0
+            self._cue("found", sign * group.degrees, float(group.steps))
+            self._teller.announce("scan", f"scan-{group.side}", **self._words_for(group))
+        if not groups:
+            self._teller.announce("scan", "scan-nothing")
+
+    def _words_for(self, group: SeenGroup) -> dict[str, object]:
+        colours = ", ".join(self._say(f"colour-{colour}") for colour in group.colours)
+        return {
+            "degrees": group.degrees,
+            "count": len(group.colours),
+            "colours": colours,
+            "steps": group.steps,
+        }
+
+    def _ended(self, outcome: Outcome) -> None:
+        if outcome is Outcome.COMPLETED:
+            self._cue("done")
+
+    def _cue(self, name: str, bearing: float = 0.0, steps: float | None = None) -> None:
+        self._hub.publish(CueSounded(name, bearing, steps))
+
+
+def _with_reason(sentence: str, stopped_by: StoppedBy | None) -> str:
+    """The code of the sentence for a movement that was cut short, or of the plain one."""
+    return sentence if stopped_by is None else f"{sentence}-{stopped_by.value}"

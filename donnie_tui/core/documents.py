@@ -1,0 +1,87 @@
+"""Programs in files: read in any encoding that is likely, written so that nothing is lost.
+
+A file is written beside the old one and then takes its place, so that a full disk or a crash leaves
+either the old text or the new one.
+"""
+
+from __future__ import annotations
+
+import contextlib
+import os
+import tempfile
+from pathlib import Path
+
+LARGEST = 8 * 1024 * 1024
+"""Bytes that a program file may have; a program of a learner has a few hundred."""
+
+
+class DocumentError(Exception):
+    """A file that can't be read or written. ``code`` says why, ``path`` which."""
+
+    def __init__(self, code: str, path: str, reason: str = "") -> None:
+        super().__init__(code)
+        self.code = code
+        self.path = path
+        self.reason = reason
+
+
+def read_program(path: Path) -> str:
+    """The text of a program. Raises ``DocumentError``."""
+    try:
+        if path.is_dir():
+            raise DocumentError("file-is-folder", str(path))
+        if path.stat().st_size > LARGEST:
+            raise DocumentError("file-too-large", str(path))
+        return decode(path.read_bytes(), str(path))
+    except FileNotFoundError:
+        raise DocumentError("file-not-found", str(path)) from None
+    except (OSError, ValueError) as problem:
+        raise DocumentError("file-unreadable", str(path), _reason(problem)) from None
+
+
+def decode(data: bytes, name: str) -> str:
+    """UTF-8, else the old Windows code page of our learners' languages. Raises ``DocumentError``."""
+    if len(data) > LARGEST:
+        raise DocumentError("file-too-large", name)
+    if b"\0" in data:
+        raise DocumentError("file-not-text", name)
+    try:
+        return data.decode("utf-8-sig")
+    except UnicodeDecodeError:
+        return data.decode("cp1252", errors="replace")
+
+
+def write_program(path: Path, text: str) -> None:
+    """Write a program as UTF-8. Raises ``DocumentError``."""
+    try:
+        target = path.resolve()
+        _write_beside(target, text)
+    except (OSError, ValueError) as problem:
+        raise DocumentError("file-unwritable", str(path), _reason(problem)) from None
+
+
+def _write_beside(target: Path, text: str) -> None:
+    handle, beside = tempfile.mkstemp(dir=target.parent, prefix=f".{target.name}.")
+    try:
+        with os.fdopen(handle, "w", encoding="utf-8", newline="\n") as out:
+            out.write(text)
+            out.flush()
+            os.fsync(out.fileno())
+        Path(beside).chmod(_mode(target))
+        Path(beside).replace(target)
+    except BaseException:
+        with contextlib.suppress(OSError):
+            Path(beside).unlink()
+        raise
+
+
+def _mode(target: Path) -> int:
+    if target.exists():
+        return target.stat().st_mode & 0o777
+    mask = os.umask(0)
+    os.umask(mask)
+    return 0o666 & ~mask
+
+
+def _reason(problem: Exception) -> str:
+    return getattr(problem, "strerror", None) or str(problem)

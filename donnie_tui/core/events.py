@@ -1,0 +1,239 @@
+"""The events: everything that happens, as values. Names and fields are a contract (scripts rely on them).
+
+``Passing`` is the one exception: it is where the robot is just now, for a moving picture, depends on the
+clock of the machine and is therefore neither numbered nor recorded.
+"""
+
+from __future__ import annotations
+
+import dataclasses
+import re
+from collections.abc import Mapping
+from dataclasses import dataclass, field
+from enum import Enum
+from typing import ClassVar, TypeAlias
+
+from devices.ports.robot import Pose, StoppedBy
+
+
+class Outcome(Enum):
+    """How a run ended."""
+
+    COMPLETED = "completed"
+    FAILED = "failed"
+    STOPPED = "stopped"
+    QUIT = "quit"
+
+
+@dataclass(frozen=True, slots=True)
+class RunStarted:
+    program: str
+    world: str
+    robot: str
+    seed: int
+    version: str
+
+
+@dataclass(frozen=True, slots=True)
+class Statement:
+    """A statement is about to run; only with ``--trace``."""
+
+    line: int
+    column: int
+    depth: int
+
+
+@dataclass(frozen=True, slots=True)
+class Spoke:
+    text: str
+
+
+@dataclass(frozen=True, slots=True)
+class Announced:
+    """A sentence of Donnie's own. ``code`` says what it is about, ``text`` is in the learner's language."""
+
+    code: str
+    text: str
+
+
+@dataclass(frozen=True, slots=True)
+class Moved:
+    """``asked`` and ``walked`` in steps, forward or backward as ``command`` says."""
+
+    command: str
+    asked: int
+    walked: int
+    stopped_by: StoppedBy | None
+    pose: Pose
+    forward: bool = field(metadata={"private": True})
+
+
+@dataclass(frozen=True, slots=True)
+class Turned:
+    """``asked`` and ``turned`` in degrees, in the direction of the command."""
+
+    command: str
+    asked: int
+    turned: int
+    stopped_by: StoppedBy | None
+    pose: Pose
+    right: bool = field(metadata={"private": True})
+    """Whether the command was a turn to the right."""
+
+
+@dataclass(frozen=True, slots=True)
+class SeenGroup:
+    """Things that SCAN sees at one angle."""
+
+    side: str
+    """``left``, ``right`` or ``ahead``."""
+    degrees: int
+    steps: int
+    colours: tuple[str, ...]
+
+
+@dataclass(frozen=True, slots=True)
+class Scanned:
+    objects: tuple[SeenGroup, ...]
+
+
+@dataclass(frozen=True, slots=True)
+class Read:
+    """A sensor was read: ``distance``, ``position`` or ``colour``."""
+
+    sensor: str
+    argument: str
+    value: int
+
+
+@dataclass(frozen=True, slots=True)
+class Waited:
+    seconds: int
+
+
+@dataclass(frozen=True, slots=True)
+class CueSounded:
+    EVENT: ClassVar[str] = "cue"
+    name: str
+    bearing: float
+    steps: float | None
+
+
+@dataclass(frozen=True, slots=True)
+class BeltShown:
+    """14 levels, 0 off to 3 strong: the upper row of seven, then the lower."""
+
+    EVENT: ClassVar[str] = "belt"
+    levels: tuple[int, ...]
+
+
+@dataclass(frozen=True, slots=True)
+class SoundSwitched:
+    EVENT: ClassVar[str] = "sound"
+    on: bool
+
+
+@dataclass(frozen=True, slots=True)
+class Link:
+    """The line to a real robot: ``connected``, ``lost`` or ``restored``."""
+
+    state: str
+    reason: str
+
+
+@dataclass(frozen=True, slots=True)
+class Error:
+    """A mistake in the program. ``source_line`` is the line as typed, for those who print the error."""
+
+    kind: str
+    line: int
+    column: int
+    message: str
+    hint: str | None
+    source_line: str = field(default="", metadata={"private": True})
+    calls: tuple[int, ...] = field(default=(), metadata={"private": True})
+    """The lines of the calls that led there, innermost first."""
+
+
+@dataclass(frozen=True, slots=True)
+class RunEnded:
+    outcome: Outcome
+    pose: Pose
+    variables: Mapping[str, int]
+    seconds: float
+
+
+@dataclass(frozen=True, slots=True)
+class Passing:
+    """Where the robot is while it moves; transient."""
+
+    pose: Pose
+
+
+Event: TypeAlias = (
+    RunStarted
+    | Statement
+    | Spoke
+    | Announced
+    | Moved
+    | Turned
+    | Scanned
+    | Read
+    | Waited
+    | CueSounded
+    | BeltShown
+    | SoundSwitched
+    | Link
+    | Error
+    | RunEnded
+    | Passing
+)
+
+
+@dataclass(frozen=True, slots=True)
+class Stamped:
+    """An event with its number (from 1, 0 for a transient one) and its robot time in seconds."""
+
+    seq: int
+    t: float
+    event: Event
+    robot: str | None = None
+    """The robot's name where a world has several."""
+
+
+def event_name(event: Event) -> str:
+    """The event's name in the stream, such as ``run_started``."""
+    given: str | None = getattr(event, "EVENT", None)
+    return given or re.sub(r"(?<!^)(?=[A-Z])", "_", type(event).__name__).lower()
+
+
+def as_record(stamped: Stamped) -> dict[str, object]:
+    """The event as the stream writes it: the common fields first, then its own."""
+    record: dict[str, object] = {
+        "seq": stamped.seq,
+        "t": _plain(stamped.t),
+        "event": event_name(stamped.event),
+    }
+    if stamped.robot is not None:
+        record["robot"] = stamped.robot
+    for each in dataclasses.fields(stamped.event):
+        if not each.metadata.get("private"):
+            record[each.name] = _plain(getattr(stamped.event, each.name))
+    return record
+
+
+def _plain(value: object) -> object:
+    """Values as JSON has them. Numbers are rounded so far that no float shows its last digits."""
+    match value:
+        case float():
+            return round(value, 6) + 0.0
+        case Enum():
+            return value.value
+        case Mapping():
+            return {key: _plain(each) for key, each in value.items()}
+        case tuple():
+            return [_plain(each) for each in value]
+        case Pose() | SeenGroup():
+            return {each.name: _plain(getattr(value, each.name)) for each in dataclasses.fields(value)}
+        case _:
+            return value

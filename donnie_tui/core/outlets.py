@@ -1,0 +1,88 @@
+"""What makes events audible and tangible: the voice, the cues and the belt, each a listener.
+
+SOUND OFF silences voice and cues and never the printed line; the belt has its own switch.
+"""
+
+from __future__ import annotations
+
+from devices.ports.audio import Belt, Cue, CuePlayer, Speaker, Urgency, Utterance
+from donnie_tui.core.events import (
+    Announced,
+    BeltShown,
+    CueSounded,
+    Error,
+    Event,
+    SoundSwitched,
+    Spoke,
+    Stamped,
+)
+from donnie_tui.core.transcript import lines_of
+from donnie_tui.core.wording import Wording
+
+_URGENCY_OF = {"waiting": Urgency.PROGRESS, "hint": Urgency.HINT, "link": Urgency.ALERT}
+
+
+class Voice:
+    """Says what the transcript prints."""
+
+    def __init__(self, speaker: Speaker, wording: Wording) -> None:
+        self._speaker = speaker
+        self._wording = wording
+        self._on = True
+
+    def __call__(self, stamped: Stamped) -> None:
+        if isinstance(stamped.event, SoundSwitched):
+            self._switch(stamped.event.on)
+        elif self._on:
+            self._say(stamped.event)
+
+    def _switch(self, on: bool) -> None:
+        self._on = on
+        if not on:
+            self._speaker.silence()
+
+    def _say(self, event: Event) -> None:
+        for line in lines_of(event, self._wording):
+            self._speaker.say(Utterance(line, _urgency_of(event), self._wording.language))
+
+
+class Cues:
+    """Plays what the announcer chose."""
+
+    def __init__(self, player: CuePlayer) -> None:
+        self._player = player
+        self._on = True
+
+    def __call__(self, stamped: Stamped) -> None:
+        match stamped.event:
+            case SoundSwitched(on=on):
+                self._on = on
+                if not on:
+                    self._player.silence()
+            case CueSounded(name=name, bearing=bearing, steps=steps) if self._on:
+                self._player.play(Cue(name, bearing, steps))
+            case _:
+                pass
+
+
+class BeltView:
+    """Shows the levels on a belt."""
+
+    def __init__(self, belt: Belt) -> None:
+        self._belt = belt
+
+    def __call__(self, stamped: Stamped) -> None:
+        if isinstance(stamped.event, BeltShown):
+            self._belt.show(stamped.event.levels)
+
+
+def _urgency_of(event: Event) -> Urgency:
+    match event:
+        case Spoke():
+            return Urgency.PROGRAM
+        case Error():
+            return Urgency.ALERT
+        case Announced(code=code):
+            return _URGENCY_OF.get(code, Urgency.ANSWER)
+        case _:
+            return Urgency.PROGRESS

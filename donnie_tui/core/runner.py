@@ -1,0 +1,151 @@
+"""One run of one program, in a thread of its own.
+
+Rules: it begins with ``run_started`` and ends with ``run_ended`` whatever happens between them, and the
+robot is halted before that is told. The thread that asked for the run never waits for it unless it wants to.
+"""
+
+from __future__ import annotations
+
+import logging
+import threading
+from collections.abc import Callable
+from dataclasses import dataclass
+
+from devices.ports.robot import Robot
+from donnie_tui.core.events import Error, Outcome, RunEnded, RunStarted, Statement
+from donnie_tui.core.hub import Hub
+from donnie_tui.core.wording import Wording
+from language.compiler import Runnable
+from language.control import ExecutionControl
+from language.diagnostics import Diagnostic, ProgramError, QuitRequested, Stopped
+from language.runtime import Actions, Frame, Memory
+
+_LOG = logging.getLogger(__name__)
+
+
+@dataclass(frozen=True, slots=True)
+class Stage:
+    """What every run of a session shares."""
+
+    robot: Robot
+    hub: Hub
+    actions: Actions
+    wording: Wording
+
+
+class Run:
+    """A program on its way, or at its end."""
+
+    def __init__(
+        self,
+        stage: Stage,
+        started: RunStarted,
+        program: Runnable | tuple[Diagnostic, ...],
+        source_lines: tuple[str, ...],
+        memory: Memory,
+        *,
+        control: ExecutionControl,
+        first_line: int = 1,
+        trace: bool = False,
+    ) -> None:
+        self.control = control
+        self.name = started.program
+        self.outcome: Outcome | None = None
+        self._stage = stage
+        self._started = started
+        self._program = program
+        self._source_lines = source_lines
+        self._first_line = first_line
+        self._memory = memory
+        self._trace = trace
+        self._over = threading.Event()
+
+    def start(self, then: Callable[[Run], None]) -> None:
+        """Begin; ``then`` is called in the program's thread after the last event."""
+        thread = threading.Thread(target=self._run, args=(then,), name=f"program {self.name}", daemon=True)
+        thread.start()
+
+    def wait(self, seconds: float | None = None) -> bool:
+        """Wait for the end. False if it has not come in time."""
+        return self._over.wait(seconds)
+
+    @property
+    def is_over(self) -> bool:
+        return self._over.is_set()
+
+    def frames(self) -> tuple[Frame, ...]:
+        """The call stack, innermost first; empty when nothing runs."""
+        if self.is_over or isinstance(self._program, tuple):
+            return ()
+        return self._program.frames()
+
+    def _run(self, then: Callable[[Run], None]) -> None:
+        try:
+            self.outcome = self._tell_and_run()
+        finally:
+            self._over.set()
+            then(self)
+
+    def _tell_and_run(self) -> Outcome:
+        hub, robot = self._stage.hub, self._stage.robot
+        began = robot.time()
+        hub.publish(self._started)
+        outcome = self._outcome()
+        robot.halt()
+        seconds = robot.time() - began
+        hub.publish(RunEnded(outcome, robot.pose(), dict(sorted(self._memory.variables.items())), seconds))
+        return outcome
+
+    def _outcome(self) -> Outcome:
+        if isinstance(self._program, tuple):
+            for diagnostic in self._program:
+                self._publish_error(diagnostic)
+            return Outcome.FAILED
+        return self._run_program(self._program)
+
+    def _run_program(self, program: Runnable) -> Outcome:
+        trace = self._publish_statement if self._trace else None
+        try:
+            program.run(self._stage.actions, self.control, self._memory, trace=trace)
+        except ProgramError as error:
+            self._publish_error(error.diagnostic, tuple(call.line for call in error.calls))
+            return Outcome.FAILED
+        except Stopped:
+            return Outcome.STOPPED
+        except QuitRequested:
+            return Outcome.QUIT
+        except Exception:  # noqa: BLE001 -- whatever went wrong, the learner must hear of it
+            _LOG.exception("the program's thread failed")
+            self._publish_failure()
+            return Outcome.FAILED
+        return Outcome.COMPLETED
+
+    def _publish_statement(self, line: int, column: int, depth: int) -> None:
+        self._stage.hub.publish(Statement(line, column, depth))
+
+    def _publish_error(self, diagnostic: Diagnostic, calls: tuple[int, ...] = ()) -> None:
+        wording = self._stage.wording
+        span = diagnostic.span
+        self._stage.hub.publish(
+            Error(
+                diagnostic.kind.value,
+                span.line,
+                span.column,
+                wording.mistake(diagnostic),
+                wording.hint(diagnostic),
+                self._source_line(span.line),
+                calls,
+            )
+        )
+
+    def _publish_failure(self) -> None:
+        """Our own fault: told like a mistake, so that nobody waits in silence."""
+        frames = self.frames()
+        line = frames[0].line if frames else self._first_line
+        self._stage.hub.publish(
+            Error("internal", line, 1, self._stage.wording("internal-error"), None, self._source_line(line))
+        )
+
+    def _source_line(self, line: int) -> str:
+        index = line - self._first_line
+        return self._source_lines[index].strip() if 0 <= index < len(self._source_lines) else ""

@@ -1,0 +1,206 @@
+"""One learner with one robot in one world: what both front ends and ``donnie run`` talk to.
+
+Nothing here blocks but ``Run.wait``. One program runs at a time; the robot's pose and the variables live
+on from one run to the next unless a run is ``fresh``.
+"""
+
+from __future__ import annotations
+
+import threading
+from collections.abc import Callable
+from typing import Protocol
+
+from devices.ports.robot import Pace, Pose, Robot, Watcher
+from donnie_tui import __version__
+from donnie_tui.core.actions import RobotActions, RobotWatcher
+from donnie_tui.core.announcer import Announcer
+from donnie_tui.core.events import RunStarted
+from donnie_tui.core.hub import Hub
+from donnie_tui.core.runner import Run, Stage
+from donnie_tui.core.telling import Teller
+from donnie_tui.core.wording import Wording
+from language.checker import check
+from language.compiler import compile_program
+from language.control import ExecutionControl
+from language.diagnostics import Diagnostic
+from language.parser import Parsed, parse
+from language.runtime import Frame, Memory
+
+
+class ResettableRobot(Robot, Protocol):
+    """A robot whose world can begin anew, at a pace that can be changed."""
+
+    speed: float | None
+    """Times the real robot's pace; None is as fast as possible."""
+
+    def reset(self) -> None: ...
+
+
+class Busy(Exception):
+    """A program is running already."""
+
+
+class _CurrentPace:
+    """The pace of whatever program runs just now: the robot outlives the controls."""
+
+    def __init__(self) -> None:
+        self.control: ExecutionControl | None = None
+
+    def sleep(self, seconds: float) -> bool:
+        return self.control is not None and self.control.sleep(seconds)
+
+
+class Session:
+    """Runs programs on a robot and publishes what happens."""
+
+    def __init__(
+        self,
+        make_robot: Callable[[Pace, Watcher], ResettableRobot],
+        wording: Wording,
+        *,
+        world: str,
+        seed: int,
+        terminal: bool,
+    ) -> None:
+        """``terminal``: QUIT is allowed, and a name may be declared again by a later batch."""
+        self._pace = _CurrentPace()
+        self._began = 0.0
+        self.hub = Hub(lambda: self._robot.time() - self._began)
+        self._robot = make_robot(self._pace, RobotWatcher(self.hub))
+        self.wording = wording
+        self.teller = Teller(self.hub, wording)
+        self._actions = RobotActions(self._robot, self.hub, self.teller)
+        Announcer(self.hub, self.teller, wording)
+        self._memory = Memory()
+        self._world, self._seed, self._terminal = world, seed, terminal
+        self._lock = threading.Lock()
+        self._run: Run | None = None
+
+    # --- programs
+
+    def parse(self, text: str, first_line: int = 1) -> Parsed:
+        """The program's tree, or its mistakes of form, with the colours that this robot can see."""
+        return parse(text, first_line=first_line, colours=self._robot.colours)
+
+    def start(
+        self,
+        text: str,
+        name: str,
+        *,
+        fresh: bool = False,
+        hooked: bool = True,
+        trace: bool = False,
+        first_line: int = 1,
+        prepare: Callable[[ExecutionControl], None] | None = None,
+    ) -> Run:
+        """Run a program. Raises ``Busy`` while another one runs.
+
+        ``fresh`` puts the robot back to its start and forgets variables; ``hooked`` makes the program
+        steppable; ``prepare`` is given the control before the first statement (to step from the start, say).
+        """
+        run = self._claim(text, name, fresh, hooked or trace, trace, first_line)
+        if prepare:
+            prepare(run.control)
+        run.start(then=self._release)
+        return run
+
+    def _claim(self, text: str, name: str, fresh: bool, hooked: bool, trace: bool, first_line: int) -> Run:
+        with self._lock:
+            if self._run is not None:
+                raise Busy
+            if fresh:
+                self._begin_anew()
+            self._began = self._robot.time()
+            self._run = self._new_run(text, name, hooked, trace, first_line)
+            self._pace.control = self._run.control
+            return self._run
+
+    def _new_run(self, text: str, name: str, hooked: bool, trace: bool, first_line: int) -> Run:
+        parsed = self.parse(text, first_line)
+        program = parsed.program and compile_program(parsed.program, terminal=self._terminal, hooked=hooked)
+        return Run(
+            Stage(self._robot, self.hub, self._actions, self.wording),
+            RunStarted(name, self._world, self._robot.name, self._seed, __version__),
+            parsed.diagnostics if program is None else program,
+            tuple(text.splitlines()),
+            self._memory,
+            control=ExecutionControl(),
+            first_line=first_line,
+            trace=trace,
+        )
+
+    def _release(self, run: Run) -> None:
+        with self._lock:
+            if self._run is run:
+                self._run = None
+
+    def check(self, text: str) -> tuple[Diagnostic, ...]:
+        """All mistakes of form, or the hints of a program that has none."""
+        parsed = self.parse(text)
+        return parsed.diagnostics if parsed.program is None else parsed.diagnostics + check(parsed.program)
+
+    # --- the running program
+
+    @property
+    def run(self) -> Run | None:
+        """What runs just now."""
+        return self._run
+
+    @property
+    def frames(self) -> tuple[Frame, ...]:
+        run = self._run
+        return run.frames() if run else ()
+
+    def stop(self) -> None:
+        """Stop whatever runs, and halt the robot. Any thread, any time."""
+        run = self._run
+        if run:
+            run.control.stop()
+            self._robot.halt()
+
+    # --- the robot
+
+    @property
+    def speed(self) -> float | None:
+        return self._robot.speed
+
+    @speed.setter
+    def speed(self, speed: float | None) -> None:
+        self._robot.speed = speed
+
+    @property
+    def pose(self) -> Pose:
+        return self._robot.pose()
+
+    @property
+    def world(self) -> str:
+        return self._world
+
+    @property
+    def colours(self) -> frozenset[str]:
+        return self._robot.colours
+
+    @property
+    def variables(self) -> dict[str, int]:
+        """What the last program left."""
+        return dict(self._memory.variables)
+
+    def reset(self) -> None:
+        """Put the robot back to its start and forget everything. Raises ``Busy`` while a program runs."""
+        with self._lock:
+            if self._run is not None:
+                raise Busy
+            self._begin_anew()
+
+    def _begin_anew(self) -> None:
+        self._robot.reset()
+        self._actions.forget()
+        self._memory = Memory()
+
+    def close(self, seconds: float = 1.0) -> None:
+        """Stop, wait for the program's thread that long, and halt the robot."""
+        run = self._run
+        self.stop()
+        if run:
+            run.wait(seconds)
+        self._robot.halt()

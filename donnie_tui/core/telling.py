@@ -1,0 +1,77 @@
+"""The answers to questions: STATE, HISTORY, POS and HELP in words, published as announcements."""
+
+from __future__ import annotations
+
+from devices.ports.robot import Pose
+from donnie_tui.core import numbers
+from donnie_tui.core.events import Announced
+from donnie_tui.core.history import Movement
+from donnie_tui.core.hub import Hub
+from donnie_tui.core.wording import Wording
+
+_COMPASS = ("north", "northeast", "east", "southeast", "south", "southwest", "west", "northwest")
+
+
+class Teller:
+    """Makes sentences through the wording and publishes them."""
+
+    def __init__(self, hub: Hub, wording: Wording) -> None:
+        self._hub = hub
+        self._say = wording
+
+    def announce(self, code: str, sentence: str | None = None, **values: object) -> None:
+        """One sentence: ``sentence`` is its code in the catalogue where that is not ``code`` itself."""
+        self._hub.publish(Announced(code, self._say(sentence or code, **values)))
+
+    def state(self, last: Movement | None, pose: Pose) -> None:
+        if last is None:
+            self._no_movement("state", pose)
+        else:
+            self._movement("state", last)
+
+    def history(self, movements: tuple[Movement, ...], pose: Pose) -> None:
+        for movement in movements:
+            self._movement("history", movement)
+        if not movements:
+            self._no_movement("history", pose)
+
+    def position(self, pose: Pose) -> None:
+        self.announce("position", facing=self.facing(pose), x=numbers.whole(pose.x), y=numbers.whole(pose.y))
+
+    def facing(self, pose: Pose) -> str:
+        """The heading in words: "north", or "40 degrees, near northeast"."""
+        degrees = numbers.heading(pose)
+        point = self._say(f"compass-{_COMPASS[round(degrees / 45) % 8]}")
+        return point if degrees % 45 == 0 else self._say("facing-between", degrees=degrees, point=point)
+
+    def help(self, topic: str | None) -> None:
+        for line in self._say.help(topic):
+            self._hub.publish(Announced("help", line))
+
+    def overwritten(self, name: str) -> None:
+        self.announce("hint", "overwritten", name=name)
+
+    def waiting(self, seconds: int) -> None:
+        if seconds:
+            self.announce("waiting", seconds=seconds)
+
+    def belt(self, on: bool) -> None:
+        self.announce("belt", "belt-on" if on else "belt-off")
+
+    def _no_movement(self, code: str, pose: Pose) -> None:
+        self.announce(code, "no-movement", **_whole(pose))
+
+    def _movement(self, code: str, movement: Movement) -> None:
+        self.announce(
+            code,
+            "movement-turned" if movement.turned else "movement-walked",
+            number=movement.number,
+            command=movement.command,
+            done=movement.done,
+            crashed=self._say("crashed" if movement.crashed else "not-crashed"),
+            **_whole(movement.pose),
+        )
+
+
+def _whole(pose: Pose) -> dict[str, int]:
+    return {"x": numbers.whole(pose.x), "y": numbers.whole(pose.y), "heading": numbers.heading(pose)}

@@ -1,0 +1,113 @@
+"""The program that is typed in a terminal, line by line.
+
+Rules: lines keep their numbers from the first to the last, so that errors and listings agree. What is
+typed waits until it is run; what was run stays, so that the whole can be saved or run again. After a
+mistake of form nothing has run: one line is forgotten (the learner types it again), several lines are kept
+(the learner mends the one that was wrong).
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+from language.outline import block_depth
+
+
+@dataclass(frozen=True, slots=True)
+class Batch:
+    """What is to be run now: its text and the number of its first line."""
+
+    text: str
+    first_line: int
+    lines: int
+
+
+class TypedProgram:
+    """The lines so far, and how many of them have run."""
+
+    def __init__(self) -> None:
+        self.name: str | None = None
+        """The file that it was opened from or saved to."""
+        self.saved = True
+        self._lines: list[str] = []
+        self._run = 0
+
+    @property
+    def lines(self) -> tuple[str, ...]:
+        return tuple(self._lines)
+
+    @property
+    def text(self) -> str:
+        return "".join(f"{line}\n" for line in self._lines)
+
+    @property
+    def is_waiting(self) -> bool:
+        """Whether there is something that has not run yet."""
+        return any(line.strip() for line in self._lines[self._run :])
+
+    @property
+    def depth(self) -> int:
+        """How many blocks are open at the end of what waits."""
+        return block_depth("\n".join(self._lines[self._run :]))
+
+    def add(self, line: str) -> None:
+        self._lines.append(line)
+        self.saved = False
+
+    def take_batch(self) -> Batch:
+        """Everything that waits."""
+        waiting = self._lines[self._run :]
+        return Batch("\n".join(waiting), self._run + 1, len(waiting))
+
+    def batch_ran(self) -> None:
+        self._run = len(self._lines)
+
+    def batch_was_refused(self) -> bool:
+        """After a mistake of form. True if the lines were kept for mending, False if there was but one."""
+        if sum(bool(line.strip()) for line in self._lines[self._run :]) > 1:
+            return True
+        del self._lines[self._run :]
+        return False
+
+    def rewind(self) -> None:
+        """Let the whole program wait again."""
+        self._run = 0
+
+    def replace(self, text: str, name: str | None) -> None:
+        """Another program takes its place, and waits."""
+        self._lines = text.splitlines()
+        self._run = 0
+        self.name = name
+        self.saved = True
+
+    def clear(self) -> None:
+        self.replace("", None)
+
+    def change(self, number: int, line: str) -> None:
+        """Line ``number`` (from 1) is ``line`` from now on. Raises ``IndexError`` if there is none."""
+        self._check(number)
+        self._lines[number - 1] = line
+        self._touched(number)
+
+    def insert(self, number: int, line: str) -> None:
+        """``line`` becomes line ``number``; the ones from there on move down."""
+        if not 1 <= number <= len(self._lines) + 1:
+            raise IndexError(number)
+        self._lines.insert(number - 1, line)
+        self._touched(number)
+
+    def delete(self, first: int, last: int) -> None:
+        self._check(first)
+        self._check(last)
+        del self._lines[first - 1 : last]
+        self._touched(first)
+
+    def _check(self, number: int) -> None:
+        if not 1 <= number <= len(self._lines):
+            raise IndexError(number)
+
+    def _touched(self, number: int) -> None:
+        """A program whose part that had run was changed waits as a whole."""
+        self.saved = False
+        if number <= self._run:
+            self._run = 0

@@ -1,0 +1,1 @@
+"""Codes become sentences here, in English, Portuguese and Spanish, and nowhere else."""

@@ -1,0 +1,10 @@
+"""The one catalogue of sentences, a module a topic. A code is unique over all of them (a test holds it)."""
+
+from __future__ import annotations
+
+from donnie_tui.i18n.catalogue import movement
+from donnie_tui.i18n.sentence import Sentence
+
+TOPICS = (movement,)
+
+SENTENCES: dict[str, Sentence] = {code: each for topic in TOPICS for code, each in topic.SENTENCES.items()}

@@ -1,0 +1,49 @@
+"""One sentence of the catalogue: three languages side by side, and up to three levels of detail.
+
+Places are ``{name}``; ``{steps:step|steps}`` is the word that agrees with the number ``steps``.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from string import Formatter
+from typing import TypeAlias
+
+LANGUAGES = ("en", "pt", "es")
+DETAILS = ("brief", "normal", "full")
+
+Texts: TypeAlias = tuple[str, str, str]
+"""English, Brazilian Portuguese, Spanish."""
+
+
+@dataclass(frozen=True, slots=True)
+class Sentence:
+    """Equal in all languages; ``brief`` and ``full`` only where they differ from the normal one."""
+
+    en: str
+    pt: str
+    es: str
+    brief: Texts | None = None
+    full: Texts | None = None
+
+    def text(self, language: str, detail: str = "normal") -> str:
+        texts = {"brief": self.brief, "full": self.full}.get(detail) or (self.en, self.pt, self.es)
+        return texts[LANGUAGES.index(language)]
+
+
+class _Agreeing(Formatter):
+    """``str.format`` in which ``{n:one|many}`` chooses a word by the number n."""
+
+    def format_field(self, value: object, format_spec: str) -> str:
+        if "|" not in format_spec:
+            return str(super().format_field(value, format_spec))
+        one, many = format_spec.split("|")
+        return one if value in (1, -1) else many
+
+
+_FORMATTER = _Agreeing()
+
+
+def filled(text: str, values: dict[str, object]) -> str:
+    """The text with its places filled. Raises ``KeyError`` for a place without a value."""
+    return _FORMATTER.vformat(text, (), values)
