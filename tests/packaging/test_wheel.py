@@ -1,0 +1,73 @@
+"""The wheel holds our packages with their data and nothing else, and what it installs starts."""
+
+import subprocess
+import sys
+import venv
+import zipfile
+from pathlib import Path
+
+import pytest
+
+from tests.conftest import ROOT
+
+ROOTS = {"donnie_tui", "language", "sim", "devices", "worlds"}
+
+
+@pytest.fixture(scope="module")
+def wheel(tmp_path_factory: pytest.TempPathFactory) -> Path:
+    folder = tmp_path_factory.mktemp("wheel")
+    command = [sys.executable, "-m", "build", "--wheel", "--no-isolation", "--outdir", str(folder), str(ROOT)]
+    subprocess.run(command, check=True, capture_output=True, timeout=110)
+    return next(folder.glob("donnie_tui-*.whl"))
+
+
+def test_the_roots_are_ours_alone(wheel: Path) -> None:
+    roots = {name.split("/")[0] for name in zipfile.ZipFile(wheel).namelist()}
+
+    assert {root for root in roots if not root.endswith(".dist-info")} == ROOTS
+
+
+def test_every_data_file_of_the_packages_is_in_the_wheel(wheel: Path) -> None:
+    tracked = subprocess.run(["git", "ls-files", *ROOTS], cwd=ROOT, check=True, capture_output=True, text=True)
+
+    assert set(tracked.stdout.split()) <= set(zipfile.ZipFile(wheel).namelist())
+
+
+def test_the_three_commands_are_installed(wheel: Path) -> None:
+    archive = zipfile.ZipFile(wheel)
+    entry_points = next(name for name in archive.namelist() if name.endswith("entry_points.txt"))
+    lines = archive.read(entry_points).decode().splitlines()
+
+    assert {"donnie", "godonnie", "GoDonnie"} <= {line.split(" = ")[0] for line in lines}
+
+
+def test_what_is_installed_from_the_wheel_runs_a_program(wheel: Path, tmp_path: Path) -> None:
+    """The libraries are borrowed from the environment of the tests; our packages come from the wheel alone."""
+    venv.create(tmp_path / "env", with_pip=False, symlinks=True)
+    site = next((tmp_path / "env").glob("lib/python*/site-packages"))
+    zipfile.ZipFile(wheel).extractall(site)
+    (site / "borrowed.pth").write_text(borrowed_libraries(tmp_path))
+    program = tmp_path / "walk.gd"
+    program.write_text("FW 3 SPEAK POS y")
+
+    done = subprocess.run(
+        [str(tmp_path / "env/bin/python"), "-m", "donnie_tui", "run", str(program), "--speech", "off"],
+        capture_output=True,
+        text=True,
+        cwd=tmp_path,
+        timeout=60,
+    )
+
+    assert done.stdout.splitlines() == ["I walked 3 steps forward.", "3"], done.stderr
+
+
+def borrowed_libraries(tmp_path: Path) -> str:
+    """A folder with links to the installed libraries, without the editable install of this checkout."""
+    import lark
+
+    libraries = tmp_path / "libraries"
+    libraries.mkdir()
+    for each in Path(lark.__file__).parent.parent.iterdir():
+        if "donnie" not in each.name.lower() and each.suffix != ".pth":
+            (libraries / each.name).symlink_to(each)
+    return f"{libraries}\n"
