@@ -1,0 +1,170 @@
+"""Plays through ``pw-play``, ``paplay`` or ``aplay``, where miniaudio has no wheel or no device.
+
+One process a sound, in the audio worker's process group, so that ending the group ends the sound. The
+sound is handed over in memory where the system can (Linux), in a file that is gone afterwards elsewhere.
+"""
+
+from __future__ import annotations
+
+import os
+import shutil
+import subprocess
+import tempfile
+import threading
+import wave
+from array import array
+from collections.abc import Callable, Iterator
+from contextlib import contextmanager
+from dataclasses import dataclass
+from pathlib import Path
+
+from devices.sound.cue_policy import AT_ONCE
+from devices.sound.mixer import in_stereo
+from devices.sound.tones import SAMPLE_RATE
+
+_COMMANDS = (("pw-play",), ("paplay",), ("aplay", "-q"))
+_TRIAL_SECONDS = 2.0
+_TRIAL_SOUND = array("h", bytes(4 * (SAMPLE_RATE // 100)))
+
+
+def find_command_player() -> CommandPlayer | None:
+    """The first command that is there and plays ten milliseconds of silence without complaint."""
+    for name, *options in _COMMANDS:
+        program = shutil.which(name)
+        if program and _plays((program, *options)):
+            return CommandPlayer(name, (program, *options))
+    return None
+
+
+@dataclass(slots=True, eq=False)
+class _Sound:
+    process: subprocess.Popen[bytes]
+    cue: str
+    """Empty for the voice."""
+
+
+class CommandPlayer:
+    """A ``Player`` that starts a command for each sound."""
+
+    def __init__(self, name: str, command: tuple[str, ...]) -> None:
+        self.name = name
+        self._command = command
+        self._lock = threading.Lock()
+        self._sounds: list[_Sound] = []
+        self._waiting: set[threading.Timer] = set()
+
+    @property
+    def frames(self) -> int | None:
+        return None
+
+    @property
+    def is_playing(self) -> bool:
+        return bool(self._sounds)
+
+    def speak(self, mono: array[int], on_end: Callable[[], None]) -> None:
+        self._start(in_stereo(mono), "", on_end)
+
+    def cue(self, name: str, stereo: array[int], delay: float) -> None:
+        if delay > 0:
+            self._start_later(name, stereo, delay)
+        else:
+            self._start_cue(name, stereo)
+
+    def hush(self, speech: bool, cues: bool) -> None:
+        with self._lock:
+            self._forget([sound for sound in self._sounds if (cues if sound.cue else speech)])
+            for timer in self._waiting if cues else ():
+                timer.cancel()
+
+    def close(self) -> None:
+        self.hush(speech=True, cues=True)
+
+    def _start_later(self, name: str, stereo: array[int], delay: float) -> None:
+        def start() -> None:
+            self._waiting.discard(timer)
+            self._start_cue(name, stereo)
+
+        timer = threading.Timer(delay, start)
+        timer.daemon = True
+        self._waiting = {known for known in self._waiting if known.is_alive()} | {timer}
+        timer.start()
+
+    def _start_cue(self, name: str, stereo: array[int]) -> None:
+        with self._lock:
+            cues = [sound for sound in self._sounds if sound.cue]
+            self._forget(cues[: max(0, len(cues) + 1 - AT_ONCE)])
+        self._start(stereo, name, None)
+
+    def _start(self, stereo: array[int], cue: str, on_end: Callable[[], None] | None) -> None:
+        with self._lock, _as_file(stereo) as (path, descriptors):
+            try:
+                sound = _Sound(_run((*self._command, path), descriptors), cue)
+            except OSError:  # the command went away, or there is no process to be had
+                return  # a sentence that never ends is noticed by the other side
+            self._sounds.append(sound)
+        waiter = threading.Thread(target=self._wait, args=(sound, on_end), name="player", daemon=True)
+        waiter.start()
+
+    def _wait(self, sound: _Sound, on_end: Callable[[], None] | None) -> None:
+        sound.process.wait()
+        with self._lock:
+            was_hushed = sound not in self._sounds
+            self._sounds = [other for other in self._sounds if other is not sound]
+        if on_end is not None and not was_hushed:
+            on_end()
+
+    def _forget(self, sounds: list[_Sound]) -> None:
+        self._sounds = [sound for sound in self._sounds if sound not in sounds]
+        for sound in sounds:
+            sound.process.kill()
+
+
+def _plays(command: tuple[str, ...]) -> bool:
+    with _as_file(_TRIAL_SOUND) as (path, descriptors):
+        try:
+            process = _run((*command, path), descriptors)
+        except OSError:
+            return False
+        try:
+            return process.wait(_TRIAL_SECONDS) == 0
+        except subprocess.TimeoutExpired:
+            process.kill()
+            process.wait()
+            return False
+
+
+def _run(command: tuple[str, ...], descriptors: tuple[int, ...]) -> subprocess.Popen[bytes]:
+    """In the worker's own process group, unlike most children, so that both end together."""
+    return subprocess.Popen(
+        command,
+        stdin=subprocess.DEVNULL,
+        stdout=subprocess.DEVNULL,
+        stderr=subprocess.DEVNULL,
+        pass_fds=descriptors,
+    )
+
+
+@contextmanager
+def _as_file(stereo: array[int]) -> Iterator[tuple[str, tuple[int, ...]]]:
+    """A path to the sound as a WAV file, and the descriptors that a child needs to open it."""
+    if hasattr(os, "memfd_create"):
+        descriptor = os.memfd_create("donnie-sound")
+        try:
+            path = f"/proc/self/fd/{descriptor}"
+            _write_wav(path, stereo)
+            yield path, (descriptor,)
+        finally:
+            os.close(descriptor)
+    else:
+        with tempfile.TemporaryDirectory(prefix="donnie-sound-") as folder:
+            file = Path(folder, "sound.wav")
+            _write_wav(str(file), stereo)
+            yield str(file), ()
+
+
+def _write_wav(path: str, stereo: array[int]) -> None:
+    with wave.open(path, "wb") as file:
+        file.setnchannels(2)
+        file.setsampwidth(2)
+        file.setframerate(SAMPLE_RATE)
+        file.writeframes(stereo.tobytes())

@@ -1,0 +1,102 @@
+"""Printed signs in words, for the ear (S12). Pure.
+
+What is spoken is what is printed, word for word; only signs that a voice swallows or misreads are
+spelled out. espeak-ng drops the minus of ``x=-3``, says nothing for ``<>``, reads the point of ``3.5`` in
+Portuguese as a pause and the minus of ``-3`` in Spanish not at all (heard with ``espeak-ng -q -x``).
+Unknown languages only lose their control characters: nothing is read in the words of another language.
+"""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Callable
+from dataclasses import dataclass
+
+
+@dataclass(frozen=True, slots=True)
+class _Words:
+    minus: str
+    point: str
+    degree: str
+    degrees: str
+    digit_by_digit: bool
+    """English reads the digits after the point one by one."""
+    signs: tuple[tuple[str, str], ...]
+    """Comparisons and sums; the longer sign first."""
+
+
+_ENGLISH = _Words(
+    "minus", "point", "degree", "degrees", True,
+    (
+        ("<=", "less than or equal to"), (">=", "greater than or equal to"), ("<>", "different from"),
+        ("!=", "different from"), ("==", "equals"), ("<", "less than"), (">", "greater than"),
+        ("=", "equals"), ("+", "plus"), ("*", "times"), ("/", "divided by"),
+    ),
+)  # fmt: skip
+_PORTUGUESE = _Words(
+    "menos", "vírgula", "grau", "graus", False,
+    (
+        ("<=", "menor ou igual a"), (">=", "maior ou igual a"), ("<>", "diferente de"),
+        ("!=", "diferente de"), ("==", "igual a"), ("<", "menor que"), (">", "maior que"),
+        ("=", "igual a"), ("+", "mais"), ("*", "vezes"), ("/", "dividido por"),
+    ),
+)  # fmt: skip
+_SPANISH = _Words(
+    "menos", "coma", "grado", "grados", False,
+    (
+        ("<=", "menor o igual que"), (">=", "mayor o igual que"), ("<>", "diferente de"),
+        ("!=", "diferente de"), ("==", "igual a"), ("<", "menor que"), (">", "mayor que"),
+        ("=", "igual a"), ("+", "más"), ("*", "por"), ("/", "dividido por"),
+    ),
+)  # fmt: skip
+_LANGUAGES = {"en": _ENGLISH, "pt": _PORTUGUESE, "es": _SPANISH}
+
+_UNSPEAKABLE = re.compile(r"[\x00-\x1f\x7f-\x9f\u200b-\u200f\u2028-\u202e\u2060\ufeff\ud800-\udfff]+")
+_DEGREES = re.compile(r"(?P<number>\d+(?:[.,]\d+)?)\s?°(?!\w)")
+_DECIMAL = re.compile(r"(?<![\w.,])(?P<whole>\d+)\.(?P<fraction>\d+)(?!\w|[.,]\w)")
+_MINUS = re.compile(
+    r"(?<![\w)\]\-\u2212])\s?[-\u2212]\s?(?=\d)"  # a sign: "x equals -3", "(-3"
+    r"|(?<![^\s(])[-\u2212](?=[^\W\d])"  # a sign before a name: "-x", never a hyphen
+    r"|(?<=[\d)])\s?[-\u2212]\s?(?=[\w(])"  # a difference: "5-3", "(a)-b"
+    r"|(?<=\w)\s?[-\u2212]\s?(?=\d)"  # and "x-3"
+)
+_COMPARISON = re.compile(r"\s?(?P<sign><=|>=|<>|!=|==|<|>|=)\s?")
+_SUM = re.compile(
+    r"(?<=[\w)])\s?(?P<sign>[+*])\s?(?=[\w(-])"
+    r"|(?<=[\d)])(?P<slash>/)(?=[\d(])"  # "6/3", but not "and/or"
+    r"|\s(?P<alone>[/+*])\s"
+)
+_BLANKS = re.compile(r"[ \t]+")
+
+
+def for_the_ear(text: str, language: str) -> str:
+    """``text`` as a voice of ``language`` (``en``, ``pt``, ``es``, with or without a region) should read it."""
+    speakable = _UNSPEAKABLE.sub(" ", text)
+    words = _LANGUAGES.get(re.split(r"[-_]", language.lower(), maxsplit=1)[0])
+    if words is not None:
+        speakable = _spell_out(speakable, words)
+    return _BLANKS.sub(" ", speakable).strip()
+
+
+def _spell_out(text: str, words: _Words) -> str:
+    text = _DEGREES.sub(lambda found: _degrees(found, words), text)
+    text = _COMPARISON.sub(_sign(words), text)
+    text = _SUM.sub(_sign(words), text)
+    text = _MINUS.sub(f" {words.minus} ", text)
+    return _DECIMAL.sub(lambda found: _decimal(found, words), text)
+
+
+def _degrees(found: re.Match[str], words: _Words) -> str:
+    number = found["number"]
+    return f"{number} {words.degree if number == '1' else words.degrees}"
+
+
+def _decimal(found: re.Match[str], words: _Words) -> str:
+    fraction = found["fraction"]
+    digits = " ".join(fraction) if words.digit_by_digit or fraction.startswith("0") else fraction
+    return f"{found['whole']} {words.point} {digits}"
+
+
+def _sign(words: _Words) -> Callable[[re.Match[str]], str]:
+    spoken = dict(words.signs)
+    return lambda found: f" {spoken[next(sign for sign in found.groupdict().values() if sign)]} "

@@ -1,0 +1,138 @@
+"""Looks around for what ``choose`` wants to know: reads files and the environment, starts nothing.
+
+A few milliseconds: no library is loaded, no socket opened, no process started. So it finds what is
+plausible; what really works is told later by the audio worker.
+"""
+
+from __future__ import annotations
+
+import os
+import sys
+from collections.abc import Iterator, Mapping
+from importlib.util import find_spec
+from pathlib import Path
+
+from devices.speech.choose import Facts
+
+_READERS = frozenset({"orca", "fenrir", "yasr", "tdsr", "emacspeak", "speakup"})
+"""Readers that speak. BRLTTY alone does not."""
+
+_SYSTEM_READERS = frozenset({"fenrir"})
+"""Started by the system for its consoles, so another user's process too."""
+
+_INTERPRETERS = ("python", "perl", "bash", "dash", "sh", "env", "tclsh")
+
+_LIBRARY_FOLDERS = ("/usr/lib", "/usr/lib64", "/lib", "/usr/local/lib", "/opt/homebrew/lib")
+_LIBRARIES = ("libespeak-ng.so.1", "libespeak-ng.1.dylib")
+_YES = frozenset({"1", "true", "yes", "on"})
+
+
+def look_around(environment: Mapping[str, str] | None = None, root: Path = Path("/")) -> Facts:
+    """The facts about this process's surroundings; ``environment`` and ``root`` are for tests."""
+    variables = os.environ if environment is None else environment
+    return Facts(
+        stdout_is_terminal=_stdout_is_terminal(),
+        over_ssh=bool(variables.get("SSH_CONNECTION") or variables.get("SSH_TTY")),
+        screen_reader=find_screen_reader(variables, root),
+        has_voice=has_voice(root),
+        has_sound_device=has_sound_device(variables, root),
+    )
+
+
+def find_screen_reader(variables: Mapping[str, str], root: Path = Path("/")) -> str | None:
+    """The name of a speaking screen reader that runs for this user, or None."""
+    if variables.get("DONNIE_READER", "").lower() in _YES:
+        return "DONNIE_READER"
+    if _speakup_speaks(root):
+        return "speakup"
+    return next(_running_readers(root), None)
+
+
+def has_voice(root: Path = Path("/")) -> bool:
+    """Whether pyttsx3 is installed and finds an espeak-ng library, the system's or the bundled one."""
+    if find_spec("pyttsx3") is None:
+        return False
+    return find_spec("espeakng_loader") is not None or sys.platform != "linux" or _has_library(root)
+
+
+def has_sound_device(variables: Mapping[str, str], root: Path = Path("/")) -> bool:
+    """Whether a sound card or a sound server is plausible. Always true where only trying would tell."""
+    if sys.platform != "linux" or variables.get("PULSE_SERVER"):
+        return True
+    runtime = variables.get("XDG_RUNTIME_DIR")
+    if runtime and any(Path(runtime, name).exists() for name in ("pulse/native", "pipewire-0")):
+        return True
+    return any((root / "dev/snd").glob("pcmC*p"))
+
+
+def _stdout_is_terminal() -> bool:
+    try:
+        return sys.stdout.isatty()
+    except (AttributeError, ValueError):  # None without a console, or closed
+        return False
+
+
+def _has_library(root: Path) -> bool:
+    for folder in _LIBRARY_FOLDERS:
+        place = root / folder.lstrip("/")
+        if any((place / name).exists() or any(place.glob(f"*/{name}")) for name in _LIBRARIES):
+            return True
+    return False
+
+
+def _speakup_speaks(root: Path) -> bool:
+    synth = _read(root / "sys/accessibility/speakup/synth").strip()
+    return synth not in ("", "none")
+
+
+def _running_readers(root: Path) -> Iterator[str]:
+    own_user = os.getuid() if hasattr(os, "getuid") else -1
+    for entry in _processes(root / "proc"):
+        reader = _reader_in(entry)
+        if reader and (reader in _SYSTEM_READERS or _owner(entry) == own_user):
+            yield reader
+
+
+def _processes(proc: Path) -> list[Path]:
+    try:
+        return [Path(entry.path) for entry in os.scandir(proc) if entry.name.isdigit()]
+    except OSError:
+        return []
+
+
+def _reader_in(entry: Path) -> str | None:
+    """A reader is a program, a script that an interpreter runs, or Emacs with Emacspeak's files."""
+    arguments = _read(entry / "cmdline").rstrip("\0").split("\0")
+    if arguments == [""]:  # a kernel thread, or a process that has just ended
+        return None
+    found = _READERS & {*_program_names(arguments), _read(entry / "comm").strip().lower()}
+    if found:
+        return min(found)
+    return "emacspeak" if any("/emacspeak/" in argument for argument in arguments[:6]) else None
+
+
+def _program_names(arguments: list[str]) -> Iterator[str]:
+    """The program's name and, if that is an interpreter, its script's; not the files that it was given."""
+    program = _bare_name(arguments[0])
+    yield program
+    if program.startswith(_INTERPRETERS):
+        yield from [_bare_name(argument) for argument in arguments[1:] if not argument.startswith("-")][:1]
+
+
+def _bare_name(path: str) -> str:
+    return Path(path).name.lower().removesuffix(".py")
+
+
+def _owner(entry: Path) -> int | None:
+    try:
+        return entry.stat().st_uid
+    except OSError:
+        return None
+
+
+def _read(path: Path) -> str:
+    try:
+        with path.open("rb") as file:
+            return file.read(4096).decode("utf-8", "replace")
+    except OSError:
+        return ""

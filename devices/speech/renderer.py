@@ -1,0 +1,148 @@
+"""Turns a sentence into sound with pyttsx3, in the audio worker only.
+
+pyttsx3 is used as a renderer and nothing else: ``save_to_file`` and ``runAndWait``. Its ``say`` and its
+``stop`` are called nowhere (S5): on Linux the one repeats and swallows, the other cuts nothing and hangs.
+It accepts unknown voices without a word and keeps the old one, so what was set is read back (S10).
+
+The system's espeak-ng comes first, then the one that espeakng-loader brings.
+"""
+
+from __future__ import annotations
+
+import ctypes
+import os
+import sys
+import tempfile
+import wave
+from array import array
+from collections.abc import Iterator
+from contextlib import contextmanager
+from pathlib import Path
+from typing import Any
+
+from devices.sound.tones import SAMPLE_RATE
+from devices.speech.voices import LANGUAGES, Voice, VoiceSettings, base_language, choose_voice
+
+_SYSTEM_LIBRARY = "libespeak-ng.so.1"
+
+
+class NoVoice(Exception):
+    """Nothing here can speak, or not in the language asked for."""
+
+
+class Renderer:
+    """A voice for each language that has one. Belongs to one thread."""
+
+    def __init__(self, prefer_bundled: bool = False) -> None:
+        """Load it, some 0.1 s. ``prefer_bundled`` passes a system's espeak-ng over. Raises ``NoVoice``."""
+        _make_espeak_findable(prefer_bundled)
+        self._engine = _start_engine()
+        self._voices = self._working_voices()
+        if not self._voices:
+            raise NoVoice
+
+    @property
+    def languages(self) -> tuple[str, ...]:
+        """Those that a voice was found for, and that took it when it was tried."""
+        return tuple(self._voices)
+
+    def render(self, text: str, language: str, settings: VoiceSettings) -> array[int]:
+        """16-bit mono samples at ``SAMPLE_RATE``. Raises ``NoVoice`` rather than use another language's."""
+        voice = self._voices.get(base_language(language))
+        if voice is None or not self._takes(voice):
+            raise NoVoice
+        if not text.strip():  # pyttsx3 would wait for ever
+            return array("h")
+        self._engine.setProperty("rate", settings.words_per_minute)
+        self._engine.setProperty("volume", settings.volume)
+        self._set_pitch(settings.pitch)
+        return self._rendered(text)
+
+    def _rendered(self, text: str) -> array[int]:
+        with _scratch_file() as path:
+            self._engine.save_to_file(text, path)
+            self._engine.runAndWait()
+            return read_mono(path)
+
+    def _set_pitch(self, pitch: int) -> None:
+        if self._engine.driver_name == "espeak":  # the other drivers know none
+            self._engine.setProperty("pitch", pitch)
+
+    def _working_voices(self) -> dict[str, Voice]:
+        offered = [Voice(each.id, _tags(each.languages)) for each in self._engine.getProperty("voices")]
+        chosen = {language: choose_voice(language, offered) for language in LANGUAGES}
+        return {language: voice for language, voice in chosen.items() if voice and self._takes(voice)}
+
+    def _takes(self, voice: Voice) -> bool:
+        self._engine.setProperty("voice", voice.identifier)
+        return bool(self._engine.getProperty("voice") == voice.identifier)
+
+
+def read_mono(path: str) -> array[int]:
+    """The samples of a 16-bit WAV file, mixed to mono, at ``SAMPLE_RATE``."""
+    with wave.open(path, "rb") as file:
+        channels, rate = file.getnchannels(), file.getframerate()
+        if file.getsampwidth() != 2:
+            raise NoVoice
+        samples = array("h", file.readframes(file.getnframes()))
+    if sys.byteorder == "big":
+        samples.byteswap()
+    return _resampled(samples[::channels], rate)
+
+
+def _resampled(samples: array[int], rate: int) -> array[int]:
+    """The nearest sample will do for a voice; espeak-ng's rate is ours anyway."""
+    if rate == SAMPLE_RATE:
+        return samples
+    length = len(samples) * SAMPLE_RATE // rate
+    return array("h", (samples[frame * rate // SAMPLE_RATE] for frame in range(length)))
+
+
+def _make_espeak_findable(prefer_bundled: bool) -> None:
+    """Load the bundled library globally, under its own name, so that pyttsx3 finds it by that name."""
+    if not sys.platform.startswith("linux") or (not prefer_bundled and _is_loadable(_SYSTEM_LIBRARY)):
+        return
+    try:
+        import espeakng_loader
+
+        os.environ["ESPEAK_DATA_PATH"] = espeakng_loader.get_data_path()
+        ctypes.CDLL(espeakng_loader.get_library_path(), mode=ctypes.RTLD_GLOBAL)
+    except (ImportError, OSError, RuntimeError):
+        os.environ.pop("ESPEAK_DATA_PATH", None)  # pyttsx3 may still find one
+
+
+def _is_loadable(library: str) -> bool:
+    try:
+        ctypes.CDLL(library)
+    except OSError:
+        return False
+    return True
+
+
+def _start_engine() -> Any:  # pyttsx3 ships no types
+    try:
+        import pyttsx3
+
+        return pyttsx3.init()
+    except Exception as reason:  # noqa: BLE001 - a driver raises what its system raises; all of it means: no voice
+        raise NoVoice from reason
+
+
+def _tags(languages: object) -> tuple[str, ...]:
+    """pyttsx3's drivers give strings or bytes, or nothing."""
+    tags = languages if isinstance(languages, list | tuple) else ()
+    return tuple(tag.decode("ascii", "ignore") if isinstance(tag, bytes) else str(tag) for tag in tags)
+
+
+@contextmanager
+def _scratch_file() -> Iterator[str]:
+    """A path to write one WAV file to: in memory where the system can, so that nothing is left behind."""
+    if hasattr(os, "memfd_create"):
+        descriptor = os.memfd_create("donnie-voice")
+        try:
+            yield f"/proc/self/fd/{descriptor}"
+        finally:
+            os.close(descriptor)
+    else:
+        with tempfile.TemporaryDirectory(prefix="donnie-voice-") as folder:
+            yield str(Path(folder, "voice.wav"))
