@@ -1,0 +1,221 @@
+"""Pausing, stepping and stopping a running program: one state, one table, one condition variable.
+
+Front ends ask from any thread and never block. The program's thread answers at its checkpoints
+(``reached``) and in its waits (``sleep``), and is the only one that ever waits here. A pause takes hold
+where the program next looks: until then the state is PAUSING, from then on PAUSED.
+"""
+
+from __future__ import annotations
+
+import threading
+import time
+from collections.abc import Callable
+from enum import Enum, auto
+from math import inf
+
+from language.diagnostics import Stopped
+
+LONGEST_WAIT = 3600.0
+"""Seconds that one wait of the condition variable may take; longer sleeps wait several times."""
+
+FOREVER = 1e12
+"""Seconds beyond which a sleep's length makes no difference to anybody."""
+
+
+class ControlState(Enum):
+    """What a program is doing, or is about to do at its next checkpoint."""
+
+    RUNNING = auto()
+    PAUSING = auto()
+    """A pause was asked for; the program holds at its next checkpoint or wait."""
+    PAUSED = auto()
+    """The program holds."""
+    STEPPING = auto()
+    """It holds again before its next statement."""
+    STEPPING_OVER = auto()
+    """It holds again before its next statement that is not inside a call."""
+    RUNNING_TO = auto()
+    """It holds again before the next statement on a certain line."""
+    STOPPING = auto()
+    ENDED = auto()
+
+
+class Request(Enum):
+    """What can happen to the state. HOLD and END come from the program's thread, the rest from front ends."""
+
+    PAUSE = auto()
+    RESUME = auto()
+    STEP = auto()
+    STEP_OVER = auto()
+    RUN_TO = auto()
+    STOP = auto()
+    HOLD = auto()
+    END = auto()
+    RESTART = auto()
+
+
+_S, _R = ControlState, Request
+_HOLDABLE = (_S.PAUSING, _S.STEPPING, _S.STEPPING_OVER, _S.RUNNING_TO)
+_ALIVE = (_S.RUNNING, _S.PAUSED, *_HOLDABLE)
+
+TRANSITIONS: dict[tuple[ControlState, Request], ControlState] = {
+    **{(state, _R.PAUSE): _S.PAUSING for state in _ALIVE if state is not _S.PAUSED},
+    **{(state, _R.RESUME): _S.RUNNING for state in _ALIVE},
+    **{(state, _R.STEP): _S.STEPPING for state in _ALIVE},
+    **{(state, _R.STEP_OVER): _S.STEPPING_OVER for state in _ALIVE},
+    **{(state, _R.RUN_TO): _S.RUNNING_TO for state in _ALIVE},
+    **{(state, _R.STOP): _S.STOPPING for state in _ALIVE},
+    **{(state, _R.HOLD): _S.PAUSED for state in _HOLDABLE},
+    **{(state, _R.END): _S.ENDED for state in (*_ALIVE, _S.STOPPING)},
+    (_S.ENDED, _R.RESTART): _S.RUNNING,
+}
+"""Where each request leads; one that is not listed changes nothing."""
+
+
+class ExecutionControl:
+    """The switch between one program and the people who watch it."""
+
+    def __init__(self, clock: Callable[[], float] = time.monotonic) -> None:
+        self._clock = clock
+        self._changed = threading.Condition(threading.Lock())
+        self._state = ControlState.RUNNING
+        self._line = 0
+        self._held_depth = inf
+        self._over_depth = inf
+        self._observers: list[Callable[[ControlState], None]] = []
+        self._runtime: Callable[[ControlState], None] | None = None
+
+    # --- for front ends, from any thread ---
+
+    @property
+    def state(self) -> ControlState:
+        return self._state
+
+    def stop(self) -> None:
+        """End the program at its next checkpoint, in the middle of a wait or of a movement too."""
+        self._change(Request.STOP)
+
+    def pause(self) -> None:
+        self._change(Request.PAUSE)
+
+    def resume(self) -> None:
+        self._change(Request.RESUME)
+
+    def step(self) -> None:
+        """Go on to the next statement, into a procedure where one is called."""
+        self._change(Request.STEP)
+
+    def step_over(self) -> None:
+        """Go on to the next statement, after the whole procedure where one is called."""
+        self._change(Request.STEP_OVER)
+
+    def run_to(self, line: int) -> None:
+        """Go on to the next statement that begins on ``line``."""
+        self._change(Request.RUN_TO, line)
+
+    def restart(self) -> None:
+        """Make the control of an ended program fit for the next one; without effect on a living one."""
+        self._change(Request.RESTART)
+
+    def observe(self, told: Callable[[ControlState], None]) -> Callable[[], None]:
+        """Have ``told`` called with the new state each time the state becomes or stops being PAUSED.
+
+        It is called without any lock, in the thread that made the change: the program's own where it
+        holds. Two changes close together may be told by two threads at once; ``state`` is the truth.
+        Returns what ends the observation.
+        """
+        self._observers.append(told)
+        return lambda: self._observers.remove(told)
+
+    # --- for the program's thread ---
+
+    def sleep(self, seconds: float) -> bool:
+        """Wait. False as soon as the program must stop. The time in which it is paused does not count."""
+        remaining = float(min(seconds, FOREVER))
+        while True:
+            self._hold_if(lambda: self._state is ControlState.PAUSING, inf)
+            with self._changed:
+                if self._state in (ControlState.STOPPING, ControlState.ENDED):
+                    return False
+                if self._state is ControlState.PAUSING:
+                    continue
+                if remaining <= 0:
+                    return True
+                started = self._clock()
+                self._changed.wait(min(remaining, LONGEST_WAIT))
+                remaining -= self._clock() - started
+
+    def reached(self, line: int, depth: int) -> None:
+        """A statement on ``line``, inside ``depth`` calls, is next: hold if that was asked, or raise Stopped."""
+        self._hold_if(lambda: self._holds_at(line, depth), depth)
+        if self._state is ControlState.STOPPING:
+            raise Stopped
+
+    def ended(self) -> None:
+        """The program is over, however it ended."""
+        self._change(Request.END)
+
+    # --- for the runtime ---
+
+    def attach(self, runtime: Callable[[ControlState], None] | None) -> None:
+        """Have ``runtime`` called with the state now and at every change, under the lock: it must not wait."""
+        with self._changed:
+            self._runtime = runtime
+            if runtime is not None:
+                runtime(self._state)
+
+    def holds_on_line(self) -> int:
+        """The line that ``run_to`` asked for last."""
+        return self._line
+
+    def holds_to_depth(self) -> float:
+        """The number of calls up to which ``step_over`` holds."""
+        return self._over_depth
+
+    # --- inside ---
+
+    def _holds_at(self, line: int, depth: int) -> bool:
+        match self._state:
+            case ControlState.PAUSING | ControlState.STEPPING:
+                return True
+            case ControlState.STEPPING_OVER:
+                return depth <= self._over_depth
+            case ControlState.RUNNING_TO:
+                return line == self._line
+            case _:
+                return False
+
+    def _hold_if(self, wanted: Callable[[], bool], depth: float) -> None:
+        """If ``wanted``, be paused, tell it, and wait for the next request."""
+        with self._changed:
+            holding = wanted()
+            if holding:
+                self._held_depth = depth
+                self._apply(Request.HOLD)
+        if holding:
+            self._tell(ControlState.PAUSED)
+            with self._changed:
+                self._changed.wait_for(lambda: self._state is not ControlState.PAUSED)
+
+    def _change(self, request: Request, line: int = 0) -> None:
+        with self._changed:
+            before = self._state
+            if request is Request.RUN_TO:
+                self._line = line
+            elif request is Request.STEP_OVER and before is not ControlState.STEPPING_OVER:
+                self._over_depth = self._held_depth if before is ControlState.PAUSED else inf
+            after = self._apply(request)
+        if before is ControlState.PAUSED and after is not before:
+            self._tell(after)
+
+    def _apply(self, request: Request) -> ControlState:
+        """Follow the table and let the runtime know; under the lock."""
+        self._state = TRANSITIONS.get((self._state, request), self._state)
+        if self._runtime is not None:
+            self._runtime(self._state)
+        self._changed.notify_all()
+        return self._state
+
+    def _tell(self, state: ControlState) -> None:
+        for told in tuple(self._observers):
+            told(state)
