@@ -11,6 +11,7 @@ from typing import assert_never
 from devices.ports.robot import StoppedBy
 from donnie_tui.core.events import (
     Announced,
+    Answered,
     BeltShown,
     CueSounded,
     Error,
@@ -70,6 +71,7 @@ class Announcer:
                 | CueSounded()
                 | BeltShown()
                 | Passing()
+                | Answered()
             ):
                 pass
             case never:

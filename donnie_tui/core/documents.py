@@ -25,6 +25,40 @@ class DocumentError(Exception):
         self.reason = reason
 
 
+SUFFIX = ".gd"
+
+
+def program_to_open(name: str) -> Path:
+    """The file that somebody means who types ``name``: that one, or the one with the suffix of programs."""
+    path = _typed_path(name)
+    suffixed = path.with_name(path.name + SUFFIX)
+    return suffixed if not _exists(path) and _exists(suffixed) else path
+
+
+def program_to_save(name: str) -> Path:
+    """The file that a program is saved to: the suffix is added where a name has none."""
+    path = _typed_path(name)
+    return path if path.suffix or _exists(path) else path.with_name(path.name + SUFFIX)
+
+
+def _typed_path(name: str) -> Path:
+    """The path of a name that may stand between quotes. Raises ``DocumentError``."""
+    path = Path(name.strip().strip("\"'“”"))
+    if not path.name or "\0" in name:
+        raise DocumentError("file-is-folder", str(path))
+    try:
+        return path.expanduser()
+    except RuntimeError:
+        return path
+
+
+def _exists(path: Path) -> bool:
+    try:
+        return path.exists()
+    except OSError:
+        return False
+
+
 def read_program(path: Path) -> str:
     """The text of a program. Raises ``DocumentError``."""
     try:

@@ -5,7 +5,7 @@ from __future__ import annotations
 import json
 from typing import TextIO
 
-from donnie_tui.core.events import Passing, Stamped, as_record
+from donnie_tui.core.events import TRANSIENT, Stamped, as_record
 
 
 class JsonLines:
@@ -15,7 +15,7 @@ class JsonLines:
         self._out = out
 
     def __call__(self, stamped: Stamped) -> None:
-        if not isinstance(stamped.event, Passing):
+        if not isinstance(stamped.event, TRANSIENT):
             self._out.write(as_line(stamped))
             self._out.flush()
 

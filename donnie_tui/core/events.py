@@ -1,7 +1,7 @@
 """The events: everything that happens, as values. Names and fields are a contract (scripts rely on them).
 
-``Passing`` is the one exception: it is where the robot is just now, for a moving picture, depends on the
-clock of the machine and is therefore neither numbered nor recorded.
+The transient ones are the exception, neither numbered nor recorded: ``Passing``, where the robot is just
+now, for a moving picture, depends on the clock of the machine; ``Answered`` is about the front end.
 """
 
 from __future__ import annotations
@@ -170,6 +170,15 @@ class Passing:
     pose: Pose
 
 
+@dataclass(frozen=True, slots=True)
+class Answered:
+    """What a front end answers to a word of its own, such as "Saved."; told and spoken; transient."""
+
+    text: str
+
+
+TRANSIENT = (Passing, Answered)
+
 Event: TypeAlias = (
     RunStarted
     | Statement
@@ -187,6 +196,7 @@ Event: TypeAlias = (
     | Error
     | RunEnded
     | Passing
+    | Answered
 )
 
 

@@ -11,7 +11,7 @@ from collections import deque
 from collections.abc import Callable
 from typing import TypeAlias
 
-from donnie_tui.core.events import Event, Passing, Stamped
+from donnie_tui.core.events import TRANSIENT, Event, Stamped
 
 Listener: TypeAlias = Callable[[Stamped], None]
 
@@ -44,7 +44,7 @@ class Hub:
         self._deliver()
 
     def _stamp(self, event: Event) -> Stamped:
-        if isinstance(event, Passing):
+        if isinstance(event, TRANSIENT):
             return Stamped(0, self._clock(), event, self._robot)
         self._seq += 1
         return Stamped(self._seq, self._clock(), event, self._robot)

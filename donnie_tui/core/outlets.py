@@ -8,6 +8,7 @@ from __future__ import annotations
 from devices.ports.audio import Belt, Cue, CuePlayer, Speaker, Urgency, Utterance
 from donnie_tui.core.events import (
     Announced,
+    Answered,
     BeltShown,
     CueSounded,
     Error,
@@ -84,5 +85,7 @@ def _urgency_of(event: Event) -> Urgency:
             return Urgency.ALERT
         case Announced(code=code):
             return _URGENCY_OF.get(code, Urgency.ANSWER)
+        case Answered():
+            return Urgency.ANSWER
         case _:
             return Urgency.PROGRESS

@@ -61,7 +61,7 @@ class Run:
         self._over = threading.Event()
 
     def start(self, then: Callable[[Run], None]) -> None:
-        """Begin; ``then`` is called in the program's thread after the last event."""
+        """Begin; ``then`` is called in the program's thread, after the last event, before ``wait`` returns."""
         thread = threading.Thread(target=self._run, args=(then,), name=f"program {self.name}", daemon=True)
         thread.start()
 
@@ -73,6 +73,11 @@ class Run:
     def is_over(self) -> bool:
         return self._over.is_set()
 
+    @property
+    def was_refused(self) -> bool:
+        """Whether mistakes of form keep it from running."""
+        return isinstance(self._program, tuple)
+
     def frames(self) -> tuple[Frame, ...]:
         """The call stack, innermost first; empty when nothing runs."""
         if self.is_over or isinstance(self._program, tuple):
@@ -83,8 +88,10 @@ class Run:
         try:
             self.outcome = self._tell_and_run()
         finally:
-            self._over.set()
-            then(self)
+            try:
+                then(self)
+            finally:
+                self._over.set()
 
     def _tell_and_run(self) -> Outcome:
         hub, robot = self._stage.hub, self._stage.robot

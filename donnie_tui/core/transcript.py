@@ -5,14 +5,14 @@ Whatever is spoken is printed: the voice takes its text from here too.
 
 from __future__ import annotations
 
-from donnie_tui.core.events import Announced, Error, Event, Spoke
+from donnie_tui.core.events import Announced, Answered, Error, Event, Spoke
 from donnie_tui.core.wording import Wording
 
 
 def lines_of(event: Event, wording: Wording) -> tuple[str, ...]:
     """The lines that tell the event, none if it is not told in words."""
     match event:
-        case Spoke(text=text) | Announced(text=text):
+        case Spoke(text=text) | Announced(text=text) | Answered(text=text):
             return tuple(text.splitlines()) or ("",)
         case Error():
             return _lines_of_error(event, wording)

@@ -12,6 +12,16 @@ from dataclasses import dataclass
 
 from language.outline import block_depth
 
+WORTH_SAVING = 5
+"""Unsaved lines from which on a learner is asked before they are lost."""
+
+LARGEST = 8 * 1024 * 1024
+"""Characters that may be typed into one program."""
+
+
+class ProgramTooLong(Exception):
+    """What is typed would exceed ``LARGEST``."""
+
 
 @dataclass(frozen=True, slots=True)
 class Batch:
@@ -31,6 +41,12 @@ class TypedProgram:
         self.saved = True
         self._lines: list[str] = []
         self._run = 0
+        self._size = 0
+
+    @property
+    def is_worth_saving(self) -> bool:
+        """Whether enough would be lost that the learner must be asked first."""
+        return not self.saved and (self.name is not None or len(self._lines) >= WORTH_SAVING)
 
     @property
     def lines(self) -> tuple[str, ...]:
@@ -50,7 +66,14 @@ class TypedProgram:
         """How many blocks are open at the end of what waits."""
         return block_depth("\n".join(self._lines[self._run :]))
 
+    @property
+    def waiting(self) -> int:
+        """How many lines have not run yet."""
+        return len(self._lines) - self._run
+
     def add(self, line: str) -> None:
+        """One line more at the end. Raises ``ProgramTooLong``."""
+        self._grow(line)
         self._lines.append(line)
         self.saved = False
 
@@ -77,6 +100,7 @@ class TypedProgram:
         """Another program takes its place, and waits."""
         self._lines = text.splitlines()
         self._run = 0
+        self._size = len(text)
         self.name = name
         self.saved = True
 
@@ -84,23 +108,38 @@ class TypedProgram:
         self.replace("", None)
 
     def change(self, number: int, line: str) -> None:
-        """Line ``number`` (from 1) is ``line`` from now on. Raises ``IndexError`` if there is none."""
+        """Line ``number`` (from 1) is ``line`` from now on. Raises ``IndexError``, ``ProgramTooLong``."""
         self._check(number)
+        self._grow(line)
         self._lines[number - 1] = line
         self._touched(number)
 
     def insert(self, number: int, line: str) -> None:
-        """``line`` becomes line ``number``; the ones from there on move down."""
+        """``line`` becomes line ``number``; the ones from there on move down. Raises ``IndexError``."""
         if not 1 <= number <= len(self._lines) + 1:
             raise IndexError(number)
+        self._grow(line)
         self._lines.insert(number - 1, line)
         self._touched(number)
 
+    def forget_waiting(self) -> int:
+        """Drop what has not run, and say how many lines that were."""
+        waiting = self.waiting
+        del self._lines[self._run :]
+        return waiting
+
     def delete(self, first: int, last: int) -> None:
+        """Lines ``first`` to ``last`` are gone. Raises ``IndexError`` unless both are there."""
         self._check(first)
         self._check(last)
         del self._lines[first - 1 : last]
         self._touched(first)
+
+    def _grow(self, line: str) -> None:
+        """What was ever typed counts, so that no list of lines need be added up."""
+        if self._size + len(line) + 1 > LARGEST:
+            raise ProgramTooLong
+        self._size += len(line) + 1
 
     def _check(self, number: int) -> None:
         if not 1 <= number <= len(self._lines):
