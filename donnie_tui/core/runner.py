@@ -61,7 +61,7 @@ class Run:
         self._over = threading.Event()
 
     def start(self, then: Callable[[Run], None]) -> None:
-        """Begin; ``then`` is called in the program's thread, after the last event, before ``wait`` returns."""
+        """Begin; ``then`` is called in the program's thread, before ``wait`` returns."""
         thread = threading.Thread(target=self._run, args=(then,), name=f"program {self.name}", daemon=True)
         thread.start()
 
