@@ -18,7 +18,8 @@ from contextlib import contextmanager
 from dataclasses import dataclass
 from pathlib import Path
 
-from devices.sound.cue_policy import AT_ONCE
+from devices.sound.cue_policy import AT_ONCE, NEVER_LEFT_OUT
+from devices.sound.lifeline import CAN_DIE_WITH_PARENT, die_with_parent
 from devices.sound.mixer import in_stereo
 from devices.sound.tones import SAMPLE_RATE
 
@@ -51,7 +52,6 @@ class CommandPlayer:
         self._command = command
         self._lock = threading.Lock()
         self._sounds: list[_Sound] = []
-        self._waiting: set[threading.Timer] = set()
 
     @property
     def frames(self) -> int | None:
@@ -65,35 +65,19 @@ class CommandPlayer:
         self._start(in_stereo(mono), "", on_end)
 
     def cue(self, name: str, stereo: array[int], delay: float) -> None:
-        if delay > 0:
-            self._start_later(name, stereo, delay)
-        else:
-            self._start_cue(name, stereo)
+        silence = array("h", bytes(4 * round(max(0.0, delay) * SAMPLE_RATE)))
+        with self._lock:
+            cues = [sound for sound in self._sounds if sound.cue]
+            by_worth = sorted(cues, key=lambda sound: sound.cue == NEVER_LEFT_OUT)
+            self._forget(by_worth[: max(0, len(cues) + 1 - AT_ONCE)])
+        self._start(silence + stereo, name, None)
 
     def hush(self, speech: bool, cues: bool) -> None:
         with self._lock:
             self._forget([sound for sound in self._sounds if (cues if sound.cue else speech)])
-            for timer in self._waiting if cues else ():
-                timer.cancel()
 
     def close(self) -> None:
         self.hush(speech=True, cues=True)
-
-    def _start_later(self, name: str, stereo: array[int], delay: float) -> None:
-        def start() -> None:
-            self._waiting.discard(timer)
-            self._start_cue(name, stereo)
-
-        timer = threading.Timer(delay, start)
-        timer.daemon = True
-        self._waiting = {known for known in self._waiting if known.is_alive()} | {timer}
-        timer.start()
-
-    def _start_cue(self, name: str, stereo: array[int]) -> None:
-        with self._lock:
-            cues = [sound for sound in self._sounds if sound.cue]
-            self._forget(cues[: max(0, len(cues) + 1 - AT_ONCE)])
-        self._start(stereo, name, None)
 
     def _start(self, stereo: array[int], cue: str, on_end: Callable[[], None] | None) -> None:
         with self._lock, _as_file(stereo) as (path, descriptors):
@@ -106,11 +90,11 @@ class CommandPlayer:
         waiter.start()
 
     def _wait(self, sound: _Sound, on_end: Callable[[], None] | None) -> None:
-        sound.process.wait()
+        heard = sound.process.wait() == 0  # otherwise the missing end tells that something is wrong
         with self._lock:
             was_hushed = sound not in self._sounds
             self._sounds = [other for other in self._sounds if other is not sound]
-        if on_end is not None and not was_hushed:
+        if on_end is not None and heard and not was_hushed:
             on_end()
 
     def _forget(self, sounds: list[_Sound]) -> None:
@@ -134,13 +118,14 @@ def _plays(command: tuple[str, ...]) -> bool:
 
 
 def _run(command: tuple[str, ...], descriptors: tuple[int, ...]) -> subprocess.Popen[bytes]:
-    """In the worker's own process group, unlike most children, so that both end together."""
+    """In the worker's process group, and ended by the system if the worker is."""
     return subprocess.Popen(
         command,
         stdin=subprocess.DEVNULL,
         stdout=subprocess.DEVNULL,
         stderr=subprocess.DEVNULL,
         pass_fds=descriptors,
+        preexec_fn=die_with_parent if CAN_DIE_WITH_PARENT else None,
     )
 
 

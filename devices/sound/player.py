@@ -19,6 +19,9 @@ AUTO_DEVICE = "auto"
 NULL_DEVICE = "null"
 """Takes the sound at the right pace and throws it away: for tests, and for trying."""
 
+NO_DEVICE = "none"
+"""As on a machine without one."""
+
 _BUFFER_MILLISECONDS = 30
 _BACKENDS = {
     "linux": ("PULSEAUDIO", "ALSA"),
@@ -53,7 +56,9 @@ class Player(Protocol):
 
 
 def open_player(device: str) -> Player | None:
-    """The best player for ``device``, ``auto`` or ``null``; None if nothing here can make a sound."""
+    """The best player for ``device``, a name from above; None if nothing here can make a sound."""
+    if device == NO_DEVICE:
+        return None
     player = _open_miniaudio(("NULL",) if device == NULL_DEVICE else _real_backends())
     if player is None and device != NULL_DEVICE:
         return find_command_player()

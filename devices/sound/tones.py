@@ -68,7 +68,9 @@ _RECIPES: Mapping[str, _Recipe] = MappingProxyType(
         "scan": _Recipe((_Tone(880, 880, 0.090, (1.0,)),), tells_place=True),
         "found": _Recipe((_Tone(660, 660, 0.100), _Tone(880, 880, 0.150)), tells_place=True),
         "done": _Recipe((_Tone(523, 523, 0.090), _Tone(659, 659, 0.090), _Tone(784, 784, 0.140))),
-        "error": _Recipe((_Tone(220, 220, 0.130, _HARSH), _Tone(0, 0, 0.040), _Tone(165, 165, 0.160, _HARSH))),
+        "error": _Recipe(
+            (_Tone(220, 220, 0.130, _HARSH), _Tone(0, 0, 0.040), _Tone(165, 165, 0.160, _HARSH))
+        ),
     }
 )
 

@@ -70,7 +70,7 @@ _BLANKS = re.compile(r"[ \t]+")
 
 
 def for_the_ear(text: str, language: str) -> str:
-    """``text`` as a voice of ``language`` (``en``, ``pt``, ``es``, with or without a region) should read it."""
+    """``text`` as a voice of ``language``, such as ``en``, ``pt`` or ``pt-BR``, should read it."""
     speakable = _UNSPEAKABLE.sub(" ", text)
     words = _LANGUAGES.get(re.split(r"[-_]", language.lower(), maxsplit=1)[0])
     if words is not None:

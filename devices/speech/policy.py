@@ -55,7 +55,7 @@ class SpeechQueue:
         return sum(len(line) for line in self._waiting)
 
     def offer(self, utterance: Utterance, now: float) -> Offer:
-        """Put ``utterance`` in its place at ``now`` seconds; takes the same short time whatever its length."""
+        """Put ``utterance`` in its place at ``now`` seconds; its length does not matter for how long."""
         if utterance.urgency is not Urgency.PROGRAM and self._recent.seen(utterance, now):
             return Offer.REPEATED
         rank = _RANKS[utterance.urgency]

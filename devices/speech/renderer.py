@@ -37,6 +37,7 @@ class Renderer:
         """Load it, some 0.1 s. ``prefer_bundled`` passes a system's espeak-ng over. Raises ``NoVoice``."""
         _make_espeak_findable(prefer_bundled)
         self._engine = _start_engine()
+        self._try_it()
         self._voices = self._working_voices()
         if not self._voices:
             raise NoVoice
@@ -57,6 +58,11 @@ class Renderer:
         self._engine.setProperty("volume", settings.volume)
         self._set_pitch(settings.pitch)
         return self._rendered(text)
+
+    def _try_it(self) -> None:
+        """A first sentence: pyttsx3 keeps all settings for later until it has rendered one."""
+        if not self._rendered("a"):
+            raise NoVoice
 
     def _rendered(self, text: str) -> array[int]:
         with _scratch_file() as path:
@@ -79,12 +85,13 @@ class Renderer:
 
 
 def read_mono(path: str) -> array[int]:
-    """The samples of a 16-bit WAV file, mixed to mono, at ``SAMPLE_RATE``."""
-    with wave.open(path, "rb") as file:
-        channels, rate = file.getnchannels(), file.getframerate()
-        if file.getsampwidth() != 2:
-            raise NoVoice
-        samples = array("h", file.readframes(file.getnframes()))
+    """The samples of a 16-bit WAV file, its left side, at ``SAMPLE_RATE``. Raises ``NoVoice`` for others."""
+    try:
+        with wave.open(path, "rb") as file:
+            channels, width, rate, frames, *_ = file.getparams()
+            samples = array("h", file.readframes(frames if width == 2 else 0))
+    except (wave.Error, EOFError, OSError) as reason:
+        raise NoVoice from reason
     if sys.byteorder == "big":
         samples.byteswap()
     return _resampled(samples[::channels], rate)
@@ -124,7 +131,7 @@ def _start_engine() -> Any:  # pyttsx3 ships no types
         import pyttsx3
 
         return pyttsx3.init()
-    except Exception as reason:  # noqa: BLE001 - a driver raises what its system raises; all of it means: no voice
+    except Exception as reason:  # a driver raises what its system raises; all of it means: no voice
         raise NoVoice from reason
 
 
