@@ -91,33 +91,40 @@ class Session:
         hooked: bool = True,
         trace: bool = False,
         first_line: int = 1,
+        terminal: bool | None = None,
         prepare: Callable[[ExecutionControl], None] | None = None,
     ) -> Run:
         """Run a program. Raises ``Busy`` while another one runs.
 
         ``fresh`` puts the robot back to its start and forgets variables; ``hooked`` makes the program
-        steppable; ``prepare`` is given the control before the first statement (to step from the start, say).
+        steppable; ``terminal`` is the session's own where it is not given (the program of an editor is no
+        terminal, the line below it is); ``prepare`` is given the control before the first statement (to step from the start, say).
         """
-        run = self._claim(text, name, fresh, hooked or trace, trace, first_line)
+        terminal = self._terminal if terminal is None else terminal
+        run = self._claim(text, name, fresh, terminal, hooked or trace, trace, first_line)
         if prepare:
             prepare(run.control)
         run.start(then=self._release)
         return run
 
-    def _claim(self, text: str, name: str, fresh: bool, hooked: bool, trace: bool, first_line: int) -> Run:
+    def _claim(
+        self, text: str, name: str, fresh: bool, terminal: bool, hooked: bool, trace: bool, first_line: int
+    ) -> Run:
         with self._lock:
             if self._run is not None:
                 raise Busy
             if fresh:
                 self._begin_anew()
             self._began = self._robot.time()
-            self._run = self._new_run(text, name, hooked, trace, first_line)
+            self._run = self._new_run(text, name, terminal, hooked, trace, first_line)
             self._pace.control = self._run.control
             return self._run
 
-    def _new_run(self, text: str, name: str, hooked: bool, trace: bool, first_line: int) -> Run:
+    def _new_run(
+        self, text: str, name: str, terminal: bool, hooked: bool, trace: bool, first_line: int
+    ) -> Run:
         parsed = self.parse(text, first_line)
-        program = parsed.program and compile_program(parsed.program, terminal=self._terminal, hooked=hooked)
+        program = parsed.program and compile_program(parsed.program, terminal=terminal, hooked=hooked)
         return Run(
             Stage(self._robot, self.hub, self._actions, self.wording),
             RunStarted(name, self._world, self._robot.name, self._seed, __version__),
