@@ -1,28 +1,37 @@
-"""The only place that names concrete classes: a session with its world, its robot and its outlets."""
+"""The only place that names concrete classes: a session with its world, its robot and its outlets.
+
+What is heavy is imported where it is used, so that a command loads no more than it needs.
+"""
 
 from __future__ import annotations
 
-import sys
 from contextlib import ExitStack
 from dataclasses import dataclass
+from functools import partial
 from pathlib import Path
-from typing import TextIO
+from typing import TYPE_CHECKING, TextIO
 
-import worlds
 from devices.ports.robot import Pace, Watcher
+from donnie_tui.audible import make_audible
 from donnie_tui.core.event_stream import JsonLines
-from donnie_tui.core.outlets import Cues, Voice
 from donnie_tui.core.session import ResettableRobot, Session
 from donnie_tui.i18n.words import Words
 from donnie_tui.settings import Settings
+from donnie_tui.world_choice import ChosenWorld, Unusable, choose_world
+
+if TYPE_CHECKING:
+    from sim.picture import Picture
+
+__all__ = ["Donnie", "SwitchMode", "Unusable", "assemble"]
 
 
-class Unusable(Exception):
-    """A world, file or device that can't be used. ``sentence`` is in the learner's language."""
+class SwitchMode(Exception):
+    """Raised by a front end that the user leaves for the other one. The program text goes with it."""
 
-    def __init__(self, sentence: str) -> None:
-        super().__init__(sentence)
-        self.sentence = sentence
+    def __init__(self, text: str, name: str | None) -> None:
+        super().__init__("switch")
+        self.text = text
+        self.name = name
 
 
 @dataclass(slots=True)
@@ -32,8 +41,78 @@ class Donnie:
     session: Session
     words: Words
     notices: tuple[str, ...]
-    """What had to be done without, a sentence each, to be told once."""
+    """What had to be done without, a sentence each, to be told once at the start."""
+    world: ChosenWorld
+    """Its name, scene, and title, description and task where it is one of ours."""
     _closing: ExitStack
+
+    def picture(self) -> Picture:
+        """The world as a grid of letters and a list of things, for the map; events tell where the robot is."""
+        from sim.picture import picture
+
+        return picture(self.world.scene)
 
     def close(self) -> None:
         self._closing.close()
+
+
+def assemble(settings: Settings, *, terminal: bool, out: TextIO | None = None) -> Donnie:
+    """A session as the settings want it. ``out`` takes the events of ``--events -``. Raises ``Unusable``.
+
+    ``terminal``: QUIT is allowed, and a name may be declared again by a later batch.
+    """
+    words = Words(settings.language, settings.verbosity)
+    _refuse_what_is_to_come(settings, words)
+    world = choose_world(settings.world, words)
+    closing = ExitStack()
+    try:
+        session = _session(settings, words, world, terminal)
+        closing.callback(session.close)
+        _write_events(settings, session, words, out, closing)
+        notices = make_audible(settings, session, words, closing)
+    except BaseException:
+        closing.close()
+        raise
+    return Donnie(session, words, notices, world, closing)
+
+
+def _refuse_what_is_to_come(settings: Settings, words: Words) -> None:
+    if settings.robot != "sim":
+        raise Unusable(words("robot-to-come", robot=settings.robot))
+    if settings.speech in ("ssip", "robot"):
+        raise Unusable(words("option-to-come", option=f"--speech {settings.speech}"))
+    if settings.record is not None:
+        raise Unusable(words("option-to-come", option="--record"))
+
+
+def _session(settings: Settings, words: Words, world: ChosenWorld, terminal: bool) -> Session:
+    make_robot = partial(_simulated_robot, world, settings)
+    return Session(make_robot, words, world=world.name, seed=settings.seed, terminal=terminal)
+
+
+def _simulated_robot(world: ChosenWorld, settings: Settings, pace: Pace, watcher: Watcher) -> ResettableRobot:
+    """The first robot of the world is the learner's."""
+    from sim.robot import SimulatedRobot
+
+    return SimulatedRobot(world.scene, pace=pace, watcher=watcher, speed=settings.speed, seed=settings.seed)
+
+
+def _write_events(
+    settings: Settings, session: Session, words: Words, out: TextIO | None, closing: ExitStack
+) -> None:
+    if settings.events is None:
+        return
+    if settings.events != "-":
+        out = closing.enter_context(_open_for_events(settings.events, words))
+    elif out is None:
+        raise Unusable(words("events-need-run"))
+    session.hub.subscribe(JsonLines(out))
+
+
+def _open_for_events(name: str, words: Words) -> TextIO:
+    """Lone surrogates become the escapes that JSON has for them."""
+    try:
+        return Path(name).open("w", encoding="utf-8", errors="backslashreplace", newline="\n")
+    except (OSError, ValueError) as problem:
+        reason = getattr(problem, "strerror", None) or str(problem)
+        raise Unusable(words("file-unwritable", path=name, reason=reason)) from None

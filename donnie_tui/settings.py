@@ -1,11 +1,34 @@
-"""What can be chosen, and where a choice came from: command line, environment, settings file, default."""
+"""What can be chosen, and where a choice came from: command line, environment, settings file, default.
+
+Pure: the sources are given as mappings. A value that can't be understood is told and the next source
+counts; only on the command line it is an error, because there somebody is waiting for it.
+"""
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+import math
+from collections.abc import Callable, Mapping
+from dataclasses import dataclass, field
+from enum import Enum
 
 FRONT_END_SPEED = 5.0
 """Times the real robot's pace in the front ends; ``donnie run`` is unlimited unless told otherwise."""
+
+SLOWEST, FASTEST = 0.1, 1000.0
+LARGEST_SEED = 2**63 - 1
+
+LANGUAGES = ("en", "pt", "es")
+SPEECH = ("auto", "off", "text", "ssip", "tts", "robot")
+VERBOSITY = ("brief", "normal", "full")
+
+
+class Source(Enum):
+    """Where a value came from, strongest first."""
+
+    OPTION = "option"
+    ENVIRONMENT = "environment"
+    FILE = "file"
+    DEFAULT = "default"
 
 
 @dataclass(frozen=True, slots=True)
@@ -21,3 +44,173 @@ class Settings:
     sound: bool = True
     verbosity: str = "normal"
     events: str | None = None
+    record: str | None = None
+    linear: bool | None = None
+    """What the settings file says; the variables and the options are weighed in ``cli.mode``."""
+    sources: Mapping[str, Source] = field(default_factory=dict)
+    """Where each field came from; what is not in it is a default."""
+
+    def source_of(self, name: str) -> Source:
+        return self.sources.get(name, Source.DEFAULT)
+
+
+@dataclass(frozen=True, slots=True)
+class Notice:
+    """Something about the settings that is told once: a code and its values."""
+
+    code: str
+    values: Mapping[str, str]
+
+
+class BadOption(Exception):
+    """A value on the command line that can't be understood."""
+
+    def __init__(self, key: str, value: str, wanted: str) -> None:
+        super().__init__(f"{key} {value}")
+        self.key = key
+        self.value = value
+        self.wanted = wanted
+
+
+@dataclass(frozen=True, slots=True)
+class Key:
+    """One setting: its name on the command line, in the file and (with DONNIE_) in the environment."""
+
+    key: str
+    name: str
+    read: Callable[[str], object]
+    """The value of a text. Raises ``ValueError``."""
+    wanted: str
+    """What it takes, for the error."""
+
+    @property
+    def variable(self) -> str:
+        return f"DONNIE_{self.key.upper()}"
+
+
+def resolve(
+    options: Mapping[str, str],
+    environment: Mapping[str, str],
+    file: Mapping[str, object],
+    *,
+    default_speed: float | None = FRONT_END_SPEED,
+) -> tuple[Settings, tuple[Notice, ...]]:
+    """The settings that win, by ``key``. Raises ``BadOption``."""
+    values: dict[str, object] = {"speed": default_speed, "language": language_of(environment)}
+    sources: dict[str, Source] = {}
+    notices = [_unknown(key) for key in file if key not in _BY_KEY]
+    for each in KEYS:
+        for source, told_as, given in _given(each, options, environment, file):
+            try:
+                values[each.name] = each.read(given)
+            except ValueError:
+                notices.append(_complain(each, source, told_as, given))
+            else:
+                sources[each.name] = source
+                break
+    return Settings(**values, sources=sources), tuple(notices)  # type: ignore[arg-type] # read as its field is
+
+
+def language_of(environment: Mapping[str, str]) -> str:
+    """The language of the locale: ``pt*`` and ``es*``, English for all others."""
+    locale = next(filter(None, map(environment.get, ("LC_ALL", "LC_MESSAGES", "LANG"))), "")
+    return locale[:2].lower() if locale[:2].lower() in LANGUAGES else "en"
+
+
+def _given(
+    each: Key, options: Mapping[str, str], environment: Mapping[str, str], file: Mapping[str, object]
+) -> list[tuple[Source, str, str]]:
+    """Where the key is given, strongest first: the source, what it is called there, and the text."""
+    given: list[tuple[Source, str, str]] = []
+    if each.key in options:
+        given.append((Source.OPTION, f"--{each.key}", options[each.key]))
+    if environment.get(each.variable):
+        given.append((Source.ENVIRONMENT, each.variable, environment[each.variable]))
+    if each.key in file:
+        given.append((Source.FILE, each.key, _as_text(file[each.key])))
+    return given
+
+
+def _as_text(value: object) -> str:
+    if isinstance(value, bool):
+        return "on" if value else "off"
+    return str(value) if isinstance(value, str | int | float) else repr(type(value))
+
+
+def _complain(each: Key, source: Source, told_as: str, given: str) -> Notice:
+    if source is Source.OPTION:
+        raise BadOption(each.key, given, each.wanted)
+    code = "setting-not-understood" if source is Source.FILE else "variable-not-understood"
+    return Notice(code, {"name": told_as, "value": given[:40], "wanted": each.wanted})
+
+
+def _unknown(key: str) -> Notice:
+    return Notice("setting-unknown", {"name": key[:40]})
+
+
+# --- values
+
+
+def read_switch(text: str) -> bool:
+    """On or off, in the ways in which files and variables write it. Raises ``ValueError``."""
+    folded = text.strip().lower()
+    if folded in ("on", "yes", "true", "1"):
+        return True
+    if folded in ("off", "no", "false", "0"):
+        return False
+    raise ValueError(text)
+
+
+def read_speed(text: str) -> float | None:
+    """Times the real robot's pace, or None for ``max``. Raises ``ValueError``."""
+    if text.strip().lower() == "max":
+        return None
+    speed = float(text.strip().replace(",", "."))
+    if math.isnan(speed) or not SLOWEST <= speed <= FASTEST:
+        raise ValueError(text)
+    return speed
+
+
+def _read_seed(text: str) -> int:
+    seed = int(text)
+    if not 0 <= seed <= LARGEST_SEED:
+        raise ValueError(text)
+    return seed
+
+
+def _read_language(text: str) -> str:
+    """``pt`` also as ``pt-BR`` or ``pt_BR.UTF-8``."""
+    language = text.strip().lower().replace("_", "-").split("-")[0]
+    return _one_of(LANGUAGES)(language)
+
+
+def _one_of(words: tuple[str, ...]) -> Callable[[str], str]:
+    def read(text: str) -> str:
+        folded = text.strip().lower()
+        if folded not in words:
+            raise ValueError(text)
+        return folded
+
+    return read
+
+
+def _read_text(text: str) -> str:
+    if not text or "\0" in text:
+        raise ValueError(text)
+    return text
+
+
+KEYS = (
+    Key("world", "world", _read_text, "NAME_OR_FILE"),
+    Key("robot", "robot", _read_text, "sim"),
+    Key("lang", "language", _read_language, "en, pt, es"),
+    Key("speed", "speed", read_speed, f"{SLOWEST:g}-{FASTEST:g}, max"),
+    Key("seed", "seed", _read_seed, "0, 1, 2 ..."),
+    Key("speech", "speech", _one_of(SPEECH), ", ".join(SPEECH)),
+    Key("sound", "sound", read_switch, "on, off"),
+    Key("verbosity", "verbosity", _one_of(VERBOSITY), ", ".join(VERBOSITY)),
+    Key("events", "events", _read_text, "FILE, -"),
+    Key("record", "record", _read_text, "FILE"),
+    Key("linear", "linear", read_switch, "on, off"),
+)
+_BY_KEY = {each.key: each for each in KEYS}

@@ -20,6 +20,10 @@ class Words:
         """The sentence of a code. Raises ``KeyError`` for a code that the catalogue lacks."""
         return filled(SENTENCES[code].text(self.language, self.detail), values)
 
+    def knows(self, code: str) -> bool:
+        """Whether the catalogue has the code."""
+        return code in SENTENCES
+
     def mistake(self, diagnostic: Diagnostic) -> str:
         return mistake(diagnostic, self)
 

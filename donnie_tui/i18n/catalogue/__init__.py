@@ -2,9 +2,9 @@
 
 from __future__ import annotations
 
-from donnie_tui.i18n.catalogue import movement
+from donnie_tui.i18n.catalogue import cli, devices, files, help, mistakes, movement, signs, worlds  # noqa: A004
 from donnie_tui.i18n.sentence import Sentence
 
-TOPICS = (movement,)
+TOPICS = (movement, mistakes, signs, help, worlds, files, devices, cli)
 
 SENTENCES: dict[str, Sentence] = {code: each for topic in TOPICS for code, each in topic.SENTENCES.items()}

@@ -1,0 +1,54 @@
+"""Voice and cues for a session, as the settings and the surroundings allow. Nothing is started here.
+
+The worker is woken by the first thing to be heard. What is found missing only then is told by an answer
+on the stream, in print, once.
+"""
+
+from __future__ import annotations
+
+from contextlib import ExitStack
+
+from devices.audio_worker.factory import make_audio, make_cue_player, make_speaker
+from devices.audio_worker.notices import AudioNotice
+from devices.audio_worker.service import AudioSettings
+from devices.speech.choose import Channel, ChannelReason, Facts, choose_channel
+from devices.speech.probe import look_around
+from donnie_tui.core.events import Answered
+from donnie_tui.core.outlets import Cues, Voice
+from donnie_tui.core.session import Session
+from donnie_tui.i18n.words import Words
+from donnie_tui.settings import Settings, Source
+
+_NOTICE_FOR = {
+    ChannelReason.OVER_SSH: "voice-over-ssh",
+    ChannelReason.SCREEN_READER: "voice-for-reader",
+    ChannelReason.NO_VOICE: "no-voice",
+    ChannelReason.NO_SOUND_DEVICE: "no-sound-device",
+}
+
+
+def make_audible(settings: Settings, session: Session, words: Words, closing: ExitStack) -> tuple[str, ...]:
+    """Add the voice and the cues that are wanted and possible. The answer is what is not, a sentence each."""
+    facts = look_around()
+    choice = choose_channel(settings.speech, facts)
+    speaks, cues = choice.channel is Channel.TTS, wants_cues(settings, facts)
+    if speaks or cues:
+        audio = make_audio(AudioSettings(), lambda notice: _tell(notice, session, words))
+        closing.callback(audio.close)
+        session.hub.subscribe(Voice(make_speaker(audio if speaks else None), words))
+        session.hub.subscribe(Cues(make_cue_player(audio if cues else None)))
+    notice = _NOTICE_FOR.get(choice.reason)
+    return (words(notice),) if notice else ()
+
+
+def wants_cues(settings: Settings, facts: Facts) -> bool:
+    """Somebody at this machine hears them, or asked for them."""
+    if not settings.sound or not facts.has_sound_device:
+        return False
+    asked_for = settings.source_of("sound") is not Source.DEFAULT
+    return asked_for or (facts.stdout_is_terminal and not facts.over_ssh)
+
+
+def _tell(notice: AudioNotice, session: Session, words: Words) -> None:
+    language = words(f"language-{notice.language}") if notice.language else ""
+    session.hub.publish(Answered(words(notice.code.value, language=language)))

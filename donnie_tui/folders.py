@@ -1,0 +1,38 @@
+"""Where Donnie keeps what it remembers: settings in one folder, its state (histories, recoveries) in another.
+
+Each platform has its own places. They are named here and made by whoever writes into them. The first
+prompt asks whether there are settings before anything heavy is loaded, so this module loads nothing.
+"""
+
+from __future__ import annotations
+
+import os
+import sys
+from collections.abc import Mapping
+
+SETTINGS_NAME = "settings.toml"
+
+
+def config_folder(environment: Mapping[str, str], platform: str = sys.platform) -> str:
+    """The folder of the settings file."""
+    return _folder(environment, platform, "XDG_CONFIG_HOME", ".config")
+
+
+def state_folder(environment: Mapping[str, str], platform: str = sys.platform) -> str:
+    """The folder of what the learner did last: histories, texts to recover."""
+    return _folder(environment, platform, "XDG_STATE_HOME", ".local/state")
+
+
+def settings_file(environment: Mapping[str, str], platform: str = sys.platform) -> str:
+    return f"{config_folder(environment, platform)}/{SETTINGS_NAME}"
+
+
+def _folder(environment: Mapping[str, str], platform: str, variable: str, default: str) -> str:
+    """On Linux and the like a relative path in the variable is to be ignored."""
+    home = environment.get("HOME") or environment.get("USERPROFILE") or os.curdir
+    if platform == "win32":
+        return f"{environment.get('APPDATA') or f'{home}/AppData/Roaming'}/donnie"
+    if platform == "darwin":
+        return f"{home}/Library/Application Support/donnie"
+    given = environment.get(variable, "")
+    return f"{given if given.startswith('/') else f'{home}/{default}'}/donnie"

@@ -1,0 +1,40 @@
+"""Voice and sound: what is missing, and what was decided about them."""
+
+from donnie_tui.i18n.sentence import Sentence
+
+SENTENCES: dict[str, Sentence] = {
+    "no-sound-device": Sentence(
+        "No sound device. Everything is in print.",
+        "Sem dispositivo de som. Tudo fica escrito.",
+        "Sin dispositivo de sonido. Todo se escribe.",
+    ),
+    "no-voice": Sentence(
+        "No voice, espeak-ng is missing. Sounds and print work.",
+        "Sem voz, falta espeak-ng. Sons e texto funcionam.",
+        "Sin voz, falta espeak-ng. Sonidos y texto funcionan.",
+    ),
+    "voice-missing": Sentence(
+        "No voice for {language}. It is in print only.",
+        "Sem voz para {language}. Fica só escrito.",
+        "Sin voz para {language}. Solo se escribe.",
+    ),
+    "audio-gave-up": Sentence(
+        "The sound failed. Everything is in print.",
+        "O som falhou. Tudo fica escrito.",
+        "El sonido falló. Todo se escribe.",
+    ),
+    "speech-backlog": Sentence(
+        "Too much to say. Some of it is in print only.",
+        "Há coisas demais para falar. Parte fica só escrita.",
+        "Hay demasiado que decir. Una parte solo se escribe.",
+    ),
+    "voice-for-reader": Sentence(
+        "Voice off, a screen reader runs.",
+        "Voz desligada, há um leitor de tela.",
+        "Voz apagada, hay un lector de pantalla.",
+    ),
+    "voice-over-ssh": Sentence("Voice off over SSH.", "Voz desligada por SSH.", "Voz apagada por SSH."),
+    "language-en": Sentence("English", "inglês", "inglés"),
+    "language-pt": Sentence("Portuguese", "português", "portugués"),
+    "language-es": Sentence("Spanish", "espanhol", "español"),
+}

@@ -1,0 +1,26 @@
+"""Program files: why one can't be read or written."""
+
+from donnie_tui.i18n.sentence import Sentence
+
+SENTENCES: dict[str, Sentence] = {
+    "file-not-found": Sentence(
+        "There is no file {path}.", "Não existe o arquivo {path}.", "No existe el archivo {path}."
+    ),
+    "file-is-folder": Sentence("{path} is a folder.", "{path} é uma pasta.", "{path} es una carpeta."),
+    "file-too-large": Sentence(
+        "{path} is too large for a program.",
+        "{path} é grande demais para um programa.",
+        "{path} es demasiado grande para un programa.",
+    ),
+    "file-not-text": Sentence("{path} is no text.", "{path} não é um texto.", "{path} no es un texto."),
+    "file-unreadable": Sentence(
+        "I can't read {path}: {reason}.",
+        "Não consigo ler {path}: {reason}.",
+        "No puedo leer {path}: {reason}.",
+    ),
+    "file-unwritable": Sentence(
+        "I can't write {path}: {reason}.",
+        "Não consigo escrever {path}: {reason}.",
+        "No puedo escribir {path}: {reason}.",
+    ),
+}

@@ -1,0 +1,217 @@
+"""World files: what is wrong in one, what was ignored or repaired, and a world in words."""
+
+from donnie_tui.i18n.sentence import Sentence
+
+SENTENCES: dict[str, Sentence] = {
+    # --- which world
+    "world-unknown": Sentence(
+        "There is no world {name}. The command donnie worlds lists them.",
+        "Não existe o mundo {name}. O comando donnie worlds lista todos.",
+        "No existe el mundo {name}. El comando donnie worlds los lista.",
+    ),
+    "world-unknown-near": Sentence(
+        "There is no world {name}. Did you mean {near}?",
+        "Não existe o mundo {name}. Você quis dizer {near}?",
+        "No existe el mundo {name}. Quizá querías decir {near}.",
+    ),
+    "world-without-robot": Sentence(
+        "The world {name} has no robot with sensors.",
+        "O mundo {name} não tem robô com sensores.",
+        "El mundo {name} no tiene un robot con sensores.",
+    ),
+    # --- a file that can't be used
+    "world-error-at": Sentence(
+        "Error, {file}, line {line}, column {column}: {message}",
+        "Erro, {file}, linha {line}, coluna {column}: {message}",
+        "Error, {file}, línea {line}, columna {column}: {message}",
+    ),
+    "world-file-not-found": Sentence(
+        "There is no file {path}.", "Não existe o arquivo {path}.", "No existe el archivo {path}."
+    ),
+    "world-file-unreadable": Sentence(
+        "I can't read {path}.", "Não consigo ler {path}.", "No puedo leer {path}."
+    ),
+    "world-file-too-large": Sentence(
+        "{path} is too large, at most {limit} bytes.",
+        "{path} é grande demais, no máximo {limit} bytes.",
+        "{path} es demasiado grande, como máximo {limit} bytes.",
+    ),
+    "world-include-cycle": Sentence(
+        "{path} includes itself.", "{path} inclui a si mesmo.", "{path} se incluye a sí mismo."
+    ),
+    "world-include-outside": Sentence(
+        "{path} lies outside the folder of the world.",
+        "{path} fica fora da pasta do mundo.",
+        "{path} está fuera de la carpeta del mundo.",
+    ),
+    "world-include-too-deep": Sentence(
+        "Too many includes in each other, at most {limit}.",
+        "Inclusões demais uma dentro da outra, no máximo {limit}.",
+        "Demasiadas inclusiones una en otra, como máximo {limit}.",
+    ),
+    "world-bitmap-not-found": Sentence(
+        "There is no picture {path}.", "Não existe a imagem {path}.", "No existe la imagen {path}."
+    ),
+    "world-bitmap-outside": Sentence(
+        "The picture {path} lies outside the folder of the world.",
+        "A imagem {path} fica fora da pasta do mundo.",
+        "La imagen {path} está fuera de la carpeta del mundo.",
+    ),
+    "world-bitmap-unreadable": Sentence(
+        "I can't read the picture {path}.",
+        "Não consigo ler a imagem {path}.",
+        "No puedo leer la imagen {path}.",
+    ),
+    "world-unknown-character": Sentence(
+        "I can't use {found} here.", "Não posso usar {found} aqui.", "No puedo usar {found} aquí."
+    ),
+    "world-unterminated-string": Sentence(
+        "This string has no closing quote.",
+        "Falta fechar as aspas deste texto.",
+        "Falta cerrar las comillas de este texto.",
+    ),
+    "world-bad-number": Sentence(
+        "{found} is no number.", "{found} não é um número.", "{found} no es un número."
+    ),
+    "world-number-too-large": Sentence(
+        "The number {found} is too large.",
+        "O número {found} é grande demais.",
+        "El número {found} es demasiado grande.",
+    ),
+    "world-nested-too-deep": Sentence(
+        "Too many parentheses in each other, at most {limit}.",
+        "Parênteses demais um dentro do outro, no máximo {limit}.",
+        "Demasiados paréntesis uno en otro, como máximo {limit}.",
+    ),
+    "world-unexpected": Sentence(
+        "I did not expect {found} here.", "Eu não esperava {found} aqui.", "No esperaba {found} aquí."
+    ),
+    "world-unexpected-expecting": Sentence(
+        "I expected {expected}, not {found}.",
+        "Eu esperava {expected}, não {found}.",
+        "Esperaba {expected}, no {found}.",
+    ),
+    "world-unexpected-end": Sentence(
+        "I expected {expected}. The file ends here.",
+        "Eu esperava {expected}. O arquivo acaba aqui.",
+        "Esperaba {expected}. El archivo acaba aquí.",
+    ),
+    "world-unclosed": Sentence(
+        "{found} is never closed.", "{found} nunca é fechado.", "{found} no se cierra nunca."
+    ),
+    "world-misplaced": Sentence(
+        "{found} stands at the top level only.",
+        "{found} só fica no nível mais alto.",
+        "{found} solo va en el nivel superior.",
+    ),
+    "world-unknown-type": Sentence(
+        "I do not know the model {found}.",
+        "Não conheço o modelo {found}.",
+        "No conozco el modelo {found}.",
+    ),
+    "world-meant": Sentence(
+        "{message} Did you mean {near}?",
+        "{message} Você quis dizer {near}?",
+        "{message} Quizá querías decir {near}.",
+    ),
+    "world-define-cycle": Sentence(
+        "{found} is made of itself.", "{found} é feito de si mesmo.", "{found} está hecho de sí mismo."
+    ),
+    "world-too-much": Sentence(
+        "The world is too large, at most {limit} parts.",
+        "O mundo é grande demais, no máximo {limit} partes.",
+        "El mundo es demasiado grande, como máximo {limit} partes.",
+    ),
+    "world-wrong-type": Sentence(
+        "{name} takes {expected}.", "{name} recebe {expected}.", "{name} recibe {expected}."
+    ),
+    "world-wrong-count": Sentence(
+        "{name} takes {expected} values, not {given}.",
+        "{name} recebe {expected} valores, não {given}.",
+        "{name} recibe {expected} valores, no {given}.",
+    ),
+    "world-too-many": Sentence(
+        "{name} has too many values, {given}.",
+        "{name} tem valores demais, {given}.",
+        "{name} tiene demasiados valores, {given}.",
+    ),
+    "world-out-of-range": Sentence(
+        "{name} is too small or too large.",
+        "{name} é pequeno ou grande demais.",
+        "{name} es demasiado pequeño o grande.",
+    ),
+    "world-unknown-word": Sentence(
+        "{name} does not know {found}.", "{name} não conhece {found}.", "{name} no conoce {found}."
+    ),
+    "world-missing-point": Sentence("{name} is missing.", "Falta {name}.", "Falta {name}."),
+    "world-too-few-points": Sentence(
+        "A block needs 3 points, not {given}.",
+        "Um bloco precisa de 3 pontos, não {given}.",
+        "Un bloque necesita 3 puntos, no {given}.",
+    ),
+    "world-expected-number": Sentence("a number", "um número", "un número"),
+    "world-expected-string": Sentence("a text in quotes", "um texto entre aspas", "un texto entre comillas"),
+    "world-expected-tuple": Sentence(
+        "values in brackets", "valores entre colchetes", "valores entre corchetes"
+    ),
+    "world-expected-name": Sentence("a name", "um nome", "un nombre"),
+    "world-expected-value": Sentence("a value", "um valor", "un valor"),
+    # --- a file that loads
+    "note-at": Sentence(
+        "Line {line} of {file}: {remark}",
+        "Linha {line} de {file}: {remark}",
+        "Línea {line} de {file}: {remark}",
+    ),
+    "note-unknown-property": Sentence(
+        "the property {name} is not known.",
+        "a propriedade {name} não é conhecida.",
+        "la propiedad {name} no se conoce.",
+    ),
+    "note-unknown-property-near": Sentence(
+        "the property {name} is not known. Did you mean {nearest}?",
+        "a propriedade {name} não é conhecida. Você quis dizer {nearest}?",
+        "la propiedad {name} no se conoce. Quizá querías decir {nearest}.",
+    ),
+    "note-unused-property": Sentence(
+        "the property {name} has no effect.",
+        "a propriedade {name} não tem efeito.",
+        "la propiedad {name} no tiene efecto.",
+    ),
+    "note-not-simulated": Sentence(
+        "{name}, a {type}, is kept but not simulated.",
+        "{name}, um {type}, é guardado, mas não simulado.",
+        "{name}, un {type}, se guarda, pero no se simula.",
+    ),
+    "note-second-define": Sentence(
+        "{name} is defined twice. The first one counts.",
+        "{name} é definido duas vezes. Vale o primeiro.",
+        "{name} se define dos veces. Vale el primero.",
+    ),
+    "note-unknown-colour": Sentence(
+        "the colour {name} is not known.", "a cor {name} não é conhecida.", "el color {name} no se conoce."
+    ),
+    "note-unknown-colour-near": Sentence(
+        "the colour {name} is not known. Did you mean {nearest}?",
+        "a cor {name} não é conhecida. Você quis dizer {nearest}?",
+        "el color {name} no se conoce. Quizá querías decir {nearest}.",
+    ),
+    "note-lone-sensor": Sentence(
+        "the lone sensor became a ranger.",
+        "o sensor sozinho virou um ranger.",
+        "el sensor suelto pasó a ser un ranger.",
+    ),
+    "note-walls-made-solid": Sentence(
+        "{name} is solid now.", "{name} agora é sólido.", "{name} ahora es sólido."
+    ),
+    "note-not-utf8": Sentence(
+        "{path} is not UTF-8. I read it as Latin-1.",
+        "{path} não é UTF-8. Li como Latin-1.",
+        "{path} no es UTF-8. Lo leí como Latin-1.",
+    ),
+    "note-margin-cropped": Sentence(
+        "The white margin of {path} was cropped.",
+        "A margem branca de {path} foi cortada.",
+        "El margen blanco de {path} se recortó.",
+    ),
+    "note-no-robot": Sentence("The world has no robot.", "O mundo não tem robô.", "El mundo no tiene robot."),
+}
