@@ -1,0 +1,119 @@
+"""The parser's automaton without a tree: where it stands and what it would accept there.
+
+For finding mistakes. ``accepts`` asks a copy, so the answer is exact: unlike the rows of the table, it
+does not count a word that could be reduced for, but never be shifted.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+from functools import cache
+
+from language.keywords import canonical_of_terminal
+from language.lexer import KIND
+from language.tables import ACTIONS, END, GOTOS, NONTERMINALS, RULES, START, TERMINALS
+
+_NONTERMINAL = {name: number for number, name in enumerate(NONTERMINALS)}
+
+_BEGIN_EXPRESSIONS = frozenset(("NAME", "NUMBER", "SIGN", "LPAR", "DISTANCE", "POS", "COLOR"))
+_GO_ON = frozenset(("SIGN", "SCALE", "TOPIC", "$END"))
+_CLASSES = {
+    "NAME": "name",
+    "NUMBER": "number",
+    "STRING": "text",
+    "COMPARATOR": "comparison",
+    "AXIS": "axis",
+    "DIRECTION": "direction",
+    "COLOUR": "colour",
+    "SWITCH": "on-or-off",
+    "$END": "end of text",
+    "SIGN": "operator",
+    "SCALE": "operator",
+    "ASSIGN": "=",
+    "LPAR": "(",
+    "RPAR": ")",
+    "LSQB": "[",
+    "RSQB": "]",
+    "COMMA": ",",
+    "COLON": ":",
+    "SEMICOLON": ";",
+}
+
+
+class Automaton:
+    """A stack of states."""
+
+    def __init__(self) -> None:
+        self.states = [START]
+
+    def accepts(self, kind: int) -> bool:
+        """Whether a token of this kind may come next."""
+        return _shift(self.states, kind) is not None
+
+    def feed(self, kind: int) -> None:
+        """Move on over a token that is accepted."""
+        states = _shift(self.states, kind)
+        assert states is not None, f"{TERMINALS[kind]} is not accepted"
+        self.states = states
+
+    def settle(self) -> int:
+        """Finish the command that is complete. Returns the depth to which ``cut`` can go back."""
+        states = _shift(self.states, KIND["SEMICOLON"])
+        assert states is not None, "only where a command may begin"
+        self.states = states[:-1]
+        return len(self.states)
+
+    def cut(self, depth: int) -> None:
+        del self.states[depth:]
+
+    def move(self, symbols: Iterable[str]) -> None:
+        """Move on over these symbols of the grammar, as if they had been read."""
+        for symbol in symbols:
+            if symbol in _NONTERMINAL:
+                self.states.append(GOTOS[self.states[-1]][_NONTERMINAL[symbol]])
+            else:
+                self.feed(KIND[symbol])
+
+    def acceptable(self) -> frozenset[str]:
+        """The terminals that may come next."""
+        return frozenset(name for kind, name in enumerate(TERMINALS) if self.accepts(kind))
+
+    def expected(self) -> tuple[str, ...]:
+        """The same in the words of ``Diagnostic.expected``, without what is always possible."""
+        names = self.acceptable()
+        words: list[str] = []
+        if "SCAN" in names:
+            words.append("command")
+            names -= _begin_commands()
+        elif "NUMBER" in names:
+            words.append("expression")
+            names -= _BEGIN_EXPRESSIONS
+        if words or names - _GO_ON:
+            names -= _GO_ON
+        ordered = sorted(names, key=lambda name: KIND[name])
+        return tuple(
+            dict.fromkeys(words + [_CLASSES.get(name) or canonical_of_terminal(name) for name in ordered])
+        )
+
+
+@cache
+def _begin_commands() -> frozenset[str]:
+    """What may come first in a program."""
+    return Automaton().acceptable() - {"$END"}
+
+
+def _shift(states: list[int], kind: int) -> list[int] | None:
+    """The states after that token, or None if it can't come there."""
+    after = list(states)
+    while True:
+        action = ACTIONS[after[-1]][kind]
+        if action >= 0:
+            return [*after, action] if action or _is_end(after, kind) else None
+        nonterminal, count = RULES[action][:2]
+        if count:
+            del after[-count:]
+        after.append(GOTOS[after[-1]][nonterminal])
+
+
+def _is_end(states: list[int], kind: int) -> bool:
+    return kind == KIND["$END"] and states[-1] == END

@@ -1,0 +1,87 @@
+"""The blocks that are open while mistakes are looked for, and what an END that fits none of them may mean."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+from enum import Enum
+
+from language.lexer import END, KIND, Token
+
+OPENERS = {KIND[name]: name for name in ("IF", "FOR", "REPEAT", "WHILE", "PROCEDURE")}
+ENDS = {KIND[f"END_{name}"]: name for name in OPENERS.values()}
+
+_LOOK_AHEAD = 2000
+"""Openers and ENDs that are looked at before an END that does not fit is judged."""
+
+
+@dataclass(slots=True)
+class Block:
+    """An open block."""
+
+    kind: str
+    """``IF``, ``FOR`` ...; empty for one whose opening word is unknown."""
+    token: Token
+    read_as: str
+    """The block of the grammar that its END will end: another one after an exchange."""
+    depth: int
+    """Of the automaton, behind the opening word."""
+
+
+class Closing(Enum):
+    """How an END is read."""
+
+    INNERMOST = "the wrong word at the end of the innermost block"
+    OUTER = "the right end of an outer block; the inner ones have none"
+    EXCHANGED = "the right end of an outer block, too early; the inner one ends later"
+    STRAY = "the end of nothing"
+
+
+def close(blocks: list[Block], end: str, closing: Closing) -> list[str]:
+    """Take the closed blocks away. Returns what to read for it: ``IF`` stands for END IF ..."""
+    if closing is Closing.STRAY:
+        return []
+    if closing is Closing.OUTER:
+        index = _innermost(kinds_of(blocks), end)
+        closed = [block.read_as for block in reversed(blocks[index:])]
+        del blocks[index:]
+        return closed
+    if closing is Closing.EXCHANGED:
+        for index in range(_innermost(kinds_of(blocks), end), len(blocks) - 1):
+            blocks[index].kind, blocks[index].token = blocks[index + 1].kind, blocks[index + 1].token
+    return [blocks.pop().read_as]
+
+
+def kinds_of(blocks: Sequence[Block]) -> list[str]:
+    return [block.kind for block in blocks]
+
+
+def best_closing(open_kinds: list[str], end: str, rest: Sequence[Token]) -> Closing:
+    """The reading of an END after which the fewest mistakes follow in ``rest``."""
+    ahead = [token[0] for token in rest if token[0] in OPENERS or token[0] in ENDS or token[0] == END]
+    left = {Closing.INNERMOST: open_kinds[:-1], Closing.STRAY: open_kinds}
+    if end in open_kinds:
+        index = _innermost(open_kinds, end)
+        left[Closing.OUTER] = open_kinds[:index]
+        left[Closing.EXCHANGED] = open_kinds[:index] + open_kinds[index + 1 :]
+    order = list(Closing)
+    return min(left, key=lambda each: (mistakes_ahead(left[each], ahead[:_LOOK_AHEAD]), order.index(each)))
+
+
+def mistakes_ahead(open_kinds: list[str], kinds: Sequence[int]) -> int:
+    """How many ENDs do not fit if these blocks are open, and how many blocks have none."""
+    stack, mistakes = list(open_kinds), 0
+    for kind in kinds:
+        if kind in OPENERS:
+            stack.append(OPENERS[kind])
+        elif stack and stack[-1] in (ENDS.get(kind, ""), ""):
+            stack.pop()
+        else:
+            mistakes += 1
+            if stack:
+                stack.pop()
+    return mistakes + len(stack)
+
+
+def _innermost(kinds: list[str], kind: str) -> int:
+    return len(kinds) - 1 - kinds[::-1].index(kind)

@@ -1,0 +1,38 @@
+"""Colour words that the language knows, but that the robot at hand can't see."""
+
+from __future__ import annotations
+
+from language.diagnostics import Diagnostic, Kind
+from language.keywords import argument
+from language.lexer import KIND, Lexed, Token
+from language.syntax import Span
+
+_COLOUR = KIND["COLOUR"]
+
+
+def unseen_colours(lexed: Lexed, colours: frozenset[str] | None) -> tuple[Diagnostic, ...]:
+    """A mistake for each colour outside ``colours``, which are English words; None allows all."""
+    if colours is None:
+        return ()
+    return tuple(
+        _unseen(lexed.source, token, colours)
+        for token in lexed.tokens
+        if token[0] == _COLOUR and _english(token) not in colours
+    )
+
+
+def _english(token: Token) -> str:
+    found = argument("COLOUR", token[5])
+    return str(found.value) if found else ""
+
+
+def _unseen(source: str, token: Token, colours: frozenset[str]) -> Diagnostic:
+    _, start, end, line, column, _ = token
+    return Diagnostic(
+        Kind.BAD_ARGUMENT,
+        Span(start, end, line, column),
+        code="unseen-colour",
+        found=source[start:end],
+        expected=("colour",),
+        details={"word": "COLOR", "wanted": ", ".join(sorted(colours))},
+    )

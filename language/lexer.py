@@ -1,0 +1,283 @@
+"""Text to tokens: canonical terminals with the places where the learner wrote them.
+
+Rule: no character is lost. What can't be read becomes a mistake, never nothing, and its place in the row
+of tokens is remembered, so that nobody complains about what follows from it.
+
+A token is a plain tuple, because a program has many: kind, start, end, line, column, folded text.
+"""
+
+from __future__ import annotations
+
+import re
+from dataclasses import dataclass, field
+from typing import TypeAlias
+
+from language.diagnostics import Diagnostic, Kind
+from language.keywords import END_WORDS, FIRST_OF_SEVERAL, argument
+from language.keywords import TERMINALS as WORD_TERMINALS
+from language.source import MARK, UNSEEN, column, fold, line_ends, widthless
+from language.syntax import Span
+from language.tables import TERMINALS
+
+Token: TypeAlias = tuple[int, int, int, int, int, str]
+
+KIND = {name: number for number, name in enumerate(TERMINALS)}
+NAME, NUMBER, STRING, HELP, TOPIC = (KIND[name] for name in ("NAME", "NUMBER", "STRING", "HELP", "TOPIC"))
+FOR, END, FRAGMENT, DISTANCE, POS = (KIND[name] for name in ("FOR", "END", "FRAGMENT", "DISTANCE", "POS"))
+
+MOST_DIGITS = 4300
+"""Of a number (language specification, section 3)."""
+
+TAKES = {
+    DISTANCE: "DIRECTION",
+    POS: "AXIS",
+    KIND["COLOR"]: "COLOUR",
+    KIND["SOUND"]: "SWITCH",
+    KIND["BELT"]: "SWITCH",
+    KIND["VIBRATE"]: "DIRECTION",
+}
+"""The keywords that decide what the next word is."""
+
+_FIRST_THAT_DECIDES = FOR
+_BLANK, _NEWLINE, _TEXT, _COMMENT, _OPEN, _STRANGE = -1, -2, -3, -4, -5, -6
+
+_SIGNS = {
+    "=": "ASSIGN",
+    **dict.fromkeys(("==", "<>", "<", ">", "<=", ">="), "COMPARATOR"),
+    **dict.fromkeys("+-", "SIGN"),
+    **dict.fromkeys("*/", "SCALE"),
+    **{"(": "LPAR", ")": "RPAR", "[": "LSQB", "]": "RSQB", ",": "COMMA", ":": "COLON", ";": "SEMICOLON"},
+}
+_QUOTES = "\u201c\u201d\u201e\u201f"
+_PIECES = (
+    r" +|[\w{mark}]+|\r\n?|\n|==|<>|<=|>=|(?:--|[\u2013\u2014])[^\r\n]*"
+    r'|"[^"]*"|[{quotes}][^{quotes}]*[{quotes}]|[^\S\r\n]+|.'
+)
+_ascii_pieces = re.compile(_PIECES.format(mark="", quotes=_QUOTES), re.ASCII | re.DOTALL)
+_pieces = re.compile(_PIECES.format(mark=MARK, quotes=_QUOTES), re.DOTALL)
+_begins_assignment_or_call = re.compile(r"\s*(?:=(?!=)|\[)")
+
+_single = {word: KIND[terminal] for word, terminal in WORD_TERMINALS.items() if " " not in word}
+_fragments = {
+    word: END if word in END_WORDS else FRAGMENT for word in FIRST_OF_SEVERAL if word not in _single
+}
+_pairs = {tuple(word.split()): KIND[terminal] for word, terminal in WORD_TERMINALS.items() if " " in word}
+_known = {
+    " ": _BLANK,
+    UNSEEN: _BLANK,
+    **dict.fromkeys(("\n", "\r\n", "\r"), _NEWLINE),
+    **{sign: KIND[terminal] for sign, terminal in _SIGNS.items()},
+    **_single,
+    **_fragments,
+}
+
+
+@dataclass(frozen=True, slots=True)
+class Comment:
+    start: int
+    end: int
+    line: int
+    before: int
+    """The index of the token that it stands before."""
+
+
+@dataclass(frozen=True, slots=True)
+class Lexed:
+    """What a text consists of, white space apart."""
+
+    source: str
+    tokens: list[Token]
+    comments: list[Comment] = field(default_factory=list)
+    mistakes: list[Diagnostic] = field(default_factory=list)
+    flaws: list[int] = field(default_factory=list)
+    """For each mistake, the index of the token that it is, or that it stands before."""
+    open_quote: int | None = None
+    """Where a string begins that ends nowhere."""
+
+
+def lex(source: str, first_line: int = 1, blamed_quote: int | None = None) -> Lexed:
+    """Every token of a text.
+
+    A string that ends nowhere is taken to end with its line. ``blamed_quote`` is the offset of a quotation
+    mark that is to be taken for such a string whatever follows.
+    """
+    lexer = _Lexer(source, first_line)
+    if blamed_quote is not None:
+        lexer.read(0, blamed_quote)
+        lexer.open_string(blamed_quote)
+    lexer.read(lexer.position, len(source))
+    return lexer.lexed()
+
+
+class _Lexer:
+    """One pass over one text."""
+
+    def __init__(self, source: str, first_line: int) -> None:
+        self._source = source
+        self._folded = fold(source)
+        self._widthless = widthless(self._folded)
+        self._line = first_line
+        self._margin = -1
+        self._tokens: list[Token] = []
+        self._comments: list[Comment] = []
+        self._flaws: list[tuple[Kind, int, int, int, int, int]] = []
+        self._open_quote: int | None = None
+        self.position = 0
+
+    def read(self, start: int, stop: int) -> None:
+        """All tokens from ``start`` to ``stop``. Long for its speed: it sees every piece of a program."""
+        folded, tokens = self._folded, self._tokens
+        find = (_ascii_pieces if folded.isascii() else _pieces).findall
+        known = dict(_known)
+        line, margin, position = self._line, self._margin, start
+        last = tokens[-1][0] if tokens else 0
+        for piece in find(folded, start, stop):
+            kind = known.get(piece)
+            if kind is None:
+                kind = self._classified(piece, known)
+            if kind >= 0:
+                end = position + len(piece)
+                token = (kind, position, end, line, position - margin, piece)
+                if last >= _FIRST_THAT_DECIDES:
+                    token = self._decided(token)
+                tokens.append(token)
+                last = token[0]
+                position = end
+            elif kind == _BLANK:
+                position += len(piece)
+            elif kind == _NEWLINE:
+                position += len(piece)
+                line += 1
+                margin = position - 1
+            else:
+                self._line, self._margin = line, margin
+                self._rare(kind, piece, position)
+                line, margin, position = self._line, self._margin, self.position
+                last = tokens[-1][0] if tokens else 0
+                if kind == _OPEN:
+                    break
+        self._line, self._margin, self.position = line, margin, position
+        if position < stop:
+            self.read(position, stop)
+
+    def _classified(self, piece: str, known: dict[str, int]) -> int:
+        first = piece[0]
+        if first.isalpha():
+            kind = known.get(piece.replace(MARK, ""), NAME)
+        elif first.isascii() and (first.isdigit() or first == "_"):
+            return NUMBER if piece.isdigit() and piece.isascii() and len(piece) <= MOST_DIGITS else _STRANGE
+        elif first == '"' or first in _QUOTES:
+            return _TEXT if len(piece) > 1 else _OPEN
+        elif piece[:2] == "--" or first in "\u2013\u2014":
+            return _COMMENT
+        else:
+            kind = _BLANK if piece.isspace() else _STRANGE
+        known[piece] = kind
+        return kind
+
+    def _decided(self, token: Token) -> Token:
+        """The token as the keyword before it wants it; a second word takes the first one with it."""
+        before = self._tokens[-1]
+        kind, start, end, line, start_column, text = token
+        terminal = TAKES.get(before[0])
+        if terminal is not None:
+            if kind == NAME and self._is_argument(before[0], terminal, token):
+                return (KIND[terminal], start, end, line, start_column, text)
+        elif before[0] == HELP:
+            if before[3] == line and text[0].isalpha() and not self._is_target(end):
+                return (TOPIC, start, end, line, start_column, text)
+        elif self._is_pair(before, token):
+            del self._tokens[-1]
+            kind = TOPIC if before[0] == TOPIC else _pairs[before[5], text]
+            return (kind, before[1], end, before[3], before[4], f"{before[5]} {text}")
+        return token
+
+    def _is_argument(self, taker: int, terminal: str, token: Token) -> bool:
+        if argument(terminal, token[5]) is None:
+            return False
+        may_be_missing = taker in (DISTANCE, POS)
+        return not (may_be_missing and self._is_target(token[2]))
+
+    def _is_pair(self, before: Token, token: Token) -> bool:
+        if (before[5], token[5].replace(MARK, "")) not in _pairs:
+            return False
+        if not self._folded[before[2] : token[1]].isspace():
+            return False
+        return before[0] == END or not self._is_target(token[2])
+
+    def _is_target(self, end: int) -> bool:
+        """Whether the word that ends there is assigned to or called."""
+        return _begins_assignment_or_call.match(self._folded, end) is not None
+
+    def _rare(self, kind: int, piece: str, start: int) -> None:
+        self.position = end = start + len(piece)
+        if kind == _TEXT:
+            self._tokens.append(self._token(STRING, start, end))
+            self._skip_lines(start, end)
+        elif kind == _COMMENT:
+            self._comments.append(Comment(start, end, self._line, len(self._tokens)))
+        elif kind == _OPEN:
+            self.open_string(start)
+        elif piece[0].isdigit() or piece[0] == "_":
+            self._unreadable_word(piece, start, end)
+        else:
+            self._flaw(Kind.UNKNOWN_CHARACTER, start, end)
+
+    def _token(self, kind: int, start: int, end: int) -> Token:
+        return (kind, start, end, self._line, start - self._margin, self._folded[start:end])
+
+    def _skip_lines(self, start: int, end: int) -> None:
+        ends = line_ends(self._folded[start:end])
+        if ends:
+            self._line += len(ends)
+            self._margin = start + ends[-1] - 1
+
+    def _unreadable_word(self, piece: str, start: int, end: int) -> None:
+        too_large = piece.isdigit() and piece.isascii()
+        if too_large and len(piece.lstrip("0")) <= MOST_DIGITS:
+            self._tokens.append(self._token(NUMBER, start, end))
+            return
+        self._flaw(Kind.NUMBER_TOO_LARGE if too_large else Kind.INVALID_NAME, start, end)
+        self._tokens.append(self._token(NUMBER if too_large else NAME, start, end))
+
+    def open_string(self, start: int) -> None:
+        """A string that begins there and ends with its line."""
+        line_end = next(iter(re.compile(r"[\r\n]|\Z").finditer(self._folded, start)))
+        self._open_quote = start
+        self.position = line_end.start()
+        self._flaw(Kind.UNTERMINATED_STRING, start, self.position)
+        self._tokens.append(self._token(STRING, start, self.position))
+
+    def _flaw(self, kind: Kind, start: int, end: int) -> None:
+        """Characters that can't be read in a row are one mistake."""
+        index = len(self._tokens)
+        if self._flaws and kind is Kind.UNKNOWN_CHARACTER:
+            last = self._flaws[-1]
+            if last[0] is kind and last[2] == start:
+                self._flaws[-1] = (kind, last[1], end, *last[3:])
+                return
+        self._flaws.append((kind, start, end, self._line, start - self._margin, index))
+
+    def lexed(self) -> Lexed:
+        tokens = self._tokens
+        if self._widthless:
+            tokens = [self._seen(token) for token in tokens]
+        return Lexed(
+            self._source,
+            tokens,
+            self._comments,
+            [self._diagnostic(*flaw[:-1]) for flaw in self._flaws],
+            [flaw[-1] for flaw in self._flaws],
+            self._open_quote,
+        )
+
+    def _seen(self, token: Token) -> Token:
+        """The token with its column counted in what is seen, and a name without loose accents."""
+        kind, start, end, line, offset, text = token
+        seen = column(start - offset + 1, start, self._widthless)
+        return (kind, start, end, line, seen, text if kind == STRING else text.replace(MARK, ""))
+
+    def _diagnostic(self, kind: Kind, start: int, end: int, line: int, offset: int) -> Diagnostic:
+        seen = column(start - offset + 1, start, self._widthless)
+        limit = {"limit": MOST_DIGITS} if kind is Kind.NUMBER_TOO_LARGE else {}
+        return Diagnostic(kind, Span(start, end, line, seen), found=self._source[start:end], details=limit)

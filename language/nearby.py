@@ -1,0 +1,126 @@
+"""What a word was probably meant to be, if one of ours is near enough.
+
+Near is one slip for a short word and up to three for a long one (a letter too many, missing, wrong, or two
+exchanged: Damerau and Levenshtein), or words run together: ENDIF, FW3, SOUNDON. Otherwise nothing is
+said, because a wrong guess costs a listener more than none.
+"""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Collection, Iterable
+from dataclasses import dataclass
+from functools import cache
+
+from language.keywords import TERMINALS as WORD_TERMINALS
+from language.keywords import all_words, argument, folded_word, languages_of
+from language.lexer import TAKES
+from language.source import fold_name
+from language.tables import TERMINALS
+
+LONGEST = 40
+"""Letters; nothing of ours is near to a longer word."""
+
+
+@dataclass(frozen=True, slots=True)
+class Near:
+    """The words as they are written, and the terminal that they begin with."""
+
+    text: str
+    terminal: str
+    complete: bool = False
+    """Whether more than one token was run together in it."""
+
+
+def slips_allowed(length: int) -> int:
+    return 0 if length < 2 else 1 if length < 6 else 2 if length < 9 else 3
+
+
+def nearest(word: str, candidates: Iterable[str], preferred: Collection[str] = ()) -> str | None:
+    """The candidate with the fewest slips, a preferred one if several have as few; None if none is near.
+
+    Candidates are compared folded, and answered as given.
+    """
+    folded = folded_word(word)
+    if len(folded) > LONGEST:
+        return None
+    best: tuple[int, bool, bool] | None = None
+    answer = None
+    for candidate in candidates:
+        slips = slips_in(folded, folded_word(candidate))
+        rank = (slips, candidate not in preferred, candidate[:1].casefold() != folded[:1])
+        if _is_near(folded, candidate, slips) and (best is None or rank < best):
+            best, answer = rank, candidate
+    return answer
+
+
+def nearest_keyword(word: str, terminals: Collection[str], language: str) -> Near | None:
+    """The keyword that was meant, out of those terminals of the grammar."""
+    folded = fold_name(word)
+    if len(folded) > LONGEST:
+        return None
+    together = _run_together(folded, terminals)
+    if together:
+        return together
+    written = _written()
+    candidates = [each for each in all_words() if written[each] in terminals]
+    preferred = [each for each in candidates if language in languages_of(each)]
+    found = nearest(folded, candidates, preferred)
+    return Near(found, written[found]) if found else None
+
+
+def _is_near(folded: str, candidate: str, slips: int) -> bool:
+    allowed = slips_allowed(len(folded))
+    if len(folded) == 2:
+        return slips <= allowed and sorted(folded) == sorted(folded_word(candidate))
+    return slips <= allowed
+
+
+def _run_together(folded: str, terminals: Collection[str]) -> Near | None:
+    for text, phrase in _without_blanks().items():
+        if folded == text and WORD_TERMINALS[folded_word(phrase)] in terminals:
+            return Near(phrase, WORD_TERMINALS[folded_word(phrase)])
+    number = re.fullmatch(r"([^\W\d_]+)(\d+)", folded)
+    if number and WORD_TERMINALS.get(number[1]) in terminals:
+        return Near(f"{number[1].upper()} {number[2]}", WORD_TERMINALS[number[1]], complete=True)
+    return _keyword_and_argument(folded, terminals)
+
+
+def _keyword_and_argument(folded: str, terminals: Collection[str]) -> Near | None:
+    for cut in range(len(folded) - 1, 2, -1):
+        terminal = WORD_TERMINALS.get(folded[:cut])
+        taken = _taken_by().get(terminal or "")
+        if terminal and taken and terminal in terminals and argument(taken, folded[cut:]):
+            return Near(f"{folded[:cut]} {folded[cut:]}".upper(), terminal, complete=True)
+    return None
+
+
+@cache
+def _written() -> dict[str, str]:
+    return {word: WORD_TERMINALS[folded_word(word)] for word in all_words()}
+
+
+@cache
+def _without_blanks() -> dict[str, str]:
+    return {folded_word(word).replace(" ", ""): word for word in all_words() if " " in word}
+
+
+@cache
+def _taken_by() -> dict[str, str]:
+    return {TERMINALS[kind]: terminal for kind, terminal in TAKES.items()}
+
+
+def slips_in(first: str, second: str) -> int:
+    """Letters to add, drop, change or exchange with their neighbour to make one word of the other."""
+    if abs(len(first) - len(second)) > 3:
+        return LONGEST
+    before: list[int] = []
+    row = list(range(len(second) + 1))
+    for i, letter in enumerate(first):
+        before, last, row = row, before, [i + 1]
+        for j, other in enumerate(second):
+            slips = min(before[j] + (letter != other), before[j + 1] + 1, row[j] + 1)
+            if i and j and letter == second[j - 1] and first[i - 1] == other:
+                slips = min(slips, last[j - 1] + 1)
+            row.append(slips)
+    return row[-1]

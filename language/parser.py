@@ -1,0 +1,98 @@
+"""Text to tree, or to all mistakes of form at once.
+
+A text without a mistake is read once, by the tables that lark made (tables.py). Only when that meets a
+mistake does recovery.py read the tokens again, to find all of them; so mistakes cost those who make them.
+Rule: whatever the text, the answer is a program or mistakes, in time and memory linear in its length.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import dataclass
+from typing import Any
+
+from language.colours import unseen_colours
+from language.depth import nested_too_deeply
+from language.diagnostics import Diagnostic, Kind
+from language.lexer import Lexed, Token, lex
+from language.recovery import mistakes_in
+from language.syntax import Program
+from language.tables import ACTIONS, END, GOTOS, RULES, START
+from language.tree import MOST_LEVELS, Reductions, TooDeep
+
+_REDUCTION_NAMES = [rule[2] for rule in RULES]
+
+
+@dataclass(frozen=True, slots=True)
+class Parsed:
+    """A program, or None and why."""
+
+    program: Program | None
+    diagnostics: tuple[Diagnostic, ...]
+    """Mistakes of form in the order of the text; empty if there is a program."""
+
+
+def parse(source: str, *, first_line: int = 1, colours: frozenset[str] | None = None) -> Parsed:
+    """Read a program.
+
+    ``first_line`` is the number of its first line. ``colours`` are the colours that the robot can see, as
+    English words; another one is a mistake. None allows all.
+    """
+    lexed = lex(source, first_line)
+    mistakes = nested_too_deeply(lexed.tokens) + unseen_colours(lexed, colours)
+    if not mistakes and not lexed.mistakes:
+        try:
+            body = _tree(lexed)
+        except TooDeep as error:
+            limit = {"limit": MOST_LEVELS}
+            mistakes = (Diagnostic(Kind.TOO_DEEP, error.span, "expression", details=limit),)
+        else:
+            if body is not None:
+                return Parsed(Program(source, body), ())
+    return Parsed(None, mistakes_in(lexed, mistakes, first_line))
+
+
+def _tree(lexed: Lexed) -> tuple[Any, ...] | None:
+    """The statements, or None if there is a mistake. Long for its speed: it sees every token.
+
+    Any: what a reduction makes is as various as the tree.
+    """
+    end: Token = (0, 0, 0, 0, 0, "")
+    states = [START]
+    parts: list[Any] = []
+    state = START
+    reduce = _reductions(lexed.source)
+    for token in (*lexed.tokens, end):
+        kind = token[0]
+        action = ACTIONS[state][kind]
+        while action < 0:
+            nonterminal, count, function = reduce[action]
+            if function is None:
+                state = states[-1] = GOTOS[states[-2]][nonterminal]
+                if state == END:
+                    return tuple(parts[-1])
+            elif count == 1:
+                parts[-1] = function(parts[-1:])
+                state = states[-1] = GOTOS[states[-2]][nonterminal]
+            elif count:
+                made = function(parts[-count:])
+                del parts[-count:], states[-count:]
+                parts.append(made)
+                state = GOTOS[states[-1]][nonterminal]
+                states.append(state)
+            else:
+                parts.append(function(parts[:0]))
+                state = GOTOS[state][nonterminal]
+                states.append(state)
+            action = ACTIONS[state][kind]
+        if action == 0:
+            return None
+        states.append(action)
+        parts.append(token)
+        state = action
+    return None
+
+
+def _reductions(source: str) -> list[tuple[int, int, Callable[[list[Any]], Any] | None]]:
+    functions = Reductions(source).functions(_REDUCTION_NAMES)
+    return [(rule[0], rule[1], function) for rule, function in zip(RULES, functions, strict=True)]
