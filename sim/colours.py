@@ -1,0 +1,50 @@
+"""Colours: as a world names them, as red, green and blue, and as the word that a learner uses for them."""
+
+from __future__ import annotations
+
+from colorsys import rgb_to_hsv
+from dataclasses import dataclass
+
+FAMILIES = ("red", "green", "blue", "yellow", "orange", "pink", "gray")
+"""The colour words of the language."""
+
+
+@dataclass(frozen=True, slots=True)
+class Colour:
+    """A colour of a model. Components from 0 to 1."""
+
+    name: str
+    """As the world names it; empty where it gives numbers."""
+    red: float
+    green: float
+    blue: float
+    alpha: float = 1.0
+
+    def same(self, other: Colour) -> bool:
+        """Equal as Stage's blobfinder compares: without the alpha, to a level of 255."""
+        pairs = ((self.red, other.red), (self.green, other.green), (self.blue, other.blue))
+        return all(abs(mine - theirs) < 1 / 255 for mine, theirs in pairs)
+
+    @property
+    def family(self) -> str:
+        """The word of the language for this colour; every colour has one, black and white are gray."""
+        name = self.name.lower()
+        if "gray" in name or "grey" in name:
+            return "gray"
+        if "pink" in name:
+            return "pink"
+        return _family(*rgb_to_hsv(_level(self.red), _level(self.green), _level(self.blue)))
+
+
+def _level(value: float) -> float:
+    return min(1.0, max(0.0, value))
+
+
+def _family(hue: float, saturation: float, value: float) -> str:
+    if saturation < 0.15 or value < 0.15:
+        return "gray"
+    degrees = hue * 360
+    if (degrees < 12 or degrees >= 345) and saturation < 0.5 and value > 0.6:
+        return "pink"
+    borders = ((12, "red"), (48, "orange"), (70, "yellow"), (165, "green"), (270, "blue"), (345, "pink"))
+    return next((family for border, family in borders if degrees < border), "red")

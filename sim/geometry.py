@@ -1,0 +1,244 @@
+"""Plane geometry without a world: points and angles in, numbers out. Metres, and degrees counter-clockwise.
+
+Angles stay degrees, as world files and learners give them, so that right angles stay exact.
+Sweeps look along the positive x axis: callers turn the scene so that the motion goes there.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Sequence
+from math import atan2, cos, degrees, hypot, inf, radians, sin, sqrt
+
+Point = tuple[float, float]
+Edge = tuple[float, float, float, float]
+"""x and y of both ends."""
+
+_QUARTERS = ((1.0, 0.0), (0.0, 1.0), (-1.0, 0.0), (0.0, -1.0))
+
+
+def direction(angle: float) -> Point:
+    """The unit vector at ``angle``; exact at multiples of 90."""
+    turned = angle % 360.0
+    quarter, rest = divmod(turned, 90.0)
+    if rest == 0.0:
+        return _QUARTERS[int(quarter) % 4]
+    return cos(radians(turned)), sin(radians(turned))
+
+
+def angle_of(x: float, y: float) -> float:
+    """The angle of a vector, above -180 to 180."""
+    return degrees(atan2(y, x))
+
+
+def normal(angle: float) -> float:
+    """The same angle, from above -180 to 180."""
+    turned = angle % 360.0
+    return turned - 360.0 if turned > 180.0 else turned
+
+
+def placed(points: Iterable[Point], x: float, y: float, angle: float) -> tuple[Point, ...]:
+    """Points of a frame that lies at (x, y), turned by ``angle``, seen from outside it."""
+    c, s = direction(angle)
+    return tuple((x + c * px - s * py, y + s * px + c * py) for px, py in points)
+
+
+def seen_from(points: Iterable[Point], x: float, y: float, angle: float) -> tuple[Point, ...]:
+    """The reverse of ``placed``: points from outside, seen from a frame at (x, y), turned by ``angle``."""
+    c, s = direction(angle)
+    return tuple((c * (px - x) + s * (py - y), c * (py - y) - s * (px - x)) for px, py in points)
+
+
+def edges(points: Sequence[Point]) -> tuple[Edge, ...]:
+    """The edges of a closed polygon."""
+    return tuple((*points[i - 1], *points[i]) for i in range(len(points)))
+
+
+def signed_area(points: Sequence[Point]) -> float:
+    """Square metres, positive where the points run counter-clockwise."""
+    return sum(ax * by - bx * ay for ax, ay, bx, by in edges(points)) / 2
+
+
+def is_convex(points: Sequence[Point]) -> bool:
+    """Whether no corner turns the other way (and the outline goes round once)."""
+    count = len(points)
+    signs = set()
+    turned = 0.0
+    for i in range(count):
+        (ax, ay), (bx, by), (cx, cy) = points[i - 2], points[i - 1], points[i]
+        cross = (bx - ax) * (cy - by) - (by - ay) * (cx - bx)
+        turned += atan2(cross, (bx - ax) * (cx - bx) + (by - ay) * (cy - by))
+        if cross != 0.0:
+            signs.add(cross > 0.0)
+    return len(signs) <= 1 and abs(turned) < 7.0
+
+
+def contains(points: Sequence[Point], x: float, y: float) -> bool:
+    """Whether the point lies inside the polygon (even-odd)."""
+    inside = False
+    for ax, ay, bx, by in edges(points):
+        if (ay > y) != (by > y) and x < ax + (y - ay) * (bx - ax) / (by - ay):
+            inside = not inside
+    return inside
+
+
+def nearest_on_edge(edge: Edge) -> Point:
+    """The point of the edge that is nearest to the origin."""
+    ax, ay, bx, by = edge
+    dx, dy = bx - ax, by - ay
+    length2 = dx * dx + dy * dy
+    t = 0.0 if length2 == 0.0 else min(1.0, max(0.0, -(ax * dx + ay * dy) / length2))
+    return ax + t * dx, ay + t * dy
+
+
+def in_wedge(edge: Edge, half_angle: float) -> Edge | None:
+    """The part of the edge within ``half_angle`` (at most 90) of the positive x axis, from the origin."""
+    c, s = direction(half_angle)
+    ax, ay, bx, by = edge
+    start, end = 0.0, 1.0
+    for nx, ny in ((s, -c), (s, c), (1.0, 0.0)):
+        a, b = nx * ax + ny * ay, nx * bx + ny * by
+        if a < 0.0 and b < 0.0:
+            return None
+        if a < 0.0:
+            start = max(start, a / (a - b))
+        elif b < 0.0:
+            end = min(end, a / (a - b))
+    if start > end:
+        return None
+    return ax + start * (bx - ax), ay + start * (by - ay), ax + end * (bx - ax), ay + end * (by - ay)
+
+
+def nearest_in_wedge(outline: Iterable[Edge], half_angle: float) -> float:
+    """The distance from the origin to the nearest point of the edges within the wedge, or infinity."""
+    nearest = inf
+    for edge in outline:
+        part = in_wedge(edge, half_angle)
+        if part is not None:
+            nearest = min(nearest, hypot(*nearest_on_edge(part)))
+    return nearest
+
+
+def disc_contact(radius: float, edge: Edge) -> float:
+    """How far a disc moves along x from the origin until it touches the edge, or infinity.
+
+    A disc that touches already may leave: it is held only where it would come nearer.
+    """
+    x, y = nearest_on_edge(edge)
+    if x * x + y * y <= radius * radius:
+        return 0.0 if x > 1e-12 else inf
+    ax, ay, bx, by = edge
+    contacts = [_point_contact(radius, ax, ay), _point_contact(radius, bx, by)]
+    length = hypot(bx - ax, by - ay)
+    if length > 0.0:
+        contacts.append(_face_contact(radius, edge, length))
+    return min(contacts)
+
+
+def _point_contact(radius: float, x: float, y: float) -> float:
+    if abs(y) >= radius or x < 0.0:
+        return inf
+    return max(0.0, x - sqrt(radius * radius - y * y))
+
+
+def _face_contact(radius: float, edge: Edge, length: float) -> float:
+    """Where the disc touches the inside of the edge, not its ends."""
+    ax, ay, bx, by = edge
+    nx, ny = (by - ay) / length, (ax - bx) / length
+    if nx > 0.0:
+        nx, ny = -nx, -ny
+    if nx > -1e-12:
+        return inf
+    contact = (nx * ax + ny * ay + radius) / nx
+    along = ((contact - radius * nx - ax) * (bx - ax) + (-radius * ny - ay) * (by - ay)) / (length * length)
+    return contact if contact >= 0.0 and 0.0 <= along <= 1.0 else inf
+
+
+def outline_contact(mover: Iterable[Edge], obstacle: Sequence[Edge]) -> tuple[float, float]:
+    """How far the mover's edges go along x until they touch the obstacle's, or infinity.
+
+    Second: the cosine between the motion and the face that is touched, from 0 to 1.
+    """
+    nearest, cosine = inf, 1.0
+    for mine in mover:
+        for other in obstacle:
+            contact = min(_edge_gap(mine, other), nearest)
+            if contact < nearest:
+                nearest, cosine = contact, min(_slope(mine), _slope(other))
+    return nearest, cosine
+
+
+def _edge_gap(mine: Edge, other: Edge) -> float:
+    """The least gap along x between two edges where their heights overlap."""
+    low = max(min(mine[1], mine[3]), min(other[1], other[3]))
+    high = min(max(mine[1], mine[3]), max(other[1], other[3]))
+    if low > high:
+        return inf
+    gaps = [_x_at(other, y, False) - _x_at(mine, y, True) for y in (low, high)]
+    if max(gaps) < -1e-9:
+        return inf
+    return max(0.0, min(gaps))
+
+
+def _x_at(edge: Edge, y: float, largest: bool) -> float:
+    ax, ay, bx, by = edge
+    if ay == by:
+        return max(ax, bx) if largest else min(ax, bx)
+    return ax + (y - ay) * (bx - ax) / (by - ay)
+
+
+def _slope(edge: Edge) -> float:
+    length = hypot(edge[2] - edge[0], edge[3] - edge[1])
+    return abs(edge[3] - edge[1]) / length if length > 0.0 else 1.0
+
+
+def turn_contact(mover: Sequence[Edge], obstacle: Sequence[Edge], sign: int) -> float:
+    """Degrees that the mover turns round the origin until it touches the obstacle, or infinity.
+
+    ``sign`` is 1 for counter-clockwise, -1 for clockwise.
+    """
+    nearest = inf
+    for ax, ay, _, _ in mover:
+        nearest = min(nearest, _arc_contact(ax, ay, obstacle, sign))
+    for ax, ay, _, _ in obstacle:
+        nearest = min(nearest, _arc_contact(ax, ay, mover, -sign))
+    return nearest
+
+
+def _arc_contact(x: float, y: float, outline: Iterable[Edge], sign: int) -> float:
+    """Degrees that the point turns round the origin until it meets one of the edges."""
+    radius, start, nearest = hypot(x, y), angle_of(x, y), inf
+    for edge in outline:
+        for px, py in at_radius(radius, edge):
+            turned = (sign * (angle_of(px, py) - start)) % 360.0
+            nearest = min(nearest, 0.0 if turned > 360.0 - 1e-7 else turned)
+    return nearest
+
+
+def at_radius(radius: float, edge: Edge) -> list[Point]:
+    """The points of the edge at that distance from the origin."""
+    ax, ay, bx, by = edge
+    dx, dy = bx - ax, by - ay
+    a, b, c = dx * dx + dy * dy, ax * dx + ay * dy, ax * ax + ay * ay - radius * radius
+    root = b * b - a * c
+    if a == 0.0 or root < 0.0:
+        return []
+    solutions = ((-b - sqrt(root)) / a, (-b + sqrt(root)) / a)
+    return [(ax + t * dx, ay + t * dy) for t in solutions if 0.0 <= t <= 1.0]
+
+
+def overlapping(mine: Sequence[Point], other: Sequence[Point]) -> bool:
+    """Whether two polygons share more than a border."""
+    if contains(other, *mine[0]) or contains(mine, *other[0]):
+        return True
+    return any(_crossing(a, b) for a in edges(mine) for b in edges(other))
+
+
+def _crossing(mine: Edge, other: Edge) -> bool:
+    return _divides(mine, other) and _divides(other, mine)
+
+
+def _divides(line: Edge, edge: Edge) -> bool:
+    ax, ay, bx, by = line
+    first = (bx - ax) * (edge[1] - ay) - (by - ay) * (edge[0] - ax)
+    second = (bx - ax) * (edge[3] - ay) - (by - ay) * (edge[2] - ax)
+    return first * second < 0.0

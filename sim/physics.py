@@ -1,0 +1,127 @@
+"""The world as bodies: which things are where, found fast. The one place that knows pymunk.
+
+pymunk finds what could be touched or seen (its trees, its rays); exact contacts are computed in geometry.
+A ray of pymunk's with a radius must not be trusted: its trees are searched with the thin ray (measured: of
+thick rays through a field of boxes two in three missed). So a sweep asks for a box of candidates, and the
+quick test for a free way sends a thin ray through bodies that are that much thicker.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Iterator
+from dataclasses import dataclass
+
+import pymunk
+
+from sim.colours import Colour
+from sim.geometry import Edge, Point, contains, edges, is_convex, placed, signed_area
+from sim.scene import Model, Scene
+
+_BODY, _SIGHT = 1, 2
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class Part:
+    """One polygon of the world, where it lies."""
+
+    rank: int
+    """Its number in the world: queries answer in this order, so that runs repeat exactly."""
+    root: int
+    """The index of the top-level model to which it belongs."""
+    points: tuple[Point, ...]
+    outline: tuple[Edge, ...]
+    solid: bool
+    seen: bool
+    """Whether rangers see it."""
+    colour: Colour
+    blob: bool
+    """Whether blobfinders notice it."""
+
+
+class Surroundings:
+    """Everything around one robot: the parts of all other models, none of which moves.
+
+    A part inside which the robot's centre stands from the start, such as a floor drawn as a box, is not there
+    for it.
+    ``guard`` (metres): ``free_way`` keeps that distance from everything.
+    """
+
+    def __init__(self, scene: Scene, robot: int, guard: float) -> None:
+        here = scene.models[robot].pose
+        everything = list(_parts(scene, robot))
+        self.parts = tuple(part for part in everything if not contains(part.points, here.x, here.y))
+        self.stands_in = tuple(
+            dict.fromkeys(part.root for part in everything if contains(part.points, here.x, here.y))
+        )
+        self._space, self._halo = pymunk.Space(), pymunk.Space()
+        self._owner: dict[pymunk.Shape, Part] = {}
+        for part in self.parts:
+            self._add(part, guard)
+
+    def near(self, x: float, y: float, reach: float) -> tuple[Part, ...]:
+        """All parts that come within ``reach`` of a place, and perhaps some more, in order."""
+        return self.within(x - reach, y - reach, x + reach, y + reach)
+
+    def within(self, left: float, bottom: float, right: float, top: float) -> tuple[Part, ...]:
+        """All parts that come into a box, and perhaps some more, in order."""
+        found = self._space.bb_query(pymunk.BB(left, bottom, right, top), pymunk.ShapeFilter())
+        return tuple(sorted({self._owner[shape] for shape in found}, key=_rank)) if found else ()
+
+    def first_hit(self, x: float, y: float, to_x: float, to_y: float) -> Part | None:
+        """The part that a look from one place to another meets first."""
+        hit = self._space.segment_query_first((x, y), (to_x, to_y), 0.0, pymunk.ShapeFilter(mask=_SIGHT))
+        return None if hit is None or hit.shape is None else self._owner[hit.shape]
+
+    def free_way(self, x: float, y: float, to_x: float, to_y: float) -> float:
+        """The part of the way, from 0 to 1, on which nothing comes nearer than the guard distance."""
+        hit = self._halo.segment_query_first((x, y), (to_x, to_y), 0.0, pymunk.ShapeFilter())
+        return 1.0 if hit is None else hit.alpha
+
+    def _add(self, part: Part, guard: float) -> None:
+        category = pymunk.ShapeFilter(categories=_BODY | (_SIGHT if part.seen or part.solid else 0))
+        for shape in _bodies(self._space, part.points, 0.0):
+            shape.filter = category
+            self._owner[shape] = part
+            self._space.add(shape)
+        if part.solid or part.seen:
+            self._halo.add(*_bodies(self._halo, part.points, guard))
+
+
+def _rank(part: Part) -> int:
+    return part.rank
+
+
+def _parts(scene: Scene, robot: int) -> Iterator[Part]:
+    rank = 0
+    for model in scene.models:
+        if model.root != robot:
+            for points in outlines_of(model):
+                yield _part(scene, model, rank, points)
+                rank += 1
+
+
+def _part(scene: Scene, model: Model, rank: int, points: tuple[Point, ...]) -> Part:
+    return Part(
+        rank=rank,
+        root=model.root,
+        points=points,
+        outline=edges(points),
+        solid=model.solid or model.index in scene.robots,
+        seen=model.seen,
+        colour=model.colour,
+        blob=model.blob_return != 0,
+    )
+
+
+def outlines_of(model: Model) -> Iterator[tuple[Point, ...]]:
+    """The polygons of one model, in the world."""
+    pose = model.pose
+    for shape in (*model.polygons, *model.walls):
+        yield placed(shape.points, pose.x, pose.y, pose.yaw)
+
+
+def _bodies(space: pymunk.Space, points: tuple[Point, ...], radius: float) -> Iterable[pymunk.Shape]:
+    """A polygon for pymunk, ``radius`` thicker: as it is where it is convex, else its edges."""
+    if abs(signed_area(points)) > 1e-9 and is_convex(points):
+        return [pymunk.Poly(space.static_body, points, radius=radius)]
+    return [pymunk.Segment(space.static_body, (ax, ay), (bx, by), radius) for ax, ay, bx, by in edges(points)]

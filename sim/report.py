@@ -1,0 +1,37 @@
+"""Remarks about a world that loads: what was ignored, repaired, or looks like a slip. Codes, no sentences."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass, field
+from enum import Enum
+
+
+class NoteKind(Enum):
+    IGNORED = "ignored"
+    REPAIRED = "repaired"
+    WARNING = "warning"
+
+
+@dataclass(frozen=True, slots=True)
+class Note:
+    """One remark. Codes: ``unknown-property`` (name, nearest), ``unused-property`` (name), ``not-simulated``
+    (type, name), ``second-define`` (name), ``unknown-colour`` (name, nearest), ``lone-sensor`` (name),
+    ``walls-made-solid`` (name), ``not-utf8`` (path), ``margin-cropped`` (path), ``no-robot``."""
+
+    kind: NoteKind
+    code: str
+    file: str
+    line: int
+    column: int
+    details: Mapping[str, str | int | float] = field(default_factory=dict)
+
+
+@dataclass(frozen=True, slots=True)
+class LoadReport:
+    """What became of a world file: models by type, and everything that is worth telling."""
+
+    files: tuple[str, ...]
+    loaded: tuple[tuple[str, int], ...]
+    """Built-in type and how many models of it, most frequent first."""
+    notes: tuple[Note, ...]

@@ -1,0 +1,133 @@
+"""Macros replayed: statements in, a tree of built-in types with their settings out.
+
+As in Stage a body is replayed where it is instantiated, the base's first: own properties override,
+children add up, and of two macros of one name the first wins. Unlike in Stage a macro may be used above it.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Mapping
+from dataclasses import dataclass
+from difflib import get_close_matches
+
+from sim.report import Note, NoteKind
+from sim.worldfile import tree
+from sim.worldfile.mistakes import Code, WorldError
+from sim.worldfile.reader import Placed
+
+MODEL_TYPES = frozenset(
+    {"model", "position", "ranger", "blobfinder", "fiducial", "bumper", "gripper", "camera", "actuator"}
+    | {"lightindicator", "blinkenlight"}
+)
+BUILT_IN = MODEL_TYPES | {"sensor", "window", "block"}
+MOST_ENTITIES = 100_000
+"""Models, sensors and blocks of a world together."""
+MOST_SETTINGS = 1_000_000
+DEEPEST_MODEL = 64
+
+
+@dataclass(frozen=True, slots=True)
+class Setting:
+    """A property and the file in which it stands."""
+
+    file: str
+    property: tree.Property
+
+
+@dataclass(frozen=True, slots=True)
+class Entity:
+    """One model, sensor, block or window, with everything that its macros brought."""
+
+    type: str
+    kind: str
+    """The word with which it was made: the type or a macro."""
+    file: str
+    line: int
+    column: int
+    settings: Mapping[str, Setting]
+    children: tuple[Entity, ...]
+
+
+@dataclass(frozen=True, slots=True)
+class _Macro:
+    file: str
+    define: tree.Define
+
+
+_Bodies = list[tuple[str, tuple[tree.Item, ...]]]
+
+
+class Expander:
+    """Turns the statements of a world into entities."""
+
+    def __init__(self) -> None:
+        self.notes: list[Note] = []
+        self.settings: dict[str, Setting] = {}
+        """The properties at the top level, the last of each name."""
+        self._macros: dict[str, _Macro] = {}
+        self._entities = 0
+        self._replayed = 0
+
+    def expand(self, statements: Iterable[Placed]) -> tuple[Entity, ...]:
+        """The entities at the top level, in order. WorldError: a type is unknown, or there is too much."""
+        instances: list[tuple[str, tree.Instance]] = []
+        for placed in statements:
+            match placed.statement:
+                case tree.Define() as define:
+                    self._define(placed.file, define)
+                case tree.Property() as setting:
+                    self.settings[setting.name] = Setting(placed.file, setting)
+                case tree.Instance() as instance:
+                    instances.append((placed.file, instance))
+        return tuple(self._entity(file, instance, 0) for file, instance in instances)
+
+    def _define(self, file: str, define: tree.Define) -> None:
+        if define.name in self._macros:
+            details = {"name": define.name}
+            note = Note(NoteKind.WARNING, "second-define", file, define.line, define.column, details)
+            self.notes.append(note)
+        else:
+            self._macros[define.name] = _Macro(file, define)
+
+    def _entity(self, file: str, instance: tree.Instance, depth: int) -> Entity:
+        self._count(file, instance, depth)
+        built_in, bodies = self._bodies(file, instance)
+        settings: dict[str, Setting] = {}
+        children: list[Entity] = []
+        for body_file, body in bodies:
+            for item in body:
+                self._replayed += 1
+                if isinstance(item, tree.Property):
+                    settings[item.name] = Setting(body_file, item)
+                else:
+                    children.append(self._entity(body_file, item, depth + 1))
+        place = (file, instance.line, instance.column)
+        return Entity(built_in, instance.type, *place, settings, tuple(children))
+
+    def _count(self, file: str, instance: tree.Instance, depth: int) -> None:
+        self._entities += 1
+        if self._entities > MOST_ENTITIES or self._replayed > MOST_SETTINGS:
+            raise WorldError(Code.TOO_MUCH, file, instance.line, instance.column, limit=MOST_ENTITIES)
+        if depth > DEEPEST_MODEL:
+            raise WorldError(Code.NESTED_TOO_DEEP, file, instance.line, instance.column, limit=DEEPEST_MODEL)
+
+    def _bodies(self, file: str, instance: tree.Instance) -> tuple[str, _Bodies]:
+        """The built-in type below ``instance``, and the bodies to replay, the innermost base first."""
+        bodies: _Bodies = [(file, instance.body)]
+        name, place = instance.type, (file, instance.line, instance.column)
+        seen: set[str] = set()
+        while (macro := self._macros.get(name)) is not None and not (name in seen and name in BUILT_IN):
+            if name in seen:
+                raise WorldError(Code.DEFINE_CYCLE, *place, found=name)
+            seen.add(name)
+            bodies.append((macro.file, macro.define.body))
+            name = macro.define.base
+            place = (macro.file, macro.define.base_line, macro.define.base_column)
+        if name not in BUILT_IN:
+            raise self._unknown(name, place)
+        return name, bodies[::-1]
+
+    def _unknown(self, name: str, place: tuple[str, int, int]) -> WorldError:
+        known = sorted(BUILT_IN | self._macros.keys())
+        nearest = next(iter(get_close_matches(name, known, 1, 0.7)), "") if len(name) < 60 else ""
+        return WorldError(Code.UNKNOWN_TYPE, *place, ("type",), found=name[:60], nearest=nearest)

@@ -1,0 +1,81 @@
+"""A world file becomes a scene. The way in: ``load_world`` for a file, ``load_text`` for a text."""
+
+from __future__ import annotations
+
+from collections import Counter
+from collections.abc import Iterable, Mapping
+from pathlib import Path
+
+from sim.report import LoadReport, Note, NoteKind
+from sim.scene import Model, Polygon, Scene
+from sim.worldfile.build import Builder
+from sim.worldfile.entities import Expander, Setting
+from sim.worldfile.reader import Placed, Reader
+from sim.worldfile.values import Reader as Values
+from sim.worldfile.values import plain
+
+_SENSES = frozenset({"ranger", "blobfinder"})
+_LESSER_SENSES = frozenset({"bumper", "fiducial", "camera", "gripper"})
+
+
+def load_world(path: Path, *, allowed: tuple[Path, ...] = ()) -> Scene:
+    """The scene of the world at ``path``.
+
+    Includes and bitmaps are looked for beside the file that names them, then beside the world, then in
+    the folders ``allowed``; nothing outside these is read. WorldError if the world can't be used.
+    """
+    reader = Reader(path, allowed)
+    return _scene(path.stem, reader, reader.read(path))
+
+
+def load_text(text: str, path: Path, *, allowed: tuple[Path, ...] = ()) -> Scene:
+    """The scene of a world that is not in a file; ``path`` names it in mistakes and is where it would lie."""
+    reader = Reader(path, allowed)
+    return _scene(path.stem, reader, reader.statements(text, path, ()))
+
+
+def _scene(name: str, reader: Reader, statements: Iterable[Placed]) -> Scene:
+    expander, values = Expander(), Values()
+    entities = expander.expand(statements)
+    values.use_units(expander.settings)
+    values.check(expander.settings, quiet=True)
+    builder = Builder(values, lambda setting: _pixels(reader, values, setting))
+    builder.build(entities)
+    models = tuple(builder.models)
+    robots = _robots(models)
+    notes = (*reader.notes, *expander.notes, *values.notes, *_walls(models), *_no_robot(reader, robots))
+    report = LoadReport(tuple(dict.fromkeys(reader.files)), _counts(models), notes)
+    return Scene(name, models, robots, _plain(expander.settings), report)
+
+
+def _pixels(reader: Reader, values: Values, setting: Setting) -> tuple[Polygon, ...]:
+    raise NotImplementedError
+
+
+def _robots(models: tuple[Model, ...]) -> tuple[int, ...]:
+    """Position models with a ranger or a blobfinder; models with other senses only where none has these."""
+    for senses in (_SENSES, _LESSER_SENSES):
+        sensing = {model.root for model in models if model.type in senses}
+        robots = tuple(root for root in sorted(sensing) if models[root].type == "position")
+        if robots:
+            return robots
+    return ()
+
+
+def _walls(models: tuple[Model, ...]) -> Iterable[Note]:
+    for model in models:
+        if model.solid and model.obstacle_return == 0:
+            yield Note(NoteKind.REPAIRED, "walls-made-solid", "", 0, 0, {"name": model.name})
+
+
+def _no_robot(reader: Reader, robots: tuple[int, ...]) -> Iterable[Note]:
+    if not robots:
+        yield Note(NoteKind.WARNING, "no-robot", next(iter(reader.files), ""), 1, 1)
+
+
+def _counts(models: tuple[Model, ...]) -> tuple[tuple[str, int], ...]:
+    return tuple(Counter(model.type for model in models).most_common())
+
+
+def _plain(settings: Mapping[str, Setting]) -> Mapping[str, object]:
+    return {name: plain(setting.property.value) for name, setting in settings.items()}

@@ -1,0 +1,217 @@
+"""How the settings of a world file are read: types, units, colours, remarks about what has no effect."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Mapping
+from difflib import get_close_matches
+from math import degrees
+
+from sim.colours import Colour
+from sim.report import Note, NoteKind
+from sim.scene import Placement
+from sim.worldfile import tree
+from sim.worldfile.entities import Setting
+from sim.worldfile.mistakes import Code, WorldError
+from sim.worldfile.properties import UNUSED, nearest_property, types_of
+from sim.x11 import nearest_name, rgb
+
+Size = tuple[float, float, float]
+"""Metres along x, y and z."""
+
+LONGEST = 1e5
+"""Metres: no world is larger."""
+
+_TYPES = {tree.Number: "number", tree.String: "string", tree.Tuple: "tuple"}
+_UNITS = {"m": 1.0, "cm": 0.01, "mm": 0.001}
+_ANGLES = {"degrees": 1.0, "radians": degrees(1.0)}
+
+_INDEXED = re.compile(r"(.*)\[[0-9]+\]$")
+
+
+class Reader:
+    """Reads settings of one world: knows its units, collects remarks."""
+
+    def __init__(self) -> None:
+        self.metres = 1.0
+        self.degrees = 1.0
+        self.notes: list[Note] = []
+        self._noted: set[tuple[str, str, int, int]] = set()
+
+    def use_units(self, settings: Mapping[str, Setting]) -> None:
+        self.metres = _UNITS[self.choice(settings, "unit_length", "m", tuple(_UNITS))]
+        self.degrees = _ANGLES[self.choice(settings, "unit_angle", "degrees", tuple(_ANGLES))]
+
+    def choice(
+        self, settings: Mapping[str, Setting], name: str, default: str, choices: tuple[str, ...]
+    ) -> str:
+        word = self.string(settings, name, default)
+        if word in choices:
+            return word
+        nearest = next(iter(get_close_matches(word[:60], choices, 1)), "")
+        raise mistake(Code.UNKNOWN_WORD, settings[name], choices, name=name, found=word[:60], nearest=nearest)
+
+    def string(self, settings: Mapping[str, Setting], name: str, default: str) -> str:
+        setting = settings.get(name)
+        if setting is None:
+            return default
+        value = setting.property.value
+        if not isinstance(value, tree.String):
+            raise mistake(Code.WRONG_TYPE, setting, ("string",), name=name)
+        return value.text
+
+    def number(self, settings: Mapping[str, Setting], name: str, default: float) -> float:
+        setting = settings.get(name)
+        return default if setting is None else _number(setting, setting.property.value)
+
+    def length(self, settings: Mapping[str, Setting], name: str, default: float) -> float:
+        setting = settings.get(name)
+        return default if setting is None else self._length(setting, setting.property.value)
+
+    def angle(self, settings: Mapping[str, Setting], name: str, default: float) -> float:
+        setting = settings.get(name)
+        return default if setting is None else _number(setting, setting.property.value) * self.degrees
+
+    def size(
+        self, settings: Mapping[str, Setting], default: tuple[float, float, float]
+    ) -> tuple[float, float, float]:
+        """Two numbers leave the height as it is; Stage itself reads a fourth as nothing."""
+        setting = settings.get("size")
+        if setting is None:
+            return default
+        sides = [self._length(setting, item) for item in _items(setting, 2, 4)]
+        if min(sides) < 0:
+            raise mistake(Code.OUT_OF_RANGE, setting, name="size")
+        return sides[0], sides[1], sides[2] if len(sides) > 2 else default[2]
+
+    def place(self, settings: Mapping[str, Setting], name: str) -> Placement:
+        """``pose`` and ``origin``: x y z yaw; of three numbers the third is a pose's yaw, an origin's z."""
+        setting = settings.get(name)
+        if setting is None:
+            return Placement()
+        items = _items(setting, 3, 4)
+        x, y, third = (self._length(setting, item) for item in items[:3])
+        if len(items) == 4:
+            return Placement(x, y, third, _number(setting, items[3]) * self.degrees)
+        if name == "origin":
+            return Placement(x, y, third)
+        return Placement(x, y, 0.0, _number(setting, items[2]) * self.degrees)
+
+    def span(
+        self, settings: Mapping[str, Setting], name: str, default: tuple[float, float]
+    ) -> tuple[float, float]:
+        """Two lengths, the smaller first."""
+        setting = settings.get(name)
+        if setting is None:
+            return default
+        low, high = self.pair(setting)
+        if not 0 <= low <= high:
+            raise mistake(Code.OUT_OF_RANGE, setting, name=name)
+        return low, high
+
+    def pair(self, setting: Setting) -> tuple[float, float]:
+        first, second = (self._length(setting, item) for item in _items(setting, 2, 2))
+        return first, second
+
+    def colour(self, settings: Mapping[str, Setting], default: Colour) -> Colour:
+        """``color``, else ``color_rgba``."""
+        if (setting := settings.get("color")) is not None:
+            return self.named_colour(setting, self.string(settings, "color", ""))
+        if (setting := settings.get("color_rgba")) is None:
+            return default
+        levels = [min(1.0, max(0.0, _number(setting, item))) for item in _items(setting, 3, 4)]
+        return Colour("", *levels)
+
+    def named_colour(self, setting: Setting, name: str) -> Colour:
+        """Red, as Stage has it, and a warning, where nobody knows the name."""
+        levels = rgb(name)
+        if levels is None:
+            details = {"name": name[:60], "nearest": nearest_name(name)}
+            self.note(NoteKind.WARNING, "unknown-colour", setting, **details)
+            return Colour("red", 1.0, 0.0, 0.0)
+        return Colour(name, *(level / 255 for level in levels))
+
+    def colours(self, settings: Mapping[str, Setting]) -> tuple[Colour, ...]:
+        setting = settings.get("colors")
+        if setting is None:
+            return ()
+        items = _items(setting, 0, 1000)
+        count = int(min(1000, max(0, self.number(settings, "colors_count", len(items)))))
+        return tuple(self.named_colour(setting, _string(setting, item)) for item in items[:count])
+
+    def note(self, kind: NoteKind, code: str, setting: Setting, **details: str) -> None:
+        place = setting.property
+        self.remark(Note(kind, code, setting.file, place.line, place.column, details))
+
+    def remark(self, note: Note) -> None:
+        """A remark, once for each place: a macro is replayed often."""
+        key = (note.code, note.file, note.line, note.column)
+        if key not in self._noted:
+            self._noted.add(key)
+            self.notes.append(note)
+
+    def check(self, settings: Mapping[str, Setting], quiet: bool = False) -> None:
+        """The type of every known property; a remark for every one without effect."""
+        for name, setting in settings.items():
+            self._check(_INDEXED.sub(r"\1", name), setting, quiet)
+
+    def _check(self, name: str, setting: Setting, quiet: bool) -> None:
+        types = types_of(name)
+        if not types:
+            self.note(
+                NoteKind.IGNORED, "unknown-property", setting, name=name[:60], nearest=nearest_property(name)
+            )
+        elif _TYPES[type(setting.property.value)] not in types:
+            raise mistake(Code.WRONG_TYPE, setting, types, name=name)
+        elif name in UNUSED and not quiet:
+            self.note(NoteKind.IGNORED, "unused-property", setting, name=name)
+
+    def _length(self, setting: Setting, value: tree.Value) -> float:
+        metres = _number(setting, value) * self.metres
+        if abs(metres) > LONGEST:
+            place = (setting.file, value.line, value.column)
+            raise WorldError(Code.OUT_OF_RANGE, *place, name=setting.property.name, limit=LONGEST)
+        return metres
+
+
+def mistake(
+    code: Code, setting: Setting, expected: tuple[str, ...] = (), **details: str | int | float
+) -> WorldError:
+    """A mistake in the value of a property."""
+    value = setting.property.value
+    return WorldError(code, setting.file, value.line, value.column, expected, **details)
+
+
+def plain(value: tree.Value) -> object:
+    """A value as Python has it."""
+    match value:
+        case tree.Number():
+            return value.value
+        case tree.String():
+            return value.text
+        case tree.Tuple():
+            return tuple(plain(item) for item in value.items)
+
+
+def _number(setting: Setting, value: tree.Value) -> float:
+    if not isinstance(value, tree.Number):
+        place = (setting.file, value.line, value.column)
+        raise WorldError(Code.WRONG_TYPE, *place, ("number",), name=setting.property.name)
+    return value.value
+
+
+def _string(setting: Setting, value: tree.Value) -> str:
+    if not isinstance(value, tree.String):
+        place = (setting.file, value.line, value.column)
+        raise WorldError(Code.WRONG_TYPE, *place, ("string",), name=setting.property.name)
+    return value.text
+
+
+def _items(setting: Setting, least: int, most: int) -> tuple[tree.Value, ...]:
+    value = setting.property.value
+    if not isinstance(value, tree.Tuple):
+        raise mistake(Code.WRONG_TYPE, setting, ("tuple",), name=setting.property.name)
+    if not least <= len(value.items) <= most:
+        expected = tuple(str(count) for count in range(least, most + 1)) if most < 10 else ()
+        raise mistake(Code.WRONG_COUNT, setting, expected, name=setting.property.name, given=len(value.items))
+    return value.items
