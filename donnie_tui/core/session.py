@@ -98,7 +98,8 @@ class Session:
 
         ``fresh`` puts the robot back to its start and forgets variables; ``hooked`` makes the program
         steppable; ``terminal`` is the session's own where it is not given (the program of an editor is no
-        terminal, the line below it is); ``prepare`` is given the control before the first statement (to step from the start, say).
+        terminal, the line below it is); ``prepare`` is given the control before the first statement (to step
+        from the start, say).
         """
         terminal = self._terminal if terminal is None else terminal
         run = self._claim(text, name, fresh, terminal, hooked or trace, trace, first_line)
