@@ -1,0 +1,141 @@
+"""By which channel an utterance goes out, and what the surroundings tell."""
+
+import os
+from collections.abc import Mapping
+from dataclasses import replace
+from pathlib import Path
+
+import pytest
+
+from devices.speech.choose import Channel, ChannelReason, Choice, Facts, choose_channel
+from devices.speech.probe import find_screen_reader, has_sound_device, look_around
+
+ALL_WELL = Facts(
+    stdout_is_terminal=True, over_ssh=False, screen_reader=None, has_voice=True, has_sound_device=True
+)
+NO_TERMINAL = replace(ALL_WELL, stdout_is_terminal=False)
+SSH = replace(ALL_WELL, over_ssh=True)
+READER = replace(ALL_WELL, screen_reader="orca")
+NO_VOICE = replace(ALL_WELL, has_voice=False)
+NO_DEVICE = replace(ALL_WELL, has_sound_device=False)
+
+
+@pytest.mark.parametrize(
+    ("wanted", "facts", "channel", "reason"),
+    [
+        ("auto", ALL_WELL, Channel.TTS, ChannelReason.OWN_VOICE),
+        ("auto", NO_TERMINAL, Channel.TEXT, ChannelReason.NOT_A_TERMINAL),
+        ("auto", SSH, Channel.TEXT, ChannelReason.OVER_SSH),
+        ("auto", READER, Channel.TEXT, ChannelReason.SCREEN_READER),
+        ("auto", NO_VOICE, Channel.TEXT, ChannelReason.NO_VOICE),
+        ("auto", NO_DEVICE, Channel.TEXT, ChannelReason.NO_SOUND_DEVICE),
+        ("auto", replace(SSH, screen_reader="orca"), Channel.TEXT, ChannelReason.OVER_SSH),
+        ("auto", replace(NO_VOICE, over_ssh=True), Channel.TEXT, ChannelReason.OVER_SSH),
+        ("auto", replace(NO_DEVICE, has_voice=False), Channel.TEXT, ChannelReason.NO_VOICE),
+        ("off", ALL_WELL, Channel.TEXT, ChannelReason.ASKED_FOR),
+        ("text", ALL_WELL, Channel.TEXT, ChannelReason.ASKED_FOR),
+        ("tts", ALL_WELL, Channel.TTS, ChannelReason.ASKED_FOR),
+        ("tts", SSH, Channel.TTS, ChannelReason.ASKED_FOR),
+        ("tts", READER, Channel.TTS, ChannelReason.ASKED_FOR),
+        ("tts", NO_TERMINAL, Channel.TTS, ChannelReason.ASKED_FOR),
+        ("tts", NO_VOICE, Channel.TEXT, ChannelReason.NO_VOICE),
+        ("tts", NO_DEVICE, Channel.TEXT, ChannelReason.NO_SOUND_DEVICE),
+    ],
+)
+def test_the_choice(wanted: str, facts: Facts, channel: Channel, reason: ChannelReason) -> None:
+    assert choose_channel(wanted, facts) == Choice(channel, reason)
+
+
+def test_another_word_is_an_error() -> None:
+    with pytest.raises(ValueError, match="loud"):
+        choose_channel("loud", ALL_WELL)
+
+
+def fake_process(root: Path, number: int, *arguments: str, comm: str = "") -> None:
+    folder = root / "proc" / str(number)
+    folder.mkdir(parents=True)
+    (folder / "cmdline").write_bytes(b"".join(argument.encode() + b"\0" for argument in arguments))
+    (folder / "comm").write_text(comm + "\n")
+
+
+@pytest.mark.parametrize(
+    ("arguments", "comm", "found"),
+    [
+        (("/usr/bin/yasr", "-c", "bash"), "yasr", "yasr"),
+        (("/usr/bin/python3", "/usr/bin/orca"), "python3", "orca"),
+        (("python3", "-u", "/opt/fenrir.py"), "python3", "fenrir"),
+        (("/usr/libexec/reader",), "orca", "orca"),
+        (("tclsh", "/usr/share/emacs/site-lisp/emacspeak/servers/espeak"), "tclsh", "emacspeak"),
+        (("vim", "orca"), "vim", None),
+        (("python3", "game.py", "orca"), "python3", None),
+        (("brltty",), "brltty", None),
+        ((), "kthread", None),
+    ],
+)
+def test_a_screen_reader_is_found_by_its_program(
+    tmp_path: Path, arguments: tuple[str, ...], comm: str, found: str | None
+) -> None:
+    fake_process(tmp_path, 7, "bash", comm="bash")
+    fake_process(tmp_path, 12, *arguments, comm=comm)
+
+    assert find_screen_reader({}, tmp_path) == found
+
+
+def test_another_users_reader_is_not_ours(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    fake_process(tmp_path, 12, "orca", comm="orca")
+    monkeypatch.setattr(os, "getuid", lambda: tmp_path.stat().st_uid + 1)
+
+    assert find_screen_reader({}, tmp_path) is None
+
+
+def test_the_systems_console_reader_is_everybodys(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    fake_process(tmp_path, 12, "python3", "/usr/bin/fenrir", comm="fenrir")
+    monkeypatch.setattr(os, "getuid", lambda: tmp_path.stat().st_uid + 1)
+
+    assert find_screen_reader({}, tmp_path) == "fenrir"
+
+
+def test_a_reader_can_be_announced_in_the_environment(tmp_path: Path) -> None:
+    assert find_screen_reader({"DONNIE_READER": "1"}, tmp_path) == "DONNIE_READER"
+    assert find_screen_reader({"DONNIE_READER": "0"}, tmp_path) is None
+
+
+def test_a_speaking_speakup_is_a_reader(tmp_path: Path) -> None:
+    synth = tmp_path / "sys/accessibility/speakup/synth"
+    synth.parent.mkdir(parents=True)
+    synth.write_text("none\n")
+    assert find_screen_reader({}, tmp_path) is None
+
+    synth.write_text("soft\n")
+    assert find_screen_reader({}, tmp_path) == "speakup"
+
+
+@pytest.mark.skipif("sys.platform != 'linux'", reason="sound cards are looked for on Linux")
+@pytest.mark.parametrize(
+    ("file", "environment", "found"),
+    [
+        ("dev/snd/pcmC0D0p", {}, True),
+        ("dev/snd/pcmC0D0c", {}, False),
+        ("dev/snd/timer", {}, False),
+        ("run/pulse/native", {"XDG_RUNTIME_DIR": "run"}, True),
+        ("run/pipewire-0", {"XDG_RUNTIME_DIR": "run"}, True),
+        ("run/bus", {"XDG_RUNTIME_DIR": "run"}, False),
+        ("nothing", {"PULSE_SERVER": "tcp:elsewhere"}, True),
+    ],
+)
+def test_a_sound_device_is_a_card_that_plays_or_a_server(
+    tmp_path: Path, file: str, environment: Mapping[str, str], found: bool
+) -> None:
+    place = tmp_path / file
+    place.parent.mkdir(parents=True, exist_ok=True)
+    place.touch()
+    variables = {
+        key: str(tmp_path / value) if key == "XDG_RUNTIME_DIR" else value for key, value in environment.items()
+    }
+
+    assert has_sound_device(variables, tmp_path) is found
+
+
+def test_ssh_is_seen_in_the_environment(tmp_path: Path) -> None:
+    assert look_around({"SSH_CONNECTION": "1.2.3.4 5 6.7.8.9 22"}, tmp_path).over_ssh
+    assert not look_around({}, tmp_path).over_ssh

@@ -1,0 +1,194 @@
+"""What is said next, as facts about the queue alone."""
+
+import pytest
+
+from devices.ports.audio import Urgency, Utterance
+from devices.speech.policy import (
+    REPEAT_WINDOW,
+    SENTENCE_LIMIT,
+    Offer,
+    SpeechQueue,
+    cuts,
+    first_sentence,
+)
+
+
+def utterance(text: str, urgency: Urgency = Urgency.PROGRAM, language: str = "en") -> Utterance:
+    return Utterance(text, urgency, language)
+
+
+def said_after(*offers: tuple[str, Urgency]) -> list[str]:
+    """What is said, in order, when all of ``offers`` came at once."""
+    queue = SpeechQueue()
+    for text, urgency in offers:
+        queue.offer(utterance(text, urgency), now=0.0)
+    return drained(queue)
+
+
+def drained(queue: SpeechQueue) -> list[str]:
+    return [sentence.text for sentence in iter(queue.next, None)]
+
+
+@pytest.mark.parametrize(
+    ("offers", "said"),
+    [
+        pytest.param(
+            [("h", Urgency.HINT), ("p", Urgency.PROGRESS), ("a", Urgency.ANSWER), ("!", Urgency.ALERT)],
+            ["!", "a", "p", "h"],
+            id="alerts, answers, progress, hints",
+        ),
+        pytest.param(
+            [("a1", Urgency.ANSWER), ("s1", Urgency.PROGRAM), ("a2", Urgency.ANSWER), ("s2", Urgency.PROGRAM)],
+            ["a1", "s1", "a2", "s2"],
+            id="answers and SPEAK share one line",
+        ),
+        pytest.param(
+            [("1 step", Urgency.PROGRESS), ("a", Urgency.ANSWER), ("2 steps", Urgency.PROGRESS)],
+            ["a", "2 steps"],
+            id="of progress the newest is kept",
+        ),
+        pytest.param(
+            [("one", Urgency.PROGRAM), ("one", Urgency.PROGRAM)],
+            ["one", "one"],
+            id="SPEAK repeats itself as often as the program does",
+        ),
+        pytest.param(
+            [("one", Urgency.ANSWER), ("one", Urgency.ANSWER)], ["one"], id="an answer at once again is said once"
+        ),
+        pytest.param(
+            [("one", Urgency.PROGRAM), ("one", Urgency.ANSWER)],
+            ["one", "one"],
+            id="SPEAK silences no answer of the same words",
+        ),
+        pytest.param([("", Urgency.PROGRAM), (" \n ", Urgency.ALERT)], [], id="nothing is said for nothing"),
+    ],
+)
+def test_who_goes_first(offers: list[tuple[str, Urgency]], said: list[str]) -> None:
+    assert said_after(*offers) == said
+
+
+def test_the_same_text_is_said_again_after_half_a_second() -> None:
+    queue = SpeechQueue()
+    queue.offer(utterance("Wall.", Urgency.ALERT), now=0.0)
+
+    assert queue.offer(utterance("Wall.", Urgency.ALERT), now=REPEAT_WINDOW - 0.01) is Offer.REPEATED
+    assert queue.offer(utterance("Wall.", Urgency.ALERT), now=REPEAT_WINDOW) is Offer.QUEUED
+
+
+def test_the_same_words_in_another_language_are_another_text() -> None:
+    queue = SpeechQueue()
+    queue.offer(utterance("No.", Urgency.ANSWER, "en"), now=0.0)
+
+    assert queue.offer(utterance("No.", Urgency.ANSWER, "es"), now=0.0) is Offer.QUEUED
+
+
+def test_what_was_silenced_may_be_said_again_at_once() -> None:
+    queue = SpeechQueue()
+    queue.offer(utterance("Wall.", Urgency.ALERT), now=0.0)
+    queue.clear()
+
+    assert drained(queue) == []
+    assert queue.offer(utterance("Wall.", Urgency.ALERT), now=0.1) is Offer.QUEUED
+
+
+def test_an_alert_waits_for_one_sentence_of_a_long_answer() -> None:
+    queue = SpeechQueue()
+    queue.offer(utterance("Facing north. Two boxes. One wall.", Urgency.ANSWER), now=0.0)
+    first = queue.next()
+    queue.offer(utterance("Stopped.", Urgency.ALERT), now=1.0)
+
+    assert first == utterance("Facing north.", Urgency.ANSWER)
+    assert drained(queue) == ["Stopped.", "Two boxes.", "One wall."]
+
+
+def test_a_sentence_that_is_put_back_comes_before_what_waits() -> None:
+    queue = SpeechQueue()
+    for text in ("one", "two"):
+        queue.offer(utterance(text), now=0.0)
+    taken = queue.next()
+    assert taken is not None
+    queue.put_back(taken)
+
+    assert drained(queue) == ["one", "two"]
+
+
+def test_a_thousand_times_speak_are_a_thousand_sentences_in_order() -> None:
+    queue = SpeechQueue()
+    texts = [f"number {number}" for number in range(1000)]
+    for text in texts:
+        assert queue.offer(utterance(text), now=0.0) is Offer.QUEUED
+
+    assert drained(queue) == texts
+
+
+def test_a_program_that_speaks_for_ever_is_refused_in_the_end_and_loses_nothing_older() -> None:
+    queue = SpeechQueue()
+    accepted = 0
+    while accepted < 100_000 and queue.offer(utterance(str(accepted)), now=0.0) is Offer.QUEUED:
+        accepted += 1
+
+    assert accepted < 100_000
+    assert drained(queue) == [str(number) for number in range(accepted)]
+    assert queue.offer(utterance("again"), now=0.0) is Offer.QUEUED
+
+
+def test_huge_texts_are_refused_before_they_fill_the_memory() -> None:
+    queue = SpeechQueue()
+    huge = "a" * 1_500_000
+    offers = [queue.offer(utterance(huge), now=0.0) for _ in range(3)]
+
+    assert offers == [Offer.QUEUED, Offer.QUEUED, Offer.REFUSED]
+    assert max(len(sentence) for sentence in drained(queue)) <= SENTENCE_LIMIT
+
+
+def test_an_alert_is_accepted_when_the_program_has_filled_the_queue() -> None:
+    queue = SpeechQueue()
+    while queue.offer(utterance("blah"), now=0.0) is Offer.QUEUED:
+        pass
+
+    assert queue.offer(utterance("Stopped.", Urgency.ALERT), now=0.0) is Offer.QUEUED
+    assert queue.next() == utterance("Stopped.", Urgency.ALERT)
+
+
+@pytest.mark.parametrize(
+    ("text", "sentence", "rest"),
+    [
+        ("One.", "One.", ""),
+        ("One. Two.", "One.", "Two."),
+        ("Really?! Yes.", "Really?!", "Yes."),
+        ('He said "go." Then', 'He said "go."', "Then"),
+        ("3.5 steps", "3.5 steps", ""),
+        ("line\nline", "line", "line"),
+        ("  padded  ", "padded", ""),
+        ("Position 1, 2; facing north", "Position 1, 2; facing north", ""),
+        ("", "", ""),
+    ],
+)
+def test_where_a_sentence_ends(text: str, sentence: str, rest: str) -> None:
+    assert first_sentence(text) == (sentence, rest)
+
+
+def test_a_sentence_without_end_is_cut_between_words() -> None:
+    sentence, rest = first_sentence("word " * 1000)
+
+    assert len(sentence) <= SENTENCE_LIMIT
+    assert sentence.endswith("word")
+    assert rest.strip().startswith("word")
+
+
+def test_nothing_is_lost_when_a_text_is_cut() -> None:
+    text = "x" * 1000
+    pieces = []
+    while text:
+        piece, text = first_sentence(text)
+        pieces.append(piece)
+
+    assert "".join(pieces) == "x" * 1000
+
+
+@pytest.mark.parametrize("incoming", Urgency)
+@pytest.mark.parametrize("speaking", Urgency)
+def test_only_an_alert_cuts_and_only_progress_and_hints_are_cut(incoming: Urgency, speaking: Urgency) -> None:
+    expected = incoming is Urgency.ALERT and speaking in {Urgency.PROGRESS, Urgency.HINT}
+
+    assert cuts(incoming, speaking) is expected

@@ -1,0 +1,55 @@
+"""Which voice reads which language, and how it sounds at most."""
+
+import math
+
+import pytest
+
+from devices.speech.voices import Voice, VoiceSettings, base_language, choose_voice
+
+BRITISH = Voice("gmw/en", ("en-gb",))
+AMERICAN = Voice("gmw/en-us", ("en-us",))
+BRAZIL = Voice("roa/pt-br", ("pt-br",))
+PORTUGAL = Voice("roa/pt", ("pt",))
+SPAIN = Voice("roa/es", ("es",))
+MBROLA = Voice("mb/mb-br1", ("pt-br",))
+SAPI = Voice("HKEY_LOCAL_MACHINE/SPEECH/MARIA", ("pt_BR",))
+
+
+@pytest.mark.parametrize(
+    ("language", "voices", "chosen"),
+    [
+        ("pt", (PORTUGAL, BRAZIL), BRAZIL),
+        ("pt-BR", (BRITISH, PORTUGAL), PORTUGAL),
+        ("pt", (BRITISH, SPAIN), None),
+        ("pt", (MBROLA,), None),
+        ("pt", (SAPI,), SAPI),
+        ("en", (AMERICAN, BRITISH), BRITISH),
+        ("en", (AMERICAN,), AMERICAN),
+        ("es", (BRITISH, SPAIN), SPAIN),
+        ("fr", (BRITISH, SPAIN), None),
+        ("en", (), None),
+    ],
+)
+def test_a_language_is_read_by_its_own_voice_or_by_none(
+    language: str, voices: tuple[Voice, ...], chosen: Voice | None
+) -> None:
+    assert choose_voice(language, voices) == chosen
+
+
+@pytest.mark.parametrize(
+    ("asked", "given"),
+    [
+        (VoiceSettings(10, -5, -0.1), VoiceSettings(80, 0, 0.0)),
+        (VoiceSettings(10_000, 500, 7.0), VoiceSettings(450, 100, 1.0)),
+        (VoiceSettings(200, 40, 0.5), VoiceSettings(200, 40, 0.5)),
+        (VoiceSettings(volume=math.nan), VoiceSettings()),
+        (VoiceSettings(volume=math.inf), VoiceSettings(volume=1.0)),
+    ],
+)
+def test_settings_are_clamped_and_not_refused(asked: VoiceSettings, given: VoiceSettings) -> None:
+    assert asked.clamped() == given
+
+
+@pytest.mark.parametrize("written", ["pt", "pt-BR", "pt_BR", "PT"])
+def test_the_base_of_a_language(written: str) -> None:
+    assert base_language(written) == "pt"
