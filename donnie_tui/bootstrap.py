@@ -47,7 +47,7 @@ class Donnie:
     _closing: ExitStack
 
     def picture(self) -> Picture:
-        """The world as a grid of letters and a list of things, for the map; events tell where the robot is."""
+        """The world as a grid of letters and a list of things. Events tell where the robot is."""
         from sim.picture import picture
 
         return picture(self.world.scene)

@@ -33,19 +33,23 @@ class ChosenWorld:
     name: str
     path: Path
     scene: Scene
-    about: worlds.About | None
-    """Its title, description and task by language; None for a file of the learner's own."""
+    ships: bool
+    """Whether it is one of ours, with words about it."""
+
+    def about(self, language: str) -> worlds.About | None:
+        """Title, description and task; None for a file of the learner's own."""
+        return worlds.about(self.name, language) if self.ships else None
 
 
 def choose_world(name_or_file: str, words: Words) -> ChosenWorld:
     """The world of ``--world``. Raises ``Unusable``."""
     if name_or_file in worlds.names():
         path = worlds.path(name_or_file)
-        return ChosenWorld(name_or_file, path, _load(path, words), worlds.about(name_or_file))
+        return ChosenWorld(name_or_file, path, _load(path, words), ships=True)
     path = Path(name_or_file)
     if not _looks_like_a_file(name_or_file) and not path.exists():
         raise Unusable(_unknown_world(name_or_file, words))
-    return ChosenWorld(path.name, path, _load(path, words), None)
+    return ChosenWorld(path.name, path, _load(path, words), ships=False)
 
 
 def _looks_like_a_file(name: str) -> bool:

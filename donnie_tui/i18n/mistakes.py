@@ -77,11 +77,9 @@ def _unknown_character(diagnostic: Diagnostic, words: Words) -> str:
 
 
 def _bad_argument(diagnostic: Diagnostic, words: Words) -> str:
-    if not diagnostic.found:
-        return words("mistake-bad-argument-at-end", expected=_expected(diagnostic, words))
-    word = diagnostic.details.get("word")
-    if diagnostic.code and words.knows(f"mistake-bad-argument-{diagnostic.code}"):
+    if diagnostic.code:
         return _plain(diagnostic, words)
+    word = diagnostic.details.get("word")
     code = "mistake-bad-argument-of" if word else "mistake-bad-argument"
     return words(code, found=_found(diagnostic, words), word=_spelled(str(word or ""), words))
 
@@ -89,6 +87,11 @@ def _bad_argument(diagnostic: Diagnostic, words: Words) -> str:
 def _wrong_end(diagnostic: Diagnostic, words: Words) -> str:
     code = "mistake-wrong-end" if "opener" in diagnostic.details else "mistake-wrong-end-nothing-open"
     return words(code, **_values(diagnostic, words))
+
+
+def _already_declared(diagnostic: Diagnostic, words: Words) -> str:
+    before = "-before" if "first_line" in diagnostic.details else ""
+    return words(f"mistake-already-declared{before}", **_values(diagnostic, words))
 
 
 def _undeclared_variable(diagnostic: Diagnostic, words: Words) -> str:
@@ -101,6 +104,7 @@ _SENTENCE_OF: dict[Kind, Callable[[Diagnostic, Words], str]] = {
     Kind.UNKNOWN_CHARACTER: _unknown_character,
     Kind.BAD_ARGUMENT: _bad_argument,
     Kind.WRONG_END: _wrong_end,
+    Kind.ALREADY_DECLARED: _already_declared,
     Kind.UNDECLARED_VARIABLE: _undeclared_variable,
 }
 
@@ -122,13 +126,13 @@ def _hint_for_character(diagnostic: Diagnostic, words: Words) -> str | None:
 
 
 def _hint_for_argument(diagnostic: Diagnostic, words: Words) -> str | None:
-    """The words that may stand there. At the end of the text the sentence has said them already."""
-    if "wanted" in diagnostic.details:
-        colours = str(diagnostic.details["wanted"]).split(", ")
-        spelled = [argument_spelling(each, words.language) for each in colours if each]
-        return words("hint-words", words=_either(spelled, words)) if spelled else None
-    terminals = [_ARGUMENTS_OF[each] for each in diagnostic.expected if each in _ARGUMENTS_OF]
-    allowed = [word for terminal in terminals for word in argument_words(terminal, words.language)]
+    """The words that may stand there."""
+    if diagnostic.code == "unseen-colour":
+        colours = str(diagnostic.details.get("wanted", "")).split(", ")
+        allowed = [argument_spelling(each, words.language) for each in colours if each]
+    else:
+        terminals = [_ARGUMENTS_OF[each] for each in diagnostic.expected if each in _ARGUMENTS_OF]
+        allowed = [word for terminal in terminals for word in argument_words(terminal, words.language)]
     return words("hint-words", words=_either(allowed, words)) if allowed else None
 
 
@@ -150,10 +154,20 @@ def _hint_for_number(diagnostic: Diagnostic, words: Words) -> str | None:
     return words("hint-digits" if limit < 100_000 else "hint-at-most", limit=limit)
 
 
+def _hint_for_depth(diagnostic: Diagnostic, words: Words) -> str | None:
+    limit = diagnostic.details.get("limit")
+    return words("hint-at-most", limit=limit) if limit else None
+
+
 def _hint_for_variable(diagnostic: Diagnostic, words: Words) -> str | None:
     if "in_procedure" in diagnostic.details:
         return words("hint-own-variables")
     return words("hint-declare", var=_spelled("VAR", words), name=_name(diagnostic))
+
+
+def _hint_for_declared(diagnostic: Diagnostic, words: Words) -> str | None:
+    is_variable = diagnostic.details.get("what") == "variable"
+    return words("hint-change-it", **_values(diagnostic, words)) if is_variable else None
 
 
 def _hint_for_belt(_: Diagnostic, words: Words) -> str:
@@ -173,6 +187,8 @@ _HINT_OF: dict[Kind, Callable[[Diagnostic, Words], str | None]] = {
     Kind.UNDECLARED_PROCEDURE: lambda _, words: words(
         "hint-declare-procedure", procedure=_spelled("PROCEDURE", words)
     ),
+    Kind.ALREADY_DECLARED: _hint_for_declared,
+    Kind.TOO_DEEP: _hint_for_depth,
     Kind.RECURSION_LIMIT: lambda each, words: words("hint-call-depth", **_values(each, words)),
     Kind.TERMINAL_ONLY: lambda _, words: words("hint-terminal-only"),
     Kind.BELT_OFF: _hint_for_belt,
@@ -190,6 +206,7 @@ def _values(diagnostic: Diagnostic, words: Words) -> dict[str, object]:
     for key in ("opener", "word"):
         values[key] = _spelled(str(values.get(key, "")), words)
     values["closer"] = _closer(diagnostic, words)
+    values |= {each: _spelled(each, words) for each in ("IF", "SPEAK", "VAR")}
     return values
 
 

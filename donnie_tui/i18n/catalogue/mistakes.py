@@ -30,19 +30,28 @@ SENTENCES: dict[str, Sentence] = {
     # --- form
     "mistake-syntax": Sentence(
         "I expected {expected}, not {found}.",
-        "Eu esperava {expected}, não {found}.",
+        "Esperava {expected}, não {found}.",
         "Esperaba {expected}, no {found}.",
     ),
     "mistake-syntax-at-end": Sentence(
-        "I expected {expected}. The program ends here.",
-        "Eu esperava {expected}. O programa acaba aqui.",
-        "Esperaba {expected}. El programa acaba aquí.",
+        "Missing at the end: {expected}.", "Falta no fim: {expected}.", "Falta al final: {expected}."
     ),
     "mistake-syntax-misplaced": Sentence(
-        "I did not expect {found} here.", "Eu não esperava {found} aqui.", "No esperaba {found} aquí."
+        "I did not expect {found} here.", "Não esperava {found} aqui.", "No esperaba {found} aquí."
     ),
     "mistake-syntax-cut-off": Sentence(
         "The program ends too early.", "O programa acaba cedo demais.", "El programa acaba demasiado pronto."
+    ),
+    "mistake-syntax-stray-else": Sentence(
+        "{found} belongs to no {IF}.", "{found} não pertence a nenhum {IF}.", "{found} no es de ningún {IF}."
+    ),
+    "mistake-syntax-text-plus": Sentence(
+        "A text can't be calculated with.",
+        "Não dá para fazer conta com um texto.",
+        "Con un texto no se puede calcular.",
+    ),
+    "mistake-syntax-single-equals": Sentence(
+        "Here two values are compared.", "Aqui dois valores são comparados.", "Aquí se comparan dos valores."
     ),
     "mistake-unknown-command": Sentence(
         "I do not know {found}.", "Não conheço {found}.", "No conozco {found}."
@@ -69,8 +78,11 @@ SENTENCES: dict[str, Sentence] = {
     "mistake-bad-argument-of": Sentence(
         "{word} can't take {found}.", "{word} não aceita {found}.", "{word} no acepta {found}."
     ),
-    "mistake-bad-argument-at-end": Sentence(
-        "I expected {expected} here.", "Eu esperava {expected} aqui.", "Esperaba {expected} aquí."
+    "mistake-bad-argument-missing-argument": Sentence(
+        "{word} needs {expected}.", "{word} precisa de {expected}.", "{word} necesita {expected}."
+    ),
+    "mistake-bad-argument-unseen-colour": Sentence(
+        "The robot does not see {found}.", "O robô não vê {found}.", "El robot no ve {found}."
     ),
     "mistake-missing-end": Sentence(
         "{opener} has no {closer}.", "{opener} não tem {closer}.", "{opener} no tiene {closer}."
@@ -84,9 +96,20 @@ SENTENCES: dict[str, Sentence] = {
         "{found} closes nothing.", "{found} não fecha nada.", "{found} no cierra nada."
     ),
     "mistake-too-deep": Sentence(
-        "Too many blocks in blocks. {limit} is the limit.",
-        "Blocos demais dentro de blocos. O limite é {limit}.",
-        "Demasiados bloques en bloques. El límite es {limit}.",
+        "Too many things in each other.",
+        "Coisas demais uma dentro da outra.",
+        "Demasiadas cosas una en otra.",
+    ),
+    "mistake-too-deep-blocks": Sentence(
+        "Too many blocks in blocks.", "Blocos demais dentro de blocos.", "Demasiados bloques en bloques."
+    ),
+    "mistake-too-deep-parentheses": Sentence(
+        "Too many parentheses in each other.",
+        "Parênteses demais um dentro do outro.",
+        "Demasiados paréntesis uno en otro.",
+    ),
+    "mistake-too-deep-expression": Sentence(
+        "This calculation is too long.", "Esta conta é longa demais.", "Este cálculo es demasiado largo."
     ),
     "mistake-number-too-large": Sentence(
         "This number is too large.", "Este número é grande demais.", "Este número es demasiado grande."
@@ -105,7 +128,14 @@ SENTENCES: dict[str, Sentence] = {
         "Ainda não existe o procedimento {name}.",
         "Aún no existe el procedimiento {name}.",
     ),
-    "mistake-already-declared": Sentence("{name} exists already.", "{name} já existe.", "{name} ya existe."),
+    "mistake-already-declared": Sentence(
+        "{found} exists already.", "{found} já existe.", "{found} ya existe."
+    ),
+    "mistake-already-declared-before": Sentence(
+        "{found} exists already, from line {first_line}.",
+        "{found} já existe, da linha {first_line}.",
+        "{found} ya existe, de la línea {first_line}.",
+    ),
     "mistake-wrong-argument-count": Sentence(
         "{name} takes {wanted} {wanted:value|values}, not {given}.",
         "{name} recebe {wanted} {wanted:valor|valores}, não {given}.",
@@ -135,6 +165,11 @@ SENTENCES: dict[str, Sentence] = {
     "hint-meant": Sentence(
         "Did you mean {meant}?", "Você quis dizer {meant}?", "Quizá querías decir {meant}."
     ),
+    "hint-text-plus": Sentence(
+        "Write another {SPEAK} for the rest.",
+        "Escreva outro {SPEAK} para o resto.",
+        "Escribe otro {SPEAK} para el resto.",
+    ),
     "hint-whole-numbers": Sentence(
         "Numbers are whole, such as 2.",
         "Os números são inteiros, como 2.",
@@ -152,7 +187,7 @@ SENTENCES: dict[str, Sentence] = {
         "A name begins with a letter.", "Um nome começa com uma letra.", "Un nombre empieza con una letra."
     ),
     "hint-reserved-word": Sentence("Choose another name.", "Escolha outro nome.", "Elige otro nombre."),
-    "hint-words": Sentence("It takes {words}.", "Ele aceita {words}.", "Acepta {words}."),
+    "hint-words": Sentence("It takes {words}.", "Aceita {words}.", "Acepta {words}."),
     "hint-write-closer": Sentence(
         "Write {closer} where it ends.", "Escreva {closer} onde ele acaba.", "Escribe {closer} donde acaba."
     ),
@@ -184,6 +219,9 @@ SENTENCES: dict[str, Sentence] = {
     "hint-terminal-only": Sentence(
         "A file ends by itself.", "Um arquivo acaba sozinho.", "Un archivo acaba por sí solo."
     ),
+    "hint-change-it": Sentence(
+        "To change it, leave out {VAR}.", "Para mudar, tire {VAR}.", "Para cambiarla, quita {VAR}."
+    ),
     "hint-belt-on": Sentence(
         "{belt} {on} switches it on.", "{belt} {on} liga o cinto.", "{belt} {on} lo enciende."
     ),
@@ -195,7 +233,7 @@ SENTENCES: dict[str, Sentence] = {
     "class-number": Sentence("a number", "um número", "un número"),
     "class-name": Sentence("a name", "um nome", "un nombre"),
     "class-expression": Sentence("a value", "um valor", "un valor"),
-    "class-text": Sentence("a text in quotes", "um texto entre aspas", "un texto entre comillas"),
+    "class-text": Sentence("a text", "um texto", "un texto"),
     "class-command": Sentence("a command", "um comando", "una orden"),
     "class-comparison": Sentence("a comparison", "uma comparação", "una comparación"),
     "class-direction": Sentence("a direction", "uma direção", "una dirección"),

@@ -84,17 +84,15 @@ SENTENCES: dict[str, Sentence] = {
         "Demasiados paréntesis uno en otro, como máximo {limit}.",
     ),
     "world-unexpected": Sentence(
-        "I did not expect {found} here.", "Eu não esperava {found} aqui.", "No esperaba {found} aquí."
+        "I did not expect {found} here.", "Não esperava {found} aqui.", "No esperaba {found} aquí."
     ),
     "world-unexpected-expecting": Sentence(
         "I expected {expected}, not {found}.",
-        "Eu esperava {expected}, não {found}.",
+        "Esperava {expected}, não {found}.",
         "Esperaba {expected}, no {found}.",
     ),
     "world-unexpected-end": Sentence(
-        "I expected {expected}. The file ends here.",
-        "Eu esperava {expected}. O arquivo acaba aqui.",
-        "Esperaba {expected}. El archivo acaba aquí.",
+        "Missing at the end: {expected}.", "Falta no fim: {expected}.", "Falta al final: {expected}."
     ),
     "world-unclosed": Sentence(
         "{found} is never closed.", "{found} nunca é fechado.", "{found} no se cierra nunca."

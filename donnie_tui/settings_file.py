@@ -1,0 +1,69 @@
+"""The settings file: read with whatever is wrong in it told once, and written a line at a time.
+
+A damaged file never keeps anybody from starting: defaults count, and the file is left as it is.
+"""
+
+from __future__ import annotations
+
+import re
+import tomllib
+from collections.abc import Mapping
+from pathlib import Path
+
+from donnie_tui.core.documents import DocumentError, write_program
+from donnie_tui.folders import settings_file
+from donnie_tui.settings import Notice
+
+LARGEST = 100_000
+"""Bytes; ten settings take two hundred."""
+
+
+def read_settings(environment: Mapping[str, str]) -> tuple[dict[str, object], tuple[Notice, ...]]:
+    """What the file says, and what is wrong with it; both empty where there is none."""
+    path = Path(settings_file(environment))
+    try:
+        if path.stat().st_size > LARGEST:
+            return {}, (Notice("settings-file-unreadable", {}),)
+        return tomllib.loads(path.read_bytes().decode("utf-8-sig")), ()
+    except FileNotFoundError:
+        return {}, ()
+    except tomllib.TOMLDecodeError as damage:
+        line = re.search(r"line (\d+)", str(damage))
+        if line is None:
+            return {}, (Notice("settings-file-unreadable", {}),)
+        return {}, (Notice("settings-file-damaged", {"line": line[1]}),)
+    except (OSError, ValueError):
+        return {}, (Notice("settings-file-unreadable", {}),)
+
+
+def remember(key: str, value: str | bool | float, environment: Mapping[str, str]) -> None:
+    """Put one setting into the file; the others, and comments, stay. Raises ``DocumentError``."""
+    path = Path(settings_file(environment))
+    try:
+        path.parent.mkdir(parents=True, exist_ok=True)
+        text = path.read_bytes().decode("utf-8-sig") if path.exists() else ""
+    except (OSError, ValueError) as problem:
+        reason = getattr(problem, "strerror", None) or str(problem)
+        raise DocumentError("file-unwritable", str(path), reason) from None
+    write_program(path, with_setting(text, key, value))
+
+
+def with_setting(text: str, key: str, value: str | bool | float) -> str:
+    """The text of a settings file in which ``key`` has ``value``."""
+    line = f"{key} = {_as_toml(value)}"
+    changed, count = re.subn(rf"^[ \t]*{re.escape(key)}[ \t]*=.*$", lambda _: line, text, flags=re.MULTILINE)
+    if count:
+        return changed
+    first_table = re.search(r"^[ \t]*\[", text, flags=re.MULTILINE)
+    at = first_table.start() if first_table else len(text)
+    before = text[:at] if not text[:at] or text[:at].endswith("\n") else f"{text[:at]}\n"
+    return f"{before}{line}\n{text[at:]}"
+
+
+def _as_toml(value: str | bool | float) -> str:
+    if isinstance(value, bool):
+        return "true" if value else "false"
+    if isinstance(value, str):
+        escaped = value.replace("\\", "\\\\").replace('"', '\\"')
+        return f'"{escaped}"'
+    return str(value)
