@@ -42,6 +42,8 @@ class Kind(Enum):
     BELT_OFF = "belt-off"
     ROBOT = "robot"
     """The robot can't do what it was asked, or was lost."""
+    UNUSED_VALUE = "unused-value"
+    """A sensor on a line of its own; only ever a hint."""
 
 
 class Severity(Enum):

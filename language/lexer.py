@@ -17,7 +17,7 @@ from language.keywords import END_WORDS, FIRST_OF_SEVERAL, argument
 from language.keywords import TERMINALS as WORD_TERMINALS
 from language.source import MARK, UNSEEN, column, fold, line_ends, widthless
 from language.syntax import Span
-from language.tables import TERMINALS
+from language.tables import TERMINALS as TERMINALS
 
 Token: TypeAlias = tuple[int, int, int, int, int, str]
 

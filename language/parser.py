@@ -49,7 +49,7 @@ def parse(source: str, *, first_line: int = 1, colours: frozenset[str] | None = 
         else:
             if body is not None:
                 return Parsed(Program(source, body), ())
-    return Parsed(None, mistakes_in(lexed, mistakes, first_line))
+    return Parsed(None, mistakes_in(lexed, mistakes, first_line, colours))
 
 
 def _tree(lexed: Lexed) -> tuple[Any, ...] | None:

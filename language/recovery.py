@@ -25,8 +25,8 @@ from language.blocks import (
     mistakes_ahead,
 )
 from language.diagnostics import Diagnostic, Kind
+from language.keywords import LANGUAGES, all_words, argument, argument_words, folded_word, is_reserved
 from language.keywords import TERMINALS as WORD_TERMINALS
-from language.keywords import all_words, argument, argument_words, folded_word, is_reserved
 from language.lexer import DISTANCE, END, FOR, FRAGMENT, KIND, NAME, NUMBER, STRING, TAKES, Lexed, Token, lex
 from language.nearby import Near, nearest, nearest_keyword, slips_allowed, slips_in
 from language.origin import language_of
@@ -48,6 +48,7 @@ _HEADS = {
     "FOR": ("beginning", "SEMICOLON", "condition", "SEMICOLON", "step", "DO"),
 }
 """What stands between the opening word and the first command of a block."""
+_CLASS_OF = {"DIRECTION": "direction", "AXIS": "axis", "COLOUR": "colour", "SWITCH": "on-or-off"}
 _SENSORS = frozenset(KIND[name] for name in ("DISTANCE", "POS", "COLOR"))
 _SIMPLE = frozenset(
     KIND[name]
@@ -67,10 +68,16 @@ _DEEPEST = 4000
 
 
 def mistakes_in(
-    lexed: Lexed, others: tuple[Diagnostic, ...] = (), first_line: int = 1
+    lexed: Lexed,
+    others: tuple[Diagnostic, ...] = (),
+    first_line: int = 1,
+    colours: frozenset[str] | None = None,
 ) -> tuple[Diagnostic, ...]:
-    """The mistakes in a text, together with ``others`` that are known, in the order of the text."""
-    found = _Reader(lexed, first_line).found()
+    """The mistakes in a text, together with ``others`` that are known, in the order of the text.
+
+    ``colours`` are the ones that the robot can see, where that is known.
+    """
+    found = _Reader(lexed, first_line, colours).found()
     if lexed.open_quote is not None and found:
         again = _with_another_quote_open(lexed, first_line)
         if again is not None:
@@ -98,8 +105,9 @@ def _with_another_quote_open(lexed: Lexed, first_line: int) -> Lexed | None:
 class _Reader:
     """One reading of one text."""
 
-    def __init__(self, lexed: Lexed, first_line: int) -> None:
+    def __init__(self, lexed: Lexed, first_line: int, colours: frozenset[str] | None = None) -> None:
         self._lexed = lexed
+        self._colours = colours
         self._tokens = [*lexed.tokens, _end_token(lexed, first_line)]
         self._flaws = list(lexed.flaws)
         self._automaton = Automaton()
@@ -378,16 +386,18 @@ class _Reader:
 
     def _tell_argument(self, token: Token, taker: Token, code: str) -> None:
         terminal = TAKES[taker[0]]
-        language = language_of(self._tokens)
-        meant = nearest(token[5], argument_words(terminal, language)) if len(token[5]) > 2 else None
-        expected = {"DIRECTION": "direction", "AXIS": "axis", "COLOUR": "colour", "SWITCH": "on-or-off"}[
-            terminal
-        ]
-        details: dict[str, str | int] = {
-            "word": TERMINALS[taker[0]],
-            "wanted": ", ".join(argument_words(terminal, language)),
-        }
-        self._tell(Kind.BAD_ARGUMENT, token, code, (expected,), "" if code else meant or "", details)
+        details: dict[str, str | int] = {"word": TERMINALS[taker[0]]}
+        if terminal == "COLOUR" and self._colours is not None:
+            details["wanted"] = ", ".join(sorted(self._colours))
+        meant = "" if code else self._argument_meant(token, terminal)
+        self._tell(Kind.BAD_ARGUMENT, token, code, (_CLASS_OF[terminal],), meant, details)
+
+    def _argument_meant(self, token: Token, terminal: str) -> str:
+        if len(token[5]) <= 2:
+            return ""
+        preferred = argument_words(terminal, language_of(self._tokens))
+        words = [word for language in LANGUAGES for word in argument_words(terminal, language)]
+        return nearest(token[5], words, preferred) or ""
 
     # --- going on ------------------------------------------------------------------------------------
 

@@ -1,0 +1,177 @@
+"""Hints about a program that can be read: what will surely fail or do nothing when it is reached.
+
+Rule: a hint is never a guess, and never keeps a program from running. Names are looked at only where the
+whole program is known; in the terminal an earlier batch may have declared them.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Iterator
+from dataclasses import dataclass, field
+
+from language import syntax
+from language.diagnostics import Diagnostic, Kind, Severity
+from language.keywords import argument_spelling, spelling
+from language.lexer import lex
+from language.nearby import nearest
+from language.origin import language_of
+from language.syntax import Expression, Name, Program, Statement, blocks_of
+
+
+def check(program: Program, *, whole: bool = True) -> tuple[Diagnostic, ...]:
+    """The hints, in the order of the text. ``whole`` is False for a batch of a terminal."""
+    found = list(_unused_values(program))
+    if whole:
+        found += _Names(program).hints()
+    return tuple(sorted(found, key=lambda hint: hint.span.start))
+
+
+# --- sensors that nobody reads -----------------------------------------------------------------------
+
+
+def _unused_values(program: Program) -> Iterator[Diagnostic]:
+    unused = [each for each in syntax.walk(program.body) if isinstance(each, syntax.Unused)]
+    language = language_of(lex(program.source).tokens) if unused else "en"
+    for statement in unused:
+        word, spoken = _sensor(statement.value, language)
+        speak = spelling("SPEAK", language)
+        yield Diagnostic(
+            Kind.UNUSED_VALUE,
+            statement.span,
+            found=program.typed(statement.span),
+            meant=f"{speak} {spoken}",
+            details={"word": word, "speak": speak, "value": spoken},
+            severity=Severity.HINT,
+        )
+
+
+def _sensor(sensor: syntax.Distance | syntax.Position | syntax.Colour, language: str) -> tuple[str, str]:
+    """Its canonical word, and how it is written in full."""
+    match sensor:
+        case syntax.Distance(bearing=bearing):
+            word, argument = "DISTANCE", argument_spelling(bearing, language)
+        case syntax.Position(axis=axis):
+            word, argument = "POS", argument_spelling(axis, language)
+        case syntax.Colour(colour=colour):
+            word, argument = "COLOR", argument_spelling(colour, language)
+    return word, f"{spelling(word, language)} {argument}"
+
+
+# --- names -------------------------------------------------------------------------------------------
+
+
+@dataclass(slots=True)
+class _Scope:
+    """The variables of the program, or of one procedure."""
+
+    procedure: str = ""
+    declared: set[str] = field(default_factory=set)
+    used: list[Name] = field(default_factory=list)
+
+
+class _Names:
+    """All names of one program and what they stand for."""
+
+    def __init__(self, program: Program) -> None:
+        self._program = program
+        self._main = _Scope()
+        self._scopes = [self._main]
+        self._procedures: dict[str, list[syntax.Procedure]] = {}
+        self._calls: list[syntax.Call] = []
+        self._typed_only: list[syntax.Quit | syntax.RunTyped] = []
+        self._read(program.body, self._main)
+
+    def _read(self, statements: tuple[Statement, ...], scope: _Scope) -> None:
+        for statement in statements:
+            scope.used += _names_in(_expressions(statement))
+            match statement:
+                case syntax.Declare(name=name) | syntax.For(start=syntax.Declare(name=name)):
+                    scope.declared.add(name.name)
+                case syntax.Assign(name=name):
+                    scope.used.append(name)
+                case syntax.Call():
+                    self._calls.append(statement)
+                case syntax.Quit() | syntax.RunTyped():
+                    self._typed_only.append(statement)
+                case _:
+                    pass
+            if isinstance(statement, syntax.For):
+                scope.used += [each.name for each in (statement.start, statement.step)]
+            self._read_blocks(statement, scope)
+
+    def _read_blocks(self, statement: Statement, scope: _Scope) -> None:
+        if isinstance(statement, syntax.Procedure):
+            self._procedures.setdefault(statement.name.name, []).append(statement)
+            scope = _Scope(statement.name.name, {each.name for each in statement.parameters})
+            self._scopes.append(scope)
+        for block in blocks_of(statement):
+            self._read(block, scope)
+
+    def hints(self) -> Iterator[Diagnostic]:
+        for scope in self._scopes:
+            for name in scope.used:
+                if name.name not in scope.declared:
+                    yield self._undeclared(name, scope)
+        for call in self._calls:
+            yield from self._about_call(call)
+        for statement in self._typed_only:
+            found = self._program.typed(statement.span)
+            yield Diagnostic(Kind.TERMINAL_ONLY, statement.span, found=found, severity=Severity.HINT)
+
+    def _undeclared(self, name: Name, scope: _Scope) -> Diagnostic:
+        details: dict[str, str | int] = {"name": name.name}
+        if scope.procedure and name.name in self._main.declared:
+            details["in_procedure"] = scope.procedure
+        meant = "" if "in_procedure" in details else nearest(name.name, sorted(scope.declared)) or ""
+        return self._about_name(Kind.UNDECLARED_VARIABLE, name, meant, details)
+
+    def _about_call(self, call: syntax.Call) -> Iterator[Diagnostic]:
+        declared = self._procedures.get(call.name.name, [])
+        counts = {len(each.parameters) for each in declared}
+        given = len(call.arguments)
+        if not declared:
+            meant = nearest(call.name.name, sorted(self._procedures)) or ""
+            yield self._about_name(Kind.UNDECLARED_PROCEDURE, call.name, meant, {"name": call.name.name})
+        elif len(counts) == 1 and given not in counts:
+            details: dict[str, str | int] = {"name": call.name.name, "wanted": counts.pop(), "given": given}
+            yield self._about_name(Kind.WRONG_ARGUMENT_COUNT, call.name, "", details)
+
+    def _about_name(self, kind: Kind, name: Name, meant: str, details: dict[str, str | int]) -> Diagnostic:
+        found = self._program.typed(name.span)
+        return Diagnostic(kind, name.span, found=found, meant=meant, details=details, severity=Severity.HINT)
+
+
+def _expressions(statement: Statement) -> tuple[Expression, ...]:
+    """What a statement itself evaluates, the blocks in it apart."""
+    match statement:
+        case syntax.Declare(value=value):
+            return () if value is None else (value,)
+        case syntax.Assign(value=value):
+            return (value,)
+        case syntax.Speak(what=what):
+            return () if isinstance(what, syntax.Text) else (what,)
+        case syntax.Walk(steps=value) | syntax.Turn(degrees=value) | syntax.Wait(seconds=value):
+            return (value,)
+        case syntax.If(condition=condition) | syntax.While(condition=condition):
+            return (condition.left, condition.right)
+        case syntax.Repeat(times=times):
+            return (times,)
+        case syntax.Call(arguments=arguments):
+            return arguments
+        case syntax.For(start=start, condition=condition, step=step):
+            return (*_expressions(start), condition.left, condition.right, *_expressions(step))
+        case _:
+            return ()
+
+
+def _names_in(expressions: Iterable[Expression]) -> Iterator[Name]:
+    for expression in expressions:
+        match expression:
+            case Name():
+                yield expression
+            case syntax.Negative(operand=operand):
+                yield from _names_in((operand,))
+            case syntax.Binary(left=left, right=right):
+                yield from _names_in((left, right))
+            case _:
+                pass

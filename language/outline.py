@@ -1,0 +1,84 @@
+"""Which blocks a text consists of, finished or not: for the prompt, for lists and jumps in an editor.
+
+Works on any text: what is wrong in it is passed over. An END closes the innermost block of its kind and
+what is still open in it; one that fits no block closes nothing.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from dataclasses import dataclass
+
+from language.blocks import ENDS, OPENERS
+from language.lexer import NAME, Token, lex
+from language.tables import TERMINALS
+
+
+@dataclass(frozen=True, slots=True)
+class OutlineItem:
+    """A block: ``IF``, ``FOR``, ``REPEAT``, ``WHILE`` or ``PROCEDURE``."""
+
+    kind: str
+    name: str
+    """Of a procedure, as it was typed; empty for the others."""
+    line: int
+    end_line: int
+    """The line where it ends: of its END, of an END further out, or of the last word of the text."""
+    depth: int
+    """How many blocks it is in."""
+    is_closed: bool
+    """Whether it has an END of its own."""
+
+
+@dataclass(frozen=True, slots=True)
+class _Open:
+    kind: str
+    index: int
+    """Of the token that opened it."""
+
+
+def block_depth(source: str) -> int:
+    """How many blocks are open at the end of a text."""
+    blocks: list[_Open] = []
+    for _ in _closed(lex(source).tokens, blocks):
+        pass
+    return len(blocks)
+
+
+def outline(source: str, *, first_line: int = 1) -> tuple[OutlineItem, ...]:
+    """Every block of a text, in the order of their first words."""
+    tokens = lex(source, first_line).tokens
+    left_open: list[_Open] = []
+    found = {
+        block.index: _item(source, tokens, block, depth, end_line, is_closed)
+        for block, depth, end_line, is_closed in _closed(tokens, left_open)
+    }
+    for depth, block in enumerate(left_open):
+        found[block.index] = _item(source, tokens, block, depth, tokens[-1][3], False)
+    return tuple(found[index] for index in sorted(found))
+
+
+def _closed(tokens: list[Token], blocks: list[_Open]) -> Iterator[tuple[_Open, int, int, bool]]:
+    """Each block as it ends, with its depth, the line of its end, whether it is its own END.
+
+    What is open at the end of the text stays in ``blocks``.
+    """
+    for index, token in enumerate(tokens):
+        kind = ENDS.get(token[0])
+        if token[0] in OPENERS:
+            blocks.append(_Open(TERMINALS[token[0]], index))
+        elif kind is not None and any(block.kind == kind for block in blocks):
+            is_its_own = False
+            while not is_its_own:
+                block = blocks.pop()
+                is_its_own = block.kind == kind
+                yield block, len(blocks), token[3], is_its_own
+
+
+def _item(
+    source: str, tokens: list[Token], block: _Open, depth: int, end_line: int, is_closed: bool
+) -> OutlineItem:
+    opener, name = tokens[block.index], tokens[block.index + 1 : block.index + 2]
+    is_named = block.kind == "PROCEDURE" and bool(name) and name[0][0] == NAME
+    typed = source[name[0][1] : name[0][2]] if is_named else ""
+    return OutlineItem(block.kind, typed, opener[3], end_line, depth, is_closed)
