@@ -201,7 +201,9 @@ class _Lexer:
     def _is_pair(self, before: Token, token: Token) -> bool:
         if (before[5], token[5].replace(MARK, "")) not in _pairs:
             return False
-        if not self._folded[before[2] : token[1]].isspace():
+        if not self._folded[before[2] : token[1]].replace(UNSEEN, " ").isspace():
+            return False
+        if before[0] == TOPIC and before[3] != token[3]:
             return False
         return before[0] == END or not self._is_target(token[2])
 
