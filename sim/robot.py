@@ -218,7 +218,7 @@ def _turned(spot: Spot, degrees: float) -> Spot:
 
 def _pose(spot: Spot) -> Pose:
     """In steps and compass degrees; rounded far below what matters, so that three steps are not 2.9999."""
-    heading = round(90.0 - spot.yaw, 9) % 360.0
+    heading = round((90.0 - spot.yaw) % 360.0, 9) % 360.0
     return Pose(_whole(spot.x), _whole(spot.y), heading)
 
 

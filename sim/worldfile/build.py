@@ -24,10 +24,8 @@ _SIZES = {
     "camera": (0.1, 0.07, 0.05),
 }
 _COLOURS = {"ranger": _NAVY, "camera": _BLACK}
-_NOT_SIMULATED = frozenset(
-    ["fiducial", "bumper", "gripper", "camera", "actuator", "lightindicator", "blinkenlight"]
-)
-MOST_POLYGON_POINTS = 500_000
+_NOT_SIMULATED = frozenset(["fiducial", "gripper", "camera", "actuator", "lightindicator", "blinkenlight"])
+MOST_POLYGON_POINTS = 200_000
 
 
 class Builder:

@@ -7,9 +7,10 @@ from collections.abc import Iterable, Mapping
 from pathlib import Path
 
 from sim.report import LoadReport, Note, NoteKind
-from sim.scene import Model, Polygon, Scene
+from sim.scene import Model, Scene
 from sim.worldfile.build import Builder
 from sim.worldfile.entities import Expander, Setting
+from sim.worldfile.plans import Plans
 from sim.worldfile.reader import Placed, Reader
 from sim.worldfile.values import Reader as Values
 from sim.worldfile.values import plain
@@ -39,17 +40,13 @@ def _scene(name: str, reader: Reader, statements: Iterable[Placed]) -> Scene:
     entities = expander.expand(statements)
     values.use_units(expander.settings)
     values.check(expander.settings, quiet=True)
-    builder = Builder(values, lambda setting: _pixels(reader, values, setting))
+    builder = Builder(values, Plans(reader, values).polygons)
     builder.build(entities)
     models = tuple(builder.models)
     robots = _robots(models)
     notes = (*reader.notes, *expander.notes, *values.notes, *_walls(models), *_no_robot(reader, robots))
     report = LoadReport(tuple(dict.fromkeys(reader.files)), _counts(models), notes)
     return Scene(name, models, robots, _plain(expander.settings), report)
-
-
-def _pixels(reader: Reader, values: Values, setting: Setting) -> tuple[Polygon, ...]:
-    raise NotImplementedError
 
 
 def _robots(models: tuple[Model, ...]) -> tuple[int, ...]:

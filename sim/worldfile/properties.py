@@ -19,16 +19,16 @@ SIMULATED = {
 
 QUIET = {
     **_named("number", "gui_nose gui_grid gui_move gui_outline alwayson update_interval trail_length"),
-    **_named("number", "trail_interval debug mass map_resolution stack_children rebuild"),
+    **_named("number", "trail_interval bcount blength debug mass map_resolution stack_children rebuild"),
     **_named("string", "drive localization ctrl"),
-    **_named("tuple", "localization_origin image"),
+    **_named("tuple", "localization_origin image velocity_bounds acceleration_bounds bpose"),
 }
 """What changes nothing that a learner could notice: read and kept, no remark."""
 
 UNUSED = {
-    **_named("tuple", "velocity odom_error velocity_bounds acceleration_bounds resolution pantilt"),
-    **_named("tuple", "rotate center paddle_size watts_size noise bpose provides requires axis"),
-    **_named("number", "range_min range_max range_max_id fiducial_key bcount blength scale interval"),
+    **_named("tuple", "velocity odom_error resolution pantilt"),
+    **_named("tuple", "rotate center paddle_size watts_size noise provides requires axis"),
+    **_named("number", "range_min range_max range_max_id fiducial_key scale interval"),
     **_named("number", "interval_sim interval_real paused speedup quit_time wheelbase ignore_zloc"),
     **_named("number", "range_noise angle_noise object_return friction threads show_data show_follow"),
     **_named("number", "show_clock show_clock_interval show_flags show_blocks show_bboxerr show_grid"),

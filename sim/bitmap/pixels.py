@@ -1,0 +1,37 @@
+"""A picture as a floor plan has it: which pixels are dark.
+
+Stage's rule: a pixel is solid when its red channel is at most 127; alpha does not count.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+MOST_PIXELS = 4_000_000
+DARK = 127
+
+_FLAGS = bytes(1 if level <= DARK else 0 for level in range(256))
+
+
+class BadPicture(Exception):
+    """Bytes that are no picture of a kind that is read here, or one that is broken or too large."""
+
+
+@dataclass(frozen=True, slots=True)
+class Picture:
+    width: int
+    height: int
+    rows: tuple[bytes, ...]
+    """From the top; a byte a pixel, 1 where it is solid."""
+
+
+def flags(reds: bytes) -> bytes:
+    """Red levels, a byte each, as solid flags."""
+    return reds.translate(_FLAGS)
+
+
+def checked_size(width: int, height: int) -> tuple[int, int]:
+    """BadPicture for a size that no picture has, or that is too much."""
+    if width < 1 or height < 1 or width * height > MOST_PIXELS:
+        raise BadPicture("size")
+    return width, height

@@ -1,0 +1,238 @@
+"""The scene as a grid of letters and a list of things: what maps and descriptions are made from. Values only.
+
+A cell is a step wide (more in a large world) and has a whole step in its middle, so that a robot at (0, 0)
+stands in the middle of a cell. Walls are ``#``, free floor is ``.``, things have their kind's letter.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Iterator
+from dataclasses import dataclass
+from math import ceil, floor
+from string import ascii_lowercase
+
+from devices.ports.robot import STEP
+from sim.geometry import Point, overlapping
+from sim.physics import outlines_of
+from sim.scene import Model, Scene
+
+MOST_CELLS = 400
+"""Cells along one side; beyond it a cell is several steps wide."""
+OPEN_HALF = 30
+"""Steps to each side of the robot that are shown of a floor without walls."""
+LARGE = 8
+"""Steps: a thing as long as this has a capital letter."""
+_TAKEN = "aov"
+"""Letters that a map needs for the start, the trail and the robot."""
+_WALL_KINDS = ("wall", "floorplan", "room", "map")
+
+
+@dataclass(frozen=True, slots=True)
+class Thing:
+    """One thing of the world that is neither wall nor the robot."""
+
+    name: str
+    """Empty where the world gives none."""
+    kind: str
+    """The word that made it in the world's file, such as ``chair``."""
+    letter: str
+    colour: str
+    """The word of the language for its colour."""
+    x: float
+    y: float
+    """Its centre, in steps."""
+    width: float
+    """Steps from west to east."""
+    depth: float
+    """Steps from south to north."""
+
+
+@dataclass(frozen=True, slots=True)
+class Picture:
+    """A grid. The cell in the bottom left corner has its middle at ``left``, ``bottom`` (steps)."""
+
+    left: int
+    bottom: int
+    width: int
+    """Cells from west to east."""
+    height: int
+    cell: int
+    """Steps that a cell is wide and high."""
+    rows: tuple[str, ...]
+    """From north to south, a letter a cell."""
+    things: tuple[Thing, ...]
+    has_walls: bool
+    """Without walls the grid is a window on an endless floor."""
+
+    def at(self, x: float, y: float) -> tuple[int, int] | None:
+        """Row and column of a place given in steps, or None outside the grid."""
+        column = floor((x - self.left) / self.cell + 0.5)
+        row = self.height - 1 - floor((y - self.bottom) / self.cell + 0.5)
+        return (row, column) if 0 <= row < self.height and 0 <= column < self.width else None
+
+
+@dataclass(frozen=True, slots=True)
+class _Shape:
+    """A top-level model with its outlines, in steps."""
+
+    model: Model
+    outlines: tuple[tuple[Point, ...], ...]
+    is_wall: bool
+    left: float
+    bottom: float
+    right: float
+    top: float
+
+    @property
+    def length(self) -> float:
+        return max(self.right - self.left, self.top - self.bottom)
+
+
+def picture(scene: Scene, robot: str | None = None) -> Picture:
+    """The scene as ``robot`` (the first one, if None) finds it: everything but that robot itself."""
+    me = _me(scene, robot)
+    shapes = tuple(_shapes(scene, me))
+    letters = _letters(shape for shape in shapes if not shape.is_wall)
+    left, bottom, right, top = _bounds(me, shapes)
+    cell = max(1, ceil(max(right - left, top - bottom) / MOST_CELLS))
+    grid = _Grid(left, bottom, (right - left) // cell + 1, (top - bottom) // cell + 1, cell)
+    for shape in sorted(shapes, key=lambda shape: not shape.is_wall):
+        letter = "#" if shape.is_wall else _sized(letters[_kind(shape.model)], shape)
+        grid.draw(shape, letter)
+    things = tuple(_thing(shape, letters) for shape in shapes if not shape.is_wall)
+    has_walls = any(shape.is_wall for shape in shapes)
+    return Picture(left, bottom, grid.width, grid.height, cell, grid.rows(), things, has_walls)
+
+
+def _me(scene: Scene, robot: str | None) -> Model | None:
+    if robot is not None:
+        return scene.robot(robot)
+    return scene.models[scene.robots[0]] if scene.robots else None
+
+
+def _shapes(scene: Scene, me: Model | None) -> Iterator[_Shape]:
+    for model in scene.models:
+        if model.parent is None and (me is None or model.index != me.index):
+            outlines = tuple(
+                tuple((x / STEP, y / STEP) for x, y in points)
+                for part in scene.tree(model.index)
+                if part.solid or part.seen
+                for points in outlines_of(part)
+            )
+            if outlines:
+                yield _shape(model, outlines, me)
+
+
+def _shape(model: Model, outlines: tuple[tuple[Point, ...], ...], me: Model | None) -> _Shape:
+    xs = [x for points in outlines for x, _ in points]
+    ys = [y for points in outlines for _, y in points]
+    box = (min(xs), min(ys), max(xs), max(ys))
+    return _Shape(model, outlines, _is_wall(model, box, me), *box)
+
+
+def _is_wall(model: Model, box: tuple[float, float, float, float], me: Model | None) -> bool:
+    """Outlines, pictures used as plans, what is called a wall, and what has the robot in its midst."""
+    if model.type != "model":
+        return False
+    if model.boundary or model.kind.lower().startswith(_WALL_KINDS) or model.name.lower().startswith("wall"):
+        return True
+    if me is None:
+        return False
+    x, y = me.pose.x / STEP, me.pose.y / STEP
+    return box[0] < x < box[2] and box[1] < y < box[3]
+
+
+def _bounds(me: Model | None, shapes: tuple[_Shape, ...]) -> tuple[int, int, int, int]:
+    """Whole steps: everything that stands in the world, and floor around the robot where there are no walls."""
+    boxes = [(shape.left, shape.bottom, shape.right, shape.top) for shape in shapes]
+    x, y = (me.pose.x / STEP, me.pose.y / STEP) if me is not None else (0.0, 0.0)
+    around = 1 if any(shape.is_wall for shape in shapes) else OPEN_HALF
+    boxes.append((x - around, y - around, x + around - 1, y + around - 1))
+    lefts, bottoms, rights, tops = zip(*boxes, strict=True)
+    return (
+        floor(min(lefts) + 0.5 + 1e-6),
+        floor(min(bottoms) + 0.5 + 1e-6),
+        ceil(max(rights) - 0.5 - 1e-6),
+        ceil(max(tops) - 0.5 - 1e-6),
+    )
+
+
+class _Grid:
+    def __init__(self, left: int, bottom: int, width: int, height: int, cell: int) -> None:
+        self.width, self.height = width, height
+        self._left, self._bottom, self._cell = left, bottom, cell
+        self._cells = [bytearray(b"." * width) for _ in range(height)]
+
+    def draw(self, shape: _Shape, letter: str) -> None:
+        """Walls mark every cell that they touch, things those that they fill well, and one at least."""
+        margin = 0.02 if shape.is_wall else 0.3
+        drawn = False
+        for outline in shape.outlines:
+            for row, column in self._touched(outline, margin):
+                self._cells[row][column] = ord(letter)
+                drawn = True
+        if not drawn:
+            middle = ((shape.left + shape.right) / 2, (shape.bottom + shape.top) / 2)
+            row, column = self._row(middle[1]), self._column(middle[0])
+            self._cells[row][column] = ord(letter)
+
+    def rows(self) -> tuple[str, ...]:
+        return tuple(row.decode() for row in reversed(self._cells))
+
+    def _touched(self, outline: tuple[Point, ...], margin: float) -> Iterator[tuple[int, int]]:
+        xs, ys = [x for x, _ in outline], [y for _, y in outline]
+        for row in range(self._row(min(ys)), self._row(max(ys)) + 1):
+            for column in range(self._column(min(xs)), self._column(max(xs)) + 1):
+                if overlapping(self._square(row, column, margin), outline):
+                    yield row, column
+
+    def _square(self, row: int, column: int, margin: float) -> tuple[Point, ...]:
+        half = self._cell * (0.5 - margin)
+        x, y = self._left + column * self._cell, self._bottom + row * self._cell
+        return ((x - half, y - half), (x + half, y - half), (x + half, y + half), (x - half, y + half))
+
+    def _row(self, y: float) -> int:
+        return min(self.height - 1, max(0, floor((y - self._bottom) / self._cell + 0.5)))
+
+    def _column(self, x: float) -> int:
+        return min(self.width - 1, max(0, floor((x - self._left) / self._cell + 0.5)))
+
+
+def _kind(model: Model) -> str:
+    """What things of a sort are called: the macro's word, else the thing's name."""
+    return model.kind if model.kind != model.type else _called(model) or model.type
+
+
+def _called(model: Model) -> str:
+    return "" if ":" in model.name else model.name
+
+
+def _letters(shapes: Iterable[_Shape]) -> dict[str, str]:
+    """A letter for every kind of thing: its first that is not taken yet."""
+    letters: dict[str, str] = {}
+    for shape in shapes:
+        kind = _kind(shape.model)
+        if kind not in letters:
+            wanted = (*kind.lower(), *ascii_lowercase)
+            taken = {*_TAKEN, *letters.values()}
+            free = (letter for letter in wanted if letter in ascii_lowercase and letter not in taken)
+            letters[kind] = next(free, "x")
+    return letters
+
+
+def _sized(letter: str, shape: _Shape) -> str:
+    return letter.upper() if shape.length >= LARGE else letter
+
+
+def _thing(shape: _Shape, letters: dict[str, str]) -> Thing:
+    model = shape.model
+    return Thing(
+        name=_called(model),
+        kind=model.kind,
+        letter=_sized(letters[_kind(model)], shape),
+        colour=model.colour.family,
+        x=round((shape.left + shape.right) / 2, 6),
+        y=round((shape.bottom + shape.top) / 2, 6),
+        width=round(shape.right - shape.left, 6),
+        depth=round(shape.top - shape.bottom, 6),
+    )
