@@ -2,9 +2,9 @@
 
 from __future__ import annotations
 
-from donnie_tui.i18n.catalogue import cli, devices, files, help, mistakes, movement, signs, worlds  # noqa: A004
+from donnie_tui.i18n.catalogue import cli, devices, files, help, mistakes, movement, signs, tui, worlds  # noqa: A004
 from donnie_tui.i18n.sentence import Sentence
 
-TOPICS = (movement, mistakes, signs, help, worlds, files, devices, cli)
+TOPICS = (movement, mistakes, signs, help, worlds, files, devices, cli, tui)
 
 SENTENCES: dict[str, Sentence] = {code: each for topic in TOPICS for code, each in topic.SENTENCES.items()}

@@ -1,0 +1,192 @@
+"""The map as letters: the floor of a world, the robot's trail on it, its start and the robot itself.
+
+Values only, for every front end. Cells are counted from the south-west corner of the simulator's picture, a
+step each (several in a very large world). The floor has no end: beyond the picture it is free. The trail is
+bounded; its oldest cells are forgotten first.
+"""
+
+from __future__ import annotations
+
+from collections import deque
+from dataclasses import dataclass
+from enum import Enum
+from math import floor, hypot
+from typing import TYPE_CHECKING, NamedTuple
+
+from devices.ports.robot import Pose
+
+if TYPE_CHECKING:
+    from sim.picture import Picture, Thing
+
+TRAIL, START, FREE, WALL = "o", "A", ".", "#"
+LONGEST_TRAIL = 5000
+"""Cells of the trail that are kept; a learner's world has some 1600 in all."""
+FARTHEST = 10**9
+"""Cells beyond which the map does not follow."""
+
+_ARROWS = ("^", "/", ">", "\\", "v", "/", "<", "\\")
+
+
+class Cell(NamedTuple):
+    """A square of the floor, counted from the corner of the picture; x to the east, y to the north."""
+
+    x: int
+    y: int
+
+
+class Kind(Enum):
+    """What a cell shows."""
+
+    ROBOT = "robot"
+    START = "start"
+    TRAIL = "trail"
+    WALL = "wall"
+    FREE = "free"
+    THING = "thing"
+
+
+@dataclass(frozen=True, slots=True)
+class Bounds:
+    """The part of the floor that is worth showing, both ends included."""
+
+    left: int
+    bottom: int
+    right: int
+    top: int
+
+    @property
+    def width(self) -> int:
+        return self.right - self.left + 1
+
+    @property
+    def height(self) -> int:
+        return self.top - self.bottom + 1
+
+    def around(self, cell: Cell) -> Bounds:
+        """Widened so that the cell is inside."""
+        return Bounds(
+            min(self.left, cell.x), min(self.bottom, cell.y), max(self.right, cell.x), max(self.top, cell.y)
+        )
+
+
+class MapGrid:
+    """One robot on one floor."""
+
+    def __init__(self, picture: Picture, pose: Pose) -> None:
+        self.picture = picture
+        self._trail: dict[Cell, int] = {}
+        self._order: deque[Cell] = deque()
+        self.begin(pose)
+
+    def begin(self, pose: Pose) -> None:
+        """The robot starts here, and nothing has been walked yet."""
+        self._trail.clear()
+        self._order.clear()
+        self.start = self.robot = self.cell_of(pose)
+        self._arrow = arrow_of(pose.heading)
+        floor = Bounds(0, 0, self.picture.width - 1, self.picture.height - 1)
+        self._bounds = floor.around(self.start)
+
+    def move(self, pose: Pose) -> frozenset[Cell]:
+        """The robot is there now, in a straight line from where it was. The cells that look different."""
+        cell, arrow = self.cell_of(pose), arrow_of(pose.heading)
+        if (cell, arrow) == (self.robot, self._arrow):
+            return frozenset()
+        walked = cells_between(self.robot, cell, LONGEST_TRAIL) if cell != self.robot else ()
+        forgotten = self._walk(walked)
+        self.robot, self._arrow = cell, arrow
+        self._bounds = self._bounds.around(cell)
+        return frozenset((*walked, cell, *forgotten))
+
+    def _walk(self, cells: tuple[Cell, ...]) -> tuple[Cell, ...]:
+        for cell in cells:
+            self._order.append(cell)
+            self._trail[cell] = self._trail.get(cell, 0) + 1
+        return tuple(self._forget_oldest() for _ in range(len(self._order) - LONGEST_TRAIL))
+
+    def _forget_oldest(self) -> Cell:
+        cell = self._order.popleft()
+        self._trail[cell] -= 1
+        if not self._trail[cell]:
+            del self._trail[cell]
+        return cell
+
+    def cell_of(self, pose: Pose) -> Cell:
+        """The cell in which the robot's middle is."""
+        picture = self.picture
+        return Cell(
+            _nearest((pose.x - picture.left) / picture.cell),
+            _nearest((pose.y - picture.bottom) / picture.cell),
+        )
+
+    def place(self, cell: Cell) -> tuple[int, int]:
+        """The middle of a cell in steps: x to the east, y to the north."""
+        picture = self.picture
+        return picture.left + cell.x * picture.cell, picture.bottom + cell.y * picture.cell
+
+    def thing(self, cell: Cell) -> Thing | None:
+        """What stands there, if anything does: of several the one whose middle is nearest."""
+        letter, (x, y) = self._floor_letter(cell), self.place(cell)
+        alike = [each for each in self.picture.things if each.letter == letter]
+        return min(alike, key=lambda each: hypot(each.x - x, each.y - y), default=None)
+
+    @property
+    def bounds(self) -> Bounds:
+        """The picture, and wherever the robot has been beyond it."""
+        return self._bounds
+
+    def letter(self, cell: Cell) -> str:
+        """What the cell shows, one letter."""
+        if cell == self.robot:
+            return self._arrow
+        if cell == self.start:
+            return START
+        return TRAIL if cell in self._trail else self._floor_letter(cell)
+
+    def kind(self, cell: Cell) -> Kind:
+        """What the cell shows, for words and colours."""
+        if cell == self.robot:
+            return Kind.ROBOT
+        if cell == self.start:
+            return Kind.START
+        if cell in self._trail:
+            return Kind.TRAIL
+        return {WALL: Kind.WALL, FREE: Kind.FREE}.get(self._floor_letter(cell), Kind.THING)
+
+    def _floor_letter(self, cell: Cell) -> str:
+        if 0 <= cell.x < self.picture.width and 0 <= cell.y < self.picture.height:
+            return self.picture.rows[self.picture.height - 1 - cell.y][cell.x]
+        return FREE
+
+    def rows(self) -> tuple[str, ...]:
+        """The whole map, the northern row first."""
+        bounds = self._bounds
+        return tuple(
+            "".join(self.letter(Cell(x, y)) for x in range(bounds.left, bounds.right + 1))
+            for y in range(bounds.top, bounds.bottom - 1, -1)
+        )
+
+
+def _nearest(cells: float) -> int:
+    """The nearest whole number; halfway always goes up, so that all cells are equally wide."""
+    return max(-FARTHEST, min(FARTHEST, floor(round(cells, 6) + 0.5)))
+
+
+def arrow_of(heading: float) -> str:
+    """An arrow in the four main directions (45 degrees each), a stroke between them."""
+    return _ARROWS[round(heading / 45) % 8]
+
+
+def cells_between(start: Cell, end: Cell, most: int) -> tuple[Cell, ...]:
+    """The cells on the straight way from ``start`` to ``end``, without ``end``; at most the last ``most``."""
+    length = max(abs(end.x - start.x), abs(end.y - start.y))
+    first = max(0, length - most)
+    return tuple(_on_the_way(start, end, step, length) for step in range(first, length))
+
+
+def _on_the_way(start: Cell, end: Cell, step: int, length: int) -> Cell:
+    """Rounded in integers: exact however far it is."""
+    return Cell(
+        start.x + ((end.x - start.x) * step * 2 + length) // (2 * length),
+        start.y + ((end.y - start.y) * step * 2 + length) // (2 * length),
+    )

@@ -1,0 +1,378 @@
+"""What the full screen says: titles, the status line, its answers, and what each action is for.
+
+``action-NAME`` is the purpose of an action, ``key-NAME`` its label in the bottom line, ``kind-NAME`` the
+kind of a line in the log. Titles and labels are no sentences: they have no full stop.
+"""
+
+from donnie_tui.i18n.sentence import Sentence
+
+_PANES = {
+    "pane-program": Sentence("Program: {name}", "Programa: {name}", "Programa: {name}"),
+    "pane-program-changed": Sentence(
+        "Program: {name}, changed", "Programa: {name}, alterado", "Programa: {name}, cambiado"
+    ),
+    "pane-map": Sentence(
+        "Map: {world}, {width} by {height} steps",
+        "Mapa: {world}, {width} por {height} passos",
+        "Mapa: {world}, {width} por {height} pasos",
+    ),
+    "pane-map-empty": Sentence("Map", "Mapa", "Mapa"),
+    "pane-log": Sentence("Log", "Registro", "Registro"),
+    "pane-inspector": Sentence("Variables", "Variáveis", "Variables"),
+    "new-program": Sentence("new program", "programa novo", "programa nuevo"),
+    "typed-program": Sentence("command line", "linha de comando", "línea de comandos"),
+}
+
+_STATUS = {
+    "status-program": Sentence(
+        "Program, line {line} of {lines}.",
+        "Programa, linha {line} de {lines}.",
+        "Programa, línea {line} de {lines}.",
+    ),
+    "status-map": Sentence("Map.", "Mapa.", "Mapa."),
+    "status-map-cell": Sentence(
+        "Map, {x}, {y}: {what}.", "Mapa, {x}, {y}: {what}.", "Mapa, {x}, {y}: {what}."
+    ),
+    "status-log": Sentence(
+        "Log, line {line} of {lines}.",
+        "Registro, linha {line} de {lines}.",
+        "Registro, línea {line} de {lines}.",
+    ),
+    "status-inspector": Sentence("Variables.", "Variáveis.", "Variables."),
+    "status-command": Sentence("Command line.", "Linha de comando.", "Línea de comandos."),
+    "status-robot": Sentence(
+        "Donnie at {x}, {y} facing {facing}.",
+        "Donnie em {x}, {y} virado para {facing}.",
+        "Donnie en {x}, {y} mirando al {facing}.",
+    ),
+    "status-ready": Sentence(
+        "Ready, speed {speed}.", "Pronto, velocidade {speed}.", "Listo, velocidad {speed}."
+    ),
+    "status-running": Sentence(
+        "Running, speed {speed}.", "Executando, velocidade {speed}.", "Ejecutando, velocidad {speed}."
+    ),
+    "status-paused": Sentence(
+        "Paused, speed {speed}.", "Pausado, velocidade {speed}.", "En pausa, velocidad {speed}."
+    ),
+    "status-stopping": Sentence("Stopping.", "Parando.", "Deteniendo."),
+    "status-starting": Sentence("Starting.", "Iniciando.", "Iniciando."),
+    "speed-max": Sentence("max", "max", "max"),
+}
+
+_CELLS = {
+    "cell-robot": Sentence("Donnie", "Donnie", "Donnie"),
+    "cell-start": Sentence("the start", "o início", "el inicio"),
+    "cell-trail": Sentence("trail", "rastro", "rastro"),
+    "cell-wall": Sentence("wall", "parede", "pared"),
+    "cell-free": Sentence("free", "livre", "libre"),
+}
+
+_INSPECTOR = {
+    "inspector-variables": Sentence("Variables:", "Variáveis:", "Variables:"),
+    "inspector-no-variables": Sentence("No variables.", "Nenhuma variável.", "Ninguna variable."),
+    "inspector-variable": Sentence("{name} is {value}", "{name} é {value}", "{name} es {value}"),
+    "inspector-calls": Sentence("Calls:", "Chamadas:", "Llamadas:"),
+    "inspector-call": Sentence("{name}, line {line}", "{name}, linha {line}", "{name}, línea {line}"),
+    "inspector-main": Sentence("program, line {line}", "programa, linha {line}", "programa, línea {line}"),
+    "inspector-readings": Sentence("Last readings:", "Últimas leituras:", "Últimas lecturas:"),
+    "inspector-reading": Sentence("{what}: {value}", "{what}: {value}", "{what}: {value}"),
+    "inspector-belt": Sentence("Belt:", "Cinto:", "Cinturón:"),
+    "reading-distance": Sentence("distance {where}", "distância {where}", "distancia {where}"),
+    "reading-position": Sentence("position {where}", "posição {where}", "posición {where}"),
+    "reading-colour": Sentence("color {where}", "cor {where}", "color {where}"),
+    "where-front": Sentence("ahead", "à frente", "al frente"),
+    "where-front-right": Sentence("ahead right", "à frente à direita", "al frente a la derecha"),
+    "where-front-left": Sentence("ahead left", "à frente à esquerda", "al frente a la izquierda"),
+    "where-back": Sentence("behind", "atrás", "atrás"),
+    "where-back-right": Sentence("behind right", "atrás à direita", "atrás a la derecha"),
+    "where-back-left": Sentence("behind left", "atrás à esquerda", "atrás a la izquierda"),
+}
+
+_ANSWERS = {
+    "screen-start": Sentence(
+        "Screen reader? Type LINEAR and Enter.",
+        "Leitor de tela? Digite LINEAR e Enter.",
+        "¿Lector de pantalla? Escribe LINEAL y Enter.",
+    ),
+    "screen-start-keys": Sentence(
+        "F5 runs the program. F1 helps.",
+        "F5 executa o programa. F1 ajuda.",
+        "F5 ejecuta el programa. F1 ayuda.",
+    ),
+    "screen-stopped": Sentence(
+        "Stopped at line {line}.", "Parou na linha {line}.", "Detenido en la línea {line}."
+    ),
+    "screen-stopped-nowhere": Sentence("Stopped.", "Parou.", "Detenido."),
+    "screen-done": Sentence("The program is done.", "O programa terminou.", "El programa terminó."),
+    "screen-paused": Sentence(
+        "Paused at line {line}.", "Pausado na linha {line}.", "En pausa en la línea {line}."
+    ),
+    "screen-at-line": Sentence("Line {line}: {text}", "Linha {line}: {text}", "Línea {line}: {text}"),
+    "screen-continued": Sentence("Going on.", "Continuando.", "Continuando."),
+    "screen-nothing-runs": Sentence(
+        "Nothing is running.", "Nada está sendo executado.", "No se ejecuta nada."
+    ),
+    "screen-nothing-to-run": Sentence("Nothing to run.", "Nada para executar.", "Nada que ejecutar."),
+    "screen-busy": Sentence(
+        "A program is running. F8 stops it.",
+        "Um programa está sendo executado. F8 para.",
+        "Un programa se está ejecutando. F8 lo detiene.",
+    ),
+    "screen-starting": Sentence(
+        "One moment, Donnie is starting.",
+        "Um momento, o Donnie está iniciando.",
+        "Un momento, Donnie está iniciando.",
+    ),
+    "screen-speed": Sentence("Speed {speed}.", "Velocidade {speed}.", "Velocidad {speed}."),
+    "screen-bad-speed": Sentence(
+        "A speed is a number from {slowest} to {fastest}, or max.",
+        "A velocidade é um número de {slowest} a {fastest}, ou max.",
+        "La velocidad es un número de {slowest} a {fastest}, o max.",
+    ),
+    "screen-reset": Sentence(
+        "Donnie is back at the start.", "O Donnie voltou ao início.", "Donnie volvió al inicio."
+    ),
+    "screen-no-line": Sentence("There is no line {line}.", "Não há linha {line}.", "No hay línea {line}."),
+    "screen-saved": Sentence("Saved as {name}.", "Salvo como {name}.", "Guardado como {name}."),
+    "screen-opened": Sentence(
+        "Opened {name}, {lines} {lines:line|lines}.",
+        "Aberto {name}, {lines} {lines:linha|linhas}.",
+        "Abierto {name}, {lines} {lines:línea|líneas}.",
+    ),
+    "screen-new": Sentence("A new program.", "Um programa novo.", "Un programa nuevo."),
+    "screen-kept": Sentence("Nothing was changed.", "Nada foi alterado.", "No se cambió nada."),
+    "screen-recovery": Sentence(
+        "A program was not saved last time. Type RECOVER and Enter to have it back.",
+        "Um programa não foi salvo da última vez. Digite RECUPERAR e Enter para tê-lo de volta.",
+        "Un programa no se guardó la última vez. Escribe RECUPERAR y Enter para tenerlo de nuevo.",
+    ),
+    "screen-recovered": Sentence(
+        "Here it is again, {lines} {lines:line|lines}.",
+        "Aqui está de novo, {lines} {lines:linha|linhas}.",
+        "Aquí está de nuevo, {lines} {lines:línea|líneas}.",
+    ),
+    "screen-nothing-to-recover": Sentence(
+        "Nothing to recover.", "Nada para recuperar.", "Nada que recuperar."
+    ),
+    "screen-recovery-failed": Sentence(
+        "What you type can't be kept safe: {reason}.",
+        "O que você digita não pode ser guardado: {reason}.",
+        "Lo que escribes no se puede resguardar: {reason}.",
+    ),
+    "screen-left-out": Sentence(
+        "{count} {count:line was|lines were} left out.",
+        "{count} {count:linha ficou|linhas ficaram} de fora.",
+        "{count} {count:línea quedó|líneas quedaron} fuera.",
+    ),
+}
+
+_QUESTIONS = {
+    "ask-open": Sentence("File to open:", "Arquivo para abrir:", "Archivo para abrir:"),
+    "ask-save": Sentence("Save as:", "Salvar como:", "Guardar como:"),
+    "ask-replace": Sentence(
+        "{name} exists. Replace it? yes or no:",
+        "{name} já existe. Substituir? sim ou não:",
+        "{name} ya existe. ¿Reemplazar? sí o no:",
+    ),
+    "ask-unsaved": Sentence(
+        "{name} is not saved. Save it? yes or no:",
+        "{name} não foi salvo. Salvar? sim ou não:",
+        "{name} no se guardó. ¿Guardar? sí o no:",
+    ),
+    "ask-keys": Sentence(
+        "Enter answers, Esc goes back", "Enter responde, Esc volta", "Enter responde, Esc vuelve"
+    ),
+    "answers-yes": Sentence("yes y", "sim s", "sí s"),
+    "answers-no": Sentence("no n", "não n", "no n"),
+    "help-title": Sentence("Help. Esc goes back", "Ajuda. Esc volta", "Ayuda. Esc vuelve"),
+    "help-screen-words": Sentence("Keys and words:", "Teclas e palavras:", "Teclas y palabras:"),
+    "help-program-words": Sentence("GoDonnie:", "GoDonnie:", "GoDonnie:"),
+    "help-typed-file": Sentence("file", "arquivo", "archivo"),
+    "help-typed-line": Sentence("line", "linha", "línea"),
+    "help-typed-speed": Sentence("number", "número", "número"),
+}
+
+
+def _action(name: str, label: tuple[str, str, str], purpose: tuple[str, str, str]) -> dict[str, Sentence]:
+    return {f"key-{name}": Sentence(*label), f"action-{name}": Sentence(*purpose)}
+
+
+_ACTIONS = (
+    _action(
+        "run",
+        ("Run", "Executar", "Ejecutar"),
+        (
+            "Runs the program, from the start of the world.",
+            "Executa o programa, do início do mundo.",
+            "Ejecuta el programa, desde el inicio del mundo.",
+        ),
+    )
+    | _action(
+        "stop",
+        ("Stop", "Parar", "Detener"),
+        ("Stops the program and Donnie.", "Para o programa e o Donnie.", "Detiene el programa y a Donnie."),
+    )
+    | _action(
+        "pause",
+        ("Pause", "Pausar", "Pausa"),
+        (
+            "Pauses the program, or goes on.",
+            "Pausa o programa, ou continua.",
+            "Pausa el programa, o continúa.",
+        ),
+    )
+    | _action(
+        "continue_",
+        ("Go on", "Continuar", "Continuar"),
+        ("Goes on after a pause.", "Continua depois de uma pausa.", "Continúa después de una pausa."),
+    )
+    | _action(
+        "step",
+        ("Step", "Passo", "Paso"),
+        ("Runs one command.", "Executa um comando.", "Ejecuta un comando."),
+    )
+    | _action(
+        "step_over",
+        ("Over", "Inteiro", "Entero"),
+        (
+            "Runs one command, a procedure as a whole.",
+            "Executa um comando, um procedimento inteiro.",
+            "Ejecuta un comando, un procedimiento entero.",
+        ),
+    )
+    | _action(
+        "run_to",
+        ("To here", "Até aqui", "Hasta aquí"),
+        (
+            "Runs until the line of the cursor, or until that line.",
+            "Executa até a linha do cursor, ou até essa linha.",
+            "Ejecuta hasta la línea del cursor, o hasta esa línea.",
+        ),
+    )
+    | _action(
+        "slower",
+        ("Slower", "Devagar", "Lento"),
+        ("Donnie moves more slowly.", "O Donnie anda mais devagar.", "Donnie va más lento."),
+    )
+    | _action(
+        "faster",
+        ("Faster", "Rápido", "Rápido"),
+        ("Donnie moves faster.", "O Donnie anda mais rápido.", "Donnie va más rápido."),
+    )
+    | _action(
+        "speed",
+        ("Speed", "Velocidade", "Velocidad"),
+        (
+            "Sets the speed; 1 is the real robot's, max has no waiting.",
+            "Muda a velocidade; 1 é a do robô real, max não espera.",
+            "Cambia la velocidad; 1 es la del robot real, max no espera.",
+        ),
+    )
+    | _action(
+        "reset",
+        ("Reset", "Reiniciar", "Reiniciar"),
+        (
+            "Puts Donnie back to the start, forgets the variables.",
+            "Leva o Donnie ao início, esquece as variáveis.",
+            "Lleva a Donnie al inicio, olvida las variables.",
+        ),
+    )
+    | _action(
+        "where",
+        ("Where", "Onde", "Dónde"),
+        ("Tells where Donnie is.", "Diz onde o Donnie está.", "Dice dónde está Donnie."),
+    )
+    | _action(
+        "open",
+        ("Open", "Abrir", "Abrir"),
+        ("Opens a program.", "Abre um programa.", "Abre un programa."),
+    )
+    | _action(
+        "save",
+        ("Save", "Salvar", "Guardar"),
+        ("Saves the program.", "Salva o programa.", "Guarda el programa."),
+    )
+    | _action(
+        "save_as",
+        ("Save as", "Salvar como", "Guardar como"),
+        (
+            "Saves the program under another name.",
+            "Salva o programa com outro nome.",
+            "Guarda el programa con otro nombre.",
+        ),
+    )
+    | _action(
+        "new",
+        ("New", "Novo", "Nuevo"),
+        ("Begins a new program.", "Começa um programa novo.", "Empieza un programa nuevo."),
+    )
+    | _action(
+        "recover",
+        ("Recover", "Recuperar", "Recuperar"),
+        (
+            "Brings back what was not saved last time.",
+            "Traz de volta o que não foi salvo da última vez.",
+            "Trae de vuelta lo que no se guardó la última vez.",
+        ),
+    )
+    | _action(
+        "show_program",
+        ("Program", "Programa", "Programa"),
+        ("Goes to the program.", "Vai para o programa.", "Va al programa."),
+    )
+    | _action("show_map", ("Map", "Mapa", "Mapa"), ("Goes to the map.", "Vai para o mapa.", "Va al mapa."))
+    | _action(
+        "show_log",
+        ("Log", "Registro", "Registro"),
+        ("Goes to the log.", "Vai para o registro.", "Va al registro."),
+    )
+    | _action(
+        "show_variables",
+        ("Variables", "Variáveis", "Variables"),
+        (
+            "Shows variables, calls and readings, or hides them.",
+            "Mostra variáveis, chamadas e leituras, ou esconde.",
+            "Muestra variables, llamadas y lecturas, o las oculta.",
+        ),
+    )
+    | _action(
+        "help", ("Help", "Ajuda", "Ayuda"), ("Shows this help.", "Mostra esta ajuda.", "Muestra esta ayuda.")
+    )
+    | _action(
+        "linear",
+        ("Linear", "Linear", "Lineal"),
+        (
+            "Changes to the linear mode, for screen readers.",
+            "Muda para o modo linear, para leitores de tela.",
+            "Cambia al modo lineal, para lectores de pantalla.",
+        ),
+    )
+    | _action("quit", ("Quit", "Sair", "Salir"), ("Leaves Donnie.", "Sai do Donnie.", "Sale de Donnie."))
+)
+
+_KINDS = {
+    f"kind-{kind}": Sentence(en, pt, es)
+    for kind, en, pt, es in (
+        ("moved", "moved", "andou", "caminó"),
+        ("turned", "turned", "girou", "giró"),
+        ("obstacle", "obstacle", "obstáculo", "obstáculo"),
+        ("collision", "collision", "batida", "choque"),
+        ("stopped", "stopped", "parou", "detenido"),
+        ("spoke", "says", "fala", "habla"),
+        ("error", "error", "erro", "error"),
+        ("typed", "typed", "digitado", "escrito"),
+        ("answer", "", "", ""),
+        ("state", "state", "estado", "estado"),
+        ("position", "position", "posição", "posición"),
+        ("scan", "sees", "vê", "ve"),
+        ("history", "history", "histórico", "historial"),
+        ("sound", "sound", "som", "sonido"),
+        ("belt", "belt", "cinto", "cinturón"),
+        ("waiting", "waits", "espera", "espera"),
+        ("link", "robot", "robô", "robot"),
+        ("hint", "hint", "dica", "pista"),
+        ("help", "help", "ajuda", "ayuda"),
+    )
+}
+
+SENTENCES = _PANES | _STATUS | _CELLS | _INSPECTOR | _ANSWERS | _QUESTIONS | _ACTIONS | _KINDS

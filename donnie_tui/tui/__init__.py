@@ -1,0 +1,1 @@
+"""The full screen: editor, map, log and command line. The only package that knows Textual."""

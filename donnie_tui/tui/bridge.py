@@ -1,0 +1,177 @@
+"""From the program's thread to the screen: what happened is put into a mailbox, and the screen is woken.
+
+Rules: the program never waits for the screen; the mailbox is bounded, so a program that talks without end
+costs no memory (what did not fit is counted); one message at a time is under way, so the screen's own queue
+never fills. Nothing here touches a widget.
+"""
+
+from __future__ import annotations
+
+import threading
+from collections import deque
+from collections.abc import Callable
+from dataclasses import dataclass
+from typing import NamedTuple
+
+from textual.message import Message
+
+from devices.ports.robot import Pose, StoppedBy
+from donnie_tui.core.events import (
+    Announced,
+    Answered,
+    BeltShown,
+    Error,
+    Event,
+    Moved,
+    Passing,
+    Read,
+    RunEnded,
+    RunStarted,
+    Spoke,
+    Stamped,
+    Turned,
+)
+from donnie_tui.core.transcript import lines_of
+from donnie_tui.core.wording import Wording
+
+MOST_LINES = 10_000
+"""Lines that wait for the screen at most; it looks five times a second."""
+MOST_POSES = 5_000
+
+
+class LogLine(NamedTuple):
+    """One line of the log: what was told, and what kind of thing that is (``kind-...`` in the catalogue)."""
+
+    text: str
+    kind: str
+
+
+@dataclass(frozen=True, slots=True)
+class Mail:
+    """What happened since the last look."""
+
+    lines: tuple[LogLine, ...]
+    missed: int
+    """Lines that did not fit."""
+    poses: tuple[Pose, ...]
+    readings: tuple[Read, ...]
+    """The last reading of each sensor that was read."""
+    belt: tuple[int, ...] | None
+
+
+class Happened(Message):
+    """There is mail. Two of them are as good as one."""
+
+    def can_replace(self, message: Message) -> bool:
+        return isinstance(message, Happened)
+
+
+class Began(Message):
+    """A run began, with the robot here."""
+
+    def __init__(self, program: str, pose: Pose) -> None:
+        super().__init__()
+        self.program = program
+        self.pose = pose
+
+
+class Ended(Message):
+    """A run ended; ``errors`` are its mistakes."""
+
+    def __init__(self, event: RunEnded, errors: tuple[Error, ...]) -> None:
+        super().__init__()
+        self.event = event
+        self.errors = errors
+
+
+class Bridge:
+    """A listener of the hub. ``post`` may be called from any thread."""
+
+    def __init__(self, post: Callable[[Message], object], wording: Wording, pose: Callable[[], Pose]) -> None:
+        self._post = post
+        self._wording = wording
+        self._pose = pose
+        self._lock = threading.Lock()
+        self._lines: deque[LogLine] = deque(maxlen=MOST_LINES)
+        self._missed = 0
+        self._poses: deque[Pose] = deque(maxlen=MOST_POSES)
+        self._readings: dict[tuple[str, str], Read] = {}
+        self._belt: tuple[int, ...] | None = None
+        self._errors: deque[Error] = deque(maxlen=100)
+        self._stopped_by: StoppedBy | None = None
+        self._awake = False
+
+    def __call__(self, stamped: Stamped) -> None:
+        """Told by the hub, in the thread that published."""
+        event = stamped.event
+        self._remember(event)
+        lines = tuple(LogLine(text, self._kind(event)) for text in lines_of(event, self._wording))
+        with self._lock:
+            self._missed += max(0, len(self._lines) + len(lines) - MOST_LINES)
+            self._lines.extend(lines)
+        self._wake(event)
+
+    def _remember(self, event: Event) -> None:
+        with self._lock:
+            match event:
+                case Passing(pose=pose):
+                    self._poses.append(pose)
+                case Moved(pose=pose, stopped_by=reason) | Turned(pose=pose, stopped_by=reason):
+                    self._poses.append(pose)
+                    self._stopped_by = reason
+                case Read(sensor=sensor, argument=argument):
+                    self._readings[sensor, argument] = event
+                case BeltShown(levels=levels):
+                    self._belt = levels
+                case Error():
+                    self._errors.append(event)
+                case _:
+                    pass
+
+    def _kind(self, event: Event) -> str:
+        match event:
+            case Spoke():
+                return "spoke"
+            case Error():
+                return "error"
+            case Answered():
+                return "answer"
+            case Announced(code="moved" | "turned") if self._stopped_by is not None:
+                return self._stopped_by.value
+            case Announced(code=code):
+                return code
+            case _:
+                return ""
+
+    def _wake(self, event: Event) -> None:
+        match event:
+            case RunStarted(program=program):
+                self._post(Began(program, self._pose()))
+            case RunEnded():
+                self._post(Ended(event, self._taken_errors()))
+            case _:
+                self._call()
+
+    def _call(self) -> None:
+        with self._lock:
+            if self._awake or not (self._lines or self._poses or self._readings):
+                return
+            self._awake = True
+        self._post(Happened())
+
+    def _taken_errors(self) -> tuple[Error, ...]:
+        with self._lock:
+            errors = tuple(self._errors)
+            self._errors.clear()
+        return errors
+
+    def take(self) -> Mail:
+        """Empty the mailbox: for the screen, in its thread."""
+        with self._lock:
+            readings = tuple(self._readings.values())
+            mail = Mail(tuple(self._lines), self._missed, tuple(self._poses), readings, self._belt)
+            self._lines.clear()
+            self._poses.clear()
+            self._readings.clear()
+            self._missed, self._belt, self._awake = 0, None, False
+        return mail

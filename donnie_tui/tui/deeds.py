@@ -1,0 +1,167 @@
+"""What each action of the table does. One method an action, by its name; ``argument`` is what was typed
+after its word, empty where it came from a key.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Awaitable
+from typing import Protocol
+
+from donnie_tui.core.wording import Wording
+from donnie_tui.tui.files import Files
+from donnie_tui.tui.running import Answer, Doing, Running
+from donnie_tui.tui.screens.workplace import Workplace
+from donnie_tui.tui.situation import speed_words
+
+
+class Host(Protocol):
+    """The application, as far as actions need it."""
+
+    @property
+    def words(self) -> Wording: ...
+
+    @property
+    def files(self) -> Files: ...
+
+    @property
+    def running(self) -> Running: ...
+
+    @property
+    def workplace(self) -> Workplace: ...
+
+    def tell(self, answer: Answer | None) -> None: ...
+
+    def look(self) -> None: ...
+
+    def show_pose(self) -> None: ...
+
+    def tell_position(self) -> None: ...
+
+    def show_help(self) -> None: ...
+
+    def switch_to_linear(self) -> None: ...
+
+    def leave(self, code: int = 0) -> None: ...
+
+
+class Deeds:
+    """Does them. Those that ask something are coroutines."""
+
+    def __init__(self, host: Host) -> None:
+        self._host = host
+
+    def do(self, name: str, argument: str) -> Awaitable[None] | None:
+        """Do the action. Raises ``AttributeError`` for a name that is not in the table."""
+        done: Awaitable[None] | None = getattr(self, name)(argument)
+        self._host.look()
+        return done
+
+    # --- running
+
+    @property
+    def _program(self) -> tuple[str, str]:
+        return self._host.workplace.editor.text, self._host.files.name
+
+    def run(self, _argument: str) -> None:
+        self._host.tell(self._host.running.run(*self._program))
+
+    def stop(self, _argument: str) -> None:
+        self._host.tell(self._host.running.stop())
+
+    def pause(self, _argument: str) -> None:
+        self._host.tell(self._host.running.pause_or_continue())
+
+    def continue_(self, _argument: str) -> None:
+        self._host.tell(self._host.running.go_on())
+
+    def step(self, _argument: str) -> None:
+        self._host.tell(self._host.running.step(*self._program))
+
+    def step_over(self, _argument: str) -> None:
+        self._host.tell(self._host.running.step_over(*self._program))
+
+    def run_to(self, argument: str) -> None:
+        editor = self._host.workplace.editor
+        line = argument or str(editor.line)
+        if not (line.isdecimal() and len(line) < 8 and 1 <= int(line) <= editor.line_count):
+            self._host.tell(Answer("screen-no-line", {"line": line[:20]}))
+        else:
+            self._host.tell(self._host.running.run_to(int(line), *self._program))
+
+    def reset(self, _argument: str) -> None:
+        self._host.tell(self._host.running.reset())
+        self._host.show_pose()
+
+    # --- speed
+
+    def faster(self, _argument: str) -> None:
+        self._host.running.faster()
+        self._tell_speed()
+
+    def slower(self, _argument: str) -> None:
+        self._host.running.slower()
+        self._tell_speed()
+
+    def speed(self, argument: str) -> None:
+        wrong = self._host.running.set_speed(argument) if argument else None
+        if wrong:
+            self._host.tell(wrong)
+        else:
+            self._tell_speed()
+
+    def _tell_speed(self) -> None:
+        speed = speed_words(self._host.running.speed, self._host.words)
+        self._host.tell(Answer("screen-speed", {"speed": speed}))
+
+    # --- files
+
+    def open(self, argument: str) -> Awaitable[None] | None:
+        return self._host.files.open(argument) if self._is_idle() else None
+
+    async def save(self, argument: str) -> None:
+        await self._host.files.save(argument)
+
+    async def save_as(self, argument: str) -> None:
+        await self._host.files.save_as(argument)
+
+    def new(self, _argument: str) -> Awaitable[None] | None:
+        return self._host.files.new() if self._is_idle() else None
+
+    def recover(self, _argument: str) -> Awaitable[None] | None:
+        return self._host.files.recover() if self._is_idle() else None
+
+    def _is_idle(self) -> bool:
+        """Whether nothing runs; told if something does."""
+        if self._host.running.doing is Doing.READY:
+            return True
+        self._host.tell(Answer("screen-busy"))
+        return False
+
+    # --- looking
+
+    def where(self, _argument: str) -> None:
+        self._host.tell_position()
+
+    def show_program(self, _argument: str) -> None:
+        self._host.workplace.go_to(self._host.workplace.program_pane)
+
+    def show_map(self, _argument: str) -> None:
+        self._host.workplace.go_to(self._host.workplace.map_pane)
+
+    def show_log(self, _argument: str) -> None:
+        self._host.workplace.go_to(self._host.workplace.log_pane)
+
+    def show_variables(self, _argument: str) -> None:
+        self._host.workplace.toggle_inspector()
+
+    def help(self, _argument: str) -> None:
+        self._host.show_help()
+
+    # --- leaving
+
+    def linear(self, _argument: str) -> None:
+        self._host.switch_to_linear()
+
+    async def quit(self, _argument: str) -> None:
+        if await self._host.files.is_safe_to_leave():
+            self._host.leave()

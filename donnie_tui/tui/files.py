@@ -1,0 +1,207 @@
+"""Opening, saving, beginning anew, recovering: what is asked, and what is answered.
+
+Nothing that was typed is lost without a question; every failure is a sentence. The document and its copies
+know no screen; this asks the person and tells the outcome.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Awaitable, Callable, Mapping
+from pathlib import Path
+from typing import Protocol
+
+from donnie_tui.core.documents import DocumentError
+from donnie_tui.core.wording import Wording
+from donnie_tui.tui.filing import Copies, Document
+from donnie_tui.tui.running import Answer
+from language.source import fold_name
+
+
+class Desk(Protocol):
+    """What a file is opened onto: an editor, and somebody to ask."""
+
+    @property
+    def text(self) -> str: ...
+
+    def load(self, text: str) -> None: ...
+
+    def tell(self, answer: Answer) -> None: ...
+
+    def ask(
+        self, asked: str, value: str = "", accepts: Callable[[str], str | None] | None = None
+    ) -> Awaitable[str | None]: ...
+
+
+class Files:
+    """The file actions."""
+
+    def __init__(self, desk: Desk, words: Wording, copies: Copies) -> None:
+        self._desk = desk
+        self._words = words
+        self._copies = copies
+        self._offered = copies.offered()
+        self._copying_failed = False
+        self.document = Document()
+
+    @property
+    def name(self) -> str:
+        path = self.document.path
+        return path.name if path else self._words("new-program")
+
+    @property
+    def is_changed(self) -> bool:
+        return self.document.is_changed(self._desk.text)
+
+    @property
+    def offers_recovery(self) -> bool:
+        return self._offered is not None
+
+    # --- opening
+
+    async def open(self, name: str) -> None:
+        """Open a file, asking for its name where none is given."""
+        name = name or await self._desk.ask(self._words("ask-open"), accepts=self._wrong_to_open) or ""
+        if name and await self.is_safe_to_leave():
+            self.open_now(name)
+
+    def open_now(self, name: str) -> bool:
+        """Open a file without asking anything. False if it could not be read, which was told."""
+        try:
+            path, text = self.document.read(name)
+        except DocumentError as error:
+            self._desk.tell(_told(error))
+            return False
+        self._become(path, text)
+        self._desk.tell(Answer("screen-opened", {"name": path.name, "lines": text.count("\n") + 1}))
+        return True
+
+    def _wrong_to_open(self, name: str) -> str | None:
+        try:
+            if name:
+                self.document.read(name)
+        except DocumentError as error:
+            answer = _told(error)
+            return self._words(answer.code, **answer.values)
+        return None
+
+    async def new(self) -> None:
+        if await self.is_safe_to_leave():
+            self._become(None, "")
+            self._desk.tell(Answer("screen-new"))
+
+    def bring(self, text: str, name: str | None) -> None:
+        """A program from the other mode: its file's name, and whatever it is now, saved or not."""
+        path = Path(name) if name else None
+        saved = ""
+        if path is not None:
+            try:
+                _, saved = self.document.read(name or "")
+            except DocumentError:
+                saved = ""
+        self._become(path, saved)
+        self._desk.load(text.removesuffix("\n"))
+
+    def _become(self, path: Path | None, text: str) -> None:
+        self._copies.forget()
+        self._desk.load(text)
+        self.document.become(path, self._desk.text)
+
+    # --- saving
+
+    async def save(self, name: str) -> bool:
+        """Save, asking for a name where there is none. False if it was not saved."""
+        if not name and self.document.path is not None:
+            return self._write(self.document.path)
+        return await self.save_as(name)
+
+    async def save_as(self, name: str) -> bool:
+        own = str(self.document.path or "")
+        name = name or await self._desk.ask(self._words("ask-save"), value=own) or ""
+        if not name:
+            return False
+        try:
+            path = self.document.place_for(name)
+        except DocumentError as error:
+            self._desk.tell(_told(error))
+            return False
+        if self.document.overwrites(path) and not await self._yes("ask-replace", path.name):
+            self._desk.tell(Answer("screen-kept"))
+            return False
+        return self._write(path)
+
+    def _write(self, path: Path) -> bool:
+        try:
+            self.document.write(path, self._desk.text)
+        except DocumentError as error:
+            self._desk.tell(_told(error))
+            return False
+        self._copies.forget()
+        self._desk.tell(Answer("screen-saved", {"name": path.name}))
+        return True
+
+    async def is_safe_to_leave(self) -> bool:
+        """Whether the text may go: it is saved, or was offered to be."""
+        if not self.is_changed or not self._desk.text.strip():
+            return True
+        answer = await self._yes("ask-unsaved", self.name)
+        if answer is None:
+            return False
+        return await self.save("") if answer else True
+
+    async def _yes(self, asked: str, name: str) -> bool | None:
+        """The answer to a question, None if somebody went back."""
+        question = self._words(asked, name=name)
+
+        def unclear(typed: str) -> str | None:
+            return None if self._understood(typed) is not None else question
+
+        typed = await self._desk.ask(question, accepts=unclear)
+        return None if typed is None else self._understood(typed)
+
+    def _understood(self, typed: str) -> bool | None:
+        folded = fold_name(typed)
+        if folded in map(fold_name, self._words("answers-yes").split()):
+            return True
+        return False if folded in map(fold_name, self._words("answers-no").split()) else None
+
+    # --- copies
+
+    def keep_copy(self) -> None:
+        """Write down what is not saved; told once if that fails."""
+        text = self._desk.text
+        if not self.is_changed or not text.strip():
+            self._copies.forget()
+            return
+        try:
+            self._copies.keep(text)
+        except DocumentError as error:
+            if not self._copying_failed:
+                self._copying_failed = True
+                self._desk.tell(Answer("screen-recovery-failed", {"reason": error.reason}))
+
+    def give_up(self) -> None:
+        """Leaving on purpose: no copy is needed."""
+        self._copies.forget()
+
+    async def recover(self) -> None:
+        """Bring back what an earlier start left unsaved."""
+        if self._offered is None:
+            self._desk.tell(Answer("screen-nothing-to-recover"))
+        elif await self.is_safe_to_leave():
+            self._recover_now(self._offered)
+
+    def _recover_now(self, copy: Path) -> None:
+        try:
+            text = self._copies.take(copy)
+        except DocumentError as error:
+            self._desk.tell(_told(error))
+            return
+        self._offered = None
+        self.document.become(None, "")
+        self._desk.load(text)
+        self._desk.tell(Answer("screen-recovered", {"lines": text.count("\n") + 1}))
+
+
+def _told(error: DocumentError) -> Answer:
+    values: Mapping[str, object] = {"path": error.path, "reason": error.reason}
+    return Answer(error.code, values)

@@ -1,0 +1,197 @@
+"""What the screen asks of a running program: run, stop, pause, step, speed.
+
+Rules: nothing here waits or touches a widget; every request is answered by the code of a sentence and its
+values, or by None where the program itself will answer.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping
+from dataclasses import dataclass, field
+from enum import Enum
+
+from donnie_tui.core.runner import Run
+from donnie_tui.core.session import Busy, Session
+from donnie_tui.settings import FASTEST, SLOWEST, read_speed
+from language.control import ControlState, ExecutionControl
+from language.runtime import Frame
+
+SPEEDS: tuple[float | None, ...] = (1.0, 2.0, 5.0, 10.0, 20.0, 50.0, None)
+"""What faster and slower choose from."""
+
+_LAST_WORDS = 1.0
+"""Seconds that a program which has told its end may take to be gone; it needs microseconds."""
+
+
+class Doing(Enum):
+    """What the program does, as the status line says it."""
+
+    READY = "ready"
+    RUNNING = "running"
+    PAUSED = "paused"
+    STOPPING = "stopping"
+
+
+@dataclass(frozen=True, slots=True)
+class Answer:
+    """A sentence to be told."""
+
+    code: str
+    values: Mapping[str, object] = field(default_factory=dict)
+
+
+_NOTHING_RUNS = Answer("screen-nothing-runs")
+_BUSY = Answer("screen-busy")
+
+
+class Running:
+    """The session's programs, one at a time. ``told`` hears, in any thread, that a pause began or ended."""
+
+    def __init__(self, session: Session, told: Callable[[ControlState], None]) -> None:
+        self._session = session
+        self._told = told
+        self._run: Run | None = None
+        self._stopped_line = 0
+        self.is_program = False
+        """Whether what runs, or ran last, is the text of the editor."""
+
+    # --- what it does
+
+    @property
+    def doing(self) -> Doing:
+        if self._run is None:
+            return Doing.READY
+        match self._run.control.state:
+            case ControlState.PAUSED:
+                return Doing.PAUSED
+            case ControlState.STOPPING | ControlState.ENDED:
+                return Doing.STOPPING
+            case _:
+                return Doing.RUNNING
+
+    @property
+    def frames(self) -> tuple[Frame, ...]:
+        """The call stack, innermost first; empty when nothing runs."""
+        return self._run.frames() if self._run else ()
+
+    # --- beginning and ending
+
+    def run(
+        self, text: str, name: str, *, begin: Callable[[ExecutionControl], None] | None = None
+    ) -> Answer | None:
+        """Run the editor's program from the start of the world, with nothing remembered."""
+        if not text.strip():
+            return Answer("screen-nothing-to-run")
+        return self._start(text, name, program=True, begin=begin)
+
+    def command(self, text: str, name: str) -> Answer | None:
+        """Run a typed command where the robot stands, with the variables that there are."""
+        return self._start(text, name, program=False, begin=None)
+
+    def _start(
+        self, text: str, name: str, *, program: bool, begin: Callable[[ExecutionControl], None] | None
+    ) -> Answer | None:
+        def prepare(control: ExecutionControl) -> None:
+            control.observe(self._told)
+            if begin:
+                begin(control)
+
+        try:
+            self._run = self._session.start(text, name, fresh=program, terminal=not program, prepare=prepare)
+        except Busy:
+            return _BUSY
+        self.is_program = program
+        self._stopped_line = 0
+        return None
+
+    def ended(self) -> None:
+        """The run has told its end; once this returns another one may start."""
+        if self._run is not None:
+            self._run.wait(_LAST_WORDS)
+            self._run = None
+
+    def stop(self) -> Answer | None:
+        if self._run is None:
+            return _NOTHING_RUNS
+        frames = self.frames
+        self._stopped_line = frames[0].line if frames else 0
+        self._session.stop()
+        return None
+
+    @property
+    def stopped(self) -> Answer:
+        """Where the program was when it was stopped."""
+        if not self._stopped_line:
+            return Answer("screen-stopped-nowhere")
+        return Answer("screen-stopped", {"line": self._stopped_line})
+
+    def reset(self) -> Answer:
+        try:
+            self._session.reset()
+        except Busy:
+            return _BUSY
+        return Answer("screen-reset")
+
+    # --- pausing and stepping
+
+    def pause_or_continue(self) -> Answer | None:
+        return self.go_on() if self.doing is Doing.PAUSED else self.pause()
+
+    def pause(self) -> Answer | None:
+        if self._run is None:
+            return _NOTHING_RUNS
+        self._run.control.pause()
+        return None
+
+    def go_on(self) -> Answer:
+        if self._run is None:
+            return _NOTHING_RUNS
+        self._run.control.resume()
+        return Answer("screen-continued")
+
+    def step(self, text: str, name: str) -> Answer | None:
+        """The next statement; the first one of the program where nothing runs."""
+        if self._run is None:
+            return self.run(text, name, begin=ExecutionControl.step)
+        self._run.control.step()
+        return None
+
+    def step_over(self, text: str, name: str) -> Answer | None:
+        """As ``step``, a procedure as a whole."""
+        if self._run is None:
+            return self.run(text, name, begin=ExecutionControl.step)
+        self._run.control.step_over()
+        return None
+
+    def run_to(self, line: int, text: str, name: str) -> Answer | None:
+        """Until that line of the program (from 1) is next."""
+        if self._run is None:
+            return self.run(text, name, begin=lambda control: control.run_to(line))
+        self._run.control.run_to(line)
+        return None
+
+    # --- speed
+
+    @property
+    def speed(self) -> float | None:
+        return self._session.speed
+
+    def faster(self) -> None:
+        self._session.speed = next((each for each in SPEEDS if _is_faster(each, self.speed)), None)
+
+    def slower(self) -> None:
+        slower = [each for each in SPEEDS if _is_faster(self.speed, each)]
+        self._session.speed = slower[-1] if slower else min(SPEEDS[0] or SLOWEST, self.speed or SLOWEST)
+
+    def set_speed(self, typed: str) -> Answer | None:
+        """The speed that somebody typed, or what is wrong with it."""
+        try:
+            self._session.speed = read_speed(typed)
+        except ValueError:
+            return Answer("screen-bad-speed", {"slowest": f"{SLOWEST:g}", "fastest": f"{FASTEST:g}"})
+        return None
+
+
+def _is_faster(one: float | None, other: float | None) -> bool:
+    """None is as fast as possible."""
+    return other is not None and (one is None or one > other)

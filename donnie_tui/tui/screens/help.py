@@ -1,0 +1,57 @@
+"""The help: every key and word of the screen, then every command of GoDonnie. Rows to read, nothing else."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from typing import ClassVar
+
+from textual.app import ComposeResult
+from textual.binding import Binding, BindingType
+from textual.screen import ModalScreen
+from textual.widgets import Static
+
+from donnie_tui.core.wording import Wording
+from donnie_tui.tui.actions import ACTIONS, Action, key_label
+from donnie_tui.tui.widgets.text_rows import TextRows
+
+
+class Help(ModalScreen[None]):
+    """Shows lines until Esc."""
+
+    BINDINGS: ClassVar[list[BindingType]] = [
+        Binding("escape,f1,q", "dismiss", show=False, priority=True),
+        Binding("ctrl+q", "dismiss", show=False, priority=True),
+    ]
+    AUTO_FOCUS = "#help-rows"
+
+    def __init__(self, title: str, lines: Sequence[str]) -> None:
+        super().__init__()
+        self._title_words = title
+        self._lines = lines
+        self.rows = TextRows(id="help-rows")
+
+    def compose(self) -> ComposeResult:
+        yield Static(f" {self._title_words}", id="help-title", markup=False)
+        yield self.rows
+
+    def on_mount(self) -> None:
+        self.rows.show(self._lines)
+
+
+def help_text(words: Wording) -> tuple[str, ...]:
+    """The lines of the help, in the learner's language."""
+    listed = [action for action in ACTIONS if not action.hidden]
+    return (
+        words("help-screen-words"),
+        *(_line(action, words) for action in listed),
+        words("help-program-words"),
+        *words.help(None),
+    )
+
+
+def _line(action: Action, words: Wording) -> str:
+    """The typed word first: it works everywhere; then its keys, then what it does."""
+    argument = words(f"help-typed-{action.argument}") if action.argument else ""
+    typed = " ".join(filter(None, (action.word(words.language), argument)))
+    keys = ", ".join(key_label(key) for key in action.keys)
+    return f"{typed}{f' ({keys})' if keys else ''}: {words(f'action-{action.name}')}"

@@ -1,0 +1,48 @@
+"""A question at the bottom of the screen, answered by typing. Esc goes back without an answer."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from typing import ClassVar
+
+from textual.app import ComposeResult
+from textual.binding import Binding, BindingType
+from textual.containers import Vertical
+from textual.screen import ModalScreen
+from textual.widgets import Input, Static
+
+
+class Question(ModalScreen[str | None]):
+    """Asks for one line. ``accepts`` answers what is wrong with an answer, or None if nothing is."""
+
+    BINDINGS: ClassVar[list[BindingType]] = [Binding("escape", "go_back", show=False, priority=True)]
+    AUTO_FOCUS = "#answer"
+
+    def __init__(
+        self, asked: str, keys: str, *, value: str = "", accepts: Callable[[str], str | None] | None = None
+    ) -> None:
+        super().__init__()
+        self._asked = asked
+        self._keys = keys
+        self._value = value
+        self._accepts = accepts
+
+    def compose(self) -> ComposeResult:
+        answer = Input(self._value, id="answer", compact=True, select_on_focus=False)
+        answer.cursor_blink = False
+        with Vertical(id="question"):
+            yield Static(self._asked, id="asked", markup=False)
+            yield answer
+            yield Static(f" {self._keys}", id="question-keys", markup=False)
+
+    def on_input_submitted(self, event: Input.Submitted) -> None:
+        event.stop()
+        answer = event.value.strip()
+        wrong = self._accepts(answer) if self._accepts else None
+        if wrong:
+            self.query_one("#asked", Static).update(wrong, layout=False)
+        elif answer:
+            self.dismiss(answer)
+
+    def action_go_back(self) -> None:
+        self.dismiss(None)

@@ -1,0 +1,128 @@
+"""The workplace: program, map, inspector, log, command line, status line, keys, in the order of reading.
+
+A view: it is told what to show and posts what was done to it; it decides nothing about programs. On a small
+terminal one pane is shown at a time, with the command line and the status line always there.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+
+from textual.app import ComposeResult
+from textual.containers import Horizontal, Vertical
+from textual.events import DescendantFocus, Resize
+from textual.message import Message
+from textual.screen import Screen
+from textual.widgets import Static
+
+from donnie_tui.tui.widgets.command_line import CommandLine
+from donnie_tui.tui.widgets.editor import Editor
+from donnie_tui.tui.widgets.lines import FixedLine, KeyLine
+from donnie_tui.tui.widgets.map_view import MapView
+from donnie_tui.tui.widgets.pane import Pane
+from donnie_tui.tui.widgets.text_rows import TextRows
+
+WIDE, NARROW, LOW = 110, 60, 18
+"""From WIDE columns on there is room for the inspector too; below NARROW or LOW for one pane only."""
+
+
+class Workplace(Screen[None]):
+    """The main screen."""
+
+    HORIZONTAL_BREAKPOINTS = [(0, "-narrow"), (NARROW, "-normal"), (WIDE, "-wide")]  # noqa: RUF012 -- Textual's
+    VERTICAL_BREAKPOINTS = [(0, "-low"), (LOW, "-high"), (32, "-tall")]  # noqa: RUF012
+    AUTO_FOCUS = "#editor"
+
+    class Looked(Message):
+        """The focus, or what is read in it, is elsewhere."""
+
+    def __init__(self) -> None:
+        super().__init__(id="workplace")
+        self.editor = Editor(id="editor")
+        self.map = MapView(id="map")
+        self.inspector = TextRows(id="inspector")
+        self.log_rows = TextRows(id="log", follows=True)
+        self.command_line = CommandLine(id="command")
+        self.status = FixedLine(id="status")
+        self.keys = KeyLine(id="keys")
+        self.program_pane = Pane(self.editor, id="program-pane")
+        self.map_pane = Pane(self.map, id="map-pane")
+        self.inspector_pane = Pane(self.inspector, id="inspector-pane")
+        self.log_pane = Pane(self.log_rows, id="log-pane")
+        self._shown = self.program_pane
+
+    def compose(self) -> ComposeResult:
+        with Vertical(id="panes"):
+            with Horizontal(id="upper"):
+                yield self.program_pane
+                yield self.map_pane
+                yield self.inspector_pane
+            yield self.log_pane
+        with Horizontal(id="command-row"):
+            yield Static(">", id="prompt", markup=False)
+            yield self.command_line
+        yield self.status
+        yield self.keys
+
+    # --- panes
+
+    @property
+    def panes(self) -> tuple[Pane, ...]:
+        """In the order of reading."""
+        return (self.program_pane, self.map_pane, self.inspector_pane, self.log_pane)
+
+    @property
+    def focused_pane(self) -> Pane | None:
+        return next((pane for pane in self.panes if pane.content.has_focus), None)
+
+    def go_to(self, pane: Pane) -> None:
+        """Show a pane and give it the focus."""
+        self._bring_up(pane)
+        pane.content.focus()
+
+    def toggle_inspector(self) -> None:
+        """Show it, in the map's place where there is no room for both; or go back from it."""
+        if self.inspector.has_focus:
+            self.remove_class("-inspecting")
+            self.go_to(self.program_pane)
+        else:
+            self.add_class("-inspecting")
+            self.go_to(self.inspector_pane)
+
+    def on_descendant_focus(self, _event: DescendantFocus) -> None:
+        pane = self.focused_pane
+        if pane is not None:
+            self._bring_up(pane)
+        self.post_message(self.Looked())
+
+    def on_resize(self, event: Resize) -> None:
+        small = event.size.width < NARROW or event.size.height < LOW
+        self.set_class(small, "-one-pane")
+        self._arrange()
+
+    def _bring_up(self, pane: Pane) -> None:
+        if pane is not self._shown:
+            self._shown = pane
+            self._arrange()
+
+    def _arrange(self) -> None:
+        """On a small terminal Tab goes on to panes that are not seen: they are there, with no size."""
+        for pane in self.panes:
+            pane.set_class(pane is self._shown, "-shown")
+        self.query_one("#upper").set_class(self._shown is not self.log_pane, "-shown")
+
+    # --- what is told to it
+
+    def log_lines(self, lines: Iterable[tuple[str, str]]) -> None:
+        self.log_rows.append(lines)
+
+    # --- what was done to it
+
+    def on_map_view_explored(self) -> None:
+        self.post_message(self.Looked())
+
+    def on_text_rows_read(self) -> None:
+        self.post_message(self.Looked())
+
+    def on_text_area_selection_changed(self) -> None:
+        self.post_message(self.Looked())

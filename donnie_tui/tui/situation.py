@@ -1,0 +1,111 @@
+"""The words beside the panes: the status line, the inspector, the name of a map cell.
+
+Values in, words out; whoever knows the values asks here. Sentences are the catalogue's.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+
+from devices.ports.robot import Pose
+from donnie_tui.core import numbers
+from donnie_tui.core.belt import COLUMNS
+from donnie_tui.core.events import Read
+from donnie_tui.core.map_grid import Cell, Kind, MapGrid
+from donnie_tui.core.telling import Teller
+from donnie_tui.core.wording import Wording
+from donnie_tui.tui.running import Doing
+from language.runtime import Frame
+
+
+def robot_sentence(pose: Pose, words: Wording, teller: Teller) -> str:
+    """Where Donnie is."""
+    return words("status-robot", x=numbers.whole(pose.x), y=numbers.whole(pose.y), facing=teller.facing(pose))
+
+
+def doing_sentence(doing: Doing, speed: float | None, words: Wording) -> str:
+    """What the program does, and how fast."""
+    return words(f"status-{doing.value}", speed=speed_words(speed, words))
+
+
+def speed_words(speed: float | None, words: Wording) -> str:
+    return words("speed-max") if speed is None else f"{speed:g}"
+
+
+def cell_sentence(grid: MapGrid, cell: Cell, words: Wording) -> str:
+    """Where the explored cell is, and what it shows."""
+    x, y = grid.place(cell)
+    return words("status-map-cell", x=x, y=y, what=_content(grid, cell, words))
+
+
+def _content(grid: MapGrid, cell: Cell, words: Wording) -> str:
+    kind = grid.kind(cell)
+    thing = grid.thing(cell) if kind is Kind.THING else None
+    if thing is not None:
+        return thing.name or thing.kind
+    return grid.letter(cell) if kind is Kind.THING else words(f"cell-{kind.value}")
+
+
+def inspector_lines(
+    frames: Sequence[Frame],
+    variables: Mapping[str, int],
+    readings: Sequence[Read],
+    belt: Sequence[int] | None,
+    words: Wording,
+) -> tuple[str, ...]:
+    """Variables, calls, the last reading of each sensor, the belt as two rows of seven."""
+    return (
+        *_variables(frames[0].variables if frames else tuple(variables.items()), words),
+        *_calls(frames, words),
+        *_readings(readings, words),
+        *_belt(belt, words),
+    )
+
+
+def _variables(variables: Sequence[tuple[str, int]], words: Wording) -> tuple[str, ...]:
+    if not variables:
+        return (words("inspector-no-variables"),)
+    lines = (words("inspector-variable", name=name, value=_short(value)) for name, value in variables)
+    return (words("inspector-variables"), *lines)
+
+
+def _short(value: int) -> str:
+    """A number that fits; of a long one the first digits and how many there are."""
+    if abs(value) < 10**18:
+        return str(value)
+    digits = int(value.bit_length() * 0.30103) + 1
+    return f"{'-' if value < 0 else ''}{abs(value) // 10 ** (digits - 6)}... ({digits})"
+
+
+def _calls(frames: Sequence[Frame], words: Wording) -> tuple[str, ...]:
+    if not frames:
+        return ()
+    return (words("inspector-calls"), *(_call(frame, words) for frame in frames[:20]))
+
+
+def _call(frame: Frame, words: Wording) -> str:
+    if not frame.procedure:
+        return words("inspector-main", line=frame.line)
+    return words("inspector-call", name=frame.procedure, line=frame.line)
+
+
+def _readings(readings: Sequence[Read], words: Wording) -> tuple[str, ...]:
+    if not readings:
+        return ()
+    return (words("inspector-readings"), *(_reading(each, words) for each in readings))
+
+
+def _reading(read: Read, words: Wording) -> str:
+    where = read.argument
+    if read.sensor == "distance":
+        where = words(f"where-{read.argument.replace(' ', '-')}")
+    elif read.sensor == "colour":
+        where = words(f"colour-{read.argument}")
+    return words("inspector-reading", what=words(f"reading-{read.sensor}", where=where), value=read.value)
+
+
+def _belt(levels: Sequence[int] | None, words: Wording) -> tuple[str, ...]:
+    if levels is None:
+        return ()
+    rows = (levels[:COLUMNS], levels[COLUMNS:])
+    return (words("inspector-belt"), *(" ".join(str(level) for level in row) for row in rows))

@@ -1,0 +1,223 @@
+"""Rows of text to read: the log, the inspector, the help. Each line may have its kind in words at the right.
+
+Made for programs that talk without end: lines are kept as texts, wrapped only where they are too long, and
+painted only where they are seen. One row is being read: the terminal's own cursor stands on it while the
+rows have the focus, and ``>`` before it. A log reads its newest row, whatever comes, unless somebody reads
+further up.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+from typing import ClassVar
+
+from rich.cells import cell_len, chop_cells
+from rich.segment import Segment
+from rich.style import Style
+from textual.binding import Binding, BindingType
+from textual.events import Focus
+from textual.geometry import Offset, Region, Size
+from textual.message import Message
+from textual.scroll_view import ScrollView
+from textual.strip import Strip
+
+MOST_LINES = 100_000
+"""Lines that are kept; beyond, the oldest tenth is forgotten."""
+
+_KIND_WIDTH = 10
+_NARROW = 56
+"""Columns below which the kinds are left out, so that sentences keep their room."""
+
+
+class TextRows(ScrollView, can_focus=True):
+    """Shows lines with their kinds; both are given as the words to show. ``follows``: a log."""
+
+    COMPONENT_CLASSES: ClassVar[set[str]] = {"text-rows--kind", "text-rows--row"}
+
+    BINDINGS: ClassVar[list[BindingType]] = [
+        Binding("up", "row(-1)", show=False),
+        Binding("down", "row(1)", show=False),
+        Binding("pageup", "page(-1)", show=False),
+        Binding("pagedown", "page(1)", show=False),
+        Binding("home", "oldest", show=False),
+        Binding("end", "newest", show=False),
+    ]
+
+    class Read(Message):
+        """Another row is being read."""
+
+    def __init__(self, *, id: str, follows: bool = False) -> None:  # noqa: A002 -- Textual's own name
+        super().__init__(id=id)
+        self._follows = follows
+        self._lines: list[str] = []
+        self._kinds: list[str] = []
+        self._rows: list[str] = []
+        self._row_kinds: list[str] = []
+        """A row each; the kind stands in the first row of its line."""
+        self._wrapped_at = 0
+        self._row: int | None = None if follows else 0
+        """The row being read; None is the newest, whatever comes."""
+
+    # --- what is shown
+
+    def append(self, lines: Iterable[tuple[str, str]]) -> None:
+        """Add lines: (text, kind) each."""
+        before = len(self._rows)
+        for text, kind in lines:
+            self._lines.append(text)
+            self._kinds.append(kind)
+            self._wrap(text, kind)
+        if len(self._rows) == before:
+            return
+        self._forget_oldest()
+        self._extent()
+        if self._row is None:
+            self._follow()
+
+    def show(self, lines: Iterable[str]) -> None:
+        """Other lines instead; the row that is being read stays where it can."""
+        texts = list(lines)
+        if texts == self._lines:
+            return
+        self._lines, self._kinds = texts, [""] * len(texts)
+        self._rewrap()
+        self._extent()
+        self._follow()
+
+    @property
+    def lines(self) -> tuple[str, ...]:
+        """All texts, oldest first."""
+        return tuple(self._lines)
+
+    @property
+    def row(self) -> int:
+        """The row being read, from 0."""
+        return max(0, len(self._rows) - 1) if self._row is None else self._row
+
+    @property
+    def row_count(self) -> int:
+        return len(self._rows)
+
+    @property
+    def row_text(self) -> str:
+        return self._rows[self.row] if self._rows else ""
+
+    def _forget_oldest(self) -> None:
+        if len(self._lines) > MOST_LINES:
+            del self._lines[: MOST_LINES // 10]
+            del self._kinds[: MOST_LINES // 10]
+            self._rewrap()
+
+    # --- rows
+
+    @property
+    def _shows_kinds(self) -> bool:
+        return self.size.width >= _NARROW
+
+    @property
+    def _text_width(self) -> int:
+        width = self.size.width - 1
+        return max(1, width - _KIND_WIDTH - 1 if self._shows_kinds else width)
+
+    def _wrap(self, text: str, kind: str) -> None:
+        for number, row in enumerate(_wrapped(text, self._text_width)):
+            self._rows.append(row)
+            self._row_kinds.append("" if number else kind)
+
+    def _rewrap(self) -> None:
+        self._rows, self._row_kinds = [], []
+        for text, kind in zip(self._lines, self._kinds, strict=True):
+            self._wrap(text, kind)
+        if self._row is not None:
+            self._row = min(self._row, max(0, len(self._rows) - 1))
+
+    def on_resize(self) -> None:
+        if self._wrapped_at != self._text_width:
+            self._wrapped_at = self._text_width
+            self._rewrap()
+        self._extent()
+        self._follow()
+
+    def _extent(self) -> None:
+        self.virtual_size = Size(self.size.width, len(self._rows))
+        self.refresh()
+
+    def _follow(self) -> None:
+        """Show the row that is being read."""
+        place = Region(0, self.row, 1, 1)
+        self.scroll_to_region(place, animate=False, force=True, immediate=True)
+        self._place_cursor()
+
+    def _place_cursor(self) -> None:
+        if self.has_focus:
+            self.app.cursor_position = self.content_region.offset + Offset(0, self.row - self.scroll_offset.y)
+
+    def on_focus(self, _event: Focus) -> None:
+        self._place_cursor()
+
+    # --- reading
+
+    def action_row(self, down: int) -> None:
+        self._read(self.row + down)
+
+    def action_page(self, down: int) -> None:
+        self._read(self.row + down * max(1, self.size.height - 1))
+
+    def action_oldest(self) -> None:
+        self._read(0)
+
+    def action_newest(self) -> None:
+        self._read(len(self._rows))
+
+    def _read(self, row: int) -> None:
+        newest = len(self._rows) - 1
+        self._row = None if row >= newest and self._follows else max(0, min(row, newest))
+        self._follow()
+        self.refresh()
+        self.post_message(self.Read())
+
+    # --- painting
+
+    def render_line(self, y: int) -> Strip:
+        row = y + self.scroll_offset.y
+        if row >= len(self._rows):
+            return Strip.blank(self.size.width, self.rich_style)
+        return Strip(self._segments(row)).adjust_cell_length(self.size.width, self._style(row))
+
+    def _segments(self, row: int) -> list[Segment]:
+        style, text = self._style(row), self._rows[row]
+        here = self.has_focus and row == self.row
+        segments = [Segment(">" if here else " ", style), Segment(text, style)]
+        kind = self._row_kinds[row]
+        if kind and self._shows_kinds:
+            gap = " " * (self._text_width + 1 - cell_len(text))
+            segments += [Segment(gap, style), Segment(kind[:_KIND_WIDTH], style + self._look("kind"))]
+        return segments
+
+    def _style(self, row: int) -> Style:
+        here = self.has_focus and row == self.row
+        return self.rich_style + self._look("row") if here else self.rich_style
+
+    def _look(self, name: str) -> Style:
+        return self.get_component_rich_style(f"text-rows--{name}", partial=True)
+
+
+def _wrapped(text: str, width: int) -> tuple[str, ...]:
+    """The text in rows of at most ``width`` columns, broken at blanks where there are any."""
+    if (text.isascii() and len(text) <= width) or cell_len(text) <= width:
+        return (text,)
+    rows, row = [], ""
+    for word in _pieces(text, width):
+        longer = f"{row} {word}" if row else word
+        if cell_len(longer) > width:
+            rows.append(row)
+            row = word
+        else:
+            row = longer
+    return (*rows, row)
+
+
+def _pieces(text: str, width: int) -> Iterable[str]:
+    """The words, those that are wider than a row cut."""
+    for word in text.split():
+        yield from chop_cells(word, width) if cell_len(word) > width else (word,)
