@@ -10,7 +10,7 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 
-from language.outline import block_depth
+from language.outline import OutlineItem, block_depth, outline
 
 WORTH_SAVING = 5
 """Unsaved lines from which on a learner is asked before they are lost."""
@@ -67,6 +67,13 @@ class TypedProgram:
         return block_depth("\n".join(self._lines[self._run :]))
 
     @property
+    def open_block(self) -> OutlineItem | None:
+        """The innermost block that is open at the end of what waits."""
+        depth = self.depth
+        blocks = outline("\n".join(self._lines[self._run :]), first_line=self._run + 1) if depth else ()
+        return next((block for block in reversed(blocks) if block.depth == depth - 1), None)
+
+    @property
     def waiting(self) -> int:
         """How many lines have not run yet."""
         return len(self._lines) - self._run
@@ -77,9 +84,9 @@ class TypedProgram:
         self._lines.append(line)
         self.saved = False
 
-    def take_batch(self) -> Batch:
-        """Everything that waits."""
-        waiting = self._lines[self._run :]
+    def take_batch(self, last: str | None = None) -> Batch:
+        """Everything that waits, and ``last`` behind it, which is no part of the program."""
+        waiting = self._lines[self._run :] + ([] if last is None else [last])
         return Batch("\n".join(waiting), self._run + 1, len(waiting))
 
     def batch_ran(self) -> None:
@@ -98,7 +105,7 @@ class TypedProgram:
 
     def replace(self, text: str, name: str | None) -> None:
         """Another program takes its place, and waits."""
-        self._lines = text.splitlines()
+        self._lines = lines_of(text)
         self._run = 0
         self._size = len(text)
         self.name = name
@@ -150,3 +157,9 @@ class TypedProgram:
         self.saved = False
         if number <= self._run:
             self._run = 0
+
+
+def lines_of(text: str) -> list[str]:
+    """The lines of a text as the language counts them, not at every sign that Python takes for an end."""
+    lines = text.replace("\r\n", "\n").replace("\r", "\n").split("\n")
+    return lines if lines[-1] else lines[:-1]

@@ -1,0 +1,316 @@
+"""What the linear mode answers, asks and is called by.
+
+``linear-word-NAME`` is the one line of help of a word; it begins with the word itself, in each language.
+"""
+
+from donnie_tui.i18n import first_words
+from donnie_tui.i18n.sentence import Sentence
+
+_GREETING = {
+    **{f"linear-cause-{cause}": Sentence(*texts) for cause, texts in first_words.CAUSES.items()},
+    "linear-hint": Sentence(*first_words.HINT),
+}
+
+_RUNNING = {
+    "linear-nothing-to-run": Sentence("Nothing to run.", "Nada para executar.", "Nada que ejecutar."),
+    "linear-still-open": Sentence(
+        "Still open: {opener} from line {line}.",
+        "Ainda aberto: {opener} da linha {line}.",
+        "Sigue abierto: {opener} de la línea {line}.",
+    ),
+    "linear-kept": Sentence(
+        "Nothing ran. CHANGE {line} mends line {line}.",
+        "Nada foi executado. MUDAR {line} corrige a linha {line}.",
+        "No se ejecutó nada. CAMBIAR {line} corrige la línea {line}.",
+    ),
+    "linear-stopped-at": Sentence(
+        "Stopped at line {line}.", "Parado na linha {line}.", "Detenido en la línea {line}."
+    ),
+    "linear-stopped": Sentence("Stopped.", "Parado.", "Detenido."),
+    "linear-still-at": Sentence(
+        "Still at line {line}: {text}", "Ainda na linha {line}: {text}", "Todavía en la línea {line}: {text}"
+    ),
+    "linear-still-running": Sentence("Still running.", "Ainda executando.", "Todavía ejecutando."),
+    "linear-left-out": Sentence(
+        "{lines} {lines:line was|lines were} left out.",
+        "{lines} {lines:linha ficou|linhas ficaram} de fora.",
+        "{lines} {lines:línea quedó|líneas quedaron} fuera.",
+    ),
+    "linear-cleared": Sentence("Line cleared.", "Linha apagada.", "Línea borrada."),
+    "linear-nothing-to-stop": Sentence(
+        "Nothing is running. QUIT leaves.",
+        "Nada em execução. SAIR sai.",
+        "Nada se está ejecutando. SALIR sale.",
+    ),
+    "linear-quit-in-block": Sentence(
+        "That is a line of {opener}. Ctrl+D leaves.",
+        "Essa é uma linha de {opener}. Ctrl+D sai.",
+        "Esa es una línea de {opener}. Ctrl+D sale.",
+    ),
+    "linear-goodbye": Sentence("Goodbye.", "Até logo.", "Hasta luego."),
+    "linear-did-not-run": Sentence(
+        "{lines} {lines:line|lines} did not run. RUN was missing.",
+        "{lines} {lines:linha não foi executada|linhas não foram executadas}. Faltou EXECUTAR.",
+        "{lines} {lines:línea no se ejecutó|líneas no se ejecutaron}. Faltó EJECUTAR.",
+    ),
+    "linear-stepping": Sentence(
+        "Enter goes on. RUN runs the rest. STOP ends.",
+        "Enter continua. EXECUTAR faz o resto. PARAR termina.",
+        "Enter sigue. EJECUTAR hace el resto. DETENER termina.",
+    ),
+    "linear-too-long": Sentence(
+        "The program is too long. That line is lost.",
+        "O programa é longo demais. Essa linha se perdeu.",
+        "El programa es demasiado largo. Esa línea se perdió.",
+    ),
+}
+
+_PROGRAM = {
+    "linear-line": Sentence("Line {line}: {text}", "Linha {line}: {text}", "Línea {line}: {text}"),
+    "linear-line-empty": Sentence("Line {line}: empty.", "Linha {line}: vazia.", "Línea {line}: vacía."),
+    "linear-listed": Sentence("{line}: {text}", "{line}: {text}", "{line}: {text}"),
+    "linear-lines": Sentence(
+        "{lines} {lines:line|lines}.", "{lines} {lines:linha|linhas}.", "{lines} {lines:línea|líneas}."
+    ),
+    "linear-no-lines": Sentence("No lines yet.", "Nenhuma linha ainda.", "Ninguna línea todavía."),
+    "linear-no-such-line": Sentence(
+        "There is no line {line}. The last is {last}.",
+        "Não há linha {line}. A última é {last}.",
+        "No hay línea {line}. La última es {last}.",
+    ),
+    "linear-deleted": Sentence(
+        "{lines} {lines:line|lines} deleted.",
+        "{lines} {lines:linha apagada|linhas apagadas}.",
+        "{lines} {lines:línea borrada|líneas borradas}.",
+    ),
+    "linear-nothing-to-delete": Sentence("Nothing to delete.", "Nada para apagar.", "Nada que borrar."),
+    "linear-edit": Sentence(
+        "Edit line {line}, then Enter.", "Edite a linha {line}, e Enter.", "Edita la línea {line}, y Enter."
+    ),
+    "linear-type-line": Sentence(
+        "Type line {line}, then Enter.",
+        "Digite a linha {line}, e Enter.",
+        "Escribe la línea {line}, y Enter.",
+    ),
+    "linear-unchanged": Sentence("Nothing was changed.", "Nada foi mudado.", "No se cambió nada."),
+    "linear-like-this": Sentence(
+        "I did not understand. Type {example}.",
+        "Não entendi. Digite {example}.",
+        "No entendí. Escribe {example}.",
+    ),
+}
+
+_FILES = {
+    "linear-opened": Sentence(
+        "{name}, {lines} {lines:line|lines}. RUN runs it.",
+        "{name}, {lines} {lines:linha|linhas}. EXECUTAR executa.",
+        "{name}, {lines} {lines:línea|líneas}. EJECUTAR ejecuta.",
+    ),
+    "linear-saved": Sentence(
+        "Saved {name}, {lines} {lines:line|lines}.",
+        "Salvei {name}, {lines} {lines:linha|linhas}.",
+        "Guardé {name}, {lines} {lines:línea|líneas}.",
+    ),
+    "linear-nothing-to-save": Sentence("Nothing to save.", "Nada para salvar.", "Nada que guardar."),
+    "linear-new": Sentence("A new program.", "Um programa novo.", "Un programa nuevo."),
+    "linear-rescued": Sentence(
+        "A program was rescued. RECOVER opens it.",
+        "Um programa foi salvo. RECUPERAR abre.",
+        "Se salvó un programa. RECUPERAR lo abre.",
+    ),
+    "linear-nothing-to-recover": Sentence(
+        "Nothing to recover.", "Nada para recuperar.", "Nada que recuperar."
+    ),
+    "linear-ask-replace": Sentence(
+        "{name} exists. Replace it, y or n? Enter means no.",
+        "{name} já existe. Substituir, s ou n? Enter é não.",
+        "{name} ya existe. ¿Reemplazar, s o n? Enter es no.",
+    ),
+    "linear-ask-lose": Sentence(
+        "{lines} {lines:line is|lines are} not saved. Lose them, y or n? Enter means no.",
+        "{lines} {lines:linha não foi salva|linhas não foram salvas}. Perder, s ou n? Enter é não.",
+        "{lines} {lines:línea no se guardó|líneas no se guardaron}. ¿Perder, s o n? Enter es no.",
+    ),
+    "linear-ask-save": Sentence(
+        "{lines} {lines:line is|lines are} not saved. Save first, y or n? Enter means no.",
+        "{lines} {lines:linha não foi salva|linhas não foram salvas}. Salvar, s ou n? Enter é não.",
+        "{lines} {lines:línea no se guardó|líneas no se guardaron}. ¿Guardar, s o n? Enter es no.",
+    ),
+    "linear-ask-name": Sentence(
+        "Which file name? Enter means none.",
+        "Qual nome de arquivo? Enter é nenhum.",
+        "¿Qué nombre de archivo? Enter es ninguno.",
+    ),
+    "linear-yes-or-no": Sentence("Type y or n.", "Digite s ou n.", "Escribe s o n."),
+}
+
+_SETTINGS = {
+    "linear-start": Sentence(
+        "The robot is back at the start.", "O robô voltou ao início.", "El robot volvió al inicio."
+    ),
+    "linear-speed": Sentence("Speed {speed}.", "Velocidade {speed}.", "Velocidad {speed}."),
+    "linear-speed-max": Sentence(
+        "Speed: as fast as possible.", "Velocidade: a maior possível.", "Velocidad: la mayor posible."
+    ),
+    "linear-language": Sentence("Language: English.", "Idioma: português.", "Idioma: español."),
+    "linear-detail": Sentence(
+        "Detail: normal.",
+        "Detalhe: normal.",
+        "Detalle: normal.",
+        brief=("Detail: brief.", "Detalhe: breve.", "Detalle: breve."),
+        full=("Detail: full.", "Detalhe: completo.", "Detalle: completo."),
+    ),
+    "linear-nothing-said": Sentence("Nothing was said yet.", "Nada foi dito ainda.", "Nada se dijo todavía."),
+    "linear-no-errors": Sentence("No errors.", "Nenhum erro.", "Ningún error."),
+    "linear-no-screen": Sentence(
+        "The full screen needs a terminal.",
+        "A tela cheia precisa de um terminal.",
+        "La pantalla completa necesita un terminal.",
+    ),
+    "linear-linear": Sentence(
+        "This is the linear mode already.", "Este já é o modo linear.", "Este ya es el modo lineal."
+    ),
+}
+
+_HELP = {
+    "linear-help": Sentence(
+        "{count} words of the terminal:",
+        "{count} palavras do terminal:",
+        "{count} palabras del terminal:",
+    ),
+    "linear-help-keys": Sentence(
+        "HELP KEYS tells the keys.", "AJUDA TECLAS diz as teclas.", "AYUDA TECLAS dice las teclas."
+    ),
+    "linear-keys-enter": Sentence(
+        "Enter: the next line.", "Enter: próxima linha.", "Enter: línea siguiente."
+    ),
+    "linear-keys-run": Sentence(
+        "Esc, RUN or an empty line: runs.",
+        "Esc, EXECUTAR ou linha vazia: executa.",
+        "Esc, EJECUTAR o línea vacía: ejecuta.",
+    ),
+    "linear-keys-stop": Sentence(
+        "Ctrl+C: stops the robot.", "Ctrl+C: para o robô.", "Ctrl+C: detiene el robot."
+    ),
+    "linear-keys-past": Sentence(
+        "Up and down: lines typed before.",
+        "Para cima e para baixo: linhas de antes.",
+        "Arriba y abajo: líneas de antes.",
+    ),
+    "linear-keys-line": Sentence(
+        "Home, End, Delete, Backspace: edit.",
+        "Home, End, Delete, Backspace: editam.",
+        "Inicio, Fin, Supr, Retroceso: editan.",
+    ),
+    "linear-keys-word": Sentence(
+        "Ctrl+W: deletes a word.", "Ctrl+W: apaga uma palavra.", "Ctrl+W: borra una palabra."
+    ),
+    "linear-keys-clear": Sentence(
+        "Ctrl+U: clears the line.", "Ctrl+U: apaga a linha.", "Ctrl+U: borra la línea."
+    ),
+    "linear-keys-leave": Sentence(
+        "Ctrl+D: leaves Donnie.", "Ctrl+D: sai do Donnie.", "Ctrl+D: sale de Donnie."
+    ),
+}
+
+_WORDS = {
+    "open": Sentence(
+        "OPEN file: opens a program.", "ABRIR arquivo: abre um programa.", "ABRIR archivo: abre un programa."
+    ),
+    "save": Sentence(
+        "SAVE file: saves the program.",
+        "SALVAR arquivo: salva o programa.",
+        "GUARDAR archivo: guarda el programa.",
+    ),
+    "new": Sentence(
+        "NEW: begins a new program.", "NOVO: começa um programa novo.", "NUEVO: empieza un programa nuevo."
+    ),
+    "recover": Sentence(
+        "RECOVER: opens a rescued program.",
+        "RECUPERAR: abre um programa perdido.",
+        "RECUPERAR: abre un programa perdido.",
+    ),
+    "list": Sentence(
+        "LIST 2 5: says lines 2 to 5.",
+        "LISTAR 2 5: diz as linhas 2 a 5.",
+        "LISTAR 2 5: dice las líneas 2 a 5.",
+    ),
+    "change": Sentence(
+        "CHANGE 3: edits line 3.", "MUDAR 3: edita a linha 3.", "CAMBIAR 3: edita la línea 3."
+    ),
+    "insert": Sentence(
+        "INSERT 3: a new line before line 3.",
+        "INSERIR 3: linha nova antes da 3.",
+        "INSERTAR 3: línea nueva antes de la 3.",
+    ),
+    "delete": Sentence(
+        "DELETE 3 5: deletes lines 3 to 5.",
+        "APAGAR 3 5: apaga as linhas 3 a 5.",
+        "BORRAR 3 5: borra las líneas 3 a 5.",
+        full=(
+            "DELETE 3 5: deletes lines 3 to 5. DELETE alone: what has not run.",
+            "APAGAR 3 5: apaga as linhas 3 a 5. APAGAR só: o que não foi executado.",
+            "BORRAR 3 5: borra las líneas 3 a 5. BORRAR solo: lo que no se ejecutó.",
+        ),
+    ),
+    "again": Sentence(
+        "AGAIN: runs all, from the start.",
+        "NOVAMENTE: executa tudo, do início.",
+        "NUEVAMENTE: ejecuta todo, desde el inicio.",
+    ),
+    "step": Sentence(
+        "STEP: runs line by line.", "PASSO: executa linha por linha.", "PASO: ejecuta línea por línea."
+    ),
+    "stop": Sentence("STOP: ends the steps.", "PARAR: termina os passos.", "DETENER: termina los pasos."),
+    "reset": Sentence(
+        "RESET: the robot goes to the start.",
+        "REINICIAR: o robô vai para o início.",
+        "REINICIAR: el robot va al inicio.",
+    ),
+    "where": Sentence(
+        "WHERE: says where the robot is.", "ONDE: diz onde o robô está.", "DÓNDE: dice dónde está el robot."
+    ),
+    "speed": Sentence(
+        "SPEED 5: walks 5 times as fast.",
+        "VELOCIDADE 5: anda 5 vezes mais rápido.",
+        "VELOCIDAD 5: camina 5 veces más rápido.",
+        full=(
+            "SPEED 5: walks 5 times as fast. SPEED MAX: does not wait at all.",
+            "VELOCIDADE 5: anda 5 vezes mais rápido. VELOCIDADE MAX: não espera.",
+            "VELOCIDAD 5: camina 5 veces más rápido. VELOCIDAD MAX: no espera.",
+        ),
+    ),
+    "language": Sentence(
+        "LANGUAGE pt: talks Portuguese. Also en, es.",
+        "IDIOMA en: fala inglês. Também pt, es.",
+        "IDIOMA en: habla inglés. También pt, es.",
+    ),
+    "detail": Sentence(
+        "DETAIL brief: says less. Also normal, full.",
+        "DETALHE breve: diz menos. Ou normal, completo.",
+        "DETALLE breve: dice menos. O normal, completo.",
+    ),
+    "last": Sentence(
+        "LAST: says the last answer again.",
+        "ÚLTIMO: repete a última resposta.",
+        "ÚLTIMO: repite la última respuesta.",
+    ),
+    "errors": Sentence(
+        "ERRORS: says the errors again.", "ERROS: repete os erros.", "ERRORES: repite los errores."
+    ),
+    "visual": Sentence(
+        "VISUAL: changes to the full screen.",
+        "VISUAL: muda para a tela cheia.",
+        "VISUAL: cambia a pantalla completa.",
+    ),
+}
+
+SENTENCES: dict[str, Sentence] = (
+    _GREETING
+    | _RUNNING
+    | _PROGRAM
+    | _FILES
+    | _SETTINGS
+    | _HELP
+    | {f"linear-word-{name}": sentence for name, sentence in _WORDS.items()}
+)

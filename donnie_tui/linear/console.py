@@ -1,0 +1,129 @@
+"""Everything that the linear mode waits for: keys, signals, and news from a running program.
+
+Rule: signals do nothing by themselves but wake whoever waits; what follows from them is decided in the
+main thread, between two steps and never in the middle of one. The one exception is a terminal that takes
+no more output: then Ctrl+C could not be noticed, so it calls ``stop_at_once`` itself.
+"""
+
+from __future__ import annotations
+
+import contextlib
+import os
+import select
+import signal
+import time
+from collections.abc import Callable
+
+from donnie_tui.linear.terminal import Terminal, size
+
+_LEAVING = (signal.SIGTERM, signal.SIGHUP, signal.SIGQUIT)
+_HEARD = (signal.SIGINT, signal.SIGTSTP, *_LEAVING)
+
+
+class Console:
+    """Standard input and output with their signals. ``close`` leaves everything as it was found."""
+
+    def __init__(self, terminal: Terminal | None) -> None:
+        """``terminal`` is there where lines are edited key by key, and taken already."""
+        self.interrupted = False
+        """Ctrl+C was pressed and nobody has answered yet."""
+        self.leaving: int | None = None
+        """The signal that wants us to leave."""
+        self.stop_at_once: Callable[[], None] = _nothing
+        self.repaint: Callable[[], str] = str
+        """What stands on the current line, to be written again after a suspension."""
+        self._terminal = terminal
+        self._is_writing = False
+        self._reading_end, self._writing_end = os.pipe()
+        os.set_blocking(self._reading_end, False)
+        os.set_blocking(self._writing_end, False)
+        self._found = {number: signal.signal(number, self._heard) for number in _HEARD}
+        self._found_fd = signal.set_wakeup_fd(self._writing_end, warn_on_full_buffer=False)
+
+    # --- waiting
+
+    def now(self) -> float:
+        """Seconds of real time, from an arbitrary start."""
+        return time.monotonic()
+
+    def nudge(self) -> None:
+        """Wake the main thread. From any thread."""
+        with contextlib.suppress(OSError):
+            os.write(self._writing_end, b"\0")
+
+    def wait(self, seconds: float | None = None, *, reading: bool = False) -> bool:
+        """Wait for a signal, a nudge, or (``reading``) input, at most so long. True if there is input."""
+        watched = [self._reading_end, 0] if reading else [self._reading_end]
+        ready, _, _ = select.select(watched, [], [], seconds)
+        if self._reading_end in ready:
+            self._take_signals()
+        return 0 in ready
+
+    def read(self) -> bytes:
+        """What was typed; nothing once input has ended. Call it when ``wait`` said so."""
+        try:
+            return os.read(0, 4096)
+        except OSError:
+            return b""
+
+    def take_interrupt(self) -> bool:
+        """Whether Ctrl+C was pressed since the last time."""
+        interrupted, self.interrupted = self.interrupted, False
+        return interrupted
+
+    def _take_signals(self) -> None:
+        with contextlib.suppress(BlockingIOError):
+            for number in os.read(self._reading_end, 4096):
+                self._act_on(number)
+
+    def _act_on(self, number: int) -> None:
+        if number == signal.SIGINT:
+            self.interrupted = True
+        elif number in _LEAVING:
+            self.leaving = self.leaving or number
+        elif number == signal.SIGTSTP:
+            self._suspend()
+
+    def _suspend(self) -> None:
+        """Ctrl+Z: the terminal as it was, until we are brought back."""
+        if self._terminal:
+            self._terminal.give_back()
+        os.kill(os.getpid(), signal.SIGSTOP)
+        if self._terminal:
+            self._terminal.take()
+            self.write(self.repaint())
+
+    def _heard(self, number: int, frame: object) -> None:  # noqa: ARG002 -- a signal handler is given both
+        if number != signal.SIGTSTP and self._is_writing:
+            self._is_writing = False
+            self.stop_at_once()
+
+    # --- writing
+
+    def write(self, text: str) -> None:
+        """Write all of it at once. Raises ``BrokenPipeError`` where nobody listens any more."""
+        data = memoryview(text.encode("utf-8", "replace"))
+        while data:
+            self._is_writing = True
+            written = os.write(1, data)
+            self._is_writing = False
+            data = data[written:]
+
+    def columns(self) -> int:
+        return size()[0]
+
+    def rows(self) -> int:
+        return size()[1]
+
+    def close(self) -> None:
+        if self._terminal:
+            self._terminal.give_back()
+        signal.set_wakeup_fd(self._found_fd)
+        for number, handler in self._found.items():
+            signal.signal(number, handler)
+        os.close(self._reading_end)
+        os.close(self._writing_end)
+
+
+def _nothing() -> None:
+    return

@@ -1,0 +1,135 @@
+"""The line that is being typed: keys change it, and each change is told as the bytes that a terminal needs.
+
+Rule: as little as readline writes, because a screen reader says what is written. A character typed at the
+end writes itself and nothing else.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+
+from donnie_tui.linear.cells import clusters, places, width
+from donnie_tui.linear.keys import Act
+
+LONGEST = 20_000
+"""Clusters in one line; a longer one is not typed by hand."""
+
+
+class EditLine:
+    """The clusters and the cursor. Every method gives back what is to be written."""
+
+    def __init__(self, prompt_width: int, columns: Callable[[], int], text: str = "") -> None:
+        """The prompt and ``text`` stand on the terminal already, the cursor behind them."""
+        self._start = prompt_width
+        self._columns = columns
+        self._text = clusters(text)
+        self._cursor = len(self._text)
+
+    @property
+    def text(self) -> str:
+        return "".join(self._text)
+
+    def do(self, act: Act) -> str:
+        """What ``act`` changes, nothing if it can change nothing."""
+        match act:
+            case Act.LEFT:
+                return self._go(self._cursor - 1)
+            case Act.RIGHT:
+                return self._go(self._cursor + 1)
+            case Act.HOME:
+                return self._go(0)
+            case Act.END:
+                return self._go(len(self._text))
+            case Act.BACKSPACE:
+                return self._cut(self._cursor - 1, self._cursor)
+            case Act.DELETE | Act.CLOSE:
+                return self._cut(self._cursor, self._cursor + 1)
+            case Act.KILL_AFTER:
+                return self._cut(self._cursor, len(self._text))
+            case Act.KILL_BEFORE:
+                return self._cut(0, self._cursor)
+            case Act.KILL_WORD:
+                return self._cut(self._word_start(), self._cursor)
+            case _:
+                return ""
+
+    def type(self, text: str) -> str:
+        """Insert ``text`` at the cursor. Beyond ``LONGEST`` nothing more is taken."""
+        room = LONGEST - len(self._text)
+        first = max(0, self._cursor - 1)
+        with_marks = clusters("".join(self._text[first : self._cursor]) + text)
+        added = with_marks[: room + self._cursor - first]
+        if first < self._cursor and added[:1] == self._text[first : self._cursor]:
+            first, added = self._cursor, added[1:]
+        return self._put(first, self._cursor, added, first + len(added)) if added else ""
+
+    def replace(self, text: str) -> str:
+        """Another line takes its place."""
+        return self._put(0, len(self._text), clusters(text)[:LONGEST], None)
+
+    def finish(self) -> str:
+        """Bring the cursor to the last row, so that the next line begins below."""
+        at = self._places()
+        return "" if at[self._cursor][0] == at[-1][0] else self._go(len(self._text))
+
+    # --- changes
+
+    def _go(self, to: int) -> str:
+        if not 0 <= to <= len(self._text):
+            return ""
+        at = self._places()
+        move = self._move(at[self._cursor], at[to], passing=self._text[self._cursor : to])
+        self._cursor = to
+        return move
+
+    def _cut(self, first: int, last: int) -> str:
+        if first < 0 or last > len(self._text) or first == last:
+            return ""
+        return self._put(first, last, [], first)
+
+    def _put(self, first: int, last: int, added: list[str], cursor: int | None) -> str:
+        """Put ``added`` in the place of the clusters ``first`` to ``last``, and paint what that changes."""
+        before = self._places()
+        here = before[self._cursor]
+        self._text[first:last] = added
+        self._cursor = len(self._text) if cursor is None else cursor
+        after = self._places()
+        tail = self._text[first:]
+        painted = self._move(here, before[first]) + "".join(tail)
+        painted += " \r" if tail and after[-1][1] == 0 else ""
+        painted += _erased(before[-1], after[-1])
+        return painted + self._move(after[-1], after[self._cursor])
+
+    def _word_start(self) -> int:
+        at = self._cursor
+        while at and self._text[at - 1] == " ":
+            at -= 1
+        while at and self._text[at - 1] != " ":
+            at -= 1
+        return at
+
+    # --- the terminal
+
+    def _places(self) -> list[tuple[int, int]]:
+        return places(0, self._start, self._text, max(2, self._columns()))
+
+    def _move(self, here: tuple[int, int], there: tuple[int, int], passing: list[str] | None = None) -> str:
+        """From one place to another; to the right over ``passing``, where given, by writing it again."""
+        rows, cells = there[0] - here[0], there[1] - here[1]
+        if passing and rows == 0 and len(passing) == 1 and width(passing[0]) == cells:
+            return passing[0]
+        vertical = f"\x1b[{-rows}A" if rows < 0 else f"\x1b[{rows}B" if rows > 0 else ""
+        return vertical + _sideways(cells)
+
+
+def _sideways(cells: int) -> str:
+    if cells > 0:
+        return f"\x1b[{cells}C"
+    return "\b" * -cells if cells > -4 else f"\x1b[{-cells}D"
+
+
+def _erased(old_end: tuple[int, int], new_end: tuple[int, int]) -> str:
+    """What clears the rest of a line that became shorter. The cursor stands at its new end."""
+    if new_end >= old_end:
+        return ""
+    return "\x1b[K" if new_end[0] == old_end[0] else "\x1b[J"

@@ -1,0 +1,100 @@
+"""The words about files: OPEN, SAVE, NEW, RECOVER."""
+
+from __future__ import annotations
+
+import contextlib
+from pathlib import Path
+
+from donnie_tui.core.documents import (
+    DocumentError,
+    program_to_open,
+    program_to_save,
+    read_program,
+    write_program,
+)
+from donnie_tui.linear.desk import Desk
+
+
+def open_named(desk: Desk, name: str) -> None:
+    """Open what somebody calls ``name``, and say so, or why not."""
+    try:
+        path = program_to_open(name)
+    except DocumentError as error:
+        refuse(desk, error)
+    else:
+        open_file(desk, path)
+
+
+def open_file(desk: Desk, path: Path) -> None:
+    try:
+        text = read_program(path)
+    except DocumentError as error:
+        refuse(desk, error)
+        return
+    if desk.may_lose_program():
+        desk.program.replace(text, str(path))
+        desk.answer("linear-opened", name=path.name, lines=len(desk.program.lines))
+    else:
+        desk.answer("linear-unchanged")
+
+
+def save_named(desk: Desk, name: str) -> bool:
+    """Save to what somebody calls ``name``, or where it came from. Whether it was saved."""
+    name = name or desk.program.name or (desk.ask("linear-ask-name") if desk.is_attended else "")
+    if not name:
+        desk.answer("linear-unchanged")
+        return False
+    try:
+        return _save(desk, program_to_save(name))
+    except DocumentError as error:
+        refuse(desk, error)
+        return False
+
+
+def new_program(desk: Desk) -> None:
+    if desk.may_lose_program():
+        desk.program.clear()
+        desk.answer("linear-new")
+    else:
+        desk.answer("linear-unchanged")
+
+
+def recover(desk: Desk) -> None:
+    """Open what was rescued when Donnie had to leave. It counts as unsaved."""
+    try:
+        text = read_program(desk.rescue)
+    except DocumentError:
+        desk.answer("linear-nothing-to-recover")
+        return
+    if not desk.may_lose_program():
+        desk.answer("linear-unchanged")
+        return
+    desk.program.replace(text, None)
+    desk.program.saved = False
+    with contextlib.suppress(OSError):
+        desk.rescue.unlink()
+    desk.answer("linear-lines", lines=len(desk.program.lines))
+
+
+def refuse(desk: Desk, error: DocumentError) -> None:
+    desk.answer(error.code, path=error.path, reason=error.reason)
+
+
+def _save(desk: Desk, path: Path) -> bool:
+    if not desk.program.lines:
+        desk.answer("linear-nothing-to-save")
+        return False
+    if not _may_replace(desk, path):
+        desk.answer("linear-unchanged")
+        return False
+    write_program(path, desk.program.text)
+    desk.program.name, desk.program.saved = str(path), True
+    desk.answer("linear-saved", name=path.name, lines=len(desk.program.lines))
+    return True
+
+
+def _may_replace(desk: Desk, path: Path) -> bool:
+    """A file that is not the program's own is replaced only by somebody who wants it."""
+    if str(path) == desk.program.name or not desk.is_attended or not path.exists():
+        return True
+    return desk.ask_yes("linear-ask-replace", name=path.name)

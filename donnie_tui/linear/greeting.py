@@ -1,0 +1,115 @@
+"""The first lines and the prompt, printed before anything else of Donnie is loaded.
+
+Rules: it imports next to nothing. It greets only where the command line is so plain that nothing else can
+come of it; whatever is not plain is left to the real command line. The terminal is taken at once, so that
+what is typed while the rest is being loaded is neither lost nor shown twice.
+"""
+
+from __future__ import annotations
+
+import os
+
+from donnie_tui.i18n.first_words import CAUSES, HINT, PROMPT
+
+_LANGUAGES = ("en", "pt", "es")
+_WITH_VALUE = (
+    "--world",
+    "--lang",
+    "--speed",
+    "--seed",
+    "--speech",
+    "--sound",
+    "--verbosity",
+    "--events",
+    "--robot",
+)
+
+
+class Greeting:
+    """What was printed already, and the terminal that was taken for it."""
+
+    def __init__(self) -> None:
+        self.was_printed = False
+        self.has_prompt = False
+        self.terminal: object | None = None
+        """A ``terminal.Terminal`` once it was taken; its type would have to be imported."""
+
+
+DONE = Greeting()
+"""The one greeting of this process: there is but one terminal."""
+
+
+def begin(arguments: list[str], environment: os._Environ[str] | dict[str, str]) -> bool:
+    """Greet if ``arguments`` plainly ask for the linear mode. False if nothing was printed."""
+    options = _plain_options(arguments)
+    if options is None or "--linear" not in options:
+        return False
+    greet(language_of(options, environment), "option", environment, prompt="FILE" not in options)
+    return True
+
+
+def greet(
+    language: str, cause: str, environment: os._Environ[str] | dict[str, str], *, prompt: bool = True
+) -> None:
+    """Print the lines, and the prompt where ``prompt`` and a terminal are. Does nothing the second time.
+
+    Without a prompt only the first line is printed: the second one will be about the file.
+    """
+    if DONE.was_printed:
+        return
+    from donnie_tui.linear.terminal import is_editable
+
+    editable, typed = is_editable(environment), os.isatty(0)
+    DONE.was_printed, DONE.has_prompt = True, prompt and typed
+    at = _LANGUAGES.index(language)
+    lines = CAUSES[cause][at] + "\n" + (HINT[at] + "\n" if prompt else "")
+    os.write(1, (lines + (PROMPT if DONE.has_prompt else "")).encode())
+    if editable:
+        _take_terminal()
+
+
+def withdraw() -> None:
+    """Give the terminal back and begin a new line, for a command line that turned out not to be usable."""
+    terminal, DONE.terminal = DONE.terminal, None
+    if terminal is not None:
+        terminal.give_back()  # type: ignore[attr-defined] # see Greeting.terminal
+    if DONE.has_prompt:
+        DONE.has_prompt = False
+        os.write(1, b"\n")
+
+
+def language_of(options: dict[str, str], environment: os._Environ[str] | dict[str, str]) -> str:
+    """The language of the options, else of ``DONNIE_LANG``, else of the locale, else English."""
+    locale = environment.get("LC_ALL") or environment.get("LC_MESSAGES") or environment.get("LANG") or ""
+    for given in (options.get("--lang", ""), environment.get("DONNIE_LANG", ""), locale):
+        if given[:2].lower() in _LANGUAGES:
+            return given[:2].lower()
+    return "en"
+
+
+def _plain_options(arguments: list[str]) -> dict[str, str] | None:
+    """The options and the FILE, or None where there is anything that is not obvious."""
+    found: dict[str, str] = {}
+    rest = iter(arguments)
+    for each in rest:
+        name, equals, value = each.partition("=")
+        if each == "--linear":
+            found[each] = ""
+        elif name in _WITH_VALUE:
+            found[name] = value if equals else next(rest, "")
+        elif each.startswith("-") or "FILE" in found or not os.path.isfile(each):  # noqa: PTH113 -- pathlib is slow to load
+            return None
+        else:
+            found["FILE"] = each
+    return found
+
+
+def _take_terminal() -> None:
+    import atexit
+
+    from donnie_tui.linear.terminal import Terminal
+
+    terminal = Terminal()
+    terminal.take()
+    atexit.register(terminal.give_back)
+    DONE.terminal = terminal

@@ -1,0 +1,88 @@
+"""What is printed, and when: whole lines, an answer and the prompt in one write, rests between blocks.
+
+A screen reader loses what scrolls by, and it says a prompt twice that comes in a write of its own. So the
+new line of Enter is held back until there is an answer, and no more than a screenful comes at once.
+"""
+
+from __future__ import annotations
+
+from typing import Protocol
+
+REST = 0.3
+"""Seconds of rest after each block of lines."""
+LARGEST_BLOCK = 18
+
+
+class Paper(Protocol):
+    """What is printed on."""
+
+    interrupted: bool
+
+    def write(self, text: str) -> None: ...
+
+    def wait(self, seconds: float) -> object:
+        """Rest; shorter if something happens."""
+
+    def now(self) -> float: ...
+
+    def rows(self) -> int: ...
+
+
+class Output:
+    """Prints blocks of lines. ``paced`` is for people; a pipe needs no rests."""
+
+    def __init__(self, paper: Paper, *, paced: bool) -> None:
+        self._paper = paper
+        self._paced = paced
+        self._held = ""
+        self._room = 0
+        self._rested_at = float("-inf")
+
+    def hold_newline(self) -> None:
+        """Enter was pressed: its new line goes out with whatever comes next."""
+        self._held = "\n"
+
+    def show(self, lines: list[str], prompt: str = "") -> int:
+        """Print the lines, then the prompt.
+
+        Ctrl+C during a rest ends it, without the prompt; the answer is how many lines were not printed.
+        """
+        block, lines = self._next_block(lines)
+        while lines:
+            self._write(block, "")
+            block, lines = self._next_block(lines)
+            if self._paper.interrupted:
+                return len(block) + len(lines)
+        self._write(block, prompt)
+        return 0
+
+    def _next_block(self, lines: list[str]) -> tuple[list[str], list[str]]:
+        """What may be printed now, after a rest if one is due, and what comes after it."""
+        if not self._paced:
+            return lines, []
+        self._make_room(bool(lines))
+        block, rest = lines[: self._room], lines[self._room :]
+        self._room -= len(block)
+        return block, rest
+
+    def _make_room(self, wanted: bool) -> None:
+        now = self._paper.now()
+        if now - self._rested_at >= REST:
+            self._room = self._block_size()
+        elif wanted and self._room <= 0:
+            self._rest(self._rested_at + REST)
+            self._room = self._block_size()
+
+    def _rest(self, until: float) -> None:
+        while not self._paper.interrupted and (left := until - self._paper.now()) > 0:
+            self._paper.wait(left)
+
+    def _write(self, block: list[str], prompt: str) -> None:
+        text = self._held + "".join(f"{line}\n" for line in block) + prompt
+        self._held = ""
+        if text:
+            self._paper.write(text)
+            self._rested_at = self._paper.now()
+
+    def _block_size(self) -> int:
+        return max(1, min(self._paper.rows() - 6, LARGEST_BLOCK))

@@ -1,0 +1,164 @@
+"""Reading what the learner types: edited key by key on a terminal, or as plain lines from anywhere else.
+
+Both give the same values. What is typed while a program runs stays with the system until somebody reads.
+"""
+
+from __future__ import annotations
+
+from collections import deque
+from dataclasses import dataclass
+from enum import Enum, auto
+from typing import Protocol
+
+from donnie_tui.linear.console import Console
+from donnie_tui.linear.edit_line import EditLine
+from donnie_tui.linear.keys import ESCAPE_DELAY, Act, Key, KeyDecoder
+from donnie_tui.linear.recall import Past, Recall
+
+LONGEST_PLAIN = 1024 * 1024
+"""Bytes of a plain line after which it is taken as it is."""
+
+
+class How(Enum):
+    """How a line ended."""
+
+    ENTER = auto()
+    ESCAPE = auto()
+    """It is to run at once, unfinished as it may be."""
+    INTERRUPTED = auto()
+    """Ctrl+C: it does not count."""
+    CLOSED = auto()
+    """Nothing more will come: Ctrl+D, the end of the input, or a signal to leave."""
+
+
+@dataclass(frozen=True, slots=True)
+class Typed:
+    text: str
+    how: How
+
+
+class Reader(Protocol):
+    """Where lines come from."""
+
+    holds_newline: bool
+    """Whether the new line that ends the typed line must still be written."""
+
+    def read(self, prompt: str, offered: str = "") -> Typed:
+        """The next line. ``prompt`` and ``offered``, the text to be edited, were printed already."""
+
+
+class EditingReader:
+    """Reads keys and writes what they change, as little as that takes."""
+
+    holds_newline = True
+
+    def __init__(self, console: Console, past: Past) -> None:
+        self._console = console
+        self._past = past
+        self._decoder = KeyDecoder()
+        self._keys: deque[Key] = deque()
+
+    def read(self, prompt: str, offered: str = "") -> Typed:
+        line = EditLine(len(prompt), self._console.columns, offered)
+        recall = Recall(self._past, offered)
+        self._console.repaint = lambda: f"\n{prompt}{line.text}"
+        try:
+            return self._edit(line, recall)
+        finally:
+            self._console.repaint = str
+
+    def _edit(self, line: EditLine, recall: Recall) -> Typed:
+        while True:
+            typed, echo = self._do_keys(line, recall)
+            if echo:
+                self._console.write(echo)
+            if typed:
+                return typed
+            if not self._more_keys():
+                return Typed(line.text, How.CLOSED)
+            if self._console.take_interrupt():
+                self._forget_keys()
+                return Typed(line.text, How.INTERRUPTED)
+
+    def _do_keys(self, line: EditLine, recall: Recall) -> tuple[Typed | None, str]:
+        """Do the keys that wait, up to one that ends the line; what that writes goes out at once."""
+        echo = ""
+        while self._keys:
+            key = self._keys.popleft()
+            if key.act is Act.ENTER or key.act is Act.ESCAPE:
+                how = How.ENTER if key.act is Act.ENTER else How.ESCAPE
+                return Typed(line.text, how), echo + line.finish()
+            if key.act is Act.CLOSE and not line.text:
+                return Typed("", How.CLOSED), echo
+            echo += _changed(line, recall, key)
+        return None, echo
+
+    def _more_keys(self) -> bool:
+        """Wait for keys or a signal. False once nothing more will come."""
+        waiting = self._decoder.is_waiting
+        if self._console.wait(ESCAPE_DELAY if waiting else None, reading=True):
+            data = self._console.read()
+            self._keys += self._decoder.feed(data)
+            return bool(data)
+        if waiting:
+            self._keys += self._decoder.give_up_waiting()
+        return self._console.leaving is None
+
+    def _forget_keys(self) -> None:
+        self._keys.clear()
+        self._decoder = KeyDecoder()
+
+
+def _changed(line: EditLine, recall: Recall, key: Key) -> str:
+    match key.act:
+        case Act.TEXT:
+            return line.type(key.text)
+        case Act.OLDER | Act.NEWER:
+            found = recall.older(line.text) if key.act is Act.OLDER else recall.newer(line.text)
+            return "" if found is None else line.replace(found)
+        case act:
+            return line.do(act)
+
+
+class PlainReader:
+    """Reads lines as they come; a terminal that sends them edits them by itself."""
+
+    holds_newline = False
+
+    def __init__(self, console: Console) -> None:
+        self._console = console
+        self._pending = b""
+        self._is_first = True
+        self._ended = False
+
+    def read(self, prompt: str, offered: str = "") -> Typed:  # noqa: ARG002 -- nothing can be offered here
+        while True:
+            line = self._next_line()
+            if line is not None:
+                return Typed(self._decoded(line), How.ENTER)
+            if self._ended or self._console.leaving is not None:
+                return Typed("", How.CLOSED)
+            if self._console.wait(reading=True):
+                self._take(self._console.read())
+            elif self._console.take_interrupt():
+                return Typed("", How.INTERRUPTED)
+
+    def _take(self, data: bytes) -> None:
+        self._pending += data
+        self._ended = not data
+
+    def _next_line(self) -> bytes | None:
+        line, newline, rest = self._pending.partition(b"\n")
+        if newline or (self._pending and self._ended) or len(line) >= LONGEST_PLAIN:
+            self._pending = rest
+            return line
+        return None
+
+    def _decoded(self, line: bytes) -> str:
+        """UTF-8, else the old code page of our learners' languages."""
+        try:
+            text = line.decode("utf-8")
+        except UnicodeDecodeError:
+            text = line.decode("cp1252", errors="replace")
+        was_first, self._is_first = self._is_first, False
+        return text.removeprefix("\ufeff" if was_first else "").rstrip("\r")

@@ -1,0 +1,86 @@
+"""The lines typed before, in this session and in earlier ones.
+
+Rule: the file is a comfort. Whatever is wrong with it, nobody hears of it and nothing else suffers.
+"""
+
+from __future__ import annotations
+
+import contextlib
+import os
+from pathlib import Path
+
+KEPT = 1000
+"""Lines that are remembered."""
+LARGEST_FILE = 4 * 1024 * 1024
+"""Bytes; a larger file is not ours."""
+LONGEST_LINE = 2000
+
+
+class Past:
+    """Typed lines, oldest first."""
+
+    def __init__(self, file: Path | None = None) -> None:
+        self._file = file
+        self.lines: list[str] = _read(file)[-KEPT:] if file else []
+
+    def remember(self, line: str) -> None:
+        """One line more, unless it is empty or the same as the last."""
+        line = line.strip()
+        if not line or len(line) > LONGEST_LINE or self.lines[-1:] == [line]:
+            return
+        self.lines.append(line)
+        del self.lines[:-KEPT]
+        if self._file:
+            _append(self._file, line)
+
+    def trim(self) -> None:
+        """Shorten the file to what is remembered, once it has grown to twice that."""
+        file = self._file
+        if file and len(_read(file)) > 2 * KEPT:
+            with contextlib.suppress(OSError):
+                beside = file.with_name(file.name + ".new")
+                beside.write_text("".join(f"{line}\n" for line in self.lines), encoding="utf-8")
+                beside.replace(file)
+
+
+class Recall:
+    """One walk through the past, from the line that is being typed."""
+
+    def __init__(self, past: Past, draft: str = "") -> None:
+        self._lines = [*past.lines, draft]
+        self._at = len(past.lines)
+
+    def older(self, typed: str) -> str | None:
+        """The line before, or None at the oldest. ``typed`` is kept for the way back."""
+        return self._go(-1, typed)
+
+    def newer(self, typed: str) -> str | None:
+        return self._go(1, typed)
+
+    def _go(self, step: int, typed: str) -> str | None:
+        if not 0 <= self._at + step < len(self._lines):
+            return None
+        self._lines[self._at] = typed
+        self._at += step
+        return self._lines[self._at]
+
+
+def _read(file: Path) -> list[str]:
+    """The lines of the file, none if it can't be read or holds something else."""
+    try:
+        if file.stat().st_size > LARGEST_FILE:
+            return []
+        text = file.read_text(encoding="utf-8")
+    except (OSError, ValueError):
+        return []
+    lines = (line.strip() for line in text.split("\n"))
+    return [line for line in lines if line and line.isprintable() and len(line) <= LONGEST_LINE]
+
+
+def _append(file: Path, line: str) -> None:
+    """For the learner's eyes only: a program may hold what is nobody else's business."""
+    with contextlib.suppress(OSError, ValueError):
+        file.parent.mkdir(parents=True, exist_ok=True)
+        handle = os.open(file, os.O_WRONLY | os.O_APPEND | os.O_CREAT, 0o600)
+        with os.fdopen(handle, "w", encoding="utf-8") as out:
+            out.write(line + "\n")

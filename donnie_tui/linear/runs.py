@@ -1,0 +1,236 @@
+"""Running what is typed, and watching it: lines are printed as they come, Ctrl+C stops the robot first.
+
+Rules: the program's thread never prints; keys that are pressed meanwhile wait; a run that has said nothing
+for a while says that it is still there.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from enum import Enum, auto
+from pathlib import Path
+
+from donnie_tui.core.events import Outcome, RunEnded, Stamped
+from donnie_tui.core.runner import Run
+from donnie_tui.linear.desk import Desk
+from donnie_tui.linear.output import LARGEST_BLOCK
+from donnie_tui.linear.reader import Typed
+from donnie_tui.linear.told import Told
+from language.control import ControlState, ExecutionControl
+
+GRACE = 0.025
+"""Seconds that a line waits for the ones after it, so that an answer and the prompt go out together."""
+FIRST_SIGN, NEXT_SIGN = 3.0, 10.0
+"""Seconds without a line after which a run says that it is still there, at first and from then on."""
+HEARTBEAT = 1.0
+LONGEST_STOP = 2.0
+"""Seconds that we wait for a program to end before we leave without it."""
+
+
+class Hold(Enum):
+    """What somebody wants who steps through a program."""
+
+    NEXT = auto()
+    REST = auto()
+    STOP = auto()
+
+
+class Runs:
+    """Runs programs at a desk, one after the other."""
+
+    def __init__(self, desk: Desk, told: Told, wish_of: Callable[[Typed], Hold | None]) -> None:
+        """``wish_of`` tells what a line means to a program that is held, and does what else it asks for."""
+        self._desk = desk
+        self._console = desk.console
+        self._told = told
+        self._wish_of = wish_of
+        self._ended = False
+        self._held = False
+        self._stopping = False
+        self._left_out = 0
+        self._sign_due = 0.0
+        desk.session.hub.subscribe(self._hear)
+
+    # --- what to run
+
+    def run_waiting(self, last: str | None = None, *, stepping: bool = False) -> None:
+        """Run the lines that wait, and ``last``, which is no part of the program."""
+        program = self._desk.program
+        if not program.is_waiting and last is None:
+            self._desk.answer("linear-nothing-to-run")
+            return
+        batch = program.take_batch(last)
+        run = self._run(batch.text, batch.first_line, stepping=stepping)
+        if not run.was_refused:
+            program.batch_ran()
+        elif program.batch_was_refused():
+            self._desk.answer("linear-kept", line=self._desk.errors[0].line if self._desk.errors else 1)
+
+    def run_all(self) -> None:
+        """Run the whole program from the start of the world."""
+        program = self._desk.program
+        program.rewind()
+        if not program.is_waiting:
+            self._desk.answer("linear-nothing-to-run")
+            return
+        run = self._run(program.text, 1, fresh=True)
+        if not run.was_refused:
+            program.batch_ran()
+
+    def _run(self, text: str, first_line: int, *, fresh: bool = False, stepping: bool = False) -> Run:
+        self._ended = self._held = self._stopping = False
+        self._left_out = 0
+        self._told.hold_back()
+        try:
+            run = self._desk.session.start(
+                text,
+                self._name(),
+                fresh=fresh,
+                first_line=first_line,
+                prepare=self._hold_at_start if stepping else None,
+            )
+            self._watch(run)
+        finally:
+            self._told.let_pass()
+        if run.outcome is Outcome.QUIT:
+            self._desk.leaving = 0
+        return run
+
+    def _name(self) -> str:
+        name = self._desk.program.name
+        return Path(name).name if name else "typed"
+
+    # --- watching
+
+    def _hear(self, stamped: Stamped) -> None:
+        """In the program's thread."""
+        if isinstance(stamped.event, RunEnded):
+            self._ended = True
+            self._console.nudge()
+
+    def _watch(self, run: Run) -> None:
+        """Until the run is over. What it says last is left for the prompt to take along."""
+        self._console.stop_at_once = self._stop_at_once
+        stopped_at: int | None = None
+        self._expect_sign(FIRST_SIGN)
+        while not self._is_over(run):
+            if self._console.leaving is not None:
+                self._stop()
+                run.wait(LONGEST_STOP)
+                break
+            if self._console.take_interrupt() and not self._stopping:
+                stopped_at = self._stop_and_tell_where()
+            elif self._held:
+                stopped_at = self._while_held(run)
+            else:
+                self._print_what_comes()
+        self._console.stop_at_once = lambda: None
+        if run.outcome is Outcome.STOPPED and self._console.leaving is None:
+            self._tell_stopped(stopped_at)
+
+    def _is_over(self, run: Run) -> bool:
+        return run.is_over or (self._ended and run.wait(LONGEST_STOP))
+
+    def _print_what_comes(self) -> None:
+        if self._told:
+            self._wait_for_more()
+            if not self._ended:
+                self._left_out += self._desk.show_told()
+                self._expect_sign(NEXT_SIGN)
+        elif self._console.now() >= self._sign_due:
+            self._give_sign()
+        else:
+            self._console.wait(min(HEARTBEAT, self._sign_due - self._console.now()))
+
+    def _wait_for_more(self) -> None:
+        until = self._console.now() + GRACE
+        while not self._ended and not self._console.interrupted:
+            left = until - self._console.now()
+            if left <= 0:
+                return
+            self._console.wait(left)
+
+    # --- a sign of life
+
+    def _expect_sign(self, seconds: float) -> None:
+        self._sign_due = self._console.now() + seconds
+
+    def _give_sign(self) -> None:
+        line = self._line()
+        text = self._text_of(line)
+        if line is None or not text:
+            self._desk.answer("linear-still-running")
+        else:
+            self._desk.answer("linear-still-at", line=line, text=text)
+        self._desk.show_told()
+        self._expect_sign(NEXT_SIGN)
+
+    def _line(self) -> int | None:
+        """Where the program is."""
+        frames = self._desk.session.frames
+        return frames[0].line if frames else None
+
+    def _text_of(self, line: int | None) -> str:
+        lines = self._desk.program.lines
+        return lines[line - 1].strip() if line is not None and 0 < line <= len(lines) else ""
+
+    # --- stopping
+
+    def _stop_at_once(self) -> None:
+        """From a signal, while the terminal takes nothing."""
+        if not self._stopping:
+            self._stop()
+
+    def _stop(self) -> None:
+        self._stopping = True
+        self._desk.session.stop()
+        self._told.let_pass()
+
+    def _stop_and_tell_where(self) -> int | None:
+        line = self._line()
+        self._left_out += self._told.trim(LARGEST_BLOCK)
+        self._stop()
+        return line
+
+    def _tell_stopped(self, line: int | None) -> None:
+        if self._left_out:
+            self._desk.answer("linear-left-out", lines=self._left_out)
+        if line is None:
+            self._desk.answer("linear-stopped")
+        else:
+            self._desk.answer("linear-stopped-at", line=line)
+
+    # --- stepping
+
+    def _hold_at_start(self, control: ExecutionControl) -> None:
+        control.observe(self._state_changed)
+        control.pause()
+
+    def _state_changed(self, state: ControlState) -> None:
+        if state is ControlState.PAUSED:
+            self._held = True
+            self._console.nudge()
+
+    def _while_held(self, run: Run) -> int | None:
+        """Say where the program is, and do what is asked. The line, if it is to stop there."""
+        line = self._line()
+        self._desk.answer("linear-line", line=line or 0, text=self._text_of(line))
+        match self._ask_how_to_go_on():
+            case Hold.NEXT:
+                self._held = False
+                run.control.step()
+            case Hold.REST:
+                self._held = False
+                run.control.resume()
+            case Hold.STOP:
+                self._held = False
+                self._stop()
+                return line
+        self._expect_sign(FIRST_SIGN)
+        return None
+
+    def _ask_how_to_go_on(self) -> Hold:
+        while True:
+            wish = self._wish_of(self._desk.read("> "))
+            if wish is not None:
+                return wish

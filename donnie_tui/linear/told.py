@@ -1,0 +1,71 @@
+"""The lines that wait to be printed, between the threads that tell and the one that prints.
+
+Rules: nothing but printable text gets through; nothing is lost; and no program eats the memory: one that
+tells faster than anybody reads is held back, until it is stopped.
+"""
+
+from __future__ import annotations
+
+import threading
+from collections.abc import Callable, Iterable
+
+CAPACITY = 500
+"""Lines that may wait before a program is held back."""
+
+
+class Told:
+    """Lines in the order in which they were told."""
+
+    def __init__(self, nudge: Callable[[], None], capacity: int = CAPACITY) -> None:
+        """``nudge`` is called when the first line comes after there was none."""
+        self._nudge = nudge
+        self._capacity = capacity
+        self._lines: list[str] = []
+        self._changed = threading.Condition()
+        self._holds_back = False
+
+    def put(self, lines: Iterable[str]) -> None:
+        """Tell some lines, from any thread. What would print as an empty line is left out."""
+        said = [line for line in map(printable, lines) if line]
+        with self._changed:
+            self._changed.wait_for(self._has_room)
+            was_empty = not self._lines
+            self._lines += said
+        if was_empty and said:
+            self._nudge()
+
+    def take(self) -> list[str]:
+        """All the lines that wait."""
+        with self._changed:
+            lines, self._lines = self._lines, []
+            self._changed.notify_all()
+        return lines
+
+    def trim(self, kept: int) -> int:
+        """Leave only the ``kept`` newest lines. How many were left out."""
+        with self._changed:
+            left_out = max(0, len(self._lines) - kept)
+            del self._lines[:left_out]
+            self._changed.notify_all()
+        return left_out
+
+    def __len__(self) -> int:
+        return len(self._lines)
+
+    def hold_back(self) -> None:
+        """From now on whoever tells too much waits. Only while another thread prints."""
+        self._holds_back = True
+
+    def let_pass(self) -> None:
+        """Nobody waits any more: the program was stopped, or is over."""
+        with self._changed:
+            self._holds_back = False
+            self._changed.notify_all()
+
+    def _has_room(self) -> bool:
+        return not self._holds_back or len(self._lines) < self._capacity
+
+
+def printable(line: str) -> str:
+    """The line without anything that steers a terminal, and without blanks at its ends."""
+    return "".join(character if character.isprintable() else " " for character in line).strip()
