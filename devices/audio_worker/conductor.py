@@ -156,6 +156,11 @@ class Conductor:
         """Whether nothing is being said nor waits to be said."""
         return self._state in _FOR_GOOD or (not self._speaking and not self._retry and not self._queue)
 
+    @property
+    def is_speaking(self) -> bool:
+        """Whether the worker has a sentence to say."""
+        return self._speaking is not None
+
     def warm_up(self) -> None:
         """Have a worker ready before there is something to be heard."""
         self._wanted = True

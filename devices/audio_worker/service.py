@@ -72,6 +72,11 @@ class AudioService:
         return self._conductor.state
 
     @property
+    def is_speaking(self) -> bool:
+        """Whether the worker has a sentence to say."""
+        return self._conductor.is_speaking
+
+    @property
     def is_quiet(self) -> bool:
         """Whether nothing is being said nor waits to be said."""
         with self._changed:

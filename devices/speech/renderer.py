@@ -10,9 +10,11 @@ The system's espeak-ng comes first, then the one that espeakng-loader brings.
 from __future__ import annotations
 
 import ctypes
+import importlib
 import os
 import sys
 import tempfile
+import threading
 import wave
 from array import array
 from collections.abc import Iterator
@@ -23,6 +25,9 @@ from typing import Any
 from devices.sound.tones import SAMPLE_RATE
 from devices.speech.voices import LANGUAGES, Voice, VoiceSettings, base_language, choose_voice
 
+_MOST_TRIES = 5
+_MOST_POLLS = 1_000
+_POLL_SECONDS = 0.001
 _SYSTEM_LIBRARY = "libespeak-ng.so.1"
 
 
@@ -37,6 +42,8 @@ class Renderer:
         """Load it, some 0.1 s. ``prefer_bundled`` passes a system's espeak-ng over. Raises ``NoVoice``."""
         _make_espeak_findable(prefer_bundled)
         self._engine = _start_engine()
+        self._speaks_espeak = self._engine.driver_name == "espeak"
+        self._pause = threading.Event()
         self._try_it()
         self._voices = self._working_voices()
         if not self._voices:
@@ -54,9 +61,10 @@ class Renderer:
             raise NoVoice
         if not text.strip():  # pyttsx3 would wait for ever
             return array("h")
-        self._engine.setProperty("rate", settings.words_per_minute)
-        self._engine.setProperty("volume", settings.volume)
-        self._set_pitch(settings.pitch)
+        self._set("rate", settings.words_per_minute)
+        self._set("volume", round(settings.volume, 2))
+        if self._speaks_espeak:  # the other drivers know no pitch
+            self._set("pitch", settings.pitch)
         return self._rendered(text)
 
     def _try_it(self) -> None:
@@ -65,14 +73,32 @@ class Renderer:
             raise NoVoice
 
     def _rendered(self, text: str) -> array[int]:
+        self._settle()
         with _scratch_file() as path:
             self._engine.save_to_file(text, path)
             self._engine.runAndWait()
             return read_mono(path)
 
-    def _set_pitch(self, pitch: int) -> None:
-        if self._engine.driver_name == "espeak":  # the other drivers know none
-            self._engine.setProperty("pitch", pitch)
+    def _set(self, name: str, value: float) -> None:
+        """Set it until it is set: espeak-ng takes it later, and loses it if something else comes between."""
+        for _ in range(_MOST_TRIES):
+            if self._engine.getProperty(name) == value:
+                return
+            self._engine.setProperty(name, value)
+            self._settle()
+
+    def _settle(self) -> None:
+        """Wait until espeak-ng has done what it was told.
+
+        Otherwise pyttsx3, which ends every loop with a cancel if it finds espeak-ng busy, would throw away
+        settings on their way, or the next sentence.
+        """
+        if self._speaks_espeak:
+            espeak = importlib.import_module("pyttsx3.drivers._espeak")
+            for _ in range(_MOST_POLLS):
+                if not espeak.IsPlaying():
+                    return
+                self._pause.wait(_POLL_SECONDS)
 
     def _working_voices(self) -> dict[str, Voice]:
         offered = [Voice(each.id, _tags(each.languages)) for each in self._engine.getProperty("voices")]

@@ -130,7 +130,8 @@ def test_a_sound_device_is_a_card_that_plays_or_a_server(
     place.parent.mkdir(parents=True, exist_ok=True)
     place.touch()
     variables = {
-        key: str(tmp_path / value) if key == "XDG_RUNTIME_DIR" else value for key, value in environment.items()
+        key: str(tmp_path / value) if key == "XDG_RUNTIME_DIR" else value
+        for key, value in environment.items()
     }
 
     assert has_sound_device(variables, tmp_path) is found

@@ -38,7 +38,12 @@ def drained(queue: SpeechQueue) -> list[str]:
             id="alerts, answers, progress, hints",
         ),
         pytest.param(
-            [("a1", Urgency.ANSWER), ("s1", Urgency.PROGRAM), ("a2", Urgency.ANSWER), ("s2", Urgency.PROGRAM)],
+            [
+                ("a1", Urgency.ANSWER),
+                ("s1", Urgency.PROGRAM),
+                ("a2", Urgency.ANSWER),
+                ("s2", Urgency.PROGRAM),
+            ],
             ["a1", "s1", "a2", "s2"],
             id="answers and SPEAK share one line",
         ),
@@ -53,7 +58,9 @@ def drained(queue: SpeechQueue) -> list[str]:
             id="SPEAK repeats itself as often as the program does",
         ),
         pytest.param(
-            [("one", Urgency.ANSWER), ("one", Urgency.ANSWER)], ["one"], id="an answer at once again is said once"
+            [("one", Urgency.ANSWER), ("one", Urgency.ANSWER)],
+            ["one"],
+            id="an answer at once again is said once",
         ),
         pytest.param(
             [("one", Urgency.PROGRAM), ("one", Urgency.ANSWER)],

@@ -1,0 +1,373 @@
+"""The audio worker as a process: it speaks, is silenced, dies, freezes, and leaves nothing behind.
+
+The device is miniaudio's null device, which takes the sound at the right pace and throws it away.
+"""
+
+from __future__ import annotations
+
+import errno
+import json
+import os
+import signal
+import subprocess
+import sys
+import time
+from collections.abc import Callable, Iterator
+from contextlib import contextmanager
+from pathlib import Path
+
+import pytest
+
+from devices.audio_worker.conductor import State
+from devices.audio_worker.factory import make_audio, make_cue_player, make_speaker
+from devices.audio_worker.notices import AudioNotice, NoticeCode
+from devices.audio_worker.service import AudioService, AudioSettings
+from devices.ports.audio import Cue, Urgency, Utterance
+from devices.sound.silent import SilentCuePlayer
+from devices.sound.tones import CUE_NAMES
+from devices.speech.silent import SilentSpeaker
+from devices.speech.voices import VoiceSettings
+from tests.conftest import ROOT
+
+pytestmark = pytest.mark.skipif(sys.platform != "linux", reason="looks into /proc")
+
+LIMIT = 20.0
+"""Seconds after which something that should have happened has not."""
+
+FAST = VoiceSettings(words_per_minute=450)
+
+
+def eventually(is_so: Callable[[], bool]) -> bool:
+    """Wait for ``is_so``."""
+    end = time.monotonic() + LIMIT
+    while not is_so() and time.monotonic() < end:
+        time.sleep(0.005)
+    return is_so()
+
+
+def group_of(pid: int) -> set[int]:
+    """The processes that run in that process group."""
+    return {number for number in map(int, filter(str.isdigit, os.listdir("/proc"))) if in_group(number, pid)}  # noqa: PTH208
+
+
+def in_group(number: int, group: int) -> bool:
+    try:
+        fields = Path(f"/proc/{number}/stat").read_text().rpartition(")")[2].split()
+    except OSError:
+        return False
+    state, process_group = fields[0], int(fields[2])
+    return process_group == group and state not in "ZX"
+
+
+@contextmanager
+def audio(device: str = "null", **settings: object) -> Iterator[tuple[AudioService, list[AudioNotice]]]:
+    """A service whose worker is gone afterwards."""
+    notices: list[AudioNotice] = []
+    service = make_audio(AudioSettings(voice=FAST, device=device, **settings), notices.append)  # type: ignore[arg-type]
+    try:
+        yield service, notices
+    finally:
+        service.close()
+
+
+def warm(service: AudioService) -> int:
+    """Wait until the worker is ready. Its process id."""
+    service.warm_up()
+    assert eventually(lambda: service.state is State.READY)
+    assert service.worker_pid is not None
+    return service.worker_pid
+
+
+def say(service: AudioService, text: str, language: str = "en") -> None:
+    make_speaker(service).say(Utterance(text, Urgency.PROGRAM, language))
+
+
+def test_three_sentences_in_three_languages_are_spoken_to_their_end() -> None:
+    with audio() as (service, notices):
+        for language, text in (("en", "One."), ("pt", "Dois."), ("es", "Tres.")):
+            say(service, text, language)
+
+        assert service.wait_until_quiet(LIMIT)
+        assert (service.state, notices) == (State.READY, [])
+
+
+def test_every_cue_is_taken_and_an_unknown_one_harms_nothing() -> None:
+    with audio() as (service, notices):
+        pid = warm(service)
+        player = make_cue_player(service)
+        for name in (*CUE_NAMES, "trumpet"):
+            player.play(Cue(name, 45.0, 3.0))
+        player.silence()
+        say(service, "A.")
+
+        assert service.wait_until_quiet(LIMIT)
+        assert (service.worker_pid, notices) == (pid, [])
+
+
+def test_silence_forgets_all_that_was_said_and_keeps_the_worker_ready() -> None:
+    with audio() as (service, _):
+        warm(service)
+        for number in range(1000):
+            say(service, f"A sentence that would take a while, number {number}.")
+        make_speaker(service).silence()
+        assert service.is_quiet
+
+        say(service, "B.")
+        assert service.wait_until_quiet(LIMIT)
+
+
+def test_a_killed_worker_is_replaced_and_what_it_was_to_say_is_said() -> None:
+    with audio() as (service, notices):
+        pid = warm(service)
+        say(service, "This is heard after all.")
+        os.killpg(pid, signal.SIGKILL)
+
+        assert eventually(lambda: service.worker_pid not in (None, pid))
+        assert service.wait_until_quiet(LIMIT)
+        assert (service.state, notices) == (State.READY, [])
+
+
+def test_a_frozen_worker_holds_nobody_and_is_replaced() -> None:
+    with audio() as (service, _):
+        pid = warm(service)
+        os.kill(pid, signal.SIGSTOP)
+        for number in range(2000):
+            say(service, f"{number}.")
+            make_cue_player(service).play(Cue("bump"))
+
+        assert eventually(lambda: service.worker_pid not in (None, pid))
+        assert group_of(pid) == set()
+
+
+def test_a_frozen_worker_that_should_be_silent_is_ended() -> None:
+    with audio() as (service, _):
+        pid = warm(service)
+        say(service, "A sentence that takes a while to say.")
+        assert eventually(lambda: service.is_speaking)
+        os.kill(pid, signal.SIGSTOP)
+        make_speaker(service).silence()
+
+        assert eventually(lambda: service.worker_pid not in (None, pid))
+        assert group_of(pid) == set()
+
+
+def test_a_worker_that_dies_three_times_is_given_up_and_told() -> None:
+    with audio() as (service, notices):
+        service.warm_up()
+        killed: set[int] = set()
+
+        def kill_the_present_one() -> bool:
+            pid = service.worker_pid
+            if pid is not None and pid not in killed:
+                killed.add(pid)
+                os.killpg(pid, signal.SIGKILL)
+            return service.state is State.GIVEN_UP
+
+        assert eventually(kill_the_present_one)
+        assert eventually(lambda: notices == [AudioNotice(NoticeCode.AUDIO_GAVE_UP)])
+        assert len(killed) == 3
+        say(service, "Nothing.")
+        assert service.is_quiet
+
+
+def test_a_worker_that_can_not_be_started_is_given_up_and_told(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(sys, "executable", "/nowhere/python")
+    with audio() as (service, notices):
+        say(service, "Hello.")
+
+        assert service.wait_until_quiet(LIMIT)
+        assert eventually(lambda: notices == [AudioNotice(NoticeCode.AUDIO_GAVE_UP)])
+
+
+def test_without_a_device_it_is_told_once_and_no_process_stays() -> None:
+    with audio(device="none") as (service, notices):
+        say(service, "Hello.")
+
+        assert service.wait_until_quiet(LIMIT)
+        assert eventually(lambda: service.worker_pid is None)
+        assert notices == [AudioNotice(NoticeCode.NO_SOUND_DEVICE)]
+
+
+def test_after_closing_nothing_runs_and_everything_may_still_be_called() -> None:
+    with audio() as (service, notices):
+        pid = warm(service)
+        say(service, "A sentence that takes a while to say.")
+        assert eventually(lambda: service.is_speaking)
+        service.close()
+
+        assert group_of(pid) == set()
+        say(service, "Hello.")
+        make_cue_player(service).play(Cue("bump"))
+        make_speaker(service).silence()
+        service.warm_up()
+        service.close()
+        assert (service.worker_pid, service.is_quiet, notices) == (None, True, [])
+
+
+def test_closing_before_anything_was_heard_starts_nothing() -> None:
+    with audio() as (service, _):
+        service.close()
+
+        assert service.worker_pid is None
+
+
+def test_where_there_is_no_worker_speaker_and_cues_are_silent() -> None:
+    assert isinstance(make_speaker(None), SilentSpeaker)
+    assert isinstance(make_cue_player(None), SilentCuePlayer)
+
+
+PARENT = """
+import sys
+from devices.audio_worker.conductor import State
+from devices.audio_worker.factory import AudioSettings, make_audio
+audio = make_audio(AudioSettings(device={device!r}), lambda notice: None)
+audio.warm_up()
+with audio._changed:
+    audio._changed.wait_for(lambda: audio.state not in (State.IDLE, State.STARTING), 20)
+{then}
+"""
+
+TELL_AND_WAIT = "print(audio.worker_pid, flush=True); sys.stdin.read()"
+
+
+@contextmanager
+def parent_process(then: str) -> Iterator[tuple[subprocess.Popen[bytes], int]]:
+    """Another Python that has a worker, and that worker's process id."""
+    command = (sys.executable, "-c", PARENT.format(device="null", then=then))
+    with subprocess.Popen(command, cwd=ROOT, stdin=subprocess.PIPE, stdout=subprocess.PIPE) as parent:
+        assert parent.stdout is not None
+        try:
+            yield parent, int(parent.stdout.readline())
+        finally:
+            parent.kill()
+
+
+@pytest.mark.parametrize("freeze", [False, True], ids=["busy", "frozen"])
+def test_a_worker_dies_with_a_parent_that_is_killed(freeze: bool) -> None:
+    with parent_process(TELL_AND_WAIT) as (parent, pid):
+        if freeze:
+            os.kill(pid, signal.SIGSTOP)
+        assert group_of(pid)
+        parent.kill()
+        parent.wait()
+
+        assert eventually(lambda: not group_of(pid))
+
+
+def test_a_parent_that_ends_without_closing_leaves_nothing() -> None:
+    with parent_process("print(audio.worker_pid, flush=True)") as (parent, pid):
+        assert parent.wait(LIMIT) == 0
+
+        assert eventually(lambda: not group_of(pid))
+
+
+def output_on_a_terminal(code: str) -> bytes:
+    """All bytes that a Python with ``code`` and what it starts write to their terminal."""
+    ours, theirs = os.openpty()
+    command = (sys.executable, "-c", code)
+    with subprocess.Popen(
+        command, cwd=ROOT, stdin=theirs, stdout=theirs, stderr=theirs, start_new_session=True
+    ):
+        os.close(theirs)
+        output = b"".join(iter(lambda: read_terminal(ours), b""))
+    os.close(ours)
+    return output
+
+
+def read_terminal(descriptor: int) -> bytes:
+    try:
+        return os.read(descriptor, 4096)
+    except OSError as reason:
+        if reason.errno == errno.EIO:  # the other end was closed
+            return b""
+        raise
+
+
+@pytest.mark.parametrize("device", ["auto", "null"])
+def test_not_one_byte_reaches_the_terminal(device: str) -> None:
+    say_and_close = """
+from devices.ports.audio import Cue, Urgency, Utterance
+audio.set_cue_volumes({"bump": 0.0001})
+audio.play(Cue("bump"))
+audio.say(Utterance("", Urgency.PROGRAM, "en"))
+audio.wait_until_quiet(5)
+audio.close()
+"""
+
+    assert output_on_a_terminal(PARENT.format(device=device, then=say_and_close)) == b""
+
+
+def test_the_worker_is_ours_wherever_the_learner_is(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    package = tmp_path / "devices" / "audio_worker"
+    package.mkdir(parents=True)
+    for file in (package.parent / "__init__.py", package / "__init__.py", package / "__main__.py"):
+        file.write_text("raise SystemExit(1)\n")
+    monkeypatch.chdir(tmp_path)
+    with audio() as (service, notices):
+        warm(service)
+
+        assert notices == []
+
+
+def test_complaints_of_the_libraries_go_to_the_log(tmp_path: Path) -> None:
+    log = tmp_path / "audio.log"
+    with audio(log=log) as (service, _):
+        warm(service)
+
+        assert log.exists()
+
+
+RENDER = """
+import json, sys
+from devices.sound.tones import SAMPLE_RATE
+from devices.speech.renderer import NoVoice, Renderer
+from devices.speech.voices import VoiceSettings
+try:
+    renderer = Renderer({bundled})
+except NoVoice:
+    sys.exit("no voice")
+def seconds(text, language, words_per_minute=180):
+    return len(renderer.render(text, language, VoiceSettings(words_per_minute))) / SAMPLE_RATE
+def refuses(language):
+    try:
+        seconds("Bonjour.", language)
+    except NoVoice:
+        return True
+    return False
+facts = dict(
+    languages=renderer.languages,
+    seconds=[seconds("I walked 10 steps.", language) for language in renderer.languages],
+    loudest=max(renderer.render("Hello.", "en", VoiceSettings())),
+    slow=seconds("I walked 10 steps.", "en", 80), fast=seconds("I walked 10 steps.", "en", 400),
+    quiet=max(renderer.render("Hello.", "en", VoiceSettings(volume=0.1))),
+    nothing=seconds("  ", "en"), signs=seconds("...", "en"),
+    twice=[seconds("Hi.", "en"), seconds("Hi.", "en")],
+    french=refuses("fr"),
+    changing=[seconds("Ten steps.", "en", rate) for rate in (80, 400) * 20],
+)
+print("facts", json.dumps(facts))
+"""
+
+
+@pytest.mark.parametrize("bundled", [False, True], ids=["the system's", "the bundled"])
+def test_a_sentence_is_rendered_to_sound_by_the_voice_of_its_language(bundled: bool) -> None:
+    """In a process of its own: pyttsx3 is never loaded into Donnie's."""
+    done = subprocess.run(
+        (sys.executable, "-c", RENDER.format(bundled=bundled)),
+        cwd=ROOT,
+        capture_output=True,
+        text=True,
+        timeout=60,
+    )
+    if "no voice" in done.stderr:
+        pytest.skip("needs espeak-ng")
+    facts = json.loads(done.stdout.rpartition("facts")[2])
+
+    assert facts["languages"] == ["en", "pt", "es"]
+    assert all(0.5 < seconds < 5.0 for seconds in facts["seconds"])
+    assert facts["slow"] > 1.5 * facts["fast"]
+    assert facts["loudest"] > 3 * facts["quiet"] > 0
+    assert facts["nothing"] == 0.0
+    assert facts["twice"][0] == pytest.approx(facts["twice"][1], abs=0.01)
+    assert facts["french"]
+    assert min(facts["changing"][0::2]) > 1.5 * max(facts["changing"][1::2])

@@ -1,0 +1,120 @@
+"""The command-line player, with scripts in place of the real ones."""
+
+from __future__ import annotations
+
+import sys
+import threading
+import wave
+from array import array
+from pathlib import Path
+
+import pytest
+
+from devices.sound.command_player import CommandPlayer, find_command_player
+from devices.sound.tones import SAMPLE_RATE
+
+pytestmark = pytest.mark.skipif(sys.platform == "win32", reason="the commands exist on Unix only")
+
+LIMIT = 20.0
+
+KEEP = 'case "$1" in -q) shift;; esac; cat "$1" > "$HOME/$(basename "$0").wav"'
+HANG = "while :; do :; done"
+PLAY_THE_TRIAL_THEN_HANG = f'[ -e "$HOME/tried" ] || {{ : > "$HOME/tried"; exit 0; }}; {HANG}'
+
+
+@pytest.fixture
+def commands(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
+    """A folder that is searched before the system's own, which holds no player then."""
+    folder = tmp_path / "bin"
+    folder.mkdir()
+    for name in ("pw-play", "paplay", "aplay"):
+        provide(folder, name, "exit 1")
+    monkeypatch.setenv("PATH", f"{folder}:/usr/bin:/bin")
+    monkeypatch.setenv("HOME", str(tmp_path))
+    return folder
+
+
+def provide(folder: Path, name: str, script: str) -> None:
+    file = folder / name
+    file.write_text(f"#!/bin/sh\n{script}\n")
+    file.chmod(0o755)
+
+
+def found() -> CommandPlayer:
+    player = find_command_player()
+    assert player is not None
+    return player
+
+
+def played(path: Path) -> tuple[int, int, array[int]]:
+    """Channels, rate and samples of what a command was given."""
+    with wave.open(str(path), "rb") as file:
+        return file.getnchannels(), file.getframerate(), array("h", file.readframes(file.getnframes()))
+
+
+@pytest.mark.usefixtures("commands")
+def test_commands_that_all_complain_are_no_player() -> None:
+    assert find_command_player() is None
+
+
+@pytest.mark.parametrize("name", ["pw-play", "paplay", "aplay"])
+def test_the_command_that_works_is_chosen(commands: Path, name: str) -> None:
+    provide(commands, name, KEEP)
+
+    assert found().name == name
+
+
+def test_a_sentence_reaches_the_command_as_wav_and_its_end_is_told(commands: Path, tmp_path: Path) -> None:
+    provide(commands, "aplay", KEEP)
+    ended = threading.Event()
+    found().speak(array("h", [1, -2, 3]), on_end=ended.set)
+
+    assert ended.wait(LIMIT)
+    assert played(tmp_path / "aplay.wav") == (2, SAMPLE_RATE, array("h", [1, 1, -2, -2, 3, 3]))
+
+
+def test_a_hushed_command_is_ended(commands: Path) -> None:
+    provide(commands, "paplay", PLAY_THE_TRIAL_THEN_HANG)
+    player = found()
+    ended = threading.Event()
+    player.speak(array("h", [1]), on_end=ended.set)
+    player.cue("bump", array("h", [1, 1]), delay=0.0)
+    processes = [sound.process for sound in player._sounds]
+    player.hush(speech=True, cues=True)
+
+    assert [process.wait(LIMIT) for process in processes] == [-9, -9]
+    assert not player.is_playing
+    assert not ended.is_set()
+
+
+def test_of_three_cues_the_oldest_that_is_no_bump_ends(commands: Path) -> None:
+    provide(commands, "paplay", PLAY_THE_TRIAL_THEN_HANG)
+    player = found()
+    for name in ("bump", "found", "scan"):
+        player.cue(name, array("h", [1, 1]), delay=0.0)
+    still_there = [sound.cue for sound in player._sounds]
+    player.close()
+
+    assert still_there == ["bump", "scan"]
+
+
+def test_a_cue_that_waits_is_preceded_by_silence(commands: Path, tmp_path: Path) -> None:
+    provide(commands, "pw-play", KEEP)
+    player = found()
+    player.cue("bump", array("h", [7, 7]), delay=2 / SAMPLE_RATE)
+    for process in [sound.process for sound in player._sounds]:
+        process.wait(LIMIT)
+
+    assert played(tmp_path / "pw-play.wav")[2] == array("h", [0, 0, 0, 0, 7, 7])
+
+
+def test_a_command_that_fails_tells_no_end_so_that_it_is_noticed(commands: Path) -> None:
+    provide(commands, "paplay", '[ -e "$HOME/tried" ] && exit 1; : > "$HOME/tried"')
+    ended = threading.Event()
+    player = found()
+    player.speak(array("h", [1]), on_end=ended.set)
+    for thread in [thread for thread in threading.enumerate() if thread.name == "player"]:
+        thread.join(LIMIT)
+
+    assert not ended.is_set()
+    assert not player.is_playing
