@@ -2,9 +2,20 @@
 
 from __future__ import annotations
 
-from donnie_tui.i18n.catalogue import cli, devices, files, help, mistakes, movement, signs, tui, worlds  # noqa: A004
+from donnie_tui.i18n.catalogue import (
+    cli,
+    devices,
+    files,
+    help,  # noqa: A004 -- the module's own name
+    linear,
+    mistakes,
+    movement,
+    signs,
+    tui,
+    worlds,
+)
 from donnie_tui.i18n.sentence import Sentence
 
-TOPICS = (movement, mistakes, signs, help, worlds, files, devices, cli, tui)
+TOPICS = (movement, mistakes, signs, help, worlds, files, devices, cli, linear, tui)
 
 SENTENCES: dict[str, Sentence] = {code: each for topic in TOPICS for code, each in topic.SENTENCES.items()}
