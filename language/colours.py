@@ -4,10 +4,8 @@ from __future__ import annotations
 
 from language.diagnostics import Diagnostic, Kind
 from language.keywords import argument
-from language.lexer import KIND, Lexed, Token
+from language.lexer import Lexed, Token
 from language.syntax import Span
-
-_COLOUR = KIND["COLOUR"]
 
 
 def unseen_colours(lexed: Lexed, colours: frozenset[str] | None) -> tuple[Diagnostic, ...]:
@@ -15,9 +13,7 @@ def unseen_colours(lexed: Lexed, colours: frozenset[str] | None) -> tuple[Diagno
     if colours is None:
         return ()
     return tuple(
-        _unseen(lexed.source, token, colours)
-        for token in lexed.tokens
-        if token[0] == _COLOUR and _english(token) not in colours
+        _unseen(lexed.source, token, colours) for token in lexed.colours if _english(token) not in colours
     )
 
 

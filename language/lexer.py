@@ -91,6 +91,8 @@ class Lexed:
     mistakes: list[Diagnostic] = field(default_factory=list)
     flaws: list[int] = field(default_factory=list)
     """For each mistake, the index of the token that it is, or that it stands before."""
+    colours: list[Token] = field(default_factory=list)
+    """Those of the tokens that are colours."""
     open_quote: int | None = None
     """Where a string begins that ends nowhere."""
 
@@ -121,6 +123,7 @@ class _Lexer:
         self._tokens: list[Token] = []
         self._comments: list[Comment] = []
         self._flaws: list[tuple[Kind, int, int, int, int, int]] = []
+        self._colours: list[int] = []
         self._open_quote: int | None = None
         self.position = 0
 
@@ -182,6 +185,8 @@ class _Lexer:
         terminal = TAKES.get(before[0])
         if terminal is not None:
             if kind == NAME and self._is_argument(before[0], terminal, token):
+                if terminal == "COLOUR":
+                    self._colours.append(len(self._tokens))
                 return (KIND[terminal], start, end, line, start_column, text)
         elif before[0] == HELP:
             if before[3] == line and text[0].isalpha() and not self._is_target(end):
@@ -270,6 +275,7 @@ class _Lexer:
             self._comments,
             [self._diagnostic(*flaw[:-1]) for flaw in self._flaws],
             [flaw[-1] for flaw in self._flaws],
+            [tokens[index] for index in self._colours],
             self._open_quote,
         )
 

@@ -12,7 +12,7 @@ from dataclasses import dataclass
 from typing import Any
 
 from language.colours import unseen_colours
-from language.depth import nested_too_deeply
+from language.depth import SHALLOW, nested_too_deeply
 from language.diagnostics import Diagnostic, Kind
 from language.lexer import Lexed, Token, lex
 from language.recovery import mistakes_in
@@ -39,7 +39,7 @@ def parse(source: str, *, first_line: int = 1, colours: frozenset[str] | None = 
     English words; another one is a mistake. None allows all.
     """
     lexed = lex(source, first_line)
-    mistakes = nested_too_deeply(lexed.tokens) + unseen_colours(lexed, colours)
+    mistakes = unseen_colours(lexed, colours)
     if not mistakes and not lexed.mistakes:
         try:
             body = _tree(lexed)
@@ -49,6 +49,7 @@ def parse(source: str, *, first_line: int = 1, colours: frozenset[str] | None = 
         else:
             if body is not None:
                 return Parsed(Program(source, body), ())
+    mistakes += nested_too_deeply(lexed.tokens)
     return Parsed(None, mistakes_in(lexed, mistakes, first_line, colours))
 
 
@@ -57,6 +58,7 @@ def _tree(lexed: Lexed) -> tuple[Any, ...] | None:
 
     Any: what a reduction makes is as various as the tree.
     """
+    actions, gotos, is_deep = ACTIONS, GOTOS, False
     end: Token = (0, 0, 0, 0, 0, "")
     states = [START]
     parts: list[Any] = []
@@ -64,27 +66,33 @@ def _tree(lexed: Lexed) -> tuple[Any, ...] | None:
     reduce = _reductions(lexed.source)
     for token in (*lexed.tokens, end):
         kind = token[0]
-        action = ACTIONS[state][kind]
+        action = actions[state][kind]
         while action < 0:
             nonterminal, count, function = reduce[action]
             if function is None:
-                state = states[-1] = GOTOS[states[-2]][nonterminal]
+                state = states[-1] = gotos[states[-2]][nonterminal]
                 if state == END:
-                    return tuple(parts[-1])
+                    return None if is_deep and nested_too_deeply(lexed.tokens) else tuple(parts[-1])
             elif count == 1:
-                parts[-1] = function(parts[-1:])
-                state = states[-1] = GOTOS[states[-2]][nonterminal]
-            elif count:
-                made = function(parts[-count:])
-                del parts[-count:], states[-count:]
-                parts.append(made)
-                state = GOTOS[states[-1]][nonterminal]
+                parts[-1] = function(parts[-1])
+                state = states[-1] = gotos[states[-2]][nonterminal]
+            elif count == 2:
+                last = parts.pop()
+                parts[-1] = function(parts[-1], last)
+                del states[-1]
+                state = states[-1] = gotos[states[-2]][nonterminal]
+            elif count == 0:
+                parts.append(function())
+                state = gotos[state][nonterminal]
                 states.append(state)
             else:
-                parts.append(function(parts[:0]))
-                state = GOTOS[state][nonterminal]
+                is_deep = is_deep or len(states) > SHALLOW
+                made = function(*parts[-count:])
+                del parts[-count:], states[-count:]
+                parts.append(made)
+                state = gotos[states[-1]][nonterminal]
                 states.append(state)
-            action = ACTIONS[state][kind]
+            action = actions[state][kind]
         if action == 0:
             return None
         states.append(action)
@@ -93,6 +101,6 @@ def _tree(lexed: Lexed) -> tuple[Any, ...] | None:
     return None
 
 
-def _reductions(source: str) -> list[tuple[int, int, Callable[[list[Any]], Any] | None]]:
+def _reductions(source: str) -> list[tuple[int, int, Callable[..., Any] | None]]:
     functions = Reductions(source).functions(_REDUCTION_NAMES)
     return [(rule[0], rule[1], function) for rule, function in zip(RULES, functions, strict=True)]

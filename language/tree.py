@@ -1,8 +1,8 @@
 """What each alternative of grammar.lark makes of its parts.
 
-The parser calls the function that the grammar names. Parts are nodes, lists of nodes and, where a terminal
-stands, the lexer's token: kind, start, end, line, column, folded text. The spans are the learner's text from
-the first part to the last.
+The parser calls the function that the grammar names with the parts: nodes, lists of nodes and, where a
+terminal stands, the lexer's token (kind, start, end, line, column, folded text). The spans are the
+learner's text from the first part to the last. The nodes that programs have most of are made by quick twins.
 """
 
 from __future__ import annotations
@@ -14,7 +14,14 @@ from devices.ports.robot import Bearing
 from language import syntax
 from language.keywords import argument
 from language.lexer import KIND, Token
+from language.quick import quick
 from language.syntax import Binary, Condition, Direction, Name, Negative, Number, Side, Span
+
+span, number, name = quick(Span), quick(Number), quick(Name)
+binary, condition = quick(Binary), quick(Condition)
+declare, assign = quick(syntax.Declare), quick(syntax.Assign)
+speak, text = quick(syntax.Speak), quick(syntax.Text)
+walk, turn = quick(syntax.Walk), quick(syntax.Turn)
 
 MOST_LEVELS = 200
 """Of an expression: signs and operators in each other. What walks the tree may do so recursively."""
@@ -42,70 +49,68 @@ class Reductions:
         self._levels: dict[int, int] = {}
         """How many levels a long expression has, by its identity."""
 
-    def functions(self, names: list[str]) -> list[Callable[[list[Any]], Any] | None]:
+    def functions(self, names: list[str]) -> list[Callable[..., Any] | None]:
         """In the order of ``names``; None for an empty name."""
         return [getattr(self, name) if name else None for name in names]
 
     # --- lists ---------------------------------------------------------------------------------------
 
     @staticmethod
-    def none(_parts: list[Any]) -> list[Any]:
+    def none() -> list[Any]:
         return []
 
     @staticmethod
-    def more(parts: list[Any]) -> Any:
-        parts[0].append(parts[1])
-        return parts[0]
+    def more(statements: list[Any], statement: Any) -> list[Any]:
+        statements.append(statement)
+        return statements
 
     @staticmethod
-    def hand_on_first(parts: list[Any]) -> Any:
-        return parts[0]
+    def hand_on_first(statements: list[Any], _semicolon: Token) -> list[Any]:
+        return statements
 
     @staticmethod
-    def first(parts: list[Any]) -> list[Any]:
-        return [parts[0]]
+    def first(expression: Any) -> list[Any]:
+        return [expression]
 
     @staticmethod
-    def next_(parts: list[Any]) -> Any:
-        parts[0].append(parts[2])
-        return parts[0]
+    def next_(expressions: list[Any], _comma: Token, expression: Any) -> list[Any]:
+        expressions.append(expression)
+        return expressions
 
     @staticmethod
-    def first_name(parts: list[Any]) -> list[Name]:
-        return [_name(parts[0])]
+    def first_name(name: Token) -> list[Name]:
+        return [_name(name)]
 
     @staticmethod
-    def next_name(parts: list[Any]) -> Any:
-        parts[0].append(_name(parts[2]))
-        return parts[0]
+    def next_name(names: list[Name], _comma: Token, name: Token) -> list[Name]:
+        names.append(_name(name))
+        return names
 
     # --- expressions ---------------------------------------------------------------------------------
 
     @staticmethod
-    def number(parts: list[Token]) -> Number:
-        _, start, end, line, column, digits = parts[0]
-        return Number(Span(start, end, line, column), int(digits) if end - start < _CHUNK else _long(digits))
+    def number(token: Token) -> Number:
+        _, start, end, line, column, digits = token
+        return number(span(start, end, line, column), int(digits) if end - start < _CHUNK else _long(digits))
 
     @staticmethod
-    def name(parts: list[Token]) -> Name:
-        _, start, end, line, column, text = parts[0]
-        return Name(Span(start, end, line, column), text)
+    def name(token: Token) -> Name:
+        _, start, end, line, column, text = token
+        return name(span(start, end, line, column), text)
 
-    def signed(self, parts: list[Any]) -> Any:
-        sign, operand = parts
+    def signed(self, sign: Token, operand: Any) -> Any:
         whole = _to(sign, operand)
         made = _respanned(operand, whole) if sign[5] == "+" else Negative(whole, operand)
         return self._limited(made) if whole.end - whole.start >= MOST_LEVELS else made
 
-    def binary(self, parts: list[Any]) -> Any:
-        left, operator, right = parts
+    def binary(self, left: Any, operator: Token, right: Any) -> Any:
         whole = _between(left, right)
-        made = Binary(whole, operator[5], left, right)
+        made = binary(whole, operator[5], left, right)
         return self._limited(made) if whole.end - whole.start >= MOST_LEVELS else made
 
-    def parenthesised(self, parts: list[Any]) -> Any:
-        whole = _tokens_span(parts[0], parts[2])
-        made = _respanned(parts[1], whole)
+    def parenthesised(self, opening: Token, inner: Any, closing: Token) -> Any:
+        whole = _tokens_span(opening, closing)
+        made = _respanned(inner, whole)
         return self._limited(made) if whole.end - whole.start >= MOST_LEVELS else made
 
     def _limited(self, node: Any) -> Any:
@@ -125,145 +130,152 @@ class Reductions:
         return 1 + max(map(self._level, operands))
 
     @staticmethod
-    def distance(parts: list[Token]) -> syntax.Distance:
-        bearing = _value("DIRECTION", parts[1]) if len(parts) > 1 else Bearing.FRONT
-        return syntax.Distance(_tokens_span(parts[0], parts[-1]), bearing)
+    def distance(word: Token, direction: Token | None = None) -> syntax.Distance:
+        bearing = _value("DIRECTION", direction) if direction else Bearing.FRONT
+        return syntax.Distance(_tokens_span(word, direction or word), bearing)
 
     @staticmethod
-    def position(parts: list[Token]) -> syntax.Position:
-        return syntax.Position(_tokens_span(parts[0], parts[1]), _value("AXIS", parts[1]))
+    def position(word: Token, axis: Token) -> syntax.Position:
+        return syntax.Position(_tokens_span(word, axis), _value("AXIS", axis))
 
     @staticmethod
-    def colour(parts: list[Token]) -> syntax.Colour:
-        return syntax.Colour(_tokens_span(parts[0], parts[1]), _value("COLOUR", parts[1]))
+    def colour(word: Token, seen: Token) -> syntax.Colour:
+        return syntax.Colour(_tokens_span(word, seen), _value("COLOUR", seen))
 
     @staticmethod
-    def condition(parts: list[Any]) -> Condition:
-        left, comparator, right = parts
-        return Condition(_between(left, right), comparator[5], left, right)
+    def condition(left: Any, comparator: Token, right: Any) -> Condition:
+        return condition(_between(left, right), comparator[5], left, right)
 
     # --- commands ------------------------------------------------------------------------------------
 
     @staticmethod
-    def declare(parts: list[Any]) -> syntax.Declare:
-        var, name = parts[0], _name(parts[1])
-        value = parts[3] if len(parts) > 2 else None
-        return syntax.Declare(_to(var, value or name), name, value)
+    def declare(var: Token, new: Token, _equals: Token | None = None, value: Any = None) -> syntax.Declare:
+        declared = _name(new)
+        return declare(_to(var, value or declared), declared, value)
 
     @staticmethod
-    def assign(parts: list[Any]) -> syntax.Assign:
-        return syntax.Assign(_to(parts[0], parts[2]), _name(parts[0]), parts[2])
+    def assign(target: Token, _equals: Token, value: Any) -> syntax.Assign:
+        return assign(_to(target, value), _name(target), value)
 
     @staticmethod
-    def call_without(parts: list[Any]) -> syntax.Call:
-        return syntax.Call(_tokens_span(parts[0], parts[2]), _name(parts[0]), ())
+    def call_without(called: Token, _opening: Token, closing: Token) -> syntax.Call:
+        return syntax.Call(_tokens_span(called, closing), _name(called), ())
 
     @staticmethod
-    def call(parts: list[Any]) -> syntax.Call:
-        return syntax.Call(_tokens_span(parts[0], parts[3]), _name(parts[0]), tuple(parts[2]))
+    def call(called: Token, _opening: Token, arguments: list[Any], closing: Token) -> syntax.Call:
+        return syntax.Call(_tokens_span(called, closing), _name(called), tuple(arguments))
 
     @staticmethod
-    def speak(parts: list[Any]) -> syntax.Speak:
-        return syntax.Speak(_to(parts[0], parts[1]), parts[1])
+    def speak(word: Token, what: Any) -> syntax.Speak:
+        return speak(_to(word, what), what)
 
-    def speak_text(self, parts: list[Any]) -> syntax.Speak:
-        word, string = parts
-        text = self._source[string[1] + 1 : string[2] - 1]
-        if "\r" in text:
-            text = text.replace("\r\n", "\n").replace("\r", "\n")
-        return syntax.Speak(_tokens_span(word, string), syntax.Text(_token_span(string), text))
-
-    @staticmethod
-    def sound(parts: list[Token]) -> syntax.Sound:
-        return syntax.Sound(_tokens_span(*parts), _value("SWITCH", parts[1]))
+    def speak_text(self, word: Token, string: Token) -> syntax.Speak:
+        said = self._source[string[1] + 1 : string[2] - 1]
+        if "\r" in said:
+            said = said.replace("\r\n", "\n").replace("\r", "\n")
+        return speak(_tokens_span(word, string), text(_token_span(string), said))
 
     @staticmethod
-    def walk(parts: list[Any]) -> syntax.Walk:
-        return syntax.Walk(_to(*parts), _DIRECTIONS[parts[0][0]], parts[1])
+    def sound(word: Token, switch: Token) -> syntax.Sound:
+        return syntax.Sound(_tokens_span(word, switch), _value("SWITCH", switch))
 
     @staticmethod
-    def turn(parts: list[Any]) -> syntax.Turn:
-        return syntax.Turn(_to(*parts), _SIDES[parts[0][0]], parts[1])
+    def walk(word: Token, steps: Any) -> syntax.Walk:
+        return walk(_to(word, steps), _DIRECTIONS[word[0]], steps)
 
     @staticmethod
-    def scan(parts: list[Token]) -> syntax.Scan:
-        return syntax.Scan(_token_span(parts[0]))
+    def turn(word: Token, degrees: Any) -> syntax.Turn:
+        return turn(_to(word, degrees), _SIDES[word[0]], degrees)
 
     @staticmethod
-    def state(parts: list[Token]) -> syntax.State:
-        return syntax.State(_token_span(parts[0]))
+    def scan(word: Token) -> syntax.Scan:
+        return syntax.Scan(_token_span(word))
 
     @staticmethod
-    def history(parts: list[Token]) -> syntax.History:
-        return syntax.History(_token_span(parts[0]))
+    def state(word: Token) -> syntax.State:
+        return syntax.State(_token_span(word))
 
     @staticmethod
-    def tell_position(parts: list[Token]) -> syntax.TellPosition:
-        return syntax.TellPosition(_token_span(parts[0]))
+    def history(word: Token) -> syntax.History:
+        return syntax.History(_token_span(word))
 
     @staticmethod
-    def unused(parts: list[Any]) -> syntax.Unused:
-        return syntax.Unused(parts[0].span, parts[0])
+    def tell_position(word: Token) -> syntax.TellPosition:
+        return syntax.TellPosition(_token_span(word))
 
     @staticmethod
-    def wait(parts: list[Any]) -> syntax.Wait:
-        return syntax.Wait(_to(*parts), parts[1])
+    def unused(sensor: Any) -> syntax.Unused:
+        return syntax.Unused(sensor.span, sensor)
 
     @staticmethod
-    def belt(parts: list[Token]) -> syntax.BeltSwitch:
-        return syntax.BeltSwitch(_tokens_span(*parts), _value("SWITCH", parts[1]))
+    def wait(word: Token, seconds: Any) -> syntax.Wait:
+        return syntax.Wait(_to(word, seconds), seconds)
 
     @staticmethod
-    def vibrate(parts: list[Token]) -> syntax.Vibrate:
-        return syntax.Vibrate(_tokens_span(*parts), _value("DIRECTION", parts[1]))
-
-    def help_(self, parts: list[Token]) -> syntax.Help:
-        topic = " ".join(self._source[parts[1][1] : parts[1][2]].split()) if len(parts) > 1 else None
-        return syntax.Help(_tokens_span(parts[0], parts[-1]), topic)
+    def belt(word: Token, switch: Token) -> syntax.BeltSwitch:
+        return syntax.BeltSwitch(_tokens_span(word, switch), _value("SWITCH", switch))
 
     @staticmethod
-    def quit_(parts: list[Token]) -> syntax.Quit:
-        return syntax.Quit(_token_span(parts[0]))
+    def vibrate(word: Token, direction: Token) -> syntax.Vibrate:
+        return syntax.Vibrate(_tokens_span(word, direction), _value("DIRECTION", direction))
+
+    def help_(self, word: Token, topic: Token | None = None) -> syntax.Help:
+        typed = " ".join(self._source[topic[1] : topic[2]].split()) if topic else None
+        return syntax.Help(_tokens_span(word, topic or word), typed)
 
     @staticmethod
-    def run(parts: list[Token]) -> syntax.RunTyped:
-        return syntax.RunTyped(_token_span(parts[0]))
+    def quit_(word: Token) -> syntax.Quit:
+        return syntax.Quit(_token_span(word))
+
+    @staticmethod
+    def run(word: Token) -> syntax.RunTyped:
+        return syntax.RunTyped(_token_span(word))
 
     # --- blocks --------------------------------------------------------------------------------------
 
     @staticmethod
-    def if_(parts: list[Any]) -> syntax.If:
-        return syntax.If(_tokens_span(parts[0], parts[4]), parts[1], tuple(parts[3]), None)
+    def if_(word: Token, test: Condition, _then: Token, body: list[Any], end: Token) -> syntax.If:
+        return syntax.If(_tokens_span(word, end), test, tuple(body), None)
 
     @staticmethod
-    def if_else(parts: list[Any]) -> syntax.If:
-        return syntax.If(_tokens_span(parts[0], parts[6]), parts[1], tuple(parts[3]), tuple(parts[5]))
+    def if_else(
+        word: Token,
+        test: Condition,
+        _then: Token,
+        body: list[Any],
+        _else: Token,
+        other: list[Any],
+        end: Token,
+    ) -> syntax.If:
+        return syntax.If(_tokens_span(word, end), test, tuple(body), tuple(other))
 
     @staticmethod
-    def for_(parts: list[Any]) -> syntax.For:
-        whole = _tokens_span(parts[0], parts[8])
-        return syntax.For(whole, parts[1], parts[3], parts[5], tuple(parts[7]))
+    def for_(word: Token, start: Any, _1: Token, test: Condition, _2: Token, *rest: Any) -> syntax.For:
+        step, _do, body, end = rest
+        return syntax.For(_tokens_span(word, end), start, test, step, tuple(body))
 
     @staticmethod
-    def repeat(parts: list[Any]) -> syntax.Repeat:
-        return syntax.Repeat(_tokens_span(parts[0], parts[-1]), parts[1], tuple(parts[-2]))
+    def repeat(word: Token, times: Any, _times: Token, *rest: Any) -> syntax.Repeat:
+        *_do, body, end = rest
+        return syntax.Repeat(_tokens_span(word, end), times, tuple(body))
 
     @staticmethod
-    def while_(parts: list[Any]) -> syntax.While:
-        return syntax.While(_tokens_span(parts[0], parts[4]), parts[1], tuple(parts[3]))
+    def while_(word: Token, test: Condition, _do: Token, body: list[Any], end: Token) -> syntax.While:
+        return syntax.While(_tokens_span(word, end), test, tuple(body))
 
     @staticmethod
-    def procedure(parts: list[Any]) -> syntax.Procedure:
-        return syntax.Procedure(_tokens_span(parts[0], parts[4]), _name(parts[1]), (), tuple(parts[3]))
+    def procedure(word: Token, new: Token, _do: Token, body: list[Any], end: Token) -> syntax.Procedure:
+        return syntax.Procedure(_tokens_span(word, end), _name(new), (), tuple(body))
 
     @staticmethod
-    def procedure_with(parts: list[Any]) -> syntax.Procedure:
-        whole = _tokens_span(parts[0], parts[6])
-        return syntax.Procedure(whole, _name(parts[1]), tuple(parts[3]), tuple(parts[5]))
+    def procedure_with(
+        word: Token, new: Token, _colon: Token, names: list[Name], _do: Token, body: list[Any], end: Token
+    ) -> syntax.Procedure:
+        return syntax.Procedure(_tokens_span(word, end), _name(new), tuple(names), tuple(body))
 
 
 def _name(token: Token) -> Name:
-    return Name(_token_span(token), token[5])
+    return name(_token_span(token), token[5])
 
 
 def _value(terminal: str, token: Token) -> Any:
@@ -274,39 +286,39 @@ def _value(terminal: str, token: Token) -> Any:
 
 
 def _token_span(token: Token) -> Span:
-    return Span(token[1], token[2], token[3], token[4])
+    return span(token[1], token[2], token[3], token[4])
 
 
 def _tokens_span(first: Token, last: Token) -> Span:
-    return Span(first[1], last[2], first[3], first[4])
+    return span(first[1], last[2], first[3], first[4])
 
 
 def _to(first: Token, last: Any) -> Span:
-    return Span(first[1], last.span.end, first[3], first[4])
+    return span(first[1], last.span.end, first[3], first[4])
 
 
 def _between(left: Any, right: Any) -> Span:
-    span: Span = left.span
-    return Span(span.start, right.span.end, span.line, span.column)
+    first: Span = left.span
+    return span(first.start, right.span.end, first.line, first.column)
 
 
-def _respanned(node: Any, span: Span) -> Any:
+def _respanned(node: Any, whole: Span) -> Any:
     """The same expression with what stands around it: a parenthesis, a plus sign."""
     match node:
         case Binary(operator=operator, left=left, right=right):
-            return Binary(span, operator, left, right)
+            return Binary(whole, operator, left, right)
         case Negative(operand=operand):
-            return Negative(span, operand)
+            return Negative(whole, operand)
         case Number(value=value):
-            return Number(span, value)
+            return Number(whole, value)
         case Name(name=name):
-            return Name(span, name)
+            return Name(whole, name)
         case syntax.Distance(bearing=bearing):
-            return syntax.Distance(span, bearing)
+            return syntax.Distance(whole, bearing)
         case syntax.Position(axis=axis):
-            return syntax.Position(span, axis)
+            return syntax.Position(whole, axis)
         case _:
-            return syntax.Colour(span, node.colour)
+            return syntax.Colour(whole, node.colour)
 
 
 def _long(digits: str) -> int:

@@ -1,0 +1,33 @@
+"""Frozen values made as fast as open ones.
+
+A frozen dataclass takes three times as long to make as an open one, and a program consists of them.
+``quick`` answers an open twin with the same slots that turns what it makes into the frozen class. Turning
+is a detail of CPython's layout of slots; where it is refused, the frozen class itself is the answer.
+"""
+
+from __future__ import annotations
+
+from dataclasses import fields
+from typing import Any, TypeVar
+
+T = TypeVar("T")
+
+
+def quick(frozen: type[T]) -> type[T]:
+    """A faster way to call the constructor of a frozen dataclass with slots, with all its fields by place."""
+    names = [field.name for field in fields(frozen)]  # type: ignore[arg-type]
+    lines = [f"def __init__(self, {', '.join(names)}):"]
+    lines += [f"    self.{name} = {name}" for name in names]
+    lines += ["    self.__class__ = frozen"]
+    made: dict[str, Any] = {}  # Any: a function that exists at run time only
+    exec("\n".join(lines), {"frozen": frozen}, made)
+    twin: type[T] = type(frozen.__name__, (), {"__slots__": tuple(names), "__init__": made["__init__"]})
+    return twin if _turns(twin, frozen, len(names)) else frozen
+
+
+def _turns(twin: type[Any], frozen: type[Any], count: int) -> bool:
+    values = tuple(range(count))
+    try:
+        return bool(twin(*values) == frozen(*values))
+    except TypeError:
+        return False
