@@ -146,7 +146,7 @@ class ExecutionControl:
                 remaining -= self._clock() - started
 
     def reached(self, line: int, depth: int) -> None:
-        """A statement on ``line``, inside ``depth`` calls, is next: hold if that was asked, or raise Stopped."""
+        """A statement on ``line``, inside ``depth`` calls, is next: hold if wanted; raises Stopped."""
         self._hold_if(lambda: self._holds_at(line, depth), depth)
         if self._state is ControlState.STOPPING:
             raise Stopped
@@ -158,7 +158,7 @@ class ExecutionControl:
     # --- for the runtime ---
 
     def attach(self, runtime: Callable[[ControlState], None] | None) -> None:
-        """Have ``runtime`` called with the state now and at every change, under the lock: it must not wait."""
+        """Have ``runtime`` called with the state, now and at every change, under the lock."""
         with self._changed:
             self._runtime = runtime
             if runtime is not None:

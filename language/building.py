@@ -1,0 +1,156 @@
+"""Small pieces of Python's syntax tree, made one way.
+
+Every piece carries as its line not a line of anything but the number of the place in the program that it
+was made from (``Sites``). So a traceback or a running frame tells the exact node of GoDonnie.
+"""
+
+from __future__ import annotations
+
+import ast
+from collections.abc import Sequence
+from typing import TypeAlias, TypeVar
+
+from language.syntax import Condition, Expression, Statement
+
+Node: TypeAlias = Statement | Expression | Condition
+
+_Placed = TypeVar("_Placed", bound=ast.stmt | ast.expr | ast.arg)
+
+_OPERATORS: dict[str, type[ast.operator]] = {
+    "+": ast.Add,
+    "-": ast.Sub,
+    "*": ast.Mult,
+    "//": ast.FloorDiv,
+}
+_COMPARATORS: dict[str, type[ast.cmpop]] = {
+    "==": ast.Eq,
+    "<>": ast.NotEq,
+    "<": ast.Lt,
+    ">": ast.Gt,
+    "<=": ast.LtE,
+    ">=": ast.GtE,
+    "is": ast.Is,
+    "is not": ast.IsNot,
+}
+
+
+class Sites:
+    """The places of one compiled scope, numbered from 1 in the order in which they were asked for."""
+
+    def __init__(self) -> None:
+        self.nodes: list[Node] = []
+
+    def new(self, node: Node) -> int:
+        self.nodes.append(node)
+        return len(self.nodes)
+
+    @property
+    def next(self) -> int:
+        return len(self.nodes) + 1
+
+
+def placed(node: _Placed, site: int) -> _Placed:
+    node.lineno = node.end_lineno = site
+    node.col_offset = node.end_col_offset = 0
+    return node
+
+
+# --- expressions ---
+
+
+def load(site: int, name: str) -> ast.expr:
+    return placed(ast.Name(name, ast.Load()), site)
+
+
+def constant(site: int, value: int | str | bool | None) -> ast.expr:
+    return placed(ast.Constant(value), site)
+
+
+def binary(site: int, operator: str, left: ast.expr, right: ast.expr) -> ast.expr:
+    return placed(ast.BinOp(left, _OPERATORS[operator](), right), site)
+
+
+def negative(site: int, operand: ast.expr) -> ast.expr:
+    return placed(ast.UnaryOp(ast.USub(), operand), site)
+
+
+def compare(site: int, left: ast.expr, *rest: tuple[str, ast.expr]) -> ast.expr:
+    """``left < middle < right`` and the like."""
+    operators: list[ast.cmpop] = [_COMPARATORS[comparator]() for comparator, _ in rest]
+    return placed(ast.Compare(left, operators, [operand for _, operand in rest]), site)
+
+
+def both(site: int, *tests: ast.expr) -> ast.expr:
+    return placed(ast.BoolOp(ast.And(), list(tests)), site)
+
+
+def either(site: int, test: ast.expr, then: ast.expr, otherwise: ast.expr) -> ast.expr:
+    return placed(ast.IfExp(test, then, otherwise), site)
+
+
+def keeping(site: int, name: str, value: ast.expr) -> ast.expr:
+    """``(name := value)``."""
+    return placed(ast.NamedExpr(_target(site, name), value), site)
+
+
+def call(site: int, function: str, *arguments: ast.expr) -> ast.expr:
+    return placed(ast.Call(load(site, function), list(arguments), []), site)
+
+
+# --- statements ---
+
+
+def do(site: int, expression: ast.expr) -> ast.stmt:
+    return placed(ast.Expr(expression), site)
+
+
+def assign(site: int, name: str, value: ast.expr) -> ast.stmt:
+    return placed(ast.Assign([_target(site, name)], value), site)
+
+
+def forget(site: int, name: str) -> ast.stmt:
+    return placed(ast.Delete([placed(ast.Name(name, ast.Del()), site)]), site)
+
+
+def when(
+    site: int, test: ast.expr, then: list[ast.stmt], otherwise: list[ast.stmt] | None = None
+) -> ast.stmt:
+    return placed(ast.If(test, then, otherwise or []), site)
+
+
+def unless_break(site: int, test: ast.expr) -> ast.stmt:
+    """``if not test: break``."""
+    return when(site, placed(ast.UnaryOp(ast.Not(), test), site), [placed(ast.Break(), site)])
+
+
+def loop_while(site: int, test: ast.expr, body: list[ast.stmt]) -> ast.stmt:
+    return placed(ast.While(test, body, []), site)
+
+
+def loop_over(site: int, name: str, values: ast.expr, body: list[ast.stmt]) -> ast.stmt:
+    return placed(ast.For(_target(site, name), values, body, []), site)
+
+
+def give_back(site: int, value: ast.expr) -> ast.stmt:
+    return placed(ast.Return(value), site)
+
+
+def outer(site: int, names: list[str]) -> ast.stmt:
+    return placed(ast.Nonlocal(names), site)
+
+
+def function(site: int, name: str, parameters: Sequence[str], body: list[ast.stmt]) -> ast.stmt:
+    arguments = ast.arguments(
+        posonlyargs=[],
+        args=[placed(ast.arg(parameter), site) for parameter in parameters],
+        kwonlyargs=[],
+        kw_defaults=[],
+        defaults=[],
+    )
+    definition = ast.FunctionDef(name, arguments, body or [placed(ast.Pass(), site)], [])
+    vars(definition)["type_params"] = []  # Python 3.12 wants the field, 3.11 has none
+    return placed(definition, site)
+
+
+def _target(site: int, name: str) -> ast.Name:
+    return placed(ast.Name(name, ast.Store()), site)

@@ -1,0 +1,249 @@
+"""One run of translated code: the globals that it uses, and the way back from it.
+
+The rule it keeps: whatever ends the program, the memory is true before anybody hears of it.
+"""
+
+from __future__ import annotations
+
+import sys
+import threading
+from collections.abc import Callable, Iterator
+from itertools import repeat
+from types import FunctionType
+from typing import Any, NoReturn
+
+from devices.ports.robot import Bearing
+from language.arithmetic import checked, divide
+from language.control import ControlState, ExecutionControl
+from language.diagnostics import Kind, QuitRequested, Refused
+from language.failures import failure_of
+from language.levels import Level, Levels, variables_in
+from language.runnable import MOST_FRAMES, Trace
+from language.runtime import Actions, Frame, Memory
+from language.stack import DEEPEST_CALL
+from language.statements import EARLIER, PARAMETER
+from language.syntax import Axis
+from language.units import Unit
+
+_ACTIONS = tuple(name for name in vars(Actions) if not name.startswith("_"))
+"""What the translated code calls by its own name."""
+
+
+class Execution:
+    """Units that run once. The first is the program."""
+
+    def __init__(
+        self,
+        units: tuple[Unit, ...],
+        actions: Actions,
+        control: ExecutionControl,
+        memory: Memory,
+        trace: Trace | None,
+        *,
+        hooked: bool,
+    ) -> None:
+        self._units = units
+        self._actions = actions
+        self._control = control
+        self._memory = memory
+        self._trace = trace
+        self._hooked = hooked
+        self._thread = threading.get_ident()
+        self._levels = Levels(units)
+        self._declared: dict[str, Unit] = {}
+        self._calls = frozenset[tuple[str, int]]().union(*(unit.calls for unit in units))
+        self._globals = self._make_globals()
+        self._bind_earlier()
+
+    def run(self) -> None:
+        """Run to the end; raises what ``Runnable.run`` says."""
+        stored = [value for _, value in sorted(self._memory.variables.items())]
+        program = FunctionType(self._units[0].code, self._globals)
+        failure = None
+        self._control.attach(self._heed)
+        try:
+            self._keep(variables_in(program(*stored)))
+        except BaseException as error:
+            levels, inside = self._levels.of_traceback(error.__traceback__)
+            self._keep_what_was(levels)
+            failure = failure_of(error, levels, self._memory.procedures, inside=inside)
+            if failure is None:
+                raise
+        finally:
+            self._control.attach(None)
+        # Raised here, so that it does not hold on to the frames of a deep recursion.
+        if failure is not None:
+            raise failure
+
+    def frames(self) -> tuple[Frame, ...]:
+        """The levels, innermost first, seen from any thread."""
+        levels = self._levels.of_frame(sys._current_frames().get(self._thread))
+        told = levels if len(levels) <= MOST_FRAMES else [levels[0], *levels[1 - MOST_FRAMES :]]
+        return tuple(level.told() for level in reversed(told))
+
+    def _keep(self, variables: dict[str, int]) -> None:
+        self._memory.variables = variables  # replaced as a whole: other threads may be reading the old ones
+
+    def _keep_what_was(self, levels: list[Level]) -> None:
+        """After an error: the variables as they are, without those that end with an open FOR."""
+        if levels:
+            program = levels[0]
+            ended = program.unit.headers_at(program.site or 0)
+            self._keep({name: value for name, value in program.variables().items() if name not in ended})
+
+    # --- what the translated code uses
+
+    def _make_globals(self) -> dict[str, Any]:
+        return {
+            "flag": False,
+            "limit": DEEPEST_CALL,
+            "hook": None,
+            "check": self._check,
+            "over": self._over,
+            "checked": checked,
+            "divide": divide,
+            "turns": _turns,
+            "clash": self._clash,
+            "may_declare": self._may_declare,
+            "declare": self._declare,
+            "leave": _leave,
+            "go_on": _go_on,
+            "refuse_outside_terminal": _refuse_outside_terminal,
+            **{name: getattr(self._actions, name) for name in _ACTIONS},
+            **{bearing.name: bearing for bearing in Bearing},
+            **{axis.name: axis for axis in Axis},
+        }
+
+    def _clash(self, owner: int, typed: str) -> None:
+        """A name is declared that was declared already."""
+        if owner == EARLIER:
+            self._actions.overwritten(typed)
+            return
+        if owner == PARAMETER:
+            raise Refused(Kind.ALREADY_DECLARED, name=typed, what="parameter")
+        unit = self._levels.around(sys._getframe(1)).unit
+        raise Refused(Kind.ALREADY_DECLARED, name=typed, what="variable", first_line=unit.span(owner).line)
+
+    # --- attention
+
+    def _heed(self, state: ControlState) -> None:
+        """The control's state changed: have the translated code look, or look away. Called under its lock."""
+        if self._hooked:
+            wanted = state is ControlState.STOPPING
+            self._globals["hook"] = self._hook_for(state)
+        else:
+            wanted = state is not ControlState.RUNNING
+        self._globals["flag"] = wanted
+        self._globals["limit"] = -1 if wanted else DEEPEST_CALL
+
+    def _hook_for(self, state: ControlState) -> Trace | None:
+        """What to call before each statement; as little as possible where nothing is near."""
+        match state:
+            case ControlState.RUNNING:
+                return self._trace
+            case ControlState.RUNNING_TO:
+                return self._until_line(self._control.holds_on_line())
+            case ControlState.STEPPING_OVER:
+                return self._until_depth(self._control.holds_to_depth())
+            case _:
+                return self._visit
+
+    def _visit(self, line: int, column: int, depth: int) -> None:
+        self._control.reached(line, depth)
+        if self._trace is not None:
+            self._trace(line, column, depth)
+
+    def _until_line(self, wanted: int) -> Trace:
+        visit, trace = self._visit, self._trace
+
+        def hook(line: int, column: int, depth: int) -> None:
+            if line == wanted:
+                visit(line, column, depth)
+            elif trace is not None:
+                trace(line, column, depth)
+
+        return hook
+
+    def _until_depth(self, most: float) -> Trace:
+        visit, trace = self._visit, self._trace
+
+        def hook(line: int, column: int, depth: int) -> None:
+            if depth <= most:
+                visit(line, column, depth)
+            elif trace is not None:
+                trace(line, column, depth)
+
+        return hook
+
+    def _check(self) -> None:
+        """Something is wanted at a checkpoint."""
+        self._control.reached(self._levels.around(sys._getframe(1)).line, 0)
+
+    def _over(self, depth: int) -> None:
+        """A call is too deep, or something is wanted at it."""
+        if depth > DEEPEST_CALL:
+            raise Refused(Kind.RECURSION_LIMIT, limit=DEEPEST_CALL)
+        self._control.reached(self._levels.around(sys._getframe(1)).line, 0)
+
+    # --- procedures
+
+    def _may_declare(self, number: int) -> None:
+        """A PROCEDURE was reached: refuse it if this program has another one of that name."""
+        unit = self._units[number]
+        name = unit.name
+        other = self._declared.get(name)
+        if other is None and name in self._memory.procedures:
+            self._actions.overwritten(unit.typed_name)
+        elif other is not None and other is not unit:
+            first_line = other.declared.procedure.span.line
+            raise Refused(
+                Kind.ALREADY_DECLARED, name=unit.typed_name, what="procedure", first_line=first_line
+            )
+
+    def _declare(self, number: int) -> None:
+        unit = self._units[number]
+        self._declared[unit.name] = unit
+        self._memory.procedures[unit.name] = unit.declared
+        self._bind(unit)
+
+    def _bind_earlier(self) -> None:
+        for unit in self._units:
+            if unit.procedure is not None and self._is_in_memory(unit):
+                self._bind(unit)
+
+    def _is_in_memory(self, unit: Unit) -> bool:
+        earlier = self._memory.procedures.get(unit.name)
+        return earlier is not None and earlier.procedure is unit.procedure
+
+    def _bind(self, unit: Unit) -> None:
+        """Make the procedure callable with the right number of arguments, and refused with any other."""
+        for name, given in self._calls:
+            if name == unit.name:
+                self._globals[f"p_{name}_{given}"] = self._callable(unit, given)
+
+    def _callable(self, unit: Unit, given: int) -> Callable[..., None]:
+        wanted = len(unit.declared.procedure.parameters)
+        if given == wanted:
+            return FunctionType(unit.code, self._globals)
+
+        def refuse(*_: int) -> NoReturn:
+            raise Refused(Kind.WRONG_ARGUMENT_COUNT, name=unit.typed_name, wanted=wanted, given=given)
+
+        return refuse
+
+
+def _turns(times: int) -> Iterator[object]:
+    """Counts turns without making a number of each."""
+    return repeat(None, times) if times <= sys.maxsize else iter(range(times))
+
+
+def _leave() -> NoReturn:
+    raise QuitRequested
+
+
+def _go_on() -> None:
+    """RUN among typed commands: they are running already."""
+
+
+def _refuse_outside_terminal(typed: str) -> NoReturn:
+    raise Refused(Kind.TERMINAL_ONLY, name=typed)

@@ -1,0 +1,104 @@
+"""Where a running or a failed program is: Python's frames read as levels of GoDonnie.
+
+A level is the program or one open call of a procedure. Where loops were nested too deep for Python,
+several frames make one level; the place is that of the innermost of them, the variables are in the outermost.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Iterator, Mapping
+from dataclasses import dataclass
+from types import CodeType, FrameType, TracebackType
+
+from language.diagnostics import CallSite
+from language.expressions import VARIABLE
+from language.runtime import Frame
+from language.units import Unit
+
+
+@dataclass(slots=True)
+class Level:
+    """One open call, or the program itself."""
+
+    unit: Unit
+    frame: FrameType
+    site: int | None
+
+    @property
+    def line(self) -> int:
+        return self.unit.span(self.site).line
+
+    def variables(self) -> dict[str, int]:
+        return variables_in(self.frame.f_locals)
+
+    def told(self) -> Frame:
+        return Frame(self.unit.typed_name, self.line, tuple(self.variables().items()))
+
+
+class Levels:
+    """Finds levels among the frames that belong to some units."""
+
+    def __init__(self, units: Iterable[Unit]) -> None:
+        self._roots = {id(unit.code): unit for unit in units}
+        self._codes = {id(code) for unit in units for code in _codes(unit.code)}
+
+    def of_traceback(self, traceback: TracebackType | None) -> tuple[list[Level], bool]:
+        """The levels, outermost first, and whether the error was raised in the innermost itself."""
+        entries: list[tuple[FrameType, int | None]] = []
+        inside = False
+        while traceback is not None:
+            inside = id(traceback.tb_frame.f_code) in self._codes
+            entries.append((traceback.tb_frame, traceback.tb_lineno))
+            traceback = traceback.tb_next
+        return self._levels(entries), inside
+
+    def of_frame(self, frame: FrameType | None) -> list[Level]:
+        """The levels of a running thread, outermost first."""
+        entries: list[tuple[FrameType, int | None]] = []
+        while frame is not None:
+            entries.append((frame, frame.f_lineno))
+            frame = frame.f_back
+        return self._levels(reversed(entries))
+
+    def around(self, frame: FrameType) -> Level:
+        """The level that a frame of the translated code belongs to."""
+        site = frame.f_lineno
+        while id(frame.f_code) not in self._roots:
+            assert frame.f_back is not None  # a loop is called by what it was taken out of
+            frame = frame.f_back
+        return Level(self._roots[id(frame.f_code)], frame, site)
+
+    def _levels(self, entries: Iterable[tuple[FrameType, int | None]]) -> list[Level]:
+        levels: list[Level] = []
+        for frame, site in entries:
+            if unit := self._roots.get(id(frame.f_code)):
+                levels.append(Level(unit, frame, site))
+            elif id(frame.f_code) in self._codes and levels:
+                levels[-1].site = site
+        return levels
+
+
+def call_sites(levels: list[Level]) -> tuple[CallSite, ...]:
+    """The open calls, innermost first: each procedure, and the line it was called from."""
+    return tuple(
+        CallSite(callee.unit.typed_name, caller.line)
+        for caller, callee in zip(levels[-2::-1], levels[:0:-1], strict=True)
+    )
+
+
+def variables_in(names: Mapping[str, object]) -> dict[str, int]:
+    """GoDonnie's variables among the names of a frame of the translated code."""
+    return {
+        name.removeprefix(VARIABLE): value
+        for name, value in names.items()
+        if name.startswith(VARIABLE) and isinstance(value, int)
+    }
+
+
+def _codes(code: CodeType) -> Iterator[CodeType]:
+    """A code object and those inside it."""
+    waiting = [code]
+    while waiting:
+        inner = waiting.pop()
+        yield inner
+        waiting += (each for each in inner.co_consts if isinstance(each, CodeType))

@@ -1,0 +1,34 @@
+"""What every back end makes of a program."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from typing import Protocol, TypeAlias
+
+from language.control import ExecutionControl
+from language.runtime import Actions, Frame, Memory
+
+Trace: TypeAlias = Callable[[int, int, int], None]
+"""Told the line, the column and the number of open calls before each statement."""
+
+MOST_FRAMES = 100
+"""What ``frames`` tells of a deep recursion."""
+
+
+class Runnable(Protocol):
+    """A compiled program."""
+
+    def run(
+        self, actions: Actions, control: ExecutionControl, memory: Memory, *, trace: Trace | None = None
+    ) -> None:
+        """Run to the end, in this thread.
+
+        Raises ``ProgramError``, ``Stopped``, ``QuitRequested``, or whatever an action raised. The memory
+        holds the program's variables and procedures then, as it does after the end.
+        """
+
+    def frames(self) -> tuple[Frame, ...]:
+        """The open calls and the program, innermost first; from any thread, empty unless it runs.
+
+        Of a recursion deeper than 100 only the innermost frames and the program are told.
+        """

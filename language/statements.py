@@ -1,0 +1,478 @@
+"""Statements of GoDonnie as statements of Python: one function for each scope.
+
+A variable is a local variable of the function, ``v_`` and its name: where it does not exist, Python
+itself says so. ``o_`` and a name is the site that declared the variable, kept only where the name could
+be declared twice. ``p_``, a name and a number of arguments is a procedure, a global name. ``d`` is how
+many calls are open.
+
+The program is interruptible at the end of each turn of a loop, at each call and after each command:
+``flag`` and ``limit`` are global names that change when anything is wanted. Asking them is four times as
+cheap as drawing from a shared iterator. The compilation for stepping asks ``hook`` before each statement
+instead: a loop's own line once more after each of its turns.
+"""
+
+from __future__ import annotations
+
+import ast
+from types import CodeType
+
+from language.building import (
+    Sites,
+    assign,
+    binary,
+    call,
+    compare,
+    constant,
+    do,
+    forget,
+    function,
+    give_back,
+    load,
+    loop_over,
+    loop_while,
+    outer,
+    unless_break,
+    when,
+)
+from language.expressions import VARIABLE, Expressions
+from language.growth import Growth
+from language.scopes import Scope
+from language.syntax import (
+    Assign,
+    BeltSwitch,
+    Binary,
+    Call,
+    Declare,
+    Direction,
+    Expression,
+    For,
+    Help,
+    History,
+    If,
+    Name,
+    Number,
+    Procedure,
+    Quit,
+    Repeat,
+    RunTyped,
+    Scan,
+    Side,
+    Sound,
+    Speak,
+    State,
+    Statement,
+    TellPosition,
+    Text,
+    Turn,
+    Unused,
+    Vibrate,
+    Wait,
+    Walk,
+    While,
+)
+from language.units import Header, Unit
+
+OWNER = "o_"
+"""What the Python name of a variable's declaration begins with."""
+
+EARLIER = -1
+"""The declaration of a variable that an earlier batch left."""
+
+PARAMETER = -2
+
+_MOST_LOOPS = 18
+"""Loops inside each other in one function; CPython allows 20."""
+
+
+class ScopeTranslator:
+    """Translates one scope. Used once."""
+
+    def __init__(
+        self,
+        scope: Scope,
+        number: int,
+        growth: Growth,
+        numbers: dict[int, int],
+        stored: frozenset[str],
+        *,
+        terminal: bool,
+        hooked: bool,
+    ) -> None:
+        """``numbers``: each procedure's unit, by the identity of its node. ``stored``: names that exist."""
+        self._scope = scope
+        self._numbers = numbers
+        self._terminal = terminal
+        self._hooked = hooked
+        self._sites = Sites()
+        self._expressions = Expressions(self._sites, lambda name: growth.bits(number, name))
+        self._stored = sorted(stored)
+        self._clashing = _clashing(scope, frozenset(self._stored))
+        self._mortal = {
+            each.start.name.name
+            for each in scope.statements()
+            if isinstance(each, For) and isinstance(each.start, Declare) and each.start.name.name in stored
+        }
+        self._known = {*self._stored, *(parameter.name for parameter in scope.parameters)} - self._mortal
+        self._written: set[str] = set()
+        self._out: list[ast.stmt] = []
+        self._loops = 0
+        self._outlined: set[str] = set()
+        self._headers: list[Header] = []
+        self._calls: set[tuple[str, int]] = set()
+
+    def unit(self) -> Unit:
+        code = self._code()
+        return Unit(
+            self._scope.program,
+            self._scope.procedure,
+            code,
+            tuple(self._sites.nodes),
+            tuple(self._headers),
+            frozenset(self._calls),
+        )
+
+    # --- the function
+
+    def _code(self) -> CodeType:
+        procedure = self._scope.procedure
+        site = 1 if procedure is None else self._sites.new(procedure)
+        self._block(self._scope.body)
+        body = [*self._beginning(site), *self._out]
+        if procedure is None:
+            names = [VARIABLE + name for name in self._stored]
+            definition = function(site, "program", names, [*body, give_back(site, call(site, "locals"))])
+        else:
+            names = [VARIABLE + parameter.name for parameter in self._scope.parameters]
+            definition = function(site, "procedure", [*dict.fromkeys(names), "d"], body)
+        module = compile(ast.Module([definition], []), "<GoDonnie>", "exec")
+        return next(code for code in module.co_consts if isinstance(code, CodeType))
+
+    def _beginning(self, site: int) -> list[ast.stmt]:
+        beginning: list[ast.stmt] = []
+        if self._outlined:
+            # Never runs: it only makes these names belong to the outermost function.
+            names = sorted(self._outlined)
+            beginning.append(
+                when(site, constant(site, False), [assign(site, name, constant(site, 0)) for name in names])
+            )
+        parameters = {parameter.name for parameter in self._scope.parameters}
+        for name in sorted(self._clashing):
+            owner = EARLIER if name in self._stored else PARAMETER if name in parameters else 0
+            beginning.append(assign(site, OWNER + name, constant(site, owner)))
+        if self._scope.procedure is not None:
+            too_deep = compare(site, load(site, "d"), (">", load(site, "limit")))
+            beginning.append(when(site, too_deep, [do(site, call(site, "over", load(site, "d")))]))
+        else:
+            beginning.append(assign(site, "d", constant(site, 0)))
+        return beginning
+
+    # --- statements
+
+    def _block(self, statements: tuple[Statement, ...]) -> None:
+        for statement in statements:
+            site = self._sites.new(statement)
+            self._visit(site, statement)
+            self._statement(site, statement)
+
+    def _inner(self, statements: tuple[Statement, ...]) -> list[ast.stmt]:
+        """A block inside a statement."""
+        outside, self._out = self._out, []
+        self._block(statements)
+        inside, self._out = self._out, outside
+        return inside
+
+    def _add(self, *statements: ast.stmt) -> None:
+        self._out += self._expressions.take_prelude()
+        self._out += statements
+
+    def _visit(self, site: int, statement: Statement) -> None:
+        if self._hooked:
+            self._out.append(_hook(site, statement))
+
+    def _statement(self, site: int, statement: Statement) -> None:
+        match statement:
+            case Declare():
+                self._declare(site, statement)
+            case Assign():
+                self._assign(site, statement)
+            case If():
+                self._if(site, statement)
+            case While():
+                self._while(site, statement)
+            case Repeat():
+                self._repeat(site, statement)
+            case For():
+                self._for(site, statement)
+            case Procedure():
+                self._procedure(statement)
+            case Call():
+                self._call(site, statement)
+            case Unused():
+                pass
+            case _:
+                self._command(site, statement)
+
+    # --- variables
+
+    def _declare(self, site: int, declare: Declare) -> None:
+        name = declare.name.name
+        if name in self._clashing:
+            owner = load(site, OWNER + name)
+            other = compare(site, owner, ("<>", constant(site, site)))
+            self._out.append(when(site, other, [self._clash(declare.name)]))
+        self._give(site, name, declare.value)
+        if name in self._clashing:
+            self._add(assign(site, OWNER + name, constant(site, site)))
+
+    def _clash(self, name: Name) -> ast.stmt:
+        """``if o_x: clash(o_x, ...)``: refuses, unless an earlier batch made the variable."""
+        site = self._sites.new(name)
+        owner = load(site, OWNER + name.name)
+        typed = constant(site, self._scope.program.typed(name.span))
+        return when(site, owner, [do(site, call(site, "clash", owner, typed))])
+
+    def _assign(self, site: int, assignment: Assign) -> None:
+        name = assignment.name.name
+        if name not in self._known:
+            checked_site = self._sites.new(assignment.name)
+            self._add(do(checked_site, load(checked_site, VARIABLE + name)))
+        self._give(site, name, assignment.value)
+
+    def _give(self, site: int, name: str, value: Expression | None) -> None:
+        code = constant(site, 0) if value is None else self._expressions.value(value)
+        self._add(assign(site, VARIABLE + name, code))
+        if name not in self._mortal:
+            self._known.add(name)
+        self._written.add(name)
+
+    # --- blocks
+
+    def _if(self, site: int, statement: If) -> None:
+        test = self._expressions.test(statement.condition)
+        self._add()
+        before = frozenset(self._known)
+        then = self._inner(statement.then)
+        after_then, self._known = self._known, set(before)
+        otherwise = self._inner(statement.otherwise or ())
+        self._known &= after_then
+        self._out.append(when(site, test, then or [_nothing(site)], otherwise))
+
+    def _while(self, site: int, loop: While) -> None:
+        outside = self._enter()
+        test = self._expressions.test(loop.condition)
+        prelude = self._expressions.take_prelude()
+        body = [*self._inner(loop.body), *self._turn(loop)]
+        if prelude:
+            body = [*prelude, unless_break(site, test), *body]
+            test = constant(site, True)
+        self._leave(site, outside, [loop_while(site, test, body)])
+
+    def _repeat(self, site: int, loop: Repeat) -> None:
+        outside = self._enter()
+        times = self._expressions.value(loop.times)
+        prelude = self._expressions.take_prelude()
+        body = [*self._inner(loop.body), *self._turn(loop)]
+        self._leave(site, outside, [*prelude, loop_over(site, "r", call(site, "turns", times), body)])
+
+    def _for(self, site: int, loop: For) -> None:
+        name = loop.start.name.name
+        if isinstance(loop.start, Declare):
+            if name in self._clashing:
+                self._out.append(self._clash(loop.start.name))
+            self._give(site, name, loop.start.value)
+            if name in self._clashing:
+                self._out.append(assign(site, OWNER + name, constant(site, site)))
+        else:
+            self._assign(site, loop.start)
+        first = self._sites.next
+        self._loop_of_for(loop)
+        if isinstance(loop.start, Declare):
+            self._headers.append(Header(name, first, self._sites.next - 1))
+            self._known.discard(name)
+            self._out.append(forget(site, VARIABLE + name))
+            if name in self._clashing:
+                self._out.append(assign(site, OWNER + name, constant(site, 0)))
+
+    def _loop_of_for(self, loop: For) -> None:
+        outside = self._enter()
+        turn_site = self._sites.new(loop)
+        inside = self._inner(loop.body)
+        turn = self._turn(loop, turn_site)
+        if self._counts(loop):
+            counting = self._counting(turn_site, loop)
+            statements = [loop_over(turn_site, VARIABLE + loop.step.name.name, counting, [*inside, *turn])]
+        else:
+            statements = self._general_loop(turn_site, loop, [*inside, *turn])
+        self._leave(turn_site, outside, statements)
+
+    def _general_loop(self, site: int, loop: For, body: list[ast.stmt]) -> list[ast.stmt]:
+        known = set(self._known)
+        outside, self._out = self._out, body
+        self._assign(self._sites.new(loop.step), loop.step)
+        self._out = outside
+        self._known = known
+        test = self._expressions.test(loop.condition)
+        prelude = self._expressions.take_prelude()
+        if prelude:
+            return [loop_while(site, constant(site, True), [*prelude, unless_break(site, test), *body])]
+        return [loop_while(site, test, body)]
+
+    def _enter(self) -> tuple[set[str], set[str], int]:
+        """Begin a loop: what its body declares may never be declared."""
+        outside = self._known, self._written, self._loops
+        self._known, self._written = set(self._known), set()
+        self._loops = 1 if self._loops == _MOST_LOOPS else self._loops + 1
+        return outside
+
+    def _leave(self, site: int, outside: tuple[set[str], set[str], int], loop: list[ast.stmt]) -> None:
+        """End a loop; one that is nested too deep for Python becomes a function."""
+        known, written, loops = outside
+        self._known, self._written, self._loops = known, written | self._written, loops
+        if loops == _MOST_LOOPS:
+            names = sorted(_stored_names(loop))
+            self._outlined |= set(names)
+            declared = [outer(site, names)] if names else []
+            loop = [function(site, "loop", (), [*declared, *loop]), do(site, call(site, "loop"))]
+        self._out += loop
+
+    def _turn(self, loop: Statement, site: int | None = None) -> list[ast.stmt]:
+        """The end of a turn: look whether anything is wanted."""
+        site = site or self._sites.new(loop)
+        return [_hook(site, loop)] if self._hooked else [_checkpoint(site)]
+
+    # --- loops that only count
+
+    def _counts(self, loop: For) -> bool:
+        """Whether a FOR is Python's ``range``: a steady step to a steady limit, written by nobody else."""
+        name, step, condition = loop.step.name.name, _step_of(loop), loop.condition
+        limit = condition.right
+        return (
+            isinstance(loop.start, Declare)
+            and loop.start.name.name == name
+            and step != 0
+            and isinstance(condition.left, Name)
+            and condition.left.name == name
+            and condition.comparator in (("<", "<=") if step > 0 else (">", ">="))
+            and (
+                isinstance(limit, Number)
+                or (isinstance(limit, Name) and limit.name not in {*self._written, name})
+            )
+            and name not in self._written
+            and self._expressions.may_add(name, step)
+        )
+
+    def _counting(self, site: int, loop: For) -> ast.expr:
+        """``range(v_i, limit, step)``; what it ends before is one more where the limit itself counts too."""
+        step = _step_of(loop)
+        limit = self._expressions.value(loop.condition.right)
+        if loop.condition.comparator in ("<=", ">="):
+            limit = binary(site, "+" if step > 0 else "-", limit, constant(site, 1))
+        first = load(site, VARIABLE + loop.step.name.name)
+        return call(site, "range", first, limit, constant(site, step))
+
+    # --- procedures and commands
+
+    def _procedure(self, procedure: Procedure) -> None:
+        site = self._sites.new(procedure.name)
+        number = constant(site, self._numbers[id(procedure)])
+        self._add(do(site, call(site, "may_declare", number)))
+        seen: set[str] = set()
+        for parameter in procedure.parameters:
+            if parameter.name in seen:
+                place = self._sites.new(parameter)
+                typed = constant(place, self._scope.program.typed(parameter.span))
+                self._add(do(place, call(place, "clash", constant(place, PARAMETER), typed)))
+                return
+            seen.add(parameter.name)
+        self._add(do(site, call(site, "declare", number)))
+
+    def _call(self, site: int, statement: Call) -> None:
+        name, arguments = statement.name.name, statement.arguments
+        self._calls.add((name, len(arguments)))
+        values = self._expressions.values(arguments)
+        depth = binary(site, "+", load(site, "d"), constant(site, 1))
+        self._add(do(site, call(site, f"p_{name}_{len(arguments)}", *values, depth)))
+
+    def _command(self, site: int, statement: Statement) -> None:
+        action, *arguments = self._action(site, statement)
+        self._add(do(site, call(site, action, *arguments)), _checkpoint(site))
+
+    def _action(self, site: int, statement: Statement) -> tuple[str, *tuple[ast.expr, ...]]:
+        value = self._expressions.value
+        typed = constant(site, self._scope.program.typed(statement.span))
+        match statement:
+            case Speak(what=what):
+                return "speak", constant(site, what.text) if isinstance(what, Text) else value(what)
+            case Walk(direction=direction, steps=steps):
+                return "forward" if direction is Direction.FORWARD else "backward", value(steps), typed
+            case Turn(side=side, degrees=degrees):
+                return "turn_right" if side is Side.RIGHT else "turn_left", value(degrees), typed
+            case Wait(seconds=seconds):
+                return "wait", value(seconds)
+            case Sound(on=on):
+                return "sound", constant(site, on)
+            case BeltSwitch(on=on):
+                return "belt", constant(site, on)
+            case Vibrate(bearing=bearing):
+                return "vibrate", load(site, bearing.name)
+            case Help(topic=topic):
+                return "help", constant(site, topic)
+            case Scan():
+                return ("scan",)
+            case State():
+                return ("state",)
+            case History():
+                return ("history",)
+            case TellPosition():
+                return ("tell_position",)
+            case Quit():
+                return ("leave",) if self._terminal else ("refuse_outside_terminal", typed)
+            case RunTyped():
+                return ("go_on",) if self._terminal else ("refuse_outside_terminal", typed)
+            case _:
+                raise AssertionError(statement)
+
+
+def _hook(site: int, statement: Statement) -> ast.stmt:
+    """``if hook is not None: hook(line, column, d)``."""
+    wanted = compare(site, load(site, "hook"), ("is not", constant(site, None)))
+    place = constant(site, statement.span.line), constant(site, statement.span.column)
+    return when(site, wanted, [do(site, call(site, "hook", *place, load(site, "d")))])
+
+
+def _checkpoint(site: int) -> ast.stmt:
+    return when(site, load(site, "flag"), [do(site, call(site, "check"))])
+
+
+def _nothing(site: int) -> ast.stmt:
+    return do(site, constant(site, None))
+
+
+def _clashing(scope: Scope, stored: frozenset[str]) -> frozenset[str]:
+    """The names that are declared at two places, or both here and by an earlier batch."""
+    return frozenset(name for name, times in scope.declarations().items() if times > 1 or name in stored)
+
+
+def _step_of(loop: For) -> int:
+    """What a FOR adds to its variable each turn; 0 where that is not a plain number."""
+    match loop.step.value:
+        case Binary(operator="+", left=Name(name=name), right=Number(value=step)):
+            return step if name == loop.step.name.name else 0
+        case Binary(operator="+", left=Number(value=step), right=Name(name=name)):
+            return step if name == loop.step.name.name else 0
+        case Binary(operator="-", left=Name(name=name), right=Number(value=step)):
+            return -step if name == loop.step.name.name else 0
+        case _:
+            return 0
+
+
+def _stored_names(statements: list[ast.stmt]) -> set[str]:
+    """The variables that some statements assign or delete, those of functions inside them too."""
+    return {
+        node.id
+        for statement in statements
+        for node in ast.walk(statement)
+        if isinstance(node, ast.Name)
+        and not isinstance(node.ctx, ast.Load)
+        and node.id.startswith((VARIABLE, OWNER))
+    }
