@@ -2,9 +2,10 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Iterable, Sequence
 from dataclasses import dataclass
 from enum import Enum
+from itertools import islice
 
 from language.lexer import END, KIND, Token
 
@@ -58,14 +59,20 @@ def kinds_of(blocks: Sequence[Block]) -> list[str]:
 
 def best_closing(open_kinds: list[str], end: str, rest: Sequence[Token]) -> Closing:
     """The reading of an END after which the fewest mistakes follow in ``rest``."""
-    ahead = [token[0] for token in rest if token[0] in OPENERS or token[0] in ENDS or token[0] == END]
+    ahead = ends_ahead(rest)
     left = {Closing.INNERMOST: open_kinds[:-1], Closing.STRAY: open_kinds}
     if end in open_kinds:
         index = _innermost(open_kinds, end)
         left[Closing.OUTER] = open_kinds[:index]
         left[Closing.EXCHANGED] = open_kinds[:index] + open_kinds[index + 1 :]
     order = list(Closing)
-    return min(left, key=lambda each: (mistakes_ahead(left[each], ahead[:_LOOK_AHEAD]), order.index(each)))
+    return min(left, key=lambda each: (mistakes_ahead(left[each], ahead), order.index(each)))
+
+
+def ends_ahead(rest: Iterable[Token]) -> list[int]:
+    """The opening words and ENDs that come next, of a long text the first ones only."""
+    kinds = (token[0] for token in rest if token[0] in OPENERS or token[0] in ENDS or token[0] == END)
+    return list(islice(kinds, _LOOK_AHEAD))
 
 
 def mistakes_ahead(open_kinds: list[str], kinds: Sequence[int]) -> int:

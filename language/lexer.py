@@ -51,7 +51,8 @@ _SIGNS = {
 _QUOTES = "\u201c\u201d\u201e\u201f"
 _PIECES = (
     r" +|[\w{mark}]+|\r\n?|\n|==|<>|<=|>=|(?:--|[\u2013\u2014])[^\r\n]*"
-    r'|"[^"]*"|[{quotes}][^{quotes}]*[{quotes}]|[^\S\r\n]+|.'
+    r'|"[^"]*"|[{quotes}][^{quotes}]*[{quotes}]|[^\S\r\n]+'
+    r"|'[^'\r\n]*'|\u2018[^\u2019\r\n]*\u2019|."
 )
 _ascii_pieces = re.compile(_PIECES.format(mark="", quotes=_QUOTES), re.ASCII | re.DOTALL)
 _pieces = re.compile(_PIECES.format(mark=MARK, quotes=_QUOTES), re.DOTALL)
@@ -229,6 +230,8 @@ class _Lexer:
             self._unreadable_word(piece, start, end)
         else:
             self._flaw(Kind.UNKNOWN_CHARACTER, start, end)
+            if len(piece) > 1:
+                self._tokens.append(self._token(STRING, start, end))
 
     def _token(self, kind: int, start: int, end: int) -> Token:
         return (kind, start, end, self._line, start - self._margin, self._folded[start:end])

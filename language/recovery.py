@@ -21,11 +21,20 @@ from language.blocks import (
     Closing,
     best_closing,
     close,
+    ends_ahead,
     kinds_of,
     mistakes_ahead,
 )
 from language.diagnostics import Diagnostic, Kind
-from language.keywords import LANGUAGES, all_words, argument, argument_words, folded_word, is_reserved
+from language.keywords import (
+    LANGUAGES,
+    all_words,
+    argument,
+    argument_words,
+    folded_word,
+    is_reserved,
+    spelling,
+)
 from language.keywords import TERMINALS as WORD_TERMINALS
 from language.lexer import DISTANCE, END, FOR, FRAGMENT, KIND, NAME, NUMBER, STRING, TAKES, Lexed, Token, lex
 from language.nearby import Near, nearest, nearest_keyword, slips_allowed, slips_in
@@ -33,6 +42,7 @@ from language.origin import language_of
 from language.source import Lines
 from language.syntax import Span
 from language.tables import TERMINALS
+from language.tree import MOST_LEVELS
 
 MOST_MISTAKES = 100
 """That are told of one text; nobody listens to more."""
@@ -77,27 +87,32 @@ def mistakes_in(
 
     ``colours`` are the ones that the robot can see, where that is known.
     """
-    found = _Reader(lexed, first_line, colours).found()
-    if lexed.open_quote is not None and found:
+    found = _found_in(lexed, first_line, colours)
+    if lexed.open_quote is not None and len(found) > len(lexed.mistakes):
         again = _with_another_quote_open(lexed, first_line)
-        if again is not None:
-            lexed, found = again, []
-    everything = [*others, *lexed.mistakes, *found]
+        found_again = _found_in(again, first_line, colours) if again else found
+        found = found_again if len(found_again) <= len(found) else found
+    if any(each.kind is Kind.TOO_DEEP for each in others):
+        found = [each for each in found if each.kind is not Kind.TOO_DEEP]
+    everything = [*others, *found]
     everything.sort(key=lambda each: each.span.start)
     return tuple(everything[:MOST_MISTAKES])
+
+
+def _found_in(lexed: Lexed, first_line: int, colours: frozenset[str] | None) -> list[Diagnostic]:
+    return lexed.mistakes + _Reader(lexed, first_line, colours).found()
 
 
 def _with_another_quote_open(lexed: Lexed, first_line: int) -> Lexed | None:
     """The text read with the forgotten quotation mark on the first line with an odd number of them.
 
-    Because strings may go over lines, a forgotten mark turns all later strings inside out. None if the
-    text makes no more sense so.
+    Because strings may go over lines, a forgotten mark turns all later strings inside out. None if there
+    is no such line.
     """
     offset = 0
     for line in lexed.source.splitlines(keepends=True):
         if line.count('"') % 2:
-            again = lex(lexed.source, first_line, offset + line.rindex('"'))
-            return None if _Reader(again, first_line).found() or len(again.mistakes) > 1 else again
+            return lex(lexed.source, first_line, offset + line.rindex('"'))
         offset += len(line)
     return None
 
@@ -110,6 +125,7 @@ class _Reader:
         self._colours = colours
         self._tokens = [*lexed.tokens, _end_token(lexed, first_line)]
         self._flaws = list(lexed.flaws)
+        self._language = language_of(lexed.tokens, lexed.source)
         self._automaton = Automaton()
         self._blocks: list[Block] = []
         self._head: Block | None = None
@@ -119,14 +135,17 @@ class _Reader:
         self._found: list[Diagnostic] = []
 
     def found(self) -> list[Diagnostic]:
-        last = len(self._tokens) - 1
-        while self._at < last and len(self._found) < MOST_MISTAKES and not self._is_too_deep():
+        while not self._is_at_end() and len(self._found) < MOST_MISTAKES and not self._is_too_deep():
             self._step()
-        if self._at >= last:
+        if self._is_at_end():
             self._finish()
         elif not self._found and self._is_too_deep():
-            self._tell(Kind.TOO_DEEP, self._tokens[self._at], details={"limit": _DEEPEST})
+            limit: dict[str, str | int] = {"limit": MOST_LEVELS}
+            self._tell(Kind.TOO_DEEP, self._tokens[self._at], "expression", details=limit)
         return self._found
+
+    def _is_at_end(self) -> bool:
+        return self._tokens[self._at][0] == 0
 
     def _is_too_deep(self) -> bool:
         return len(self._automaton.states) > _DEEPEST
@@ -178,7 +197,7 @@ class _Reader:
         if self._follows_taker():
             self._bad_argument()
             return
-        near = nearest_keyword(token[5], self._automaton.acceptable(), language_of(self._tokens))
+        near = nearest_keyword(token[5], self._automaton.acceptable(), self._language)
         code = "call-brackets" if self._tokens[self._at + 1][0] == _LPAR and near is None else ""
         self._begun = self._at
         self._tell(Kind.UNKNOWN_COMMAND, token, code, ("command",), near.text if near else "")
@@ -273,6 +292,9 @@ class _Reader:
         near, width = self._pair_meant()
         if near and width == 2:
             return near.terminal.removeprefix("END_"), near.text, 2
+        opener = OPENERS.get(self._tokens[self._at + 1][0])
+        if opener and self._blocks and opener == self._blocks[-1].kind:
+            return opener, spelling(f"END {opener}", self._language), 2
         return "", "", 1
 
     def _tell_wrong_end(self, token: Token, meant: str) -> None:
@@ -294,7 +316,7 @@ class _Reader:
         self._begun = self._at
         self._tell(Kind.SYNTAX, self._tokens[self._at], "stray-else", self._automaton.expected())
         kinds = kinds_of(self._blocks)
-        ahead = [token[0] for token in self._tokens[self._at : self._at + 4000]]
+        ahead = ends_ahead(self._tokens[self._at :])
         outer = kinds[: len(kinds) - kinds[::-1].index("IF")] if "IF" in kinds else kinds
         if len(outer) < len(kinds) and mistakes_ahead(outer, ahead) < mistakes_ahead(kinds, ahead):
             while len(self._blocks) > len(outer):
@@ -308,9 +330,11 @@ class _Reader:
     def _mistake_within(self) -> None:
         token, before = self._tokens[self._at], self._tokens[self._at - 1]
         if before[0] in TAKES and self._automaton.accepts(KIND[TAKES[before[0]]]):
-            is_word = token[0] in (NAME, NUMBER, STRING)
-            if is_word or before[0] != DISTANCE:
-                self._bad_argument() if is_word else self._missing_argument()
+            if token[0] in (NAME, NUMBER, STRING):
+                self._bad_argument()
+                return
+            if before[0] != DISTANCE:
+                self._missing_argument()
                 return
         if self._is_reserved_as_name():
             self._tell(Kind.RESERVED_WORD, token, details={"name": self._typed(token)})
@@ -335,18 +359,12 @@ class _Reader:
         expected = self._automaton.expected()
         near = None
         if token[0] in (NAME, FRAGMENT):
-            near = nearest_keyword(token[5], self._automaton.acceptable(), language_of(self._tokens))
-        self._tell(Kind.SYNTAX, self._place_of(token), "", expected, near.text if near else "")
+            near = nearest_keyword(token[5], self._automaton.acceptable(), self._language)
+        self._tell(Kind.SYNTAX, token, "", expected, near.text if near else "")
         if near and not near.complete:
             self._read_as(near, 1)
         else:
             self._give_up()
-
-    def _place_of(self, token: Token) -> Token:
-        """An assignment to the direction that DISTANCE seemed to lack is a mistake at its sign."""
-        before, following = self._tokens[self._at - 1], self._tokens[self._at + 1]
-        is_direction = before[0] == DISTANCE and token[0] == NAME and argument("DIRECTION", token[5])
-        return following if is_direction and following[0] == _ASSIGN else token
 
     def _is_reserved_as_name(self) -> bool:
         """Whether a keyword stands where a new name should, and what follows would fit the name."""
@@ -372,8 +390,10 @@ class _Reader:
         return before is not None and before[0] in TAKES and before[3] == self._tokens[self._at][3]
 
     def _bad_argument(self) -> None:
+        """Also one that was taken for a name, because an equals sign follows it: that is no mistake yet."""
         token, taker = self._tokens[self._at], self._tokens[self._at - 1]
-        self._tell_argument(token, taker, "")
+        if argument(TAKES[taker[0]], token[5]) is None:
+            self._tell_argument(token, taker, "")
         wanted = KIND[TAKES[taker[0]]]
         if self._automaton.accepts(wanted):
             self._automaton.feed(wanted)
@@ -383,6 +403,7 @@ class _Reader:
         taker = self._tokens[self._at - 1]
         self._tell_argument(taker, taker, "missing-argument")
         self._automaton.feed(KIND[TAKES[taker[0]]])
+        insort(self._flaws, self._at)
 
     def _tell_argument(self, token: Token, taker: Token, code: str) -> None:
         terminal = TAKES[taker[0]]
@@ -395,7 +416,7 @@ class _Reader:
     def _argument_meant(self, token: Token, terminal: str) -> str:
         if len(token[5]) <= 2:
             return ""
-        preferred = argument_words(terminal, language_of(self._tokens))
+        preferred = argument_words(terminal, self._language)
         words = [word for language in LANGUAGES for word in argument_words(terminal, language)]
         return nearest(token[5], words, preferred) or ""
 
