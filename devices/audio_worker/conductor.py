@@ -36,6 +36,7 @@ from devices.audio_worker.messages import (
     VoiceReady,
 )
 from devices.audio_worker.notices import AudioNotice, NoticeCode
+from devices.audio_worker.steps import Kill, Send, Start, Step, Tell
 from devices.audio_worker.watch import ANSWER_LIMIT, HUSH_LIMIT, START_LIMIT, Due, Failures, Watch
 from devices.ports.audio import Cue, Utterance
 from devices.sound.cue_policy import NEVER_LEFT_OUT, CuePolicy
@@ -79,31 +80,6 @@ _NEXT: Mapping[State, frozenset[State]] = MappingProxyType(
         State.CLOSED: frozenset(),
     }
 )
-
-
-@dataclass(frozen=True, slots=True)
-class Start:
-    """Start a worker. ``prefer_bundled_voice`` after one that died loading the system's."""
-
-    prefer_bundled_voice: bool
-
-
-@dataclass(frozen=True, slots=True)
-class Send:
-    order: Order
-
-
-@dataclass(frozen=True, slots=True)
-class Kill:
-    """End the worker and everything that it started."""
-
-
-@dataclass(frozen=True, slots=True)
-class Tell:
-    notice: AudioNotice
-
-
-Step = Start | Send | Kill | Tell
 
 
 @dataclass(slots=True)

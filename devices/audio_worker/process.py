@@ -20,6 +20,7 @@ from typing import IO, Any
 
 from devices.audio_worker.messages import (
     LONGEST_LINE,
+    Answer,
     Hush,
     Order,
     Ping,
@@ -28,7 +29,6 @@ from devices.audio_worker.messages import (
     from_line,
     to_line,
 )
-from devices.audio_worker.messages import Answer as Answer
 
 _MODULE = "devices.audio_worker"
 _ROOT = Path(__file__).resolve().parent.parent.parent

@@ -15,10 +15,11 @@ from dataclasses import dataclass, field
 from pathlib import Path
 from typing import assert_never
 
-from devices.audio_worker.conductor import Conductor, Kill, Send, Start, State, Step, Tell
+from devices.audio_worker.conductor import Conductor, State
 from devices.audio_worker.messages import Answer
 from devices.audio_worker.notices import AudioNotice
 from devices.audio_worker.process import WorkerProcess
+from devices.audio_worker.steps import Kill, Send, Start, Step, Tell
 from devices.ports.audio import Cue, Utterance
 from devices.sound.player import AUTO_DEVICE
 from devices.speech.voices import VoiceSettings

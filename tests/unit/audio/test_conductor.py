@@ -2,7 +2,7 @@
 
 import pytest
 
-from devices.audio_worker.conductor import Conductor, Kill, Send, Start, State, Step, Tell
+from devices.audio_worker.conductor import Conductor, State
 from devices.audio_worker.messages import (
     Answer,
     Finished,
@@ -20,6 +20,7 @@ from devices.audio_worker.messages import (
     to_line,
 )
 from devices.audio_worker.notices import AudioNotice, NoticeCode
+from devices.audio_worker.steps import Kill, Send, Start, Step, Tell
 from devices.audio_worker.watch import Failures
 from devices.ports.audio import Cue, Urgency, Utterance
 from devices.speech.voices import VoiceSettings
