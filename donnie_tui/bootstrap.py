@@ -14,15 +14,18 @@ from typing import TYPE_CHECKING, TextIO
 from devices.ports.robot import Pace, Watcher
 from donnie_tui.audible import make_audible
 from donnie_tui.core.event_stream import JsonLines
+from donnie_tui.core.events import Answered
 from donnie_tui.core.session import ResettableRobot, Session
+from donnie_tui.core.told_log import ToldLog, next_log
 from donnie_tui.i18n.words import Words
 from donnie_tui.settings import Settings
-from donnie_tui.world_choice import ChosenWorld, Unusable, choose_world
+from donnie_tui.unusable import Unusable
+from donnie_tui.world_choice import ChosenWorld, choose_world
 
 if TYPE_CHECKING:
     from sim.picture import Picture
 
-__all__ = ["Donnie", "SwitchMode", "Unusable", "assemble"]
+__all__ = ["Donnie", "SwitchMode", "Unusable", "assemble", "colours_of_world"]
 
 
 class SwitchMode(Exception):
@@ -63,17 +66,33 @@ def assemble(settings: Settings, *, terminal: bool, out: TextIO | None = None) -
     """
     words = Words(settings.language, settings.verbosity)
     _refuse_what_is_to_come(settings, words)
-    world = choose_world(settings.world, words)
+    world = _inhabited_world(settings, words)
     closing = ExitStack()
     try:
         session = _session(settings, words, world, terminal)
         closing.callback(session.close)
         _write_events(settings, session, words, out, closing)
+        _write_log(settings, session, words, closing)
         notices = make_audible(settings, session, words, closing)
     except BaseException:
         closing.close()
         raise
     return Donnie(session, words, notices, world, closing)
+
+
+def colours_of_world(settings: Settings, words: Words) -> frozenset[str]:
+    """The colours that the world's robot can tell apart. Raises ``Unusable``."""
+    world = _inhabited_world(settings, words)
+    return Session(
+        partial(_simulated_robot, world, settings), words, world=world.name, seed=0, terminal=False
+    ).colours
+
+
+def _inhabited_world(settings: Settings, words: Words) -> ChosenWorld:
+    world = choose_world(settings.world, words)
+    if not world.scene.robots:
+        raise Unusable(words("world-without-robot", name=world.name))
+    return world
 
 
 def _refuse_what_is_to_come(settings: Settings, words: Words) -> None:
@@ -106,7 +125,24 @@ def _write_events(
         out = closing.enter_context(_open_for_events(settings.events, words))
     elif out is None:
         raise Unusable(words("events-need-run"))
-    session.hub.subscribe(JsonLines(out))
+
+    def tell(problem: OSError) -> None:
+        reason = problem.strerror or str(problem)
+        session.hub.publish(Answered(words("file-unwritable", path=settings.events, reason=reason)))
+
+    session.hub.subscribe(JsonLines(out, tell))
+
+
+def _write_log(settings: Settings, session: Session, words: Words, closing: ExitStack) -> None:
+    """``Log/log_001.txt`` and so on, as the original GoDonnie did."""
+    if not settings.log:
+        return
+    try:
+        Path("Log").mkdir(exist_ok=True)
+        out = closing.enter_context(_open_for_events(str(next_log(Path("Log"))), words))
+    except OSError as problem:
+        raise Unusable(words("file-unwritable", path="Log", reason=problem.strerror)) from None
+    session.hub.subscribe(ToldLog(out, words))
 
 
 def _open_for_events(name: str, words: Words) -> TextIO:

@@ -9,22 +9,24 @@ from __future__ import annotations
 import os
 import sys
 from collections.abc import Mapping
+from typing import TYPE_CHECKING
+
+if TYPE_CHECKING:
+    from pathlib import Path
 
 SETTINGS_NAME = "settings.toml"
 
 
-def config_folder(environment: Mapping[str, str], platform: str = sys.platform) -> str:
-    """The folder of the settings file."""
-    return _folder(environment, platform, "XDG_CONFIG_HOME", ".config")
-
-
-def state_folder(environment: Mapping[str, str], platform: str = sys.platform) -> str:
-    """The folder of what the learner did last: histories, texts to recover."""
-    return _folder(environment, platform, "XDG_STATE_HOME", ".local/state")
-
-
 def settings_file(environment: Mapping[str, str], platform: str = sys.platform) -> str:
-    return f"{config_folder(environment, platform)}/{SETTINGS_NAME}"
+    """The path of the settings file, whether it exists or not."""
+    return f"{_folder(environment, platform, 'XDG_CONFIG_HOME', '.config')}/{SETTINGS_NAME}"
+
+
+def state_folder(environment: Mapping[str, str], platform: str = sys.platform) -> Path:
+    """The folder of what the learner did last: histories, texts to recover."""
+    from pathlib import Path
+
+    return Path(_folder(environment, platform, "XDG_STATE_HOME", ".local/state"))
 
 
 def _folder(environment: Mapping[str, str], platform: str, variable: str, default: str) -> str:

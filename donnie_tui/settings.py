@@ -47,6 +47,8 @@ class Settings:
     record: str | None = None
     linear: bool | None = None
     """What the settings file says; the variables and the options are weighed in ``cli.mode``."""
+    log: bool = False
+    """Whether what is told goes to a numbered file too, as with the original's ``-l``."""
     sources: Mapping[str, Source] = field(default_factory=dict)
     """Where each field came from; what is not in it is a default."""
 

@@ -11,19 +11,13 @@ from pathlib import Path
 from typing import TYPE_CHECKING
 
 import worlds
+from devices.ports.robot import STEP, Pose
 from donnie_tui.i18n.words import Words
 from donnie_tui.i18n.world_mistakes import world_mistake
+from donnie_tui.unusable import Unusable
 
 if TYPE_CHECKING:
     from sim.scene import Scene
-
-
-class Unusable(Exception):
-    """A world, file or device that can't be used. ``sentence`` is in the learner's language."""
-
-    def __init__(self, sentence: str) -> None:
-        super().__init__(sentence)
-        self.sentence = sentence
 
 
 @dataclass(frozen=True, slots=True)
@@ -39,6 +33,13 @@ class ChosenWorld:
     def about(self, language: str) -> worlds.About | None:
         """Title, description and task; None for a file of the learner's own."""
         return worlds.about(self.name, language) if self.ships else None
+
+    def start(self) -> Pose:
+        """Where its first robot stands; the middle, facing north, if it has none."""
+        if not self.scene.robots:
+            return Pose(0.0, 0.0, 0.0)
+        place = self.scene.models[self.scene.robots[0]].pose
+        return Pose(round(place.x / STEP, 6), round(place.y / STEP, 6), round(90.0 - place.yaw, 6) % 360.0)
 
 
 def choose_world(name_or_file: str, words: Words) -> ChosenWorld:
@@ -67,9 +68,6 @@ def _load(path: Path, words: Words) -> Scene:
     from sim.worldfile import WorldError, load_world
 
     try:
-        scene = load_world(path, allowed=(worlds.SCENES,))
+        return load_world(path, allowed=(worlds.SCENES,))
     except WorldError as error:
         raise Unusable(world_mistake(error, words)) from None
-    if not scene.robots:
-        raise Unusable(words("world-without-robot", name=path.name))
-    return scene

@@ -3,21 +3,33 @@
 from __future__ import annotations
 
 import json
+from collections.abc import Callable
 from typing import TextIO
 
 from donnie_tui.core.events import TRANSIENT, Stamped, as_record
 
 
 class JsonLines:
-    """Writes every event that is not transient as one line of JSON."""
+    """Writes every event that is not transient as one line of JSON.
 
-    def __init__(self, out: TextIO) -> None:
+    A stream that takes no more ends the writing and nothing else; ``on_failure`` is told once.
+    """
+
+    def __init__(self, out: TextIO, on_failure: Callable[[OSError], None] | None = None) -> None:
         self._out = out
+        self._on_failure = on_failure
+        self._has_failed = False
 
     def __call__(self, stamped: Stamped) -> None:
-        if not isinstance(stamped.event, TRANSIENT):
+        if isinstance(stamped.event, TRANSIENT) or self._has_failed or self._out.closed:
+            return
+        try:
             self._out.write(as_line(stamped))
             self._out.flush()
+        except OSError as problem:
+            self._has_failed = True
+            if self._on_failure:
+                self._on_failure(problem)
 
 
 def as_line(stamped: Stamped) -> str:

@@ -125,7 +125,8 @@ class Session:
         self, text: str, name: str, terminal: bool, hooked: bool, trace: bool, first_line: int
     ) -> Run:
         parsed = self.parse(text, first_line)
-        program = parsed.program and compile_program(parsed.program, terminal=terminal, hooked=hooked)
+        tree = parsed.program
+        program = None if tree is None else compile_program(tree, terminal=terminal, hooked=hooked)
         return Run(
             Stage(self._robot, self.hub, self._actions, self.wording),
             RunStarted(name, self._world, self._robot.name, self._seed, __version__),

@@ -39,10 +39,7 @@ class Teller:
         self.announce("position", facing=self.facing(pose), x=numbers.whole(pose.x), y=numbers.whole(pose.y))
 
     def facing(self, pose: Pose) -> str:
-        """The heading in words: "north", or "40 degrees, near northeast"."""
-        degrees = numbers.heading(pose)
-        point = self._say(f"compass-{_COMPASS[round(degrees / 45) % 8]}")
-        return point if degrees % 45 == 0 else self._say("facing-between", degrees=degrees, point=point)
+        return facing(pose, self._say)
 
     def help(self, topic: str | None) -> None:
         for line in self._say.help(topic):
@@ -71,6 +68,13 @@ class Teller:
             crashed=self._say("crashed" if movement.crashed else "not-crashed"),
             **_whole(movement.pose),
         )
+
+
+def facing(pose: Pose, wording: Wording) -> str:
+    """The heading in words: "north", or "40 degrees, near northeast"."""
+    degrees = numbers.heading(pose)
+    point = wording(f"compass-{_COMPASS[round(degrees / 45) % 8]}")
+    return point if degrees % 45 == 0 else wording("facing-between", degrees=degrees, point=point)
 
 
 def _whole(pose: Pose) -> dict[str, int]:

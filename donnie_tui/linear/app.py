@@ -30,16 +30,17 @@ from language import keywords
 INTERRUPTED = 130
 
 
-def run_linear(settings: Settings, file: Path | None, cause: str) -> int:
+def run_linear(settings: Settings, file: Path | None, cause: str, *, text: str | None = None) -> int:
     """Talk until the learner leaves; the exit code. ``cause``: see ``i18n.first_words``.
 
+    ``text`` is the program that the other mode left, where it did; ``file`` is then only its name.
     Raises ``SwitchMode`` for the full screen, and ``Unusable`` for a world that can't be used.
     """
-    greeting.greet(settings.language, cause, os.environ, prompt=file is None)
+    greeting.greet(settings.language, cause, os.environ, prompt=file is None and text is None)
     terminal = greeting.DONE.terminal
     console = Console(terminal if isinstance(terminal, Terminal) else None)
     with contextlib.closing(console), contextlib.closing(_assembled(settings)) as donnie:
-        return LinearMode(donnie, console, Path(state_folder(os.environ))).talk(file)
+        return LinearMode(donnie, console, Path(state_folder(os.environ))).talk(file, text)
 
 
 def _assembled(settings: Settings) -> Donnie:
@@ -67,10 +68,10 @@ class LinearMode:
 
     # --- the conversation
 
-    def talk(self, file: Path | None) -> int:
+    def talk(self, file: Path | None, text: str | None = None) -> int:
         """Read and answer until something ends it. The exit code."""
         try:
-            return self._talk(file)
+            return self._talk(file, text)
         except SwitchMode:
             raise
         except OSError:  # the terminal is gone, or nobody reads any more
@@ -82,11 +83,13 @@ class LinearMode:
         finally:
             self._past.trim()
 
-    def _talk(self, file: Path | None) -> int:
+    def _talk(self, file: Path | None, text: str | None) -> int:
         desk = self._desk
         is_shown = greeting.DONE.has_prompt
         greeting.DONE.has_prompt = False
-        if file is not None:
+        if text is not None:
+            self._take_over(text, file)
+        elif file is not None:
             files.open_file(desk, file)
         self._tell_notices()
         while desk.leaving is None:
@@ -94,6 +97,14 @@ class LinearMode:
             is_shown = False
         self._say_goodbye()
         return desk.leaving
+
+    def _take_over(self, text: str, file: Path | None) -> None:
+        """The program that the full screen left; whether it was saved is not known, so it counts as unsaved."""
+        program = self._desk.program
+        program.replace(text, str(file) if file else None)
+        program.saved = not text.strip()
+        if program.lines:
+            self._desk.answer("linear-lines", lines=len(program.lines))
 
     def _tell_notices(self) -> None:
         """What had to be done without. Where the prompt stands already, they come with the first answer."""

@@ -11,11 +11,12 @@ from donnie_tui.i18n.catalogue import (
     mistakes,
     movement,
     signs,
+    things,
     tui,
     worlds,
 )
 from donnie_tui.i18n.sentence import Sentence
 
-TOPICS = (movement, mistakes, signs, help, worlds, files, devices, cli, linear, tui)
+TOPICS = (movement, mistakes, signs, help, worlds, things, files, devices, cli, linear, tui)
 
 SENTENCES: dict[str, Sentence] = {code: each for topic in TOPICS for code, each in topic.SENTENCES.items()}

@@ -35,10 +35,15 @@ SENTENCES: dict[str, Sentence] = {
         "Aqui os eventos vão para um arquivo. A opção --events - é de donnie run.",
         "Aquí los eventos van a un archivo. La opción --events - es de donnie run.",
     ),
-    "unknown-command-line": Sentence(
+    "wrong-usage": Sentence(
         "{problem}. The option --help tells more.",
         "{problem}. A opção --help diz mais.",
         "{problem}. La opción --help dice más.",
+    ),
+    "output-unwritable": Sentence(
+        "I can't write the output: {reason}.",
+        "Não consigo escrever a saída: {reason}.",
+        "No puedo escribir la salida: {reason}.",
     ),
     # --- settings
     "setting-unknown": Sentence(
@@ -67,15 +72,103 @@ SENTENCES: dict[str, Sentence] = {
         "El archivo de ajustes no se puede leer. Valen los predeterminados.",
     ),
     # --- check
-    "check-line": Sentence(
-        "{file}:{line}:{column}: {kind}: {message}",
-        "{file}:{line}:{column}: {kind}: {message}",
-        "{file}:{line}:{column}: {kind}: {message}",
-    ),
     "check-clean": Sentence("{file}: no mistakes.", "{file}: sem erros.", "{file}: sin errores."),
-    # --- worlds
-    "world-title": Sentence("{name}: {title}.", "{name}: {title}.", "{name}: {title}."),
-    "stopped-at": Sentence(
-        "Stopped at line {line}.", "Parado na linha {line}.", "Detenido en la línea {line}."
+    # --- help of the command line
+    "usage-donnie": Sentence(
+        "Program a robot in GoDonnie, by ear, by touch and by eye.",
+        "Programe um robô em GoDonnie, pelo ouvido, pelo tato e pela visão.",
+        "Programa un robot en GoDonnie, con el oído, el tacto y la vista.",
+    ),
+    "usage-commands": Sentence(
+        "Commands: {commands}. Each has its own --help. A file of that name runs as ./NAME.",
+        "Comandos: {commands}. Cada um tem seu --help. Um arquivo com esse nome: ./NOME.",
+        "Órdenes: {commands}. Cada una tiene su --help. Un archivo con ese nombre: ./NOMBRE.",
+    ),
+    "usage-run": Sentence(
+        "Run a program without asking anything.",
+        "Executar um programa sem perguntar nada.",
+        "Ejecutar un programa sin preguntar nada.",
+    ),
+    "usage-check": Sentence(
+        "Tell all mistakes of programs. Nothing runs.",
+        "Dizer todos os erros de programas. Nada é executado.",
+        "Decir todos los errores de programas. No se ejecuta nada.",
+    ),
+    "usage-format": Sentence(
+        "Lay programs out anew, and translate their keywords.",
+        "Arrumar programas e traduzir suas palavras-chave.",
+        "Ordenar programas y traducir sus palabras clave.",
+    ),
+    "usage-worlds": Sentence("List the worlds.", "Listar os mundos.", "Listar los mundos."),
+    "usage-world": Sentence(
+        "Describe a world in words.", "Descrever um mundo em palavras.", "Describir un mundo con palabras."
+    ),
+    "usage-options": Sentence("options everywhere", "opções em todo lugar", "opciones en todas partes"),
+    "option-file": Sentence("a program to open", "um programa para abrir", "un programa para abrir"),
+    "option-file-or-input": Sentence(
+        "a program; - is standard input",
+        "um programa; - é a entrada padrão",
+        "un programa; - es la entrada estándar",
+    ),
+    "option-linear": Sentence(
+        "plain lines, for screen readers and braille",
+        "linhas simples, para leitores de tela e braile",
+        "líneas simples, para lectores de pantalla y braille",
+    ),
+    "option-visual": Sentence("the full screen", "a tela cheia", "la pantalla completa"),
+    "option-f": Sentence(
+        "run a program, as the original GoDonnie did",
+        "executar um programa, como no GoDonnie original",
+        "ejecutar un programa, como el GoDonnie original",
+    ),
+    "option-m": Sentence("no voice, no sounds", "sem voz e sem sons", "sin voz ni sonidos"),
+    "option-l": Sentence(
+        "log what is told in the folder Log",
+        "registrar o que é dito na pasta Log",
+        "registrar lo que se dice en la carpeta Log",
+    ),
+    "option-version": Sentence("tell the version", "dizer a versão", "decir la versión"),
+    "option-help": Sentence("this help", "esta ajuda", "esta ayuda"),
+    "option-trace": Sentence(
+        "an event for each statement", "um evento para cada comando", "un evento por cada orden"
+    ),
+    "option-to": Sentence(
+        "the language of the keywords", "a língua das palavras-chave", "el idioma de las palabras clave"
+    ),
+    "option-write": Sentence(
+        "write into the file", "escrever no próprio arquivo", "escribir en el propio archivo"
+    ),
+    "option-map": Sentence("the map in letters", "o mapa em letras", "el mapa en letras"),
+    "option-report": Sentence(
+        "what was loaded, ignored and repaired",
+        "o que foi carregado, ignorado e corrigido",
+        "lo cargado, ignorado y corregido",
+    ),
+    "option-json": Sentence("the models as JSON", "os modelos em JSON", "los modelos en JSON"),
+    "option-svg": Sentence("a picture, to come", "uma imagem, ainda não", "una imagen, aún no"),
+    "option-brf": Sentence(
+        "a braille page, to come", "uma página em braile, ainda não", "una página en braille, aún no"
+    ),
+    "option-world": Sentence(
+        "a world by name, or a file",
+        "um mundo pelo nome, ou um arquivo",
+        "un mundo por su nombre, o un archivo",
+    ),
+    "option-robot": Sentence("which robot", "qual robô", "qué robot"),
+    "option-lang": Sentence("language of the messages", "língua das mensagens", "idioma de los mensajes"),
+    "option-speed": Sentence(
+        "times the real robot's pace", "vezes o ritmo do robô real", "veces el ritmo del robot real"
+    ),
+    "option-seed": Sentence(
+        "of chance, where there is any", "do acaso, onde houver", "del azar, donde lo haya"
+    ),
+    "option-speech": Sentence("who speaks", "quem fala", "quién habla"),
+    "option-sound": Sentence("sounds", "sons", "sonidos"),
+    "option-verbosity": Sentence("how much is told", "quanto é dito", "cuánto se dice"),
+    "option-record": Sentence(
+        "record the run, to come", "gravar a execução, ainda não", "grabar la ejecución, aún no"
+    ),
+    "option-events": Sentence(
+        "what happens, as JSON lines", "o que acontece, em linhas JSON", "lo que pasa, en líneas JSON"
     ),
 }

@@ -13,6 +13,7 @@ _GREETING = {
 
 _RUNNING = {
     "linear-nothing-to-run": Sentence("Nothing to run.", "Nada para executar.", "Nada que ejecutar."),
+    "linear-done": Sentence("Done.", "Feito.", "Hecho."),
     "linear-still-open": Sentence(
         "Still open: {opener} from line {line}.",
         "Ainda aberto: {opener} da linha {line}.",

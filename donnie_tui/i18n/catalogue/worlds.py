@@ -212,4 +212,50 @@ SENTENCES: dict[str, Sentence] = {
         "El margen blanco de {path} se recortó.",
     ),
     "note-no-robot": Sentence("The world has no robot.", "O mundo não tem robô.", "El mundo no tiene robot."),
+    # --- a world in words
+    "world-title": Sentence("{name}: {title}.", "{name}: {title}.", "{name}: {title}."),
+    "world-task": Sentence("Task: {task}", "Tarefa: {task}", "Tarea: {task}"),
+    "world-endless": Sentence(
+        "An open floor without walls.", "Um chão livre sem paredes.", "Un suelo libre sin paredes."
+    ),
+    "world-size": Sentence(
+        "{width} by {height} steps, walls included.",
+        "{width} por {height} passos, com as paredes.",
+        "{width} por {height} pasos, con las paredes.",
+    ),
+    "world-start": Sentence(
+        "The robot starts at {x}, {y}, facing {facing}.",
+        "O robô começa em {x}, {y}, virado para {facing}.",
+        "El robot empieza en {x}, {y}, mirando al {facing}.",
+    ),
+    "world-bare": Sentence("There are no things.", "Não há objetos.", "No hay objetos."),
+    "world-things": Sentence(
+        "{count} {count:thing|things}, the nearest first.",
+        "{count} {count:objeto|objetos}, o mais perto primeiro.",
+        "{count} {count:objeto|objetos}, el más cercano primero.",
+    ),
+    "world-thing": Sentence(
+        "{name}, {colour}: {place}.", "{name}, {colour}: {place}.", "{name}, {colour}: {place}."
+    ),
+    "place-left": Sentence("{steps} left", "{steps} à esquerda", "{steps} a la izquierda"),
+    "place-right": Sentence("{steps} right", "{steps} à direita", "{steps} a la derecha"),
+    "place-ahead": Sentence("{steps} ahead", "{steps} à frente", "{steps} al frente"),
+    "place-behind": Sentence("{steps} behind", "{steps} atrás", "{steps} detrás"),
+    "place-here": Sentence("here", "aqui", "aquí"),
+    "map-legend": Sentence("{letter} is {name}.", "{letter} é {name}.", "{letter} es {name}."),
+    # --- what was loaded
+    "report-files": Sentence(
+        "{count} {count:file|files}: {files}.",
+        "{count} {count:arquivo|arquivos}: {files}.",
+        "{count} {count:archivo|archivos}: {files}.",
+    ),
+    "report-loaded": Sentence("Loaded: {models}.", "Carregado: {models}.", "Cargado: {models}."),
+    "report-ignored": Sentence("Ignored: {remark}", "Ignorado: {remark}", "Ignorado: {remark}"),
+    "report-repaired": Sentence("Repaired: {remark}", "Corrigido: {remark}", "Corregido: {remark}"),
+    "report-warning": Sentence("Warning: {remark}", "Aviso: {remark}", "Aviso: {remark}"),
+    "report-clean": Sentence(
+        "Nothing was ignored or repaired.",
+        "Nada foi ignorado ou corrigido.",
+        "Nada se ignoró ni se corrigió.",
+    ),
 }

@@ -1,0 +1,31 @@
+"""The program. Tiny on purpose: the linear mode's first lines are printed before anything else is loaded."""
+
+from __future__ import annotations
+
+import os
+import sys
+
+
+def main() -> int:
+    """Everything that ``donnie``, ``godonnie`` and ``GoDonnie`` do; the exit code."""
+    try:
+        _greet_early()
+        from donnie_tui.cli.main import main as command
+
+        return command(sys.argv[1:])
+    except KeyboardInterrupt:
+        return 130
+
+
+def _greet_early() -> None:
+    """Where the settings file might have a say in it, the greeting waits for it."""
+    from donnie_tui.folders import settings_file
+
+    if not os.path.exists(settings_file(os.environ)):  # noqa: PTH110 -- pathlib is slow to load
+        from donnie_tui.linear.greeting import begin
+
+        begin(sys.argv[1:], os.environ)
+
+
+if __name__ == "__main__":
+    sys.exit(main())

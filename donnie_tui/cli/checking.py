@@ -1,0 +1,68 @@
+"""``donnie check``: every mistake of form and every hint, a line each; nothing runs, no world is needed."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+from donnie_tui.cli import codes
+from donnie_tui.cli.output import Output
+from donnie_tui.cli.sources import Source, read_source
+from donnie_tui.i18n.mistakes import remark
+from donnie_tui.i18n.words import Words
+from donnie_tui.settings import Source as Origin
+from donnie_tui.unusable import Unusable
+from language.checker import check as hints_for
+from language.diagnostics import Diagnostic, Severity
+from language.parser import parse
+
+if TYPE_CHECKING:
+    from donnie_tui.cli.main import Order
+
+
+def check(order: Order) -> int:
+    """The worst of the files counts."""
+    colours = _colours(order)
+    return max(_check_file(order, name, colours) for name in order.invocation.arguments.file)
+
+
+def _check_file(order: Order, name: str, colours: frozenset[str] | None) -> int:
+    try:
+        source = read_source(name, order.words)
+    except Unusable as unusable:
+        order.output.complaint(unusable.sentence)
+        return codes.UNUSABLE
+    found = diagnostics_of(source.text, colours)
+    for each in found:
+        order.output.line(line_for(each, source, order.words))
+    if not found:
+        order.output.complaint(order.words("check-clean", file=source.name))
+    return codes.FAILED if any(each.severity is Severity.ERROR for each in found) else codes.DONE
+
+
+def diagnostics_of(text: str, colours: frozenset[str] | None) -> tuple[Diagnostic, ...]:
+    """The mistakes of form, or the hints about a program that has none."""
+    parsed = parse(text, colours=colours)
+    return parsed.diagnostics if parsed.program is None else hints_for(parsed.program)
+
+
+def line_for(diagnostic: Diagnostic, source: Source, words: Words) -> str:
+    """``FILE:LINE:COLUMN: kind: message``; the kind of a hint is ``hint``."""
+    is_hint = diagnostic.severity is Severity.HINT
+    kind = "hint" if is_hint else diagnostic.kind.value
+    place = f"{source.name}:{diagnostic.span.line}:{diagnostic.span.column}"
+    return f"{place}: {kind}: {remark(diagnostic, words)}"
+
+
+def complain(diagnostics: tuple[Diagnostic, ...], source: Source, words: Words, output: Output) -> None:
+    """Tell mistakes where they are not what was asked for."""
+    for each in diagnostics:
+        output.complaint(line_for(each, source, words))
+
+
+def _colours(order: Order) -> frozenset[str] | None:
+    """What the robot sees, if a world was named; every colour of the language otherwise."""
+    if order.settings.source_of("world") is not Origin.OPTION:
+        return None
+    from donnie_tui.bootstrap import colours_of_world
+
+    return colours_of_world(order.settings, order.words)

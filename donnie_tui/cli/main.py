@@ -1,0 +1,102 @@
+"""The way from a command line to an exit code: settings first, then the command that was asked for."""
+
+from __future__ import annotations
+
+import os
+import sys
+from collections.abc import Callable, Mapping
+from dataclasses import dataclass, replace
+
+from donnie_tui.cli import codes
+from donnie_tui.cli.arguments import TO_COME, Invocation, WrongUsage, language_before_parsing, understand
+from donnie_tui.cli.output import Output
+from donnie_tui.i18n.words import Words
+from donnie_tui.settings import BadOption, Notice, Settings, resolve
+from donnie_tui.settings_file import read_settings
+from donnie_tui.unusable import Unusable
+
+
+@dataclass(frozen=True, slots=True)
+class Order:
+    """A command that was understood, with everything that it needs."""
+
+    invocation: Invocation
+    settings: Settings
+    notices: tuple[Notice, ...]
+    words: Words
+    output: Output
+    environment: Mapping[str, str]
+
+
+def main(arguments: list[str]) -> int:
+    """Do it, and give the exit code. Prints; never raises for what the user did."""
+    output = Output()
+    words = Words(language_before_parsing(arguments, os.environ))
+    try:
+        return _obey(arguments, words, output)
+    except WrongUsage as wrong:
+        return _complain(output, words("wrong-usage", problem=wrong.problem))
+    except BadOption as bad:
+        option, value = f"--{bad.key}", bad.value[:40]
+        return _complain(output, words("bad-option", option=option, value=value, wanted=bad.wanted))
+    except Unusable as unusable:
+        return _complain(output, unusable.sentence)
+    except KeyboardInterrupt:
+        return codes.STOPPED
+
+
+def _obey(arguments: list[str], words: Words, output: Output) -> int:
+    invocation = understand(arguments, words)
+    if invocation.command in TO_COME:
+        raise Unusable(words("command-to-come", command=invocation.command))
+    order = _order(invocation, output)
+    for notice in order.notices:
+        output.complaint(order.words(notice.code, **notice.values))
+    code = _handler(order)(order)
+    if output.problem is not None:
+        raise Unusable(order.words("output-unwritable", reason=output.problem))
+    return code
+
+
+def _order(invocation: Invocation, output: Output) -> Order:
+    runs = invocation.command or getattr(invocation.arguments, "run", None)
+    file, troubles = read_settings(os.environ)
+    default_speed = {"default_speed": None} if runs else {}
+    settings, notices = resolve(invocation.options, os.environ, file, **default_speed)
+    settings = _with_original_flags(settings, invocation)
+    words = Words(settings.language, settings.verbosity)
+    return Order(invocation, settings, troubles + notices, words, output, os.environ)
+
+
+def _with_original_flags(settings: Settings, invocation: Invocation) -> Settings:
+    """``-m`` and ``-l`` of the original GoDonnie."""
+    if getattr(invocation.arguments, "mute", False):
+        settings = replace(settings, speech="off", sound=False)
+    return replace(settings, log=getattr(invocation.arguments, "log", False))
+
+
+def _handler(order: Order) -> Callable[[Order], int]:
+    """Each command loads no more than it needs."""
+    match order.invocation.command:
+        case "run":
+            from donnie_tui.cli.running import run as command
+        case "check":
+            from donnie_tui.cli.checking import check as command
+        case "format":
+            from donnie_tui.cli.formatting import format_files as command
+        case "worlds":
+            from donnie_tui.cli.worlds import list_worlds as command
+        case "world":
+            from donnie_tui.cli.worlds import tell_world as command
+        case _ if order.invocation.arguments.run:
+            from donnie_tui.cli.running import run_original as command
+        case _:
+            from donnie_tui.cli.front_ends import start as command
+    return command
+
+
+def _complain(output: Output, sentence: str) -> int:
+    if "donnie_tui.linear.greeting" in sys.modules:
+        sys.modules["donnie_tui.linear.greeting"].withdraw()
+    output.complaint(sentence)
+    return codes.UNUSABLE

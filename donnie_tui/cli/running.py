@@ -1,0 +1,113 @@
+"""``donnie run``: one program from its start to its end, told in words or as events.
+
+A signal stops the robot at once; the run then ends as it always does, with its last event.
+"""
+
+from __future__ import annotations
+
+import signal
+from collections.abc import Callable, Iterator
+from contextlib import contextmanager
+from pathlib import PurePath
+from types import FrameType
+from typing import TYPE_CHECKING, TextIO, cast
+
+from donnie_tui.bootstrap import Donnie, assemble
+from donnie_tui.cli import codes
+from donnie_tui.cli.output import Guarded, Output
+from donnie_tui.cli.sources import Source, read_source
+from donnie_tui.core.events import Outcome, Stamped
+from donnie_tui.core.session import Session
+from donnie_tui.core.transcript import lines_of
+from donnie_tui.settings import Settings
+from donnie_tui.settings import Source as Origin
+from donnie_tui.unusable import Unusable
+
+if TYPE_CHECKING:
+    from donnie_tui.cli.main import Order
+
+_SIGNALS = ("SIGINT", "SIGTERM", "SIGHUP")
+_GLANCE = 0.5
+"""Seconds between two looks for a signal where waiting can't be interrupted by one."""
+
+_CODE_OF = {
+    Outcome.COMPLETED: codes.DONE,
+    Outcome.QUIT: codes.DONE,
+    Outcome.FAILED: codes.FAILED,
+    Outcome.STOPPED: codes.STOPPED,
+}
+
+
+def run(order: Order) -> int:
+    """``donnie run FILE``."""
+    files = order.invocation.arguments.file
+    if len(files) > 1 or _names_robot(files[0]):
+        raise Unusable(order.words("several-robots-to-come"))
+    return _run(order, files[0], trace=order.invocation.arguments.trace)
+
+
+def run_original(order: Order) -> int:
+    """``GoDonnie -f FILE``."""
+    return _run(order, order.invocation.arguments.run, trace=False)
+
+
+def _names_robot(argument: str) -> bool:
+    """``ROBOT=FILE``; a file of that very name wins."""
+    robot, equals, _ = argument.partition("=")
+    return bool(equals) and robot.isidentifier() and not PurePath(argument).is_absolute()
+
+
+def _run(order: Order, file: str, *, trace: bool) -> int:
+    source = read_source(file, order.words)
+    output = order.output
+    donnie = assemble(order.settings, terminal=False, out=cast(TextIO, Guarded(output)))
+    try:
+        _tell_notices(order.settings, donnie, output)
+        if order.settings.events != "-":
+            donnie.session.hub.subscribe(_printer(donnie, output))
+        return _run_to_the_end(donnie, source, output, trace)
+    finally:
+        donnie.close()
+
+
+def _run_to_the_end(donnie: Donnie, source: Source, output: Output, trace: bool) -> int:
+    session = donnie.session
+    output.on_broken = session.stop
+    with _stopped_by_signals(session):
+        started = session.start(
+            source.text, PurePath(source.name).name, fresh=True, hooked=False, trace=trace
+        )
+        while not started.wait(_GLANCE):
+            pass
+    return codes.FAILED if started.outcome is None else _CODE_OF[started.outcome]
+
+
+def _printer(donnie: Donnie, output: Output) -> Callable[[Stamped], None]:
+    def tell(stamped: Stamped) -> None:
+        for line in lines_of(stamped.event, donnie.words):
+            output.line(line)
+
+    return tell
+
+
+def _tell_notices(settings: Settings, donnie: Donnie, output: Output) -> None:
+    """Only to those who chose how Donnie speaks: a run is quiet about what nobody asked for."""
+    if settings.source_of("speech") is not Origin.DEFAULT:
+        for notice in donnie.notices:
+            output.complaint(notice)
+
+
+@contextmanager
+def _stopped_by_signals(session: Session) -> Iterator[None]:
+    """Any of them, any number of times, stops the program and the robot; nothing else."""
+
+    def stop(_number: int, _frame: FrameType | None) -> None:
+        session.stop()
+
+    numbers = [getattr(signal, name) for name in _SIGNALS if hasattr(signal, name)]
+    before = {number: signal.signal(number, stop) for number in numbers}
+    try:
+        yield
+    finally:
+        for number, handler in before.items():
+            signal.signal(number, handler)
