@@ -1,8 +1,8 @@
 """What a word was probably meant to be, if one of ours is near enough.
 
-Near is one slip for a short word and up to three for a long one (a letter too many, missing, wrong, or two
-exchanged: Damerau and Levenshtein), or words run together: ENDIF, FW3, SOUNDON. Otherwise nothing is
-said, because a wrong guess costs a listener more than none.
+Near is one slip for a short word and up to three for a long one: a letter too many, missing, wrong (not in
+words of up to three letters), or two exchanged, as Damerau and Levenshtein count. Or words are run
+together: ENDIF, FW3, SOUNDON. Otherwise nothing is said: a wrong guess costs a listener more than none.
 """
 
 from __future__ import annotations
@@ -10,7 +10,7 @@ from __future__ import annotations
 import re
 from collections.abc import Collection, Iterable
 from dataclasses import dataclass
-from functools import cache
+from functools import cache, lru_cache
 
 from language.keywords import TERMINALS as WORD_TERMINALS
 from language.keywords import all_words, argument, folded_word, languages_of
@@ -47,18 +47,22 @@ def nearest(word: str, candidates: Iterable[str], preferred: Collection[str] = (
     best: tuple[int, bool, bool] | None = None
     answer = None
     for candidate in candidates:
-        slips = slips_in(folded, folded_word(candidate))
-        rank = (slips, candidate not in preferred, candidate[:1].casefold() != folded[:1])
-        if _is_near(folded, candidate, slips) and (best is None or rank < best):
+        other = folded_word(candidate)
+        slips = slips_in(folded, other)
+        rank = (slips, candidate not in preferred, other[:1] != folded[:1])
+        if _is_near(folded, other, slips) and (best is None or rank < best):
             best, answer = rank, candidate
     return answer
 
 
-def nearest_keyword(word: str, terminals: Collection[str], language: str) -> Near | None:
+def nearest_keyword(word: str, terminals: frozenset[str], language: str) -> Near | None:
     """The keyword that was meant, out of those terminals of the grammar."""
     folded = fold_name(word)
-    if len(folded) > LONGEST:
-        return None
+    return None if len(folded) > LONGEST else _nearest_keyword(folded, terminals, language)
+
+
+@lru_cache(maxsize=1000)
+def _nearest_keyword(folded: str, terminals: frozenset[str], language: str) -> Near | None:
     together = _run_together(folded, terminals)
     if together:
         return together
@@ -69,14 +73,15 @@ def nearest_keyword(word: str, terminals: Collection[str], language: str) -> Nea
     return Near(found, written[found]) if found else None
 
 
-def _is_near(folded: str, candidate: str, slips: int) -> bool:
-    allowed = slips_allowed(len(folded))
-    if len(folded) == 2:
-        return slips <= allowed and sorted(folded) == sorted(folded_word(candidate))
-    return slips <= allowed
+def _is_near(folded: str, other: str, slips: int) -> bool:
+    if slips > slips_allowed(len(folded)):
+        return False
+    if len(folded) == 2 or (len(folded) == 3 and len(other) == 3):
+        return sorted(folded) == sorted(other)
+    return True
 
 
-def _run_together(folded: str, terminals: Collection[str]) -> Near | None:
+def _run_together(folded: str, terminals: frozenset[str]) -> Near | None:
     for text, phrase in _without_blanks().items():
         if folded == text and WORD_TERMINALS[folded_word(phrase)] in terminals:
             return Near(phrase, WORD_TERMINALS[folded_word(phrase)])
@@ -86,7 +91,7 @@ def _run_together(folded: str, terminals: Collection[str]) -> Near | None:
     return _keyword_and_argument(folded, terminals)
 
 
-def _keyword_and_argument(folded: str, terminals: Collection[str]) -> Near | None:
+def _keyword_and_argument(folded: str, terminals: frozenset[str]) -> Near | None:
     for cut in range(len(folded) - 1, 2, -1):
         terminal = WORD_TERMINALS.get(folded[:cut])
         taken = _taken_by().get(terminal or "")

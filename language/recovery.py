@@ -7,6 +7,8 @@ Reads the tokens as the parser does, but goes on behind a mistake. How:
 3. Any other command is given up, and reading goes on where the next one can begin.
 4. An END that does not fit is read so that the fewest mistakes follow.
 5. Nothing is told about a command in which a character could not be read; that was told already.
+
+More than 400 lines, because all of it looks at one place in one text, and moves it.
 """
 
 from __future__ import annotations
@@ -218,7 +220,7 @@ class _Reader:
 
     def _read_as(self, near: Near | None, width: int) -> None:
         """Go on as if the meant word stood there, or else behind the command."""
-        if near is None or near.complete:
+        if near is None or near.complete or not self._can_open(near, width):
             self._at += width
             self._skip_command(may_open=near is None)
             return
@@ -227,6 +229,13 @@ class _Reader:
         self._tokens[self._at : self._at + width] = [(KIND[near.terminal], start, end, line, column, text)]
         self._flaws = [each if each <= self._at else each - width + 1 for each in self._flaws]
         insort(self._flaws, self._at)
+
+    def _can_open(self, near: Near, width: int) -> bool:
+        """Whether the meant word opens no block, or one that has its END further on."""
+        if KIND[near.terminal] not in OPENERS:
+            return True
+        kinds, ahead = kinds_of(self._blocks), ends_ahead(self._tokens[self._at + width :])
+        return mistakes_ahead([*kinds, near.terminal], ahead) <= mistakes_ahead(kinds, ahead)
 
     def _is_misspelt_pair(self) -> bool:
         third = self._tokens[min(self._at + 2, len(self._tokens) - 1)][0]
