@@ -36,10 +36,13 @@ def run_linear(settings: Settings, file: Path | None, cause: str, *, text: str |
     ``text`` is the program that the other mode left, where it did; ``file`` is then only its name.
     Raises ``SwitchMode`` for the full screen, and ``Unusable`` for a world that can't be used.
     """
-    greeting.greet(settings.language, cause, os.environ, prompt=file is None and text is None)
+    greeting.greet(settings.language, cause, os.environ, prompt=file is None and not text)
     terminal = greeting.DONE.terminal
     console = Console(terminal if isinstance(terminal, Terminal) else None)
-    with contextlib.closing(console), contextlib.closing(_assembled(settings)) as donnie:
+    with contextlib.ExitStack() as closing:
+        closing.callback(greeting.forget)
+        closing.callback(console.close)
+        donnie = closing.enter_context(contextlib.closing(_assembled(settings)))
         return LinearMode(donnie, console, Path(state_folder(os.environ))).talk(file, text)
 
 
@@ -99,7 +102,7 @@ class LinearMode:
         return desk.leaving
 
     def _take_over(self, text: str, file: Path | None) -> None:
-        """The program that the full screen left; whether it was saved is not known, so it counts as unsaved."""
+        """The program that the full screen left. Whether it was saved is not known: it counts as unsaved."""
         program = self._desk.program
         program.replace(text, str(file) if file else None)
         program.saved = not text.strip()

@@ -29,6 +29,11 @@ class EditLine:
     def text(self) -> str:
         return "".join(self._text)
 
+    @property
+    def cursor_place(self) -> tuple[int, int]:
+        """The row below the one of the prompt, and the column, where the cursor stands."""
+        return self._places()[self._cursor]
+
     def do(self, act: Act) -> str:
         """What ``act`` changes, nothing if it can change nothing."""
         match act:
@@ -67,6 +72,10 @@ class EditLine:
         """Another line takes its place."""
         return self._put(0, len(self._text), clusters(text)[:LONGEST], None)
 
+    def settle(self) -> str:
+        """What brings the cursor to where the offered text ends, if that is the right margin."""
+        return _wrapped(self._text, self._places())
+
     def finish(self) -> str:
         """Bring the cursor to the last row, so that the next line begins below."""
         at = self._places()
@@ -96,7 +105,7 @@ class EditLine:
         after = self._places()
         tail = self._text[first:]
         painted = self._move(here, before[first]) + "".join(tail)
-        painted += " \r" if tail and after[-1][1] == 0 else ""
+        painted += _wrapped(tail, after)
         painted += _erased(before[-1], after[-1])
         return painted + self._move(after[-1], after[self._cursor])
 
@@ -126,6 +135,11 @@ def _sideways(cells: int) -> str:
     if cells > 0:
         return f"\x1b[{cells}C"
     return "\b" * -cells if cells > -4 else f"\x1b[{-cells}D"
+
+
+def _wrapped(written: list[str], at: list[tuple[int, int]]) -> str:
+    """A terminal stays on the last cell of a full row; this takes the cursor to the next row."""
+    return " \r" if written and at[-1][1] == 0 else ""
 
 
 def _erased(old_end: tuple[int, int], new_end: tuple[int, int]) -> str:

@@ -12,6 +12,7 @@ import os
 from donnie_tui.i18n.first_words import CAUSES, HINT, PROMPT
 
 _LANGUAGES = ("en", "pt", "es")
+_HARMLESS = ("DONNIE_LANG", "DONNIE_LINEAR", "DONNIE_READER")
 _WITH_VALUE = (
     "--world",
     "--lang",
@@ -42,7 +43,7 @@ DONE = Greeting()
 def begin(arguments: list[str], environment: os._Environ[str] | dict[str, str]) -> bool:
     """Greet if ``arguments`` plainly ask for the linear mode. False if nothing was printed."""
     options = _plain_options(arguments)
-    if options is None or "--linear" not in options:
+    if options is None or "--linear" not in options or _has_other_settings(environment):
         return False
     greet(language_of(options, environment), "option", environment, prompt="FILE" not in options)
     return True
@@ -78,6 +79,12 @@ def withdraw() -> None:
         os.write(1, b"\n")
 
 
+def forget() -> None:
+    """The conversation is over. Another one, after the full screen, begins with a greeting of its own."""
+    DONE.was_printed = DONE.has_prompt = False
+    DONE.terminal = None
+
+
 def language_of(options: dict[str, str], environment: os._Environ[str] | dict[str, str]) -> str:
     """The language of the options, else of ``DONNIE_LANG``, else of the locale, else English."""
     locale = environment.get("LC_ALL") or environment.get("LC_MESSAGES") or environment.get("LANG") or ""
@@ -102,6 +109,11 @@ def _plain_options(arguments: list[str]) -> dict[str, str] | None:
         else:
             found["FILE"] = each
     return found
+
+
+def _has_other_settings(environment: os._Environ[str] | dict[str, str]) -> bool:
+    """Variables may be wrong, and that is told before the greeting."""
+    return any(name.startswith("DONNIE_") and name not in _HARMLESS for name in environment)
 
 
 def _take_terminal() -> None:

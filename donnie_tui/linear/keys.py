@@ -68,7 +68,6 @@ _LETTERS = {
     "D": Act.LEFT,
     "F": Act.END,
     "H": Act.HOME,
-    "M": Act.ENTER,
 }
 _NUMBERS = {"1": Act.HOME, "3": Act.DELETE, "4": Act.END, "7": Act.HOME, "8": Act.END}
 
@@ -132,11 +131,15 @@ def _escape(text: str, at: int, keys: list[Key]) -> int:
         keys.append(Key(Act.ESCAPE))
         return at + 1
     parameters, final, letter = sequence.groups()
-    act = (
-        _NUMBERS.get((parameters or "").split(";")[0])
-        if final == "~"
-        else _LETTERS.get(final or letter or "")
-    )
+    act = _act(parameters or "", final or "", letter or "")
     if act:
         keys.append(Key(act))
     return sequence.end()
+
+
+def _act(parameters: str, final: str, letter: str) -> Act | None:
+    if letter:
+        return Act.ENTER if letter == "M" else _LETTERS.get(letter)
+    if parameters.strip("0123456789;"):
+        return None
+    return _NUMBERS.get(parameters.split(";")[0]) if final == "~" else _LETTERS.get(final)

@@ -63,6 +63,8 @@ class EditingReader:
         recall = Recall(self._past, offered)
         self._console.repaint = lambda: f"\n{prompt}{line.text}"
         try:
+            if settling := line.settle():
+                self._console.write(settling)
             return self._edit(line, recall)
         finally:
             self._console.repaint = str

@@ -23,6 +23,7 @@ GRACE = 0.025
 FIRST_SIGN, NEXT_SIGN = 3.0, 10.0
 """Seconds without a line after which a run says that it is still there, at first and from then on."""
 HEARTBEAT = 1.0
+MOST_HINTS = 3
 LONGEST_STOP = 2.0
 """Seconds that we wait for a program to end before we leave without it."""
 
@@ -48,6 +49,7 @@ class Runs:
         self._held = False
         self._stopping = False
         self._left_out = 0
+        self._told_before = 0
         self._sign_due = 0.0
         desk.session.hub.subscribe(self._hear)
 
@@ -63,6 +65,7 @@ class Runs:
         run = self._run(batch.text, batch.first_line, stepping=stepping)
         if not run.was_refused:
             program.batch_ran()
+            self._tell_hints(batch.text)
         elif program.batch_was_refused():
             self._desk.answer("linear-kept", line=self._desk.errors[0].line if self._desk.errors else 1)
 
@@ -76,10 +79,12 @@ class Runs:
         run = self._run(program.text, 1, fresh=True)
         if not run.was_refused:
             program.batch_ran()
+            self._tell_hints(program.text)
 
     def _run(self, text: str, first_line: int, *, fresh: bool = False, stepping: bool = False) -> Run:
         self._ended = self._held = self._stopping = False
         self._left_out = 0
+        self._told_before = self._told.count
         self._told.hold_back()
         try:
             run = self._desk.session.start(
@@ -95,6 +100,16 @@ class Runs:
         if run.outcome is Outcome.QUIT:
             self._desk.leaving = 0
         return run
+
+    def _tell_hints(self, text: str) -> None:
+        """What has no effect and what was probably meant; where nothing was told at all, that it is done."""
+        if self._desk.leaving is not None:
+            return
+        for hint in self._desk.session.check(text)[:MOST_HINTS]:
+            meant = self._desk.say.hint(hint)
+            self._desk.tell(self._desk.say.mistake(hint), *([meant] if meant else []))
+        if self._told.count == self._told_before:
+            self._desk.answer("linear-done")
 
     def _name(self) -> str:
         name = self._desk.program.name

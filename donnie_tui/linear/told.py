@@ -23,6 +23,8 @@ class Told:
         self._lines: list[str] = []
         self._changed = threading.Condition()
         self._holds_back = False
+        self.count = 0
+        """Lines that were ever told."""
 
     def put(self, lines: Iterable[str]) -> None:
         """Tell some lines, from any thread. What would print as an empty line is left out."""
@@ -31,6 +33,7 @@ class Told:
             self._changed.wait_for(self._has_room)
             was_empty = not self._lines
             self._lines += said
+            self.count += len(said)
         if was_empty and said:
             self._nudge()
 
