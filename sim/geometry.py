@@ -156,15 +156,15 @@ def _face_contact(radius: float, edge: Edge, length: float) -> float:
 def outline_contact(mover: Iterable[Edge], obstacle: Sequence[Edge]) -> tuple[float, float]:
     """How far the mover's edges go along x until they touch the obstacle's, or infinity.
 
-    Second: the cosine between the motion and the face that is touched, from 0 to 1.
+    Second: about how squarely they meet, from 0 (grazing) to 1.
     """
-    nearest, cosine = inf, 1.0
+    nearest, squarely = inf, 1.0
     for mine in mover:
         for other in obstacle:
             contact = min(_edge_gap(mine, other), nearest)
             if contact < nearest:
-                nearest, cosine = contact, min(_slope(mine), _slope(other))
-    return nearest, cosine
+                nearest, squarely = contact, max(_slope(mine), _slope(other))
+    return nearest, squarely
 
 
 def _edge_gap(mine: Edge, other: Edge) -> float:

@@ -23,7 +23,7 @@ from sim.geometry import (
     seen_from,
     turn_contact,
 )
-from sim.physics import Part, Surroundings, outlines_of
+from sim.physics import Part, Surroundings
 from sim.scene import Scene
 from sim.sensors import CENTIMETRES_A_STEP, Cone, Senses, Spot
 
@@ -51,7 +51,7 @@ def body_of(scene: Scene, robot: int) -> Body:
     """The robot's own shape, solid whatever its file says, and everything solid that is attached to it."""
     frame = scene.models[robot].pose
     solid = (model for model in scene.tree(robot) if model.solid or model.index == robot)
-    outlines = (points for model in solid for points in outlines_of(model))
+    outlines = (points for model in solid for points in model.outlines())
     polygons = tuple(seen_from(points, frame.x, frame.y, frame.yaw) for points in outlines)
     radius = max((hypot(x, y) for points in polygons for x, y in points), default=0.0)
     inner = max((_inner_radius(points) for points in polygons), default=0.0)
@@ -125,8 +125,8 @@ class Mover:
         obstacle = edges(seen_from(part.points, spot.x, spot.y, angle))
         if self._body.is_round or self._overlaps(spot, part):
             return min(disc_contact(self._body.radius + SKIN, edge) for edge in obstacle)
-        contact, cosine = outline_contact(self._body.outline(spot.yaw - angle), obstacle)
-        return max(0.0, contact - min(0.005, SKIN / max(cosine, 1e-9)))
+        contact, squarely = outline_contact(self._body.outline(spot.yaw - angle), obstacle)
+        return max(0.0, contact - min(0.005, SKIN / max(squarely, 1e-9)))
 
     def _touchable(self, spot: Spot, reach: float) -> list[Part]:
         return [part for part in self._around.near(spot.x, spot.y, reach) if part.solid]

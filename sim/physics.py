@@ -8,13 +8,16 @@ quick test for a free way sends a thin ray through bodies that are that much thi
 
 from __future__ import annotations
 
+import atexit
+import gc
 from collections.abc import Iterable, Iterator
 from dataclasses import dataclass
+from weakref import WeakSet
 
 import pymunk
 
 from sim.colours import Colour
-from sim.geometry import Edge, Point, contains, edges, is_convex, placed, signed_area
+from sim.geometry import Edge, Point, contains, edges, is_convex, signed_area
 from sim.scene import Model, Scene
 
 _BODY, _SIGHT = 1, 2
@@ -54,6 +57,7 @@ class Surroundings:
             dict.fromkeys(part.root for part in everything if contains(part.points, here.x, here.y))
         )
         self._space, self._halo = pymunk.Space(), pymunk.Space()
+        _ALIVE.add(self)
         self._owner: dict[pymunk.Shape, Part] = {}
         for part in self.parts:
             self._add(part, guard)
@@ -77,6 +81,11 @@ class Surroundings:
         hit = self._halo.segment_query_first((x, y), (to_x, to_y), 0.0, pymunk.ShapeFilter())
         return 1.0 if hit is None else hit.alpha
 
+    def free(self) -> None:
+        """Give pymunk's memory back. Nothing may be asked from now on."""
+        del self._space, self._halo
+        self._owner.clear()
+
     def _add(self, part: Part, guard: float) -> None:
         category = pymunk.ShapeFilter(categories=_BODY | (_SIGHT if part.seen or part.solid else 0))
         for shape in _bodies(self._space, part.points, 0.0):
@@ -87,6 +96,17 @@ class Surroundings:
             self._halo.add(*_bodies(self._halo, part.points, guard))
 
 
+_ALIVE: WeakSet[Surroundings] = WeakSet()
+
+
+@atexit.register
+def _free_all() -> None:
+    """pymunk frees a space by calls back into Python, which are gone at the interpreter's end: a crash."""
+    for each in tuple(_ALIVE):
+        each.free()
+    gc.collect()
+
+
 def _rank(part: Part) -> int:
     return part.rank
 
@@ -95,7 +115,7 @@ def _parts(scene: Scene, robot: int) -> Iterator[Part]:
     rank = 0
     for model in scene.models:
         if model.root != robot:
-            for points in outlines_of(model):
+            for points in model.outlines():
                 yield _part(scene, model, rank, points)
                 rank += 1
 
@@ -111,13 +131,6 @@ def _part(scene: Scene, model: Model, rank: int, points: tuple[Point, ...]) -> P
         colour=model.colour,
         blob=model.blob_return != 0,
     )
-
-
-def outlines_of(model: Model) -> Iterator[tuple[Point, ...]]:
-    """The polygons of one model, in the world."""
-    pose = model.pose
-    for shape in (*model.polygons, *model.walls):
-        yield placed(shape.points, pose.x, pose.y, pose.yaw)
 
 
 def _bodies(space: pymunk.Space, points: tuple[Point, ...], radius: float) -> Iterable[pymunk.Shape]:

@@ -13,7 +13,6 @@ from string import ascii_lowercase
 
 from devices.ports.robot import STEP
 from sim.geometry import Point, overlapping
-from sim.physics import outlines_of
 from sim.scene import Model, Scene
 
 MOST_CELLS = 400
@@ -117,7 +116,7 @@ def _shapes(scene: Scene, me: Model | None) -> Iterator[_Shape]:
                 tuple((x / STEP, y / STEP) for x, y in points)
                 for part in scene.tree(model.index)
                 if part.solid or part.seen
-                for points in outlines_of(part)
+                for points in part.outlines()
             )
             if outlines:
                 yield _shape(model, outlines, me)
@@ -143,7 +142,7 @@ def _is_wall(model: Model, box: tuple[float, float, float, float], me: Model | N
 
 
 def _bounds(me: Model | None, shapes: tuple[_Shape, ...]) -> tuple[int, int, int, int]:
-    """Whole steps: everything that stands in the world, and floor around the robot where there are no walls."""
+    """Whole steps: everything that stands in the world, and floor around the robot where no walls are."""
     boxes = [(shape.left, shape.bottom, shape.right, shape.top) for shape in shapes]
     x, y = (me.pose.x / STEP, me.pose.y / STEP) if me is not None else (0.0, 0.0)
     around = 1 if any(shape.is_wall for shape in shapes) else OPEN_HALF

@@ -5,11 +5,11 @@ Metres, and degrees counter-clockwise from the x axis, as Stage has them.
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Iterator, Mapping
 from dataclasses import dataclass, field
 
 from sim.colours import Colour
-from sim.geometry import Point, direction
+from sim.geometry import Point, direction, placed
 from sim.report import LoadReport
 
 
@@ -93,6 +93,11 @@ class Model:
     """The four thin ones of ``boundary``."""
     sensors: tuple[RangeSensor, ...]
     blobfinder: Blobfinder | None
+
+    def outlines(self) -> Iterator[tuple[Point, ...]]:
+        """Its polygons and walls as they lie in the world."""
+        for shape in (*self.polygons, *self.walls):
+            yield placed(shape.points, self.pose.x, self.pose.y, self.pose.yaw)
 
     @property
     def solid(self) -> bool:

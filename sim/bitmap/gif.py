@@ -50,7 +50,7 @@ def _blocks(data: bytes, position: int) -> bytes:
 
 
 def _codes(body: bytes, smallest: int) -> Iterator[tuple[int, bool]]:
-    """Codes, and whether the table starts anew; their width grows with the table, which the reader mirrors."""
+    """Codes, and whether the table starts anew; their width grows with the reader's table."""
     clear, width, entries = 1 << smallest, smallest + 1, (1 << smallest) + 1
     bits = held = position = 0
     while True:

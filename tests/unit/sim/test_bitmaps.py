@@ -1,0 +1,201 @@
+"""Pictures as floor plans: which pixels are solid, in every kind of file, and how they become shapes."""
+
+import struct
+import zlib
+from pathlib import Path
+
+import pytest
+from hypothesis import given, settings
+from hypothesis import strategies as st
+
+from sim.bitmap import BadPicture, Picture, Rectangle, read_picture, rectangles
+from sim.bitmap.pixels import MOST_PIXELS
+from sim.geometry import signed_area
+from sim.robot import SimulatedRobot
+from sim.worldfile import load_text
+from tests.unit.sim.floors import IDEAL, Unpaced
+
+ROWS = ("..##.", "#...#", "##.##")
+"""The picture that every file below holds."""
+SOLID = tuple(bytes(pixel == "#" for pixel in row) for row in ROWS)
+
+
+def chunk(name: bytes, body: bytes) -> bytes:
+    return struct.pack(">I", len(body)) + name + body + struct.pack(">I", zlib.crc32(name + body))
+
+
+def png(kind: int, depth: int, rows: list[bytes], interlaced: bool = False, palette: bytes = b"") -> bytes:
+    header = struct.pack(">IIBBBBB", 5, 3, depth, kind, 0, 0, interlaced)
+    extra = chunk(b"PLTE", palette) if palette else b""
+    body = zlib.compress(b"".join(rows))
+    return b"\x89PNG\r\n\x1a\n" + chunk(b"IHDR", header) + extra + chunk(b"IDAT", body) + chunk(b"IEND", b"")
+
+
+def grey(level_of: dict[str, int], rows: tuple[str, ...] = ROWS) -> list[bytes]:
+    return [bytes(level_of[pixel] for pixel in row) for row in rows]
+
+
+def filtered(kind: int, rows: list[bytes], step: int) -> list[bytes]:
+    """The rows as PNG's filter ``kind`` writes them."""
+    before, out = bytes(len(rows[0])), []
+    for row in rows:
+        line = bytearray((kind,))
+        for i, value in enumerate(row):
+            a = row[i - step] if i >= step else 0
+            b = before[i]
+            c = before[i - step] if i >= step else 0
+            p = a + b - c
+            paeth = min((abs(p - a), 0, a), (abs(p - b), 1, b), (abs(p - c), 2, c))[2]
+            line.append((value - (0, a, b, (a + b) // 2, paeth)[kind]) % 256)
+        out.append(bytes(line))
+        before = row
+    return out
+
+
+def bits(rows: tuple[str, ...], depth: int, dark: int, light: int) -> list[bytes]:
+    packed = []
+    for row in rows:
+        text = "".join(format(dark if pixel == "#" else light, f"0{depth}b") for pixel in row)
+        text += "0" * (-len(text) % 8)
+        packed.append(bytes(int(text[i : i + 8], 2) for i in range(0, len(text), 8)))
+    return packed
+
+
+def interlaced() -> list[bytes]:
+    passes = (
+        (0, 0, 8, 8),
+        (4, 0, 8, 8),
+        (0, 4, 4, 8),
+        (2, 0, 4, 4),
+        (0, 2, 2, 4),
+        (1, 0, 2, 2),
+        (0, 1, 1, 2),
+    )
+    rows = []
+    for left, top, across, down in passes:
+        for row in ROWS[top::down]:
+            if row[left::across]:
+                rows.append(b"\0" + bytes(0 if pixel == "#" else 255 for pixel in row[left::across]))
+    return rows
+
+
+LEVELS = {"#": 127, ".": 128}
+GREY = grey(LEVELS)
+RGB = [b"".join(bytes((level, 9, 200)) for level in row) for row in GREY]
+RGBA = [b"".join(bytes((level, 9, 200, 0)) for level in row) for row in GREY]
+DEEP = [b"".join(bytes((level, 77)) for level in row) for row in GREY]
+PALETTE = bytes((255, 0, 0, 40, 255, 255))
+
+
+def bmp(bit_count: int, rows: list[bytes], palette: bytes = b"", upside_down: bool = True) -> bytes:
+    padded = b"".join(row + bytes(-len(row) % 4) for row in (rows[::-1] if upside_down else rows))
+    height = 3 if upside_down else -3
+    info = struct.pack("<IiiHHIIiiII", 40, 5, height, 1, bit_count, 0, 0, 0, 0, 0, 0)
+    return b"BM" + struct.pack("<IHHI", 0, 0, 0, 54 + len(palette)) + info + palette + padded
+
+
+BGR = [b"".join(bytes((1, 2, level)) for level in row) for row in GREY]
+GIF = (
+    b"GIF89a" + struct.pack("<HHBBB", 5, 3, 0x80, 0, 0) + bytes((0, 0, 0, 255, 255, 255))
+    + b"\x21\xf9\x04\0\0\0\0\0" + b"," + struct.pack("<HHHHB", 0, 0, 5, 3, 0) + b"\x02"
+)  # fmt: skip
+
+
+def gif_codes() -> bytes:
+    """Codes 3 bits wide, the table cleared before it can grow beyond them."""
+    codes = [4]
+    for i, pixel in enumerate("".join(ROWS)):
+        if i and i % 2 == 0:
+            codes.append(4)
+        codes.append(0 if pixel == "#" else 1)
+    codes.append(5)
+    text = "".join(format(code, "03b")[::-1] for code in codes)
+    text += "0" * (-len(text) % 8)
+    body = bytes(int(text[i : i + 8][::-1], 2) for i in range(0, len(text), 8))
+    return bytes((len(body),)) + body + b"\0;"
+
+
+FILES = {
+    "png grey": png(0, 8, filtered(0, GREY, 1)),
+    **{f"png filter {kind}": png(2, 8, filtered(kind, RGB, 3)) for kind in range(5)},
+    "png grey and alpha": png(4, 8, filtered(4, [b"".join(bytes((v, 0)) for v in r) for r in GREY], 2)),
+    "png rgba": png(6, 8, filtered(3, RGBA, 4)),
+    "png 16 bits": png(0, 16, filtered(1, DEEP, 2)),
+    "png 1 bit": png(0, 1, filtered(0, bits(ROWS, 1, 0, 1), 1)),
+    "png 2 bits": png(0, 2, filtered(2, bits(ROWS, 2, 1, 2), 1)),
+    "png 4 bits": png(0, 4, filtered(0, bits(ROWS, 4, 7, 8), 1)),
+    "png palette": png(3, 8, filtered(0, grey({"#": 1, ".": 0}), 1), palette=PALETTE),
+    "png palette 1 bit": png(3, 1, filtered(0, bits(ROWS, 1, 1, 0), 1), palette=PALETTE),
+    "png interlaced": png(0, 8, interlaced(), interlaced=True),
+    "pgm": b"P5\n# a plan\n5 3\n255\n" + b"".join(GREY),
+    "pgm of few levels": b"P5 5 3 15\n" + b"".join(grey({"#": 7, ".": 8})),
+    "pgm as text": b"P2 5 3 255\n" + b" ".join(b"%d" % v for row in GREY for v in row),
+    "ppm": b"P6 5 3 255\n" + b"".join(RGB),
+    "bmp 24 bits": bmp(24, BGR),
+    "bmp from the top": bmp(24, BGR, upside_down=False),
+    "bmp 8 bits": bmp(8, grey({"#": 0, ".": 1}), bytes((0, 0, 9, 0, 0, 0, 200, 0))),
+    "bmp 1 bit": bmp(1, bits(ROWS, 1, 0, 1), bytes((0, 0, 9, 0, 0, 0, 200, 0))),
+    "gif": GIF + gif_codes(),
+}
+
+
+@pytest.mark.parametrize("kind", FILES)
+def test_every_kind_of_picture_is_read(kind: str) -> None:
+    assert read_picture(FILES[kind]) == Picture(5, 3, SOLID)
+
+
+@settings(max_examples=400, deadline=None)
+@given(st.sampled_from(sorted(FILES)), st.integers(0, 200), st.binary(max_size=8), st.integers(0, 8))
+def test_a_damaged_picture_is_read_or_refused(kind: str, at: int, piece: bytes, length: int) -> None:
+    data = FILES[kind][:at] + piece + FILES[kind][at + length :]
+
+    try:
+        picture = read_picture(data)
+    except BadPicture:
+        return
+    assert picture.width * picture.height <= MOST_PIXELS
+    assert [len(row) for row in picture.rows] == [picture.width] * picture.height
+
+
+def test_a_picture_that_claims_to_be_huge_is_refused() -> None:
+    header = struct.pack(">IIBBBBB", 100_000, 100_000, 8, 0, 0, 0, 0)
+
+    with pytest.raises(BadPicture):
+        read_picture(b"\x89PNG\r\n\x1a\n" + chunk(b"IHDR", header) + chunk(b"IDAT", zlib.compress(b"")))
+
+
+@settings(max_examples=200, deadline=None)
+@given(st.lists(st.lists(st.booleans(), min_size=7, max_size=7), min_size=1, max_size=8))
+def test_rectangles_cover_the_solid_pixels_once_and_nothing_else(pixels: list[list[bool]]) -> None:
+    picture = Picture(7, len(pixels), tuple(bytes(row) for row in pixels))
+
+    covered = [
+        (x, y)
+        for left, top, right, bottom in rectangles(picture)
+        for y in range(top, bottom)
+        for x in range(left, right)
+    ]
+
+    assert sorted(covered) == sorted((x, y) for y, row in enumerate(pixels) for x, on in enumerate(row) if on)
+
+
+def test_equal_runs_become_one_rectangle() -> None:
+    picture = Picture(4, 3, (b"\1\1\0\0", b"\1\1\0\1", b"\1\1\0\0"))
+
+    assert sorted(rectangles(picture)) == [Rectangle(0, 0, 2, 3), Rectangle(3, 1, 4, 2)]
+
+
+def test_the_dark_part_of_a_picture_is_fitted_to_the_size(tmp_path: Path) -> None:
+    rows = ("......", ".####.", ".#..#.", ".####.", "......")
+    body = b"".join(grey({"#": 0, ".": 255}, rows))
+    (tmp_path / "ring.pgm").write_bytes(b"P5 6 5 255\n" + body)
+
+    scene = load_text(
+        IDEAL + 'model ( bitmap "ring.pgm" size [ 4 3 1 ] ) ideal ( pose [ 0 0 0 90 ] )', tmp_path / "t.world"
+    )
+    robot = SimulatedRobot(scene, pace=Unpaced())
+
+    assert sum(abs(signed_area(polygon.points)) for polygon in scene.models[0].polygons) == pytest.approx(10)
+    assert {x for polygon in scene.models[0].polygons for x, _ in polygon.points} == {-2, -1, 1, 2}
+    assert "margin-cropped" in [note.code for note in scene.report.notes]
+    assert robot.forward(100).walked == 9  # half a metre to the wall, a step before it

@@ -1,0 +1,76 @@
+"""Worlds that others wrote for Stage: the same models in the same places as Stage itself built them."""
+
+import json
+from pathlib import Path
+
+import pytest
+
+from sim.geometry import signed_area
+from sim.robot import SimulatedRobot
+from sim.scene import Model
+from sim.worldfile import load_world
+from tests.unit.sim.floors import Unpaced
+
+WORLDS = (
+    "donnie/donnie.world",
+    "worlds/simple.world",
+    "worlds/roomba.world",
+    "worlds/lsp_test.world",
+    "worlds/everything.world",
+)
+
+
+@pytest.mark.parametrize("world", WORLDS)
+def test_a_world_becomes_what_stage_makes_of_it(shared: Path, world: str) -> None:
+    truth = json.loads((shared / "stage" / "truth.json").read_text(encoding="utf-8"))[world]
+
+    scene = load_world(shared / "stage" / world)
+
+    assert [(m.type, m.name) for m in scene.models] == [(m["type"], m["name"]) for m in truth]
+    for model, expected in zip(scene.models, truth, strict=True):
+        compare(model, expected)
+        parent = None if model.parent is None else scene.models[model.parent].name
+        assert parent == expected["parent"]
+
+
+def compare(model: Model, expected: dict[str, object]) -> None:
+    x, y, z, yaw = expected["global_pose"]  # type: ignore[misc]
+    assert (model.pose.x, model.pose.y, model.pose.z) == pytest.approx((x, y, z), abs=1e-3)
+    assert (model.pose.yaw - yaw + 180) % 360 == pytest.approx(180, abs=1e-3)
+    assert list(model.size) == pytest.approx(expected["size"])
+    colour = [model.colour.red, model.colour.green, model.colour.blue]
+    assert colour == pytest.approx(expected["color"][:3], abs=1e-3)  # type: ignore[index]
+    assert [model.obstacle_return, model.ranger_return, model.fiducial_return] == [
+        expected[name] for name in ("obstacle_return", "ranger_return", "fiducial_return")
+    ]
+    if not model.bitmap:  # Stage loses outlines of pictures that reach the border
+        area = sum(abs(signed_area(polygon.points)) for polygon in model.polygons)
+        assert area == pytest.approx(abs(expected["block_signed_area"]), rel=0.02, abs=1e-6)  # type: ignore[arg-type]
+        assert len(model.polygons) == expected["blocks"]
+    sensors = expected.get("sensors", [])
+    assert [
+        ([s.pose.x, s.pose.y, s.pose.z, s.pose.yaw], [s.minimum, s.maximum], s.samples) for s in model.sensors
+    ] == [(s["pose"], s["range"], s["samples"]) for s in sensors]  # type: ignore[attr-defined]
+
+
+@pytest.mark.parametrize("world", WORLDS)
+def test_the_first_robot_of_a_stage_world_can_be_driven(shared: Path, world: str) -> None:
+    robot = SimulatedRobot(load_world(shared / "stage" / world), pace=Unpaced())
+
+    robot.turn(90)
+    robot.forward(100)
+    robot.turn(-45)
+    moved = robot.forward(100_000)
+
+    assert moved.stopped_by is not None  # every one of these worlds has walls, and they hold
+
+
+def test_the_original_donnie_does_not_drive_through_its_walls(shared: Path) -> None:
+    robot = SimulatedRobot(load_world(shared / "stage" / "donnie" / "donnie.world"), pace=Unpaced())
+
+    for _ in range(8):
+        robot.forward(200)
+        robot.turn(47)
+        pose = robot.pose()
+        assert -4 < pose.x < 37
+        assert -4 < pose.y < 37

@@ -1,0 +1,263 @@
+"""World files that load: what each piece of the language means."""
+
+from pathlib import Path
+
+import pytest
+
+from sim.report import NoteKind
+from sim.scene import Model, Scene
+from sim.worldfile import load_text, load_world
+
+
+def load(text: str) -> Scene:
+    return load_text(text, Path("test.world"))
+
+
+def only(text: str) -> Model:
+    (model,) = load(text).models
+    return model
+
+
+@pytest.mark.parametrize(
+    "text",
+    [
+        "model(pose[1 2 0 3])",
+        "model ( pose [ 1 2 0 3 ] )",
+        "model # what\n(\n pose # where\n [ 1 # x\n 2 0\n\n 3 ] )",
+        "model\r\n(\r\n\tpose [1 2 0 3]\r\n)\r\n",
+        "\ufeffmodel ( pose [ +1.0 2e0 .0 30e-1 ] )",
+        "model ( pose [ 9 9 9 9 ] pose [ 1. 2 0 3 ] )",
+        "model ( pose [ 1 2 3 ] )",
+        'unit_length "cm" model ( pose [ 100 200 0 3 ] )',
+        'model ( pose [ 1000 2000 0 3 ] ) unit_length "mm"',
+        'unit_angle "radians" model ( pose [ 1 2 0 0.05235987755982989 ] )',
+        "define a model ( pose [ 1 2 0 3 ] ) a ( )",
+        "define a model ( pose [ 7 7 7 7 ] ) define b a ( pose [ 1 2 0 3 ] ) b ( )",
+        "define a model ( pose [ 1 2 0 3 ] ) define a model ( pose [ 9 9 9 9 ] ) a ( )",
+        "a ( ) define a model ( pose [ 1 2 0 3 ] )",
+    ],
+)
+def test_one_model_written_in_many_ways(text: str) -> None:
+    pose = only(text.replace("\ufeff", "")).pose
+
+    assert (pose.x, pose.y, pose.z, pose.yaw) == pytest.approx((1, 2, 0, 3))
+
+
+@pytest.mark.parametrize("text", ["", "# nothing\n", "\n\n", "window ( size [ 3 3 ] )", "speedup 0"])
+def test_a_world_may_be_empty(text: str) -> None:
+    scene = load(text)
+
+    assert scene.models == ()
+    assert [note.code for note in scene.report.notes] == ["no-robot"]
+
+
+def test_the_worlds_own_properties_are_kept() -> None:
+    assert load('resolution 0.02 size [ 15 15 ] x "y"').settings == {
+        "resolution": 0.02,
+        "size": (15.0, 15.0),
+        "x": "y",
+    }
+
+
+def test_defaults_are_those_of_stage() -> None:
+    model = only("model ( )")
+
+    assert (model.type, model.name, model.size) == ("model", "model:1", (0.4, 0.4, 1.0))
+    assert (model.colour.red, model.colour.green, model.colour.blue) == (1, 0, 0)
+    assert (model.obstacle_return, model.ranger_return, model.blob_return) == (1, 1, 1)
+    assert (model.fiducial_return, model.gripper_return) == (0, 0)
+    (block,) = model.polygons
+    assert set(block.points) == {(-0.2, -0.2), (0.2, -0.2), (0.2, 0.2), (-0.2, 0.2)}
+
+
+def test_children_stand_on_their_parent_and_turn_with_it() -> None:
+    inner = "model ( pose [ 1 0 0.1 45 ] model ( pose [ 0 1 0 0 ] ) )"
+    text = f"model ( pose [ 1 1 0 90 ] size [ 1 1 0.5 ] {inner} )"
+    _, child, grandchild = load(text).models
+
+    assert (child.pose.x, child.pose.y, child.pose.z, child.pose.yaw) == (1, 2, 0.6, 135)
+    assert (grandchild.pose.x, grandchild.pose.y) == pytest.approx((1 - 0.5**0.5, 2 - 0.5**0.5))
+    assert (child.parent, child.root, grandchild.parent, grandchild.root) == (0, 0, 1, 0)
+    assert (child.name, grandchild.name) == ("model:1.model:0", "model:1.model:0.model:0")
+
+
+def test_origin_shifts_the_shape_and_not_the_children() -> None:
+    parent, child = load("model ( size [ 2 2 1 ] origin [ 0.5 0 0 ] model ( ) )").models
+
+    assert {x for x, _ in parent.polygons[0].points} == {-0.5, 1.5}
+    assert (child.pose.x, child.pose.y) == (0, 0)
+
+
+def test_all_blocks_together_are_scaled_and_centred_to_the_size() -> None:
+    left = "block ( points 3 point[0] [ 10 10 ] point[1] [ 20 10 ] point[2] [ 10 30 ] z [ 0 2 ] )"
+    right = "block ( points 3 point[0] [ 30 10 ] point[1] [ 20 10 ] point[2] [ 30 30 ] z [ 2 4 ] )"
+    first, second = only(f"model ( size [ 2 1 1 ] {left} {right} )").polygons
+
+    assert first.points == ((-1, -0.5), (0, -0.5), (-1, 0.5))
+    assert second.points == ((1, -0.5), (0, -0.5), (1, 0.5))
+    assert (first.bottom, first.top, second.bottom, second.top) == (0, 0.5, 0.5, 1)
+
+
+def test_a_boundary_is_four_thin_walls_inside_the_box() -> None:
+    model = only("model ( size [ 4 2 1 ] boundary 1 )")
+
+    assert model.polygons == ()
+    assert len(model.walls) == 4
+    assert {round(x, 9) for wall in model.walls for x, _ in wall.points} == {-2, -1.99, 1.99, 2}
+    assert {round(y, 9) for wall in model.walls for _, y in wall.points} == {-1, -0.99, 0.99, 1}
+
+
+def test_a_boundary_holds_beside_blocks_too() -> None:
+    model = only("model ( boundary 1 block ( points 3 point[0] [ 0 0 ] point[1] [ 1 0 ] point[2] [ 0 1 ] ) )")
+
+    assert (len(model.polygons), len(model.walls)) == (1, 4)
+
+
+@pytest.mark.parametrize("name", ["DarkBlue", "darkblue", "dark blue", "DARK BLUE"])
+def test_colours_are_named_in_any_case(name: str) -> None:
+    colour = only(f'model ( color "{name}" )').colour
+
+    assert (colour.red, colour.green, round(colour.blue * 255), colour.family) == (0, 0, 139, "blue")
+
+
+def test_an_unknown_colour_is_red_and_a_warning_with_the_nearest_name() -> None:
+    scene = load('\nmodel ( color "gren" )')
+
+    (note, _) = scene.report.notes
+    assert scene.models[0].colour.family == "red"
+    assert (note.kind, note.code, note.line, note.column) == (NoteKind.WARNING, "unknown-colour", 2, 9)
+    assert note.details == {"name": "gren", "nearest": "green"}
+
+
+@pytest.mark.parametrize(
+    ("name", "family"),
+    [
+        *((word, word) for word in ("red", "green", "blue", "yellow", "orange", "pink", "gray")),
+        ("green3", "green"),
+        ("red3", "red"),
+        ("OrangeRed", "orange"),
+        ("grey50", "gray"),
+        ("DeepPink", "pink"),
+        ("cyan", "blue"),
+        ("gold", "yellow"),
+        ("black", "gray"),
+        ("white", "gray"),
+        ("firebrick", "red"),
+        ("SaddleBrown", "orange"),
+    ],
+)
+def test_every_colour_has_a_word_that_learners_know(name: str, family: str) -> None:
+    assert only(f'model ( color "{name}" )').colour.family == family
+
+
+def test_a_macro_gives_its_children_to_every_instance() -> None:
+    text = "define eye sensor ( fov 20 ) define eyes ranger ( eye ( ) eye ( pose [ 0 1 0 0 ] ) )"
+    scene = load(text + 'position ( name "a" eyes ( ) ) position ( name "b" eyes ( sensor ( ) ) )')
+
+    assert [model.name for model in scene.models] == ["a", "a.ranger:0", "b", "b.ranger:0"]
+    assert [len(model.sensors) for model in scene.models] == [0, 2, 0, 3]
+    assert scene.models[1].sensors[1].pose.y == 1
+    assert scene.models[1].kind == "eyes"
+
+
+def test_a_macro_may_have_the_name_of_a_type() -> None:
+    assert only("define model model ( size [ 1 1 1 ] ) model ( )").size == (1, 1, 1)
+
+
+def test_a_second_macro_of_a_name_is_warned_about() -> None:
+    scene = load("define a model ( )\ndefine a model ( )")
+
+    note = scene.report.notes[0]
+    assert (note.code, note.line) == ("second-define", 2)
+
+
+def test_a_sensor_placed_straight_into_a_robot_becomes_a_ranger() -> None:
+    scene = load("position ( sensor ( pose [ 1 0 0 0 ] range [ 0 2 ] ) )")
+
+    assert [model.type for model in scene.models] == ["position", "ranger"]
+    assert scene.models[1].sensors[0].maximum == 2
+    assert "lone-sensor" in [note.code for note in scene.report.notes]
+    assert scene.robots == (0,)
+
+
+def test_robots_are_the_positions_that_sense_distances_or_colours() -> None:
+    scene = load(
+        "position ( ) model ( ranger ( ) ) position ( ranger ( ) )"
+        " position ( position ( blobfinder ( ) ) ) position ( bumper ( ) )"
+    )
+
+    assert [scene.models[robot].name for robot in scene.robots] == ["position:1", "position:2"]
+
+
+def test_where_no_position_has_these_any_sense_makes_a_robot() -> None:
+    assert load("position ( ) position ( bumper ( ) )").robots == (1,)
+
+
+def test_an_unknown_property_is_kept_out_and_told_with_the_nearest_name() -> None:
+    scene = load("model ( obstacle_retrun 0 )")
+
+    note = scene.report.notes[0]
+    assert (note.kind, note.code) == (NoteKind.IGNORED, "unknown-property")
+    assert note.details == {"name": "obstacle_retrun", "nearest": "obstacle_return"}
+
+
+def test_what_is_not_simulated_is_told_once_for_a_macro_however_often_it_stands() -> None:
+    scene = load("define f fiducial ( range_max 8 )\n" + "model ( f ( ) )\n" * 50)
+
+    codes = [note.code for note in scene.report.notes]
+    assert codes.count("unused-property") == 1
+    assert codes.count("not-simulated") == 50  # each stands in a line of its own
+
+
+def test_walls_that_robots_could_drive_through_are_made_solid() -> None:
+    scene = load('model ( name "hall" boundary 1 obstacle_return 0 )')
+
+    assert scene.models[0].solid
+    assert "walls-made-solid" in [note.code for note in scene.report.notes]
+
+
+def test_includes_are_looked_for_beside_the_file_then_beside_the_world(tmp_path: Path) -> None:
+    (tmp_path / "parts").mkdir()
+    (tmp_path / "parts" / "a.inc").write_text('include "near.inc" include "far.inc"')
+    (tmp_path / "parts" / "near.inc").write_text('model ( name "near, in parts" )')
+    (tmp_path / "near.inc").write_text('model ( name "near, at the top" )')
+    (tmp_path / "far.inc").write_text('model ( name "far" )')
+    (tmp_path / "top.world").write_text('include "parts/a.inc"')
+
+    scene = load_world(tmp_path / "top.world")
+
+    assert [model.name for model in scene.models] == ["near, in parts", "far"]
+    assert len(scene.report.files) == 4
+
+
+def test_a_file_may_be_included_twice(tmp_path: Path) -> None:
+    (tmp_path / "a.inc").write_text("model ( )")
+
+    assert len(load_text('include "a.inc" include "a.inc"', tmp_path / "t.world").models) == 2
+
+
+def test_a_file_in_an_old_encoding_loads_and_is_told(tmp_path: Path) -> None:
+    (tmp_path / "old.world").write_bytes('model ( name "ch\xe3o" ) # \xe9'.encode("latin-1"))
+
+    scene = load_world(tmp_path / "old.world")
+
+    assert scene.models[0].name == "chão"
+    assert scene.report.notes[0].code == "not-utf8"
+
+
+def test_a_byte_order_mark_is_no_character(tmp_path: Path) -> None:
+    (tmp_path / "marked.world").write_bytes(b"\xef\xbb\xbfmodel ( )")
+
+    assert len(load_world(tmp_path / "marked.world").models) == 1
+
+
+def test_two_thousand_models_load() -> None:
+    scene = load("".join(f"model ( pose [ {i} 0 0 0 ] )\n" for i in range(2000)))
+
+    assert len(scene.models) == 2000
+    assert scene.report.loaded == (("model", 2000),)
+
+
+@pytest.mark.parametrize("depth", [1, 5, 30])
+def test_models_may_be_nested(depth: int) -> None:
+    assert len(load("model ( " * depth + ")" * depth).models) == depth

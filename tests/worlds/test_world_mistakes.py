@@ -1,0 +1,176 @@
+"""World files that can't be used: every mistake has its code, its line and column, and what was expected."""
+
+from pathlib import Path
+
+import pytest
+
+from sim.worldfile import Code, WorldError, load_text, load_world
+
+BROKEN = [
+    # text, code, line, column, expected
+    ("a (", Code.UNCLOSED, 1, 3, (")",)),
+    ("model (\n  pose [ 0 0\n", Code.UNCLOSED, 2, 8, ("]",)),
+    ("model ( )\n)", Code.UNEXPECTED, 2, 1, ("end of file", "define", "include", "name")),
+    ("model ( pose [ 0 0 0 0 ) ]", Code.UNEXPECTED, 1, 24, ("tuple", "number", "string", "]")),
+    ("model ( pose )", Code.UNEXPECTED, 1, 14, ("tuple", "number", "string", "(")),
+    ("resolution", Code.UNEXPECTED, 1, 1, ("tuple", "number", "string", "(")),
+    ("define a ( )", Code.UNEXPECTED, 1, 10, ("name",)),
+    ("include model", Code.UNEXPECTED, 1, 9, ("string",)),
+    ('name "open\n"', Code.UNTERMINATED_STRING, 1, 6, ('"',)),
+    ("\n\n  model ? ( )", Code.UNKNOWN_CHARACTER, 3, 9, ()),
+    ("model ( pose [ 0 0 0 9O ] )", Code.BAD_NUMBER, 1, 22, ("number",)),
+    ("size [ 1.2.3 1 ]", Code.BAD_NUMBER, 1, 8, ("number",)),
+    ("speedup 1e400", Code.NUMBER_TOO_LARGE, 1, 9, ()),
+    ("speedup 9999999999999999", Code.NUMBER_TOO_LARGE, 1, 9, ()),
+    ("model ( " * 80, Code.NESTED_TOO_DEEP, 1, 519, ()),
+    ('model ( include "x.inc" )', Code.MISPLACED, 1, 9, ()),
+    ("model ( define x model ( ) )", Code.MISPLACED, 1, 9, ()),
+    ("block ( points 3 )", Code.MISPLACED, 1, 1, ()),
+    ("sensor ( )", Code.MISPLACED, 1, 1, ()),
+    ("model ( window ( ) )", Code.MISPLACED, 1, 9, ()),
+    ("\nmodle ( )", Code.UNKNOWN_TYPE, 2, 1, ("type",)),
+    ("define chair modle ( )\nchair ( )", Code.UNKNOWN_TYPE, 1, 14, ("type",)),
+    ("define a b ( )\ndefine b a ( )\na ( )", Code.DEFINE_CYCLE, 2, 10, ()),
+    ("define a a ( )\na ( )", Code.DEFINE_CYCLE, 1, 10, ()),
+    ('model ( pose "here" )', Code.WRONG_TYPE, 1, 14, ("tuple",)),
+    ("model ( name 5 )", Code.WRONG_TYPE, 1, 14, ("string",)),
+    ("model ( obstacle_return [ 1 ] )", Code.WRONG_TYPE, 1, 25, ("number",)),
+    ('model ( pose [ 0 "0" 0 0 ] )', Code.WRONG_TYPE, 1, 18, ("number",)),
+    ("model ( pose [ 0 0 ] )", Code.WRONG_COUNT, 1, 14, ("3", "4")),
+    ("model ( size [ 1 ] )", Code.WRONG_COUNT, 1, 14, ("2", "3", "4")),
+    ("model ( size [ -1 1 1 ] )", Code.OUT_OF_RANGE, 1, 14, ()),
+    ("model ( pose [ 1e7 0 0 0 ] )", Code.OUT_OF_RANGE, 1, 16, ()),
+    ("ranger ( sensor ( range [ 3 1 ] ) )", Code.OUT_OF_RANGE, 1, 25, ()),
+    ('unit_length "mile"', Code.UNKNOWN_WORD, 1, 13, ("m", "cm", "mm")),
+    ('unit_angle "degree"', Code.UNKNOWN_WORD, 1, 12, ("degrees", "radians")),
+    ("model ( block ( ) )", Code.TOO_FEW_POINTS, 1, 9, ("3",)),
+    ("model ( block ( points 2 ) )", Code.TOO_FEW_POINTS, 1, 9, ("3",)),
+    ("model ( block ( points 1e9 ) )", Code.TOO_FEW_POINTS, 1, 9, ("3",)),
+    (
+        "model ( block ( points 3 point[0] [ 0 0 ] point[2] [ 1 1 ] ) )",
+        Code.MISSING_POINT,
+        1,
+        9,
+        ("point[1]",),
+    ),
+    ('include "nowhere.inc"', Code.FILE_NOT_FOUND, 1, 9, ()),
+    ('model ( bitmap "nowhere.png" )', Code.BITMAP_NOT_FOUND, 1, 16, ()),
+]
+
+
+@pytest.mark.parametrize(("text", "code", "line", "column", "expected"), BROKEN)
+def test_a_mistake_is_told_where_it_is(
+    text: str, code: Code, line: int, column: int, expected: tuple[str, ...]
+) -> None:
+    with pytest.raises(WorldError) as caught:
+        load_text(text, Path("broken.world"))
+
+    mistake = caught.value
+    assert (mistake.code, mistake.file) == (code, "broken.world")
+    assert (mistake.line, mistake.column, mistake.expected) == (line, column, expected)
+
+
+def test_an_unknown_type_names_the_nearest() -> None:
+    with pytest.raises(WorldError) as caught:
+        load_text("define armchair model ( )\narmchiar ( )", Path("x.world"))
+
+    assert caught.value.details == {"found": "armchiar", "nearest": "armchair"}
+
+
+def test_a_mistake_in_an_included_file_is_told_there(tmp_path: Path) -> None:
+    (tmp_path / "parts.inc").write_text("define chair model (\n  size 3\n)\n")
+    (tmp_path / "top.world").write_text('include "parts.inc"\nchair ( )\n')
+
+    with pytest.raises(WorldError) as caught:
+        load_world(tmp_path / "top.world")
+
+    assert Path(caught.value.file).name == "parts.inc"
+    assert (caught.value.line, caught.value.column) == (2, 8)
+
+
+def test_a_missing_world_is_told() -> None:
+    with pytest.raises(WorldError) as caught:
+        load_world(Path("there/is/none.world"))
+
+    assert caught.value.code is Code.FILE_NOT_FOUND
+
+
+def test_a_folder_is_no_world(tmp_path: Path) -> None:
+    with pytest.raises(WorldError) as caught:
+        load_world(tmp_path)
+
+    assert caught.value.code is Code.FILE_NOT_FOUND
+
+
+def test_files_that_include_each_other_are_told_at_the_second_include(tmp_path: Path) -> None:
+    (tmp_path / "a.inc").write_text('include "b.inc"')
+    (tmp_path / "b.inc").write_text('\n include "a.inc"')
+
+    with pytest.raises(WorldError) as caught:
+        load_text('include "a.inc"', tmp_path / "top.world")
+
+    mistake = caught.value
+    assert (mistake.code, Path(mistake.file).name) == (Code.INCLUDE_CYCLE, "b.inc")
+    assert (mistake.line, mistake.column) == (2, 10)
+
+
+def test_includes_and_bitmaps_from_outside_are_refused(tmp_path: Path) -> None:
+    (tmp_path / "secret.inc").write_text("model ( )")
+    inner = tmp_path / "worlds"
+    inner.mkdir()
+    (inner / "link.inc").symlink_to(tmp_path / "secret.inc")
+    refused = {
+        'include "../secret.inc"': Code.INCLUDE_OUTSIDE,
+        f'include "{tmp_path}/secret.inc"': Code.INCLUDE_OUTSIDE,
+        'include "link.inc"': Code.INCLUDE_OUTSIDE,
+        'model ( bitmap "../secret.inc" )': Code.BITMAP_OUTSIDE,
+    }
+
+    for text, code in refused.items():
+        with pytest.raises(WorldError) as caught:
+            load_text(text, inner / "top.world")
+        assert caught.value.code is code
+
+    allowed = load_text('include "../secret.inc"', inner / "top.world", allowed=(tmp_path,))
+    assert len(allowed.models) == 1
+
+
+def test_a_chain_of_macros_that_explodes_is_refused_soon() -> None:
+    bomb = "define m0 model ( )\n" + "".join(
+        f"define m{i} model ( {f'm{i - 1}( ) ' * 10})\n" for i in range(1, 12)
+    )
+
+    with pytest.raises(WorldError) as caught:
+        load_text(bomb + "m11( )", Path("bomb.world"))
+
+    assert caught.value.code is Code.TOO_MUCH
+
+
+def test_a_file_that_is_too_large_is_refused(tmp_path: Path) -> None:
+    (tmp_path / "big.world").write_bytes(b"# \n" * 3_000_000)
+
+    with pytest.raises(WorldError) as caught:
+        load_world(tmp_path / "big.world")
+
+    assert caught.value.code is Code.FILE_TOO_LARGE
+
+
+def test_an_include_bomb_is_refused_soon(tmp_path: Path) -> None:
+    for i in range(12):
+        (tmp_path / f"{i}.inc").write_text(f'include "{i + 1}.inc"\n' * 10)
+    (tmp_path / "12.inc").write_text("model ( )")
+
+    with pytest.raises(WorldError) as caught:
+        load_text('include "0.inc"', tmp_path / "top.world")
+
+    assert caught.value.code is Code.INCLUDE_TOO_DEEP
+
+
+def test_what_is_no_picture_is_told(tmp_path: Path) -> None:
+    (tmp_path / "plan.png").write_bytes(b"\x89PNG\r\n\x1a\n but not really")
+
+    with pytest.raises(WorldError) as caught:
+        load_text('model ( bitmap "plan.png" )', tmp_path / "top.world")
+
+    assert caught.value.code is Code.BITMAP_UNREADABLE
+    assert "PNG" in caught.value.expected
