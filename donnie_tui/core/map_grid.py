@@ -8,6 +8,7 @@ bounded; its oldest cells are forgotten first.
 from __future__ import annotations
 
 from collections import deque
+from collections.abc import Sequence
 from dataclasses import dataclass
 from enum import Enum
 from math import floor, hypot
@@ -165,6 +166,18 @@ class MapGrid:
             "".join(self.letter(Cell(x, y)) for x in range(bounds.left, bounds.right + 1))
             for y in range(bounds.top, bounds.bottom - 1, -1)
         )
+
+
+def floor_size(picture: Picture) -> tuple[int, int]:
+    """Steps from west to east and from south to north, the walls around it apart."""
+    columns = ["".join(column) for column in zip(*picture.rows, strict=True)]
+    return _inner(columns) * picture.cell, _inner(picture.rows) * picture.cell
+
+
+def _inner(lines: Sequence[str]) -> int:
+    """How many lines there are without those that are nothing but wall at either end."""
+    walls = [line == WALL * len(line) for line in lines]
+    return len(walls) - walls[0] - walls[-1] if len(walls) > 2 else len(walls)
 
 
 def _nearest(cells: float) -> int:

@@ -62,7 +62,7 @@ ACTIONS = (
     Action("quit", (), "EXIT", "SAIR", "SALIR", hidden=True),
 )
 
-BY_NAME = {each.name: each for each in ACTIONS}
+BY_NAME = {each.name: each for each in reversed(ACTIONS)}
 
 
 def find(typed: str) -> tuple[Action, str] | None:

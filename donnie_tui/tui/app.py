@@ -26,7 +26,7 @@ from textual.widgets import TextArea
 
 from devices.ports.robot import Pose
 from donnie_tui.core.events import Answered, Outcome, Read
-from donnie_tui.core.map_grid import MapGrid
+from donnie_tui.core.map_grid import MapGrid, floor_size
 from donnie_tui.folders import state_folder
 from donnie_tui.i18n.words import Words
 from donnie_tui.settings import Settings
@@ -41,7 +41,7 @@ from donnie_tui.tui.screens.question import Question
 from donnie_tui.tui.screens.workplace import Workplace
 from donnie_tui.tui.situation import (
     cell_sentence,
-    doing_sentence,
+    doing_sentences,
     inspector_lines,
     robot_sentence,
 )
@@ -61,6 +61,9 @@ COPY_AFTER = 1.0
 
 SHOW_CURSOR = "\x1b[?25h"
 
+CRASHED = 1
+"""Textual's return code after a fault of ours; the text is kept for the next start."""
+
 _OFFERED = {
     Doing.READY: ("run", "step", "save", "open", "show_variables", "help", "quit"),
     Doing.RUNNING: ("stop", "pause", "slower", "faster", "show_variables", "help"),
@@ -71,7 +74,7 @@ _OFFERED = {
 
 
 class Paused(Message):
-    """The running program holds, or goes on."""
+    """The running program holds."""
 
 
 class DonnieApp(App[int], inherit_bindings=False):
@@ -170,8 +173,8 @@ class DonnieApp(App[int], inherit_bindings=False):
     def _show_world(self, donnie: Donnie) -> None:
         picture = donnie.picture()
         self._pose = donnie.session.pose
-        self.workplace.map.show(MapGrid(picture, self._pose))
-        width, height = picture.width * picture.cell, picture.height * picture.cell
+        self.workplace.show_map(MapGrid(picture, self._pose))
+        width, height = floor_size(picture)
         self.workplace.map_pane.entitle(
             self.words("pane-map", world=_title(donnie), width=width, height=height)
         )
@@ -298,9 +301,10 @@ class DonnieApp(App[int], inherit_bindings=False):
 
     # --- hearing the program
 
-    def _paused(self, _state: ControlState) -> None:
+    def _paused(self, state: ControlState) -> None:
         """Told in any thread."""
-        self.post_message(Paused())
+        if state is ControlState.PAUSED:
+            self.post_message(Paused())
 
     def on_began(self, event: Began) -> None:
         self._take()
@@ -353,8 +357,11 @@ class DonnieApp(App[int], inherit_bindings=False):
 
     def on_happened(self) -> None:
         """There is mail: look now, or when it is time again."""
-        if self._taking is None:
-            self._taking = self.set_timer(max(0.0, self._taken_at + FRAME - time.monotonic()), self._take)
+        due = self._taken_at + FRAME - time.monotonic()
+        if due <= 0:
+            self._take()
+        elif self._taking is None:
+            self._taking = self.set_timer(due, self._take)
 
     def _take(self) -> None:
         if self._taking is not None:
@@ -367,7 +374,6 @@ class DonnieApp(App[int], inherit_bindings=False):
         if mail.poses:
             self._pose = mail.poses[-1]
             self.workplace.map.move(mail.poses)
-            self._say_status()
         self._readings.update({(each.sensor, each.argument): each for each in mail.readings})
         self._belt = mail.belt or self._belt
         self._lines.extend(mail.lines)
@@ -446,8 +452,9 @@ class DonnieApp(App[int], inherit_bindings=False):
             self.workplace.status.say(f" {self.words('status-starting')}")
             return
         robot = robot_sentence(self._pose, self.words, self._donnie.session.teller)
-        doing = doing_sentence(self._doing, self.running.speed, self.words)
-        self.workplace.status.say(" ".join((f" {self._focus_sentence()}", robot, doing)))
+        doings = doing_sentences(self._doing, self.running.speed, self.words)
+        focus = self._focus_sentence()
+        self.workplace.status.say(*(f" {focus} {robot} {doing}" for doing in doings))
 
     def _focus_sentence(self) -> str:
         place = self.workplace
@@ -533,6 +540,9 @@ def run_full_screen(settings: Settings, file: Path | None, *, text: str | None =
         code = app.run(mouse=_wants_mouse())
     finally:
         app.close_session()
+    if app.return_code == CRASHED:
+        app.files.keep_copy()
+        return CRASHED
     if app.trouble is not None:
         raise app.trouble
     if app.left_for_linear:

@@ -19,13 +19,18 @@ from language.runtime import Frame
 
 
 def robot_sentence(pose: Pose, words: Wording, teller: Teller) -> str:
-    """Where Donnie is."""
-    return words("status-robot", x=numbers.whole(pose.x), y=numbers.whole(pose.y), facing=teller.facing(pose))
+    """Where Donnie is. Between the points of the compass its heading is a number: the line is short."""
+    heading = numbers.heading(pose)
+    facing = teller.facing(pose) if heading % 45 == 0 else words("status-degrees", degrees=heading)
+    return words("status-robot", x=numbers.whole(pose.x), y=numbers.whole(pose.y), facing=facing)
 
 
-def doing_sentence(doing: Doing, speed: float | None, words: Wording) -> str:
-    """What the program does, and how fast."""
-    return words(f"status-{doing.value}", speed=speed_words(speed, words))
+def doing_sentences(doing: Doing, speed: float | None, words: Wording) -> tuple[str, str]:
+    """What the program does, and how fast; and without the speed, where there is no room."""
+    return (
+        words(f"status-{doing.value}-speed", speed=speed_words(speed, words)),
+        words(f"status-{doing.value}"),
+    )
 
 
 def speed_words(speed: float | None, words: Wording) -> str:

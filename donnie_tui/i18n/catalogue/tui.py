@@ -45,16 +45,25 @@ _STATUS = {
         "Donnie em {x}, {y} virado para {facing}.",
         "Donnie en {x}, {y} mirando al {facing}.",
     ),
-    "status-ready": Sentence(
+    "status-degrees": Sentence(
+        "{degrees} {degrees:degree|degrees}",
+        "{degrees} {degrees:grau|graus}",
+        "{degrees} {degrees:grado|grados}",
+    ),
+    "status-ready": Sentence("Ready.", "Pronto.", "Listo."),
+    "status-running": Sentence("Running.", "Executando.", "Ejecutando."),
+    "status-paused": Sentence("Paused.", "Pausado.", "En pausa."),
+    "status-stopping": Sentence("Stopping.", "Parando.", "Deteniendo."),
+    "status-ready-speed": Sentence(
         "Ready, speed {speed}.", "Pronto, velocidade {speed}.", "Listo, velocidad {speed}."
     ),
-    "status-running": Sentence(
+    "status-running-speed": Sentence(
         "Running, speed {speed}.", "Executando, velocidade {speed}.", "Ejecutando, velocidad {speed}."
     ),
-    "status-paused": Sentence(
+    "status-paused-speed": Sentence(
         "Paused, speed {speed}.", "Pausado, velocidade {speed}.", "En pausa, velocidad {speed}."
     ),
-    "status-stopping": Sentence("Stopping.", "Parando.", "Deteniendo."),
+    "status-stopping-speed": Sentence("Stopping.", "Parando.", "Deteniendo."),
     "status-starting": Sentence("Starting.", "Iniciando.", "Iniciando."),
     "speed-max": Sentence("max", "max", "max"),
 }

@@ -15,6 +15,7 @@ from textual.message import Message
 from textual.screen import Screen
 from textual.widgets import Static
 
+from donnie_tui.core.map_grid import MapGrid
 from donnie_tui.tui.widgets.command_line import CommandLine
 from donnie_tui.tui.widgets.editor import Editor
 from donnie_tui.tui.widgets.lines import FixedLine, KeyLine
@@ -24,6 +25,9 @@ from donnie_tui.tui.widgets.text_rows import TextRows
 
 WIDE, NARROW, LOW = 110, 60, 18
 """From WIDE columns on there is room for the inspector too; below NARROW or LOW for one pane only."""
+
+LEAST_PROGRAM, LEAST_MAP = 39, 20
+"""Columns that a program needs to be read, and a map to be one."""
 
 
 class Workplace(Screen[None]):
@@ -99,6 +103,7 @@ class Workplace(Screen[None]):
         small = event.size.width < NARROW or event.size.height < LOW
         self.set_class(small, "-one-pane")
         self._arrange()
+        self._give_room()
 
     def _bring_up(self, pane: Pane) -> None:
         if pane is not self._shown:
@@ -112,6 +117,18 @@ class Workplace(Screen[None]):
         self.query_one("#upper").set_class(self._shown is not self.log_pane, "-shown")
 
     # --- what is told to it
+
+    def show_map(self, grid: MapGrid) -> None:
+        """A floor; its pane takes what the floor needs, as far as the program keeps its room."""
+        self.map.show(grid)
+        self._give_room()
+
+    def _give_room(self) -> None:
+        """Where the whole width of the floor can be seen, it is."""
+        grid = self.map.grid
+        wanted = grid.bounds.width if grid else 0
+        fits = LEAST_PROGRAM + wanted + 1 <= self.size.width < WIDE and wanted >= LEAST_MAP
+        self.map_pane.styles.width = wanted if fits and not self.has_class("-one-pane") else None
 
     def log_lines(self, lines: Iterable[tuple[str, str]]) -> None:
         self.log_rows.append(lines)

@@ -15,8 +15,19 @@ class FixedLine(Static):
     def __init__(self, *, id: str) -> None:  # noqa: A002 -- Textual's own name
         super().__init__(id=id, markup=False)
         self.words = ""
+        self._choices: tuple[str, ...] = ("",)
 
-    def say(self, words: str) -> None:
+    def say(self, *choices: str) -> None:
+        """The first of the choices for which there is room, or the last."""
+        self._choices = choices
+        self._write()
+
+    def on_resize(self) -> None:
+        self._write()
+
+    def _write(self) -> None:
+        room = self.size.width * max(1, self.size.height)
+        words = next((each for each in self._choices if len(each) <= room), self._choices[-1])
         if words != self.words:
             self.words = words
             self.update(words, layout=False)
@@ -31,12 +42,12 @@ class KeyLine(FixedLine):
 
     def offer(self, entries: Sequence[str]) -> None:
         self._entries = tuple(entries)
-        self._write()
+        self._fit()
 
     def on_resize(self) -> None:
-        self._write()
+        self._fit()
 
-    def _write(self) -> None:
+    def _fit(self) -> None:
         room = self.size.width - 1
         shown: list[str] = []
         for entry in self._entries:
