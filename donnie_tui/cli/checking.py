@@ -2,9 +2,8 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING
-
 from donnie_tui.cli import codes
+from donnie_tui.cli.order import Order
 from donnie_tui.cli.output import Output
 from donnie_tui.cli.sources import Source, read_source
 from donnie_tui.i18n.mistakes import remark
@@ -14,9 +13,6 @@ from donnie_tui.unusable import Unusable
 from language.checker import check as hints_for
 from language.diagnostics import Diagnostic, Severity
 from language.parser import parse
-
-if TYPE_CHECKING:
-    from donnie_tui.cli.main import Order
 
 
 def check(order: Order) -> int:

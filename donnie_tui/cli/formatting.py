@@ -2,17 +2,13 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING
-
 from donnie_tui.cli import codes
 from donnie_tui.cli.checking import complain
+from donnie_tui.cli.order import Order
 from donnie_tui.cli.sources import Source, read_source
 from donnie_tui.core.documents import DocumentError, write_program
 from donnie_tui.unusable import Unusable
 from language.formatter import formatted
-
-if TYPE_CHECKING:
-    from donnie_tui.cli.main import Order
 
 
 def format_files(order: Order) -> int:

@@ -4,14 +4,11 @@ from __future__ import annotations
 
 import sys
 from pathlib import Path
-from typing import TYPE_CHECKING
 
 from donnie_tui.bootstrap import SwitchMode
 from donnie_tui.cli.mode import Surroundings, cause_of_linear
+from donnie_tui.cli.order import Order
 from donnie_tui.settings import Settings
-
-if TYPE_CHECKING:
-    from donnie_tui.cli.main import Order
 
 
 def start(order: Order) -> int:

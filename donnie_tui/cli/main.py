@@ -4,28 +4,17 @@ from __future__ import annotations
 
 import os
 import sys
-from collections.abc import Callable, Mapping
-from dataclasses import dataclass, replace
+from collections.abc import Callable
+from dataclasses import replace
 
 from donnie_tui.cli import codes
 from donnie_tui.cli.arguments import TO_COME, Invocation, WrongUsage, language_before_parsing, understand
+from donnie_tui.cli.order import Order
 from donnie_tui.cli.output import Output
 from donnie_tui.i18n.words import Words
-from donnie_tui.settings import BadOption, Notice, Settings, resolve
+from donnie_tui.settings import BadOption, Settings, resolve
 from donnie_tui.settings_file import read_settings
 from donnie_tui.unusable import Unusable
-
-
-@dataclass(frozen=True, slots=True)
-class Order:
-    """A command that was understood, with everything that it needs."""
-
-    invocation: Invocation
-    settings: Settings
-    notices: tuple[Notice, ...]
-    words: Words
-    output: Output
-    environment: Mapping[str, str]
 
 
 def main(arguments: list[str]) -> int:

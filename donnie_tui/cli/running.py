@@ -10,10 +10,11 @@ from collections.abc import Callable, Iterator
 from contextlib import contextmanager
 from pathlib import PurePath
 from types import FrameType
-from typing import TYPE_CHECKING, TextIO, cast
+from typing import TextIO, cast
 
 from donnie_tui.bootstrap import Donnie, assemble
 from donnie_tui.cli import codes
+from donnie_tui.cli.order import Order
 from donnie_tui.cli.output import Guarded, Output
 from donnie_tui.cli.sources import Source, read_source
 from donnie_tui.core.events import Outcome, Stamped
@@ -22,9 +23,6 @@ from donnie_tui.core.transcript import lines_of
 from donnie_tui.settings import Settings
 from donnie_tui.settings import Source as Origin
 from donnie_tui.unusable import Unusable
-
-if TYPE_CHECKING:
-    from donnie_tui.cli.main import Order
 
 _SIGNALS = ("SIGINT", "SIGTERM", "SIGHUP")
 _GLANCE = 0.5

@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING
 
 import worlds
 from donnie_tui.cli import codes
+from donnie_tui.cli.order import Order
 from donnie_tui.cli.world_models import records
 from donnie_tui.core.describe import describe, things_in_words
 from donnie_tui.i18n.words import Words
@@ -17,7 +18,6 @@ from donnie_tui.unusable import Unusable
 from donnie_tui.world_choice import ChosenWorld, choose_world
 
 if TYPE_CHECKING:
-    from donnie_tui.cli.main import Order
     from sim.report import LoadReport
 
 

@@ -9,12 +9,9 @@ from __future__ import annotations
 import difflib
 import re
 from dataclasses import dataclass
-from typing import TYPE_CHECKING
 
+from donnie_tui.i18n.phrasing import Phrasing
 from language import keywords
-
-if TYPE_CHECKING:
-    from donnie_tui.i18n.words import Words
 
 
 @dataclass(frozen=True, slots=True)
@@ -78,7 +75,7 @@ ENTRIES: dict[str, Entry] = {
 _PLACE = re.compile(r"\{([^{}]+)\}")
 
 
-def help_lines(topic: str | None, words: Words) -> tuple[str, ...]:
+def help_lines(topic: str | None, words: Phrasing) -> tuple[str, ...]:
     """The list, or what there is to say about a word of any language."""
     if topic is None:
         return _list(words)
@@ -86,16 +83,16 @@ def help_lines(topic: str | None, words: Words) -> tuple[str, ...]:
     return _unknown(topic, words) if found is None else _entry(found, words)
 
 
-def _list(words: Words) -> tuple[str, ...]:
+def _list(words: Phrasing) -> tuple[str, ...]:
     first = words("help-list", count=len(ENTRIES), help=_spelled("HELP", words))
     return (first, *(_purpose(topic, words) for topic in ENTRIES))
 
 
-def _purpose(topic: str, words: Words) -> str:
+def _purpose(topic: str, words: Phrasing) -> str:
     return words("help-purpose", word=_spelled(topic, words), purpose=words(f"purpose-{topic}"))
 
 
-def _entry(topic: str, words: Words) -> tuple[str, ...]:
+def _entry(topic: str, words: Phrasing) -> tuple[str, ...]:
     entry = ENTRIES[topic]
     return (
         _purpose(topic, words),
@@ -104,23 +101,23 @@ def _entry(topic: str, words: Words) -> tuple[str, ...]:
     )
 
 
-def _forms(entry: Entry, words: Words) -> str:
+def _forms(entry: Entry, words: Phrasing) -> str:
     spelled = dict.fromkeys(_spelled(leader, words) for leader in entry.leaders)
     rest = _filled(entry.rest, words)
     forms = [f"{leader} {rest}".strip() for leader in spelled]
     return forms[0] if len(forms) == 1 else words("help-or", first=forms[0], second=forms[1])
 
 
-def example(topic: str, words: Words) -> str:
+def example(topic: str, words: Phrasing) -> str:
     """A program that shows the command, in the learner's language."""
     return _filled(ENTRIES[topic].example, words)
 
 
-def _filled(template: str, words: Words) -> str:
+def _filled(template: str, words: Phrasing) -> str:
     return _PLACE.sub(lambda place: _spelled(place[1], words), template)
 
 
-def _spelled(place: str, words: Words) -> str:
+def _spelled(place: str, words: Phrasing) -> str:
     """A keyword, a word behind one (``ON``, ``red``), or what a placeholder is called."""
     if place in ("ON", "OFF"):
         return keywords.argument_spelling(place == "ON", words.language)
@@ -131,7 +128,7 @@ def _spelled(place: str, words: Words) -> str:
     return keywords.spelling(place, words.language)
 
 
-def _unknown(topic: str, words: Words) -> tuple[str, ...]:
+def _unknown(topic: str, words: Phrasing) -> tuple[str, ...]:
     shown = topic[:30]
     known = {word.lower(): word for word in keywords.all_words()}
     near = difflib.get_close_matches(shown.lower(), known, n=1, cutoff=0.7)

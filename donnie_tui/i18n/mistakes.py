@@ -1,22 +1,19 @@
 """Mistakes as sentences: what is wrong, and what would put it right, in the learner's language.
 
 A diagnostic's ``code`` chooses among the sentences of its kind; the kind's own is the one that always
-exists. Words of GoDonnie are spelled in the learner's language, what was typed is quoted as it was typed.
+exists. Phrasing of GoDonnie are spelled in the learner's language, what was typed is quoted as it was typed.
 """
 
 from __future__ import annotations
 
 import unicodedata
 from collections.abc import Callable
-from typing import TYPE_CHECKING
 
 from donnie_tui.i18n.catalogue.signs import CODE_OF
+from donnie_tui.i18n.phrasing import Phrasing
 from language import keywords
 from language.diagnostics import Diagnostic, Kind
 from language.keywords import argument_spelling, argument_words
-
-if TYPE_CHECKING:
-    from donnie_tui.i18n.words import Words
 
 LONGEST_QUOTE = 24
 """Characters of what was typed that are repeated in a sentence."""
@@ -27,13 +24,13 @@ MOST_EXPECTED = 4
 _ARGUMENTS_OF = {"direction": "DIRECTION", "axis": "AXIS", "colour": "COLOUR", "on-or-off": "SWITCH"}
 
 
-def mistake(diagnostic: Diagnostic, words: Words) -> str:
+def mistake(diagnostic: Diagnostic, words: Phrasing) -> str:
     """What is wrong, in one sentence."""
     make = _SENTENCE_OF.get(diagnostic.kind, _plain)
     return make(diagnostic, words)
 
 
-def hint(diagnostic: Diagnostic, words: Words) -> str | None:
+def hint(diagnostic: Diagnostic, words: Phrasing) -> str | None:
     """What would put it right, where that is known."""
     if diagnostic.meant:
         return words("hint-meant", meant=diagnostic.meant)
@@ -41,7 +38,7 @@ def hint(diagnostic: Diagnostic, words: Words) -> str | None:
     return make(diagnostic, words) if make else None
 
 
-def remark(diagnostic: Diagnostic, words: Words) -> str:
+def remark(diagnostic: Diagnostic, words: Phrasing) -> str:
     """A hint of the checker as one line: what it is about, and what would be better."""
     advice = hint(diagnostic, words)
     told = mistake(diagnostic, words)
@@ -51,7 +48,7 @@ def remark(diagnostic: Diagnostic, words: Words) -> str:
 # --- what is wrong
 
 
-def _plain(diagnostic: Diagnostic, words: Words) -> str:
+def _plain(diagnostic: Diagnostic, words: Phrasing) -> str:
     """The kind's own sentence, filled with whatever the diagnostic knows."""
     kind = diagnostic.kind.value
     special = f"mistake-{kind}-{diagnostic.code}"
@@ -59,7 +56,7 @@ def _plain(diagnostic: Diagnostic, words: Words) -> str:
     return words(code, **_values(diagnostic, words))
 
 
-def _syntax(diagnostic: Diagnostic, words: Words) -> str:
+def _syntax(diagnostic: Diagnostic, words: Phrasing) -> str:
     if diagnostic.code and words.knows(f"mistake-syntax-{diagnostic.code}"):
         return _plain(diagnostic, words)
     expected = _expected(diagnostic, words)
@@ -72,11 +69,11 @@ def _syntax(diagnostic: Diagnostic, words: Words) -> str:
     return words("mistake-syntax-cut-off")
 
 
-def _unknown_character(diagnostic: Diagnostic, words: Words) -> str:
+def _unknown_character(diagnostic: Diagnostic, words: Phrasing) -> str:
     return words("mistake-unknown-character", sign=_sign(diagnostic.found[:1], words))
 
 
-def _bad_argument(diagnostic: Diagnostic, words: Words) -> str:
+def _bad_argument(diagnostic: Diagnostic, words: Phrasing) -> str:
     if diagnostic.code:
         return _plain(diagnostic, words)
     word = diagnostic.details.get("word")
@@ -84,22 +81,22 @@ def _bad_argument(diagnostic: Diagnostic, words: Words) -> str:
     return words(code, found=_found(diagnostic, words), word=_spelled(str(word or ""), words))
 
 
-def _wrong_end(diagnostic: Diagnostic, words: Words) -> str:
+def _wrong_end(diagnostic: Diagnostic, words: Phrasing) -> str:
     code = "mistake-wrong-end" if "opener" in diagnostic.details else "mistake-wrong-end-nothing-open"
     return words(code, **_values(diagnostic, words))
 
 
-def _already_declared(diagnostic: Diagnostic, words: Words) -> str:
+def _already_declared(diagnostic: Diagnostic, words: Phrasing) -> str:
     before = "-before" if "first_line" in diagnostic.details else ""
     return words(f"mistake-already-declared{before}", **_values(diagnostic, words))
 
 
-def _undeclared_variable(diagnostic: Diagnostic, words: Words) -> str:
+def _undeclared_variable(diagnostic: Diagnostic, words: Phrasing) -> str:
     in_procedure = "-in-procedure" if "in_procedure" in diagnostic.details else ""
     return words(f"mistake-undeclared-variable{in_procedure}", **_values(diagnostic, words))
 
 
-_SENTENCE_OF: dict[Kind, Callable[[Diagnostic, Words], str]] = {
+_SENTENCE_OF: dict[Kind, Callable[[Diagnostic, Phrasing], str]] = {
     Kind.SYNTAX: _syntax,
     Kind.UNKNOWN_CHARACTER: _unknown_character,
     Kind.BAD_ARGUMENT: _bad_argument,
@@ -112,20 +109,20 @@ _SENTENCE_OF: dict[Kind, Callable[[Diagnostic, Words], str]] = {
 # --- what would put it right
 
 
-def _hint_for_syntax(diagnostic: Diagnostic, words: Words) -> str | None:
+def _hint_for_syntax(diagnostic: Diagnostic, words: Phrasing) -> str | None:
     special = f"hint-{diagnostic.code}"
     if diagnostic.code and words.knows(special):
         return words(special, **_values(diagnostic, words))
     return None
 
 
-def _hint_for_character(diagnostic: Diagnostic, words: Words) -> str | None:
+def _hint_for_character(diagnostic: Diagnostic, words: Phrasing) -> str | None:
     code = {".": "hint-whole-numbers", "!": "hint-different", "'": "hint-double-quotes"}
     found = code.get(diagnostic.found[:1].replace("’", "'").replace("‘", "'"))
     return words(found) if found else None
 
 
-def _hint_for_argument(diagnostic: Diagnostic, words: Words) -> str | None:
+def _hint_for_argument(diagnostic: Diagnostic, words: Phrasing) -> str | None:
     """The words that may stand there."""
     if diagnostic.code == "unseen-colour":
         colours = str(diagnostic.details.get("wanted", "")).split(", ")
@@ -136,17 +133,17 @@ def _hint_for_argument(diagnostic: Diagnostic, words: Words) -> str | None:
     return words("hint-words", words=_either(allowed, words)) if allowed else None
 
 
-def _hint_for_closer(diagnostic: Diagnostic, words: Words) -> str | None:
+def _hint_for_closer(diagnostic: Diagnostic, words: Phrasing) -> str | None:
     return words("hint-write-closer", closer=_closer(diagnostic, words))
 
 
-def _hint_for_wrong_end(diagnostic: Diagnostic, words: Words) -> str | None:
+def _hint_for_wrong_end(diagnostic: Diagnostic, words: Phrasing) -> str | None:
     if "opener" not in diagnostic.details:
         return None
     return words("hint-expected-closer", closer=_closer(diagnostic, words))
 
 
-def _hint_for_number(diagnostic: Diagnostic, words: Words) -> str | None:
+def _hint_for_number(diagnostic: Diagnostic, words: Phrasing) -> str | None:
     """A limit of digits is small, a limit of the number itself is a large one."""
     limit = diagnostic.details.get("limit")
     if not isinstance(limit, int):
@@ -154,27 +151,27 @@ def _hint_for_number(diagnostic: Diagnostic, words: Words) -> str | None:
     return words("hint-digits" if limit < 100_000 else "hint-at-most", limit=limit)
 
 
-def _hint_for_depth(diagnostic: Diagnostic, words: Words) -> str | None:
+def _hint_for_depth(diagnostic: Diagnostic, words: Phrasing) -> str | None:
     limit = diagnostic.details.get("limit")
     return words("hint-at-most", limit=limit) if limit else None
 
 
-def _hint_for_variable(diagnostic: Diagnostic, words: Words) -> str | None:
+def _hint_for_variable(diagnostic: Diagnostic, words: Phrasing) -> str | None:
     if "in_procedure" in diagnostic.details:
         return words("hint-own-variables")
     return words("hint-declare", var=_spelled("VAR", words), name=_name(diagnostic))
 
 
-def _hint_for_declared(diagnostic: Diagnostic, words: Words) -> str | None:
+def _hint_for_declared(diagnostic: Diagnostic, words: Phrasing) -> str | None:
     is_variable = diagnostic.details.get("what") == "variable"
     return words("hint-change-it", **_values(diagnostic, words)) if is_variable else None
 
 
-def _hint_for_belt(_: Diagnostic, words: Words) -> str:
+def _hint_for_belt(_: Diagnostic, words: Phrasing) -> str:
     return words("hint-belt-on", belt=_spelled("BELT", words), on=argument_spelling(True, words.language))
 
 
-_HINT_OF: dict[Kind, Callable[[Diagnostic, Words], str | None]] = {
+_HINT_OF: dict[Kind, Callable[[Diagnostic, Phrasing], str | None]] = {
     Kind.SYNTAX: _hint_for_syntax,
     Kind.UNKNOWN_CHARACTER: _hint_for_character,
     Kind.INVALID_NAME: lambda _, words: words("hint-invalid-name"),
@@ -198,7 +195,7 @@ _HINT_OF: dict[Kind, Callable[[Diagnostic, Words], str | None]] = {
 # --- parts of sentences
 
 
-def _values(diagnostic: Diagnostic, words: Words) -> dict[str, object]:
+def _values(diagnostic: Diagnostic, words: Phrasing) -> dict[str, object]:
     """What the places of a sentence may be filled with."""
     values: dict[str, object] = {"name": _name(diagnostic), "limit": "", "word": ""}
     values |= diagnostic.details
@@ -215,28 +212,28 @@ def _name(diagnostic: Diagnostic) -> str:
     return _shortened(diagnostic.found or str(diagnostic.details.get("name", "")))
 
 
-def _closer(diagnostic: Diagnostic, words: Words) -> str:
+def _closer(diagnostic: Diagnostic, words: Phrasing) -> str:
     """The word that closes what was opened."""
     opener = keywords.canonical(str(diagnostic.details.get("opener", ""))) or ""
     ends = [each for each in diagnostic.expected if each.startswith("END ")]
     return _spelled(ends[0] if ends else f"END {opener}", words)
 
 
-def _expected(diagnostic: Diagnostic, words: Words) -> str:
+def _expected(diagnostic: Diagnostic, words: Phrasing) -> str:
     """What was expected, as a list in words; empty if there was nothing, or too much to name."""
     if not 0 < len(diagnostic.expected) <= MOST_EXPECTED:
         return ""
     return _either([_thing(each, words) for each in diagnostic.expected], words)
 
 
-def _either(things: list[str], words: Words) -> str:
+def _either(things: list[str], words: Phrasing) -> str:
     distinct = list(dict.fromkeys(things))
     if len(distinct) < 2:
         return "".join(distinct)
     return words("or", first=", ".join(distinct[:-1]), last=distinct[-1])
 
 
-def _thing(expected: str, words: Words) -> str:
+def _thing(expected: str, words: Phrasing) -> str:
     """A word of GoDonnie, a sign, or a class of words."""
     if expected == "on-or-off":
         return _either(list(argument_words("SWITCH", words.language)), words)
@@ -246,19 +243,19 @@ def _thing(expected: str, words: Words) -> str:
     return _sign(expected, words) if expected in CODE_OF else _spelled(expected, words)
 
 
-def _found(diagnostic: Diagnostic, words: Words) -> str:
+def _found(diagnostic: Diagnostic, words: Phrasing) -> str:
     found = " ".join(diagnostic.found.split())
     return _sign(found, words) if found in CODE_OF else _shortened(found)
 
 
-def _sign(sign: str, words: Words) -> str:
+def _sign(sign: str, words: Phrasing) -> str:
     if sign in CODE_OF:
         return words(CODE_OF[sign])
     shown = sign if sign.isprintable() and not unicodedata.combining(sign or " ") else ""
     return words("sign-other", sign=shown or f"U+{ord(sign or chr(0)):04X}")
 
 
-def _spelled(word: str, words: Words) -> str:
+def _spelled(word: str, words: Phrasing) -> str:
     """A canonical word in the learner's language, anything else as it is."""
     canonical = keywords.canonical(word)
     return keywords.spelling(canonical, words.language) if canonical else word

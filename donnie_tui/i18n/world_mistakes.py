@@ -6,9 +6,9 @@ from pathlib import PurePath
 from typing import TYPE_CHECKING
 
 from donnie_tui.i18n.catalogue.signs import CODE_OF
+from donnie_tui.i18n.phrasing import Phrasing
 
 if TYPE_CHECKING:
-    from donnie_tui.i18n.words import Words
     from sim.report import Note
     from sim.worldfile.mistakes import WorldError
 
@@ -16,7 +16,7 @@ _WITHOUT_PLACE = ("file-not-found", "file-unreadable", "file-too-large")
 """About the file as a whole, where the file is the world itself."""
 
 
-def world_mistake(error: WorldError, words: Words) -> str:
+def world_mistake(error: WorldError, words: Phrasing) -> str:
     """One sentence with the place."""
     message = _message(error, words)
     nearest = error.details.get("nearest")
@@ -27,7 +27,7 @@ def world_mistake(error: WorldError, words: Words) -> str:
     return words("world-error-at", file=error.file, line=error.line, column=error.column, message=message)
 
 
-def world_note(note: Note, words: Words) -> str:
+def world_note(note: Note, words: Phrasing) -> str:
     """One remark of a load report, with its place where it has one."""
     near = "-near" if note.details.get("nearest") and words.knows(f"note-{note.code}-near") else ""
     remark = words(f"note-{note.code}{near}", **note.details)
@@ -36,7 +36,7 @@ def world_note(note: Note, words: Words) -> str:
     return words("note-at", line=note.line, file=PurePath(note.file).name, remark=remark)
 
 
-def _message(error: WorldError, words: Words) -> str:
+def _message(error: WorldError, words: Phrasing) -> str:
     expected = _either([_thing(each, words) for each in error.expected], words)
     values = {"found": "", "expected": expected, "name": "", "given": "", "limit": "", "path": ""}
     found = str(error.details.get("found", ""))
@@ -54,13 +54,13 @@ def _code(error: WorldError, found: str, expected: str) -> str:
     return "world-unexpected-expecting" if found else "world-unexpected-end"
 
 
-def _thing(expected: str, words: Words) -> str:
+def _thing(expected: str, words: Phrasing) -> str:
     if words.knows(f"world-expected-{expected}"):
         return words(f"world-expected-{expected}")
     return words(CODE_OF[expected]) if expected in CODE_OF else expected
 
 
-def _either(things: list[str], words: Words) -> str:
+def _either(things: list[str], words: Phrasing) -> str:
     distinct = list(dict.fromkeys(things))
     if len(distinct) < 2:
         return "".join(distinct)

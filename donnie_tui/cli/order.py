@@ -1,0 +1,21 @@
+"""A command that was understood, with everything that it needs."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass
+
+from donnie_tui.cli.arguments import Invocation
+from donnie_tui.cli.output import Output
+from donnie_tui.i18n.words import Words
+from donnie_tui.settings import Notice, Settings
+
+
+@dataclass(frozen=True, slots=True)
+class Order:
+    invocation: Invocation
+    settings: Settings
+    notices: tuple[Notice, ...]
+    words: Words
+    output: Output
+    environment: Mapping[str, str]
