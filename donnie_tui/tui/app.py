@@ -185,6 +185,11 @@ class DonnieApp(App[int], inherit_bindings=False):
         elif self._file is not None:
             self.files.open_now(str(self._file))
 
+    @property
+    def is_ready(self) -> bool:
+        """Whether the session is there."""
+        return self._donnie is not None
+
     # --- doing
 
     def check_action(self, action: str, parameters: tuple[object, ...]) -> bool | None:
@@ -307,7 +312,7 @@ class DonnieApp(App[int], inherit_bindings=False):
             self.post_message(Paused())
 
     def on_began(self, event: Began) -> None:
-        self._take()
+        """What waits in the mailbox is this run's: the end of the last one took everything."""
         self._pose = event.pose
         if self.running.is_program:
             self.workplace.map.begin(event.pose)

@@ -91,6 +91,9 @@ class Running:
     def _start(
         self, text: str, name: str, *, program: bool, begin: Callable[[ExecutionControl], None] | None
     ) -> Answer | None:
+        if self._run is not None:
+            return _BUSY
+
         def prepare(control: ExecutionControl) -> None:
             control.observe(self._told)
             if begin:

@@ -1,0 +1,120 @@
+"""A full screen without a terminal, on the real session and simulator at unlimited speed."""
+
+import os
+
+for _name in ("NO_COLOR", "TEXTUAL_THEME", "TEXTUAL_FILTERS", "TEXTUAL_ANIMATIONS"):
+    os.environ.pop(_name, None)  # read when Textual is imported
+
+from collections.abc import AsyncIterator, Callable  # noqa: E402
+from contextlib import asynccontextmanager  # noqa: E402
+from pathlib import Path  # noqa: E402
+from typing import Any  # noqa: E402
+
+import pytest  # noqa: E402
+from textual.pilot import Pilot  # noqa: E402
+
+from donnie_tui.bootstrap import assemble  # noqa: E402
+from donnie_tui.settings import Settings  # noqa: E402
+from donnie_tui.tui.app import DonnieApp  # noqa: E402
+from donnie_tui.tui.running import Doing  # noqa: E402
+
+LOOKS = 1000
+"""Looks at a condition before it is given up; each lets the application do what it has to."""
+
+ENDLESS = "WHILE 1 == 1 DO\nVAR x = 1\nEND WHILE"
+
+
+class Desk:
+    """An application at work, and somebody at its keys."""
+
+    def __init__(self, app: DonnieApp, pilot: Pilot[int]) -> None:
+        self.app = app
+        self.pilot = pilot
+        self.place = app.workplace
+
+    async def until(self, condition: Callable[[], Any], what: str = "") -> None:
+        for _ in range(LOOKS):
+            if condition():
+                return
+            await self.pilot.pause(0.01)
+        raise AssertionError(f"never happened: {what or condition}; the log: {self.log}")
+
+    async def press(self, *keys: str) -> None:
+        await self.pilot.press(*keys)
+
+    async def type_line(self, text: str) -> None:
+        """A line in the command line, and Enter."""
+        self.place.command_line.focus()
+        await self.pilot.pause()
+        self.place.command_line.value = text
+        await self.press("enter")
+
+    async def answer(self, text: str) -> None:
+        """Answer the question that is asked."""
+        await self.until(lambda: self.app.screen is not self.place, "a question")
+        self.app.screen.query_one("#answer").value = text
+        await self.press("enter")
+
+    async def told(self, text: str) -> None:
+        """Wait until a line of the log has this text."""
+        await self.until(lambda: any(text in line for line in self.log), text)
+
+    async def idle(self) -> None:
+        await self.until(lambda: self.app.running.doing is Doing.READY, "the end of the run")
+
+    async def run(self, text: str) -> None:
+        """The program, run with F5 to its end."""
+        self.app.load(text)
+        await self.press("f5")
+        await self.told("The program is done.")
+
+    async def doing(self, doing: Doing) -> None:
+        await self.until(lambda: self.app.running.doing is doing, str(doing))
+
+    @property
+    def log(self) -> tuple[str, ...]:
+        return self.place.log_rows.lines
+
+    @property
+    def status(self) -> str:
+        return self.place.status.words
+
+    @property
+    def screen(self) -> str:
+        """What is seen, as text."""
+        strips = self.app.screen._compositor.render_strips()
+        return "\n".join(strip.text.rstrip() for strip in strips)
+
+    def map_rows(self) -> tuple[str, ...]:
+        assert self.place.map.grid is not None
+        return self.place.map.grid.rows()
+
+
+@pytest.fixture
+def work(tmp_path: Path):
+    """``async with work(text=..., size=...) as desk``."""
+
+    @asynccontextmanager
+    async def working(
+        text: str | None = None,
+        *,
+        file: Path | None = None,
+        size: tuple[int, int] = (80, 24),
+        speed: float | None = None,
+        world: str = "open_floor",
+        language: str = "en",
+    ) -> AsyncIterator[Desk]:
+        settings = Settings(world=world, speed=speed, speech="off", sound=False, language=language)
+        app = DonnieApp(
+            settings, file, text=text, assemble=lambda: assemble(settings, terminal=True), folder=tmp_path
+        )
+        try:
+            async with app.run_test(size=size) as pilot:
+                desk = Desk(app, pilot)
+                await desk.until(lambda: app.is_ready, "the session")
+                await pilot.pause()
+                yield desk
+        finally:
+            app.close_session()
+
+    return working

@@ -1,0 +1,282 @@
+"""Running, stopping, pausing, stepping, from keys and typed words."""
+
+import pytest
+
+from donnie_tui.tui.running import Doing
+from tests.tui.conftest import ENDLESS
+
+SQUARE = 'REPEAT 2 TIMES\nFW 2\nTR 90\nEND REPEAT\nSPEAK "done"'
+CALLS = "PROCEDURE HOP: n DO\nFW n\nFW n\nEND PROCEDURE\nHOP [2]\nHOP [3]"
+
+
+@pytest.mark.parametrize("key", ["f5", "escape"])
+async def test_f5_and_esc_run_the_program(work, key):
+    async with work(SQUARE) as desk:
+        await desk.press(key)
+        await desk.told("The program is done.")
+
+        assert [line for line in desk.log if line in ("done", "I walked 2 steps forward.")] == [
+            "I walked 2 steps forward.",
+            "I walked 2 steps forward.",
+            "done",
+        ]
+
+
+async def test_the_map_shows_the_trail_the_start_and_where_the_robot_looks(work):
+    async with work() as desk:
+        await desk.run("FW 3 TR 90 FW 2")
+
+        rows = [row.strip(".") for row in desk.map_rows() if row.strip(".")]
+        assert rows == ["oo>", "o", "o", "A"]
+
+
+async def test_a_program_begins_at_the_start_with_nothing_remembered(work):
+    async with work() as desk:
+        await desk.run("VAR a = 1 FW 4")
+        await desk.run("VAR a = 2 FW 1 SPEAK a")
+
+        assert "Donnie at 0, 1 facing north." in desk.status
+
+
+async def test_a_typed_command_goes_on_where_the_robot_stands_with_the_variables_that_there_are(work):
+    async with work() as desk:
+        await desk.type_line("VAR a = 3 FW 2")
+        await desk.told("I walked 2 steps forward.")
+        await desk.idle()
+        await desk.type_line("FW a")
+        await desk.told("I walked 3 steps forward.")
+
+        assert "> FW a" in desk.log
+        assert "Donnie at 0, 5 facing north." in desk.status
+
+
+async def test_esc_in_the_command_line_runs_the_unfinished_line(work):
+    async with work() as desk:
+        desk.place.command_line.focus()
+        desk.place.command_line.value = "FW 2"
+        await desk.press("escape")
+        await desk.told("I walked 2 steps forward.")
+
+        assert desk.place.command_line.value == ""
+
+
+async def test_f8_stops_a_program_without_end_and_says_where(work):
+    async with work(ENDLESS) as desk:
+        await desk.press("f5")
+        await desk.doing(Doing.RUNNING)
+        await desk.until(lambda: desk.app.running.frames, "a line being run")
+        await desk.press("f8")
+        await desk.told("Stopped at line ")
+
+        await desk.idle()
+
+
+async def test_ctrl_c_stops_while_something_runs(work):
+    async with work(ENDLESS) as desk:
+        await desk.press("f5")
+        await desk.doing(Doing.RUNNING)
+        await desk.press("ctrl+c")
+
+        await desk.told("Stopped")
+
+
+async def test_ctrl_c_copies_while_nothing_runs(work):
+    async with work("FW 1") as desk:
+        await desk.press("ctrl+a", "ctrl+c")
+        await desk.pilot.pause()
+
+        assert "FW 1" == desk.app.clipboard
+        assert not any("running" in line for line in desk.log)
+
+
+async def test_stop_is_a_typed_word_too(work):
+    async with work(ENDLESS) as desk:
+        await desk.press("f5")
+        await desk.doing(Doing.RUNNING)
+        await desk.type_line("stop")
+
+        await desk.told("Stopped")
+
+
+async def test_stopping_nothing_is_answered(work):
+    async with work() as desk:
+        await desk.press("f8")
+
+        await desk.told("Nothing is running.")
+
+
+async def test_an_empty_program_is_answered(work):
+    async with work() as desk:
+        await desk.press("f5")
+
+        await desk.told("Nothing to run.")
+
+
+async def test_while_a_program_runs_another_one_is_refused(work):
+    async with work(ENDLESS) as desk:
+        await desk.press("f5")
+        await desk.doing(Doing.RUNNING)
+        await desk.press("f5")
+
+        await desk.told("A program is running. F8 stops it.")
+
+
+async def test_pause_holds_the_program_marks_its_line_and_goes_on(work):
+    async with work(ENDLESS) as desk:
+        await desk.press("f5")
+        await desk.doing(Doing.RUNNING)
+        await desk.press("f6")
+        await desk.doing(Doing.PAUSED)
+        await desk.told("Line ")
+        line = desk.app.running.frames[0].line
+        await desk.until(lambda: f">{line}  " in desk.screen, "the mark")
+        assert "Paused" in desk.status
+        assert desk.place.editor.line == line
+
+        await desk.press("f6")
+        await desk.doing(Doing.RUNNING)
+
+
+async def test_stepping_stops_before_each_line_and_the_cursor_follows(work):
+    async with work("FW 1\nFW 2\nFW 3") as desk:
+        for line in (1, 2, 3):
+            await desk.press("f7")
+            await desk.told(f"Line {line}: FW {line}")
+            assert desk.place.editor.line == line
+            assert f">{line}  FW {line}" in desk.screen
+        await desk.press("f7")
+        await desk.told("The program is done.")
+
+        assert [line for line in desk.log if line.startswith("I walked")] == [
+            "I walked 1 step forward.",
+            "I walked 2 steps forward.",
+            "I walked 3 steps forward.",
+        ]
+
+
+async def test_a_step_goes_into_a_procedure_and_its_caller_is_marked(work):
+    async with work(CALLS) as desk:
+        await desk.press("f7")
+        await desk.told("Line 1:")
+        await desk.press("f7")
+        await desk.told("Line 5:")
+        await desk.press("f7")
+        await desk.told("Line 2: FW n")
+
+        assert ">2  FW n" in desk.screen
+        assert "*5  HOP [2]" in desk.screen
+
+
+async def test_stepping_over_runs_a_procedure_as_a_whole(work):
+    async with work(CALLS) as desk:
+        await desk.press("f7")
+        await desk.told("Line 1:")
+        await desk.press("f9")
+        await desk.told("Line 5:")
+        await desk.press("f9")
+        await desk.told("Line 6: HOP [3]")
+
+        assert desk.log.count("I walked 2 steps forward.") == 2
+
+
+async def test_running_to_the_cursor_holds_at_its_line(work):
+    async with work("FW 1\nFW 2\nFW 3\nFW 4") as desk:
+        desk.place.editor.go_to(3)
+        await desk.press("f10")
+        await desk.told("Line 3: FW 3")
+
+        assert "I walked 2 steps forward." in desk.log
+        assert "I walked 3 steps forward." not in desk.log
+
+
+async def test_until_takes_a_line_and_refuses_one_that_is_not_there(work):
+    async with work("FW 1\nFW 2") as desk:
+        await desk.type_line("UNTIL 9")
+        await desk.told("There is no line 9.")
+        await desk.type_line("UNTIL 2")
+
+        await desk.told("Line 2: FW 2")
+
+
+async def test_speed_goes_up_and_down_and_is_told(work):
+    async with work(speed=5.0) as desk:
+        await desk.press("f12")
+        await desk.told("Speed 10.")
+        await desk.press("f11", "f11")
+        await desk.told("Speed 2.")
+        await desk.type_line("speed max")
+        await desk.told("Speed max.")
+        await desk.type_line("SPEED fast")
+        await desk.told("A speed is a number from")
+
+        assert desk.app.running.speed is None
+
+
+async def test_reset_puts_the_robot_back_and_forgets_the_variables(work):
+    async with work() as desk:
+        await desk.type_line("VAR a = 3 FW a")
+        await desk.told("I walked 3 steps forward.")
+        await desk.idle()
+        await desk.press("ctrl+r")
+        await desk.told("Donnie is back at the start.")
+        await desk.until(lambda: "No variables." in desk.place.inspector.lines, "no variables")
+
+        assert "Donnie at 0, 0 facing north." in desk.status
+        assert "o" not in "".join(desk.map_rows())
+
+
+async def test_a_mistake_is_told_and_the_cursor_goes_to_its_place(work):
+    async with work("FW 1\nTR 90\n  FWD 3") as desk:
+        await desk.press("f5")
+        await desk.told("Error, line 3, column 3")
+
+        assert desk.place.editor.cursor_location == (2, 2)
+        assert "Did you mean FW?" in desk.log
+        assert "I walked 1 step forward." not in desk.log
+
+
+async def test_a_mistake_in_a_typed_command_leaves_the_program_alone(work):
+    async with work("FW 1\nFW 2") as desk:
+        await desk.type_line("FWD 3")
+        await desk.told("Error, line 1")
+
+        assert desk.place.editor.cursor_location == (0, 0)
+
+
+async def test_quit_in_the_program_is_a_mistake_and_in_the_command_line_leaves(work):
+    async with work("QUIT") as desk:
+        await desk.press("f5")
+        await desk.told("Error, line 1")
+        desk.app.load("")
+        desk.app.files.document.become(None, "")
+        await desk.type_line("quit")
+        await desk.until(lambda: not desk.app.is_running, "the end")
+
+        assert desk.app.return_code == 0
+
+
+async def test_where_tells_the_position_in_the_words_of_the_language(work):
+    async with work() as desk:
+        await desk.type_line("where")
+
+        await desk.told("Position 0, 0. Facing north.")
+
+
+async def test_a_program_that_talks_without_end_leaves_the_keys_alive(work):
+    async with work('WHILE 1 == 1 DO\nSPEAK "again and again"\nEND WHILE') as desk:
+        await desk.press("f5")
+        await desk.told("again and again")
+        await desk.press("f8")
+
+        await desk.told("Stopped at line")
+
+
+async def test_the_inspector_names_variables_calls_and_readings(work):
+    async with work("VAR wide = 7\nVAR d = DISTANCE F\nFW 1", size=(120, 40)) as desk:
+        desk.place.editor.go_to(3)
+        await desk.press("f10")
+        await desk.told("Line 3: FW 1")
+        await desk.until(lambda: "distance ahead: 60" in desk.place.inspector.lines, "the reading")
+
+        assert "wide is 7" in desk.place.inspector.lines
+        assert "program, line 3" in desk.place.inspector.lines
