@@ -26,8 +26,16 @@ class Clock:
         self._halted = False
 
     def halt(self) -> None:
-        """End what is being spent now. From any thread."""
+        """End the command that goes on now. From any thread."""
         self._halted = True
+
+    def begin(self) -> None:
+        """A command begins: an earlier halt is over."""
+        self._halted = False
+
+    def goes_on(self) -> bool:
+        """Whether the command may go on. No time goes by."""
+        return not self._halted and self._pace.sleep(0.0)
 
     def reset(self) -> None:
         self.seconds = 0.0
@@ -39,7 +47,6 @@ class Clock:
 
         Answers how many seconds went by: less than asked if it was halted or the pace said stop.
         """
-        self._halted = False
         began, spent = self.seconds, 0.0
         for at, tell in (*marks, (seconds, None)):
             spent = self._reach(began, spent, at, passing)

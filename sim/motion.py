@@ -6,6 +6,7 @@ that needs a closer look. ``careful`` looks at every step; both give the same (a
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from dataclasses import dataclass
 from math import floor, hypot, inf
 
@@ -31,6 +32,16 @@ SKIN = 1e-4
 """Metres that a robot keeps from what it bumped into, so that it can turn and leave."""
 ROUND = 0.9
 """A body whose inner circle is at least this part of its outer one turns like a disc, in the outer one."""
+
+
+STEPS_A_QUESTION = 100
+"""Steps that need a closer look, between two questions whether to go on: some hundredths of a second."""
+
+Going = Callable[[], bool]
+
+
+def _always() -> bool:
+    return True
 
 
 @dataclass(frozen=True, slots=True)
@@ -81,8 +92,14 @@ class Mover:
         self._body = body
         self._cones = {bearing: senses.at(bearing) for bearing in (Bearing.FRONT, Bearing.BACK)}
 
-    def walk(self, start: Spot, bearing: Bearing, steps: int, careful: bool = False) -> Walk:
-        """Up to ``steps`` steps forward or backward: ``bearing`` is FRONT or BACK."""
+    def walk(
+        self, start: Spot, bearing: Bearing, steps: int, going: Going = _always, careful: bool = False
+    ) -> Walk:
+        """Up to ``steps`` steps forward or backward: ``bearing`` is FRONT or BACK.
+
+        Beside a very long wall this takes its time: ``going`` is asked now and then whether to go on; if
+        not, the walk does not happen.
+        """
         angle = start.yaw + (180.0 if bearing is Bearing.BACK else 0.0)
         done = 0
         while done < steps:
@@ -91,6 +108,8 @@ class Mover:
             if free:
                 done += free
                 continue
+            if done % STEPS_A_QUESTION == STEPS_A_QUESTION - 1 and not going():
+                return Walk(0.0, 0, StoppedBy.USER)
             if self._is_blocked(here, bearing):
                 return Walk(done * STEP, done, StoppedBy.OBSTACLE)
             contact = self.contact(here, angle)

@@ -107,6 +107,7 @@ class SimulatedRobot:
 
     def turn(self, degrees: int) -> Turned:
         start = self._spot
+        self._clock.begin()
         turnable = -self._mover.turn(start, -degrees)
         side = Motion.RIGHT if degrees >= 0 else Motion.LEFT
         sign = 1 if degrees >= 0 else -1
@@ -130,6 +131,7 @@ class SimulatedRobot:
 
     def wait(self, seconds: float) -> bool:
         asked = max(0.0, seconds)
+        self._clock.begin()
         return self._clock.spend(asked, ()) >= asked
 
     def time(self) -> float:
@@ -155,7 +157,8 @@ class SimulatedRobot:
             raise ValueError("a walk has no negative steps")
         start, bearing = self._spot, _BEARINGS[motion]
         angle = start.yaw + (180.0 if motion is Motion.BACKWARD else 0.0)
-        walk = self._mover.walk(start, bearing, steps)
+        self._clock.begin()
+        walk = self._mover.walk(start, bearing, steps, self._clock.goes_on)
 
         def walked_by(seconds: float) -> Spot:
             return start.ahead(seconds * STEPS_A_SECOND * STEP, angle)

@@ -327,3 +327,30 @@ def test_the_same_program_gives_the_same_run() -> None:
         return [f(n) for n in range(1, 40) for f in (it.forward, it.turn, lambda _: it.scan(), it.backward)]
 
     assert run() == run()
+
+
+LONG_WALL = "model( size [ 90000 0.1 1 ] pose [ 0 0.14 0 0 ] )"
+
+
+def test_a_walk_beside_an_endless_wall_can_be_stopped_while_it_is_worked_out() -> None:
+    class Refusing(Unpaced):
+        asked = 0
+
+        def sleep(self, seconds: float) -> bool:
+            self.asked += 1
+            return self.asked < 3
+
+    pace = Refusing()
+    it = robot(BOX_ROBOT + "blind( pose [ 0 0 0 0 ] )" + LONG_WALL, pace)
+
+    moved = it.forward(1_000_000_000)
+
+    assert (moved.walked, moved.stopped_by, pace.asked) == (0, StoppedBy.USER, 3)
+
+
+def test_halt_stops_a_walk_that_is_worked_out_too() -> None:
+    pace = _Halting()
+    pace.slept = [0.0] * 30
+    pace.it = it = robot(BOX_ROBOT + "blind( pose [ 0 0 0 0 ] )" + LONG_WALL, pace)
+
+    assert it.forward(1_000_000_000).stopped_by is StoppedBy.USER
