@@ -7,10 +7,8 @@ on the stream, in print, once.
 from __future__ import annotations
 
 from contextlib import ExitStack
+from typing import TYPE_CHECKING
 
-from devices.audio_worker.factory import make_audio, make_cue_player, make_speaker
-from devices.audio_worker.notices import AudioNotice
-from devices.audio_worker.service import AudioSettings
 from devices.speech.choose import Channel, ChannelReason, Facts, choose_channel
 from devices.speech.probe import look_around
 from donnie_tui.core.events import Answered
@@ -18,6 +16,9 @@ from donnie_tui.core.outlets import Cues, Voice
 from donnie_tui.core.session import Session
 from donnie_tui.i18n.words import Words
 from donnie_tui.settings import Settings, Source
+
+if TYPE_CHECKING:
+    from devices.audio_worker.notices import AudioNotice
 
 _NOTICE_FOR = {
     ChannelReason.OVER_SSH: "voice-over-ssh",
@@ -33,12 +34,19 @@ def make_audible(settings: Settings, session: Session, words: Words, closing: Ex
     choice = choose_channel(settings.speech, facts)
     speaks, cues = choice.channel is Channel.TTS, wants_cues(settings, facts)
     if speaks or cues:
-        audio = make_audio(AudioSettings(), lambda notice: _tell(notice, session, words))
-        closing.callback(audio.close)
-        session.hub.subscribe(Voice(make_speaker(audio if speaks else None), words))
-        session.hub.subscribe(Cues(make_cue_player(audio if cues else None)))
+        _connect(session, words, closing, speaks=speaks, cues=cues)
     notice = _NOTICE_FOR.get(choice.reason)
     return (words(notice),) if notice else ()
+
+
+def _connect(session: Session, words: Words, closing: ExitStack, *, speaks: bool, cues: bool) -> None:
+    from devices.audio_worker.factory import make_audio, make_cue_player, make_speaker
+    from devices.audio_worker.service import AudioSettings
+
+    audio = make_audio(AudioSettings(), lambda notice: _tell(notice, session, words))
+    closing.callback(audio.close)
+    session.hub.subscribe(Voice(make_speaker(audio if speaks else None), words))
+    session.hub.subscribe(Cues(make_cue_player(audio if cues else None)))
 
 
 def wants_cues(settings: Settings, facts: Facts) -> bool:

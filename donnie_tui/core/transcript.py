@@ -1,30 +1,59 @@
 """The words of an event as lines of text: what linear mode prints, the log shows and the voice says.
 
-Whatever is spoken is printed: the voice takes its text from here too.
+Whatever is spoken is printed: the voice takes its text from here too. What a program brings along is made
+printable here, so that no text of a learner's can move a cursor.
 """
 
 from __future__ import annotations
 
+from unicodedata import category
+
 from donnie_tui.core.events import Announced, Answered, Error, Event, Spoke
 from donnie_tui.core.wording import Wording
+
+LONGEST_SOURCE = 60
+"""Characters of a source line that are quoted with a mistake."""
+
+MOST_CALLS = 10
+"""Calls that are told of a mistake deep inside."""
+
+_UNPRINTABLE = frozenset({"Cc", "Cs", "Zl", "Zp"})
 
 
 def lines_of(event: Event, wording: Wording) -> tuple[str, ...]:
     """The lines that tell the event, none if it is not told in words."""
     match event:
         case Spoke(text=text) | Announced(text=text) | Answered(text=text):
-            return tuple(text.splitlines()) or ("",)
+            return tuple(printable(line) for line in text.splitlines()) or ("",)
         case Error():
-            return _lines_of_error(event, wording)
+            return tuple(printable(line) for line in _lines_of_error(event, wording))
         case _:
             return ()
 
 
+def printable(text: str) -> str:
+    """The text with a blank for everything that a terminal would obey or can't encode."""
+    if text.isprintable():
+        return text
+    return "".join(" " if category(each) in _UNPRINTABLE else each for each in text)
+
+
 def _lines_of_error(error: Error, wording: Wording) -> tuple[str, ...]:
-    """At most three lines: where and what, the line itself, what was probably meant."""
+    """At most three lines: where and what, the line itself, what was meant; at full the calls too."""
     lines = [wording("error-at", line=error.line, column=error.column, message=error.message)]
     if error.source_line:
-        lines.append(wording("error-line", line=error.line, text=error.source_line))
+        lines.append(wording("error-line", line=error.line, text=_quoted(error)))
     if error.hint:
         lines.append(error.hint)
+    if wording.detail == "full":
+        lines += [wording("called-from", line=line) for line in error.calls[:MOST_CALLS]]
     return tuple(lines)
+
+
+def _quoted(error: Error) -> str:
+    """The source line, or of a long one the part with the mistake."""
+    line = error.source_line
+    if len(line) <= LONGEST_SOURCE:
+        return line
+    start = max(0, min(error.column - 1, len(line)) - LONGEST_SOURCE // 2)
+    return line[start : start + LONGEST_SOURCE].strip()

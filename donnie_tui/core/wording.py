@@ -14,6 +14,10 @@ class Wording(Protocol):
     def language(self) -> str:
         """``en``, ``pt`` or ``es``."""
 
+    @property
+    def detail(self) -> str:
+        """``brief``, ``normal`` or ``full``."""
+
     def __call__(self, code: str, **values: object) -> str:
         """The sentence of a code."""
 
