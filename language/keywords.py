@@ -228,12 +228,16 @@ def topic(text: str) -> str | None:
     return next((each.topic for each in rows if each), None)
 
 
+@cache
+def _languages() -> dict[str, frozenset[str]]:
+    found: dict[str, set[str]] = {}
+    for each in WORDS:
+        for language, spellings in each.spellings.items():
+            for one in spellings:
+                found.setdefault(folded_word(one), set()).add(language)
+    return {folded: frozenset(languages) for folded, languages in found.items()}
+
+
 def languages_of(text: str) -> frozenset[str]:
-    """The languages in which a keyword is spelled so."""
-    folded = folded_word(text)
-    return frozenset(
-        language
-        for each in _words.get(folded, ())
-        for language, spellings in each.spellings.items()
-        if any(fold_name(one) == folded for one in spellings)
-    )
+    """The languages in which a keyword is spelled so; none for what is no keyword."""
+    return _languages().get(folded_word(text), frozenset())

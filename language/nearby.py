@@ -46,8 +46,11 @@ def nearest(word: str, candidates: Iterable[str], preferred: Collection[str] = (
         return None
     best: tuple[int, bool, bool] | None = None
     answer = None
+    allowed = slips_allowed(len(folded))
     for candidate in candidates:
-        other = folded_word(candidate)
+        other = _folded(candidate)
+        if abs(len(other) - len(folded)) > allowed:
+            continue
         slips = slips_in(folded, other)
         rank = (slips, candidate not in preferred, other[:1] != folded[:1])
         if _is_near(folded, other, slips) and (best is None or rank < best):
@@ -59,6 +62,11 @@ def nearest_keyword(word: str, terminals: frozenset[str], language: str) -> Near
     """The keyword that was meant, out of those terminals of the grammar."""
     folded = fold_name(word)
     return None if len(folded) > LONGEST else _nearest_keyword(folded, terminals, language)
+
+
+@lru_cache(maxsize=2000)
+def _folded(word: str) -> str:
+    return folded_word(word)
 
 
 @lru_cache(maxsize=1000)
@@ -117,8 +125,6 @@ def _taken_by() -> dict[str, str]:
 
 def slips_in(first: str, second: str) -> int:
     """Letters to add, drop, change or exchange with their neighbour to make one word of the other."""
-    if abs(len(first) - len(second)) > 3:
-        return LONGEST
     before: list[int] = []
     row = list(range(len(second) + 1))
     for i, letter in enumerate(first):

@@ -1,0 +1,172 @@
+"""What holds for every program that is right in form."""
+
+from __future__ import annotations
+
+import dataclasses
+import re
+import unicodedata
+from typing import Any
+
+import pytest
+from hypothesis import given, settings
+from hypothesis import strategies as st
+
+from language.formatter import format_source
+from language.keywords import LANGUAGES
+from language.lexer import lex
+from language.outline import block_depth, outline
+from language.parser import parse
+from language.syntax import Block, Help, Program, Span, Statement, Text, walk
+from tests.properties.programs import programs
+
+MANY = settings(max_examples=60, deadline=None)
+
+
+def without_places(node: Any) -> Any:
+    """A tree as tuples, without spans, and without the words of HELP, which a translation changes."""
+    if isinstance(node, Help):
+        return ("Help", node.topic is None)
+    if dataclasses.is_dataclass(node):
+        parts = [getattr(node, each.name) for each in dataclasses.fields(node) if each.name != "span"]
+        return (type(node).__name__, *map(without_places, parts))
+    return tuple(map(without_places, node)) if isinstance(node, tuple) else node
+
+
+def read(source: str) -> Program:
+    parsed = parse(source)
+    assert parsed.diagnostics == ()
+    assert parsed.program is not None
+    return parsed.program
+
+
+def spans_in(node: Any) -> list[Span]:
+    if isinstance(node, Span):
+        return [node]
+    if dataclasses.is_dataclass(node):
+        return [span for each in dataclasses.fields(node) for span in spans_in(getattr(node, each.name))]
+    return [span for each in node for span in spans_in(each)] if isinstance(node, tuple) else []
+
+
+@MANY
+@given(programs())
+def test_the_canonical_text_means_the_same(source: str) -> None:
+    assert without_places(read(format_source(source)).body) == without_places(read(source).body)
+
+
+@MANY
+@given(programs(), st.sampled_from(LANGUAGES))
+def test_a_translation_means_the_same(source: str, language: str) -> None:
+    assert without_places(read(format_source(source, language)).body) == without_places(read(source).body)
+
+
+@MANY
+@given(programs(), st.sampled_from((None, *LANGUAGES)))
+def test_what_is_formatted_twice_does_not_change_the_second_time(source: str, language: str | None) -> None:
+    once = format_source(source, language)
+
+    assert format_source(once, language) == once
+    assert format_source(once) == once
+
+
+@MANY
+@given(programs(language="en"), st.sampled_from(("pt", "es")))
+def test_a_program_comes_back_from_another_language_as_it_was(source: str, language: str) -> None:
+    english = format_source(source, "en").replace("EXIT", "QUIT")
+
+    assert format_source(format_source(english, language), "en") == english
+
+
+@MANY
+@given(programs())
+def test_comments_stay_between_the_same_words(source: str) -> None:
+    def comments(text: str) -> list[tuple[str, int]]:
+        lexed = lex(text)
+        words = [re.sub(r"^(--|[–—])\s*", "", text[each.start : each.end]).strip() for each in lexed.comments]
+        kinds = [[token[0] for token in lexed.tokens[: each.before]] for each in lexed.comments]
+        semicolon = lex(";").tokens[0][0]
+        return list(zip(words, [len(each) - each.count(semicolon) for each in kinds], strict=True))
+
+    before, after = comments(source), comments(format_source(source))
+    assert [words for words, _ in after] == [words for words, _ in before]
+    assert [index for _, index in after] == [index for _, index in before]
+
+
+@MANY
+@given(programs())
+def test_canonical_lines_have_no_blank_at_their_end_and_no_two_are_empty_in_a_row(source: str) -> None:
+    text = format_source(re.sub(r'"two\nlines"', '"two lines"', source))
+
+    assert re.search(r"[ \t]$", text, re.MULTILINE) is None
+    assert "\n\n\n" not in text
+    assert not text.startswith("\n")
+
+
+@MANY
+@given(programs())
+def test_every_span_lies_in_the_text_at_its_line_and_column(source: str) -> None:
+    for span in spans_in(read(source).body):
+        lines = re.split(r"\r\n|\r|\n", source[: span.start])
+        seen = [each for each in lines[-1] if not unicodedata.combining(each)]
+        assert 0 <= span.start < span.end <= len(source)
+        assert (span.line, span.column) == (len(lines), len(seen) + 1)
+
+
+@MANY
+@given(programs())
+def test_statements_stand_in_the_order_of_their_spans_and_inside_their_blocks(source: str) -> None:
+    def holds(statements: tuple[Statement, ...], start: int, end: int) -> None:
+        for statement in statements:
+            assert start <= statement.span.start < statement.span.end <= end
+            start = statement.span.end
+
+    program = read(source)
+
+    holds(program.body, 0, len(source))
+    for statement in walk(program.body):
+        for body in (getattr(statement, name, None) for name in ("body", "then", "otherwise")):
+            holds(body or (), statement.span.start, statement.span.end)
+
+
+@MANY
+@given(programs())
+def test_a_finished_program_has_no_open_block_and_an_outline_of_all_its_blocks(source: str) -> None:
+    blocks = [each for each in walk(read(source).body) if isinstance(each, Block)]
+    items = outline(source)
+
+    assert block_depth(source) == 0
+    assert [item.line for item in items] == [block.span.line for block in blocks]
+    assert all(item.is_closed for item in items)
+
+
+@MANY
+@given(programs(), st.integers(1, 1000))
+def test_the_first_line_shifts_every_line_and_nothing_else(source: str, first: int) -> None:
+    shifted = parse(source, first_line=first).program
+    assert shifted is not None
+
+    expected = [dataclasses.replace(each, line=each.line + first - 1) for each in spans_in(read(source).body)]
+    assert spans_in(shifted.body) == expected
+
+
+@MANY
+@given(programs(), st.data())
+def test_a_program_without_one_of_its_ends_has_an_error_about_a_block(
+    source: str, data: st.DataObject
+) -> None:
+    ends = [token for token in lex(source).tokens if token[5].startswith(("end ", "fim ", "fin "))]
+    ends = [token for token in ends if parse(source[: token[1]] + source[token[2] :]).program is None]
+    if not ends:
+        return
+    token = data.draw(st.sampled_from(ends))
+
+    kinds = [each.kind.value for each in parse(source[: token[1]] + " " + source[token[2] :]).diagnostics]
+
+    assert {"missing-end", "wrong-end", "syntax"} >= set(kinds) > set()
+
+
+@pytest.mark.parametrize("text", ['"a\r\nb"', '"a\rb"', '"a\nb"'])
+def test_line_ends_in_a_string_are_the_same(text: str) -> None:
+    said = read(f"SPEAK {text}").body[0]
+
+    assert isinstance(said.what, Text)  # type: ignore[union-attr]
+    assert said.what.text == "a\nb"  # type: ignore[union-attr]
