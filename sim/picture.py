@@ -84,7 +84,7 @@ class _Shape:
 
     @property
     def length(self) -> float:
-        return max(self.right - self.left, self.top - self.bottom)
+        return round(max(self.right - self.left, self.top - self.bottom), 6)
 
 
 def picture(scene: Scene, robot: str | None = None) -> Picture:
@@ -94,13 +94,14 @@ def picture(scene: Scene, robot: str | None = None) -> Picture:
     letters = _letters(shape for shape in shapes if not shape.is_wall)
     left, bottom, right, top = _bounds(me, shapes)
     cell = max(1, ceil(max(right - left, top - bottom) / MOST_CELLS))
-    grid = _Grid(left, bottom, (right - left) // cell + 1, (top - bottom) // cell + 1, cell)
+    width, height = ceil((right - left) / cell) + 1, ceil((top - bottom) / cell) + 1
+    grid = _Grid(left, bottom, width, height, cell)
     for shape in sorted(shapes, key=lambda shape: not shape.is_wall):
         letter = "#" if shape.is_wall else _sized(letters[_kind(shape.model)], shape)
         grid.draw(shape, letter)
     things = tuple(_thing(shape, letters) for shape in shapes if not shape.is_wall)
     has_walls = any(shape.is_wall for shape in shapes)
-    return Picture(left, bottom, grid.width, grid.height, cell, grid.rows(), things, has_walls)
+    return Picture(left, bottom, width, height, cell, grid.rows(), things, has_walls)
 
 
 def _me(scene: Scene, robot: str | None) -> Model | None:

@@ -11,7 +11,7 @@ from sim.scene import Blobfinder, Model, Placement, Polygon, RangeSensor
 from sim.worldfile import shapes
 from sim.worldfile.entities import MODEL_TYPES, Entity, Setting
 from sim.worldfile.mistakes import Code, WorldError
-from sim.worldfile.values import Reader, Size
+from sim.worldfile.values import Size, ValueReader
 
 Trace = Callable[[Setting], tuple[Polygon, ...]]
 """The dark pixels of the picture that a ``bitmap`` names, as polygons."""
@@ -31,7 +31,7 @@ MOST_POLYGON_POINTS = 200_000
 class Builder:
     """Builds the models of one world. Names are Stage's: ``parent.type:number`` where the file gives none."""
 
-    def __init__(self, reader: Reader, trace: Trace) -> None:
+    def __init__(self, reader: ValueReader, trace: Trace) -> None:
         self.models: list[Model] = []
         self._reader = reader
         self._trace = trace

@@ -11,9 +11,8 @@ from sim.scene import Model, Scene
 from sim.worldfile.build import Builder
 from sim.worldfile.entities import Expander, Setting
 from sim.worldfile.plans import Plans
-from sim.worldfile.reader import Placed, Reader
-from sim.worldfile.values import Reader as Values
-from sim.worldfile.values import plain
+from sim.worldfile.reader import FileReader, Placed
+from sim.worldfile.values import ValueReader, plain
 
 _SENSES = frozenset({"ranger", "blobfinder"})
 _LESSER_SENSES = frozenset({"bumper", "fiducial", "camera", "gripper"})
@@ -25,18 +24,18 @@ def load_world(path: Path, *, allowed: tuple[Path, ...] = ()) -> Scene:
     Includes and bitmaps are looked for beside the file that names them, then beside the world, then in
     the folders ``allowed``; nothing outside these is read. WorldError if the world can't be used.
     """
-    reader = Reader(path, allowed)
+    reader = FileReader(path, allowed)
     return _scene(path.stem, reader, reader.read(path))
 
 
 def load_text(text: str, path: Path, *, allowed: tuple[Path, ...] = ()) -> Scene:
     """The scene of a world that is not in a file; ``path`` names it in mistakes and is where it would lie."""
-    reader = Reader(path, allowed)
+    reader = FileReader(path, allowed)
     return _scene(path.stem, reader, reader.statements(text, path, ()))
 
 
-def _scene(name: str, reader: Reader, statements: Iterable[Placed]) -> Scene:
-    expander, values = Expander(), Values()
+def _scene(name: str, reader: FileReader, statements: Iterable[Placed]) -> Scene:
+    expander, values = Expander(), ValueReader()
     entities = expander.expand(statements)
     values.use_units(expander.settings)
     values.check(expander.settings, quiet=True)
@@ -65,7 +64,7 @@ def _walls(models: tuple[Model, ...]) -> Iterable[Note]:
             yield Note(NoteKind.REPAIRED, "walls-made-solid", "", 0, 0, {"name": model.name})
 
 
-def _no_robot(reader: Reader, robots: tuple[int, ...]) -> Iterable[Note]:
+def _no_robot(reader: FileReader, robots: tuple[int, ...]) -> Iterable[Note]:
     if not robots:
         yield Note(NoteKind.WARNING, "no-robot", next(iter(reader.files), ""), 1, 1)
 

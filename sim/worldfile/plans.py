@@ -9,10 +9,9 @@ from sim.report import NoteKind
 from sim.scene import Polygon
 from sim.worldfile.entities import Setting
 from sim.worldfile.mistakes import Code
-from sim.worldfile.reader import LARGEST_FILE, Reader
+from sim.worldfile.reader import LARGEST_FILE, FileReader
 from sim.worldfile.shapes import rectangle
-from sim.worldfile.values import Reader as Values
-from sim.worldfile.values import mistake
+from sim.worldfile.values import ValueReader, mistake
 
 KINDS = ("PNG", "PGM", "PPM", "BMP", "GIF")
 MOST_RECTANGLES = 25_000
@@ -21,7 +20,7 @@ MOST_RECTANGLES = 25_000
 class Plans:
     """The pictures of one world."""
 
-    def __init__(self, reader: Reader, values: Values) -> None:
+    def __init__(self, reader: FileReader, values: ValueReader) -> None:
         self._reader = reader
         self._values = values
         self._traced: dict[Path, tuple[Polygon, ...]] = {}

@@ -25,7 +25,7 @@ class Placed:
     statement: tree.Statement
 
 
-class Reader:
+class FileReader:
     """Reads a world and its includes; ``allowed``: the folders, besides its own, that may be read."""
 
     def __init__(self, top: Path, allowed: tuple[Path, ...]) -> None:

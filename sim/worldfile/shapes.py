@@ -8,7 +8,7 @@ from sim.geometry import Point
 from sim.scene import Placement, Polygon
 from sim.worldfile.entities import Entity
 from sim.worldfile.mistakes import Code, WorldError
-from sim.worldfile.values import Reader
+from sim.worldfile.values import ValueReader
 
 MOST_POINTS = 2000
 """Points of one block."""
@@ -19,7 +19,7 @@ UNIT = Polygon(((0.0, 0.0), (1.0, 0.0), (1.0, 1.0), (0.0, 1.0)), 0.0, 1.0)
 _PADDLE_LENGTH, _PADDLE_WIDTH, _PADDLE_HEIGHT = 0.66, 0.1, 0.4  # Stage's gripper, in parts of its size
 
 
-def block(reader: Reader, entity: Entity) -> Polygon:
+def block(reader: ValueReader, entity: Entity) -> Polygon:
     """One block as it is written, not scaled yet."""
     count = reader.number(entity.settings, "points", 0)
     if not 3 <= count <= MOST_POINTS or count != int(count):
@@ -37,7 +37,7 @@ def block(reader: Reader, entity: Entity) -> Polygon:
     return Polygon(points, min(bottom, top), max(bottom, top))
 
 
-def _point(reader: Reader, entity: Entity, i: int) -> Point:
+def _point(reader: ValueReader, entity: Entity, i: int) -> Point:
     name = f"point[{i}]"
     if name not in entity.settings:
         raise WorldError(Code.MISSING_POINT, entity.file, entity.line, entity.column, (name,), name=name)

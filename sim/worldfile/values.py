@@ -29,7 +29,7 @@ _ANGLES = {"degrees": 1.0, "radians": degrees(1.0)}
 _INDEXED = re.compile(r"(.*)\[[0-9]+\]$")
 
 
-class Reader:
+class ValueReader:
     """Reads settings of one world: knows its units, collects remarks."""
 
     def __init__(self) -> None:
