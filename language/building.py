@@ -80,6 +80,10 @@ def compare(site: int, left: ast.expr, *rest: tuple[str, ast.expr]) -> ast.expr:
     return placed(ast.Compare(left, operators, [operand for _, operand in rest]), site)
 
 
+def any_of(site: int, *tests: ast.expr) -> ast.expr:
+    return placed(ast.BoolOp(ast.Or(), list(tests)), site)
+
+
 def both(site: int, *tests: ast.expr) -> ast.expr:
     return placed(ast.BoolOp(ast.And(), list(tests)), site)
 
@@ -91,6 +95,11 @@ def either(site: int, test: ast.expr, then: ast.expr, otherwise: ast.expr) -> as
 def keeping(site: int, name: str, value: ast.expr) -> ast.expr:
     """``(name := value)``."""
     return placed(ast.NamedExpr(_target(site, name), value), site)
+
+
+def element(site: int, name: str, index: int) -> ast.expr:
+    """``name[index]``."""
+    return placed(ast.Subscript(load(site, name), constant(site, index), ast.Load()), site)
 
 
 def call(site: int, function: str, *arguments: ast.expr) -> ast.expr:

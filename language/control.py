@@ -147,7 +147,8 @@ class ExecutionControl:
 
     def reached(self, line: int, depth: int) -> None:
         """A statement on ``line``, inside ``depth`` calls, is next: hold if wanted; raises Stopped."""
-        self._hold_if(lambda: self._holds_at(line, depth), depth)
+        if self._holds_at(line, depth):  # asked again under the lock; most statements are not to be held at
+            self._hold_if(lambda: self._holds_at(line, depth), depth)
         if self._state is ControlState.STOPPING:
             raise Stopped
 

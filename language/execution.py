@@ -20,7 +20,7 @@ from language.failures import failure_of
 from language.levels import Level, Levels, variables_in
 from language.runnable import MOST_FRAMES, Trace
 from language.runtime import Actions, Frame, Memory
-from language.stack import DEEPEST_CALL
+from language.stack import DEEPEST_CALL, first_link
 from language.statements import EARLIER, PARAMETER
 from language.syntax import Axis
 from language.units import Unit
@@ -62,7 +62,7 @@ class Execution:
         failure = None
         self._control.attach(self._heed)
         try:
-            self._keep(variables_in(program(*stored)))
+            self._keep(variables_in(program(first_link(), *stored)))
         except BaseException as error:
             levels, inside = self._levels.of_traceback(error.__traceback__)
             self._keep_what_was(levels)
@@ -96,10 +96,10 @@ class Execution:
     def _make_globals(self) -> dict[str, Any]:
         return {
             "flag": False,
-            "limit": DEEPEST_CALL,
             "hook": None,
+            "near": DEEPEST_CALL,
+            "wanted": 0,
             "check": self._check,
-            "over": self._over,
             "checked": checked,
             "divide": divide,
             "turns": _turns,
@@ -129,60 +129,28 @@ class Execution:
     def _heed(self, state: ControlState) -> None:
         """The control's state changed: have the translated code look, or look away. Called under its lock."""
         if self._hooked:
-            wanted = state is ControlState.STOPPING
-            self._globals["hook"] = self._hook_for(state)
+            self._globals["flag"] = state is ControlState.STOPPING
+            self._set_hook(state)
         else:
-            wanted = state is not ControlState.RUNNING
-        self._globals["flag"] = wanted
-        self._globals["limit"] = -1 if wanted else DEEPEST_CALL
+            self._globals["flag"] = state is not ControlState.RUNNING
 
-    def _hook_for(self, state: ControlState) -> Trace | None:
-        """What to call before each statement; as little as possible where nothing is near."""
-        match state:
-            case ControlState.RUNNING:
-                return self._trace
-            case ControlState.RUNNING_TO:
-                return self._until_line(self._control.holds_on_line())
-            case ControlState.STEPPING_OVER:
-                return self._until_depth(self._control.holds_to_depth())
-            case _:
-                return self._visit
+    def _set_hook(self, state: ControlState) -> None:
+        """What to call before which statements; as few as possible unless all are traced."""
+        near, wanted = DEEPEST_CALL, 0
+        if self._trace is None and state is ControlState.RUNNING_TO:
+            near, wanted = -1, self._control.holds_on_line()
+        elif self._trace is None and state is ControlState.STEPPING_OVER:
+            near = int(min(self._control.holds_to_depth(), DEEPEST_CALL))
+        hook = self._trace if state is ControlState.RUNNING else self._visit
+        self._globals.update(near=near, wanted=wanted, hook=hook)
 
     def _visit(self, line: int, column: int, depth: int) -> None:
         self._control.reached(line, depth)
         if self._trace is not None:
             self._trace(line, column, depth)
 
-    def _until_line(self, wanted: int) -> Trace:
-        visit, trace = self._visit, self._trace
-
-        def hook(line: int, column: int, depth: int) -> None:
-            if line == wanted:
-                visit(line, column, depth)
-            elif trace is not None:
-                trace(line, column, depth)
-
-        return hook
-
-    def _until_depth(self, most: float) -> Trace:
-        visit, trace = self._visit, self._trace
-
-        def hook(line: int, column: int, depth: int) -> None:
-            if depth <= most:
-                visit(line, column, depth)
-            elif trace is not None:
-                trace(line, column, depth)
-
-        return hook
-
     def _check(self) -> None:
         """Something is wanted at a checkpoint."""
-        self._control.reached(self._levels.around(sys._getframe(1)).line, 0)
-
-    def _over(self, depth: int) -> None:
-        """A call is too deep, or something is wanted at it."""
-        if depth > DEEPEST_CALL:
-            raise Refused(Kind.RECURSION_LIMIT, limit=DEEPEST_CALL)
         self._control.reached(self._levels.around(sys._getframe(1)).line, 0)
 
     # --- procedures

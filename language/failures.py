@@ -7,6 +7,7 @@ from collections.abc import Collection
 from language.diagnostics import Diagnostic, Kind, LanguageError, ProgramError, Refused, Stopped
 from language.levels import Level, call_sites
 from language.mistakes import diagnostic, undeclared_procedure, undeclared_variable
+from language.stack import DEEPEST_CALL
 from language.syntax import Call, Name
 
 
@@ -21,8 +22,6 @@ def failure_of(
     if isinstance(error, Stopped):
         return Stopped()
     if isinstance(error, Refused) and levels:
-        if error.kind is Kind.RECURSION_LIMIT:
-            levels = levels[:-1]  # the call that failed never began
         return ProgramError(_refused(error, levels[-1]), call_sites(levels))
     found = _found_by_python(error, levels, procedures) if inside else None
     return None if found is None else ProgramError(found, call_sites(levels))
@@ -37,9 +36,15 @@ def _refused(refused: Refused, level: Level) -> Diagnostic:
 def _found_by_python(
     error: BaseException, levels: list[Level], procedures: Collection[str]
 ) -> Diagnostic | None:
-    if isinstance(error, ZeroDivisionError):
-        return _refused(Refused(Kind.DIVISION_BY_ZERO), levels[-1])
-    return _undeclared(levels, procedures) if isinstance(error, NameError) else None
+    match error:
+        case NameError():
+            return _undeclared(levels, procedures)
+        case ZeroDivisionError():
+            return _refused(Refused(Kind.DIVISION_BY_ZERO), levels[-1])
+        case IndexError():  # the deepest link has no next one
+            return _refused(Refused(Kind.RECURSION_LIMIT, limit=DEEPEST_CALL), levels[-1])
+        case _:
+            return None
 
 
 def _undeclared(levels: list[Level], procedures: Collection[str]) -> Diagnostic | None:

@@ -8,12 +8,29 @@ is raised once and never lowered: another thread may be deep in it.
 from __future__ import annotations
 
 import sys
+from functools import cache
+from typing import TypeAlias
 
 DEEPEST_CALL = 20_000
 """Procedures that may be running inside each other."""
 
+Link: TypeAlias = "tuple[int] | tuple[int, Link]"
+"""How many calls are open, and the link for one call more; the deepest has none."""
+
 _PYTHON_FRAMES = 1_000_000
 """More than a program can use: a call in deeply nested loops takes several frames of Python."""
+
+
+@cache
+def first_link(deepest: int = DEEPEST_CALL) -> Link:
+    """The link of a program without open calls.
+
+    Handing on a link is cheaper than counting, and asking the deepest for the next one fails by itself.
+    """
+    link: Link = (deepest,)
+    for depth in range(deepest - 1, -1, -1):
+        link = (depth, link)
+    return link
 
 
 def make_room() -> None:

@@ -2,13 +2,14 @@
 
 A variable is a local variable of the function, ``v_`` and its name: where it does not exist, Python
 itself says so. ``o_`` and a name is the site that declared the variable, kept only where the name could
-be declared twice. ``p_``, a name and a number of arguments is a procedure, a global name. ``d`` is how
-many calls are open.
+be declared twice. ``p_``, a name and a number of arguments is a procedure, a global name. ``d`` is the
+link of the open calls (``stack``).
 
-The program is interruptible at the end of each turn of a loop, at each call and after each command:
-``flag`` and ``limit`` are global names that change when anything is wanted. Asking them is four times as
-cheap as drawing from a shared iterator. The compilation for stepping asks ``hook`` before each statement
-instead: a loop's own line once more after each of its turns.
+The program is interruptible at the end of each turn of a loop, at each call and after each command: the
+global ``flag`` is true when anything is wanted. Asking it is four times as cheap as drawing from a shared
+iterator. The compilation for stepping asks before each statement instead, and for a loop's own line once
+more after each of its turns: ``hook`` is None if nothing is wanted, and called where no more than ``near``
+calls are open or where the line is ``wanted``.
 """
 
 from __future__ import annotations
@@ -18,12 +19,15 @@ from types import CodeType
 
 from language.building import (
     Sites,
+    any_of,
     assign,
     binary,
+    both,
     call,
     compare,
     constant,
     do,
+    element,
     forget,
     function,
     give_back,
@@ -140,10 +144,12 @@ class ScopeTranslator:
         body = [*self._beginning(site), *self._out]
         if procedure is None:
             names = [VARIABLE + name for name in self._stored]
-            definition = function(site, "program", names, [*body, give_back(site, call(site, "locals"))])
+            definition = function(
+                site, "program", ["d", *names], [*body, give_back(site, call(site, "locals"))]
+            )
         else:
             names = [VARIABLE + parameter.name for parameter in self._scope.parameters]
-            definition = function(site, "procedure", [*dict.fromkeys(names), "d"], body)
+            definition = function(site, "procedure", ["d", *dict.fromkeys(names)], body)
         module = compile(ast.Module([definition], []), "<GoDonnie>", "exec")
         return next(code for code in module.co_consts if isinstance(code, CodeType))
 
@@ -159,11 +165,8 @@ class ScopeTranslator:
         for name in sorted(self._clashing):
             owner = EARLIER if name in self._stored else PARAMETER if name in parameters else 0
             beginning.append(assign(site, OWNER + name, constant(site, owner)))
-        if self._scope.procedure is not None:
-            too_deep = compare(site, load(site, "d"), (">", load(site, "limit")))
-            beginning.append(when(site, too_deep, [do(site, call(site, "over", load(site, "d")))]))
-        else:
-            beginning.append(assign(site, "d", constant(site, 0)))
+        if self._scope.procedure is not None and not self._hooked:
+            beginning.append(_checkpoint(site))
         return beginning
 
     # --- statements
@@ -187,7 +190,7 @@ class ScopeTranslator:
 
     def _visit(self, site: int, statement: Statement) -> None:
         if self._hooked:
-            self._out.append(_hook(site, statement))
+            self._out.append(self._hook(site, statement))
 
     def _statement(self, site: int, statement: Statement) -> None:
         match statement:
@@ -338,7 +341,17 @@ class ScopeTranslator:
     def _turn(self, loop: Statement, site: int | None = None) -> list[ast.stmt]:
         """The end of a turn: look whether anything is wanted."""
         site = site or self._sites.new(loop)
-        return [_hook(site, loop)] if self._hooked else [_checkpoint(site)]
+        return [self._hook(site, loop)] if self._hooked else [_checkpoint(site)]
+
+    def _hook(self, site: int, statement: Statement) -> ast.stmt:
+        """``if hook is not None and (wanted == line or depth <= near): hook(line, column, depth)``."""
+        line, column = constant(site, statement.span.line), constant(site, statement.span.column)
+        depth = constant(site, 0) if self._scope.procedure is None else element(site, "d", 0)
+        exists = compare(site, load(site, "hook"), ("is not", constant(site, None)))
+        is_wanted = compare(site, load(site, "wanted"), ("==", line))
+        is_near = compare(site, depth, ("<=", load(site, "near")))
+        test = both(site, exists, any_of(site, is_wanted, is_near))
+        return when(site, test, [do(site, call(site, "hook", line, column, depth))])
 
     # --- loops that only count
 
@@ -390,8 +403,8 @@ class ScopeTranslator:
         name, arguments = statement.name.name, statement.arguments
         self._calls.add((name, len(arguments)))
         values = self._expressions.values(arguments)
-        depth = binary(site, "+", load(site, "d"), constant(site, 1))
-        self._add(do(site, call(site, f"p_{name}_{len(arguments)}", *values, depth)))
+        deeper = element(site, "d", 1)
+        self._add(do(site, call(site, f"p_{name}_{len(arguments)}", deeper, *values)))
 
     def _command(self, site: int, statement: Statement) -> None:
         action, *arguments = self._action(site, statement)
@@ -431,13 +444,6 @@ class ScopeTranslator:
                 return ("go_on",) if self._terminal else ("refuse_outside_terminal", typed)
             case _:
                 raise AssertionError(statement)
-
-
-def _hook(site: int, statement: Statement) -> ast.stmt:
-    """``if hook is not None: hook(line, column, d)``."""
-    wanted = compare(site, load(site, "hook"), ("is not", constant(site, None)))
-    place = constant(site, statement.span.line), constant(site, statement.span.column)
-    return when(site, wanted, [do(site, call(site, "hook", *place, load(site, "d")))])
 
 
 def _checkpoint(site: int) -> ast.stmt:
