@@ -9,7 +9,7 @@ from collections.abc import Iterator, Mapping
 from dataclasses import dataclass, field
 
 from sim.colours import Colour
-from sim.geometry import Point, direction, placed
+from sim.geometry import Point, direction, placed, signed_area
 from sim.report import LoadReport
 
 
@@ -98,6 +98,18 @@ class Model:
         """Its polygons and walls as they lie in the world."""
         for shape in (*self.polygons, *self.walls):
             yield placed(shape.points, self.pose.x, self.pose.y, self.pose.yaw)
+
+    @property
+    def stage_area(self) -> float:
+        """Square metres of its blocks as Stage adds them up.
+
+        Stage traces a picture clockwise and draws the walls of a boundary the other way round, beside a
+        picture only, so that their areas count against each other.
+        """
+        area = sum(abs(signed_area(shape.points)) for shape in self.polygons)
+        if not self.bitmap:
+            return area
+        return abs(area - sum(abs(signed_area(wall.points)) for wall in self.walls))
 
     @property
     def solid(self) -> bool:

@@ -17,10 +17,7 @@ def records(scene: Scene) -> list[dict[str, object]]:
 
 
 def _record(model: Model, scene: Scene) -> dict[str, object]:
-    from sim.geometry import signed_area
-
     parent = None if model.parent is None else scene.models[model.parent].name
-    area = sum(abs(signed_area(block.points)) for block in model.polygons)
     record: dict[str, object] = {
         "type": model.type,
         "name": model.name,
@@ -33,7 +30,7 @@ def _record(model: Model, scene: Scene) -> dict[str, object]:
         "ranger_return": model.ranger_return,
         "boundary": int(model.boundary),
         "blocks": len(model.polygons),
-        "block_area": round(area, _DECIMALS),
+        "block_area": round(model.stage_area, _DECIMALS),
     }
     if model.sensors:
         record["sensors"] = [_sensor(each) for each in model.sensors]
