@@ -197,7 +197,7 @@ _HINT_OF: dict[Kind, Callable[[Diagnostic, Phrasing], str | None]] = {
 
 def _values(diagnostic: Diagnostic, words: Phrasing) -> dict[str, object]:
     """What the places of a sentence may be filled with."""
-    values: dict[str, object] = {"name": _name(diagnostic), "limit": "", "word": ""}
+    values: dict[str, object] = {"name": _name(diagnostic), "limit": "", "word": "", "wanted": 0, "given": 0}
     values |= diagnostic.details
     values |= {"found": _found(diagnostic, words), "expected": _expected(diagnostic, words)}
     for key in ("opener", "word"):

@@ -31,9 +31,9 @@ SENTENCES: dict[str, Sentence] = {
         "La opción {option} no puede ser {value}. Acepta {wanted}.",
     ),
     "events-need-run": Sentence(
-        "Events go to a file here. The option --events - is for donnie run.",
-        "Aqui os eventos vão para um arquivo. A opção --events - é de donnie run.",
-        "Aquí los eventos van a un archivo. La opción --events - es de donnie run.",
+        "The option --events - is for donnie run. Name a file here.",
+        "A opção --events - é de donnie run. Aqui, dê um arquivo.",
+        "La opción --events - es de donnie run. Aquí, da un archivo.",
     ),
     "wrong-usage": Sentence(
         "{problem}. The option --help tells more.",
@@ -47,14 +47,14 @@ SENTENCES: dict[str, Sentence] = {
     ),
     # --- settings
     "setting-unknown": Sentence(
-        "The settings file has an unknown word, {name}.",
-        "O arquivo de configurações tem uma palavra desconhecida, {name}.",
-        "El archivo de ajustes tiene una palabra desconocida, {name}.",
+        "Unknown setting in the file: {name}.",
+        "Configuração desconhecida no arquivo: {name}.",
+        "Ajuste desconocido en el archivo: {name}.",
     ),
     "setting-not-understood": Sentence(
-        "In the settings file, {name} can't be {value}. It takes {wanted}.",
-        "No arquivo de configurações, {name} não pode ser {value}. Aceita {wanted}.",
-        "En el archivo de ajustes, {name} no puede ser {value}. Acepta {wanted}.",
+        "The setting {name} can't be {value}. It takes {wanted}.",
+        "A configuração {name} não pode ser {value}. Aceita {wanted}.",
+        "El ajuste {name} no puede ser {value}. Acepta {wanted}.",
     ),
     "variable-not-understood": Sentence(
         "The variable {name} can't be {value}. It takes {wanted}.",
@@ -62,14 +62,14 @@ SENTENCES: dict[str, Sentence] = {
         "La variable {name} no puede ser {value}. Acepta {wanted}.",
     ),
     "settings-file-damaged": Sentence(
-        "The settings file can't be read, line {line}. Defaults are used.",
-        "O arquivo de configurações não pode ser lido, linha {line}. Valem os padrões.",
-        "El archivo de ajustes no se puede leer, línea {line}. Valen los predeterminados.",
+        "Settings file damaged, line {line}. Defaults count.",
+        "Arquivo de configurações com erro, linha {line}. Valem os padrões.",
+        "Archivo de ajustes con errores, línea {line}. Valen los de siempre.",
     ),
     "settings-file-unreadable": Sentence(
-        "The settings file can't be read. Defaults are used.",
-        "O arquivo de configurações não pode ser lido. Valem os padrões.",
-        "El archivo de ajustes no se puede leer. Valen los predeterminados.",
+        "Settings file unreadable. Defaults count.",
+        "Arquivo de configurações ilegível. Valem os padrões.",
+        "Archivo de ajustes ilegible. Valen los de siempre.",
     ),
     # --- check
     "check-clean": Sentence("{file}: no mistakes.", "{file}: sem erros.", "{file}: sin errores."),

@@ -24,7 +24,7 @@ SENTENCES: dict[str, Sentence] = {
     ),
     "internal-error": Sentence(
         "Something went wrong inside Donnie.",
-        "Alguma coisa deu errado dentro do Donnie.",
+        "Algo deu errado dentro do Donnie.",
         "Algo salió mal dentro de Donnie.",
     ),
     # --- form
@@ -68,9 +68,9 @@ SENTENCES: dict[str, Sentence] = {
         "{found} is no name.", "{found} não é um nome.", "{found} no es un nombre."
     ),
     "mistake-reserved-word": Sentence(
-        "{found} is a word of GoDonnie, no name.",
-        "{found} é palavra de GoDonnie, não um nome.",
-        "{found} es palabra de GoDonnie, no un nombre.",
+        "{found} is a word of GoDonnie.",
+        "{found} é uma palavra de GoDonnie.",
+        "{found} es una palabra de GoDonnie.",
     ),
     "mistake-bad-argument": Sentence(
         "I do not know {found} here.", "Não conheço {found} aqui.", "No conozco {found} aquí."
@@ -203,8 +203,8 @@ SENTENCES: dict[str, Sentence] = {
     ),
     "hint-own-variables": Sentence(
         "A procedure sees only its own variables.",
-        "Um procedimento só vê as suas próprias variáveis.",
-        "Un procedimiento solo ve sus propias variables.",
+        "Um procedimento só vê suas variáveis.",
+        "Un procedimiento solo ve sus variables.",
     ),
     "hint-declare-procedure": Sentence(
         "Its {procedure} must come before the call.",
@@ -213,8 +213,8 @@ SENTENCES: dict[str, Sentence] = {
     ),
     "hint-call-depth": Sentence(
         "At most {limit} calls in each other.",
-        "No máximo {limit} chamadas uma dentro da outra.",
-        "Como máximo {limit} llamadas una dentro de otra.",
+        "No máximo {limit} chamadas aninhadas.",
+        "Como máximo {limit} llamadas anidadas.",
     ),
     "hint-terminal-only": Sentence(
         "A file ends by itself.", "Um arquivo acaba sozinho.", "Un archivo acaba por sí solo."

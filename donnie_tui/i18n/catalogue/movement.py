@@ -117,16 +117,31 @@ SENTENCES: dict[str, Sentence] = _movements() | {
         "No command executed, position [{x},{y},{heading}].",
         "Nenhum comando executado, posição [{x},{y},{heading}].",
         "Ningún comando ejecutado, posición [{x},{y},{heading}].",
+        brief=(
+            "No command, [{x},{y},{heading}].",
+            "Nenhum comando, [{x},{y},{heading}].",
+            "Ningún comando, [{x},{y},{heading}].",
+        ),
     ),
     "movement-walked": Sentence(
         "Command {number} was {command}, walked {done}, {crashed}, position [{x},{y},{heading}].",
         "O comando {number} foi {command}, andou {done}, {crashed}, posição [{x},{y},{heading}].",
         "El comando {number} fue {command}, caminó {done}, {crashed}, posición [{x},{y},{heading}].",
+        brief=(
+            "{command}, walked {done}, {crashed}, [{x},{y},{heading}].",
+            "{command}, andou {done}, {crashed}, [{x},{y},{heading}].",
+            "{command}, caminó {done}, {crashed}, [{x},{y},{heading}].",
+        ),
     ),
     "movement-turned": Sentence(
         "Command {number} was {command}, turned {done}, {crashed}, position [{x},{y},{heading}].",
         "O comando {number} foi {command}, girou {done}, {crashed}, posição [{x},{y},{heading}].",
         "El comando {number} fue {command}, giró {done}, {crashed}, posición [{x},{y},{heading}].",
+        brief=(
+            "{command}, turned {done}, {crashed}, [{x},{y},{heading}].",
+            "{command}, girou {done}, {crashed}, [{x},{y},{heading}].",
+            "{command}, giró {done}, {crashed}, [{x},{y},{heading}].",
+        ),
     ),
     "crashed": Sentence("crashed", "bateu", "chocó"),
     "not-crashed": Sentence("didn't crash", "não bateu", "no chocó"),

@@ -1,0 +1,174 @@
+"""Every code has a natural, short and speakable sentence in each of the three languages."""
+
+import re
+from collections import Counter
+from collections.abc import Iterable, Iterator
+from string import Formatter
+from types import ModuleType
+
+import pytest
+
+from devices.audio_worker.notices import NoticeCode
+from donnie_tui.i18n.catalogue import (
+    SENTENCES,
+    TOPICS,
+    help,  # noqa: A004 -- the module's own name
+    linear,
+    mistakes,
+    movement,
+    signs,
+)
+from donnie_tui.i18n.catalogue.signs import CODE_OF
+from donnie_tui.i18n.first_words import CAUSES
+from donnie_tui.i18n.sentence import DETAILS, LANGUAGES, Sentence, filled
+from language.diagnostics import Kind
+from sim.worldfile.mistakes import Code
+
+SAMPLES: dict[str, object] = {
+    "asked": 5,
+    "bearing": 45,
+    "colour": "red",
+    "colours": "red",
+    "column": 4,
+    "command": "FW 3",
+    "count": 2,
+    "crashed": "didn't crash",
+    "degrees": 45,
+    "done": 3,
+    "facing": "north",
+    "found": "FWD",
+    "given": 3,
+    "heading": 90,
+    "language": "English",
+    "limit": 200,
+    "line": 3,
+    "lines": 4,
+    "message": "I do not know FWD.",
+    "name": "size",
+    "number": 7,
+    "seconds": 3,
+    "speed": 5,
+    "steps": 12,
+    "wanted": 2,
+    "x": 3,
+    "y": 4,
+}
+"""Ordinary values; a place without one is filled with an ordinary word."""
+
+LESSON = (movement, mistakes, help, signs, linear)
+"""What is heard while somebody programs."""
+
+OF_THE_MANUAL = re.compile(r"(walked|turned)-.*-obstacle|scan-(left|right|ahead)|(no-)?movement.*")
+"""Its sentences are kept as they are (L14)."""
+
+WORDLESS = {"kind-answer"}
+"""Labels that are left out on purpose."""
+
+
+def all_texts() -> Iterator[tuple[str, str]]:
+    for code, sentence in SENTENCES.items():
+        for detail in DETAILS:
+            for language in LANGUAGES:
+                if code not in WORDLESS:
+                    yield f"{code} {detail} {language}", sentence.text(language, detail)
+
+
+def places(text: str) -> Counter[str]:
+    """The names of the places of a text, words that agree with them apart."""
+    return Counter(name for _, name, spec, _ in Formatter().parse(text) if name and "|" not in (spec or ""))
+
+
+def with_samples(text: str) -> str:
+    return filled(text, {name: SAMPLES.get(name, "FW") for _, name, _, _ in Formatter().parse(text) if name})
+
+
+def test_a_code_belongs_to_one_topic() -> None:
+    counted = Counter(code for topic in TOPICS for code in topic.SENTENCES)
+
+    assert [code for code, times in counted.items() if times > 1] == []
+
+
+def test_no_text_is_missing_or_has_blanks_around_it() -> None:
+    assert [where for where, text in all_texts() if not text or text != text.strip()] == []
+
+
+def test_a_sentence_has_the_same_places_in_all_languages() -> None:
+    def differs(sentence: Sentence, detail: str) -> bool:
+        return len({tuple(sorted(places(sentence.text(each, detail)))) for each in LANGUAGES}) > 1
+
+    assert [code for code, each in SENTENCES.items() for detail in DETAILS if differs(each, detail)] == []
+
+
+def test_a_sentence_begins_with_a_word() -> None:
+    """L8; Spanish opens a question with a sign that no reader says."""
+    texts = [(where, with_samples(text)) for where, text in all_texts()]
+
+    assert [where for where, text in texts if not text.lstrip("¿¡")[0].isalnum()] == []
+
+
+def test_nothing_is_there_that_a_reader_spells_out() -> None:
+    """L6: boxes, arrows, blocks, braille, emoji, three equal signs in a row."""
+    drawn = re.compile(r"[\u2190-\u21ff\u2500-\u27bf\u2800-\u28ff\U0001f000-\U0001ffff]|([^\w\s])\1\1|\n")
+
+    assert [where for where, text in all_texts() if drawn.search(with_samples(text))] == []
+
+
+def whole_sentences(topics: Iterable[ModuleType], detail: str) -> dict[str, int]:
+    """The lengths of what is told as a line of its own, which has a full stop."""
+    codes = [code for topic in topics for code in topic.SENTENCES if not OF_THE_MANUAL.fullmatch(code)]
+    texts = [with_samples(SENTENCES[code].text(each, detail)) for code in codes for each in LANGUAGES]
+    return {text: len(text) for text in texts if text.endswith((".", "?"))}
+
+
+def test_ordinary_lines_of_a_lesson_fit_forty_cells() -> None:
+    """L8, B1 at detail normal."""
+    lengths = whole_sentences(LESSON, "normal").values()
+
+    assert sum(length <= 40 for length in lengths) / len(lengths) >= 0.9
+
+
+def test_no_line_of_a_lesson_is_longer_than_eighty_characters() -> None:
+    told = whole_sentences(LESSON, "normal") | whole_sentences(LESSON, "full")
+
+    assert [text for text, length in told.items() if length > 80] == []
+
+
+def test_at_detail_brief_what_the_robot_does_fits_forty_cells() -> None:
+    texts = [
+        with_samples(each.text(language, "brief"))
+        for each in movement.SENTENCES.values()
+        for language in LANGUAGES
+    ]
+
+    assert [text for text in texts if len(text) > 40] == []
+
+
+def test_the_number_one_has_the_singular_in_every_language() -> None:
+    for language, one, many in (("en", "1 step", "2 steps"), ("pt", "1 passo", "2 passos")):
+        text = SENTENCES["walked-forward"].text(language)
+        assert one in filled(text, {"steps": 1})
+        assert f"{one}s" not in filled(text, {"steps": 1})
+        assert many in filled(text, {"steps": 2})
+
+
+@pytest.mark.parametrize("kind", Kind, ids=lambda kind: kind.value)
+def test_every_kind_of_mistake_has_a_sentence(kind: Kind) -> None:
+    assert f"mistake-{kind.value}" in SENTENCES
+
+
+@pytest.mark.parametrize("code", Code, ids=lambda code: code.value)
+def test_every_mistake_in_a_world_has_a_sentence(code: Code) -> None:
+    assert f"world-{code.value}" in SENTENCES
+
+
+@pytest.mark.parametrize("code", NoticeCode, ids=lambda code: code.value)
+def test_everything_that_voice_and_sound_may_lack_has_a_sentence(code: NoticeCode) -> None:
+    assert code.value in SENTENCES
+
+
+def test_every_sign_has_a_name() -> None:
+    assert set(CODE_OF.values()) <= set(SENTENCES)
+
+
+def test_the_first_words_have_three_languages_each() -> None:
+    assert {len(each) for each in CAUSES.values()} == {len(LANGUAGES)}

@@ -1,0 +1,70 @@
+"""A world file that can't be used is told with its place; so is what was odd in one that can."""
+
+from pathlib import Path
+
+import pytest
+
+from donnie_tui.i18n.sentence import LANGUAGES
+from donnie_tui.i18n.words import Words
+from donnie_tui.i18n.world_mistakes import world_mistake, world_note
+from sim.report import Note, NoteKind
+from sim.worldfile import WorldError, load_text, load_world
+from sim.worldfile.mistakes import Code
+
+
+def told(text: str, language: str = "en") -> str:
+    with pytest.raises(WorldError) as caught:
+        load_text(text, Path("maze.world"))
+    return world_mistake(caught.value, Words(language))
+
+
+def test_a_mistake_has_its_file_line_and_column() -> None:
+    assert told('model( size "big" )').startswith("Error, maze.world, line 1, column ")
+
+
+def test_a_misspelt_model_gets_the_nearest_name() -> None:
+    assert told("modle()").endswith("I do not know the model modle. Did you mean model?")
+
+
+def test_a_mistake_is_told_in_each_language() -> None:
+    sentences = {told("model(", language) for language in LANGUAGES}
+
+    assert len(sentences) == len(LANGUAGES)
+
+
+def test_a_file_that_does_not_exist_has_no_place(tmp_path: Path) -> None:
+    with pytest.raises(WorldError) as caught:
+        load_world(tmp_path / "no.world")
+
+    assert world_mistake(caught.value, Words("en")) == f"There is no file {tmp_path / 'no.world'}."
+
+
+@pytest.mark.parametrize("code", Code, ids=lambda code: code.value)
+@pytest.mark.parametrize("language", LANGUAGES)
+def test_any_mistake_can_be_told_whatever_little_is_known_of_it(code: Code, language: str) -> None:
+    assert world_mistake(WorldError(code, "a.world"), Words(language))
+
+
+NOTES = {
+    "unknown-property": {"name": "colr", "nearest": "color"},
+    "unused-property": {"name": "mass"},
+    "not-simulated": {"name": "arm", "type": "gripper"},
+    "second-define": {"name": "wall"},
+    "unknown-colour": {"name": "gren", "nearest": "green"},
+    "lone-sensor": {"name": "sonar"},
+    "walls-made-solid": {"name": "wall"},
+    "not-utf8": {"path": "a.world"},
+    "margin-cropped": {"path": "cave.png"},
+    "no-robot": {},
+}
+
+
+@pytest.mark.parametrize("code", NOTES)
+@pytest.mark.parametrize("language", LANGUAGES)
+def test_every_remark_of_a_load_report_has_a_sentence(code: str, language: str) -> None:
+    note = Note(NoteKind.WARNING, code, "folder/a.world", 3, 1, NOTES[code])
+
+    sentence = world_note(note, Words(language))
+
+    assert "a.world" in sentence
+    assert sentence.endswith(".") or sentence.endswith("?")
