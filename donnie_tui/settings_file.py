@@ -24,16 +24,21 @@ def read_settings(environment: Mapping[str, str]) -> tuple[dict[str, object], tu
     try:
         if path.stat().st_size > LARGEST:
             return {}, (Notice("settings-file-unreadable", {}),)
-        return tomllib.loads(path.read_bytes().decode("utf-8-sig")), ()
+        text = path.read_bytes().decode("utf-8-sig")
     except FileNotFoundError:
         return {}, ()
-    except tomllib.TOMLDecodeError as damage:
-        line = re.search(r"line (\d+)", str(damage))
-        if line is None:
-            return {}, (Notice("settings-file-unreadable", {}),)
-        return {}, (Notice("settings-file-damaged", {"line": line[1]}),)
     except (OSError, ValueError):
         return {}, (Notice("settings-file-unreadable", {}),)
+    return _parsed(text)
+
+
+def _parsed(text: str) -> tuple[dict[str, object], tuple[Notice, ...]]:
+    try:
+        return tomllib.loads(text), ()
+    except (ValueError, RecursionError) as damage:
+        line = re.search(r"line (\d+)", str(damage))
+        last = str(text.count("\n") + 1)
+        return {}, (Notice("settings-file-damaged", {"line": line[1] if line else last}),)
 
 
 def remember(key: str, value: str | bool | float, environment: Mapping[str, str]) -> None:

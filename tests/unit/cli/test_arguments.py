@@ -1,0 +1,66 @@
+"""Options stand before or behind the command; the first word that is neither is the command or the file."""
+
+import pytest
+
+from donnie_tui.cli.arguments import COMMANDS, TO_COME, WrongUsage, understand
+from donnie_tui.i18n.words import Words
+
+
+@pytest.mark.parametrize(
+    ("line", "command", "options", "file"),
+    [
+        ("", "", {}, None),
+        ("walk.gd", "", {}, "walk.gd"),
+        ("./run", "", {}, "./run"),
+        ("--lang pt walk.gd", "", {"lang": "pt"}, "walk.gd"),
+        ("--lang=pt", "", {"lang": "pt"}, None),
+        ("run walk.gd", "run", {}, ["walk.gd"]),
+        ("--speed max run walk.gd --lang es", "run", {"speed": "max", "lang": "es"}, ["walk.gd"]),
+        ("--world run walk.gd", "", {"world": "run"}, "walk.gd"),
+        ("run -", "run", {}, ["-"]),
+        ("run - --events -", "run", {"events": "-"}, ["-"]),
+        ("check a.gd b.gd", "check", {}, ["a.gd", "b.gd"]),
+        ("run -- --odd.gd", "run", {}, ["--odd.gd"]),
+    ],
+)
+def test_a_command_line_is_understood(
+    line: str, command: str, options: dict[str, str], file: str | list[str] | None
+) -> None:
+    found = understand(line.split(), Words())
+
+    assert (found.command, found.options, found.arguments.file) == (command, options, file)
+
+
+@pytest.mark.parametrize("flag", ["-t", "-T", "--linear"])
+def test_the_flag_for_the_terminal_is_the_linear_mode(flag: str) -> None:
+    assert understand([flag], Words()).arguments.linear
+
+
+@pytest.mark.parametrize("line", [["-f", "run"], ["-F", "run"], ["-m", "-f", "run", "-l"]])
+def test_the_original_flag_runs_whatever_file_it_names(line: list[str]) -> None:
+    found = understand(line, Words())
+
+    assert (found.command, found.arguments.run) == ("", "run")
+
+
+@pytest.mark.parametrize("command", TO_COME)
+def test_a_reserved_command_is_known_whatever_follows_it(command: str) -> None:
+    assert understand([command, "--anything", "x"], Words()).command == command
+
+
+@pytest.mark.parametrize("line", ["run", "check", "format", "--foo", "run x --foo", "a.gd b.gd", "--lang"])
+def test_what_can_not_be_understood_is_wrong_usage(line: str) -> None:
+    with pytest.raises(WrongUsage):
+        understand(line.split(), Words())
+
+
+@pytest.mark.parametrize("language", ["en", "pt", "es"])
+@pytest.mark.parametrize("command", ["", *(each for each in COMMANDS if each not in TO_COME)])
+def test_help_is_there_for_every_command_in_every_language(
+    command: str, language: str, capsys: pytest.CaptureFixture[str]
+) -> None:
+    with pytest.raises(SystemExit) as left:
+        understand([*command.split(), "--help"], Words(language))
+
+    assert left.value.code == 0
+    assert "--lang" in capsys.readouterr().out

@@ -1,0 +1,204 @@
+"""Command line, variables, file, defaults: the strongest sound value wins; its origin is known."""
+
+import tomllib
+from pathlib import Path
+
+import pytest
+
+from donnie_tui.core.documents import DocumentError
+from donnie_tui.folders import settings_file, state_folder
+from donnie_tui.settings import KEYS, BadOption, Settings, Source, language_of, resolve
+from donnie_tui.settings_file import read_settings, remember, with_setting
+
+
+def test_without_any_source_the_defaults_count() -> None:
+    settings, notices = resolve({}, {}, {})
+
+    assert settings == Settings()
+    assert notices == ()
+
+
+@pytest.mark.parametrize(
+    ("options", "variables", "file", "speed", "source"),
+    [
+        ({"speed": "2"}, {"DONNIE_SPEED": "3"}, {"speed": 4}, 2.0, Source.OPTION),
+        ({}, {"DONNIE_SPEED": "3"}, {"speed": 4}, 3.0, Source.ENVIRONMENT),
+        ({}, {}, {"speed": 4}, 4.0, Source.FILE),
+        ({}, {"DONNIE_SPEED": ""}, {"speed": "max"}, None, Source.FILE),
+        ({}, {"DONNIE_SPEED": "fast"}, {"speed": 4}, 4.0, Source.FILE),
+        ({}, {"DONNIE_SPEED": "fast"}, {"speed": []}, 5.0, Source.DEFAULT),
+    ],
+)
+def test_the_strongest_sound_source_wins(
+    options: dict[str, str],
+    variables: dict[str, str],
+    file: dict[str, object],
+    speed: float | None,
+    source: Source,
+) -> None:
+    settings, _ = resolve(options, variables, file)
+
+    assert (settings.speed, settings.source_of("speed")) == (speed, source)
+
+
+@pytest.mark.parametrize(
+    ("key", "value"),
+    [
+        ("speed", "fast"),
+        ("speed", "0"),
+        ("speed", "-1"),
+        ("speed", "nan"),
+        ("speed", "inf"),
+        ("speed", ""),
+        ("seed", "-1"),
+        ("seed", "1e3"),
+        ("seed", "9" * 5000),
+        ("lang", "fr"),
+        ("sound", "loud"),
+        ("speech", "shout"),
+        ("verbosity", "5"),
+        ("world", ""),
+        ("world", "a\0b"),
+    ],
+)
+def test_a_bad_value_is_an_error_on_the_command_line_and_a_notice_elsewhere(key: str, value: str) -> None:
+    with pytest.raises(BadOption):
+        resolve({key: value}, {}, {})
+
+    settings, notices = resolve({}, {}, {key: value})
+    assert settings == Settings()
+    assert [notice.code for notice in notices] == ["setting-not-understood"]
+
+
+@pytest.mark.parametrize(
+    ("key", "text", "value"),
+    [
+        ("speed", "0,5", 0.5),
+        ("speed", "MAX", None),
+        ("lang", "pt-BR", "pt"),
+        ("lang", "ES", "es"),
+        ("sound", "off", False),
+        ("linear", "yes", True),
+        ("seed", "7", 7),
+        ("verbosity", "Brief", "brief"),
+    ],
+)
+def test_values_are_read_as_people_write_them(key: str, text: str, value: object) -> None:
+    settings, _ = resolve({key: text}, {}, {})
+
+    assert getattr(settings, next(each.name for each in KEYS if each.key == key)) == value
+
+
+@pytest.mark.parametrize(
+    ("environment", "language"),
+    [
+        ({}, "en"),
+        ({"LANG": "pt_BR.UTF-8"}, "pt"),
+        ({"LANG": "es_AR.UTF-8", "LC_ALL": "C"}, "en"),
+        ({"LANG": "en_GB", "LC_MESSAGES": "es_ES"}, "es"),
+        ({"LANG": "pt_PT", "LC_ALL": ""}, "pt"),
+        ({"LANG": "fr_FR"}, "en"),
+    ],
+)
+def test_the_language_follows_the_locale(environment: dict[str, str], language: str) -> None:
+    assert language_of(environment) == language
+
+
+def test_an_unknown_word_in_the_file_is_told() -> None:
+    _, notices = resolve({}, {}, {"spede": 3})
+
+    assert [(notice.code, notice.values["name"]) for notice in notices] == [("setting-unknown", "spede")]
+
+
+# --- the file
+
+
+@pytest.fixture
+def environment(tmp_path: Path) -> dict[str, str]:
+    return {"XDG_CONFIG_HOME": str(tmp_path), "HOME": str(tmp_path / "home")}
+
+
+def write(environment: dict[str, str], data: bytes) -> Path:
+    path = Path(settings_file(environment))
+    path.parent.mkdir(parents=True)
+    path.write_bytes(data)
+    return path
+
+
+def test_a_file_that_is_not_there_is_no_trouble(environment: dict[str, str]) -> None:
+    assert read_settings(environment) == ({}, ())
+
+
+def test_the_file_is_toml(environment: dict[str, str]) -> None:
+    write(environment, b'\xef\xbb\xbflang = "es"\nsound = false\n')
+
+    assert read_settings(environment) == ({"lang": "es", "sound": False}, ())
+
+
+@pytest.mark.parametrize(
+    ("data", "code"),
+    [
+        (b"lang = \n", "settings-file-damaged"),
+        (b'a = 1\nlang = "es', "settings-file-damaged"),
+        (b"\xff\xfe\0\0", "settings-file-unreadable"),
+        (b"a = " + b"[" * 9000, "settings-file-damaged"),
+        (b"#" * 200_000, "settings-file-unreadable"),
+    ],
+)
+def test_a_damaged_file_is_told_and_not_used(environment: dict[str, str], data: bytes, code: str) -> None:
+    write(environment, data)
+
+    settings, notices = read_settings(environment)
+
+    assert settings == {}
+    assert [notice.code for notice in notices] == [code]
+
+
+def test_a_folder_in_its_place_is_told(environment: dict[str, str]) -> None:
+    Path(settings_file(environment)).mkdir(parents=True)
+
+    assert [notice.code for notice in read_settings(environment)[1]] == ["settings-file-unreadable"]
+
+
+def test_what_is_remembered_is_read_again_and_the_rest_stays(environment: dict[str, str]) -> None:
+    path = write(environment, b'# mine\nlang = "es"\nspeed = 2\n')
+
+    remember("lang", "pt", environment)
+    remember("linear", True, environment)
+
+    assert path.read_text() == '# mine\nlang = "pt"\nspeed = 2\nlinear = true\n'
+    assert read_settings(environment)[0] == {"lang": "pt", "speed": 2, "linear": True}
+
+
+def test_what_can_not_be_remembered_is_told(environment: dict[str, str]) -> None:
+    Path(environment["XDG_CONFIG_HOME"], "donnie").write_text("a file, not a folder")
+
+    with pytest.raises(DocumentError):
+        remember("lang", "pt", environment)
+
+
+@pytest.mark.parametrize("text", ["", "a = 1", "a = 1\n", "[table]\nb = 2\n", "lang='x' # y\n[t]\n"])
+@pytest.mark.parametrize("value", ['C:\\worlds\\"mine".world', "open_floor"])
+def test_a_setting_put_into_any_file_keeps_it_sound(text: str, value: str) -> None:
+    changed = tomllib.loads(with_setting(text, "world", value))
+
+    assert changed["world"] == value
+    assert {**changed, "world": 0} == {**tomllib.loads(text), "world": 0}
+
+
+@pytest.mark.parametrize(
+    ("platform", "environment", "path"),
+    [
+        ("linux", {"HOME": "/h"}, "/h/.config/donnie/settings.toml"),
+        ("linux", {"HOME": "/h", "XDG_CONFIG_HOME": "/x"}, "/x/donnie/settings.toml"),
+        ("linux", {"HOME": "/h", "XDG_CONFIG_HOME": "relative"}, "/h/.config/donnie/settings.toml"),
+        ("darwin", {"HOME": "/h"}, "/h/Library/Application Support/donnie/settings.toml"),
+        ("win32", {"APPDATA": "C:/A"}, "C:/A/donnie/settings.toml"),
+    ],
+)
+def test_each_platform_has_its_place(platform: str, environment: dict[str, str], path: str) -> None:
+    assert settings_file(environment, platform) == path
+
+
+def test_state_has_a_folder_of_its_own() -> None:
+    assert state_folder({"HOME": "/h"}, "linux") == Path("/h/.local/state/donnie")
