@@ -38,10 +38,19 @@ class TypedProgram:
     def __init__(self) -> None:
         self.name: str | None = None
         """The file that it was opened from or saved to."""
-        self.saved = True
         self._lines: list[str] = []
+        self._kept: list[str] | None = []
         self._run = 0
         self._size = 0
+
+    @property
+    def saved(self) -> bool:
+        """Whether the lines are the same as in the file, or as in a new program."""
+        return self._lines == self._kept
+
+    @saved.setter
+    def saved(self, saved: bool) -> None:
+        self._kept = self._lines.copy() if saved else None
 
     @property
     def is_worth_saving(self) -> bool:
@@ -82,7 +91,6 @@ class TypedProgram:
         """One line more at the end. Raises ``ProgramTooLong``."""
         self._grow(line)
         self._lines.append(line)
-        self.saved = False
 
     def take_batch(self, last: str | None = None) -> Batch:
         """Everything that waits, and ``last`` behind it, which is no part of the program."""
@@ -154,7 +162,6 @@ class TypedProgram:
 
     def _touched(self, number: int) -> None:
         """A program whose part that had run was changed waits as a whole."""
-        self.saved = False
         if number <= self._run:
             self._run = 0
 

@@ -24,7 +24,7 @@ class Console:
     """Standard input and output with their signals. ``close`` leaves everything as it was found."""
 
     def __init__(self, terminal: Terminal | None) -> None:
-        """``terminal`` is there where lines are edited key by key, and taken already."""
+        """``terminal`` is there where lines are edited key by key."""
         self.interrupted = False
         """Ctrl+C was pressed and nobody has answered yet."""
         self.leaving: int | None = None
@@ -39,6 +39,8 @@ class Console:
         os.set_blocking(self._writing_end, False)
         self._found = {number: signal.signal(number, self._heard) for number in _HEARD}
         self._found_fd = signal.set_wakeup_fd(self._writing_end, warn_on_full_buffer=False)
+        if terminal:
+            terminal.take()
 
     # --- waiting
 

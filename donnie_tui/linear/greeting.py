@@ -60,13 +60,12 @@ def greet(
         return
     from donnie_tui.linear.terminal import is_editable
 
-    editable, typed = is_editable(environment), os.isatty(0)
-    DONE.was_printed, DONE.has_prompt = True, prompt and typed
+    DONE.was_printed, DONE.has_prompt = True, prompt and os.isatty(0)
+    if is_editable(environment):
+        _take_terminal()
     at = _LANGUAGES.index(language)
     lines = CAUSES[cause][at] + "\n" + (HINT[at] + "\n" if prompt else "")
     os.write(1, (lines + (PROMPT if DONE.has_prompt else "")).encode())
-    if editable:
-        _take_terminal()
 
 
 def withdraw() -> None:
@@ -117,11 +116,12 @@ def _has_other_settings(environment: os._Environ[str] | dict[str, str]) -> bool:
 
 
 def _take_terminal() -> None:
+    """Until somebody listens for signals, Ctrl+C is kept like any other key."""
     import atexit
 
     from donnie_tui.linear.terminal import Terminal
 
     terminal = Terminal()
-    terminal.take()
+    terminal.take(signals=False)
     atexit.register(terminal.give_back)
     DONE.terminal = terminal

@@ -22,6 +22,8 @@ class Act(Enum):
     TEXT = auto()
     ENTER = auto()
     ESCAPE = auto()
+    INTERRUPT = auto()
+    """Ctrl+C, where it is no signal yet."""
     CLOSE = auto()
     """Ctrl+D: leaves on an empty line, deletes elsewhere."""
     BACKSPACE = auto()
@@ -50,6 +52,7 @@ _CONTROLS = {
     "\r": Act.ENTER,
     "\x01": Act.HOME,
     "\x02": Act.LEFT,
+    "\x03": Act.INTERRUPT,
     "\x04": Act.CLOSE,
     "\x05": Act.END,
     "\x06": Act.RIGHT,

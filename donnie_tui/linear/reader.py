@@ -90,6 +90,8 @@ class EditingReader:
             if key.act is Act.ENTER or key.act is Act.ESCAPE:
                 how = How.ENTER if key.act is Act.ENTER else How.ESCAPE
                 return Typed(line.text, how), echo + line.finish()
+            if key.act is Act.INTERRUPT:
+                return Typed(line.text, How.INTERRUPTED), echo + line.finish()
             if key.act is Act.CLOSE and not line.text:
                 return Typed("", How.CLOSED), echo
             echo += _changed(line, recall, key)

@@ -48,6 +48,7 @@ class Runs:
         self._ended = False
         self._held = False
         self._stopping = False
+        self._stopped_at: int | None = None
         self._left_out = 0
         self._told_before = 0
         self._sign_due = 0.0
@@ -83,7 +84,7 @@ class Runs:
 
     def _run(self, text: str, first_line: int, *, fresh: bool = False, stepping: bool = False) -> Run:
         self._ended = self._held = self._stopping = False
-        self._left_out = 0
+        self._stopped_at, self._left_out = None, 0
         self._told_before = self._told.count
         self._told.hold_back()
         try:
@@ -126,7 +127,6 @@ class Runs:
     def _watch(self, run: Run) -> None:
         """Until the run is over. What it says last is left for the prompt to take along."""
         self._console.stop_at_once = self._stop_at_once
-        stopped_at: int | None = None
         self._expect_sign(FIRST_SIGN)
         while not self._is_over(run):
             if self._console.leaving is not None:
@@ -134,14 +134,15 @@ class Runs:
                 run.wait(LONGEST_STOP)
                 break
             if self._console.take_interrupt() and not self._stopping:
-                stopped_at = self._stop_and_tell_where()
+                self._left_out += self._told.trim(LARGEST_BLOCK)
+                self._stop()
             elif self._held:
-                stopped_at = self._while_held(run)
+                self._while_held(run)
             else:
                 self._print_what_comes()
         self._console.stop_at_once = lambda: None
         if run.outcome is Outcome.STOPPED and self._console.leaving is None:
-            self._tell_stopped(stopped_at)
+            self._tell_stopped()
 
     def _is_over(self, run: Run) -> bool:
         return run.is_over or (self._ended and run.wait(LONGEST_STOP))
@@ -197,23 +198,19 @@ class Runs:
             self._stop()
 
     def _stop(self) -> None:
+        """Remember where, and stop; whatever the program still tells must not wait for us."""
         self._stopping = True
+        self._stopped_at = self._line()
         self._desk.session.stop()
         self._told.let_pass()
 
-    def _stop_and_tell_where(self) -> int | None:
-        line = self._line()
-        self._left_out += self._told.trim(LARGEST_BLOCK)
-        self._stop()
-        return line
-
-    def _tell_stopped(self, line: int | None) -> None:
+    def _tell_stopped(self) -> None:
         if self._left_out:
             self._desk.answer("linear-left-out", lines=self._left_out)
-        if line is None:
+        if self._stopped_at is None:
             self._desk.answer("linear-stopped")
         else:
-            self._desk.answer("linear-stopped-at", line=line)
+            self._desk.answer("linear-stopped-at", line=self._stopped_at)
 
     # --- stepping
 
@@ -226,23 +223,20 @@ class Runs:
             self._held = True
             self._console.nudge()
 
-    def _while_held(self, run: Run) -> int | None:
-        """Say where the program is, and do what is asked. The line, if it is to stop there."""
+    def _while_held(self, run: Run) -> None:
+        """Say where the program is, and do what is asked."""
         line = self._line()
         self._desk.answer("linear-line", line=line or 0, text=self._text_of(line))
-        match self._ask_how_to_go_on():
+        wish = self._ask_how_to_go_on()
+        self._held = False
+        match wish:
             case Hold.NEXT:
-                self._held = False
                 run.control.step()
             case Hold.REST:
-                self._held = False
                 run.control.resume()
             case Hold.STOP:
-                self._held = False
                 self._stop()
-                return line
         self._expect_sign(FIRST_SIGN)
-        return None
 
     def _ask_how_to_go_on(self) -> Hold:
         while True:

@@ -22,10 +22,11 @@ class Terminal:
     def __init__(self) -> None:
         self._found = termios.tcgetattr(0)
 
-    def take(self) -> None:
-        """Key by key, without an echo of the terminal's own; Ctrl+C and Ctrl+Z stay signals."""
+    def take(self, *, signals: bool = True) -> None:
+        """Key by key, without an echo of its own. Without ``signals`` Ctrl+C is a key like any other."""
         wanted = termios.tcgetattr(0)
         wanted[_LFLAG] &= ~(termios.ECHO | termios.ICANON | termios.IEXTEN)
+        wanted[_LFLAG] = wanted[_LFLAG] | termios.ISIG if signals else wanted[_LFLAG] & ~termios.ISIG
         wanted[_IFLAG] &= ~termios.IXON  # a stray Ctrl+S would silence everything
         wanted[_IFLAG] |= termios.ICRNL
         wanted[_CC][termios.VMIN], wanted[_CC][termios.VTIME] = 1, 0

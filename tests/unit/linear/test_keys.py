@@ -42,6 +42,7 @@ def text(typed: str) -> Key:
         (b"\x0b", Act.KILL_AFTER),
         (b"\x15", Act.KILL_BEFORE),
         (b"\x17", Act.KILL_WORD),
+        (b"\x03", Act.INTERRUPT),
         (b"\x04", Act.CLOSE),
         (b"\x1b", Act.ESCAPE),
     ],

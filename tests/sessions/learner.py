@@ -1,0 +1,85 @@
+"""A learner at a terminal: types keys into the real command and waits for what is printed."""
+
+from __future__ import annotations
+
+import os
+import re
+import sys
+import time
+from pathlib import Path
+
+import pexpect
+
+PATIENCE = 20
+"""Seconds after which something that must come will not come any more."""
+
+
+class Learner:
+    """One session of ``donnie --linear`` in a folder of its own, on a terminal of 80 by 24."""
+
+    def __init__(self, folder: Path, *options: str, speed: str = "max", language: str = "en") -> None:
+        environment = {name: value for name, value in os.environ.items() if not name.startswith("DONNIE_")}
+        environment |= {
+            "XDG_STATE_HOME": str(folder / "state"),
+            "XDG_CONFIG_HOME": str(folder / "config"),
+            "LC_ALL": "C.UTF-8",
+            "TERM": "xterm",
+        }
+        quiet = ["--speech", "off", "--sound", "off", "--lang", language, "--speed", speed]
+        self.child: pexpect.spawn[bytes] = pexpect.spawn(
+            sys.executable,
+            ["-m", "donnie_tui", "--linear", *quiet, *options],
+            env=environment,
+            cwd=str(folder),
+            dimensions=(24, 80),
+            timeout=PATIENCE,
+            echo=True,
+        )
+        self.child.delaybeforesend = None
+        self._seen = b""
+
+    def types(self, keys: str) -> None:
+        self.child.send(keys.encode())
+
+    def enters(self, *lines: str) -> None:
+        """Lines, each with Enter; the next one when the prompt is there."""
+        for line in lines:
+            self.sees_prompt()
+            self.types(f"{line}\r")
+
+    def sees(self, text: str) -> None:
+        """Wait until ``text`` is printed, after what was seen last."""
+        self.child.expect_exact(text.encode())
+        self._seen += self.child.before + text.encode()
+
+    def sees_prompt(self) -> None:
+        """Wait for the prompt at the beginning of a line."""
+        self.child.expect(rb"(?:\A|\n)(?:[0-9]+)?> ")
+        self._seen += self.child.before + self.child.match[0]
+
+    def leaves(self) -> int | None:
+        """Wait for the end: the exit code."""
+        self.child.expect(pexpect.EOF)
+        self._seen += self.child.before
+        self.child.close()
+        return self.child.exitstatus
+
+    @property
+    def raw(self) -> bytes:
+        """Every byte so far, in order."""
+        return self._seen
+
+    @property
+    def lines(self) -> list[str]:
+        """What was printed so far, as lines; editing undone as far as a backspace does it."""
+        text = self._seen.decode().replace("\r\n", "\n")
+        return re.sub(r"[^\n]\x08(?:\x1b\[K)?", "", text).split("\n")
+
+
+def until(happened: object, patience: float = PATIENCE) -> None:
+    """Wait until ``happened()`` is true, and fail if that takes too long."""
+    assert callable(happened)
+    end = time.monotonic() + patience
+    while not happened():
+        assert time.monotonic() < end, "it did not happen"
+        time.sleep(0.01)

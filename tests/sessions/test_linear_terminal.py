@@ -1,0 +1,391 @@
+"""The linear mode as a learner has it: real keys on a real terminal, reading only what is printed."""
+
+from __future__ import annotations
+
+import os
+import re
+import signal
+import subprocess
+import sys
+import termios
+from pathlib import Path
+
+import pytest
+
+from tests.sessions.learner import Learner, until
+
+ESC, UP, DOWN, LEFT, HOME = "\x1b", "\x1b[A", "\x1b[B", "\x1b[D", "\x1b[H"
+CTRL_C, CTRL_D, CTRL_Z, BACKSPACE = "\x03", "\x04", "\x1a", "\x7f"
+
+
+@pytest.fixture
+def learner(tmp_path: Path) -> Learner:
+    return Learner(tmp_path)
+
+
+def said(learner: Learner) -> list[str]:
+    """The lines without the typed ones."""
+    return [line for line in learner.lines if line and not re.match(r"[0-9]*> ", line)]
+
+
+def test_it_begins_with_two_lines_and_a_prompt(learner: Learner) -> None:
+    learner.sees_prompt()
+
+    assert learner.raw == b"Linear mode, from the option.\r\nHELP lists the commands.\r\n> "
+
+
+def test_a_rectangle_is_typed_with_enter_and_run_with_escape(learner: Learner) -> None:
+    learner.enters("PROCEDURE RECT: a, b DO", "REPEAT 2 TIMES", "FW a TR 90", "FW b TR 90", "END REPEAT")
+    learner.enters("END PROCEDURE")
+    learner.sees_prompt()
+    learner.types("RECT [4, 2]" + ESC)
+    learner.sees_prompt()
+
+    assert [line for line in learner.lines if line.endswith("REPEAT")] == ["2> END REPEAT"]
+    walks = ["I walked 4 steps forward.", "I walked 2 steps forward."] * 2
+    turn = "I turned 90 degrees to the right."
+    assert said(learner)[2:] == [line for walk in walks for line in (walk, turn)]
+
+
+def test_the_answer_and_the_prompt_come_in_one_piece_after_the_typed_line(learner: Learner) -> None:
+    learner.enters("FW 3", "RUN")
+    learner.sees_prompt()
+
+    assert learner.raw.endswith(b"> FW 3\r\n> RUN\r\nI walked 3 steps forward.\r\n> ")
+
+
+def test_a_mistake_is_told_with_its_line_and_what_was_meant(learner: Learner) -> None:
+    learner.enters("FW 1", "RUN", "FWD 3", "RUN")
+    learner.sees_prompt()
+
+    assert said(learner)[3:] == [
+        "Error, line 2, column 1: I do not know FWD.",
+        "Line 2: FWD 3",
+        "Did you mean FW?",
+    ]
+
+
+def test_lines_with_a_mistake_are_kept_and_mended(learner: Learner) -> None:
+    learner.enters("FW 1", "TRR 90", "RUN")
+    learner.sees("Nothing ran. CHANGE 2 mends line 2.")
+    learner.enters("CHANGE 2")
+    learner.sees("Edit line 2, then Enter.\r\n> TRR 90")
+    learner.types(HOME + "\x1b[3~" + "\r")
+    learner.sees("Line 2: RR 90")
+    learner.enters("CHANGE 2 TR 90", "RUN")
+    learner.sees("I turned 90 degrees to the right.\r\n> ")
+
+
+def test_an_empty_line_runs_what_waits_but_not_half_a_block(learner: Learner) -> None:
+    learner.enters("REPEAT 2 TIMES", "FW 1", "")
+    learner.sees("Still open: REPEAT from line 1.")
+    learner.enters("END REPEAT", "")
+    learner.sees("I walked 1 step forward.\r\nI walked 1 step forward.\r\n> ")
+
+
+def test_escape_runs_the_unfinished_line_too(learner: Learner) -> None:
+    learner.sees_prompt()
+    learner.types("FW 2" + ESC)
+    learner.sees("I walked 2 steps forward.")
+
+
+def test_run_without_anything_to_run_says_so(learner: Learner) -> None:
+    learner.enters("RUN")
+    learner.sees("Nothing to run.\r\n> ")
+
+
+def test_a_run_that_tells_nothing_says_that_it_is_done(learner: Learner) -> None:
+    learner.enters("VAR x = 5", "RUN")
+    learner.sees("Done.\r\n> ")
+
+
+def test_arrow_up_brings_back_what_was_typed_also_in_the_next_session(
+    learner: Learner, tmp_path: Path
+) -> None:
+    learner.enters("FW 3", "RUN", "QUIT")
+    assert learner.leaves() == 0
+
+    again = Learner(tmp_path)
+    again.sees_prompt()
+    again.types(UP)
+    again.sees("QUIT")
+    again.types(UP + UP)
+    again.sees("FW 3")
+    again.types("0" + ESC)
+    again.sees("I walked 30 steps forward.")
+
+
+def test_a_program_is_saved_and_opened(learner: Learner, tmp_path: Path) -> None:
+    learner.enters("FW 3", "TR 90", "SAVE corner")
+    learner.sees("Saved corner.gd, 2 lines.")
+    learner.enters("NEW", "LIST")
+    learner.sees("No lines yet.")
+    learner.enters("OPEN corner", "RUN")
+    learner.sees("I turned 90 degrees to the right.")
+
+    assert (tmp_path / "corner.gd").read_text() == "FW 3\nTR 90\n"
+
+
+def test_another_file_is_replaced_only_if_wanted(learner: Learner, tmp_path: Path) -> None:
+    (tmp_path / "mine.gd").write_text("BW 1\n")
+    learner.enters("FW 3", "SAVE mine")
+    learner.sees("mine.gd exists. Replace it, y or n? Enter means no.")
+    learner.enters("maybe")
+    learner.sees("Type y or n.")
+    learner.enters("")
+    learner.sees("Nothing was changed.")
+
+    assert (tmp_path / "mine.gd").read_text() == "BW 1\n"
+
+
+def test_a_program_on_the_command_line_waits_to_be_run(tmp_path: Path) -> None:
+    (tmp_path / "walk.gd").write_text("FW 2\n-- turn\nTR 90\n")
+    learner = Learner(tmp_path, "walk.gd")
+    learner.sees_prompt()
+
+    assert said(learner) == ["Linear mode, from the option.", "walk.gd, 3 lines. RUN runs it."]
+
+
+def test_control_c_stops_in_the_middle_of_a_movement(tmp_path: Path) -> None:
+    learner = Learner(tmp_path, "--events", "events.jsonl", speed="1")
+    events = tmp_path / "events.jsonl"
+    learner.enters("FW 1", "FW 50", "RUN")
+    until(lambda: '"moved"' in events.read_text() and events.read_text().count("step-forward") >= 2)
+    learner.types(CTRL_C + CTRL_C)
+    learner.sees("I was stopped.\r\nStopped at line 2.\r\n> ")
+    learner.types("WHERE\r")
+    learner.sees("Facing north.")
+
+
+def test_an_endless_program_that_talks_is_stopped(learner: Learner) -> None:
+    learner.enters("WHILE 1 == 1 DO", 'SPEAK "on and on"', "END WHILE", "RUN")
+    learner.sees("on and on\r\non and on")
+    learner.types(CTRL_C)
+    learner.sees("Stopped at line ")
+    learner.enters('SPEAK "well"', "RUN")
+    learner.sees("well\r\n> ")
+
+
+def test_control_c_at_the_prompt_clears_the_line_and_never_leaves(learner: Learner) -> None:
+    learner.sees_prompt()
+    learner.types("FW 3")
+    learner.sees("FW 3")
+    learner.types(CTRL_C)
+    learner.sees("Line cleared.\r\n> ")
+    learner.types(CTRL_C)
+    learner.sees("Nothing is running. QUIT leaves.\r\n> ")
+
+
+def test_long_output_comes_in_blocks_with_a_rest_between(learner: Learner) -> None:
+    learner.enters("FOR VAR i = 1; i <= 40; i = i + 1 DO SPEAK i END FOR", "RUN")
+    learner.sees("40\r\n> ")
+
+    assert said(learner)[2:] == [str(number) for number in range(1, 41)]
+
+
+def test_a_program_is_stepped_through(learner: Learner) -> None:
+    learner.enters("VAR x = 2", "FW x", "TR 90", "STEP")
+    learner.sees("Line 1: VAR x = 2\r\n> ")
+    learner.types("\r")
+    learner.sees("Line 2: FW x\r\n> ")
+    learner.types("WHERE\r")
+    learner.sees("Position 0, 0. Facing north.\r\n> ")
+    learner.types("\r")
+    learner.sees("I walked 2 steps forward.\r\nLine 3: TR 90\r\n> ")
+    learner.types("RUN\r")
+    learner.sees("I turned 90 degrees to the right.\r\n> ")
+
+
+def test_quit_runs_what_waits_and_leaves(learner: Learner) -> None:
+    learner.enters("FW 3", "QUIT")
+
+    assert learner.leaves() == 0
+    assert said(learner)[2:] == ["I walked 3 steps forward.", "Goodbye."]
+
+
+def test_quit_leaves_the_second_time_where_the_first_could_not_be_reached(learner: Learner) -> None:
+    learner.enters("FWD 3", "TRR 3", "QUIT")
+    learner.sees("Nothing ran.")
+    learner.enters("QUIT")
+
+    assert learner.leaves() == 0
+
+
+def test_a_program_that_would_be_missed_is_asked_about_once(learner: Learner, tmp_path: Path) -> None:
+    learner.enters("FW 1", "FW 2", "FW 3", "FW 4", "FW 5")
+    learner.sees_prompt()
+    learner.types(CTRL_D)
+    learner.sees("5 lines are not saved. Save first, y or n? Enter means no.")
+    learner.enters("y", "five")
+
+    assert learner.leaves() == 0
+    assert (tmp_path / "five.gd").read_text() == "FW 1\nFW 2\nFW 3\nFW 4\nFW 5\n"
+
+
+def test_the_three_languages_are_all_understood_and_one_is_spoken(tmp_path: Path) -> None:
+    learner = Learner(tmp_path, language="pt")
+    learner.enters("PF 2", "EXECUTAR")
+    learner.sees("Andei 2 passos para frente.")
+    learner.enters("IDIOMA es", "AV 1", "EJECUTAR")
+    learner.sees("Caminé 1 paso hacia adelante.")
+    learner.enters("WHERE", "SAIR")
+
+    assert learner.leaves() == 0
+    assert said(learner)[-2:] == ["Posición 0, 3. Mirando al norte.", "Hasta luego."]
+
+
+def test_letters_with_accents_and_wide_ones_are_edited_as_one(learner: Learner) -> None:
+    learner.sees_prompt()
+    learner.types('SPEAK "cafe\u0301é漢x' + BACKSPACE * 3 + '"' + ESC)
+    learner.sees("cafe\u0301\r\n> ")
+
+
+def test_what_is_typed_ahead_is_not_lost(tmp_path: Path) -> None:
+    learner = Learner(tmp_path)
+    learner.types("FW 1\rFW 2\rRUN\rWHERE\r")
+    learner.sees("Position 0, 3. Facing north.")
+
+    walked = [line for line in learner.lines if line.startswith("I walked")]
+    assert walked == ["I walked 1 step forward.", "I walked 2 steps forward."]
+
+
+@pytest.mark.parametrize("number", [signal.SIGTERM, signal.SIGHUP])
+def test_a_signal_to_leave_rescues_the_program(number: int, tmp_path: Path) -> None:
+    learner = Learner(tmp_path)
+    learner.enters("FW 1", "FW 2")
+    learner.sees_prompt()
+    learner.child.kill(number)
+
+    assert learner.leaves() == 128 + number
+    again = Learner(tmp_path)
+    again.enters("RECOVER")
+    again.sees("A program was rescued. RECOVER opens it.\r\n2 lines.")
+    again.enters("LIST")
+    again.sees("1: FW 1\r\n2: FW 2\r\n> ")
+
+
+def test_a_signal_to_leave_stops_the_running_program(tmp_path: Path) -> None:
+    learner = Learner(tmp_path, "--events", "events.jsonl", speed="1")
+    events = tmp_path / "events.jsonl"
+    learner.enters("FW 500", "RUN")
+    until(lambda: events.exists() and "step-forward" in events.read_text())
+    learner.child.kill(signal.SIGTERM)
+
+    assert learner.leaves() == 128 + signal.SIGTERM
+    assert '"outcome":"stopped"' in events.read_text()
+
+
+# --- the terminal
+
+
+def test_the_terminal_is_left_as_it_was_found(learner: Learner) -> None:
+    learner.sees_prompt()
+    during = termios.tcgetattr(learner.child.fileno())
+    learner.types("QUIT\r")
+    learner.sees("Goodbye.")
+    until(lambda: termios.tcgetattr(learner.child.fileno())[3] & termios.ECHO)
+    after = termios.tcgetattr(learner.child.fileno())
+
+    assert not during[3] & (termios.ECHO | termios.ICANON)
+    assert after[3] & termios.ICANON
+
+
+def test_control_z_gives_the_terminal_back_until_the_session_goes_on(learner: Learner) -> None:
+    learner.enters("WHERE")
+    learner.sees("Facing north.\r\n> ")
+    learner.types("FW 3")
+    learner.sees("FW 3")
+    learner.types(CTRL_Z)
+    _, status = os.waitpid(learner.child.pid, os.WUNTRACED)
+    while_away = termios.tcgetattr(learner.child.fileno())[3]
+    learner.child.kill(signal.SIGCONT)
+    learner.sees("> FW 3")
+    learner.types(ESC)
+    learner.sees("I walked 3 steps forward.")
+
+    assert os.WIFSTOPPED(status)
+    assert while_away & termios.ECHO
+
+
+def test_nothing_but_text_is_printed_outside_of_editing(learner: Learner, tmp_path: Path) -> None:
+    learner.enters(
+        "HELP", "HELP KEYS", "HELP FW", "FW 3", "RUN", "LIST", "WHERE", "SPEED 7", "DETAIL full", "ERRORS"
+    )
+    learner.enters(
+        'SPEAK "  \x1b[2J tab "', "RUN", "SAVE x", "OPEN nothing", "LAST", "FW", "RUN", "CHANGE 99", "QUIT"
+    )
+    assert learner.leaves() == 0
+    text = learner.raw.replace(b"\r\n", b"\n").decode()
+
+    assert not re.search(r"[\x00-\x09\x0b-\x1f\x7f]", text)
+    assert not re.search(r"\n\n|\n |(?<!>) \n", text)
+
+
+def test_the_output_of_a_pipe_needs_no_terminal(tmp_path: Path) -> None:
+    """Only whole lines, no prompts; the words of the session work there too."""
+    script = (
+        "FW 3\nTR 90\n\nREPEAT 2 TIMES\nFW 1\nEND REPEAT\nRUN\nWHERE\nFWD\nRUN\nSAVE kept\nQUIT\nFW 99\nRUN\n"
+    )
+    done = _piped(script.encode(), tmp_path)
+
+    assert done.stdout.decode().splitlines() == [
+        "Linear mode, from the option.",
+        "HELP lists the commands.",
+        "I walked 3 steps forward.",
+        "I turned 90 degrees to the right.",
+        "I walked 1 step forward.",
+        "I walked 1 step forward.",
+        "Position 2, 3. Facing east.",
+        "Error, line 6, column 1: I do not know FWD.",
+        "Line 6: FWD",
+        "Did you mean FW?",
+        "Saved kept.gd, 5 lines.",
+        "Goodbye.",
+    ]
+    assert (done.returncode, done.stderr) == (0, b"")
+
+
+def test_a_script_that_forgets_run_is_told(tmp_path: Path) -> None:
+    done = _piped(b"FW 3\nFW 4\n", tmp_path)
+
+    assert done.stdout.decode().splitlines()[2:] == ["2 lines did not run. RUN was missing.", "Goodbye."]
+
+
+@pytest.mark.parametrize(
+    "garbage",
+    [b"\xff\xfe\x00\n\nRUN\n", b"\x1b[A\x07\n\n", b'SPEAK "\xed\xb3\xbf"\nRUN\n', b"(" * 5000 + b"\nRUN\n"],
+)
+def test_garbage_is_answered(garbage: bytes, tmp_path: Path) -> None:
+    done = _piped(garbage, tmp_path)
+
+    assert done.returncode == 0
+    assert done.stderr == b""
+    assert b"Error, line 1" in done.stdout or b'SPEAK "' in garbage
+
+
+def _piped(script: bytes, folder: Path) -> subprocess.CompletedProcess[bytes]:
+    environment = {
+        **os.environ,
+        "XDG_STATE_HOME": str(folder / "state"),
+        "XDG_CONFIG_HOME": str(folder / "config"),
+    }
+    command = [
+        sys.executable,
+        "-m",
+        "donnie_tui",
+        "--linear",
+        "--speech",
+        "off",
+        "--sound",
+        "off",
+        "--lang",
+        "en",
+    ]
+    return subprocess.run(
+        [*command, "--speed", "max"],
+        input=script,
+        capture_output=True,
+        timeout=60,
+        cwd=folder,
+        env=environment,
+    )
