@@ -1,0 +1,84 @@
+"""The first lines: when they may be printed at once, and in which language."""
+
+import subprocess
+import sys
+from pathlib import Path
+
+import pytest
+
+from donnie_tui.linear import greeting
+
+
+@pytest.fixture
+def printed(monkeypatch: pytest.MonkeyPatch) -> list[bytes]:
+    """What is written, on something that is no terminal."""
+    written: list[bytes] = []
+    monkeypatch.setattr(greeting.os, "isatty", lambda _: False)
+    monkeypatch.setattr(greeting.os, "write", lambda _, data: written.append(data))
+    monkeypatch.setattr(greeting, "DONE", greeting.Greeting())
+    return written
+
+
+@pytest.mark.parametrize(
+    ("arguments", "environment", "first"),
+    [
+        (["--linear"], {}, b"Linear mode, from the option.\nHELP lists the commands.\n"),
+        (["--linear", "--lang", "pt"], {"LANG": "es_ES"}, "Modo linear, pela opção.\n".encode()),
+        (["--lang=es", "--linear", "--world", "x"], {}, "Modo lineal, por la opción.\n".encode()),
+        (["--linear"], {"DONNIE_LANG": "pt", "LANG": "es_ES"}, "Modo linear, pela opção.\n".encode()),
+        (["--linear"], {"LC_ALL": "pt_BR.UTF-8", "LANG": "es"}, "Modo linear, pela opção.\n".encode()),
+        (["--linear"], {"LANG": "de_DE"}, b"Linear mode, from the option.\n"),
+    ],
+)
+def test_it_greets_where_the_command_line_is_plain(
+    arguments: list[str], environment: dict[str, str], first: bytes, printed: list[bytes]
+) -> None:
+    assert greeting.begin(arguments, environment)
+    assert printed[0].startswith(first)
+
+
+@pytest.mark.parametrize(
+    "arguments",
+    [
+        [],
+        ["--linear", "--help"],
+        ["--linear", "--what"],
+        ["run", "--linear"],
+        ["--linear", "no-such-file.gd"],
+        ["--world", "--linear"],
+        ["-t"],
+    ],
+)
+def test_it_leaves_everything_else_to_the_command_line(arguments: list[str], printed: list[bytes]) -> None:
+    assert not greeting.begin(arguments, {})
+    assert printed == []
+
+
+def test_a_variable_that_may_be_wrong_is_looked_at_first(printed: list[bytes]) -> None:
+    assert not greeting.begin(["--linear"], {"DONNIE_SPEED": "fast"})
+
+
+def test_a_program_on_the_command_line_gets_the_second_line(tmp_path: Path, printed: list[bytes]) -> None:
+    (tmp_path / "a.gd").write_text("FW 1")
+    greeting.begin(["--linear", str(tmp_path / "a.gd")], {})
+
+    assert printed == [b"Linear mode, from the option.\n"]
+
+
+def test_it_greets_once(printed: list[bytes]) -> None:
+    greeting.begin(["--linear"], {})
+    greeting.greet("en", "option", {})
+
+    assert len(printed) == 1
+
+
+def test_greeting_loads_next_to_nothing() -> None:
+    """What is loaded beside what Python itself loads at its start."""
+    code = (
+        "import os, sys; before = set(sys.modules); from donnie_tui.linear.greeting import begin;"
+        "begin(['--linear'], os.environ); print(*sorted(set(sys.modules) - before))"
+    )
+    done = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, check=True)
+    loaded = done.stdout.splitlines()[-1].split()
+
+    assert {name for name in loaded if not name.startswith("donnie_tui")} <= {"__future__", "termios"}

@@ -1,0 +1,107 @@
+"""Blocks, rests, and the new line that is held back; on paper with a clock that only moves when one waits."""
+
+from donnie_tui.linear.output import REST, Output
+
+
+class Paper:
+    """Remembers what was written at which time. ``interrupt_at``: Ctrl+C comes then."""
+
+    def __init__(self, rows: int = 24, interrupt_at: float | None = None) -> None:
+        self.interrupted = False
+        self.written: list[tuple[float, str]] = []
+        self._rows = rows
+        self._time = 0.0
+        self._interrupt_at = interrupt_at
+
+    def write(self, text: str) -> None:
+        self.written.append((self._time, text))
+
+    def wait(self, seconds: float) -> object:
+        self._time += seconds
+        self.interrupted = self._interrupt_at is not None and self._time >= self._interrupt_at
+        return None
+
+    def now(self) -> float:
+        return self._time
+
+    def rows(self) -> int:
+        return self._rows
+
+    @property
+    def texts(self) -> list[str]:
+        return [text for _, text in self.written]
+
+
+def numbered(count: int) -> list[str]:
+    return [f"line {number}" for number in range(1, count + 1)]
+
+
+def test_an_answer_and_the_prompt_are_one_write() -> None:
+    paper = Paper()
+    output = Output(paper, paced=True)
+    output.hold_newline()
+    output.show(["one", "two"], "> ")
+
+    assert paper.texts == ["\none\ntwo\n> "]
+
+
+def test_a_line_without_an_answer_is_followed_by_the_prompt() -> None:
+    paper = Paper()
+    output = Output(paper, paced=True)
+    output.hold_newline()
+    output.show([], "2> ")
+
+    assert paper.texts == ["\n2> "]
+
+
+def test_a_long_answer_comes_in_blocks_of_eighteen_with_a_rest_between() -> None:
+    paper = Paper()
+    left_out = Output(paper, paced=True).show(numbered(40), "> ")
+
+    assert left_out == 0
+    assert [(time, text.count("\n")) for time, text in paper.written] == [
+        (0.0, 18),
+        (REST, 18),
+        (2 * REST, 4),
+    ]
+    assert paper.texts[-1].endswith("line 40\n> ")
+
+
+def test_a_small_terminal_gets_smaller_blocks() -> None:
+    paper = Paper(rows=10)
+    Output(paper, paced=True).show(numbered(8))
+
+    assert [text.count("\n") for text in paper.texts] == [4, 4]
+
+
+def test_lines_that_come_one_by_one_are_paced_too() -> None:
+    paper = Paper()
+    output = Output(paper, paced=True)
+    for line in numbered(20):
+        output.show([line])
+
+    assert [time for time, _ in paper.written] == [0.0] * 18 + [REST] * 2
+
+
+def test_a_prompt_never_waits() -> None:
+    paper = Paper()
+    output = Output(paper, paced=True)
+    output.show(numbered(18))
+    output.show([], "> ")
+
+    assert paper.now() == 0
+
+
+def test_a_pipe_gets_everything_at_once() -> None:
+    paper = Paper()
+    Output(paper, paced=False).show(numbered(1000))
+
+    assert [text.count("\n") for text in paper.texts] == [1000]
+
+
+def test_control_c_ends_a_long_answer() -> None:
+    paper = Paper(interrupt_at=REST)
+    left_out = Output(paper, paced=True).show(numbered(40), "> ")
+
+    assert left_out == 22
+    assert len(paper.texts) == 1

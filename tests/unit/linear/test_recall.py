@@ -1,0 +1,62 @@
+"""The lines typed before, and a file that may be anything."""
+
+from pathlib import Path
+
+import pytest
+
+from donnie_tui.linear.recall import KEPT, LARGEST_FILE, Past, Recall
+
+
+def test_what_was_typed_is_there_in_the_next_session(tmp_path: Path) -> None:
+    file = tmp_path / "new" / "history"
+    past = Past(file)
+    for line in ("FW 3", "FW 3", "  ", "TR 90 "):
+        past.remember(line)
+
+    assert Past(file).lines == ["FW 3", "TR 90"]
+    assert file.stat().st_mode & 0o077 == 0
+
+
+@pytest.mark.parametrize(
+    "content",
+    [b"\xff\xfe\x00\x01", b"FW 3\n\x1b[2J\n", b"x" * (LARGEST_FILE + 1), b""],
+    ids=["bytes", "escape", "huge", "empty"],
+)
+def test_a_damaged_file_is_no_obstacle(content: bytes, tmp_path: Path) -> None:
+    file = tmp_path / "history"
+    file.write_bytes(content)
+    past = Past(file)
+    past.remember("FW 1")
+
+    assert set(past.lines) <= {"FW 3", "FW 1"}
+
+
+def test_a_folder_in_the_place_of_the_file_is_no_obstacle(tmp_path: Path) -> None:
+    past = Past(tmp_path)
+    past.remember("FW 1")
+    past.trim()
+
+    assert past.lines == ["FW 1"]
+
+
+def test_the_file_does_not_grow_without_end(tmp_path: Path) -> None:
+    file = tmp_path / "history"
+    file.write_text("".join(f"FW {number}\n" for number in range(3 * KEPT)))
+    past = Past(file)
+    past.trim()
+
+    assert (
+        file.read_text().splitlines()
+        == past.lines
+        == [f"FW {number}" for number in range(2 * KEPT, 3 * KEPT)]
+    )
+
+
+def test_the_way_back_leads_to_what_was_being_typed() -> None:
+    past = Past()
+    past.remember("one")
+    past.remember("two")
+    recall = Recall(past)
+
+    assert [recall.older("dra"), recall.older("two"), recall.older("one")] == ["two", "one", None]
+    assert [recall.newer("one"), recall.newer("two"), recall.newer("dra")] == ["two", "dra", None]
