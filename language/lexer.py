@@ -226,7 +226,7 @@ class _Lexer:
             self._comments.append(Comment(start, end, self._line, len(self._tokens)))
         elif kind == _OPEN:
             self.open_string(start)
-        elif piece[0].isdigit() or piece[0] == "_":
+        elif piece[0].isascii() and (piece[0].isdigit() or piece[0] == "_"):
             self._unreadable_word(piece, start, end)
         else:
             self._flaw(Kind.UNKNOWN_CHARACTER, start, end)

@@ -6,6 +6,7 @@ what is still open in it; one that fits no block closes nothing.
 
 from __future__ import annotations
 
+from collections import Counter
 from collections.abc import Iterator
 from dataclasses import dataclass
 
@@ -63,14 +64,17 @@ def _closed(tokens: list[Token], blocks: list[_Open]) -> Iterator[tuple[_Open, i
 
     What is open at the end of the text stays in ``blocks``.
     """
+    open_kinds: Counter[str] = Counter()
     for index, token in enumerate(tokens):
         kind = ENDS.get(token[0])
         if token[0] in OPENERS:
             blocks.append(_Open(TERMINALS[token[0]], index))
-        elif kind is not None and any(block.kind == kind for block in blocks):
+            open_kinds[blocks[-1].kind] += 1
+        elif kind is not None and open_kinds[kind]:
             is_its_own = False
             while not is_its_own:
                 block = blocks.pop()
+                open_kinds[block.kind] -= 1
                 is_its_own = block.kind == kind
                 yield block, len(blocks), token[3], is_its_own
 

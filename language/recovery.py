@@ -199,11 +199,18 @@ class _Reader:
         if self._follows_taker():
             self._bad_argument()
             return
-        near = nearest_keyword(token[5], self._automaton.acceptable(), self._language)
+        near = self._command_meant(token[5])
         code = "call-brackets" if self._tokens[self._at + 1][0] == _LPAR and near is None else ""
         self._begun = self._at
         self._tell(Kind.UNKNOWN_COMMAND, token, code, ("command",), near.text if near else "")
         self._read_as(near, 1)
+
+    def _command_meant(self, typed: str) -> Near | None:
+        """The nearest word that leaves all ENDs what they are, or else the nearest one."""
+        words = self._automaton.acceptable()
+        fitting = frozenset(word for word in words if self._can_open(word, 1))
+        near = nearest_keyword(typed, fitting, self._language)
+        return near or nearest_keyword(typed, words, self._language)
 
     def _unknown_pair(self) -> None:
         """RIGHT without TURN, GIRAR DIRETA, PARA FRENT."""
@@ -220,7 +227,7 @@ class _Reader:
 
     def _read_as(self, near: Near | None, width: int) -> None:
         """Go on as if the meant word stood there, or else behind the command."""
-        if near is None or near.complete or not self._can_open(near, width):
+        if near is None or near.complete or not self._can_open(near.terminal, width):
             self._at += width
             self._skip_command(may_open=near is None)
             return
@@ -230,12 +237,12 @@ class _Reader:
         self._flaws = [each if each <= self._at else each - width + 1 for each in self._flaws]
         insort(self._flaws, self._at)
 
-    def _can_open(self, near: Near, width: int) -> bool:
-        """Whether the meant word opens no block, or one that has its END further on."""
-        if KIND[near.terminal] not in OPENERS:
+    def _can_open(self, terminal: str, width: int) -> bool:
+        """Whether a word of so many tokens opens no block, or one that has its END further on."""
+        if KIND[terminal] not in OPENERS:
             return True
         kinds, ahead = kinds_of(self._blocks), ends_ahead(self._tokens[self._at + width :])
-        return mistakes_ahead([*kinds, near.terminal], ahead) <= mistakes_ahead(kinds, ahead)
+        return mistakes_ahead([*kinds, terminal], ahead) <= mistakes_ahead(kinds, ahead)
 
     def _is_misspelt_pair(self) -> bool:
         third = self._tokens[min(self._at + 2, len(self._tokens) - 1)][0]

@@ -1,0 +1,85 @@
+"""Hints are never guesses."""
+
+import pytest
+
+from language.checker import check
+from language.diagnostics import Severity
+from language.parser import parse
+
+
+def hints(source: str, *, whole: bool = True) -> list[tuple[str, int, int]]:
+    program = parse(source).program
+    assert program is not None
+    found = check(program, whole=whole)
+    assert all(each.severity is Severity.HINT for each in found)
+    return [(each.kind.value, each.span.line, each.span.column) for each in found]
+
+
+@pytest.mark.parametrize(
+    ("source", "meant"),
+    [
+        ("DISTANCE", "SPEAK DISTANCE F"),
+        ("distance br", "SPEAK DISTANCE BR"),
+        ("PF 1 DISTÂNCIA T", "FALAR DISTÂNCIA T"),
+        ("REPEAT 2 TIMES COLOR red END REPEAT", "SPEAK COLOR RED"),
+        ("AV 1 POS X", "HABLAR POS X"),
+    ],
+)
+def test_a_sensor_on_its_own_hints_at_speaking_it(source: str, meant: str) -> None:
+    program = parse(source).program
+    assert program is not None
+
+    (hint,) = check(program, whole=False)
+
+    assert (hint.kind.value, hint.meant) == ("unused-value", meant)
+
+
+@pytest.mark.parametrize(
+    ("source", "expected"),
+    [
+        ("SPEAK total", [("undeclared-variable", 1, 7)]),
+        ("FW 1\ntotal = 3", [("undeclared-variable", 2, 1)]),
+        ("IF a < b THEN END IF", [("undeclared-variable", 1, 4), ("undeclared-variable", 1, 8)]),
+        ("VAR g PROCEDURE P DO SPEAK g END PROCEDURE", [("undeclared-variable", 1, 28)]),
+        ("FOR i = 0; i < 2; j = 1 DO END FOR", [("undeclared-variable", 1, c) for c in (5, 12, 19)]),
+        ("NOPE [1]", [("undeclared-procedure", 1, 1)]),
+        ("PROCEDURE P: a DO END PROCEDURE P [1, 2]", [("wrong-argument-count", 1, 33)]),
+        ("FW 1\nQUIT", [("terminal-only", 2, 1)]),
+        ("RUN", [("terminal-only", 1, 1)]),
+    ],
+)
+def test_names_that_are_surely_missing(source: str, expected: list[tuple[str, int, int]]) -> None:
+    assert hints(source) == expected
+    assert hints(source, whole=False) == []
+
+
+@pytest.mark.parametrize(
+    "source",
+    [
+        "VAR a SPEAK a",
+        "SPEAK a VAR a",
+        "IF 1 == 2 THEN VAR k END IF SPEAK k",
+        "FOR VAR i = 0; i < 2; i = i + 1 DO SPEAK i END FOR SPEAK i",
+        "PROCEDURE P: a DO VAR b = a SPEAK b P [b] END PROCEDURE",
+        "P [1] PROCEDURE P: a DO END PROCEDURE PROCEDURE P DO END PROCEDURE P [] P [1, 2]",
+        "VAR é SPEAK E\u0301",
+    ],
+)
+def test_what_may_work_is_not_hinted_at(source: str) -> None:
+    assert hints(source) == []
+
+
+def test_a_hint_about_a_program_variable_in_a_procedure_says_so() -> None:
+    program = parse("VAR g\nPROCEDURE Pê DO SPEAK g END PROCEDURE").program
+    assert program is not None
+
+    (hint,) = check(program)
+
+    assert hint.details["in_procedure"] == "pe"
+
+
+def test_a_near_name_is_offered() -> None:
+    program = parse("VAR total SPEAK totla").program
+    assert program is not None
+
+    assert check(program)[0].meant == "total"

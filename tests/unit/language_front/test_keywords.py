@@ -1,0 +1,124 @@
+"""The one table of words."""
+
+from itertools import combinations
+
+import pytest
+
+from language import keywords
+from language.keywords import ARGUMENTS, LANGUAGES, WORDS
+from language.lexer import KIND
+from language.source import fold_name
+
+
+def test_no_spelling_stands_for_two_terminals() -> None:
+    for first, second in combinations(WORDS, 2):
+        shared = {keywords.folded_word(one) for words in first.spellings.values() for one in words}
+        shared &= {keywords.folded_word(one) for words in second.spellings.values() for one in words}
+        assert not shared or first.terminal == second.terminal
+
+
+def test_no_word_behind_a_keyword_is_a_keyword() -> None:
+    for each in ARGUMENTS:
+        for spellings in each.spellings.values():
+            assert not any(keywords.is_reserved(one) for one in spellings)
+
+
+def test_every_word_is_of_a_terminal_of_the_grammar_and_of_a_topic_that_is_a_command() -> None:
+    canonical = {word.canonical for word in WORDS}
+    for word in WORDS:
+        assert word.terminal in KIND
+        assert word.topic in canonical
+
+
+@pytest.mark.parametrize("language", LANGUAGES)
+def test_every_word_is_found_by_every_spelling(language: str) -> None:
+    for word in WORDS:
+        found = keywords.word(keywords.spelling(word.canonical, language).lower())
+        assert found is not None
+        assert found.terminal == word.terminal
+
+
+@pytest.mark.parametrize(
+    ("typed", "canonical"),
+    [
+        ("para  frente", "FORWARD"),
+        ("PF", "FW"),
+        ("fim\nse", "END IF"),
+        ("SENAO", "ELSE"),
+        ("salir", "QUIT"),
+        ("girar izquierda", "LEFT TURN"),
+        ("vermelho", None),
+        ("end", None),
+        ("", None),
+    ],
+)
+def test_a_word_has_one_canonical_word(typed: str, canonical: str | None) -> None:
+    assert keywords.canonical(typed) == canonical
+
+
+@pytest.mark.parametrize(
+    ("canonical", "pt", "es"),
+    [
+        ("FW", "PF", "AV"),
+        ("FORWARD", "PARA FRENTE", "AVANZAR"),
+        ("END IF", "FIM SE", "FIN SI"),
+        ("DO", "FAÇA", "HACER"),
+    ],
+)
+def test_short_forms_stay_short_and_long_ones_long(canonical: str, pt: str, es: str) -> None:
+    assert keywords.spelling(canonical, "pt") == pt
+    assert keywords.spelling(canonical, "es") == es
+
+
+@pytest.mark.parametrize(
+    ("word", "topic"),
+    [
+        ("THEN", "IF"),
+        ("fim se", "IF"),
+        ("avanzar", "FW"),
+        ("red", "COLOR"),
+        ("LIGADO", "SOUND"),
+        ("td", "DISTANCE"),
+    ],
+)
+def test_a_word_belongs_to_a_topic_of_help(word: str, topic: str) -> None:
+    assert keywords.topic(word) == topic
+
+
+def test_what_is_no_word_has_no_topic() -> None:
+    assert keywords.topic("jump") is None
+
+
+@pytest.mark.parametrize(
+    "name", ["if", "SE", "vezes", "End", "fim", "RIGHT", "girar", "distância", "DISTANCIA", "pos"]
+)
+def test_first_words_of_commands_are_reserved_in_all_languages(name: str) -> None:
+    assert keywords.is_reserved(name)
+
+
+@pytest.mark.parametrize(
+    "name", ["x", "y", "a", "f", "b", "t", "d", "red", "on", "frente", "turn", "format", "ending"]
+)
+def test_words_that_only_follow_are_ordinary_names(name: str) -> None:
+    assert not keywords.is_reserved(name)
+
+
+def test_all_words_of_a_language_are_spelled_in_it() -> None:
+    assert "PARA TRÁS" in keywords.all_words("pt")
+    assert "PARA TRÁS" not in keywords.all_words("es")
+    assert set(keywords.all_words("es")) < set(keywords.all_words())
+
+
+def test_purple_is_no_colour() -> None:
+    colours = {fold_name(one) for each in ARGUMENTS for words in each.spellings.values() for one in words}
+    assert not {"purple", "roxo", "morado"} & colours
+    assert {"red", "azul", "amarillo", "grey"} <= colours
+
+
+def test_an_argument_is_spelled_in_every_language_and_read_again() -> None:
+    for each in ARGUMENTS:
+        for language in LANGUAGES:
+            spelled = keywords.argument_spelling(each.value, language)
+            found = keywords.argument(each.terminal, spelled)
+            assert found is not None
+            assert found.value == each.value

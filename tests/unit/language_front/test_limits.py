@@ -1,0 +1,104 @@
+"""Stated limits end in a mistake, and long texts in an answer."""
+
+import tracemalloc
+
+import pytest
+
+from language.checker import check
+from language.depth import MOST_BLOCKS, MOST_PARENTHESES
+from language.diagnostics import Kind
+from language.formatter import format_source
+from language.outline import block_depth, outline
+from language.parser import parse
+from language.syntax import walk
+from language.tree import MOST_LEVELS
+
+REPEAT, END = "REPEAT 2 TIMES ", " END REPEAT"
+
+
+def nested(count: int) -> str:
+    return REPEAT * count + END * count
+
+
+def in_parentheses(count: int) -> str:
+    return "SPEAK " + "(" * count + "1" + ")" * count
+
+
+@pytest.mark.parametrize(
+    "source",
+    [
+        nested(MOST_BLOCKS),
+        in_parentheses(MOST_PARENTHESES),
+        "SPEAK 1" + " + 1" * (MOST_LEVELS - 1),
+        "SPEAK " + "- " * (MOST_LEVELS - 1) + "1",
+        "SPEAK " + "(1 + " * (MOST_LEVELS - 1) + "1" + ")" * (MOST_LEVELS - 1),
+        (nested(60) + "\n") * 20,
+        (in_parentheses(60) + "\n") * 20,
+        "SPEAK 1" + (" " * 500 + "+ 1") * 100,
+    ],
+)
+def test_up_to_the_limit_everything_works(source: str) -> None:
+    program = parse(source).program
+    assert program is not None
+
+    assert list(walk(program.body))
+    check(program)
+    assert format_source(source)
+
+
+@pytest.mark.parametrize(
+    ("source", "code", "column"),
+    [
+        (nested(MOST_BLOCKS + 1), "blocks", MOST_BLOCKS * len(REPEAT) + 1),
+        (REPEAT * 50_000, "blocks", MOST_BLOCKS * len(REPEAT) + 1),
+        (in_parentheses(MOST_PARENTHESES + 1), "parentheses", MOST_PARENTHESES + 7),
+        ("SPEAK " + "(" * 50_000, "parentheses", MOST_PARENTHESES + 7),
+        ("SPEAK 1" + " + 1" * MOST_LEVELS, "expression", 7),
+        ("SPEAK 1" + "+1" * 50_000, "expression", 7),
+        ("SPEAK " + "1+(" * 150 + "1" + "+1" * 60 + ")" * 150, "expression", None),
+    ],
+)
+def test_what_is_too_deep_is_told_once_and_with_its_limit(source: str, code: str, column: int | None) -> None:
+    parsed = parse(source)
+
+    assert parsed.program is None
+    assert [(each.kind, each.code) for each in parsed.diagnostics] == [(Kind.TOO_DEEP, code)]
+    assert parsed.diagnostics[0].details["limit"] == 200
+    assert column is None or parsed.diagnostics[0].span.column == column
+
+
+@pytest.mark.parametrize(
+    "source",
+    [
+        "FW 1\n" * 20_000,
+        "x = 1 + 2 * 3 " * 10_000,
+        "JUMP\n" * 20_000,
+        "$ " * 50_000,
+        "END IF " * 20_000,
+        '"' * 50_001,
+        "VAR VAR " * 20_000,
+        "IF " * 20_000,
+        "x [ " * 20_000,
+        "SPEAK " + "- " * 50_000 + "1 1",
+        "IF 1 == 1 THEN\n" * 190 + "END FOR\n" * 20_000,
+        "a" * 300_000,
+        "“" * 50_001,
+        "-- " * 100_000,
+        "PARA FRENT " * 10_000,
+        "REPEET 2 TIMES\n" * 10_000,
+    ],
+    ids=lambda source: f"{source[:8]!r}",
+)
+def test_a_long_text_is_answered_in_memory_linear_in_its_length(source: str) -> None:
+    tracemalloc.start()
+    parsed = parse(source)
+    _, most = tracemalloc.get_traced_memory()
+    tracemalloc.stop()
+
+    assert (parsed.program is None) == bool(parsed.diagnostics)
+    assert most < 2_000 * len(source)
+
+
+def test_prompts_and_outlines_have_no_limit() -> None:
+    assert block_depth(REPEAT * 5_000) == 5_000
+    assert len(outline(nested(5_000))) == 5_000

@@ -1,0 +1,282 @@
+"""Each kind of mistake of form, and where it is told. One mistake gives one diagnostic."""
+
+import pytest
+
+from language.diagnostics import Diagnostic
+from language.parser import parse
+
+
+def told(source: str) -> tuple[Diagnostic, ...]:
+    parsed = parse(source)
+    assert parsed.program is None
+    return parsed.diagnostics
+
+
+def the_mistake(source: str) -> Diagnostic:
+    (only,) = told(source)
+    return only
+
+
+@pytest.mark.parametrize(
+    ("source", "kind", "line", "column"),
+    [
+        # a word or sign that can't stand there
+        ("FW 1 10", "syntax", 1, 6),
+        ("FW 2,5", "syntax", 1, 5),
+        ('FW "five"', "syntax", 1, 4),
+        ("FW", "syntax", 1, 3),
+        ("FW 1\nBW -- how far\n\n", "syntax", 2, 3),
+        ("VAR a = 3 *", "syntax", 1, 12),
+        ("VAR a = (1 + 2", "syntax", 1, 15),
+        ("FW 1 ) FW 2", "syntax", 1, 6),
+        ("VAR = 3", "syntax", 1, 5),
+        ("VAR", "syntax", 1, 4),
+        ("VAR\nFW 3", "syntax", 2, 1),
+        ("VAR my-name = 3", "syntax", 1, 7),
+        ("VAR v = SCAN + 1", "syntax", 1, 9),
+        ("SPEAK STATE", "syntax", 1, 7),
+        ('SPEAK "a" + 1', "syntax", 1, 11),
+        ('SPEAK 1 + "a"', "syntax", 1, 11),
+        ("SPEAK", "syntax", 1, 6),
+        ("a = = 3", "syntax", 1, 5),
+        ("a = 1 = 2", "syntax", 1, 7),
+        ("P [1\nSPEAK 2", "syntax", 2, 1),
+        ("P [1,]", "syntax", 1, 6),
+        ("FW 1\nELSE\nFW 1", "syntax", 2, 1),
+        ("THEN", "syntax", 1, 1),
+        ("REPEAT 2 TIMES FW 1 ELSE FW 2 END REPEAT", "syntax", 1, 21),
+        ("IF 1 == 1 THEN FW 1 ELSE FW 2 ELSE FW 3 END IF", "syntax", 1, 31),
+        ("IF a THEN FW 1 END IF", "syntax", 1, 6),
+        ("IF a = 1 THEN FW 1 END IF", "syntax", 1, 6),
+        ("IF DISTANCE F = 1 THEN FW 1 END IF", "syntax", 1, 15),
+        ("IF 1 => 2 THEN SPEAK 1 END IF", "syntax", 1, 6),
+        ("IF 1 < 2 < 3 THEN FW 1 END IF", "syntax", 1, 10),
+        ("IF a == 1 DO FW 1 END IF", "syntax", 1, 11),
+        ("IF a == 1\nSPEAK a\nEND IF", "syntax", 2, 1),
+        ("IF SCAN > 3 THEN FW 1 END IF", "syntax", 1, 4),
+        ("WHILE 1 < 2\nb = 1\nEND WHILE", "syntax", 2, 1),
+        ("REPEAT 2\nSPEAK 1\nEND REPEAT", "syntax", 2, 1),
+        ("REPEAT TIMES FW 1 END REPEAT", "syntax", 1, 8),
+        ("FOR VAR i = 0; i < 2 DO SPEAK i END FOR", "syntax", 1, 22),
+        ("FOR VAR i = 0, i < 2, i = i + 1 DO SPEAK i END FOR", "syntax", 1, 14),
+        ("FOR i < 3; i = i + 1 DO FW 1 END FOR", "syntax", 1, 7),
+        ("FOR VAR i = 0; i < 3; i + 1 DO FW 1 END FOR", "syntax", 1, 25),
+        ("FOR VAR i = 0 TO 3 DO FW 1 END FOR", "syntax", 1, 15),
+        ("FOR VAR i = 0; i < 2; i = i + 1\nFW 1\nEND FOR", "syntax", 2, 1),
+        ("PROCEDURE : a\nDO\nEND PROCEDURE", "syntax", 1, 11),
+        ("PROCEDURE DO FW 1 END PROCEDURE", "syntax", 1, 11),
+        ("PROCEDURE P: a b DO FW 1 END PROCEDURE", "syntax", 1, 16),
+        ("PROCEDURE P a DO FW 1 END PROCEDURE", "syntax", 1, 13),
+        ("PROCEDURE P: DO FW 1 END PROCEDURE", "syntax", 1, 14),
+        ("PROCEDURE P: a\nSPEAK a\nEND PROCEDURE", "syntax", 2, 1),
+        ("EXIT 5", "syntax", 1, 6),
+        ("HELP FW 5", "syntax", 1, 9),
+        # words that are none
+        ("JUMP 3", "unknown-command", 1, 1),
+        ("FORWRAD 5", "unknown-command", 1, 1),
+        ("SPEAK hello world", "unknown-command", 1, 13),
+        ("SPEAK hello big wide world", "unknown-command", 1, 13),
+        ("a == 5", "unknown-command", 1, 1),
+        ("P (1, 2)", "unknown-command", 1, 1),
+        ("RIGHT 90", "unknown-command", 1, 1),
+        ("LOOP 3 TIMES FW 1 END LOOP", "unknown-command", 1, 1),
+        ("UNLESS a == 1 THEN FW 1 END UNLESS", "unknown-command", 1, 1),
+        ("REPEET 3 TIMES FW 1 END REPEAT", "unknown-command", 1, 1),
+        ("IFF a == 1 THEN FW 1 END IF", "unknown-command", 1, 1),
+        ("IF 1 == 1 THEN FW 1 ENDIF", "unknown-command", 1, 21),
+        ("PARA FRENT 5", "unknown-command", 1, 1),
+        ("GIRAR DIRETA 90", "unknown-command", 1, 1),
+        # characters
+        ("IF 1 != 2 THEN SPEAK 1 END IF", "unknown-character", 1, 6),
+        ("FW 2.5", "unknown-character", 1, 5),
+        ("VAR #x = 2", "unknown-character", 1, 5),
+        ("FW 1 $ FW 2", "unknown-character", 1, 6),
+        ("SPEAK 'hello world'", "unknown-character", 1, 7),
+        ("FW 1\x00", "unknown-character", 1, 5),
+        ("VAR a = 3 \ud800", "unknown-character", 1, 11),
+        ("FW \u0663", "unknown-character", 1, 4),
+        # strings
+        ('SPEAK "hello', "unterminated-string", 1, 7),
+        ('FW 1\nSPEAK "hello\nFW 2', "unterminated-string", 2, 7),
+        ("SPEAK “hello", "unterminated-string", 1, 7),
+        ('SPEAK "one\nSPEAK "two"', "unterminated-string", 1, 7),
+        ('SPEAK "one"\nSPEAK "two\nSPEAK "three"\nSPEAK "four"', "unterminated-string", 2, 7),
+        ('SPEAK "one\ntwo"\nSPEAK "three', "unterminated-string", 3, 7),
+        # names
+        ("VAR 52abc", "invalid-name", 1, 5),
+        ("VAR _x = 2", "invalid-name", 1, 5),
+        ("52abc = 3", "invalid-name", 1, 1),
+        ("FW 5x", "invalid-name", 1, 4),
+        ("VAR times = 2", "reserved-word", 1, 5),
+        ("VAR if = 2", "reserved-word", 1, 5),
+        ("VAR end = 2", "reserved-word", 1, 5),
+        ("VAR vezes", "reserved-word", 1, 5),
+        ("VAR right = 2", "reserved-word", 1, 5),
+        ("VAR end if = 2", "reserved-word", 1, 5),
+        ("CREAR mirar = 1", "reserved-word", 1, 7),
+        ("FW = 3", "reserved-word", 1, 1),
+        ("times = 3", "reserved-word", 1, 1),
+        ("SCAN = 3", "reserved-word", 1, 1),
+        ("PROCEDURE fw: a DO FW a END PROCEDURE", "reserved-word", 1, 11),
+        ("PROCEDURE P: if, b DO FW b END PROCEDURE", "reserved-word", 1, 14),
+        ("FOR VAR do = 1; 1 < 2; a = 1 DO END FOR", "reserved-word", 1, 9),
+        # words behind words
+        ("SPEAK DISTANCE Z", "bad-argument", 1, 16),
+        ("DISTANCE Z", "bad-argument", 1, 10),
+        ("IF DISTANCE Z > 3 THEN FW 1 END IF", "bad-argument", 1, 13),
+        ("SPEAK DISTANCE 5", "bad-argument", 1, 16),
+        ("IF POS b > 0 THEN FW 5 END IF", "bad-argument", 1, 8),
+        ("POS b", "bad-argument", 1, 5),
+        ("SPEAK POS", "bad-argument", 1, 7),
+        ("SPEAK COLOR purple", "bad-argument", 1, 13),
+        ("VAR c = COLOR", "bad-argument", 1, 9),
+        ("SPEAK COLOR > 3", "bad-argument", 1, 7),
+        ("VAR c = COLOR\nFW 1", "bad-argument", 1, 9),
+        ("SOUND maybe", "bad-argument", 1, 7),
+        ("SOUND", "bad-argument", 1, 1),
+        ("SOUND FW 1", "bad-argument", 1, 1),
+        ("BELT vermelho", "bad-argument", 1, 6),
+        ("VIBRATE", "bad-argument", 1, 1),
+        ("VIBRATE q", "bad-argument", 1, 9),
+        # ends
+        ("IF 1 == 1 THEN FW 1", "missing-end", 1, 1),
+        ("FW 1\nFOR VAR i = 0; i < 2; i = i + 1 DO\nFW 1", "missing-end", 2, 1),
+        ("IF 1 == 1 THEN\nREPEAT 2 TIMES\nFW 1\nEND REPEAT", "missing-end", 1, 1),
+        ("IF 1 == 1 THEN FW 1 ELSE FW 2", "missing-end", 1, 1),
+        ("IF 1 == 1 THEN\nFW 1\nEND FOR", "wrong-end", 3, 1),
+        ("IF 1 == 1 THEN FW 1 END", "wrong-end", 1, 21),
+        ("IF 1 == 1 THEN FW 1 END IFF", "wrong-end", 1, 21),
+        ("REPITA 3 VEZES PF 1 FIM REPETIR", "wrong-end", 1, 21),
+        ("END IF", "wrong-end", 1, 1),
+        ("REPEAT 2 TIMES FW 1 END REPEAT END REPEAT FW 2", "wrong-end", 1, 32),
+        ("IF 1 == 1 THEN REPEAT 2 TIMES FW 1 END IF END REPEAT", "wrong-end", 1, 36),
+        ("IF 1 == 1 THEN REPEAT 2 TIMES FW 1 END IF", "wrong-end", 1, 36),
+        # places
+        ("\tJUMP", "unknown-command", 1, 2),
+        ("\ufeffJUMP", "unknown-command", 1, 1),
+        ("e\u0301 = 3 JUMP", "unknown-command", 1, 7),
+        ("a\u0303o\u0301 = 3 $", "unknown-character", 1, 8),
+        ("FW\r\n1\r\nJUMP", "unknown-command", 3, 1),
+        ("FW 1\rJUMP", "unknown-command", 2, 1),
+        ('SPEAK "a\nb" JUMP', "unknown-command", 2, 4),
+        # numbers
+        ("FW " + "9" * 4301, "number-too-large", 1, 4),
+    ],
+)
+def test_the_kind_and_the_place_of_a_mistake(source: str, kind: str, line: int, column: int) -> None:
+    only = the_mistake(source)
+    assert (only.kind.value, only.span.line, only.span.column) == (kind, line, column)
+
+
+@pytest.mark.parametrize(
+    ("source", "expected"),
+    [
+        ("IF 1 == 1\nFW 1 END IF", ("THEN",)),
+        ("REPEAT 2 FW 1 END REPEAT", ("TIMES",)),
+        ("WHILE 1 < 2 FW 1 END WHILE", ("DO",)),
+        ("IF a THEN FW 1 END IF", ("comparison",)),
+        ("FW 1 10", ("command",)),
+        ("FW", ("expression",)),
+        ("SPEAK", ("expression", "text")),
+        ("VAR = 3", ("name",)),
+        ("VAR a = (1 + 2", (")",)),
+        ("P [1", ("]", ",")),
+        ("FOR VAR i = 0 TO 3 DO FW 1 END FOR", (";",)),
+        ("SPEAK POS b", ("axis",)),
+        ("SPEAK COLOR", ("colour",)),
+        ("VIBRATE", ("direction",)),
+        ("SOUND", ("on-or-off",)),
+        ("JUMP", ("command",)),
+        ("REPEAT 2 TIMES FW 1", ("END REPEAT",)),
+        ("REPEAT 2 TIMES FW 1 END IF", ("END REPEAT",)),
+        ("REPEAT 2 TIMES FW 1 10 END REPEAT", ("command", "END REPEAT")),
+    ],
+)
+def test_what_was_expected_is_what_could_stand_there(source: str, expected: tuple[str, ...]) -> None:
+    assert the_mistake(source).expected == expected
+
+
+@pytest.mark.parametrize(
+    ("source", "found"),
+    [
+        ("JUMP 3", "JUMP"),
+        ("FW", ""),
+        ("IF 1 == 1 THEN END\n  FOR", "END FOR"),
+        ('SPEAK "hi', '"hi'),
+        ("FW 1 $$", "$$"),
+    ],
+)
+def test_what_was_found_is_quoted_as_it_was_typed(source: str, found: str) -> None:
+    assert the_mistake(source).found == found
+
+
+@pytest.mark.parametrize(
+    ("source", "meant"),
+    [
+        ("FORWRAD 5", "FORWARD"),
+        ("FWD 5", "FW"),
+        ("WF 5", "FW"),
+        ("FALR 5", "FALAR"),
+        ("AVANSAR 5", "AVANZAR"),
+        ("ESPIARR", "ESPIAR"),
+        ("IF 1 == 1 THEN FW 1 ENDIF", "END IF"),
+        ("IF 1 == 1 THEN FW 1 END FI", "END IF"),
+        ("REPEAT 3 TIMS FW 1 END REPEAT", "TIMES"),
+        ("SE 1 == 1 ENTAOO PF 1 FIM SE", "ENTÃO"),
+        ("SE 1 == 1 ENTÃO PF 1 SENO PF 2 FIM SE", "SENÃO"),
+        ("SI 1 == 1 ENTONCES AV 1 SIN AV 2 FIN SI", "SINO"),
+        ("FW3", "FW 3"),
+        ("pf10", "PF 10"),
+        ("SOUNDON", "SOUND ON"),
+        ("RIGHTTURN 90", "RIGHT TURN"),
+        ("RIGHT 90", "RIGHT TURN"),
+        ("GIRAR DERECH 90", "GIRAR DERECHA"),
+        ("SPEAK COLOR gren", "GREEN"),
+        ("FALAR COR vermelo", "VERMELHO"),
+        ("IF a = 1 THEN FW 1 END IF", "=="),
+        ("JUMP 3", ""),
+        ("FOO 3", ""),
+        ("go 3", ""),
+        ("x 3", ""),
+        ("SPEAK hello world", ""),
+        ("a" * 100_000, ""),
+        ("SPEAK DISTANCE Z", ""),
+    ],
+)
+def test_a_near_word_is_offered_and_a_far_one_is_not(source: str, meant: str) -> None:
+    assert the_mistake(source).meant == meant
+
+
+def test_of_equally_near_words_the_one_in_the_language_of_the_program_is_offered() -> None:
+    assert (
+        the_mistake("PF 1 ENQUANTO 1 < 2 FAÇA REPITAR 2 VEZES PF 1 FIM REPITA FIM ENQUANTO").meant == "REPITA"
+    )
+    assert (
+        the_mistake("AV 1 MIENTRAS 1 < 2 HACER REPITIR 2 VECES AV 1 FIN REPETIR FIN MIENTRAS").meant
+        == "REPETIR"
+    )
+
+
+def test_a_missing_end_tells_which_block_and_which_line() -> None:
+    mistake = the_mistake("FW 1\nrepita 2 vezes\nFW 1")
+    assert dict(mistake.details) == {"opener": "REPEAT", "opener_line": 2}
+
+
+def test_a_wrong_end_tells_what_is_open() -> None:
+    mistake = the_mistake("IF 1 == 1 THEN\nREPEAT 2 TIMES\nFW 1\nEND IF")
+    assert dict(mistake.details) == {"opener": "REPEAT", "opener_line": 2}
+
+
+@pytest.mark.parametrize(
+    ("source", "code"),
+    [
+        ('SPEAK "a" + 1', "text-plus"),
+        ("IF a = 1 THEN FW 1 END IF", "single-equals"),
+        ("END IF", "stray-end"),
+        ("ELSE", "stray-else"),
+        ("SOUND", "missing-argument"),
+        ("P (1)", "call-brackets"),
+    ],
+)
+def test_some_mistakes_have_a_sentence_of_their_own(source: str, code: str) -> None:
+    assert the_mistake(source).code == code

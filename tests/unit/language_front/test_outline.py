@@ -1,0 +1,53 @@
+"""Blocks of finished and unfinished texts."""
+
+import pytest
+
+from language.outline import OutlineItem, block_depth, outline
+
+
+@pytest.mark.parametrize(
+    ("source", "depth"),
+    [
+        ("", 0),
+        ("FW 1", 0),
+        ("REPEAT 2 TIMES", 1),
+        ("repita 2", 1),
+        ("REPEAT 2 TIMES FW 1 END REPEAT", 0),
+        ("IF 1 == 1 THEN\nREPEAT 2 TIMES\n", 2),
+        ("IF 1 == 1 THEN\nREPEAT 2 TIMES\nEND IF", 0),
+        ("REPEAT 2 TIMES END", 1),
+        ("REPEAT 2 TIMES END\n\nREPEAT", 0),
+        ("REPEAT 2 TIMES END FOR", 1),
+        ("END IF END IF", 0),
+        ('SPEAK "IF', 0),
+        ('SPEAK "\nIF"', 0),
+        ("-- IF", 0),
+        ("HELP IF", 0),
+        ("$ IF ?", 1),
+        ("PARA FRENTE 2", 0),
+        ("PARA f = 0; f < 2; f = f + 1 FAÇA", 1),
+    ],
+)
+def test_the_depth_is_the_number_of_open_blocks(source: str, depth: int) -> None:
+    assert block_depth(source) == depth
+
+
+def test_the_outline_has_every_block_with_its_lines() -> None:
+    source = "PROCEDURE Vá: n FAÇA\nIF n > 0 THEN\nVá [n - 1]\nEND IF\nFIM APRENDER\n\nREPEAT 2 TIMES\nFW 1"
+
+    assert outline(source) == (
+        OutlineItem("PROCEDURE", "Vá", 1, 5, 0, True),
+        OutlineItem("IF", "", 2, 4, 1, True),
+        OutlineItem("REPEAT", "", 7, 8, 0, False),
+    )
+
+
+def test_an_end_closes_what_is_open_inside() -> None:
+    assert outline("IF 1 == 1 THEN\nWHILE 1 < 2 DO\nEND IF", first_line=10) == (
+        OutlineItem("IF", "", 10, 12, 0, True),
+        OutlineItem("WHILE", "", 11, 12, 1, False),
+    )
+
+
+def test_a_procedure_without_a_name_has_none() -> None:
+    assert outline("PROCEDURE")[0].name == ""

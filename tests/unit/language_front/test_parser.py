@@ -1,0 +1,237 @@
+"""Text to tree."""
+
+import sys
+
+import pytest
+
+from devices.ports.robot import Bearing
+from language.parser import parse
+from language.syntax import (
+    Assign,
+    Axis,
+    Binary,
+    Call,
+    Colour,
+    Condition,
+    Declare,
+    Direction,
+    Distance,
+    For,
+    Help,
+    If,
+    Name,
+    Negative,
+    Number,
+    Position,
+    Procedure,
+    Program,
+    Quit,
+    Repeat,
+    Span,
+    Speak,
+    Statement,
+    TellPosition,
+    Text,
+    Turn,
+    Unused,
+    Walk,
+)
+
+
+def read(source: str) -> Program:
+    program = parse(source).program
+    assert program is not None
+    return program
+
+
+def first(source: str) -> Statement:
+    return read(source).body[0]
+
+
+def shown(source: str) -> str:
+    """An expression with all its parentheses."""
+    statement = first(f"SPEAK {source}")
+    assert isinstance(statement, Speak)
+    return _shown(statement.what)
+
+
+def _shown(node: object) -> str:
+    match node:
+        case Binary(operator=operator, left=left, right=right):
+            return f"({_shown(left)}{operator}{_shown(right)})"
+        case Negative(operand=operand):
+            return f"(-{_shown(operand)})"
+        case Number(value=value):
+            return str(value)
+        case Name(name=name):
+            return name
+    raise AssertionError(node)
+
+
+@pytest.mark.parametrize(
+    ("source", "expected"),
+    [
+        ("1+2*3", "(1+(2*3))"),
+        ("1-2-3", "((1-2)-3)"),
+        ("8/4/2*3", "(((8/4)/2)*3)"),
+        ("(1+2)*3", "((1+2)*3)"),
+        ("-2*3", "((-2)*3)"),
+        ("2*-3", "(2*(-3))"),
+        ("-a/2", "((-a)/2)"),
+        ("- -3", "(-(-3))"),
+        ("+3-+2", "(3-2)"),
+        ("3\n-1", "(3-1)"),
+        ("((((5))))", "5"),
+        ("007", "7"),
+    ],
+)
+def test_operators_bind_as_in_arithmetic(source: str, expected: str) -> None:
+    assert shown(source) == expected
+
+
+def test_spans_are_what_was_written() -> None:
+    source = "  FW (a + 1) * 2 -- why\nTR +x"
+    program = read(source)
+    walk, turn = program.body
+    assert isinstance(walk, Walk)
+    assert isinstance(turn, Turn)
+
+    assert walk.span == Span(2, 16, 1, 3)
+    assert program.typed(walk.steps.span) == "(a + 1) * 2"
+    assert isinstance(walk.steps, Binary)
+    assert program.typed(walk.steps.left.span) == "(a + 1)"
+    assert turn.span == Span(24, 29, 2, 1)
+    assert program.typed(turn.degrees.span) == "+x"
+
+
+@pytest.mark.parametrize(
+    ("source", "value"),
+    [
+        ("DISTANCE FL", Distance(Span(6, 17, 1, 7), Bearing.FRONT_LEFT)),
+        ("DISTANCE", Distance(Span(6, 14, 1, 7), Bearing.FRONT)),
+        ("DISTANCE te", Distance(Span(6, 17, 1, 7), Bearing.BACK_LEFT)),
+        ("DISTANCE ti", Distance(Span(6, 17, 1, 7), Bearing.BACK_LEFT)),
+        ("POSICIÓN A", Position(Span(6, 16, 1, 7), Axis.ANGLE)),
+        ("COLOR cinza", Colour(Span(6, 17, 1, 7), "gray")),
+        ("COR grey", Colour(Span(6, 14, 1, 7), "gray")),
+        ('"Não É"', Text(Span(6, 13, 1, 7), "Não É")),
+    ],
+)
+def test_sensors_and_texts(source: str, value: object) -> None:
+    statement = first(f"SPEAK {source}")
+
+    assert isinstance(statement, Speak)
+    assert statement.what == value
+
+
+def test_a_sensor_alone_is_read_by_nobody_and_pos_alone_tells_the_pose() -> None:
+    assert isinstance(first("DISTANCE F"), Unused)
+    assert isinstance(first("COLOR red"), Unused)
+    assert isinstance(first("POS x"), Unused)
+    assert isinstance(first("POS FW 1"), TellPosition)
+
+
+def test_blocks_have_their_parts() -> None:
+    source = "IF 1 < 2 THEN FW 1 ELSE END IF"
+    block = first(source)
+
+    assert isinstance(block, If)
+    assert block.condition == Condition(
+        Span(3, 8, 1, 4), "<", Number(Span(3, 4, 1, 4), 1), Number(Span(7, 8, 1, 8), 2)
+    )
+    assert [type(each) for each in block.then] == [Walk]
+    assert block.otherwise == ()
+    assert block.span == Span(0, len(source), 1, 1)
+
+
+def test_an_if_without_else_has_none() -> None:
+    block = first("IF 1 < 2 THEN END IF")
+    assert isinstance(block, If)
+    assert block.otherwise is None
+
+
+def test_a_for_has_a_start_a_condition_and_a_step() -> None:
+    made, given = (
+        first("FOR VAR i = 0; i < 3; i = i + 1 DO END FOR"),
+        first("PARA j = 0; j < 3; k = 1 FAÇA FW 1 FIM PARA"),
+    )
+
+    assert isinstance(made, For)
+    assert isinstance(made.start, Declare)
+    assert isinstance(given, For)
+    assert isinstance(given.start, Assign)
+    assert given.step.name.name == "k"
+    assert len(given.body) == 1
+
+
+def test_do_behind_times_is_optional() -> None:
+    for source in ("REPEAT 2 TIMES FW 1 END REPEAT", "REPEAT 2 TIMES DO FW 1 END REPEAT"):
+        block = first(source)
+        assert isinstance(block, Repeat)
+        assert len(block.body) == 1
+
+
+def test_procedures_and_calls() -> None:
+    program = read("PROCEDURE Pê: Á, b DO FW a END PROCEDURE PROCEDURE q DO END PROCEDURE pe [1, 2] Q []")
+    with_names, without, call, empty = program.body
+
+    assert isinstance(with_names, Procedure)
+    assert (with_names.name.name, [each.name for each in with_names.parameters]) == ("pe", ["a", "b"])
+    assert isinstance(without, Procedure)
+    assert without.parameters == ()
+    assert isinstance(call, Call)
+    assert (call.name.name, len(call.arguments)) == ("pe", 2)
+    assert isinstance(empty, Call)
+    assert empty.arguments == ()
+
+
+def test_help_keeps_its_word_as_typed() -> None:
+    assert first("HELP  Fim   Se") == Help(Span(0, 14, 1, 1), "Fim Se")
+    assert first("AJUDA") == Help(Span(0, 5, 1, 1), None)
+
+
+@pytest.mark.parametrize("word", ["QUIT", "exit", "SAIR", "salir"])
+def test_the_program_ends_in_all_languages(word: str) -> None:
+    assert isinstance(first(word), Quit)
+
+
+@pytest.mark.parametrize("source", ["", "\n\n", "-- only this", "\ufeff", ";;;", " ; -- a\n;"])
+def test_nothing_is_a_program(source: str) -> None:
+    assert read(source).body == ()
+
+
+def test_semicolons_separate_as_many_as_there_are() -> None:
+    assert len(read(";FW 1;; FW 2;").body) == 2
+
+
+def test_lines_count_from_the_first_line_given() -> None:
+    assert read("FW 1").body[0].span.line == 1
+    shifted = parse("FW 1\nJUMP", first_line=7)
+    assert shifted.diagnostics[0].span.line == 8
+
+
+def test_directions_of_movement() -> None:
+    walks = [each for each in read("RE 1 PT 1 BW 1 AV 1").body if isinstance(each, Walk)]
+    assert [each.direction for each in walks] == [Direction.BACKWARD] * 3 + [Direction.FORWARD]
+
+
+@pytest.mark.skipif(not hasattr(sys, "set_int_max_str_digits"), reason="this Python has no such limit")
+def test_long_numbers_are_read_whatever_limit_python_has_for_texts() -> None:
+    before = sys.get_int_max_str_digits()
+    sys.set_int_max_str_digits(640)
+    try:
+        walk = first("FW 1" + "0" * 4299)
+    finally:
+        sys.set_int_max_str_digits(before)
+
+    assert isinstance(walk, Walk)
+    assert walk.steps == Number(Span(3, 4303, 1, 4), 10**4299)
+
+
+def test_the_colours_of_the_robot_are_the_only_ones() -> None:
+    seen = parse("SPEAK COLOR red SPEAK COR amarelo", colours=frozenset({"red", "blue"}))
+
+    assert seen.program is None
+    assert [(each.kind.value, each.span.column) for each in seen.diagnostics] == [("bad-argument", 27)]
+    assert seen.diagnostics[0].details["wanted"] == "blue, red"
+    assert parse("SPEAK COLOR yellow").program is not None

@@ -1,0 +1,60 @@
+"""The shipped tables are what lark makes of the grammar."""
+
+import subprocess
+import sys
+from pathlib import Path
+
+from language import make_tables, tables
+from language.lexer import NAME
+from language.parser import parse
+from language.tree import Reductions
+
+FOLDER = Path(make_tables.__file__).parent
+
+
+def test_the_shipped_tables_are_those_of_the_grammar() -> None:
+    assert (FOLDER / "tables.py").read_text(encoding="utf-8") == make_tables.made()
+
+
+def test_the_tables_do_not_depend_on_the_order_of_sets() -> None:
+    code = "from language.make_tables import made; import zlib; print(zlib.crc32(made().encode()))"
+    made = {
+        subprocess.run(
+            [sys.executable, "-c", code],
+            env={"PYTHONHASHSEED": seed},
+            cwd=FOLDER.parent,
+            capture_output=True,
+            check=True,
+        ).stdout
+        for seed in ("1", "2")
+    }
+    assert len(made) == 1
+
+
+def test_every_alternative_of_the_grammar_has_its_function() -> None:
+    names = [rule[2] for rule in tables.RULES]
+    functions = Reductions("").functions(names)
+
+    assert all((function is None) == (name == "") for name, function in zip(names, functions, strict=True))
+    assert all(rule[1] == 1 for rule in tables.RULES if rule[2] == "")
+
+
+def test_a_name_is_the_first_terminal_behind_the_end() -> None:
+    assert tables.TERMINALS[0] == "$END"
+    assert tables.TERMINALS[NAME] == "NAME"
+
+
+def test_reading_needs_no_lark() -> None:
+    code = "import sys; from language.parser import parse; parse('FW 1 +'); print('lark' in sys.modules)"
+    done = subprocess.run(
+        [sys.executable, "-c", code], cwd=FOLDER.parent, capture_output=True, check=True, text=True
+    )
+    assert done.stdout.strip() == "False"
+
+
+def test_reading_works_from_any_thread_at_once() -> None:
+    from concurrent.futures import ThreadPoolExecutor
+
+    texts = [f"REPEAT {n} TIMES FW {n} END REPEAT" for n in range(50)]
+    with ThreadPoolExecutor(4) as pool:
+        assert list(pool.map(parse, texts)) == [parse(text) for text in texts]
