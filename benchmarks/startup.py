@@ -1,0 +1,89 @@
+"""How soon ``donnie --linear`` is there: to the first prompt, and to the first answer.
+
+Ratios, measured in one run and interleaved: the prompt against ``python -c pass``, the answer against
+``python -c "import lark"``. Times are from the start of the process; the median of several rounds.
+"""
+
+from __future__ import annotations
+
+import os
+import pty
+import select
+import statistics
+import sys
+import tempfile
+import time
+from pathlib import Path
+
+ROUNDS = 21
+PATIENCE = 60.0
+DONNIE = [str(Path(sys.executable).parent / "donnie"), "--linear", "--speech", "off", "--sound", "off"]
+
+
+def main() -> None:
+    """Measure and print."""
+    names = ("python -c pass", "import lark", "first prompt", "first answer")
+    seconds: dict[str, list[float]] = {name: [] for name in names}
+    with tempfile.TemporaryDirectory() as folder:
+        for _ in range(ROUNDS):
+            seconds["python -c pass"].append(_until_exit([sys.executable, "-c", "pass"], folder))
+            seconds["import lark"].append(_until_exit([sys.executable, "-c", "import lark"], folder))
+            prompt, answer = _until_prompt_and_answer(folder)
+            seconds["first prompt"].append(prompt)
+            seconds["first answer"].append(answer)
+    for name, measured in seconds.items():
+        low, middle, high = statistics.quantiles(measured, n=4)
+        print(f"{name}: {middle * 1000:.1f} ms ({low * 1000:.1f} to {high * 1000:.1f})")
+    _print_ratio("first prompt / python -c pass", seconds["first prompt"], seconds["python -c pass"], "1.2")
+    _print_ratio("first answer / import lark", seconds["first answer"], seconds["import lark"], "1.1")
+
+
+def _print_ratio(name: str, measured: list[float], reference: list[float], target: str) -> None:
+    ratios = [one / other for one, other in zip(measured, reference, strict=True)]
+    low, middle, high = statistics.quantiles(ratios, n=4)
+    print(f"{name}: {middle:.2f} ({low:.2f} to {high:.2f}), target <= {target}")
+
+
+def _until_exit(command: list[str], folder: str) -> float:
+    began = time.perf_counter()
+    child, terminal = _started(command, folder)
+    os.waitpid(child, 0)
+    seconds = time.perf_counter() - began
+    os.close(terminal)
+    return seconds
+
+
+def _started(command: list[str], folder: str) -> tuple[int, int]:
+    """A process on a terminal of its own: its number, and our end of the terminal."""
+    environment = {**os.environ, "XDG_STATE_HOME": folder, "XDG_CONFIG_HOME": folder, "TERM": "xterm"}
+    child, terminal = pty.fork()
+    if child == 0:
+        os.execve(command[0], command, environment)
+    return child, terminal
+
+
+def _until_prompt_and_answer(folder: str) -> tuple[float, float]:
+    """A word is typed as soon as the prompt is there; its answer needs everything to be loaded."""
+    began = time.perf_counter()
+    child, terminal = _started(DONNIE, folder)
+    _read_until(terminal, b"\n> ")
+    prompt = time.perf_counter() - began
+    os.write(terminal, b"WHERE\r")
+    _read_until(terminal, b"0, 0")
+    answer = time.perf_counter() - began
+    os.write(terminal, b"\x04")
+    os.waitpid(child, 0)
+    os.close(terminal)
+    return prompt, answer
+
+
+def _read_until(terminal: int, wanted: bytes) -> None:
+    seen = b""
+    while wanted not in seen:
+        if not select.select([terminal], [], [], PATIENCE)[0]:
+            sys.exit(f"{wanted!r} did not come, only {seen!r}")
+        seen += os.read(terminal, 4096)
+
+
+if __name__ == "__main__":
+    main()
