@@ -8,8 +8,11 @@ from __future__ import annotations
 
 import contextlib
 import os
+import re
 import tempfile
 from pathlib import Path
+
+_LINE_END = re.compile(r"\r\n|\r|\n")
 
 LARGEST = 8 * 1024 * 1024
 """Bytes that a program file may have; a program of a learner has a few hundred."""
@@ -83,6 +86,12 @@ def decode(data: bytes, name: str) -> str:
         return data.decode("utf-8-sig")
     except UnicodeDecodeError:
         return data.decode("cp1252", errors="replace")
+
+
+def lines_in(text: str) -> list[str]:
+    """The lines of a program as the language counts them; form feeds and the like end none."""
+    lines = _LINE_END.split(text)
+    return lines[:-1] if lines[-1] == "" else lines
 
 
 def write_program(path: Path, text: str) -> None:

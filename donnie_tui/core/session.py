@@ -14,6 +14,7 @@ from devices.ports.robot import Pace, Pose, Robot, Watcher
 from donnie_tui import __version__
 from donnie_tui.core.actions import RobotActions, RobotWatcher
 from donnie_tui.core.announcer import Announcer
+from donnie_tui.core.documents import lines_in
 from donnie_tui.core.events import RunStarted
 from donnie_tui.core.hub import Hub
 from donnie_tui.core.runner import Run, Stage
@@ -131,7 +132,7 @@ class Session:
             Stage(self._robot, self.hub, self._actions, self.wording),
             RunStarted(name, self._world, self._robot.name, self._seed, __version__),
             parsed.diagnostics if program is None else program,
-            tuple(text.splitlines()),
+            tuple(lines_in(text)),
             self._memory,
             control=ExecutionControl(),
             first_line=first_line,

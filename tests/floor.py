@@ -1,0 +1,82 @@
+"""A robot without size on a floor made for the test, and everything that happens there."""
+
+from __future__ import annotations
+
+from functools import partial
+from pathlib import Path
+
+from devices.ports.robot import Pace, Watcher
+from donnie_tui.core.event_stream import as_line
+from donnie_tui.core.events import TRANSIENT, Event, Outcome, Stamped
+from donnie_tui.core.session import Session
+from donnie_tui.core.transcript import lines_of
+from donnie_tui.i18n.words import Words
+from sim.robot import SimulatedRobot
+from sim.scene import Scene
+from sim.worldfile import load_text
+
+PATIENCE = 20
+"""Seconds in which a program of a test ends."""
+
+
+def floor(*things: tuple[str, float, float]) -> Scene:
+    """A floor without walls. A thing is a colour and a place in steps."""
+    models = "\n".join(
+        f'thing( name "thing{number}" pose [ {x * 0.05} {y * 0.05} 0 0 ] color "{colour}" )'
+        for number, (colour, x, y) in enumerate(things, 1)
+    )
+    return load_text(_FLOOR + models, Path("floor.world"))
+
+
+class Floor:
+    """A session there, and its events."""
+
+    def __init__(
+        self,
+        *things: tuple[str, float, float],
+        language: str = "en",
+        detail: str = "normal",
+        terminal: bool = False,
+        speed: float | None = None,
+    ) -> None:
+        self.words = Words(language, detail)
+        make_robot = partial(_robot, floor(*things), speed)
+        self.session = Session(make_robot, self.words, world="floor", seed=0, terminal=terminal)
+        self.stream: list[Stamped] = []
+        self.session.hub.subscribe(self.stream.append)
+
+    def run(self, text: str, *, fresh: bool = False, hooked: bool = False, trace: bool = False) -> Outcome:
+        run = self.session.start(text, "test.gd", fresh=fresh, hooked=hooked, trace=trace)
+        assert run.wait(PATIENCE), "the program did not end"
+        assert run.outcome is not None
+        return run.outcome
+
+    @property
+    def events(self) -> list[Event]:
+        return [each.event for each in self.stream]
+
+    @property
+    def told(self) -> list[str]:
+        """What is printed and said."""
+        return [line for event in self.events for line in lines_of(event, self.words)]
+
+    @property
+    def json(self) -> str:
+        """What ``--events`` writes."""
+        return "".join(as_line(each) for each in self.stream if not isinstance(each.event, TRANSIENT))
+
+
+def _robot(scene: Scene, speed: float | None, pace: Pace, watcher: Watcher) -> SimulatedRobot:
+    return SimulatedRobot(scene, pace=pace, watcher=watcher, speed=speed)
+
+
+_SENSORS = "".join(f"sonar( pose [ 0 0 0 {-angle} ] )\n" for angle in (0, 45, -45, 180, 135, -135))
+_FLOOR = f"""
+define sonar sensor ( size [ 0.001 0.001 0.001 ] range [ 0 3.0 ] fov 15 )
+define sonars ranger (
+{_SENSORS})
+define eyes blobfinder ( colors_count 3 colors [ "red" "green" "blue" ] range 3.0 fov 60 image [ 160 120 ] )
+define ideal position ( size [ 0.002 0.002 0.1 ] drive "diff" localization "gps" sonars() eyes() )
+define thing model ( size [ 0.002 0.002 0.2 ] )
+ideal( name "donnie" pose [ 0 0 0 90 ] color "gray" )
+"""

@@ -1,0 +1,146 @@
+"""What is told about each thing that the robot does, and with which sound."""
+
+import pytest
+
+from devices.ports.robot import Motion, StoppedBy
+from donnie_tui.core.announcer import Announcer
+from donnie_tui.core.events import (
+    Announced,
+    CueSounded,
+    Event,
+    Link,
+    Moved,
+    Outcome,
+    RunEnded,
+    Scanned,
+    SeenGroup,
+    SoundSwitched,
+    Turned,
+)
+from donnie_tui.core.hub import Hub
+from donnie_tui.core.telling import Teller
+from donnie_tui.i18n.words import Words
+from tests.unit.core.values import HERE
+
+OBSTACLE, COLLISION, USER = StoppedBy.OBSTACLE, StoppedBy.COLLISION, StoppedBy.USER
+
+
+def answers_to(event: Event, language: str = "en", detail: str = "normal") -> list[Event]:
+    """What the announcer publishes because of an event."""
+    hub, words, heard = Hub(lambda: 0.0), Words(language, detail), list[Event]()
+    Announcer(hub, Teller(hub, words), words)
+    hub.subscribe(lambda stamped: heard.append(stamped.event))
+    hub.publish(event)
+    return heard[1:]
+
+
+def walked(asked: int, done: int, by: StoppedBy | None = None, *, forward: bool = True) -> Moved:
+    return Moved(f"FW {asked}", asked, done, by, HERE, forward)
+
+
+def turned(asked: int, done: int, by: StoppedBy | None = None, *, right: bool = True) -> Turned:
+    return Turned(f"TR {asked}", asked, done, by, HERE, right)
+
+
+MOVEMENTS = [
+    (walked(3, 3), "moved", "I walked 3 steps forward."),
+    (walked(1, 1), "moved", "I walked 1 step forward."),
+    (walked(-5, 0), "moved", "I walked 0 steps forward."),
+    (walked(3, 3, forward=False), "moved", "I walked 3 steps backward."),
+    (walked(5, 2, OBSTACLE), "moved", "I walked only 2 steps forward. I found an obstacle."),
+    (
+        walked(5, 1, OBSTACLE, forward=False),
+        "moved",
+        "I walked only 1 step backward. I found an obstacle.",
+    ),
+    (walked(5, 2, COLLISION), "moved", "I walked only 2 steps forward. I hit something."),
+    (walked(5, 2, USER), "moved", "I walked only 2 steps forward. I was stopped."),
+    (turned(90, 90), "turned", "I turned 90 degrees to the right."),
+    (turned(-90, -90), "turned", "I turned 90 degrees to the left."),
+    (turned(90, 90, right=False), "turned", "I turned 90 degrees to the left."),
+    (turned(-1, -1, right=False), "turned", "I turned 1 degree to the right."),
+    (turned(90, 30, COLLISION), "turned", "I turned only 30 degrees to the right. I hit something."),
+]
+
+
+@pytest.mark.parametrize(("event", "code", "sentence"), MOVEMENTS, ids=[each[2] for each in MOVEMENTS])
+def test_a_movement_is_told_in_one_sentence(event: Event, code: str, sentence: str) -> None:
+    """L14: the manual's own words."""
+    assert [each for each in answers_to(event) if isinstance(each, Announced)] == [Announced(code, sentence)]
+
+
+@pytest.mark.parametrize(
+    ("event", "cue"),
+    [
+        (walked(5, 2, OBSTACLE), CueSounded("obstacle", 0.0, 1.0)),
+        (walked(5, 2, OBSTACLE, forward=False), CueSounded("obstacle", 180.0, 1.0)),
+        (walked(5, 2, COLLISION), CueSounded("bump", 0.0, 0.0)),
+        (turned(90, 30, COLLISION), CueSounded("bump", 90.0, 0.0)),
+        (turned(-90, -30, COLLISION), CueSounded("bump", -90.0, 0.0)),
+    ],
+)
+def test_a_cue_starts_before_its_sentence_and_comes_from_where_it_happened(
+    event: Event, cue: CueSounded
+) -> None:
+    assert answers_to(event)[0] == cue
+
+
+def test_a_movement_that_went_well_has_no_cue_of_its_own() -> None:
+    assert [each for each in answers_to(walked(3, 3)) if isinstance(each, CueSounded)] == []
+
+
+def test_what_is_seen_is_told_and_sounded_from_left_to_right() -> None:
+    scanned = Scanned((SeenGroup("left", 30, 17, ("green", "red")), SeenGroup("ahead", 0, 1, ("blue",))))
+
+    assert answers_to(scanned) == [
+        CueSounded("scan", 0.0, None),
+        CueSounded("found", -30.0, 17.0),
+        Announced("scan", "To the 30 degrees in the left: 2 objects of color green, red at 17 steps."),
+        CueSounded("found", 0.0, 1.0),
+        Announced("scan", "Ahead: 1 object of color blue at 1 step."),
+    ]
+
+
+def test_colours_are_told_in_the_learners_language() -> None:
+    scanned = Scanned((SeenGroup("right", 90, 4, ("red",)),))
+
+    assert answers_to(scanned, "es")[-1] == Announced(
+        "scan", "A 90 grados a la derecha: 1 objeto de color rojo a 4 pasos."
+    )
+
+
+def test_seeing_nothing_is_told_too() -> None:
+    assert answers_to(Scanned(()))[-1] == Announced("scan", "I see no objects.")
+
+
+def test_a_run_that_ends_well_has_its_cue_and_another_has_none() -> None:
+    ended = {outcome: answers_to(RunEnded(outcome, HERE, {}, 0.0)) for outcome in Outcome}
+
+    assert ended.pop(Outcome.COMPLETED) == [CueSounded("done", 0.0, None)]
+    assert set(map(len, ended.values())) == {0}
+
+
+@pytest.mark.parametrize(
+    ("event", "sentence"),
+    [
+        (SoundSwitched(True), "Sound on."),
+        (SoundSwitched(False), "Sound off."),
+        (Link("connected", ""), "Robot connected."),
+        (Link("lost", "The cable is out."), "Robot lost. The cable is out."),
+        (Link("restored", ""), "Robot is back."),
+    ],
+)
+def test_a_switch_and_the_line_to_a_robot_are_told(event: Event, sentence: str) -> None:
+    assert [each.text for each in answers_to(event) if isinstance(each, Announced)] == [sentence]
+
+
+def test_at_detail_brief_the_result_comes_alone() -> None:
+    assert answers_to(walked(5, 2, OBSTACLE), detail="brief")[-1] == Announced(
+        "moved", "Only 2 steps. I found an obstacle."
+    )
+
+
+def test_every_motion_has_a_cue() -> None:
+    from donnie_tui.core.actions import _CUE_OF
+
+    assert set(_CUE_OF) == set(Motion)

@@ -1,0 +1,113 @@
+"""Program files are read in any likely encoding, and written so that nothing is lost."""
+
+from pathlib import Path
+
+import pytest
+
+from donnie_tui.core import documents
+from donnie_tui.core.documents import (
+    DocumentError,
+    decode,
+    lines_in,
+    program_to_open,
+    program_to_save,
+    read_program,
+    write_program,
+)
+
+
+@pytest.mark.parametrize(
+    ("data", "text"),
+    [
+        (b"", ""),
+        ('SPEAK "olá"'.encode(), 'SPEAK "olá"'),
+        (b"\xef\xbb\xbfFW 1", "FW 1"),
+        ("CRIAR ação = 1".encode("cp1252"), "CRIAR ação = 1"),
+        (b"FW 1\r\nFW 2", "FW 1\r\nFW 2"),
+    ],
+)
+def test_a_program_is_read_in_the_encoding_that_it_is_in(tmp_path: Path, data: bytes, text: str) -> None:
+    path = tmp_path / "a.gd"
+    path.write_bytes(data)
+
+    assert read_program(path) == text
+
+
+def test_what_can_not_be_read_has_a_code(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(documents, "LARGEST", 10)
+    (tmp_path / "large.gd").write_bytes(b"x" * 11)
+    (tmp_path / "picture.gd").write_bytes(b"\x89PNG\0")
+
+    codes = {}
+    for name in ("large.gd", "picture.gd", "none.gd", "."):
+        with pytest.raises(DocumentError) as caught:
+            read_program(tmp_path / name)
+        codes[name] = caught.value.code
+
+    assert codes == {
+        "large.gd": "file-too-large",
+        "picture.gd": "file-not-text",
+        "none.gd": "file-not-found",
+        ".": "file-is-folder",
+    }
+
+
+def test_a_name_that_is_no_path_is_told(tmp_path: Path) -> None:
+    with pytest.raises(DocumentError):
+        read_program(tmp_path / "a\0b")
+
+
+def test_a_program_is_written_as_utf8_and_keeps_its_permissions(tmp_path: Path) -> None:
+    path = tmp_path / "a.gd"
+    path.write_text("old")
+    path.chmod(0o640)
+
+    write_program(path, 'FALAR "olá"\n')
+
+    assert path.read_bytes() == 'FALAR "olá"\n'.encode()
+    assert path.stat().st_mode & 0o777 == 0o640
+    assert [each.name for each in tmp_path.iterdir()] == ["a.gd"]
+
+
+def test_a_link_stays_a_link(tmp_path: Path) -> None:
+    (tmp_path / "real.gd").write_text("old")
+    link = tmp_path / "link.gd"
+    link.symlink_to("real.gd")
+
+    write_program(link, "new")
+
+    assert link.is_symlink()
+    assert (tmp_path / "real.gd").read_text() == "new"
+
+
+def test_what_can_not_be_written_is_told_and_leaves_nothing(tmp_path: Path) -> None:
+    path = tmp_path / "a.gd"
+    path.write_text("old")
+
+    with pytest.raises(DocumentError):
+        write_program(path, "\udcff")
+
+    assert path.read_text() == "old"
+    assert len(list(tmp_path.iterdir())) == 1
+
+
+def test_decoding_ends_at_the_limit() -> None:
+    with pytest.raises(DocumentError):
+        decode(b"x" * (documents.LARGEST + 1), "-")
+
+
+def test_a_program_is_found_without_its_suffix(tmp_path: Path) -> None:
+    (tmp_path / "a.gd").write_text("")
+
+    assert program_to_open(str(tmp_path / "a")) == tmp_path / "a.gd"
+    assert program_to_open(str(tmp_path / "b")) == tmp_path / "b"
+    assert program_to_save(f'"{tmp_path / "b"}"') == tmp_path / "b.gd"
+    assert program_to_save(str(tmp_path / "b.txt")) == tmp_path / "b.txt"
+
+
+@pytest.mark.parametrize(
+    ("text", "lines"),
+    [("", []), ("a", ["a"]), ("a\nb\r\nc\rd\n", ["a", "b", "c", "d"]), ("a\x0cb\u2028", ["a\x0cb\u2028"])],
+)
+def test_lines_end_where_the_language_ends_them(text: str, lines: list[str]) -> None:
+    assert lines_in(text) == lines

@@ -1,0 +1,266 @@
+"""A session runs one program at a time, from its first event to its last, whatever happens between them."""
+
+import threading
+
+import pytest
+
+from devices.ports.robot import Pose
+from donnie_tui.core.events import (
+    CueSounded,
+    Error,
+    Event,
+    Outcome,
+    Read,
+    RunEnded,
+    RunStarted,
+    Spoke,
+    Stamped,
+    Statement,
+    Waited,
+)
+from donnie_tui.core.session import Busy
+from tests.floor import PATIENCE, Floor
+
+ENDLESS = "WHILE 1 == 1 DO WAIT 1 END WHILE"
+
+
+def of(kind: type[Event], floor: Floor) -> list[Event]:
+    return [each for each in floor.events if isinstance(each, kind)]
+
+
+def test_a_run_begins_and_ends_with_its_events() -> None:
+    floor = Floor()
+
+    outcome = floor.run("VAR a = 2 FW a")
+
+    assert outcome is Outcome.COMPLETED
+    assert isinstance(floor.events[0], RunStarted)
+    assert of(RunEnded, floor) == [RunEnded(Outcome.COMPLETED, Pose(0.0, 2.0, 0.0), {"a": 2}, 2.0)]
+
+
+def test_after_a_mistake_of_form_nothing_has_happened_but_all_mistakes_are_told() -> None:
+    floor = Floor()
+
+    outcome = floor.run("FW 1\nFWD 2\nTR $ 90")
+
+    assert outcome is Outcome.FAILED
+    assert [(each.kind, each.line) for each in of(Error, floor) if isinstance(each, Error)] == [
+        ("unknown-command", 2),
+        ("unknown-character", 3),
+    ]
+    assert floor.session.pose == Pose(0.0, 0.0, 0.0)
+
+
+def test_after_a_mistake_of_meaning_what_was_done_stays_done() -> None:
+    floor = Floor()
+
+    floor.run('SPEAK "a"\nFW 2\nSPEAK q\nFW 9')
+
+    assert of(Spoke, floor) == [Spoke("a")]
+    assert floor.session.pose.y == 2.0
+    assert floor.told[-3:] == [
+        "Error, line 3, column 7: There is no variable q.",
+        "Line 3: SPEAK q",
+        "Write VAR q first.",
+    ]
+
+
+def test_at_detail_full_a_mistake_names_the_calls_that_led_there() -> None:
+    floor = Floor(detail="full")
+
+    floor.run("PROCEDURE A: n DO\nSPEAK 1 / n\nEND PROCEDURE\nPROCEDURE B DO\nA [0]\nEND PROCEDURE\nB []")
+
+    assert floor.told[-2:] == ["Called from line 5.", "Called from line 7."]
+
+
+def test_pose_and_variables_live_on_unless_the_run_is_fresh() -> None:
+    floor = Floor(terminal=True)
+
+    floor.run("VAR a = 2 FW a")
+    floor.run("SPEAK a FW a")
+    assert floor.session.pose.y == 4.0
+    assert floor.session.variables == {"a": 2}
+
+    floor.run("FW 1", fresh=True)
+    assert floor.session.pose.y == 1.0
+    assert floor.session.variables == {}
+
+
+def test_a_name_that_is_declared_again_in_a_terminal_is_new_and_that_is_told() -> None:
+    floor = Floor(terminal=True)
+
+    floor.run("VAR a = 2")
+    outcome = floor.run("VAR a = 3")
+
+    assert outcome is Outcome.COMPLETED
+    assert floor.told == ["a existed already. It is new now."]
+
+
+def test_time_begins_anew_with_each_run() -> None:
+    floor = Floor()
+
+    floor.run("FW 3")
+    floor.run("WAIT 2")
+
+    assert [each.t for each in floor.stream if isinstance(each.event, RunStarted)] == [0.0, 0.0]
+    assert floor.stream[-1].t == pytest.approx(2.0)
+
+
+def test_quit_ends_the_session_in_a_terminal_and_is_a_mistake_in_a_file() -> None:
+    assert Floor(terminal=True).run("QUIT") is Outcome.QUIT
+    assert Floor().run("QUIT") is Outcome.FAILED
+
+
+def test_one_program_runs_at_a_time() -> None:
+    floor = Floor(speed=1.0)
+    run = floor.session.start(ENDLESS, "test.gd")
+
+    with pytest.raises(Busy):
+        floor.session.start("FW 1", "other.gd")
+    with pytest.raises(Busy):
+        floor.session.reset()
+    floor.session.stop()
+
+    assert run.wait(PATIENCE)
+    assert run.outcome is Outcome.STOPPED
+
+
+@pytest.mark.parametrize("hooked", [True, False])
+def test_a_stop_in_the_middle_of_a_movement_halts_the_robot_and_ends_the_run(hooked: bool) -> None:
+    floor = Floor(speed=1.0)
+    moving = threading.Event()
+    floor.session.hub.subscribe(lambda stamped: moving.set() if _is_step(stamped) else None)
+    run = floor.session.start("FW 1000", "test.gd", hooked=hooked)
+
+    assert moving.wait(PATIENCE)
+    floor.session.stop()
+
+    assert run.wait(PATIENCE)
+    assert run.outcome is Outcome.STOPPED
+    assert "I was stopped." in floor.told[-1]
+    assert floor.session.pose.y < 1000
+
+
+def _is_step(stamped: Stamped) -> bool:
+    return isinstance(stamped.event, CueSounded) and stamped.event.name == "step-forward"
+
+
+def test_a_trace_has_an_event_for_each_statement_before_it() -> None:
+    floor = Floor()
+
+    floor.run("REPEAT 2 TIMES\nFW 1\nEND REPEAT", trace=True)
+
+    lines = [each.line for each in of(Statement, floor) if isinstance(each, Statement)]
+    assert lines[0] == 1
+    assert lines.count(2) == 2
+
+
+def test_without_trace_there_are_no_statements() -> None:
+    floor = Floor()
+    floor.run("FW 1", hooked=True)
+
+    assert of(Statement, floor) == []
+
+
+def test_a_wait_tells_its_seconds_and_a_negative_one_waits_for_nothing() -> None:
+    floor = Floor()
+    floor.run("WAIT 3 WAIT -3")
+
+    assert of(Waited, floor) == [Waited(3), Waited(0)]
+
+
+@pytest.mark.parametrize("command", ["FW 2000000000", "TR -2000000000", "WAIT 2000000000"])
+def test_what_no_robot_can_do_is_refused(command: str) -> None:
+    floor = Floor()
+
+    assert floor.run(command) is Outcome.FAILED
+    assert [each.kind for each in of(Error, floor) if isinstance(each, Error)] == ["number-too-large"]
+
+
+def test_a_belt_that_is_off_gives_no_pulse() -> None:
+    floor = Floor()
+
+    assert floor.run("VIBRATE F") is Outcome.FAILED
+    assert floor.told[-1] == "BELT ON switches it on."
+
+
+def test_what_a_sensor_reads_is_told_to_the_stream() -> None:
+    floor = Floor(("red", 0, 5))
+    floor.run("SPEAK DISTANCE F SPEAK COLOR RED SPEAK POS y")
+
+    assert of(Read, floor) == [
+        Read("distance", "front", 5),
+        Read("colour", "red", 1),
+        Read("position", "y", 0),
+    ]
+
+
+def test_state_quotes_the_last_movement_as_it_was_typed() -> None:
+    floor = Floor(("red", 0, 4))
+    floor.run("STATE fw   2 STATE FORWARD 9 STATE")
+
+    assert floor.told == [
+        "No command executed, position [0,0,0].",
+        "I walked 2 steps forward.",
+        "Command 1 was fw 2, walked 2, didn't crash, position [0,2,0].",
+        "I walked only 1 step forward. I found an obstacle.",
+        "Command 2 was FORWARD 9, walked 1, crashed, position [0,3,0].",
+    ]
+
+
+def test_history_tells_every_movement() -> None:
+    floor = Floor()
+    floor.run("FW 2 TR 90 HISTORY")
+
+    assert floor.told[2:] == [
+        "Command 1 was FW 2, walked 2, didn't crash, position [0,2,0].",
+        "Command 2 was TR 90, turned 90, didn't crash, position [0,2,90].",
+    ]
+
+
+def test_a_fresh_run_has_no_history() -> None:
+    floor = Floor()
+    floor.run("FW 2")
+    floor.run("HISTORY", fresh=True)
+
+    assert floor.told[-1] == "No command executed, position [0,0,0]."
+
+
+def test_closing_stops_what_runs() -> None:
+    floor = Floor(speed=1.0)
+    run = floor.session.start(ENDLESS, "test.gd")
+
+    floor.session.close()
+
+    assert run.is_over
+    assert run.outcome is Outcome.STOPPED
+
+
+def test_a_fault_of_ours_is_told_and_ends_the_run(caplog: pytest.LogCaptureFixture) -> None:
+    floor = Floor()
+
+    def fail(stamped: Stamped) -> None:
+        if isinstance(stamped.event, Spoke):
+            raise RuntimeError("a listener of ours")
+
+    floor.session.hub.subscribe(fail)
+    outcome = floor.run("FW 1\nSPEAK 1")
+
+    assert outcome is Outcome.FAILED
+    assert "Something went wrong inside Donnie." in "".join(floor.told)
+    assert "a listener of ours" in caplog.text
+
+
+def test_a_mistake_quotes_its_own_line_whatever_strange_signs_come_before() -> None:
+    floor = Floor()
+    floor.run('SPEAK "a\x0cb\u2028c"\r\nSPEAK q')
+
+    assert floor.told[-2] == "Line 2: SPEAK q"
+
+
+def test_check_tells_mistakes_or_else_hints() -> None:
+    session = Floor().session
+
+    assert [each.kind.value for each in session.check("FWD 1")] == ["unknown-command"]
+    assert [each.severity.value for each in session.check("DISTANCE F")] == ["hint"]
+    assert session.check("FW 1") == ()

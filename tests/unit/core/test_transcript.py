@@ -1,0 +1,127 @@
+"""The lines that are printed, shown and spoken: printable, short, never more than the event says."""
+
+import io
+from pathlib import Path
+
+import pytest
+
+from devices.ports.audio import Cue, Urgency, Utterance
+from donnie_tui.core.events import (
+    Announced,
+    Answered,
+    CueSounded,
+    Error,
+    Event,
+    SoundSwitched,
+    Spoke,
+    Stamped,
+    Waited,
+)
+from donnie_tui.core.outlets import Cues, Voice
+from donnie_tui.core.told_log import ToldLog, next_log
+from donnie_tui.core.transcript import LONGEST_SOURCE, lines_of
+from donnie_tui.i18n.words import Words
+
+
+@pytest.mark.parametrize(
+    ("event", "lines"),
+    [
+        (Spoke("hello"), ("hello",)),
+        (Spoke("two\nlines"), ("two", "lines")),
+        (Spoke(""), ("",)),
+        (Spoke("a\x1b[2Jb\tc\x07"), ("a [2Jb c ",)),
+        (Spoke("ação \u00a0 日本 👩\u200d🔬"), ("ação \u00a0 日本 👩\u200d🔬",)),
+        (Spoke("\udcff"), (" ",)),
+        (Announced("moved", "I walked."), ("I walked.",)),
+        (Answered("Saved."), ("Saved.",)),
+        (Waited(3), ()),
+        (CueSounded("done", 0.0, None), ()),
+    ],
+)
+def test_an_event_is_told_in_printable_lines(event: Event, lines: tuple[str, ...]) -> None:
+    assert lines_of(event, Words()) == lines
+
+
+def test_of_a_long_source_line_the_part_with_the_mistake_is_quoted() -> None:
+    source = "FW 1 " * 100 + "SPEAK q" + " FW 1" * 100
+
+    lines = lines_of(Error("undeclared-variable", 1, 507, "There is no variable q.", None, source), Words())
+
+    assert "SPEAK q" in lines[1]
+    assert len(lines[1]) <= LONGEST_SOURCE + len("Line 1: ")
+
+
+# --- the same lines, spoken and logged
+
+
+class Diary:
+    """A speaker and a cue player that note what they are asked."""
+
+    def __init__(self) -> None:
+        self.said: list[Utterance] = []
+        self.played: list[Cue] = []
+        self.silenced = 0
+
+    def say(self, utterance: Utterance) -> None:
+        self.said.append(utterance)
+
+    def play(self, cue: Cue) -> None:
+        self.played.append(cue)
+
+    def silence(self) -> None:
+        self.silenced += 1
+
+    def close(self) -> None:
+        """Nothing is held."""
+
+
+def listening(language: str = "en") -> tuple[Diary, Voice, Cues]:
+    diary = Diary()
+    return diary, Voice(diary, Words(language)), Cues(diary)
+
+
+def test_the_voice_says_what_is_printed_in_the_learners_language() -> None:
+    diary, voice, _ = listening("pt")
+
+    voice(Stamped(1, 0.0, Spoke("olá")))
+    voice(Stamped(2, 0.0, Error("syntax", 1, 1, "Não conheço X.", None)))
+    voice(Stamped(3, 0.0, Announced("waiting", "Esperando 3 segundos.")))
+
+    assert diary.said == [
+        Utterance("olá", Urgency.PROGRAM, "pt"),
+        Utterance("Erro, linha 1, coluna 1: Não conheço X.", Urgency.ALERT, "pt"),
+        Utterance("Esperando 3 segundos.", Urgency.PROGRESS, "pt"),
+    ]
+
+
+def test_sound_off_silences_voice_and_cues_at_once_until_sound_on() -> None:
+    diary, voice, cues = listening()
+
+    for event in (SoundSwitched(False), Spoke("a"), CueSounded("done", 0.0, None), SoundSwitched(True)):
+        voice(Stamped(1, 0.0, event))
+        cues(Stamped(1, 0.0, event))
+    voice(Stamped(1, 0.0, Spoke("b")))
+    cues(Stamped(1, 0.0, CueSounded("bump", 90.0, 0.0)))
+
+    assert diary.silenced == 2
+    assert [each.text for each in diary.said] == ["b"]
+    assert diary.played == [Cue("bump", 90.0, 0.0)]
+
+
+def test_the_log_has_every_line_that_was_told() -> None:
+    out = io.StringIO()
+    log = ToldLog(out, Words())
+
+    for event in (Spoke("a\nb"), Waited(1), Announced("moved", "I walked.")):
+        log(Stamped(1, 0.0, event))
+
+    assert out.getvalue() == "a\nb\nI walked.\n"
+
+
+def test_logs_are_numbered_behind_the_highest(tmp_path: Path) -> None:
+    assert next_log(tmp_path).name == "log_001.txt"
+
+    for name in ("log_001.txt", "log_041.txt", "log_x.txt", "other.txt"):
+        (tmp_path / name).touch()
+
+    assert next_log(tmp_path).name == "log_042.txt"
