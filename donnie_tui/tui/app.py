@@ -19,6 +19,7 @@ from typing import TYPE_CHECKING, ClassVar
 
 from textual.app import App, SystemCommand
 from textual.binding import Binding, BindingType
+from textual.geometry import Offset
 from textual.message import Message
 from textual.screen import Screen
 from textual.timer import Timer
@@ -28,6 +29,7 @@ from devices.ports.robot import Pose
 from donnie_tui.core.events import Answered, Outcome, Read
 from donnie_tui.core.map_grid import MapGrid, floor_size
 from donnie_tui.folders import state_folder
+from donnie_tui.i18n.catalogue import SENTENCES
 from donnie_tui.i18n.words import Words
 from donnie_tui.settings import Settings
 from donnie_tui.tui.actions import ACTIONS, BY_NAME, find, key_label
@@ -120,6 +122,7 @@ class DonnieApp(App[int], inherit_bindings=False):
         self._deeds = Deeds(self)
         self._pose: Pose | None = None
         self._lines: list[LogLine] = []
+        self._kinds: dict[str, str] = {}
         self._readings: dict[tuple[str, str], Read] = {}
         self._belt: tuple[int, ...] | None = None
         self._taken_at = self._flushed_at = -FLUSH
@@ -190,6 +193,16 @@ class DonnieApp(App[int], inherit_bindings=False):
         """Whether the session is there."""
         return self._donnie is not None
 
+    @property
+    def cursor_position(self) -> Offset:
+        """Where the terminal's own cursor stands: where the widget with the focus says, at every update."""
+        place = getattr(self.focused, "cursor_screen_offset", None) if self.is_running else None
+        return place if isinstance(place, Offset) else Offset(0, 0)
+
+    @cursor_position.setter
+    def cursor_position(self, _place: Offset) -> None:
+        """Textual's editor and input line write here, also without the focus: not what is asked."""
+
     # --- doing
 
     def check_action(self, action: str, parameters: tuple[object, ...]) -> bool | None:
@@ -217,7 +230,12 @@ class DonnieApp(App[int], inherit_bindings=False):
             return
         asking = self._deeds.do(name, argument)
         if asking is not None:
-            self.run_worker(_awaited(asking), exclusive=True)
+            self.run_worker(self._finish(asking), exclusive=True)
+
+    async def _finish(self, asking: Awaitable[None]) -> None:
+        """An action that asks something has its answer when it is done."""
+        await asking
+        self.look()
 
     def on_command_line_typed(self, event: CommandLine.Typed) -> None:
         """A word of the screen, or a command of GoDonnie."""
@@ -400,10 +418,11 @@ class DonnieApp(App[int], inherit_bindings=False):
         self._show_inspector()
 
     def _kind_words(self, kind: str) -> str:
-        try:
-            return self.words(f"kind-{kind}")
-        except KeyError:
-            return kind
+        """What the log calls a kind; looked up once each, a flood has few kinds."""
+        if kind not in self._kinds:
+            code = f"kind-{kind}"
+            self._kinds[kind] = self.words(code) if code in SENTENCES else kind
+        return self._kinds[kind]
 
     def _note(self, *sentences: str) -> None:
         self.workplace.log_lines((sentence, "") for sentence in sentences)
@@ -525,10 +544,6 @@ class DonnieApp(App[int], inherit_bindings=False):
 def _title(donnie: Donnie) -> str:
     about = donnie.world.about(donnie.words.language)
     return about.title if about is not None else donnie.world.name
-
-
-async def _awaited(asking: Awaitable[None]) -> None:
-    await asking
 
 
 def run_full_screen(settings: Settings, file: Path | None, *, text: str | None = None) -> int:

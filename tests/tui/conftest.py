@@ -1,9 +1,11 @@
 """A full screen without a terminal, on the real session and simulator at unlimited speed."""
 
 import os
+import sys
 
 for _name in ("NO_COLOR", "TEXTUAL_THEME", "TEXTUAL_FILTERS", "TEXTUAL_ANIMATIONS"):
     os.environ.pop(_name, None)  # read when Textual is imported
+sys.setswitchinterval(0.001)  # as the application has it: a program that computes must not starve the screen
 
 from collections.abc import AsyncIterator, Callable  # noqa: E402
 from contextlib import asynccontextmanager  # noqa: E402
@@ -21,7 +23,11 @@ from donnie_tui.tui.running import Doing  # noqa: E402
 LOOKS = 1000
 """Looks at a condition before it is given up; each lets the application do what it has to."""
 
-ENDLESS = "WHILE 1 == 1 DO\nVAR x = 1\nEND WHILE"
+WAITING = "WHILE 1 == 1 DO\nWAIT 1000\nEND WHILE"
+"""Without end, and idle at speed 1."""
+
+COMPUTING = "WHILE 1 == 1 DO\nVAR x = 1\nEND WHILE"
+"""Without end, and never idle."""
 
 
 class Desk:

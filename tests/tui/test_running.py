@@ -3,7 +3,7 @@
 import pytest
 
 from donnie_tui.tui.running import Doing
-from tests.tui.conftest import ENDLESS
+from tests.tui.conftest import COMPUTING, WAITING
 
 SQUARE = 'REPEAT 2 TIMES\nFW 2\nTR 90\nEND REPEAT\nSPEAK "done"'
 CALLS = "PROCEDURE HOP: n DO\nFW n\nFW n\nEND PROCEDURE\nHOP [2]\nHOP [3]"
@@ -61,7 +61,7 @@ async def test_esc_in_the_command_line_runs_the_unfinished_line(work):
 
 
 async def test_f8_stops_a_program_without_end_and_says_where(work):
-    async with work(ENDLESS) as desk:
+    async with work(COMPUTING) as desk:
         await desk.press("f5")
         await desk.doing(Doing.RUNNING)
         await desk.until(lambda: desk.app.running.frames, "a line being run")
@@ -72,7 +72,7 @@ async def test_f8_stops_a_program_without_end_and_says_where(work):
 
 
 async def test_ctrl_c_stops_while_something_runs(work):
-    async with work(ENDLESS) as desk:
+    async with work(WAITING, speed=1.0) as desk:
         await desk.press("f5")
         await desk.doing(Doing.RUNNING)
         await desk.press("ctrl+c")
@@ -85,12 +85,12 @@ async def test_ctrl_c_copies_while_nothing_runs(work):
         await desk.press("ctrl+a", "ctrl+c")
         await desk.pilot.pause()
 
-        assert "FW 1" == desk.app.clipboard
+        assert desk.app.clipboard == "FW 1"
         assert not any("running" in line for line in desk.log)
 
 
 async def test_stop_is_a_typed_word_too(work):
-    async with work(ENDLESS) as desk:
+    async with work(WAITING, speed=1.0) as desk:
         await desk.press("f5")
         await desk.doing(Doing.RUNNING)
         await desk.type_line("stop")
@@ -113,7 +113,7 @@ async def test_an_empty_program_is_answered(work):
 
 
 async def test_while_a_program_runs_another_one_is_refused(work):
-    async with work(ENDLESS) as desk:
+    async with work(WAITING, speed=1.0) as desk:
         await desk.press("f5")
         await desk.doing(Doing.RUNNING)
         await desk.press("f5")
@@ -122,7 +122,7 @@ async def test_while_a_program_runs_another_one_is_refused(work):
 
 
 async def test_pause_holds_the_program_marks_its_line_and_goes_on(work):
-    async with work(ENDLESS) as desk:
+    async with work(WAITING, speed=1.0) as desk:
         await desk.press("f5")
         await desk.doing(Doing.RUNNING)
         await desk.press("f6")

@@ -11,7 +11,6 @@ from typing import ClassVar
 from rich.segment import Segment
 from rich.style import Style
 from textual.binding import Binding, BindingType
-from textual.events import Focus
 from textual.geometry import Offset, Region, Size
 from textual.message import Message
 from textual.scroll_view import ScrollView
@@ -113,7 +112,6 @@ class MapView(ScrollView, can_focus=True):
     def _follow(self, cell: Cell) -> None:
         place = self._region_of(cell, scrolled=False)
         self.scroll_to_region(place.grow((_MARGIN,) * 4), animate=False, force=True)
-        self._place_cursor()
 
     def _region_of(self, cell: Cell, *, scrolled: bool = True) -> Region:
         assert self._grid is not None
@@ -121,21 +119,12 @@ class MapView(ScrollView, can_focus=True):
         place = Offset((cell.x - bounds.left) * self._columns, bounds.top - cell.y)
         return Region.from_offset(place - self.scroll_offset if scrolled else place, Size(self._columns, 1))
 
-    def _place_cursor(self) -> None:
-        """Braille displays and console readers look where the terminal's cursor is."""
-        if self.has_focus and self._grid is not None:
-            self.app.cursor_position = self.content_region.offset + self._region_of(self.cell).offset
-
-    def on_focus(self, _event: Focus) -> None:
-        self._place_cursor()
-
-    def watch_scroll_x(self, old: float, new: float) -> None:
-        super().watch_scroll_x(old, new)
-        self._place_cursor()
-
-    def watch_scroll_y(self, old: float, new: float) -> None:
-        super().watch_scroll_y(old, new)
-        self._place_cursor()
+    @property
+    def cursor_screen_offset(self) -> Offset:
+        """Braille displays and console readers look where the terminal's cursor is: here."""
+        if self._grid is None:
+            return self.content_region.offset
+        return self.content_region.offset + self._region_of(self.cell).offset
 
     # --- exploring
 

@@ -15,7 +15,6 @@ from rich.cells import cell_len, chop_cells
 from rich.segment import Segment
 from rich.style import Style
 from textual.binding import Binding, BindingType
-from textual.events import Focus
 from textual.geometry import Offset, Region, Size
 from textual.message import Message
 from textual.scroll_view import ScrollView
@@ -54,6 +53,8 @@ class TextRows(ScrollView, can_focus=True):
         self._rows: list[str] = []
         self._row_kinds: list[str] = []
         """A row each; the kind stands in the first row of its line."""
+        self._heights: list[int] = []
+        """How many rows each line takes."""
         self._wrapped_at = 0
         self._row: int | None = None if follows else 0
         """The row being read; None is the newest, whatever comes."""
@@ -62,11 +63,11 @@ class TextRows(ScrollView, can_focus=True):
 
     def append(self, lines: Iterable[tuple[str, str]]) -> None:
         """Add lines: (text, kind) each."""
-        before = len(self._rows)
+        before, width = len(self._rows), self._text_width
         for text, kind in lines:
             self._lines.append(text)
             self._kinds.append(kind)
-            self._wrap(text, kind)
+            self._wrap(text, kind, width)
         if len(self._rows) == before:
             return
         self._forget_oldest()
@@ -104,9 +105,18 @@ class TextRows(ScrollView, can_focus=True):
 
     def _forget_oldest(self) -> None:
         if len(self._lines) > MOST_LINES:
-            del self._lines[: MOST_LINES // 10]
-            del self._kinds[: MOST_LINES // 10]
-            self._rewrap()
+            lines = len(self._lines) - MOST_LINES + MOST_LINES // 10
+            rows = sum(self._heights[:lines])
+            for column, count in (
+                (self._lines, lines),
+                (self._kinds, lines),
+                (self._heights, lines),
+                (self._rows, rows),
+                (self._row_kinds, rows),
+            ):
+                del column[:count]
+            if self._row is not None:
+                self._row = max(0, self._row - rows)
 
     # --- rows
 
@@ -119,15 +129,18 @@ class TextRows(ScrollView, can_focus=True):
         width = self.size.width - 1
         return max(1, width - _KIND_WIDTH - 1 if self._shows_kinds else width)
 
-    def _wrap(self, text: str, kind: str) -> None:
-        for number, row in enumerate(_wrapped(text, self._text_width)):
-            self._rows.append(row)
-            self._row_kinds.append("" if number else kind)
+    def _wrap(self, text: str, kind: str, width: int) -> None:
+        rows = _wrapped(text, width)
+        self._rows.extend(rows)
+        self._row_kinds.append(kind)
+        self._row_kinds.extend([""] * (len(rows) - 1))
+        self._heights.append(len(rows))
 
     def _rewrap(self) -> None:
-        self._rows, self._row_kinds = [], []
+        self._rows, self._row_kinds, self._heights = [], [], []
+        width = self._text_width
         for text, kind in zip(self._lines, self._kinds, strict=True):
-            self._wrap(text, kind)
+            self._wrap(text, kind, width)
         if self._row is not None:
             self._row = min(self._row, max(0, len(self._rows) - 1))
 
@@ -146,14 +159,11 @@ class TextRows(ScrollView, can_focus=True):
         """Show the row that is being read."""
         place = Region(0, self.row, 1, 1)
         self.scroll_to_region(place, animate=False, force=True, immediate=True)
-        self._place_cursor()
 
-    def _place_cursor(self) -> None:
-        if self.has_focus:
-            self.app.cursor_position = self.content_region.offset + Offset(0, self.row - self.scroll_offset.y)
-
-    def on_focus(self, _event: Focus) -> None:
-        self._place_cursor()
+    @property
+    def cursor_screen_offset(self) -> Offset:
+        """Where the terminal's cursor stands: at the row that is being read."""
+        return self.content_region.offset + Offset(0, self.row - self.scroll_offset.y)
 
     # --- reading
 

@@ -1,0 +1,208 @@
+"""Opening, saving, beginning anew, recovering: nothing is lost without a question."""
+
+from pathlib import Path
+
+import pytest
+
+from tests.tui.conftest import WAITING
+
+
+@pytest.fixture
+def program(tmp_path: Path) -> Path:
+    path = tmp_path / "walk.gd"
+    path.write_text("FW 1\nTR 90\n", encoding="utf-8")
+    return path
+
+
+async def test_a_file_of_the_command_line_is_open_at_the_start(work, program):
+    async with work(file=program) as desk:
+        assert desk.app.text == "FW 1\nTR 90"
+        assert "Opened walk.gd, 2 lines." in desk.log
+        assert ">Program: walk.gd " in desk.screen
+
+
+async def test_a_file_that_is_not_there_is_told(work, tmp_path):
+    async with work(file=tmp_path / "none.gd") as desk:
+        await desk.told("There is no file")
+
+
+async def test_open_takes_the_name_behind_the_word(work, program):
+    async with work() as desk:
+        await desk.type_line(f"OPEN {program}")
+        await desk.told("Opened walk.gd, 2 lines.")
+
+        assert desk.app.text == "FW 1\nTR 90"
+
+
+async def test_open_asks_for_the_name_and_says_at_once_what_is_wrong_with_it(work, program):
+    async with work() as desk:
+        await desk.press("ctrl+o")
+        await desk.answer(str(program.with_name("none.gd")))
+        await desk.until(lambda: "There is no file" in desk.screen, "the reason")
+        await desk.answer(str(program))
+        await desk.told("Opened walk.gd")
+
+        assert desk.app.screen is desk.place
+
+
+async def test_esc_goes_back_from_a_question(work):
+    async with work("FW 1") as desk:
+        await desk.press("ctrl+o")
+        await desk.until(lambda: desk.app.screen is not desk.place, "the question")
+        await desk.press("escape")
+        await desk.until(lambda: desk.app.screen is desk.place, "the workplace")
+
+        assert desk.app.text == "FW 1"
+        assert desk.place.editor.has_focus
+
+
+async def test_save_writes_the_file_and_the_title_says_changed_until_then(work, program):
+    async with work(file=program) as desk:
+        await desk.press("S", "P", "space")
+        await desk.until(lambda: "Program: walk.gd, changed" in desk.screen, "the title")
+        await desk.press("ctrl+s")
+        await desk.told("Saved as walk.gd.")
+
+        assert program.read_text(encoding="utf-8") == "SP FW 1\nTR 90\n"
+        await desk.until(lambda: "changed" not in desk.screen, "the title")
+
+
+async def test_the_first_save_asks_for_a_name_and_adds_the_suffix(work, tmp_path):
+    async with work("FW 2") as desk:
+        await desk.press("ctrl+s")
+        await desk.answer(str(tmp_path / "first"))
+        await desk.told("Saved as first.gd.")
+
+        assert (tmp_path / "first.gd").read_text(encoding="utf-8") == "FW 2\n"
+
+
+@pytest.mark.parametrize(("answer", "text"), [("yes", "FW 2\n"), ("no", "FW 1\nTR 90\n")])
+async def test_another_file_is_replaced_only_after_a_yes(work, program, answer, text):
+    async with work("FW 2") as desk:
+        await desk.type_line(f"SAVE {program}")
+        await desk.answer("perhaps")
+        await desk.until(lambda: "Replace it?" in desk.screen, "the question again")
+        await desk.answer(answer)
+        await desk.told("Saved as walk.gd." if answer == "yes" else "Nothing was changed.")
+
+        assert program.read_text(encoding="utf-8") == text
+
+
+async def test_a_folder_that_can_t_be_written_is_a_sentence(work, tmp_path):
+    async with work("FW 2") as desk:
+        await desk.type_line(f"SAVE {tmp_path / 'nowhere' / 'a.gd'}")
+
+        await desk.told("I can't write")
+
+
+async def test_what_is_not_saved_is_asked_about_before_it_goes(work, tmp_path):
+    async with work("FW 2") as desk:
+        await desk.press("ctrl+n")
+        await desk.answer("yes")
+        await desk.answer(str(tmp_path / "kept.gd"))
+        await desk.told("A new program.")
+
+        assert desk.app.text == ""
+        assert (tmp_path / "kept.gd").read_text(encoding="utf-8") == "FW 2\n"
+
+
+async def test_going_back_from_the_question_keeps_the_program(work):
+    async with work("FW 2") as desk:
+        await desk.press("ctrl+q")
+        await desk.until(lambda: desk.app.screen is not desk.place, "the question")
+        await desk.press("escape")
+        await desk.pilot.pause()
+
+        assert desk.app.is_running
+        assert desk.app.text == "FW 2"
+
+
+async def test_quitting_without_saving_leaves_no_copy(work, tmp_path):
+    async with work("FW 2") as desk:
+        desk.app.files.keep_copy()
+        assert list((tmp_path / "unsaved").iterdir())
+        await desk.press("ctrl+q")
+        await desk.answer("no")
+        await desk.until(lambda: not desk.app.is_running, "the end")
+
+        assert list((tmp_path / "unsaved").iterdir()) == []
+
+
+async def test_a_saved_program_is_left_without_a_question(work, program):
+    async with work(file=program) as desk:
+        await desk.press("ctrl+q")
+        await desk.until(lambda: not desk.app.is_running, "the end")
+
+        assert desk.app.return_code == 0
+
+
+async def test_what_is_typed_is_written_down_soon(work, tmp_path):
+    async with work() as desk:
+        await desk.press("F", "W")
+        await desk.until(lambda: any((tmp_path / "unsaved").glob("*.gd")), "a copy")
+
+
+async def test_what_a_crash_left_is_offered_and_comes_back_as_not_saved(work, tmp_path):
+    (tmp_path / "unsaved").mkdir()
+    (tmp_path / "unsaved" / "unsaved-abc.gd").write_text("FW 9\nFW 8", encoding="utf-8")
+    async with work() as desk:
+        await desk.told("A program was not saved last time.")
+        await desk.type_line("RECOVER")
+        await desk.told("Here it is again, 2 lines.")
+
+        assert desk.app.text == "FW 9\nFW 8"
+        assert "changed" in desk.screen
+
+
+async def test_there_may_be_nothing_to_recover(work):
+    async with work() as desk:
+        await desk.type_line("RECOVER")
+
+        await desk.told("Nothing to recover.")
+
+
+async def test_a_state_folder_that_can_t_be_written_is_told_once(work, tmp_path):
+    (tmp_path / "unsaved").write_text("a file in its place")
+    async with work("FW 1") as desk:
+        desk.app.files.keep_copy()
+        desk.app.files.keep_copy()
+        await desk.told("What you type can't be kept safe")
+
+        assert sum("kept safe" in line for line in desk.log) == 1
+
+
+async def test_files_wait_while_a_program_runs(work, program):
+    async with work(WAITING, speed=1.0) as desk:
+        await desk.press("f5")
+        await desk.type_line(f"OPEN {program}")
+
+        await desk.told("A program is running.")
+
+
+async def test_linear_leaves_with_the_text_and_its_file(work, program):
+    async with work(file=program) as desk:
+        await desk.press("X")
+        await desk.type_line("linear")
+        await desk.until(lambda: not desk.app.is_running, "the end")
+
+        assert desk.app.left_for_linear
+        assert desk.app.text == "XFW 1\nTR 90"
+        assert desk.app.files.document.path == program
+
+
+async def test_a_program_from_the_other_mode_keeps_its_file_and_its_changes(work, program):
+    async with work("FW 1\nTR 90\nFW 7\n", file=program) as desk:
+        assert desk.app.text == "FW 1\nTR 90\nFW 7"
+        assert "Program: walk.gd, changed" in desk.screen
+
+
+@pytest.mark.parametrize(
+    "data", [b"\xff\xfe\x00\x01", b"\r\n\r\nFW 1\r\n", 'FALAR "olá"'.encode("cp1252"), b""]
+)
+async def test_whatever_a_file_holds_opening_it_is_answered(work, tmp_path, data):
+    path = tmp_path / "odd.gd"
+    path.write_bytes(data)
+    async with work() as desk:
+        await desk.type_line(f"OPEN {path}")
+
+        await desk.until(lambda: any("odd.gd" in line for line in desk.log[3:]), "an answer")

@@ -1,0 +1,270 @@
+"""Panes, focus, the terminal's cursor, sizes, help: what is seen and how one gets there, by keys alone."""
+
+import pytest
+from textual.geometry import Offset
+
+from donnie_tui.tui.actions import ACTIONS
+
+SIZES = [(40, 12), (80, 24), (100, 30), (120, 40), (200, 60)]
+
+
+def caret(desk) -> Offset:
+    return desk.app.cursor_position
+
+
+async def test_the_first_row_of_the_log_leads_to_the_linear_mode(work):
+    async with work() as desk:
+        assert desk.log[0] == "Screen reader? Type LINEAR and Enter."
+        assert desk.log[0] in desk.screen
+
+
+async def test_the_order_of_focus_is_the_order_of_reading_and_back(work):
+    async with work(size=(120, 40)) as desk:
+        order = ["editor", "map", "inspector", "log", "command"]
+        for name in [*order[1:], order[0]]:
+            await desk.press("tab")
+            assert desk.app.focused.id == name
+        for name in [*reversed(order[1:]), order[0]]:
+            await desk.press("shift+tab")
+            assert desk.app.focused.id == name
+
+
+async def test_the_status_line_names_the_focus(work):
+    async with work("FW 1\nFW 2") as desk:
+        seen = []
+        for _ in range(4):
+            seen.append(desk.status.split(".")[0].strip())
+            await desk.press("tab")
+            await desk.pilot.pause()
+
+        assert seen == ["Program, line 1 of 2", "Map", "Log, line 2 of 2", "Command line"]
+
+
+async def test_the_terminal_s_cursor_stands_at_the_focus(work):
+    async with work("FW 1") as desk:
+        await desk.press("right")
+        editor = desk.place.editor
+        assert caret(desk) == editor.cursor_screen_offset
+
+        await desk.press("tab")
+        await desk.pilot.pause()
+        grid, view = desk.place.map.grid, desk.place.map
+        x, y = caret(desk)
+        assert view.region.contains(x, y)
+        strips = desk.app.screen._compositor.render_strips()
+        assert strips[y].text[x] == "^"
+        assert grid.letter(grid.robot) == "^"
+
+        await desk.press("tab")
+        await desk.pilot.pause()
+        x, y = caret(desk)
+        assert (x, strips_text(desk)[y][x]) == (desk.place.log_rows.region.x, ">")
+
+        await desk.press("tab")
+        await desk.pilot.pause()
+        assert caret(desk) == desk.place.command_line.cursor_screen_offset
+
+
+def strips_text(desk) -> list[str]:
+    return [strip.text for strip in desk.app.screen._compositor.render_strips()]
+
+
+async def test_the_cursor_follows_the_robot_while_the_map_has_the_focus(work):
+    async with work("FW 4 TR 90 FW 3") as desk:
+        await desk.press("tab", "f5")
+        await desk.told("The program is done.")
+        await desk.pilot.pause()
+
+        x, y = caret(desk)
+        assert strips_text(desk)[y][x] == ">"
+
+
+async def test_the_map_follows_a_robot_that_leaves_the_picture(work):
+    async with work("FW 200\nTR 90\nFW 300") as desk:
+        await desk.press("f5")
+        await desk.told("The program is done.")
+        await desk.pilot.pause()
+
+        assert "o>" in "\n".join(row[40:] for row in strips_text(desk)[1:14])
+
+
+async def test_exploring_names_the_cell_and_home_goes_back_to_the_robot(work):
+    async with work(world="living_room") as desk:
+        await desk.press("tab", "right")
+        await desk.pilot.pause()
+        assert desk.status.startswith(" Map, 1, 0: free.")
+        for _ in range(20):
+            await desk.press("left")
+        await desk.pilot.pause()
+        assert "wall." in desk.status
+
+        await desk.press("home")
+        await desk.pilot.pause()
+        assert desk.status.startswith(" Map. Donnie at")
+
+
+async def test_things_are_named_when_they_are_explored(work):
+    async with work(world="living_room", size=(120, 40)) as desk:
+        thing = desk.place.map.grid.picture.things[0]
+        desk.place.map._explored = desk.place.map.grid.cell_of(
+            type(desk.app._pose)(round(thing.x), round(thing.y), 0.0)
+        )
+        desk.place.map.focus()
+        await desk.press("left", "right")
+        await desk.pilot.pause()
+
+        assert f"{thing.name}." in desk.status
+
+
+@pytest.mark.parametrize("size", SIZES)
+async def test_every_size_shows_the_focus_the_command_line_and_the_status(work, size):
+    async with work("FW 1\nFW 2", size=size) as desk:
+        for _ in range(5):
+            focused = desk.app.focused
+            assert focused.region.area, f"{focused} at {size}"
+            assert desk.place.command_line.region.area
+            assert desk.place.status.region.area
+            await desk.press("tab")
+            await desk.pilot.pause()
+
+
+async def test_the_size_may_change_while_a_program_is_paused_and_the_focus_stays(work):
+    async with work("FW 1\nFW 2\nFW 3") as desk:
+        await desk.press("f7")
+        await desk.told("Line 1: FW 1")
+        for size in (*SIZES, (1, 1), (20, 5), (80, 24)):
+            await desk.pilot.resize_terminal(*size)
+            await desk.pilot.pause()
+            assert desk.place.editor.has_focus
+        await desk.press("f7")
+        await desk.told("Line 2: FW 2")
+
+        assert ">2  FW 2" in desk.screen
+
+
+async def test_forty_columns_show_one_pane_at_a_time(work):
+    async with work("FW 1", size=(40, 12)) as desk:
+        assert "Program:" in desk.screen
+        assert "Map:" not in desk.screen
+        await desk.press("tab")
+        await desk.pilot.pause()
+
+        assert "Map:" in desk.screen
+        assert "Program:" not in desk.screen
+
+
+async def test_f4_shows_the_inspector_and_goes_back(work):
+    async with work("VAR a = 5\nFW 1\nFW 2") as desk:
+        await desk.press("f7", "f4")
+        await desk.pilot.pause()
+        assert desk.app.focused.id == "inspector"
+        assert "Variables" in desk.screen
+        await desk.press("f4")
+        await desk.pilot.pause()
+
+        assert desk.place.editor.has_focus
+        assert "Map:" in desk.screen
+
+
+@pytest.mark.parametrize(
+    ("typed", "focused"), [("show map", "map"), ("SHOW LOG", "log"), ("Show Program", "editor")]
+)
+async def test_words_go_to_the_panes(work, typed, focused):
+    async with work() as desk:
+        await desk.type_line(typed)
+        await desk.until(lambda: desk.app.focused.id == focused, focused)
+
+
+async def test_f1_shows_every_key_and_word_and_esc_goes_back(work):
+    async with work() as desk:
+        await desk.press("f1")
+        await desk.until(lambda: desk.app.screen is not desk.place, "the help")
+        rows = desk.app.screen.rows
+        told = "\n".join(rows.lines)
+        assert all(action.en in told for action in ACTIONS if not action.hidden)
+        assert "FW" in told
+        assert caret(desk) == rows.content_region.offset
+        await desk.press("down", "down")
+        assert caret(desk) == rows.content_region.offset + Offset(0, 2)
+        await desk.press("escape")
+        await desk.until(lambda: desk.app.screen is desk.place, "the workplace")
+
+        assert desk.place.editor.has_focus
+
+
+async def test_help_with_a_word_of_the_screen_tells_its_purpose(work):
+    async with work() as desk:
+        await desk.type_line("HELP stop")
+
+        await desk.told("Stops the program and Donnie.")
+
+
+async def test_help_with_a_command_of_godonnie_is_godonnie_s(work):
+    async with work() as desk:
+        await desk.type_line("HELP FW")
+
+        await desk.until(lambda: any("FW" in line for line in desk.log[3:]), "the help")
+
+
+async def test_up_and_down_bring_back_what_was_typed(work):
+    async with work() as desk:
+        await desk.type_line("FW 1")
+        await desk.idle()
+        await desk.type_line("FW 2")
+        await desk.idle()
+        await desk.press("up", "up")
+        assert desk.place.command_line.value == "FW 1"
+        await desk.press("down", "down")
+
+        assert desk.place.command_line.value == ""
+
+
+async def test_the_log_is_read_by_rows_and_follows_its_end_again(work):
+    async with work() as desk:
+        await desk.run("FOR VAR i = 0; i < 40; i = i + 1 DO SPEAK i END FOR")
+        desk.place.log_rows.focus()
+        await desk.press("home")
+        await desk.pilot.pause()
+        assert desk.status.startswith(f" Log, line 1 of {desk.place.log_rows.row_count}.")
+        await desk.type_line("SPEAK 99")
+        await desk.told("99")
+        assert desk.place.log_rows.row == 0
+
+        desk.place.log_rows.focus()
+        await desk.press("end")
+        await desk.type_line("SPEAK 100")
+        await desk.told("100")
+        assert desk.place.log_rows.row_text == "100"
+
+
+async def test_the_palette_offers_the_same_actions(work):
+    async with work() as desk:
+        offered = {each.title for each in desk.app.get_system_commands(desk.place)}
+
+        assert {"Run", "Stop", "Open", "Save", "Help", "Quit"} <= offered
+
+
+@pytest.mark.parametrize("language", ["pt", "es"])
+async def test_the_screen_speaks_the_learner_s_language(work, language):
+    async with work('FALAR "oi"' if language == "pt" else 'HABLAR "hola"', language=language) as desk:
+        await desk.press("f5")
+        await desk.told("El programa terminó." if language == "es" else "O programa terminou.")
+
+        assert ("Mapa:" in desk.screen) and ("Map:" not in desk.screen)
+        assert "Registro" in desk.screen
+
+
+async def test_without_colours_the_screen_says_the_same(work, monkeypatch):
+    async with work("FW 1") as desk:
+        await desk.press("f7")
+        await desk.told("Line 1: FW 1")
+        await desk.pilot.pause()
+        with_colours = desk.screen
+    monkeypatch.setenv("NO_COLOR", "1")
+    async with work("FW 1") as desk:
+        await desk.press("f7")
+        await desk.told("Line 1: FW 1")
+        await desk.pilot.pause()
+
+        assert desk.app.theme == "ansi-dark"
+        assert desk.screen == with_colours

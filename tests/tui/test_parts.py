@@ -1,0 +1,346 @@
+"""The parts of the full screen, one by one: table of actions, bridge, rows, highlighting, copies."""
+
+import threading
+from pathlib import Path
+
+import pytest
+from hypothesis import given, settings
+from hypothesis import strategies as st
+from textual.app import App, ComposeResult
+from textual.widgets import TextArea
+
+from devices.ports.robot import Pose, StoppedBy
+from donnie_tui.core.documents import DocumentError
+from donnie_tui.core.events import (
+    Announced,
+    Answered,
+    Error,
+    Moved,
+    Outcome,
+    Passing,
+    RunEnded,
+    RunStarted,
+    Spoke,
+    Stamped,
+)
+from donnie_tui.i18n.catalogue import SENTENCES
+from donnie_tui.i18n.sentence import LANGUAGES
+from donnie_tui.i18n.words import Words
+from donnie_tui.tui.actions import ACTIONS, BY_NAME, find, key_label
+from donnie_tui.tui.bridge import MOST_LINES, Began, Bridge, Ended, Happened, LogLine
+from donnie_tui.tui.deeds import Deeds
+from donnie_tui.tui.filing import MOST_COPIES, Copies, Document, as_lines
+from donnie_tui.tui.highlighting import highlights
+from donnie_tui.tui.running import SPEEDS
+from donnie_tui.tui.widgets.editor import Editor
+from donnie_tui.tui.widgets.text_rows import MOST_LINES as MOST_LOGGED
+from donnie_tui.tui.widgets.text_rows import TextRows
+from language.keywords import canonical
+
+ODD_TEXTS = ("[bold]", "\x1b[31mred", "a\tb", "日本語" * 20, "", "e\u0301" * 50, "\udcff")
+ODD_LETTERS = tuple('FW TR 1"“”-–\n\r\té́ação[]:=<>\u2028\x0c\udcff日')
+HERE = Pose(0.0, 0.0, 0.0)
+
+
+# --- actions
+
+
+@pytest.mark.parametrize("language", LANGUAGES)
+def test_every_word_finds_its_action_in_every_language(language):
+    for action in ACTIONS:
+        found = find(action.word(language).lower())
+        assert found is not None
+        assert found[0].name == action.name
+
+
+def test_words_of_the_screen_are_not_godonnie_s_but_for_those_that_mean_the_same():
+    shared = {"run", "help", "quit"}
+    taken = [
+        (action.name, language)
+        for action in ACTIONS
+        for language in LANGUAGES
+        if action.name not in shared and canonical(action.word(language)) is not None
+    ]
+
+    assert taken == []
+
+
+@pytest.mark.parametrize(
+    "typed", ["step = 3", "speed=3", "open [2]", "FW 3", "STEP 3", "run fw 3", "HELP FW", "", "  ", "stopped"]
+)
+def test_what_godonnie_may_mean_is_left_to_godonnie(typed):
+    found = find(typed)
+
+    assert found is None or (typed.split()[0].lower() == "speed" and found[1].startswith("=") is False)
+
+
+@pytest.mark.parametrize(
+    ("typed", "name", "argument"),
+    [
+        ("open my file.gd", "open", "my file.gd"),
+        ("Save As  my  file", "save_as", "my  file"),
+        ("SPEED 3", "speed", "3"),
+        ("mais rapido", "faster", ""),
+        ("até 4", "run_to", "4"),
+        ("ATE 4", "run_to", "4"),
+    ],
+)
+def test_what_follows_a_word_is_its_argument(typed, name, argument):
+    action, rest = find(typed)
+
+    assert (action.name, rest) == (name, argument)
+
+
+def test_every_action_is_done_by_something_and_has_its_words():
+    for action in ACTIONS:
+        assert callable(getattr(Deeds, action.name))
+        assert f"action-{action.name}" in SENTENCES
+        assert f"key-{action.name}" in SENTENCES
+
+
+def test_no_key_means_two_things():
+    keys = [key for action in ACTIONS for key in action.keys]
+
+    assert len(keys) == len(set(keys))
+
+
+def test_keys_are_told_as_they_are_printed():
+    assert [key_label(key) for key in ("f5", "ctrl+s", "escape", "f12")] == ["F5", "Ctrl+S", "Esc", "F12"]
+
+
+def test_speeds_go_up():
+    assert list(SPEEDS[:-1]) == sorted(SPEEDS[:-1])
+    assert SPEEDS[-1] is None
+    assert BY_NAME["quit"].keys == ("ctrl+q",)
+
+
+# --- bridge
+
+
+def bridge() -> tuple[Bridge, list]:
+    posted: list = []
+    return Bridge(posted.append, Words(), lambda: HERE), posted
+
+
+def told(listener: Bridge, *events) -> None:
+    for number, event in enumerate(events, 1):
+        listener(Stamped(number, 0.0, event))
+
+
+def test_what_is_said_waits_in_the_mailbox_and_the_screen_is_woken_once():
+    listener, posted = bridge()
+    told(listener, Spoke("one"), Spoke("two\nthree"), Answered("four"))
+
+    assert [type(each) for each in posted] == [Happened]
+    assert [line.text for line in listener.take().lines] == ["one", "two", "three", "four"]
+    assert listener.take().lines == ()
+
+
+def test_after_a_look_the_screen_is_woken_again():
+    listener, posted = bridge()
+    told(listener, Spoke("one"))
+    listener.take()
+    told(listener, Spoke("two"))
+
+    assert len(posted) == 2
+
+
+def test_a_movement_that_was_cut_short_is_told_with_its_reason():
+    listener, _ = bridge()
+    told(
+        listener,
+        Moved("FW 3", 3, 1, StoppedBy.OBSTACLE, HERE, True),
+        Announced("moved", "I walked only 1 step."),
+        Moved("FW 3", 3, 3, None, HERE, True),
+        Announced("moved", "I walked 3 steps."),
+    )
+
+    assert [line.kind for line in listener.take().lines] == ["obstacle", "moved"]
+
+
+def test_a_program_that_talks_without_end_costs_no_memory_and_what_is_lost_is_counted():
+    listener, posted = bridge()
+    for _ in range(MOST_LINES + 500):
+        told(listener, Spoke("again"))
+    mail = listener.take()
+
+    assert len(mail.lines) == MOST_LINES
+    assert mail.missed == 500
+    assert len(posted) == 1
+
+
+def test_poses_come_from_every_thread_and_wake_the_screen_once():
+    listener, posted = bridge()
+    threads = [
+        threading.Thread(target=told, args=(listener, *[Passing(Pose(i, 0, 0)) for i in range(200)]))
+        for _ in range(4)
+    ]
+    for thread in threads:
+        thread.start()
+    for thread in threads:
+        thread.join()
+
+    assert len(posted) == 1
+    assert len(listener.take().poses) == 800
+
+
+def test_the_end_of_a_run_brings_its_mistakes():
+    listener, posted = bridge()
+    mistake = Error("syntax", 2, 5, "What?", None)
+    told(listener, RunStarted("p", "w", "d", 0, "0"), mistake, RunEnded(Outcome.FAILED, HERE, {}, 0.0))
+
+    assert isinstance(posted[0], Began)
+    assert isinstance(posted[-1], Ended)
+    assert posted[-1].errors == (mistake,)
+    assert listener.take().lines[0] == LogLine("Error, line 2, column 5: What?", "error")
+
+
+def test_two_calls_to_look_are_as_good_as_one():
+    assert Happened().can_replace(Happened())
+    assert not Happened().can_replace(Began("p", HERE))
+
+
+# --- rows of text
+
+
+class Rows(App[None]):
+    def compose(self) -> ComposeResult:
+        yield TextRows(id="rows", follows=True)
+
+
+async def test_the_log_forgets_its_oldest_lines_only():
+    async with Rows().run_test(size=(80, 24)) as pilot:
+        rows = pilot.app.query_one(TextRows)
+        rows.append((f"line {i}", "says") for i in range(MOST_LOGGED + 1))
+        await pilot.pause()
+
+        assert len(rows.lines) <= MOST_LOGGED
+        assert rows.lines[-1] == f"line {MOST_LOGGED}"
+        assert rows.lines[0] == f"line {MOST_LOGGED // 10}"
+
+
+async def test_long_lines_are_broken_at_blanks_and_nothing_is_lost():
+    async with Rows().run_test(size=(30, 10)) as pilot:
+        rows = pilot.app.query_one(TextRows)
+        text = "a sentence that is a good deal longer than thirty columns, " + "x" * 70
+        rows.append([(text, "says")])
+        await pilot.pause()
+        shown = [rows._rows[i] for i in range(rows.row_count)]
+
+        assert all(len(row) <= 29 for row in shown)
+        assert "".join(shown).replace(" ", "") == text.replace(" ", "")
+
+
+async def test_rows_are_broken_anew_when_the_size_changes():
+    async with Rows().run_test(size=(30, 10)) as pilot:
+        rows = pilot.app.query_one(TextRows)
+        rows.append([("one two three four five six seven eight nine ten", "")])
+        await pilot.pause()
+        narrow = rows.row_count
+        await pilot.resize_terminal(100, 10)
+        await pilot.pause()
+
+        assert narrow > 1
+        assert rows.row_count == 1
+
+
+async def test_any_text_is_shown_without_harm():
+    async with Rows().run_test(size=(40, 10)) as pilot:
+        rows = pilot.app.query_one(TextRows)
+        rows.append(
+            (text, "k")
+            for text in ["[bold]", "\x1b[31mred", "a\tb", "日本語" * 20, "", "e\u0301" * 50, "\udcff"]
+        )
+        await pilot.pause()
+
+        assert "[bold]" in rows.lines
+
+
+# --- editor
+
+
+def test_textual_still_has_the_names_that_the_editor_fills():
+    area = TextArea()
+
+    assert callable(area._build_highlight_map)
+    assert area._highlights is not None
+    assert hasattr(area, "_line_cache")
+
+
+class Editing(App[None]):
+    def compose(self) -> ComposeResult:
+        yield Editor(id="editor")
+
+
+async def test_commands_numbers_texts_and_comments_look_different():
+    async with Editing().run_test(size=(60, 10)) as pilot:
+        editor = pilot.app.query_one(Editor)
+        editor.load_text('FW 5 -- comment\nFALAR "olá" PARA FRENTE ação')
+        await pilot.pause()
+
+        assert [look for *_, look in editor._highlights[0]] == ["command", "number", "comment"]
+        assert [look for *_, look in editor._highlights[1]] == ["command", "string", "command"]
+        bold = [each.text for each in editor.render_line(1) if each.style is not None and each.style.bold]
+        assert "".join(bold).replace(" ", "") == "FALARPARAFRENTE"
+
+
+def test_looks_are_counted_in_bytes():
+    assert highlights('FALAR "é" FW')[0] == [(0, 5, "command"), (6, 10, "string"), (11, 13, "command")]
+
+
+def test_a_text_over_several_lines_is_looked_at_line_by_line():
+    found = highlights('SPEAK "one\ntwo" FW 1')
+
+    assert found[0] == [(0, 5, "command"), (6, 11, "string")]
+    assert found[1] == [(0, 4, "string"), (5, 7, "command"), (8, 9, "number")]
+
+
+@settings(max_examples=300, deadline=None)
+@given(st.text(alphabet=st.sampled_from(ODD_LETTERS), max_size=60))
+def test_any_text_has_looks_within_its_lines(text):
+    lines = text.splitlines(keepends=True) or [""]
+    for line, looks in highlights(text).items():
+        size = len(lines[line].encode("utf-8", "surrogatepass"))
+        for start, end, _ in looks:
+            assert 0 <= start <= (end if end is not None else size) <= size
+
+
+# --- documents and copies
+
+
+def test_lines_end_alike_in_the_editor_however_they_ended_in_the_file():
+    assert as_lines("a\r\nb\rc\n") == "a\nb\nc"
+
+
+def test_a_document_overwrites_others_not_itself(tmp_path: Path):
+    document = Document()
+    own, other = tmp_path / "own.gd", tmp_path / "other.gd"
+    other.write_text("")
+    document.write(own, "FW 1")
+
+    assert document.overwrites(other)
+    assert not document.overwrites(own)
+    assert not document.overwrites(tmp_path / "new.gd")
+
+
+def test_a_copy_of_another_start_is_offered_and_the_own_one_is_not(tmp_path: Path):
+    first, second = Copies(tmp_path), Copies(tmp_path)
+    first.keep("FW 1")
+    second.keep("FW 2")
+
+    assert second.take(second.offered()) == "FW 1"
+    assert second.offered() is None
+
+
+def test_copies_do_not_pile_up(tmp_path: Path):
+    for number in range(MOST_COPIES + 5):
+        Copies(tmp_path / "deep" / "folder").keep(f"FW {number}")
+
+    assert len(list((tmp_path / "deep" / "folder").iterdir())) == MOST_COPIES
+
+
+def test_a_folder_that_can_t_be_made_is_a_document_error(tmp_path: Path):
+    (tmp_path / "file").write_text("")
+
+    with pytest.raises(DocumentError):
+        Copies(tmp_path / "file" / "folder").keep("FW 1")
