@@ -202,7 +202,7 @@ class Execution:
 
 def _turns(times: int) -> Iterator[object]:
     """Counts turns without making a number of each."""
-    return repeat(None, times) if times <= sys.maxsize else iter(range(times))
+    return iter(range(times)) if times > sys.maxsize else repeat(None, max(times, 0))
 
 
 def _leave() -> NoReturn:

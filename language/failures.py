@@ -50,10 +50,12 @@ def _found_by_python(
 def _undeclared(levels: list[Level], procedures: Collection[str]) -> Diagnostic | None:
     """A name without a value: a procedure where it is called, else a variable."""
     level = levels[-1]
-    unit, node = level.unit, level.unit.node(level.site)
-    if isinstance(node, Call):
+    unit, own = level.unit, level.variables()
+    node = unit.node(level.site)
+    if isinstance(node, Call) and f"p_{node.name.name}_{len(node.arguments)}" not in level.frame.f_globals:
         return undeclared_procedure(unit.program, node.name, procedures)
-    if isinstance(node, Name):
-        own, of_program = level.variables(), levels[0].variables()
-        return undeclared_variable(unit.program, node, own, unit.typed_name, of_program)
-    return None
+    if not isinstance(node, Name) or node.name in own:
+        node = unit.node(level.next_site())
+    if not isinstance(node, Name):
+        return None
+    return undeclared_variable(unit.program, node, own, unit.typed_name, levels[0].variables())

@@ -8,6 +8,7 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Iterator, Mapping
 from dataclasses import dataclass
+from itertools import islice
 from types import CodeType, FrameType, TracebackType
 
 from language.diagnostics import CallSite
@@ -23,10 +24,20 @@ class Level:
     unit: Unit
     frame: FrameType
     site: int | None
+    innermost: FrameType
 
     @property
     def line(self) -> int:
         return self.unit.span(self.site).line
+
+    def next_site(self) -> int | None:
+        """Where the instruction after the current one is from.
+
+        CPython 3.11 runs two simple instructions as one, and if the second fails, tells the first one's place.
+        """
+        frame = self.innermost
+        following = islice(frame.f_code.co_positions(), frame.f_lasti // 2 + 1, None)
+        return next(following, (None,))[0]
 
     def variables(self) -> dict[str, int]:
         return variables_in(self.frame.f_locals)
@@ -62,19 +73,19 @@ class Levels:
 
     def around(self, frame: FrameType) -> Level:
         """The level that a frame of the translated code belongs to."""
-        site = frame.f_lineno
+        site, innermost = frame.f_lineno, frame
         while id(frame.f_code) not in self._roots:
             assert frame.f_back is not None  # a loop is called by what it was taken out of
             frame = frame.f_back
-        return Level(self._roots[id(frame.f_code)], frame, site)
+        return Level(self._roots[id(frame.f_code)], frame, site, innermost)
 
     def _levels(self, entries: Iterable[tuple[FrameType, int | None]]) -> list[Level]:
         levels: list[Level] = []
         for frame, site in entries:
             if unit := self._roots.get(id(frame.f_code)):
-                levels.append(Level(unit, frame, site))
+                levels.append(Level(unit, frame, site, frame))
             elif id(frame.f_code) in self._codes and levels:
-                levels[-1].site = site
+                levels[-1].site, levels[-1].innermost = site, frame
         return levels
 
 

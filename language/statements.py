@@ -21,7 +21,6 @@ from language.building import (
     Sites,
     any_of,
     assign,
-    binary,
     both,
     call,
     compare,
@@ -38,40 +37,23 @@ from language.building import (
     unless_break,
     when,
 )
+from language.commands import command
+from language.counting import counts, turns_of
 from language.expressions import VARIABLE, Expressions
 from language.growth import Growth
 from language.scopes import Scope
 from language.syntax import (
     Assign,
-    BeltSwitch,
-    Binary,
     Call,
     Declare,
-    Direction,
     Expression,
     For,
-    Help,
-    History,
     If,
     Name,
-    Number,
     Procedure,
-    Quit,
     Repeat,
-    RunTyped,
-    Scan,
-    Side,
-    Sound,
-    Speak,
-    State,
     Statement,
-    TellPosition,
-    Text,
-    Turn,
     Unused,
-    Vibrate,
-    Wait,
-    Walk,
     While,
 )
 from language.units import Header, Unit
@@ -301,8 +283,8 @@ class ScopeTranslator:
         turn_site = self._sites.new(loop)
         inside = self._inner(loop.body)
         turn = self._turn(loop, turn_site)
-        if self._counts(loop):
-            counting = self._counting(turn_site, loop)
+        if counts(loop, self._written, self._expressions):
+            counting = turns_of(loop, turn_site, self._expressions)
             statements = [loop_over(turn_site, VARIABLE + loop.step.name.name, counting, [*inside, *turn])]
         else:
             statements = self._general_loop(turn_site, loop, [*inside, *turn])
@@ -353,36 +335,6 @@ class ScopeTranslator:
         test = both(site, exists, any_of(site, is_wanted, is_near))
         return when(site, test, [do(site, call(site, "hook", line, column, depth))])
 
-    # --- loops that only count
-
-    def _counts(self, loop: For) -> bool:
-        """Whether a FOR is Python's ``range``: a steady step to a steady limit, written by nobody else."""
-        name, step, condition = loop.step.name.name, _step_of(loop), loop.condition
-        limit = condition.right
-        return (
-            isinstance(loop.start, Declare)
-            and loop.start.name.name == name
-            and step != 0
-            and isinstance(condition.left, Name)
-            and condition.left.name == name
-            and condition.comparator in (("<", "<=") if step > 0 else (">", ">="))
-            and (
-                isinstance(limit, Number)
-                or (isinstance(limit, Name) and limit.name not in {*self._written, name})
-            )
-            and name not in self._written
-            and self._expressions.may_add(name, step)
-        )
-
-    def _counting(self, site: int, loop: For) -> ast.expr:
-        """``range(v_i, limit, step)``; what it ends before is one more where the limit itself counts too."""
-        step = _step_of(loop)
-        limit = self._expressions.value(loop.condition.right)
-        if loop.condition.comparator in ("<=", ">="):
-            limit = binary(site, "+" if step > 0 else "-", limit, constant(site, 1))
-        first = load(site, VARIABLE + loop.step.name.name)
-        return call(site, "range", first, limit, constant(site, step))
-
     # --- procedures and commands
 
     def _procedure(self, procedure: Procedure) -> None:
@@ -407,43 +359,8 @@ class ScopeTranslator:
         self._add(do(site, call(site, f"p_{name}_{len(arguments)}", deeper, *values)))
 
     def _command(self, site: int, statement: Statement) -> None:
-        action, *arguments = self._action(site, statement)
-        self._add(do(site, call(site, action, *arguments)), _checkpoint(site))
-
-    def _action(self, site: int, statement: Statement) -> tuple[str, *tuple[ast.expr, ...]]:
-        value = self._expressions.value
-        typed = constant(site, self._scope.program.typed(statement.span))
-        match statement:
-            case Speak(what=what):
-                return "speak", constant(site, what.text) if isinstance(what, Text) else value(what)
-            case Walk(direction=direction, steps=steps):
-                return "forward" if direction is Direction.FORWARD else "backward", value(steps), typed
-            case Turn(side=side, degrees=degrees):
-                return "turn_right" if side is Side.RIGHT else "turn_left", value(degrees), typed
-            case Wait(seconds=seconds):
-                return "wait", value(seconds)
-            case Sound(on=on):
-                return "sound", constant(site, on)
-            case BeltSwitch(on=on):
-                return "belt", constant(site, on)
-            case Vibrate(bearing=bearing):
-                return "vibrate", load(site, bearing.name)
-            case Help(topic=topic):
-                return "help", constant(site, topic)
-            case Scan():
-                return ("scan",)
-            case State():
-                return ("state",)
-            case History():
-                return ("history",)
-            case TellPosition():
-                return ("tell_position",)
-            case Quit():
-                return ("leave",) if self._terminal else ("refuse_outside_terminal", typed)
-            case RunTyped():
-                return ("go_on",) if self._terminal else ("refuse_outside_terminal", typed)
-            case _:
-                raise AssertionError(statement)
+        action = command(site, statement, self._expressions, self._scope.program, terminal=self._terminal)
+        self._add(do(site, action), _checkpoint(site))
 
 
 def _checkpoint(site: int) -> ast.stmt:
@@ -457,19 +374,6 @@ def _nothing(site: int) -> ast.stmt:
 def _clashing(scope: Scope, stored: frozenset[str]) -> frozenset[str]:
     """The names that are declared at two places, or both here and by an earlier batch."""
     return frozenset(name for name, times in scope.declarations().items() if times > 1 or name in stored)
-
-
-def _step_of(loop: For) -> int:
-    """What a FOR adds to its variable each turn; 0 where that is not a plain number."""
-    match loop.step.value:
-        case Binary(operator="+", left=Name(name=name), right=Number(value=step)):
-            return step if name == loop.step.name.name else 0
-        case Binary(operator="+", left=Number(value=step), right=Name(name=name)):
-            return step if name == loop.step.name.name else 0
-        case Binary(operator="-", left=Name(name=name), right=Number(value=step)):
-            return -step if name == loop.step.name.name else 0
-        case _:
-            return 0
 
 
 def _stored_names(statements: list[ast.stmt]) -> set[str]:

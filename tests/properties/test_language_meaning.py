@@ -12,7 +12,7 @@ from language.compiler import Runnable
 from language.control import ExecutionControl
 from language.diagnostics import LanguageError, ProgramError
 from language.runtime import Memory
-from tests.properties.meanings import meanings
+from tests.properties.meanings import Meanings
 from tests.properties.programs import programs
 from tests.unit.language_back.recorder import Make, Recorder, fast, hooked, plain_program, read
 
@@ -72,19 +72,21 @@ def compare(batches: list[str]) -> None:
         assert observe(batches, fast, traced=False) == expected
 
 
-@settings(max_examples=250, deadline=None)
-@given(meanings)
-def test_a_program_does_the_same_in_every_back_end(source: str) -> None:
-    compare([source])
+@settings(max_examples=500, deadline=None)
+@given(seed=st.integers(0, 2**32))
+def test_a_program_does_the_same_in_every_back_end(seed: int) -> None:
+    compare([Meanings(seed).program()])
 
 
-@settings(max_examples=100, deadline=None)
-@given(st.lists(meanings, min_size=2, max_size=3))
-def test_batches_typed_one_after_the_other_do_the_same_in_every_back_end(batches: list[str]) -> None:
-    compare(batches)
+@settings(max_examples=150, deadline=None)
+@given(seed=st.integers(0, 2**32), count=st.integers(2, 4))
+def test_batches_typed_one_after_the_other_do_the_same_in_every_back_end(seed: int, count: int) -> None:
+    writer = Meanings(seed)
+
+    compare([writer.program() for _ in range(count)])
 
 
-@settings(max_examples=60, deadline=None)
+@settings(max_examples=30, deadline=None)
 @given(programs(language="en", runnable=True, layouts=False))
 def test_an_ordinary_program_does_the_same_in_every_back_end(source: str) -> None:
     compare([source])
