@@ -45,6 +45,11 @@ class Announcer:
         self._say = wording
         hub.subscribe(self._hear)
 
+    def about_to_end(self, outcome: Outcome) -> None:
+        """A run is over, and will be told to be."""
+        if outcome is Outcome.COMPLETED:
+            self._cue("done")
+
     def _hear(self, stamped: Stamped) -> None:
         match stamped.event:
             case Moved() as moved:
@@ -59,10 +64,9 @@ class Announcer:
                 self._teller.announce("link", f"link-{state}", reason=reason)
             case Error():
                 self._cue("error")
-            case RunEnded(outcome=outcome):
-                self._ended(outcome)
             case (
                 RunStarted()
+                | RunEnded()
                 | Statement()
                 | Spoke()
                 | Announced()
@@ -114,10 +118,6 @@ class Announcer:
             "colours": colours,
             "steps": group.steps,
         }
-
-    def _ended(self, outcome: Outcome) -> None:
-        if outcome is Outcome.COMPLETED:
-            self._cue("done")
 
     def _cue(self, name: str, bearing: float = 0.0, steps: float | None = None) -> None:
         self._hub.publish(CueSounded(name, bearing, steps))

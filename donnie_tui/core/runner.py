@@ -31,6 +31,8 @@ class Stage:
     hub: Hub
     actions: Actions
     wording: Wording
+    about_to_end: Callable[[Outcome], None]
+    """Told before the last event, so that this one stays the last."""
 
 
 class Run:
@@ -100,6 +102,7 @@ class Run:
         outcome = self._outcome()
         robot.halt()
         seconds = robot.time() - began
+        self._stage.about_to_end(outcome)
         hub.publish(RunEnded(outcome, robot.pose(), dict(sorted(self._memory.variables.items())), seconds))
         return outcome
 

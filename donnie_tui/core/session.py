@@ -71,7 +71,7 @@ class Session:
         self.wording = wording
         self.teller = Teller(self.hub, wording)
         self._actions = RobotActions(self._robot, self.hub, self.teller)
-        Announcer(self.hub, self.teller, wording)
+        self._announcer = Announcer(self.hub, self.teller, wording)
         self._memory = Memory()
         self._world, self._seed, self._terminal = world, seed, terminal
         self._lock = threading.Lock()
@@ -129,7 +129,7 @@ class Session:
         tree = parsed.program
         program = None if tree is None else compile_program(tree, terminal=terminal, hooked=hooked)
         return Run(
-            Stage(self._robot, self.hub, self._actions, self.wording),
+            Stage(self._robot, self.hub, self._actions, self.wording, self._announcer.about_to_end),
             RunStarted(name, self._world, self._robot.name, self._seed, __version__),
             parsed.diagnostics if program is None else program,
             tuple(lines_in(text)),

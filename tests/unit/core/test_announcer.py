@@ -10,7 +10,6 @@ from donnie_tui.core.events import (
     Event,
     Link,
     Moved,
-    Outcome,
     RunEnded,
     Scanned,
     SeenGroup,
@@ -20,6 +19,7 @@ from donnie_tui.core.events import (
 from donnie_tui.core.hub import Hub
 from donnie_tui.core.telling import Teller
 from donnie_tui.i18n.words import Words
+from tests.floor import Floor
 from tests.unit.core.values import HERE
 
 OBSTACLE, COLLISION, USER = StoppedBy.OBSTACLE, StoppedBy.COLLISION, StoppedBy.USER
@@ -113,11 +113,20 @@ def test_seeing_nothing_is_told_too() -> None:
     assert answers_to(Scanned(()))[-1] == Announced("scan", "I see no objects.")
 
 
-def test_a_run_that_ends_well_has_its_cue_and_another_has_none() -> None:
-    ended = {outcome: answers_to(RunEnded(outcome, HERE, {}, 0.0)) for outcome in Outcome}
+def test_a_run_that_ends_well_has_its_cue_before_its_last_event() -> None:
+    floor = Floor()
+    floor.run("FW 1")
 
-    assert ended.pop(Outcome.COMPLETED) == [CueSounded("done", 0.0, None)]
-    assert set(map(len, ended.values())) == {0}
+    assert floor.events[-2] == CueSounded("done", 0.0, None)
+    assert isinstance(floor.events[-1], RunEnded)
+
+
+@pytest.mark.parametrize("program", ["FWD", "SPEAK q", "QUIT"])
+def test_a_run_that_ends_otherwise_has_none(program: str) -> None:
+    floor = Floor(terminal=True)
+    floor.run(program)
+
+    assert CueSounded("done", 0.0, None) not in floor.events
 
 
 @pytest.mark.parametrize(

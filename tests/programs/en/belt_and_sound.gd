@@ -1,0 +1,7 @@
+BELT ON
+VIBRATE fl
+BELT OFF
+SOUND OFF
+SPEAK "in print only"
+SOUND ON
+WAIT 2

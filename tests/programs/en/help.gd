@@ -1,0 +1,3 @@
+HELP FW
+HELP procedure
+HELP nonsense

@@ -1,0 +1,7 @@
+SPEAK -7 / 2
+SPEAK 7 / -2
+SPEAK (1 + 2) * 3 - 4
+SPEAK 2 - -3
+VAR big = 99999999999999999999
+SPEAK big * big
+IF big >= 5 THEN SPEAK "big" ELSE SPEAK "small" END IF

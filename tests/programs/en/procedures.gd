@@ -1,0 +1,15 @@
+PROCEDURE RECTANGLE: base, height
+DO
+  REPEAT 2 TIMES
+    FW base TR 90
+    FW height TR 90
+  END REPEAT
+END PROCEDURE
+PROCEDURE FACTORIAL: n, product
+DO
+  IF n <= 1 THEN SPEAK product
+  ELSE FACTORIAL [n - 1, product * n]
+  END IF
+END PROCEDURE
+RECTANGLE [3, 1 + 1]
+FACTORIAL [30, 1]

@@ -1,0 +1,7 @@
+TR 720
+TL 90
+TR -90
+STATE
+FW -5
+BW 3
+POS

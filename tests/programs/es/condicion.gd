@@ -1,0 +1,12 @@
+CREAR pasos = 4
+MIENTRAS pasos > 0 HACER
+  SI pasos == 2 ENTONCES
+    GIRAR IZQUIERDA 90
+  SINO
+    AVANZAR pasos
+  FIN SI
+  pasos = pasos - 1
+FIN MIENTRAS
+RETROCEDER 1
+ESPERAR 1
+HISTORIAL

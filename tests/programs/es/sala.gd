@@ -1,0 +1,11 @@
+-- world: living_room
+PROCEDIMIENTO girar_y_mirar: grados HACER
+  GI grados
+  MIRAR
+FIN PROCEDIMIENTO
+girar_y_mirar [0 - 60]
+HABLAR DISTANCIA fi
+HABLAR COLOR rojo
+HABLAR POSICIÓN a
+SONIDO APAGADO
+AYUDA MIRAR

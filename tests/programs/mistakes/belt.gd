@@ -1,0 +1,1 @@
+VIBRATE f

@@ -1,0 +1,4 @@
+FW 2
+VAR total = 1
+SPEAK totl
+FW 9

@@ -1,0 +1,2 @@
+SPEAK "before"
+QUIT

@@ -1,0 +1,10 @@
+-- world: living_room
+APRENDER olhar: graus FAÇA
+  GIRAR DIREITA graus
+  ESPIAR
+FIM APRENDER
+olhar [45]
+FALAR DISTÂNCIA fd
+FALAR COR verde
+HISTÓRICO
+AJUDA ESPIAR
