@@ -1,0 +1,285 @@
+"""The other commands: what they print, where, and with which exit code."""
+
+from __future__ import annotations
+
+import json
+import os
+import subprocess
+import sys
+from pathlib import Path
+
+import pytest
+
+import worlds
+from donnie_tui.cli.arguments import TO_COME
+from donnie_tui.cli.main import main
+from tests.conftest import ROOT
+from tests.sessions.command import QUIET, donnie
+
+
+class Printed:
+    """Runs a command line in this process and keeps what it printed."""
+
+    def __init__(self, capsys: pytest.CaptureFixture[str]) -> None:
+        self._capsys = capsys
+        self.out = self.err = ""
+
+    def by(self, *arguments: str) -> int:
+        code = main(list(arguments))
+        self.out, self.err = self._capsys.readouterr()
+        return code
+
+
+@pytest.fixture
+def printed(capsys: pytest.CaptureFixture[str], tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Printed:
+    for name in [each for each in os.environ if each.startswith(("DONNIE_", "LC_", "LANG"))]:
+        monkeypatch.delenv(name)
+    monkeypatch.setenv("XDG_CONFIG_HOME", str(tmp_path / "config"))
+    monkeypatch.chdir(tmp_path)
+    return Printed(capsys)
+
+
+def write(name: str, text: str) -> None:
+    Path(name).write_text(text, encoding="utf-8")
+
+
+# --- check
+
+
+def test_check_tells_every_mistake_a_line_each(printed: Printed) -> None:
+    write("a.gd", "FWD 3\nREPEAT 2\nFW 1\nEND REPEAT\n")
+
+    assert printed.by("check", "a.gd") == 1
+    assert printed.out.splitlines() == [
+        "a.gd:1:1: unknown-command: I do not know FWD. Did you mean FW?",
+        "a.gd:3:1: syntax: I expected TIMES, not FW.",
+    ]
+
+
+def test_check_tells_hints_but_they_are_no_failure(printed: Printed) -> None:
+    write("a.gd", "DISTANCE F")
+
+    assert printed.by("check", "a.gd") == 0
+    assert printed.out == "a.gd:1:1: hint: DISTANCE alone tells nothing. Did you mean SPEAK DISTANCE F?\n"
+
+
+def test_check_prints_nothing_about_a_program_without_mistakes_but_says_so(printed: Printed) -> None:
+    write("a.gd", "FW 1 SPEAK COLOR yellow")
+
+    assert printed.by("check", "a.gd", "--lang", "pt") == 0
+    assert (printed.out, printed.err) == ("", "a.gd: sem erros.\n")
+
+
+def test_check_knows_the_colours_of_the_world_that_is_named(printed: Printed, tmp_path: Path) -> None:
+    write("a.gd", "SPEAK COLOR yellow")
+    write(
+        "b.world",
+        'position( name "d" blobfinder( colors_count 1 colors [ "red" ] ) ranger( sensor( range [0 3] ) ) )',
+    )
+
+    assert printed.by("check", "a.gd", "--world", "b.world") == 1
+    assert printed.out == "a.gd:1:13: bad-argument: The robot does not see yellow. It takes RED.\n"
+
+
+def test_the_worst_of_several_files_counts(printed: Printed) -> None:
+    write("good.gd", "FW 1")
+    write("bad.gd", "FWD 1")
+
+    assert printed.by("check", "good.gd", "bad.gd") == 1
+    assert printed.by("check", "good.gd", "none.gd", "bad.gd") == 2
+    assert "There is no file none.gd." in printed.err
+    assert "bad.gd:1:1:" in printed.out
+
+
+# --- format
+
+
+def test_format_prints_the_canonical_layout_and_leaves_the_file(printed: Printed) -> None:
+    write("a.gd", "repeat 2 times fw 1 end repeat")
+
+    assert printed.by("format", "a.gd") == 0
+    assert printed.out == "REPEAT 2 TIMES\n  FW 1\nEND REPEAT\n"
+    assert Path("a.gd").read_text() == "repeat 2 times fw 1 end repeat"
+
+
+def test_format_translates_and_writes_in_place(printed: Printed) -> None:
+    write("a.gd", "repeat 2 times fw 1 end repeat")
+
+    assert printed.by("format", "a.gd", "--to", "es", "-w") == 0
+    assert printed.out == ""
+    assert Path("a.gd").read_text(encoding="utf-8") == "REPETIR 2 VECES\n  AV 1\nFIN REPETIR\n"
+
+
+def test_format_leaves_a_program_with_mistakes_as_it_is(printed: Printed) -> None:
+    write("a.gd", "fw 1\nfwd 2")
+
+    assert printed.by("format", "a.gd", "--write") == 1
+    assert printed.out == ""
+    assert printed.err == "a.gd:2:1: unknown-command: I do not know fwd. Did you mean FW?\n"
+    assert Path("a.gd").read_text() == "fw 1\nfwd 2"
+
+
+# --- worlds
+
+
+@pytest.mark.parametrize("language", ["en", "pt", "es"])
+def test_worlds_lists_each_with_its_title(printed: Printed, language: str) -> None:
+    assert printed.by("worlds", "--lang", language) == 0
+    assert printed.out.splitlines() == [
+        f"{name}: {worlds.about(name, language).title}." for name in worlds.names()
+    ]
+
+
+@pytest.mark.parametrize("name", worlds.names())
+@pytest.mark.parametrize("language", ["en", "pt", "es"])
+def test_a_world_is_told_in_words(printed: Printed, name: str, language: str) -> None:
+    assert printed.by("world", name, "--lang", language) == 0
+
+    about = worlds.about(name, language)
+    first, *middle, last = printed.out.splitlines()
+    assert first == f"{name}: {about.title}."
+    assert about.description in " ".join(middle)
+    assert about.task in last
+
+
+def test_a_world_as_a_map_has_the_robot_in_it(printed: Printed) -> None:
+    assert printed.by("world", "living_room", "--map") == 0
+
+    rows = printed.out.splitlines()
+    assert len({len(row) for row in rows}) == 1
+    assert printed.out.count("^") == 1
+    assert set(rows[0]) == {"#"}
+
+
+def test_a_world_as_json_has_its_models_as_stage_would_build_them(printed: Printed) -> None:
+    assert printed.by("world", "living_room", "--json") == 0
+
+    models = json.loads(printed.out)
+    robot = next(each for each in models if each["name"] == "donnie")
+    assert (robot["type"], robot["parent"]) == ("position", None)
+    assert robot["global_pose"] == [0.0, 0.0, 0.0, 90.0]
+    assert {"type", "name", "parent", "global_pose", "size", "color", "blocks", "block_area"} <= set(robot)
+
+
+def test_a_report_tells_what_was_ignored(printed: Printed) -> None:
+    write("b.world", 'model( name "x" colr "red" )')
+
+    assert printed.by("world", "b.world", "--report") == 0
+    assert "Ignored: Line 1 of b.world: the property colr is not known. Did you mean color?" in printed.out
+
+
+@pytest.mark.parametrize(
+    ("arguments", "sentence"),
+    [
+        (("world", "living_rom"), "There is no world living_rom. Did you mean living_room?"),
+        (("world", "xyz"), "There is no world xyz. The command donnie worlds lists them."),
+        (("world", "no.world"), "There is no file no.world."),
+        (("world", "open_floor", "--svg", "x"), "The option --svg is not there yet."),
+        (("world", "open_floor", "--brf", "x"), "The option --brf is not there yet."),
+        (("run", "no.gd"), "There is no file no.gd."),
+        (("run", "."), ". is a folder."),
+        (("run", "A=a.gd", "B=b.gd"), "Several robots at once are not there yet."),
+        (
+            ("run", "a.gd", "--robot", "serial:/dev/x"),
+            "The robot serial:/dev/x is not there yet. Use sim, the simulator.",
+        ),
+        (("run", "a.gd", "--speech", "ssip"), "The option --speech ssip is not there yet."),
+        (("run", "a.gd", "--record", "x"), "The option --record is not there yet."),
+        (("run", "a.gd", "--speed", "fast"), "The option --speed can't be fast. It takes 0.1-1000, max."),
+        (("run", "a.gd", "--world", "bare.world"), "The world bare.world has no robot with sensors."),
+        (("run", "a.gd", "--events", "no/such"), "I can't write no/such: No such file or directory."),
+        (("run", "a.gd", "--foo"), "unrecognized arguments: --foo. The option --help tells more."),
+        *(((command, "x"), f"The command {command} is not there yet.") for command in TO_COME),
+    ],
+)
+def test_what_can_not_be_used_is_one_sentence_and_code_2(
+    printed: Printed, arguments: tuple[str, ...], sentence: str
+) -> None:
+    write("a.gd", "FW 1")
+    write("bare.world", 'model( name "x" )')
+
+    assert printed.by(*arguments) == 2
+    assert (printed.out, printed.err) == ("", f"{sentence}\n")
+
+
+def test_a_mistake_in_a_world_has_its_place(printed: Printed) -> None:
+    write("b.world", "model(\n  size [ 1 2\n)")
+
+    assert printed.by("world", "b.world") == 2
+    assert printed.err.startswith("Error, b.world, line ")
+
+
+# --- settings
+
+
+def test_variables_and_the_file_count_and_what_is_wrong_in_them_is_told(
+    printed: Printed, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    (tmp_path / "config/donnie").mkdir(parents=True)
+    (tmp_path / "config/donnie/settings.toml").write_text('lang = "es"\nspeed = "fast"\n')
+    write("a.gd", "FW 1")
+
+    assert printed.by("run", "a.gd") == 0
+    assert printed.out == "Caminé 1 paso hacia adelante.\n"
+    assert printed.err == "El ajuste speed no puede ser fast. Acepta 0.1-1000, max.\n"
+
+    monkeypatch.setenv("DONNIE_LANG", "pt")
+    assert printed.by("run", "a.gd") == 0
+    assert printed.out == "Andei 1 passo para frente.\n"
+
+
+def test_detail_is_chosen_by_verbosity(printed: Printed) -> None:
+    write("a.gd", "FW 1")
+
+    assert printed.by("run", "a.gd", "--verbosity", "brief") == 0
+    assert printed.out == "1 step forward.\n"
+
+
+# --- the original's flags, and files that are called like a command
+
+
+def test_the_original_flags_run_a_file_mute_and_log_what_was_told(printed: Printed) -> None:
+    write("a.gd", "FW 1 SPEAK 5")
+
+    assert printed.by("-f", "a.gd", "-m", "-l") == 0
+    assert printed.by("-F", "a.gd", "-M", "-L") == 0
+    assert printed.out == "I walked 1 step forward.\n5\n"
+    logs = sorted(Path("Log").iterdir())
+    assert [each.name for each in logs] == ["log_001.txt", "log_002.txt"]
+    assert logs[1].read_text() == "I walked 1 step forward.\n5\n"
+
+
+def test_a_file_that_is_called_like_a_command_is_run_by_its_path(printed: Printed) -> None:
+    write("run", "SPEAK 7")
+
+    assert printed.by("run", "./run") == 0
+    assert printed.out == "7\n"
+
+
+def test_without_a_terminal_donnie_says_so_and_is_linear(tmp_path: Path) -> None:
+    done = donnie(tmp_path, *QUIET, "--speed", "max", typed="FW 2\n\nQUIT\n")
+
+    lines = done.stdout.decode().splitlines()
+    assert done.returncode == 0
+    assert lines[0] == "Linear mode, without a terminal."
+    assert "I walked 2 steps forward." in lines
+
+
+def test_check_and_help_load_neither_simulator_nor_screen(tmp_path: Path) -> None:
+    (tmp_path / "a.gd").write_text("FW 1")
+    code = (
+        "import sys; sys.argv = ['donnie', 'check', 'a.gd']\n"
+        "from donnie_tui.__main__ import main\n"
+        "main(); print(*[m for m in ('lark', 'pymunk', 'textual', 'pyttsx3') if m in sys.modules])"
+    )
+
+    done = subprocess.run(
+        [sys.executable, "-c", code],
+        capture_output=True,
+        text=True,
+        cwd=tmp_path,
+        env={**os.environ, "PYTHONPATH": str(ROOT)},
+        timeout=60,
+    )
+
+    assert done.stdout.strip() == "", done.stderr

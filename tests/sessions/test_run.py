@@ -1,0 +1,187 @@
+"""``donnie run``: the same program has the same outcome from wherever it comes, at any speed, every time."""
+
+from __future__ import annotations
+
+import json
+import signal
+from pathlib import Path
+from typing import Any
+
+import pytest
+
+from tests.floor import Floor
+from tests.sessions.command import PATIENCE, QUIET, donnie, start
+
+PROGRAM = """VAR n = 2
+REPEAT n TIMES
+FW n TR 90
+END REPEAT
+SPEAK "olá"
+STATE
+SCAN
+WAIT 1
+SPEAK DISTANCE F
+"""
+
+
+def records(stream: bytes) -> list[dict[str, Any]]:
+    return [json.loads(line) for line in stream.decode().split("\n") if line]
+
+
+def nameless(stream: bytes) -> list[dict[str, Any]]:
+    """The events without what the program is called."""
+    return [{key: value for key, value in each.items() if key != "program"} for each in records(stream)]
+
+
+# --- the same outcome
+
+
+def test_a_file_standard_input_and_typed_lines_have_the_same_outcome(tmp_path: Path) -> None:
+    (tmp_path / "a.gd").write_text(PROGRAM, encoding="utf-8")
+
+    from_file = donnie(tmp_path, "run", "a.gd", *QUIET, "--events", "-")
+    from_input = donnie(tmp_path, "run", "-", *QUIET, "--events", "-", typed=PROGRAM)
+    donnie(tmp_path, "--linear", *QUIET, "--speed", "max", "--events", "typed.jsonl", typed=f"{PROGRAM}RUN\n")
+
+    assert from_file.returncode == 0
+    assert nameless(from_file.stdout) == nameless(from_input.stdout)
+    assert nameless(from_file.stdout) == nameless((tmp_path / "typed.jsonl").read_bytes())
+
+
+def test_a_hundred_runs_at_different_speeds_write_the_same_bytes() -> None:
+    streams = set()
+    for number in range(100):
+        floor = Floor(("red", 1, 5), ("blue", -2, 3), speed=(None, 1000.0, 400.0)[number % 3])
+        floor.run(PROGRAM, hooked=number % 2 == 0)
+        streams.add(floor.json)
+
+    assert len(streams) == 1
+
+
+def test_the_command_writes_the_same_bytes_again(tmp_path: Path) -> None:
+    (tmp_path / "a.gd").write_text(PROGRAM, encoding="utf-8")
+    common = ("run", "a.gd", "--world", "living_room", *QUIET, "--events", "-")
+
+    streams = {donnie(tmp_path, *common, "--speed", speed).stdout for speed in ("max", "max", "500")}
+
+    assert len(streams) == 1
+    assert len(records(streams.pop())) > 20
+
+
+# --- what is printed
+
+
+def test_the_words_are_printed_and_events_may_go_beside_them(tmp_path: Path) -> None:
+    done = donnie(tmp_path, "run", "-", *QUIET, "--events", "e.jsonl", typed='FW 2 SPEAK "olá"')
+
+    assert done.stdout.decode() == "I walked 2 steps forward.\nolá\n"
+    assert done.stderr == b""
+    assert [each["event"] for each in records((tmp_path / "e.jsonl").read_bytes())] == [
+        "run_started",
+        "cue",
+        "cue",
+        "moved",
+        "announced",
+        "spoke",
+        "cue",
+        "run_ended",
+    ]
+
+
+def test_a_trace_tells_each_statement(tmp_path: Path) -> None:
+    done = donnie(tmp_path, "run", "-", *QUIET, "--events", "-", "--trace", typed="FW 1\nSPEAK 1")
+
+    lines = [each["line"] for each in records(done.stdout) if each["event"] == "statement"]
+    assert lines == [1, 2]
+
+
+@pytest.mark.parametrize("changes", [{"LC_ALL": "C", "PYTHONUTF8": "0"}, {"PYTHONIOENCODING": "ascii"}])
+def test_output_is_utf8_whatever_the_locale_says(tmp_path: Path, changes: dict[str, str]) -> None:
+    done = donnie(tmp_path, "run", "-", *QUIET, typed='SPEAK "olá 日本"', changes=changes)
+
+    assert done.stdout.decode() == "olá 日本\n"
+
+
+def test_input_in_the_old_code_page_is_understood(tmp_path: Path) -> None:
+    done = donnie(tmp_path, "run", "-", *QUIET, typed='FALAR "ação"'.encode("cp1252"))
+
+    assert done.stdout.decode() == "ação\n"
+
+
+def test_a_name_that_is_no_text_crashes_nothing(tmp_path: Path) -> None:
+    name = "a\udcff.gd"
+    (tmp_path / name).write_text("FW 1")
+
+    done = donnie(tmp_path, "run", name, *QUIET, "--events", "-")
+
+    assert done.returncode == 0
+    assert records(done.stdout)[0]["program"] == name
+
+
+# --- exit codes
+
+
+@pytest.mark.parametrize(
+    ("program", "code"), [("FW 1", 0), ("", 0), ("FWD 1", 1), ("SPEAK q", 1), ("QUIT", 1), ("SPEAK 1/0", 1)]
+)
+def test_the_exit_code_tells_whether_the_program_had_a_mistake(
+    tmp_path: Path, program: str, code: int
+) -> None:
+    assert donnie(tmp_path, "run", "-", *QUIET, typed=program).returncode == code
+
+
+@pytest.mark.parametrize("number", [signal.SIGINT, signal.SIGTERM, signal.SIGHUP])
+def test_a_signal_stops_the_robot_and_the_run_still_ends_in_order(
+    tmp_path: Path, number: signal.Signals
+) -> None:
+    (tmp_path / "a.gd").write_text("FW 1000 SPEAK 1")
+    running = start(tmp_path, "run", "a.gd", *QUIET, "--speed", "20", "--events", "-")
+    assert running.stdout is not None
+    seen = [running.stdout.readline() for _ in range(3)]
+
+    running.send_signal(number)
+    rest, complaints = running.communicate(timeout=PATIENCE)
+
+    *_, moved, announced, ended = records(b"".join(seen) + rest)
+    assert running.returncode == 130
+    assert complaints == b""
+    assert (moved["event"], moved["stopped_by"]) == ("moved", "stopped")
+    assert announced["text"].endswith("I was stopped.")
+    assert (ended["event"], ended["outcome"]) == ("run_ended", "stopped")
+    assert ended["pose"]["y"] < 1000
+
+
+def test_a_program_that_computes_for_ever_stops_too(tmp_path: Path) -> None:
+    (tmp_path / "a.gd").write_text('SPEAK "begun" WHILE 1 == 1 DO END WHILE')
+    running = start(tmp_path, "run", "a.gd", *QUIET)
+    assert running.stdout is not None
+    assert running.stdout.readline() == b"begun\n"
+
+    running.send_signal(signal.SIGINT)
+
+    assert running.communicate(timeout=PATIENCE) == (b"", b"")
+    assert running.returncode == 130
+
+
+def test_a_reader_that_goes_away_ends_the_run_quietly(tmp_path: Path) -> None:
+    (tmp_path / "a.gd").write_text("WHILE 1 == 1 DO SPEAK 1 END WHILE")
+    running = start(tmp_path, "run", "a.gd", *QUIET)
+    assert running.stdout is not None
+    assert running.stderr is not None
+    running.stdout.readline()
+
+    running.stdout.close()
+
+    assert running.stderr.read() == b""
+    assert running.wait(PATIENCE) == 130
+
+
+def test_a_full_disk_is_told(tmp_path: Path) -> None:
+    if not Path("/dev/full").exists():
+        pytest.skip("needs a device that is always full")
+    (tmp_path / "a.gd").write_text("FW 1 SPEAK 1")
+
+    done = donnie(tmp_path, "run", "a.gd", *QUIET, "--events", "/dev/full")
+
+    assert "I can't write /dev/full" in done.stdout.decode()
+    assert done.stdout.decode().endswith("1\n")
