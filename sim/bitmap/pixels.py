@@ -28,10 +28,3 @@ class Picture:
 def flags(reds: bytes) -> bytes:
     """Red levels, a byte each, as solid flags."""
     return reds.translate(_FLAGS)
-
-
-def checked_size(width: int, height: int) -> tuple[int, int]:
-    """BadPicture for a size that no picture has, or that is too much."""
-    if width < 1 or height < 1 or width * height > MOST_PIXELS:
-        raise BadPicture("size")
-    return width, height

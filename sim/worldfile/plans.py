@@ -13,7 +13,7 @@ from sim.worldfile.reader import LARGEST_FILE, FileReader
 from sim.worldfile.shapes import rectangle
 from sim.worldfile.values import ValueReader, mistake
 
-KINDS = ("PNG", "PGM", "PPM", "BMP", "GIF")
+KINDS = ("PNG", "JPEG", "PGM", "PPM", "BMP", "GIF")
 MOST_RECTANGLES = 25_000
 
 

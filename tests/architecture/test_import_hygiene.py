@@ -18,6 +18,7 @@ OWNERS = {
     "rich": ("donnie_tui.tui",),
     "lark": ("sim.", "language.make_tables"),
     "pymunk": ("sim.",),
+    "PIL": ("sim.",),
     "serial": (),
     "pyttsx3": (),
     "miniaudio": (),

@@ -2,6 +2,7 @@
 
 import struct
 import zlib
+from io import BytesIO
 from pathlib import Path
 
 import pytest
@@ -199,3 +200,12 @@ def test_the_dark_part_of_a_picture_is_fitted_to_the_size(tmp_path: Path) -> Non
     assert {x for polygon in scene.models[0].polygons for x, _ in polygon.points} == {-2, -1, 1, 2}
     assert "margin-cropped" in [note.code for note in scene.report.notes]
     assert robot.forward(100).walked == 9  # half a metre to the wall, a step before it
+
+
+def test_a_photograph_is_read() -> None:
+    from PIL import Image
+
+    out = BytesIO()
+    Image.new("RGB", (8, 8), (10, 200, 200)).save(out, "JPEG")
+
+    assert read_picture(out.getvalue()) == Picture(8, 8, (b"\1" * 8,) * 8)
