@@ -12,8 +12,6 @@ from language.syntax import Span
 
 MOST_BLOCKS = 200
 MOST_PARENTHESES = 200
-SHALLOW = 200
-"""With fewer states on the parser's stack than these, nothing is too deep."""
 
 _LPAR, _RPAR = KIND["LPAR"], KIND["RPAR"]
 _BEGIN_COMMANDS = OPENERS.keys() | {

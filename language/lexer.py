@@ -10,6 +10,7 @@ from __future__ import annotations
 
 import re
 from dataclasses import dataclass, field
+from functools import cache
 from typing import TypeAlias
 
 from language.diagnostics import Diagnostic, Kind
@@ -54,8 +55,6 @@ _PIECES = (
     r'|"[^"]*"|[{quotes}][^{quotes}]*[{quotes}]|[^\S\r\n]+'
     r"|'[^'\r\n]*'|\u2018[^\u2019\r\n]*\u2019|."
 )
-_ascii_pieces = re.compile(_PIECES.format(mark="", quotes=_QUOTES), re.ASCII | re.DOTALL)
-_pieces = re.compile(_PIECES.format(mark=MARK, quotes=_QUOTES), re.DOTALL)
 _begins_assignment_or_call = re.compile(r"\s*(?:=(?!=)|\[)")
 
 _single = {word: KIND[terminal] for word, terminal in WORD_TERMINALS.items() if " " not in word}
@@ -71,6 +70,12 @@ _known = {
     **_single,
     **_fragments,
 }
+
+
+@cache
+def _pieces(is_ascii: bool) -> re.Pattern[str]:
+    mark = "" if is_ascii else MARK
+    return re.compile(_PIECES.format(mark=mark, quotes=_QUOTES), re.DOTALL | (re.ASCII if is_ascii else 0))
 
 
 @dataclass(frozen=True, slots=True)
@@ -131,7 +136,7 @@ class _Lexer:
     def read(self, start: int, stop: int) -> None:
         """All tokens from ``start`` to ``stop``. Long for its speed: it sees every piece of a program."""
         folded, tokens = self._folded, self._tokens
-        find = (_ascii_pieces if folded.isascii() else _pieces).findall
+        find = _pieces(folded.isascii()).findall
         known = dict(_known)
         line, margin, position = self._line, self._margin, start
         last = tokens[-1][0] if tokens else 0

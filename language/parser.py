@@ -12,13 +12,14 @@ from dataclasses import dataclass
 from typing import Any
 
 from language.colours import unseen_colours
-from language.depth import SHALLOW, nested_too_deeply
 from language.diagnostics import Diagnostic, Kind
 from language.lexer import Lexed, Token, lex
-from language.recovery import mistakes_in
 from language.syntax import Program
 from language.tables import ACTIONS, END, GOTOS, RULES, START
 from language.tree import MOST_LEVELS, Reductions, TooDeep
+
+SHALLOW = 200
+"""With fewer states on the stack than these, nothing can be nested too deeply."""
 
 _REDUCTION_NAMES = [rule[2] for rule in RULES]
 
@@ -49,8 +50,21 @@ def parse(source: str, *, first_line: int = 1, colours: frozenset[str] | None = 
         else:
             if body is not None:
                 return Parsed(Program(source, body), ())
-    mistakes += nested_too_deeply(lexed.tokens)
-    return Parsed(None, mistakes_in(lexed, mistakes, first_line, colours))
+    return Parsed(None, _mistakes(lexed, mistakes, first_line, colours))
+
+
+def _mistakes(
+    lexed: Lexed, known: tuple[Diagnostic, ...], first_line: int, colours: frozenset[str] | None
+) -> tuple[Diagnostic, ...]:
+    from language.recovery import mistakes_in  # only texts with mistakes need it
+
+    return mistakes_in(lexed, known + _nested_too_deeply(lexed), first_line, colours)
+
+
+def _nested_too_deeply(lexed: Lexed) -> tuple[Diagnostic, ...]:
+    from language.depth import nested_too_deeply  # only deep texts and wrong ones need it
+
+    return nested_too_deeply(lexed.tokens)
 
 
 def _tree(lexed: Lexed) -> tuple[Any, ...] | None:
@@ -72,7 +86,7 @@ def _tree(lexed: Lexed) -> tuple[Any, ...] | None:
             if function is None:
                 state = states[-1] = gotos[states[-2]][nonterminal]
                 if state == END:
-                    return None if is_deep and nested_too_deeply(lexed.tokens) else tuple(parts[-1])
+                    return None if is_deep and _nested_too_deeply(lexed) else tuple(parts[-1])
             elif count == 1:
                 parts[-1] = function(parts[-1])
                 state = states[-1] = gotos[states[-2]][nonterminal]

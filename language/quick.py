@@ -21,7 +21,9 @@ def quick(frozen: type[T]) -> type[T]:
     lines += ["    self.__class__ = frozen"]
     made: dict[str, Any] = {}  # Any: a function that exists at run time only
     exec("\n".join(lines), {"frozen": frozen}, made)
-    twin: type[T] = type(frozen.__name__, (), {"__slots__": tuple(names), "__init__": made["__init__"]})
+    twin: type[T] = type(
+        frozen.__name__, frozen.__bases__, {"__slots__": tuple(names), "__init__": made["__init__"]}
+    )
     return twin if _turns(twin, frozen, len(names)) else frozen
 
 
