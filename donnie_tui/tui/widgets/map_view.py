@@ -106,12 +106,15 @@ class MapView(ScrollView, can_focus=True):
         bounds = self._grid.bounds
         self._columns = 2 if 2 * bounds.width <= self.size.width else 1
         self.virtual_size = Size(self._columns * bounds.width, bounds.height)
-        self._follow(self.cell)
+        self._follow(self.cell, centre=True)
         self.refresh()
 
-    def _follow(self, cell: Cell) -> None:
+    def _follow(self, cell: Cell, *, centre: bool = False) -> None:
+        """Scroll no further than needed while it moves; on a new floor, put it into the middle."""
         place = self._region_of(cell, scrolled=False)
-        self.scroll_to_region(place.grow((_MARGIN,) * 4), animate=False, force=True)
+        if not centre:
+            place = place.grow((_MARGIN,) * 4)
+        self.scroll_to_region(place, animate=False, force=True, center=centre, immediate=True)
 
     def _region_of(self, cell: Cell, *, scrolled: bool = True) -> Region:
         assert self._grid is not None

@@ -1,0 +1,134 @@
+"""The main screens as pictures and as text, kept in the folder ``snapshots`` and reviewed like code.
+
+Made anew on purpose with ``pytest tests/tui/test_screens.py --snapshot-update``.
+"""
+
+from pathlib import Path
+from typing import Any
+
+import pytest
+from pytest_textual_snapshot import SVGImageExtension
+from syrupy.assertion import SnapshotAssertion
+from syrupy.extensions.single_file import SingleFileSnapshotExtension, WriteMode
+
+SNAPSHOTS = Path(__file__).resolve().parents[2] / "snapshots"
+
+RECTANGLE = """\
+PROCEDURE RECTANGLE: base, height DO
+REPEAT 2 TIMES
+  FW base TR 90
+  FW height TR 90
+END REPEAT
+END PROCEDURE
+-- five steps by three
+RECTANGLE [5, 3]
+SPEAK "done\""""
+
+SMALL, LARGE = (80, 24), (120, 40)
+
+
+def by_size(size: tuple[int, int]) -> str:
+    return f"{size[0]}x{size[1]}"
+
+
+class InOneFolder:
+    """In the project's folder of screens, not beside the test."""
+
+    @classmethod
+    def dirname(cls, *, test_location: Any) -> str:
+        return str(SNAPSHOTS / test_location.basename)
+
+
+class Picture(InOneFolder, SVGImageExtension):
+    """An SVG."""
+
+
+class Words(InOneFolder, SingleFileSnapshotExtension):
+    """The same screen as text, which everybody can review."""
+
+    _write_mode = WriteMode.TEXT
+    _file_extension = "txt"
+
+
+@pytest.fixture
+def same(snapshot: SnapshotAssertion):
+    """``same(desk)``: the screen is as it was kept."""
+
+    async def compare(desk) -> None:
+        await desk.pilot.pause()
+        assert desk.screen + "\n" == snapshot.use_extension(Words)
+        assert desk.app.export_screenshot() == snapshot.use_extension(Picture)
+
+    return compare
+
+
+@pytest.mark.parametrize("size", [SMALL, LARGE], ids=by_size)
+async def test_the_start(work, same, size):
+    async with work(size=size, world="living_room") as desk:
+        await same(desk)
+
+
+@pytest.mark.parametrize("size", [SMALL, LARGE], ids=by_size)
+async def test_a_rectangle_was_walked(work, same, size):
+    async with work(size=size, world="living_room") as desk:
+        await desk.run(RECTANGLE)
+        await same(desk)
+
+
+@pytest.mark.parametrize("size", [SMALL, LARGE, (40, 12)], ids=by_size)
+async def test_a_pause_inside_a_procedure(work, same, size):
+    async with work(RECTANGLE, size=size, world="living_room") as desk:
+        desk.place.editor.go_to(4)
+        await desk.press("f10")
+        await desk.told("Line 4: FW height TR 90")
+        await same(desk)
+
+
+async def test_a_mistake(work, same):
+    async with work(RECTANGLE.replace("TR", "RIGTH"), world="living_room") as desk:
+        await desk.press("f5")
+        await desk.told("Error, line 3")
+        await desk.idle()
+        await same(desk)
+
+
+async def test_the_variables_at_eighty_columns(work, same):
+    async with work('VAR a = 5 VAR d = DISTANCE F SPEAK "ready"\nFW 1') as desk:
+        await desk.press("f7", "f9", "f9", "f9")
+        await desk.told("Line 2: FW 1")
+        await desk.press("f4")
+        await same(desk)
+
+
+async def test_the_help(work, same):
+    async with work() as desk:
+        await desk.press("f1")
+        await desk.until(lambda: desk.app.screen is not desk.place, "the help")
+        await same(desk)
+
+
+async def test_a_question(work, same):
+    async with work("FW 1") as desk:
+        await desk.press("ctrl+n")
+        await desk.until(lambda: desk.app.screen is not desk.place, "the question")
+        await same(desk)
+
+
+@pytest.mark.parametrize("language", ["pt", "es"])
+async def test_other_languages(work, same, language):
+    text = (
+        "REPITA 2 VEZES PF 3 GD 90 FIM REPITA"
+        if language == "pt"
+        else "REPETIR 2 VECES AV 3 GD 90 FIN REPETIR"
+    )
+    async with work(text, language=language, world="living_room") as desk:
+        await desk.press("f5")
+        await desk.told("terminou." if language == "pt" else "terminó.")
+        await same(desk)
+
+
+async def test_the_terminal_s_own_colours(work, same, monkeypatch):
+    monkeypatch.setenv("NO_COLOR", "1")
+    async with work(world="living_room") as desk:
+        await desk.run(RECTANGLE)
+        await same(desk)

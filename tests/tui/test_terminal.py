@@ -1,0 +1,214 @@
+"""The real program on a real terminal (a pty), read by a terminal emulator."""
+
+import fcntl
+import os
+import pty
+import re
+import select
+import signal
+import struct
+import subprocess
+import sys
+import termios
+import time
+from collections.abc import Callable, Iterator
+from contextlib import suppress
+from pathlib import Path
+
+import pyte
+import pytest
+
+ROOT = Path(__file__).resolve().parents[2]
+LIMIT = 30.0
+"""Seconds after which something that was waited for will not come any more."""
+
+_KITTY = re.compile(rb"\x1b\[[<>=][0-9;]*u")
+"""Keyboard protocols that the emulator takes for text."""
+
+F5, F8, F12, CTRL_Q, CTRL_S, TAB, ENTER = "\x1b[15~", "\x1b[19~", "\x1b[24~", "\x11", "\x13", "\t", "\r"
+
+
+class Terminal:
+    """A program on a pty, and what its screen shows."""
+
+    def __init__(self, arguments: list[str], state: Path, columns: int = 80, rows: int = 24) -> None:
+        self.screen = pyte.Screen(columns, rows)
+        self._stream = pyte.ByteStream(self.screen)
+        self.raw = b""
+        self._master, slave = pty.openpty()
+        fcntl.ioctl(self._master, termios.TIOCSWINSZ, struct.pack("HHHH", rows, columns, 0, 0))
+        self.attributes = termios.tcgetattr(slave)
+        self._slave = slave
+        environment = {
+            name: value
+            for name, value in os.environ.items()
+            if not name.startswith(("TEXTUAL", "DONNIE", "NO_COLOR", "LC_", "LANG"))
+        } | {"TERM": "xterm-256color", "HOME": str(state), "LANG": "C.UTF-8"}
+        environment.pop("XDG_STATE_HOME", None)
+        environment.pop("XDG_CONFIG_HOME", None)
+        self.process = subprocess.Popen(
+            [sys.executable, "-m", "donnie_tui", *arguments, "--speech", "off", "--sound", "off"],
+            stdin=slave,
+            stdout=slave,
+            stderr=slave,
+            cwd=ROOT,
+            env=environment,
+            start_new_session=True,
+        )
+
+    def type(self, text: str) -> None:
+        os.write(self._master, text.encode())
+
+    def read(self, seconds: float) -> bytes:
+        """What comes within that time at most, given to the emulator too."""
+        ready, _, _ = select.select([self._master], [], [], seconds)
+        if not ready:
+            return b""
+        with suppress(OSError):
+            data = os.read(self._master, 65536)
+            self.raw += data
+            self._stream.feed(_KITTY.sub(b"", data))
+            return data
+        return b""
+
+    def until(self, condition: Callable[[], object], what: str) -> None:
+        end = time.monotonic() + LIMIT
+        while not condition():
+            assert time.monotonic() < end, f"never seen: {what}\n" + "\n".join(self.screen.display)
+            self.read(0.2)
+
+    def shows(self, text: str) -> None:
+        self.until(lambda: text in "\n".join(self.screen.display), text)
+
+    def ended(self) -> int:
+        """Its exit code; what it still writes is read, so that it is not held up."""
+        self.until(lambda: self.process.poll() is not None, "the end")
+        while self.read(0.05):
+            pass
+        return self.process.returncode
+
+    def attributes_now(self) -> list:
+        return termios.tcgetattr(self._slave)
+
+    def close(self) -> None:
+        if self.process.poll() is None:
+            self.process.kill()
+        self.process.wait()
+        os.close(self._master)
+        os.close(self._slave)
+
+
+@pytest.fixture
+def terminal(tmp_path: Path) -> Iterator[Callable[..., Terminal]]:
+    opened: list[Terminal] = []
+
+    def open_one(*arguments: str, columns: int = 80, rows: int = 24) -> Terminal:
+        opened.append(Terminal(list(arguments), tmp_path, columns, rows))
+        opened[-1].shows("Ready, speed")
+        return opened[-1]
+
+    yield open_one
+    for each in opened:
+        each.close()
+
+
+def left_as_found(terminal: Terminal) -> bool:
+    """The modes that were switched on were switched off again, and the line discipline is as before."""
+    switched = {}
+    for mode, switch in re.findall(rb"\x1b\[\?(\d+)([hl])", terminal.raw):
+        switched[mode] = switch
+    on = {mode for mode, switch in switched.items() if switch == b"h"} - {b"25", b"7"}
+    return not on and switched.get(b"25") == b"h" and terminal.attributes_now() == terminal.attributes
+
+
+def test_a_procedure_is_typed_run_watched_stopped_and_left(terminal):
+    donnie = terminal("--world", "living_room", "--speed", "20")
+    donnie.type("PROCEDURE WALK: n DO" + ENTER + "FW n TR 90" + ENTER + "END PROCEDURE" + ENTER)
+    donnie.type("WALK [6]" + ENTER + "WALK [9]" + ENTER + "WAIT 100000")
+    donnie.shows("6  WAIT 100000")
+    donnie.type(F5)
+
+    places = set()
+
+    def robot_was_seen_on_its_way() -> bool:
+        for row, line in enumerate(donnie.screen.display[1:14]):
+            column = line[40:].find(">")
+            if column >= 0 and "o" in line[40:]:
+                places.add((row, column))
+        return "I walked 9 steps" in "\n".join(donnie.screen.display)
+
+    donnie.until(robot_was_seen_on_its_way, "the second walk")
+    assert len(places) >= 3
+    donnie.shows("Waiting")
+    donnie.type(F8)
+    donnie.shows("Stopped at line 6.")
+    donnie.type(CTRL_Q)
+    donnie.shows("is not saved. Save it? yes or no:")
+    donnie.type("no" + ENTER)
+
+    assert donnie.ended() == 0
+    assert left_as_found(donnie)
+
+
+def test_the_terminal_s_cursor_is_visible_and_stands_at_the_focus(terminal):
+    donnie = terminal()
+    donnie.type("FW 1")
+    donnie.shows("1  FW 1")
+    editor = (donnie.screen.cursor.x, donnie.screen.cursor.y)
+    donnie.type(TAB)
+    donnie.shows(" Map. Donnie")
+    on_the_map = donnie.screen.display[donnie.screen.cursor.y][donnie.screen.cursor.x]
+    donnie.type(TAB)
+    donnie.shows(" Log, line")
+    in_the_log = donnie.screen.display[donnie.screen.cursor.y][donnie.screen.cursor.x]
+    donnie.type(TAB)
+    donnie.shows(" Command line.")
+
+    assert (editor, on_the_map, in_the_log) == ((8, 1), "^", ">")
+    assert donnie.screen.display[donnie.screen.cursor.y].startswith(">")
+    assert not donnie.screen.cursor.hidden
+
+
+def test_an_idle_screen_writes_nothing(terminal):
+    donnie = terminal()
+    while donnie.read(0.5):
+        pass
+
+    assert donnie.read(3.0) == b""
+
+
+@pytest.mark.parametrize("number", [signal.SIGTERM, signal.SIGHUP])
+def test_a_signal_halts_keeps_the_text_and_gives_the_terminal_back(terminal, tmp_path, number):
+    donnie = terminal("--speed", "1")
+    donnie.type("FW 1000")
+    donnie.shows("1  FW 1000")
+    donnie.type(F5)
+    donnie.shows("Running")
+    donnie.process.send_signal(number)
+
+    assert donnie.ended() == 128 + number
+    assert left_as_found(donnie)
+    copies = list((tmp_path / ".local/state/donnie/unsaved").glob("*.gd"))
+    assert [each.read_text(encoding="utf-8") for each in copies] == ["FW 1000"]
+
+
+def test_the_size_of_the_terminal_may_change(terminal):
+    donnie = terminal()
+    for columns, rows in ((40, 12), (120, 40)):
+        donnie.screen.resize(rows, columns)
+        fcntl.ioctl(donnie._master, termios.TIOCSWINSZ, struct.pack("HHHH", rows, columns, 0, 0))
+        donnie.process.send_signal(signal.SIGWINCH)
+        donnie.shows("Ready, speed")
+
+    donnie.shows("No variables.")
+
+
+def test_a_world_that_is_not_there_is_one_sentence_and_code_2(tmp_path):
+    donnie = Terminal(["--world", "none_such"], tmp_path)
+    try:
+        assert donnie.ended() == 2
+        assert left_as_found(donnie)
+        assert b"none_such" in donnie.raw.split(b"\x1b[?1049l")[-1]
+        assert b"Traceback" not in donnie.raw
+    finally:
+        donnie.close()
