@@ -63,7 +63,7 @@ def seconds(work: Callable[[], object]) -> float:
 
 
 def cost(code: str, folder: str) -> float:
-    """Of a fresh interpreter with compiled modules: instructions if valgrind is there, else processor seconds."""
+    """Of a fresh interpreter: instructions where valgrind counts them, else processor seconds."""
     environment = {**os.environ, "PYTHONPYCACHEPREFIX": folder}
     environment.pop("PYTHONDONTWRITEBYTECODE", None)
     command = [sys.executable, "-c", code]
