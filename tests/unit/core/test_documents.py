@@ -52,6 +52,16 @@ def test_what_can_not_be_read_has_a_code(tmp_path: Path, monkeypatch: pytest.Mon
     }
 
 
+def test_a_device_without_an_end_is_too_large() -> None:
+    if not Path("/dev/zero").exists():
+        pytest.skip("needs an endless device")
+
+    with pytest.raises(DocumentError) as caught:
+        read_program(Path("/dev/zero"))
+
+    assert caught.value.code == "file-too-large"
+
+
 def test_a_name_that_is_no_path_is_told(tmp_path: Path) -> None:
     with pytest.raises(DocumentError):
         read_program(tmp_path / "a\0b")
