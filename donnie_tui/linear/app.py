@@ -117,7 +117,8 @@ class LinearMode:
             desk.answer("linear-rescued")
 
     def _prompt(self) -> str:
-        depth = 0 if self._desk.next_line else self._desk.program.depth
+        in_program = self._desk.is_attended and not self._desk.next_line
+        depth = self._desk.program.depth if in_program else 0
         return f"{depth}{PROMPT}" if depth else PROMPT
 
     # --- one line

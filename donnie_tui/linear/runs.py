@@ -92,6 +92,7 @@ class Runs:
                 text,
                 self._name(),
                 fresh=fresh,
+                hooked=stepping,
                 first_line=first_line,
                 prepare=self._hold_at_start if stepping else None,
             )
