@@ -15,7 +15,7 @@ from typing import Any, NoReturn
 from devices.ports.robot import Bearing
 from language.arithmetic import checked, divide
 from language.control import ControlState, ExecutionControl
-from language.diagnostics import Kind, QuitRequested, Refused
+from language.diagnostics import Kind, QuitRequested, Refused, Stopped
 from language.failures import failure_of
 from language.levels import Level, Levels, variables_in
 from language.runnable import MOST_FRAMES, Trace
@@ -62,6 +62,8 @@ class Execution:
         failure = None
         self._control.attach(self._heed)
         try:
+            if self._control.state is ControlState.STOPPING:
+                raise Stopped
             self._keep(variables_in(program(first_link(), *stored)))
         except BaseException as error:
             levels, inside = self._levels.of_traceback(error.__traceback__)

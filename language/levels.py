@@ -33,7 +33,7 @@ class Level:
     def next_site(self) -> int | None:
         """Where the instruction after the current one is from.
 
-        CPython 3.11 runs two simple instructions as one, and if the second fails, tells the first one's place.
+        CPython 3.11 runs two simple instructions as one; if the second fails, it tells where the first is.
         """
         frame = self.innermost
         following = islice(frame.f_code.co_positions(), frame.f_lasti // 2 + 1, None)

@@ -1,0 +1,239 @@
+"""The switch between a program and the people who watch it."""
+
+from __future__ import annotations
+
+import threading
+from collections.abc import Callable
+
+import pytest
+
+from language.control import ControlState, ExecutionControl
+from language.diagnostics import Stopped
+
+PATIENCE = 10.0
+"""Seconds after which a test that hangs fails."""
+
+
+class Clock:
+    """Shows what it is told to show."""
+
+    def __init__(self) -> None:
+        self.now = 0.0
+
+    def __call__(self) -> float:
+        return self.now
+
+
+class Sleeper:
+    """A program's thread in a long sleep."""
+
+    def __init__(self, control: ExecutionControl, seconds: float = 1000.0) -> None:
+        self.control = control
+        self.slept: list[bool] = []
+        self._seconds = seconds
+        self._thread = threading.Thread(target=self._run, daemon=True)
+        self._thread.start()
+
+    def _run(self) -> None:
+        self.slept.append(self.control.sleep(self._seconds))
+
+    def is_over(self) -> bool:
+        self._thread.join(PATIENCE)
+        return not self._thread.is_alive()
+
+
+def when_in(control: ExecutionControl, state: ControlState) -> threading.Event:
+    """Set as soon as the control becomes that state, PAUSED or what follows it."""
+    reached = threading.Event()
+    control.observe(lambda new: reached.set() if new is state else None)
+    return reached
+
+
+def test_a_sleep_that_is_over_says_that_the_program_goes_on() -> None:
+    control = ExecutionControl()
+
+    assert control.sleep(0)
+    assert control.sleep(-5)
+    assert control.sleep(0.001)
+
+
+def test_a_stop_ends_a_sleep() -> None:
+    control = ExecutionControl()
+    sleeper = Sleeper(control)
+
+    control.stop()
+
+    assert sleeper.is_over()
+    assert sleeper.slept == [False]
+
+
+def test_after_a_stop_nothing_sleeps_and_nothing_goes_on() -> None:
+    control = ExecutionControl()
+    control.stop()
+    control.resume()
+    control.step()
+
+    assert control.state is ControlState.STOPPING
+    assert not control.sleep(1000)
+    with pytest.raises(Stopped):
+        control.reached(1, 0)
+
+
+def test_a_pause_holds_a_sleep_and_a_stop_ends_the_pause() -> None:
+    control = ExecutionControl()
+    paused = when_in(control, ControlState.PAUSED)
+    sleeper = Sleeper(control)
+
+    control.pause()
+    assert paused.wait(PATIENCE)
+    control.stop()
+
+    assert sleeper.is_over()
+    assert sleeper.slept == [False]
+
+
+def test_the_time_of_a_pause_does_not_count() -> None:
+    clock = Clock()
+    control = ExecutionControl(clock)
+    paused, going = when_in(control, ControlState.PAUSED), when_in(control, ControlState.RUNNING)
+    sleeper = Sleeper(control, 100.0)
+    control.pause()
+    assert paused.wait(PATIENCE)
+
+    clock.now += 1_000_000
+    control.resume()
+    assert going.wait(PATIENCE)
+    control.stop()
+
+    assert sleeper.is_over()
+    assert sleeper.slept == [False]
+
+
+@pytest.mark.parametrize("seconds", [10**400, float("inf"), 1e300])
+def test_a_sleep_may_be_longer_than_any_clock(seconds: float) -> None:
+    control = ExecutionControl()
+    sleeper = Sleeper(control, seconds)
+
+    control.stop()
+
+    assert sleeper.is_over()
+
+
+def test_a_step_lets_a_held_sleep_end() -> None:
+    control = ExecutionControl()
+    control.observe(lambda state: control.step() if state is ControlState.PAUSED else None)
+    control.pause()
+
+    assert control.sleep(0)
+    assert control.state is ControlState.STEPPING
+
+
+def held_at(
+    control: ExecutionControl, then: Callable[[], None], *places: tuple[int, int]
+) -> list[tuple[int, int]]:
+    """The places, of those that a program reaches, at which it is held; ``then`` is asked each time."""
+    held: list[tuple[int, int]] = []
+    current = places[0]
+
+    def told(state: ControlState) -> None:
+        if state is ControlState.PAUSED:
+            held.append(current)
+            then()
+
+    control.observe(told)
+    for current in places:
+        control.reached(*current)
+    return held
+
+
+def test_stepping_holds_at_every_statement() -> None:
+    control = ExecutionControl()
+    control.step()
+
+    assert held_at(control, control.step, (1, 0), (2, 1), (3, 1), (4, 0)) == [(1, 0), (2, 1), (3, 1), (4, 0)]
+
+
+def test_stepping_over_holds_where_no_more_calls_are_open() -> None:
+    control = ExecutionControl()
+    control.step()
+
+    assert held_at(control, control.step_over, (1, 1), (2, 2), (3, 3), (4, 1), (5, 0)) == [
+        (1, 1),
+        (4, 1),
+        (5, 0),
+    ]
+
+
+def test_stepping_over_out_of_a_running_program_is_a_step() -> None:
+    control = ExecutionControl()
+    control.step_over()
+
+    assert held_at(control, control.resume, (7, 5), (8, 0)) == [(7, 5)]
+
+
+def test_running_to_a_line_holds_there_each_time() -> None:
+    control = ExecutionControl()
+    control.run_to(3)
+
+    assert held_at(control, lambda: control.run_to(3), (1, 0), (3, 0), (2, 0), (3, 2)) == [(3, 0), (3, 2)]
+
+
+def test_a_resumed_program_is_not_held() -> None:
+    control = ExecutionControl()
+    control.pause()
+
+    assert held_at(control, control.resume, (1, 0), (2, 0), (3, 0)) == [(1, 0)]
+
+
+def test_a_pause_that_is_taken_back_in_time_holds_nothing() -> None:
+    control = ExecutionControl()
+    control.pause()
+    control.resume()
+
+    assert held_at(control, control.resume, (1, 0)) == []
+
+
+def test_observers_hear_of_pauses_only_and_no_longer_than_they_want() -> None:
+    control = ExecutionControl()
+    heard: list[ControlState] = []
+    end = control.observe(heard.append)
+    control.observe(lambda state: control.resume() if state is ControlState.PAUSED else None)
+    control.pause()
+    control.reached(1, 0)
+    end()
+    control.pause()
+    control.reached(2, 0)
+    control.stop()
+
+    assert heard == [ControlState.PAUSED, ControlState.RUNNING]
+
+
+def test_an_observer_may_ask_for_anything() -> None:
+    control = ExecutionControl()
+    control.observe(lambda state: control.stop())
+    control.pause()
+
+    with pytest.raises(Stopped):
+        control.reached(1, 0)
+
+
+def test_an_ended_control_does_nothing_until_it_is_restarted() -> None:
+    control = ExecutionControl()
+    control.ended()
+    for ask in (control.pause, control.step, control.stop, control.resume):
+        ask()
+    assert control.state is ControlState.ENDED
+    assert not control.sleep(1000)
+
+    control.restart()
+
+    assert control.state is ControlState.RUNNING
+    assert control.sleep(0)
+
+
+def test_a_restart_does_not_wake_what_must_stop() -> None:
+    control = ExecutionControl()
+    control.stop()
+    control.restart()
+
+    assert control.state is ControlState.STOPPING

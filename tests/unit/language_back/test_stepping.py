@@ -1,0 +1,202 @@
+"""Pausing, stepping and tracing a program, and looking into it while it runs."""
+
+from __future__ import annotations
+
+import threading
+from collections.abc import Callable
+
+import pytest
+
+from language.compiler import Runnable, compile_program
+from language.control import ControlState, ExecutionControl
+from language.diagnostics import Stopped
+from language.plain import plain_program
+from language.runtime import Frame, Memory
+from tests.unit.language_back.recorder import Make, Recorder, fast, hooked, read
+
+steppable = pytest.mark.parametrize("make", [hooked, plain_program], ids=["hooked", "plain"])
+PATIENCE = 10.0
+
+PROGRAM = """VAR a = 1
+PROCEDURE P: n DO
+VAR b = n
+SPEAK b
+END PROCEDURE
+REPEAT 2 TIMES
+P [a]
+a = a + 1
+END REPEAT
+SPEAK a"""
+
+
+def frames_while(
+    program: Runnable, first: Callable[[ExecutionControl], None], then: Callable[[ExecutionControl], None]
+) -> list[tuple[Frame, ...]]:
+    """The frames at each pause of a run; ``then`` is asked at each."""
+    control, seen = ExecutionControl(), []
+
+    def told(state: ControlState) -> None:
+        if state is ControlState.PAUSED:
+            seen.append(program.frames())
+            then(control)
+
+    control.observe(told)
+    first(control)
+    program.run(Recorder(), control, Memory())
+    return seen
+
+
+def lines(seen: list[tuple[Frame, ...]]) -> list[int]:
+    return [frames[0].line for frames in seen]
+
+
+@steppable
+def test_each_step_is_a_statement_or_a_turn(make: Make) -> None:
+    seen = frames_while(make(read(PROGRAM)), ExecutionControl.step, ExecutionControl.step)
+
+    assert lines(seen) == [1, 2, 6, 7, 3, 4, 8, 6, 7, 3, 4, 8, 6, 10]
+
+
+@steppable
+def test_a_step_over_a_call_holds_after_it(make: Make) -> None:
+    seen = frames_while(make(read(PROGRAM)), ExecutionControl.step, ExecutionControl.step_over)
+
+    assert lines(seen) == [1, 2, 6, 7, 8, 6, 7, 8, 6, 10]
+
+
+@steppable
+def test_a_program_runs_to_a_line(make: Make) -> None:
+    def to_line_4(control: ExecutionControl) -> None:
+        control.run_to(4)
+
+    assert lines(frames_while(make(read(PROGRAM)), to_line_4, to_line_4)) == [4, 4]
+
+
+@steppable
+def test_a_paused_program_shows_its_calls_and_variables(make: Make) -> None:
+    def to_line_4(control: ExecutionControl) -> None:
+        control.run_to(4)
+
+    seen = frames_while(make(read(PROGRAM)), to_line_4, to_line_4)
+
+    assert seen[1] == (Frame("P", 4, (("n", 2), ("b", 2))), Frame("", 7, (("a", 2),)))
+
+
+@steppable
+def test_the_frames_of_deep_loops_are_one_level(make: Make) -> None:
+    loops = "".join(f"FOR VAR i{n} = 0; i{n} < 1; i{n} = i{n} + 1 DO\n" for n in range(40))
+    source = f"VAR a\n{loops} a = 5\nSPEAK a {'END FOR ' * 40}"
+
+    def to_line_43(control: ExecutionControl) -> None:
+        control.run_to(43)
+
+    (frames,) = frames_while(make(read(source)), to_line_43, ExecutionControl.resume)
+
+    assert [frame.line for frame in frames] == [43]
+    assert dict(frames[0].variables) == {"a": 5, **{f"i{n}": 0 for n in range(40)}}
+
+
+@pytest.mark.parametrize("make", [hooked, plain_program, fast])
+def test_of_a_deep_recursion_the_innermost_frames_and_the_program_are_told(make: Make) -> None:
+    program = make(
+        read("PROCEDURE P: n DO\nIF n == 0 THEN\nSPEAK n\nELSE\nP [n - 1]\nEND IF\nEND PROCEDURE\nP [500]")
+    )
+    seen: list[tuple[Frame, ...]] = []
+    actions = Recorder(before=lambda name: seen.append(program.frames()))
+    program.run(actions, ExecutionControl(), Memory())
+
+    assert len(seen[0]) == 100
+    assert seen[0][0] == Frame("P", 3, (("n", 0),))
+    assert seen[0][98] == Frame("P", 5, (("n", 98),))
+    assert seen[0][99] == Frame("", 8, ())
+
+
+@pytest.mark.parametrize("make", [hooked, plain_program, fast])
+def test_a_program_that_does_not_run_has_no_frames(make: Make) -> None:
+    program = make(read("SPEAK 1"))
+    before = program.frames()
+    program.run(Recorder(), ExecutionControl(), Memory())
+
+    assert before == program.frames() == ()
+
+
+@steppable
+def test_a_trace_is_told_every_statement_with_its_place_and_depth(make: Make) -> None:
+    told: list[tuple[int, int, int]] = []
+    make(read("VAR a\nPROCEDURE P DO SPEAK 1 END PROCEDURE\n  P [] REPEAT 1 TIMES END REPEAT")).run(
+        Recorder(), ExecutionControl(), Memory(), trace=lambda *place: told.append(place)
+    )
+
+    assert told == [(1, 1, 0), (2, 1, 0), (3, 3, 0), (2, 16, 1), (3, 8, 0), (3, 8, 0)]
+
+
+@steppable
+def test_a_traced_program_can_be_stepped(make: Make) -> None:
+    control = ExecutionControl()
+    told: list[int] = []
+    paused: list[int] = []
+
+    def step(state: ControlState) -> None:
+        if state is ControlState.PAUSED:
+            paused.append(len(told))
+            control.step_over()
+
+    control.observe(step)
+    control.step()
+    make(read(PROGRAM)).run(Recorder(), control, Memory(), trace=lambda line, *_: told.append(line))
+
+    assert told == [1, 2, 6, 7, 3, 4, 8, 6, 7, 3, 4, 8, 6, 10]
+    assert paused == [0, 1, 2, 3, 6, 7, 8, 11, 12, 13]
+
+
+def test_only_a_hooked_program_can_be_traced() -> None:
+    with pytest.raises(ValueError, match="hooks"):
+        compile_program(read("SPEAK 1")).run(Recorder(), ExecutionControl(), Memory(), trace=lambda *_: None)
+
+
+def test_a_program_without_hooks_is_held_at_its_next_checkpoint() -> None:
+    program = fast(read("VAR a\nVAR b\nREPEAT 3 TIMES\na = a + 1\nEND REPEAT\nSPEAK a"))
+    seen = frames_while(program, ExecutionControl.pause, ExecutionControl.step)
+
+    assert lines(seen) == [3, 3, 3, 6]
+    assert [dict(frames[0].variables)["a"] for frames in seen] == [1, 2, 3, 3]
+
+
+@steppable
+def test_a_stop_while_paused_stops(make: Make) -> None:
+    control, memory = ExecutionControl(), Memory()
+    control.observe(lambda state: control.stop() if state is ControlState.PAUSED else None)
+    control.run_to(3)
+
+    with pytest.raises(Stopped):
+        make(read("VAR a = 1\na = 2\na = 3")).run(Recorder(), control, memory)
+
+    assert memory.variables == {"a": 2}
+
+
+@pytest.mark.parametrize("make", [hooked, plain_program, fast])
+def test_another_thread_can_look_into_a_program_that_runs(make: Make) -> None:
+    begun = threading.Event()
+    program = make(
+        read(
+            "PROCEDURE P: n DO\nSPEAK n\nWHILE 1 == 1 DO\nn = n + 1\nEND WHILE\nEND PROCEDURE\n"
+            "VAR a = 7 P [5]"
+        )
+    )
+    control = ExecutionControl()
+
+    def go() -> None:
+        with pytest.raises(Stopped):
+            program.run(Recorder(before=lambda name: begun.set()), control, Memory())
+
+    thread = threading.Thread(target=go)
+    thread.start()
+    assert begun.wait(PATIENCE)
+    looks = [program.frames() for _ in range(50)]
+    control.stop()
+    thread.join(PATIENCE)
+
+    assert not thread.is_alive()
+    assert {frames[0].procedure for frames in looks} == {"P"}
+    assert {frames[0].line for frames in looks} <= {2, 3, 4}
+    assert {frames[-1] for frames in looks} == {Frame("", 7, (("a", 7),))}

@@ -1,0 +1,127 @@
+"""A stop takes hold wherever the program is; what was done stays done."""
+
+from __future__ import annotations
+
+import threading
+
+import pytest
+
+from language.control import ControlState, ExecutionControl
+from language.diagnostics import LanguageError, Stopped
+from language.runtime import Memory
+from tests.unit.language_back.recorder import BACK_ENDS, Make, Recorder, read, run
+
+back_ends = pytest.mark.parametrize("make", BACK_ENDS.values(), ids=BACK_ENDS.keys())
+PATIENCE = 20.0
+
+ENDLESS = {
+    "empty loop": "WHILE 1 == 1 DO END WHILE",
+    "loop": "VAR a WHILE a >= 0 DO a = a + 1 END WHILE",
+    "counted loop": "FOR VAR i = 0; i < 99999999999999; i = i + 1 DO END FOR",
+    "repeat": f"REPEAT {'9' * 4000} TIMES END REPEAT",
+    "for with a product": "FOR VAR i = 1; i > 0; i = i * 1 DO END FOR",
+    "calls without loops": "PROCEDURE P: n DO IF n > 0 THEN P [n - 1] P [n - 1] END IF END PROCEDURE P [60]",
+    "deep recursion": "PROCEDURE P: n DO IF n > 0 THEN P [n - 1] ELSE WHILE 1 == 1 DO END WHILE END IF "
+    "END PROCEDURE P [15000]",
+    "huge numbers": f"VAR a = {'9' * 4300} VAR b WHILE 1 == 1 DO b = a / 7 * 7 / 3 - a + a END WHILE",
+    "deep loops": "REPEAT 1 TIMES " * 40 + "WHILE 1 == 1 DO END WHILE" + " END REPEAT" * 40,
+}
+
+
+@back_ends
+@pytest.mark.parametrize("endless", ENDLESS.values(), ids=ENDLESS.keys())
+def test_a_stop_ends_what_would_never_end(make: Make, endless: str) -> None:
+    begun, control, memory = threading.Event(), ExecutionControl(), Memory()
+    program = make(read(f"VAR kept = 3 SPEAK 1 {endless}"))
+    errors: list[type[LanguageError]] = []
+
+    def go() -> None:
+        try:
+            program.run(Recorder(before=lambda name: begun.set()), control, memory)
+        except LanguageError as error:
+            errors.append(type(error))
+
+    thread = threading.Thread(target=go, daemon=True)
+    thread.start()
+    assert begun.wait(PATIENCE)
+    control.stop()
+    thread.join(PATIENCE)
+
+    assert not thread.is_alive()
+    assert errors == [Stopped]
+    assert memory.variables["kept"] == 3
+    assert "i" not in memory.variables
+
+
+@back_ends
+@pytest.mark.parametrize("command", ["FW 5", "BW 5", "TR 5", "TL 5", "WAIT 5", "SPEAK 5", "SCAN"])
+@pytest.mark.parametrize("after", ["", " SPEAK 2"])
+def test_after_a_command_that_was_cut_short_nothing_more_runs(make: Make, command: str, after: str) -> None:
+    control = ExecutionControl()
+    actions = Recorder(before=lambda name: control.stop())
+    outcome = run(f"VAR a = 1 {command}{after}", make, actions=actions, control=control)
+
+    assert isinstance(outcome.error, Stopped)
+    assert len(actions.done) == 1
+    assert outcome.variables == {"a": 1}
+
+
+@back_ends
+def test_a_stop_before_the_start_runs_nothing(make: Make) -> None:
+    control = ExecutionControl()
+    control.stop()
+    outcome = run("VAR a SPEAK a", make, control=control)
+
+    assert isinstance(outcome.error, Stopped)
+    assert outcome.actions.done == []
+
+
+@back_ends
+@pytest.mark.parametrize("source", ["SPEAK 1", "SPEAK 1 / 0", "SPEAK none"])
+def test_the_control_is_ended_however_the_program_ends(make: Make, source: str) -> None:
+    control = ExecutionControl()
+    run(source, make, control=control)
+
+    assert control.state is ControlState.ENDED
+
+
+@back_ends
+@pytest.mark.parametrize(
+    "error", [KeyError, NameError, ZeroDivisionError, IndexError, RecursionError, MemoryError]
+)
+@pytest.mark.parametrize("source", ["SPEAK 1", "b = DISTANCE F", "PROCEDURE P DO FW 1 END PROCEDURE P []"])
+def test_what_an_action_raises_passes_unchanged(make: Make, error: type[Exception], source: str) -> None:
+    raised = error("the robot's own")
+    control, memory = ExecutionControl(), Memory()
+
+    def fail(name: str) -> None:
+        raise raised
+
+    with pytest.raises(error) as caught:
+        make(read(f"VAR a = 4 VAR b {source}")).run(Recorder(before=fail), control, memory)
+
+    assert caught.value is raised
+    assert memory.variables == {"a": 4, "b": 0}
+    assert control.state is ControlState.ENDED
+
+
+@back_ends
+def test_the_memory_is_true_before_anybody_hears_of_the_end(make: Make) -> None:
+    """The variables are replaced as a whole, so that another thread never sees half of them."""
+    memory = Memory(variables={"old": 1})
+    before = memory.variables
+    run("VAR a = 1 a = a / 0", make, terminal=True, memory=memory)
+
+    assert memory.variables == {"old": 1, "a": 1}
+    assert before == {"old": 1}
+
+
+@back_ends
+def test_a_program_can_run_again(make: Make) -> None:
+    program = make(read("VAR a = 1 PROCEDURE P DO END PROCEDURE P [] SPEAK a"))
+    actions, control = Recorder(), ExecutionControl()
+    program.run(actions, control, Memory())
+    control.restart()
+    program.run(actions, control, Memory())
+
+    assert actions.said == [1, 1]

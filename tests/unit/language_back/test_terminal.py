@@ -1,0 +1,141 @@
+"""One batch after the other with the same memory, as typed in the terminal."""
+
+from __future__ import annotations
+
+import pytest
+
+from language.diagnostics import QuitRequested
+from language.runtime import Memory
+from tests.unit.language_back.recorder import BACK_ENDS, Make, Outcome, Recorder, run
+
+back_ends = pytest.mark.parametrize("make", BACK_ENDS.values(), ids=BACK_ENDS.keys())
+
+
+def type_in(make: Make, *batches: str) -> list[Outcome]:
+    memory, outcomes = Memory(), []
+    for number, batch in enumerate(batches):
+        outcomes.append(
+            run(batch, make, terminal=True, memory=memory, actions=Recorder(), first_line=1 + 10 * number)
+        )
+    return outcomes
+
+
+@back_ends
+def test_variables_live_on(make: Make) -> None:
+    outcomes = type_in(make, "VAR a = 2 VAR b = 3", "a = a + 1 SPEAK a", "SPEAK a * b")
+
+    assert [each.actions.said for each in outcomes] == [[], [3], [9]]
+    assert outcomes[-1].variables == {"a": 3, "b": 3}
+
+
+@back_ends
+def test_a_name_that_is_declared_again_is_overwritten_and_that_is_told(make: Make) -> None:
+    outcomes = type_in(make, "VAR Total = 2", "SPEAK total VAR TOTAL = total + 5 SPEAK total VAR other")
+
+    assert outcomes[1].actions.done == [("speak", 2), ("overwritten", "TOTAL"), ("speak", 7)]
+
+
+@back_ends
+def test_twice_in_one_batch_is_a_mistake(make: Make) -> None:
+    outcomes = type_in(make, "VAR a", "VAR a = 1\nVAR a = 2")
+
+    assert outcomes[1].place == ("already-declared", 12, 5)
+    assert outcomes[1].actions.done == [("overwritten", "a")]
+    assert outcomes[1].variables == {"a": 1}
+
+
+@back_ends
+def test_the_same_var_in_a_loop_is_told_once(make: Make) -> None:
+    outcomes = type_in(make, "VAR a", "REPEAT 3 TIMES VAR a = 1 END REPEAT")
+
+    assert outcomes[1].actions.done == [("overwritten", "a")]
+
+
+@back_ends
+def test_a_for_takes_over_a_name_and_ends_it(make: Make) -> None:
+    loop = "REPEAT 2 TIMES a = 8 FOR VAR a = 0; a < 2; a = a + 1 DO SPEAK a END FOR END REPEAT"
+    outcomes = type_in(make, "VAR a", loop, "SPEAK a")
+
+    assert outcomes[1].actions.done == [("overwritten", "a"), ("speak", 0), ("speak", 1)]
+    assert outcomes[1].place == ("undeclared-variable", 11, 16)
+    assert outcomes[2].place == ("undeclared-variable", 21, 7)
+
+
+@back_ends
+def test_procedures_live_on_and_call_what_comes_later(make: Make) -> None:
+    outcomes = type_in(
+        make,
+        "PROCEDURE P: n DO SPEAK n Q [n] END PROCEDURE",
+        "P [1]",
+        "PROCEDURE Q: n DO SPEAK n * 2 END PROCEDURE P [2]",
+        "P [3]",
+    )
+
+    assert [each.actions.said for each in outcomes] == [[], [1], [2, 4], [3, 6]]
+    assert outcomes[1].place == ("undeclared-procedure", 1, 27)
+    assert outcomes[1].calls == [("P", 11)]
+
+
+@back_ends
+def test_a_procedure_that_is_declared_again_is_new_for_all(make: Make) -> None:
+    outcomes = type_in(
+        make,
+        "PROCEDURE Q DO SPEAK 1 END PROCEDURE PROCEDURE P DO Q [] END PROCEDURE",
+        "P [] PROCEDURE q: a DO SPEAK a END PROCEDURE Q [2] P []",
+        "PROCEDURE q DO SPEAK 3 END PROCEDURE P [] PROCEDURE q DO END PROCEDURE",
+    )
+
+    assert outcomes[1].actions.done == [("speak", 1), ("overwritten", "q"), ("speak", 2)]
+    assert outcomes[1].place == ("wrong-argument-count", 1, 53)
+    assert outcomes[2].actions.done == [("overwritten", "q"), ("speak", 3)]
+    assert outcomes[2].place[0] == "already-declared"
+
+
+@back_ends
+def test_a_procedure_of_an_earlier_batch_can_declare_another(make: Make) -> None:
+    inner = "PROCEDURE P DO PROCEDURE Q DO SPEAK 5 END PROCEDURE END PROCEDURE"
+
+    assert type_in(make, inner, "P []", "Q []")[2].actions.said == [5]
+
+
+@back_ends
+def test_a_procedure_does_not_see_what_earlier_batches_declared(make: Make) -> None:
+    outcomes = type_in(make, "VAR a = 1 PROCEDURE P DO SPEAK a END PROCEDURE", "P []")
+
+    assert outcomes[1].diagnostic.details == {"name": "a", "in_procedure": "P"}
+
+
+@back_ends
+def test_a_number_of_an_earlier_batch_is_still_checked(make: Make) -> None:
+    nines = "9" * 4300
+    outcomes = type_in(
+        make, f"VAR a = {nines} PROCEDURE P: n DO SPEAK n + 1 END PROCEDURE", "P [1]", "P [a]", "a = a + 1"
+    )
+
+    assert outcomes[1].actions.said == [2]
+    assert outcomes[2].place[0] == outcomes[3].place[0] == "number-too-large"
+
+
+@back_ends
+def test_quit_leaves_and_run_goes_on(make: Make) -> None:
+    outcome = type_in(make, "VAR a = 1 RUN SPEAK a QUIT SPEAK 2")[0]
+
+    assert isinstance(outcome.error, QuitRequested)
+    assert outcome.actions.said == [1]
+    assert outcome.variables == {"a": 1}
+
+
+@back_ends
+def test_a_batch_that_failed_leaves_what_it_had_done(make: Make) -> None:
+    outcomes = type_in(make, "VAR a = 1 PROCEDURE P DO SPEAK 4 END PROCEDURE SPEAK 1 / 0", "SPEAK a P []")
+
+    assert outcomes[1].actions.said == [1, 4]
+
+
+@back_ends
+def test_a_file_begins_with_an_empty_memory(make: Make) -> None:
+    memory = Memory(variables={"a": 1})
+    outcome = run("VAR b SPEAK a", make, memory=memory)
+
+    assert outcome.place[0] == "undeclared-variable"
+    assert outcome.variables == {"b": 0}
