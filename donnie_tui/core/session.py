@@ -144,10 +144,15 @@ class Session:
             if self._run is run:
                 self._run = None
 
-    def check(self, text: str) -> tuple[Diagnostic, ...]:
-        """All mistakes of form, or the hints of a program that has none."""
+    def check(self, text: str, *, whole: bool = True) -> tuple[Diagnostic, ...]:
+        """All mistakes of form, or the hints of a program that has none.
+
+        ``whole`` is False for a batch of a terminal: earlier ones may have declared what it uses.
+        """
         parsed = self.parse(text)
-        return parsed.diagnostics if parsed.program is None else parsed.diagnostics + check(parsed.program)
+        if parsed.program is None:
+            return parsed.diagnostics
+        return parsed.diagnostics + check(parsed.program, whole=whole)
 
     # --- the running program
 

@@ -102,10 +102,10 @@ class LinearMode:
         return desk.leaving
 
     def _take_over(self, text: str, file: Path | None) -> None:
-        """The program that the full screen left. Whether it was saved is not known: it counts as unsaved."""
+        """The program that the full screen left; it is saved if its file says the same."""
         program = self._desk.program
         program.replace(text, str(file) if file else None)
-        program.saved = not text.strip()
+        program.saved = files.holds(file, text) if file else not text.strip()
         if program.lines:
             self._desk.answer("linear-lines", lines=len(program.lines))
 

@@ -156,6 +156,7 @@ def _visual(desk: Desk, _: Runs, rest: str) -> bool:
     if rest:
         return False
     if desk.can_edit:
+        desk.show_told()
         raise SwitchMode(desk.program.text, desk.program.name)
     desk.answer("linear-no-screen")
     return True

@@ -76,6 +76,14 @@ def recover(desk: Desk) -> None:
     desk.answer("linear-lines", lines=len(desk.program.lines))
 
 
+def holds(path: Path, text: str) -> bool:
+    """Whether the file has just this text."""
+    try:
+        return read_program(path).splitlines() == text.splitlines()
+    except DocumentError:
+        return False
+
+
 def refuse(desk: Desk, error: DocumentError) -> None:
     desk.answer(error.code, path=error.path, reason=error.reason)
 

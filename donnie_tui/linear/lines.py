@@ -59,8 +59,10 @@ def delete_lines(desk: Desk, first: int | None, last: int | None) -> None:
     if not 1 <= first <= end <= count:
         _no_such_line(desk, first if not 1 <= first <= count else end)
         return
+    waiting = desk.program.waiting
     desk.program.delete(first, end)
     desk.answer("linear-deleted", lines=end - first + 1)
+    _warn_of_waiting(desk, waiting)
 
 
 def _ask_for_line(desk: Desk, number: int, code: str, then: Callable[[str], None]) -> None:
@@ -83,12 +85,21 @@ def _insert(desk: Desk, number: int, text: str) -> None:
 
 
 def _edit(desk: Desk, number: int, text: str, edit: Callable[[int, str], None]) -> None:
+    waiting = desk.program.waiting
     try:
         edit(number, text)
     except ProgramTooLong:
         desk.answer("linear-too-long")
-    else:
-        desk.answer("linear-line", line=number, text=text.strip())
+        return
+    desk.answer("linear-line", line=number, text=text.strip())
+    _warn_of_waiting(desk, waiting)
+
+
+def _warn_of_waiting(desk: Desk, before: int) -> None:
+    """A change to what has run lets everything wait again; nobody may be surprised by that."""
+    now = desk.program.waiting
+    if now > before + 1:
+        desk.answer("linear-waits-again", lines=now)
 
 
 def _no_such_line(desk: Desk, number: int) -> None:

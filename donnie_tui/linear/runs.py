@@ -107,7 +107,7 @@ class Runs:
         """What has no effect and what was probably meant; where nothing was told at all, that it is done."""
         if self._desk.leaving is not None:
             return
-        for hint in self._desk.session.check(text)[:MOST_HINTS]:
+        for hint in self._desk.session.check(text, whole=False)[:MOST_HINTS]:
             meant = self._desk.say.hint(hint)
             self._desk.tell(self._desk.say.mistake(hint), *([meant] if meant else []))
         if self._told.count == self._told_before:

@@ -84,6 +84,11 @@ _PROGRAM = {
         "{lines} {lines:linha apagada|linhas apagadas}.",
         "{lines} {lines:línea borrada|líneas borradas}.",
     ),
+    "linear-waits-again": Sentence(
+        "RUN runs all {lines} lines again.",
+        "EXECUTAR faz de novo as {lines} linhas.",
+        "EJECUTAR hace de nuevo las {lines} líneas.",
+    ),
     "linear-nothing-to-delete": Sentence("Nothing to delete.", "Nada para apagar.", "Nada que borrar."),
     "linear-edit": Sentence(
         "Edit line {line}, then Enter.", "Edite a linha {line}, e Enter.", "Edita la línea {line}, y Enter."
