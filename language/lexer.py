@@ -187,30 +187,31 @@ class _Lexer:
     def _decided(self, token: Token) -> Token:
         """The token as the keyword before it wants it; a second word takes the first one with it."""
         before = self._tokens[-1]
-        kind, start, end, line, start_column, text = token
+        kind, start, end, line, start_column, folded = token
+        text = folded.replace(MARK, "")
         terminal = TAKES.get(before[0])
         if terminal is not None:
-            if kind == NAME and self._is_argument(before[0], terminal, token):
+            if kind == NAME and self._is_argument(before[0], terminal, text, end):
                 if terminal == "COLOUR":
                     self._colours.append(len(self._tokens))
                 return (KIND[terminal], start, end, line, start_column, text)
         elif before[0] == HELP:
             if before[3] == line and text[0].isalpha() and not self._is_target(end):
                 return (TOPIC, start, end, line, start_column, text)
-        elif self._is_pair(before, token):
+        elif self._is_pair(before, token, text):
             del self._tokens[-1]
             kind = TOPIC if before[0] == TOPIC else _pairs[before[5], text]
             return (kind, before[1], end, before[3], before[4], f"{before[5]} {text}")
         return token
 
-    def _is_argument(self, taker: int, terminal: str, token: Token) -> bool:
-        if argument(terminal, token[5]) is None:
+    def _is_argument(self, taker: int, terminal: str, text: str, end: int) -> bool:
+        if argument(terminal, text) is None:
             return False
         may_be_missing = taker in (DISTANCE, POS)
-        return not (may_be_missing and self._is_target(token[2]))
+        return not (may_be_missing and self._is_target(end))
 
-    def _is_pair(self, before: Token, token: Token) -> bool:
-        if (before[5], token[5].replace(MARK, "")) not in _pairs:
+    def _is_pair(self, before: Token, token: Token, text: str) -> bool:
+        if (before[5], text) not in _pairs:
             return False
         if not self._folded[before[2] : token[1]].replace(UNSEEN, " ").isspace():
             return False

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import random
+import unicodedata
 from collections.abc import Callable
 from pathlib import Path
 
@@ -25,6 +26,7 @@ SIGNS = "= == <> < > <= >= != => + - * / ( ) [ ] , : ; . $ # ' \" “ ” -- –
 BLANKS = ("\n", "\n", "\r\n", "\t", "é", "e\u0301", "\ufeff", "\u200b")
 WORDS = (
     *all_words(),
+    *(unicodedata.normalize("NFD", word) for word in all_words() if not word.isascii()),
     *(each for row in ARGUMENTS for words in row.spellings.values() for each in words),
     *SIGNS.split(" "),
     *BLANKS,

@@ -24,6 +24,7 @@ def kinds(source: str) -> str:
         ("GIRAR\nDIREITA 90", "TR NUMBER"),
         ("RIGHT 90", "FRAGMENT NUMBER"),
         ("END\u200bIF", "END_IF"),
+        ("PARA TRA\u0301S 2", "BW NUMBER"),
     ],
 )
 def test_words_of_two_parts_are_split_by_any_blank(source: str, expected: str) -> None:
