@@ -1,8 +1,7 @@
-"""The words about how Donnie is and what it says: SPEED, LANGUAGE, DETAIL, WHERE, LAST, ERRORS, HELP."""
+"""The words about how Donnie works and what it says: SPEED, LANGUAGE, DETAIL, LAST, ERRORS, HELP."""
 
 from __future__ import annotations
 
-from donnie_tui.core import numbers
 from donnie_tui.core.transcript import lines_of
 from donnie_tui.linear.desk import Desk
 from donnie_tui.settings import read_speed
@@ -55,12 +54,6 @@ def set_detail(desk: Desk, typed: str) -> bool:
     desk.say.detail = detail or desk.say.detail
     desk.answer("linear-detail")
     return True
-
-
-def say_where(desk: Desk) -> None:
-    pose = desk.session.pose
-    facing = desk.session.teller.facing(pose)
-    desk.answer("position", facing=facing, x=numbers.whole(pose.x), y=numbers.whole(pose.y))
 
 
 def say_again(desk: Desk, which: int) -> None:

@@ -13,7 +13,7 @@ from typing import TypeAlias
 
 from donnie_tui.bootstrap import SwitchMode
 from donnie_tui.core.session import Busy
-from donnie_tui.linear import choices, files, lines
+from donnie_tui.linear import choices, files, lines, surroundings
 from donnie_tui.linear.desk import Desk
 from donnie_tui.linear.runs import Runs
 from language.source import fold_name
@@ -123,7 +123,23 @@ def _reset(desk: Desk, _: Runs, rest: str) -> bool:
 
 def _where(desk: Desk, _: Runs, rest: str) -> bool:
     if not rest:
-        choices.say_where(desk)
+        surroundings.say_where(desk)
+    return not rest
+
+
+def _map(desk: Desk, _: Runs, rest: str) -> bool:
+    if rest:
+        if not surroundings.is_picture(rest):
+            return False
+        surroundings.draw_map(desk)
+    else:
+        surroundings.say_map(desk)
+    return True
+
+
+def _world(desk: Desk, _: Runs, rest: str) -> bool:
+    if not rest:
+        surroundings.say_world(desk)
     return not rest
 
 
@@ -182,6 +198,8 @@ COMMANDS = (
     Command("stop", "STOP", "PARAR", "DETENER", _stop),
     Command("reset", "RESET", "REINICIAR", "REINICIAR", _reset),
     Command("where", "WHERE", "ONDE", "DÓNDE", _where, while_held=True),
+    Command("map", "MAP", "MAPA", "MAPA", _map, while_held=True),
+    Command("world", "WORLD", "MUNDO", "MUNDO", _world, while_held=True),
     Command("speed", "SPEED", "VELOCIDADE", "VELOCIDAD", _speed, while_held=True),
     Command("language", "LANGUAGE", "IDIOMA", "IDIOMA", _language, while_held=True),
     Command("detail", "DETAIL", "DETALHE", "DETALLE", _detail, while_held=True),

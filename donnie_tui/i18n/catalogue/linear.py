@@ -178,6 +178,17 @@ _SETTINGS = {
     ),
 }
 
+_MAP = {
+    "linear-picture": Sentence(
+        "Picture, {width} by {height}. The robot is {robot}",
+        "Imagem, {width} por {height}. O robô é {robot}",
+        "Imagen, {width} por {height}. El robot es {robot}",
+    ),
+    "linear-picture-wall": Sentence("Wall: {letter}", "Parede: {letter}", "Pared: {letter}"),
+    "linear-picture-free": Sentence("Free: {letter}", "Livre: {letter}", "Libre: {letter}"),
+    "linear-picture-thing": Sentence("{name}: {letter}", "{name}: {letter}", "{name}: {letter}"),
+}
+
 _HELP = {
     "linear-help": Sentence(
         "{count} words of the terminal:",
@@ -276,6 +287,14 @@ _WORDS = {
     "where": Sentence(
         "WHERE: says where the robot is.", "ONDE: diz onde o robô está.", "DÓNDE: dice dónde está el robot."
     ),
+    "map": Sentence(
+        "MAP: says what is where. MAP PICTURE: draws.",
+        "MAPA: diz o que há e onde. MAPA IMAGEM: desenha.",
+        "MAPA: dice qué hay y dónde. MAPA IMAGEN: dibuja.",
+    ),
+    "world": Sentence(
+        "WORLD: tells about the world.", "MUNDO: fala sobre o mundo.", "MUNDO: habla sobre el mundo."
+    ),
     "speed": Sentence(
         "SPEED 5: walks 5 times as fast.",
         "VELOCIDADE 5: anda 5 vezes mais rápido.",
@@ -317,6 +336,7 @@ SENTENCES: dict[str, Sentence] = (
     | _PROGRAM
     | _FILES
     | _SETTINGS
+    | _MAP
     | _HELP
     | {f"linear-word-{name}": sentence for name, sentence in _WORDS.items()}
 )

@@ -1,0 +1,144 @@
+"""The program that is typed: what waits, what has run, what is saved, and the numbers of its lines."""
+
+import pytest
+
+from donnie_tui.core import typed_program
+from donnie_tui.core.typed_program import WORTH_SAVING, Batch, ProgramTooLong, TypedProgram, lines_of
+
+
+def typed(*lines: str) -> TypedProgram:
+    program = TypedProgram()
+    for line in lines:
+        program.add(line)
+    return program
+
+
+def test_a_batch_is_what_was_typed_since_the_last_one() -> None:
+    program = typed("FW 1", "FW 2")
+    first = program.take_batch()
+    program.batch_ran()
+    program.add("FW 3")
+
+    assert first == Batch("FW 1\nFW 2", 1, 2)
+    assert program.take_batch() == Batch("FW 3", 3, 1)
+
+
+def test_a_last_line_of_a_batch_is_no_part_of_the_program() -> None:
+    program = typed("FW 1")
+
+    assert program.take_batch("QUIT").text == "FW 1\nQUIT"
+    assert program.lines == ("FW 1",)
+
+
+def test_after_a_mistake_one_line_is_forgotten_and_several_are_kept() -> None:
+    one, several = typed("FWD 1"), typed("FW 1", "FWD 2")
+
+    assert (one.batch_was_refused(), one.lines) == (False, ())
+    assert (several.batch_was_refused(), several.waiting) == (True, 2)
+
+
+def test_the_innermost_open_block_is_told_with_its_line_in_the_program() -> None:
+    program = typed("FW 1")
+    program.batch_ran()
+    for line in ("PROCEDURE P DO", "IF 1 == 1 THEN FW 1 END IF", "REPEAT 2 TIMES", "FW 1"):
+        program.add(line)
+    block = program.open_block
+
+    assert program.depth == 2
+    assert block is not None
+    assert (block.kind, block.line) == ("REPEAT", 4)
+
+
+def test_without_an_open_block_there_is_none() -> None:
+    assert typed("REPEAT 2 TIMES FW 1 END REPEAT").open_block is None
+
+
+def test_blank_lines_do_not_wait() -> None:
+    assert not typed("", "  ").is_waiting
+
+
+def test_what_has_not_run_is_forgotten() -> None:
+    program = typed("FW 1")
+    program.batch_ran()
+    program.add("FW 2")
+
+    assert (program.forget_waiting(), program.lines) == (1, ("FW 1",))
+
+
+def test_a_change_of_what_ran_lets_the_whole_program_wait() -> None:
+    program = typed("FW 1", "FW 2")
+    program.batch_ran()
+    program.change(1, "FW 5")
+
+    assert program.waiting == 2
+    assert program.take_batch().text == "FW 5\nFW 2"
+
+
+def test_lines_are_inserted_and_deleted() -> None:
+    program = typed("a", "d")
+    program.insert(2, "c")
+    program.insert(2, "b")
+    program.delete(1, 1)
+
+    assert program.lines == ("b", "c", "d")
+
+
+@pytest.mark.parametrize("number", [0, -1, 3])
+def test_a_line_that_is_not_there_is_an_index_error(number: int) -> None:
+    program = typed("a", "b")
+
+    with pytest.raises(IndexError):
+        program.change(number, "x")
+    with pytest.raises(IndexError):
+        program.delete(1, number)
+    with pytest.raises(IndexError):
+        program.insert(number + 1 if number > 0 else number, "x")
+
+
+def test_saved_means_that_the_lines_are_the_same_as_in_the_file() -> None:
+    program = typed("FW 1")
+    was_saved = program.saved
+    program.saved = True
+    program.add("FWD")
+    is_saved = program.saved
+    program.forget_waiting()
+    program.add("FW 1")
+
+    assert (was_saved, is_saved, program.saved) == (False, False, True)
+
+
+def test_a_few_lines_are_not_worth_a_question_but_a_changed_file_is() -> None:
+    few, many = typed("a"), typed(*["a"] * WORTH_SAVING)
+    opened = TypedProgram()
+    opened.replace("a\n", "a.gd")
+    opened.add("b")
+
+    assert [each.is_worth_saving for each in (few, many, opened, TypedProgram())] == [
+        False,
+        True,
+        True,
+        False,
+    ]
+
+
+def test_a_program_takes_no_more_than_a_file_may_hold(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(typed_program, "LARGEST", 10)
+    program = typed("12345")
+
+    with pytest.raises(ProgramTooLong):
+        program.add("12345")
+    assert program.lines == ("12345",)
+
+
+@pytest.mark.parametrize(
+    ("text", "lines"),
+    [
+        ("", []),
+        ("a", ["a"]),
+        ("a\n", ["a"]),
+        ("a\r\nb\rc\n\n", ["a", "b", "c", ""]),
+        ("a\x0cb\u2028c", ["a\x0cb\u2028c"]),
+    ],
+)
+def test_lines_end_where_the_language_ends_them(text: str, lines: list[str]) -> None:
+    assert lines_of(text) == lines
