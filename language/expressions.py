@@ -43,6 +43,14 @@ VARIABLE = "v_"
 
 
 @dataclass(frozen=True, slots=True)
+class Bounds:
+    """What is known about the variables of a scope, by name."""
+
+    bits: Callable[[str], float]
+    natural: Callable[[str], bool]
+
+
+@dataclass(frozen=True, slots=True)
 class _Value:
     """A translated expression."""
 
@@ -52,14 +60,16 @@ class _Value:
     constant: int | None = None
     steady: bool = False
     """It may be evaluated several times: a number or a name."""
+    natural: bool = False
+    """It is never negative."""
 
 
 class Expressions:
     """Translates the expressions of one scope."""
 
-    def __init__(self, sites: Sites, bits: Callable[[str], float]) -> None:
+    def __init__(self, sites: Sites, bounds: Bounds) -> None:
         self._sites = sites
-        self._bits = bits
+        self._bounds = bounds
         self._prelude: list[ast.stmt] = []
         self._level = 0
 
@@ -88,7 +98,7 @@ class Expressions:
 
     def may_add(self, name: str, number: int) -> bool:
         """Whether a number can be added to a variable without looking at the result."""
-        return max(self._bits(name), number.bit_length()) + 1 <= SAFE_BITS
+        return max(self._bounds.bits(name), number.bit_length()) + 1 <= SAFE_BITS
 
     def test(self, condition: Condition) -> ast.expr:
         left, right = self.values((condition.left, condition.right))
@@ -120,7 +130,7 @@ class Expressions:
         """Have a value evaluated before, at a place among the statements that go before."""
         site = value.code.lineno
         self._prelude.insert(position, assign(site, name, value.code))
-        return _Value(load(site, name), value.bits, steady=True)
+        return _Value(load(site, name), value.bits, steady=True, natural=value.natural)
 
     def _operand(self, operand: Expression) -> _Value:
         match operand:
@@ -128,7 +138,8 @@ class Expressions:
                 return self._number(operand, number)
             case Name(name=name):
                 code = load(self._sites.new(operand), VARIABLE + name)
-                return _Value(code, self._bits(name), steady=True)
+                natural = self._bounds.natural(name)
+                return _Value(code, self._bounds.bits(name), steady=True, natural=natural)
             case Negative():
                 return self._negative(operand)
             case Distance(bearing=bearing):
@@ -143,7 +154,7 @@ class Expressions:
 
     def _number(self, node: Expression, number: int) -> _Value:
         code = constant(self._sites.new(node), number)
-        return _Value(code, number.bit_length(), constant=number, steady=True)
+        return _Value(code, number.bit_length(), constant=number, steady=True, natural=number >= 0)
 
     def _sensor(self, node: Expression, reading: str, argument: str) -> _Value:
         site = self._sites.new(node)
@@ -165,24 +176,26 @@ class Expressions:
     def _combine(self, operation: Binary, left: _Value, right: _Value) -> _Value:
         site = self._sites.new(operation)
         depth = max(left.depth, right.depth)
+        natural = left.natural and right.natural and operation.operator != "-"
         if operation.operator == "/":
-            return _Value(self._quotient(site, left, right), left.bits, depth + 4)
+            return _Value(self._quotient(site, left, right), left.bits, depth + 4, natural=natural)
         code = binary(site, operation.operator, left.code, right.code)
         bits = left.bits + right.bits if operation.operator == "*" else max(left.bits, right.bits) + 1
         if bits <= SAFE_BITS:
-            return _Value(code, bits, depth + 1)
-        return _Value(_checked(site, operation.operator, code, right.constant), SAFE_BITS + 1, depth + 4)
+            return _Value(code, bits, depth + 1, natural=natural)
+        code = _checked(site, code, *_open_sides(operation.operator, left, right))
+        return _Value(code, SAFE_BITS + 1, depth + 4, natural=natural)
 
     def _quotient(self, site: int, left: _Value, right: _Value) -> ast.expr:
-        if right.constant is not None and right.constant <= 0:
-            return call(site, "divide", left.code, right.code)
-        if right.constant is not None:
+        """Python rounds down, which is cutting where both signs are the same; it refuses zero by itself."""
+        if right.constant is not None and right.constant > 0 and not left.natural:
             return self._quotient_by_number(site, left, right)
+        if left.natural and right.natural:
+            return binary(site, "//", left.code, right.code)
         return self._quotient_by_anything(site, left, right)
 
     def _quotient_by_number(self, site: int, left: _Value, right: _Value) -> ast.expr:
-        again = left.code if left.steady else load(site, f"u{self._level}")
-        first = left.code if left.steady else keeping(site, f"u{self._level}", left.code)
+        first, again = _twice(site, f"u{self._level}", left)
         return either(
             site,
             compare(site, first, (">=", constant(site, 0))),
@@ -191,11 +204,8 @@ class Expressions:
         )
 
     def _quotient_by_anything(self, site: int, left: _Value, right: _Value) -> ast.expr:
-        """Where both signs are the same, rounding down is cutting."""
-        dividend = left.code if left.steady else load(site, f"u{self._level}")
-        first = left.code if left.steady else keeping(site, f"u{self._level}", left.code)
-        divisor = right.code if right.steady else load(site, f"w{self._level}")
-        second = right.code if right.steady else keeping(site, f"w{self._level}", right.code)
+        first, dividend = _twice(site, f"u{self._level}", left)
+        second, divisor = _twice(site, f"w{self._level}", right)
         dividend_sign = compare(site, first, (">=", constant(site, 0)))
         divisor_sign = compare(site, second, (">", constant(site, 0)))
         test = (
@@ -207,16 +217,31 @@ class Expressions:
         return either(site, test, quotient, call(site, "divide", dividend, divisor))
 
 
-def _checked(site: int, operator: str, code: ast.expr, right: int | None) -> ast.expr:
-    """The result if it is small, else what ``checked`` says; a number added matters on one side only."""
+def _twice(site: int, name: str, value: _Value) -> tuple[ast.expr, ast.expr]:
+    """The code for a value that is needed twice: where it comes first, and where it comes again."""
+    return (value.code, value.code) if value.steady else (keeping(site, name, value.code), load(site, name))
+
+
+def _open_sides(operator: str, left: _Value, right: _Value) -> tuple[bool, bool]:
+    """Whether a result can be too large, and whether too far below zero, if the operands are neither."""
+    if left.natural and right.natural:
+        return operator != "-", False
+    if operator != "*" and right.constant is not None:
+        grows = (right.constant >= 0) == (operator == "+")
+        return grows, not grows
+    return True, True
+
+
+def _checked(site: int, code: ast.expr, above: bool, below: bool) -> ast.expr:
+    """The result if it is small, else what ``checked`` says."""
+    if not above and not below:
+        return code
     kept = keeping(site, "t", code)
-    most, least = constant(site, SMALL), constant(site, -SMALL)
-    grows = operator in "+-" and right is not None and (right >= 0) == (operator == "+")
-    shrinks = operator in "+-" and right is not None and not grows
-    if grows:
-        test = compare(site, kept, ("<", most))
-    elif shrinks:
+    most, least = ("<", constant(site, SMALL)), constant(site, -SMALL)
+    if not below:
+        test = compare(site, kept, most)
+    elif not above:
         test = compare(site, kept, (">", least))
     else:
-        test = compare(site, least, ("<", kept), ("<", most))
+        test = compare(site, least, ("<", kept), most)
     return either(site, test, load(site, "t"), call(site, "checked", load(site, "t")))

@@ -10,32 +10,27 @@ itself, nothing is known and the bits are infinite. Dividing never makes a numbe
 
 from __future__ import annotations
 
-from collections import defaultdict
 from collections.abc import Iterator, Mapping
 from math import inf
 
-from language.scopes import Scope
-from language.syntax import Assign, Binary, Call, Declare, Expression, For, Name, Negative, Number
+from language.assignments import Given, Variable
+from language.syntax import Binary, Expression, Name, Negative, Number
 
 SENSOR_BITS = 64
 """What a sensor can tell; the robots' own limits are far below."""
 
 _ASSIGNMENT_BITS = 64
 
-Variable = tuple[int, str]
-"""The number of a scope and a name in it."""
-
 
 class Growth:
     """The most bits of each variable of some scopes that call nothing outside them."""
 
-    def __init__(self, scopes: tuple[Scope, ...], stored: Mapping[str, int]) -> None:
+    def __init__(self, given: Mapping[Variable, list[Given]], stored: Mapping[str, int]) -> None:
         """``stored``: what the first scope's variables hold before it runs."""
-        self._values: dict[Variable, list[tuple[int, Expression]]] = defaultdict(list)
+        self._given = given
         self._bits: dict[Variable, float] = {}
         self._stored = {(0, name): value.bit_length() for name, value in stored.items()}
         self._open: set[Variable] = set()
-        self._collect(scopes)
 
     def bits(self, scope: int, name: str) -> float:
         """The bits of one variable; infinite where nothing is known."""
@@ -48,30 +43,9 @@ class Growth:
             self._open.remove(variable)
         return self._bits[variable]
 
-    def _collect(self, scopes: tuple[Scope, ...]) -> None:
-        parameters: dict[tuple[str, int], list[tuple[int, Scope]]] = defaultdict(list)
-        for number, scope in enumerate(scopes):
-            if scope.procedure is not None:
-                parameters[scope.procedure.name.name, len(scope.parameters)].append((number, scope))
-        for number, scope in enumerate(scopes):
-            for statement in scope.statements():
-                match statement:
-                    case Declare(name=name, value=value) if value is not None:
-                        self._values[number, name.name].append((number, value))
-                    case Assign(name=name, value=value):
-                        self._values[number, name.name].append((number, value))
-                    case For(start=start, step=step):
-                        self._values[number, step.name.name].append((number, step.value))
-                        if start.value is not None:
-                            self._values[number, start.name.name].append((number, start.value))
-                    case Call(name=name, arguments=arguments):
-                        for callee, called in parameters[name.name, len(arguments)]:
-                            for parameter, argument in zip(called.parameters, arguments, strict=True):
-                                self._values[callee, parameter.name].append((number, argument))
-
     def _most(self, variable: Variable) -> float:
         most: float = self._stored.get(variable, 0)
-        for scope, value in self._values[variable]:
+        for scope, value in self._given.get(variable, ()):
             most = max(most, self._of_new_value(variable, scope, value))
         return most + 1
 

@@ -7,8 +7,12 @@ every call that there can be, and knows what the variables are.
 from __future__ import annotations
 
 from collections.abc import Mapping
+from functools import partial
 
+from language.assignments import assignments_of
+from language.expressions import Bounds
 from language.growth import Growth
+from language.naturals import Naturals
 from language.runtime import Memory
 from language.scopes import Declared, Scope, scopes_of
 from language.stack import make_room
@@ -21,14 +25,14 @@ def link(program: Program, memory: Memory, *, terminal: bool, hooked: bool) -> t
     """The units of a batch: the program first, then every procedure that may run."""
     make_room()
     scopes = _reachable(program, memory.procedures)
-    growth = Growth(scopes, memory.variables)
+    given = assignments_of(scopes)
+    growth, naturals = Growth(given, memory.variables), Naturals(given, memory.variables)
     numbers = {id(scope.procedure): number for number, scope in enumerate(scopes)}
     stored = frozenset(memory.variables)
     return tuple(
         ScopeTranslator(
             scope,
-            number,
-            growth,
+            Bounds(partial(growth.bits, number), partial(naturals.has, number)),
             numbers,
             frozenset() if number else stored,
             terminal=terminal,

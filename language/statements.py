@@ -39,8 +39,7 @@ from language.building import (
 )
 from language.commands import command
 from language.counting import counts, turns_of
-from language.expressions import VARIABLE, Expressions
-from language.growth import Growth
+from language.expressions import VARIABLE, Bounds, Expressions
 from language.scopes import Scope
 from language.syntax import (
     Assign,
@@ -76,8 +75,7 @@ class ScopeTranslator:
     def __init__(
         self,
         scope: Scope,
-        number: int,
-        growth: Growth,
+        bounds: Bounds,
         numbers: dict[int, int],
         stored: frozenset[str],
         *,
@@ -90,7 +88,7 @@ class ScopeTranslator:
         self._terminal = terminal
         self._hooked = hooked
         self._sites = Sites()
-        self._expressions = Expressions(self._sites, lambda name: growth.bits(number, name))
+        self._expressions = Expressions(self._sites, bounds)
         self._stored = sorted(stored)
         self._clashing = _clashing(scope, frozenset(self._stored))
         self._mortal = {
