@@ -73,7 +73,8 @@ def assemble(settings: Settings, *, terminal: bool, out: TextIO | None = None) -
         closing.callback(session.close)
         _write_events(settings, session, words, out, closing)
         _write_log(settings, session, words, closing)
-        notices = make_audible(settings, session, words, closing)
+        about_settings = tuple(words(each.code, **each.values) for each in settings.notices)
+        notices = about_settings + make_audible(settings, session, words, closing)
     except BaseException:
         closing.close()
         raise

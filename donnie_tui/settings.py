@@ -32,6 +32,14 @@ class Source(Enum):
 
 
 @dataclass(frozen=True, slots=True)
+class Notice:
+    """Something about the settings that is told once: a code and its values."""
+
+    code: str
+    values: Mapping[str, str]
+
+
+@dataclass(frozen=True, slots=True)
 class Settings:
     """The choices of one start. ``speed`` None is as fast as possible; ``events`` a file or ``-``."""
 
@@ -49,19 +57,13 @@ class Settings:
     """What the settings file says; the variables and the options are weighed in ``cli.mode``."""
     log: bool = False
     """Whether what is told goes to a numbered file too, as with the original's ``-l``."""
+    notices: tuple[Notice, ...] = ()
+    """What is to be told about the settings themselves once somebody listens."""
     sources: Mapping[str, Source] = field(default_factory=dict)
     """Where each field came from; what is not in it is a default."""
 
     def source_of(self, name: str) -> Source:
         return self.sources.get(name, Source.DEFAULT)
-
-
-@dataclass(frozen=True, slots=True)
-class Notice:
-    """Something about the settings that is told once: a code and its values."""
-
-    code: str
-    values: Mapping[str, str]
 
 
 class BadOption(Exception):

@@ -7,8 +7,8 @@ behind the command. The first word that is no option and no option's value is th
 from __future__ import annotations
 
 import argparse
-import os
-from collections.abc import Callable
+import re
+from collections.abc import Callable, Mapping
 from dataclasses import dataclass
 from typing import NoReturn
 
@@ -35,11 +35,12 @@ _PLACEHOLDERS = {
 
 
 class WrongUsage(Exception):
-    """The command line can't be understood. ``problem`` in the words of the parser."""
+    """The command line can't be understood: a code of the catalogue, and what it is about."""
 
-    def __init__(self, problem: str) -> None:
-        super().__init__(problem)
-        self.problem = problem
+    def __init__(self, code: str, what: str) -> None:
+        super().__init__(code)
+        self.code = code
+        self.what = what
 
 
 @dataclass(frozen=True, slots=True)
@@ -53,9 +54,37 @@ class Invocation:
     arguments: argparse.Namespace
 
 
+_PROBLEMS = (
+    (re.compile(r"the following arguments are required: (.*)"), "usage-missing"),
+    (re.compile(r"unrecognized arguments: (.*)"), "usage-unrecognized"),
+    (re.compile(r"argument ([^:]*): expected .*"), "usage-without-value"),
+    (re.compile(r"argument ([^:]*): invalid choice.*"), "usage-bad-choice"),
+    (re.compile(r"argument ([^:]*): not allowed with.*"), "usage-not-together"),
+)
+"""What argparse complains about, and our sentence for it."""
+
+_LONGEST_QUOTE = 40
+
+
 class _Parser(argparse.ArgumentParser):
+    """Complains by code, in no language."""
+
     def error(self, message: str) -> NoReturn:
-        raise WrongUsage(message)
+        for pattern, code in _PROBLEMS:
+            found = pattern.fullmatch(message)
+            if found:
+                raise WrongUsage(code, found[1][:_LONGEST_QUOTE])
+        raise WrongUsage("usage-unrecognized", message[:_LONGEST_QUOTE])
+
+
+def _formatter(words: Words) -> type[argparse.HelpFormatter]:
+    """Help with the first word in the learner's language."""
+
+    class Formatter(argparse.HelpFormatter):
+        def add_usage(self, usage, actions, groups, prefix=None):  # type: ignore[no-untyped-def] # argparse's own
+            super().add_usage(usage, actions, groups, prefix or f"{words('usage-prefix')} ")
+
+    return Formatter
 
 
 def command_of(arguments: list[str]) -> tuple[str, list[str]]:
@@ -100,10 +129,11 @@ def _parser(command: str, words: Words) -> argparse.ArgumentParser:
         prog=f"donnie {command}".strip(),
         description=words(f"usage-{command or 'donnie'}"),
         epilog=None if command else words("usage-commands", commands=", ".join(COMMANDS[:5])),
+        formatter_class=_formatter(words),
         add_help=False,
         allow_abbrev=False,
     )
-    _ADD[command](parser, words)
+    _ADD[command](parser.add_argument_group(words("usage-arguments")), words)
     common = parser.add_argument_group(words("usage-options"))
     for key in COMMON:
         common.add_argument(f"--{key}", metavar=_PLACEHOLDERS[key], help=words(f"option-{key}"))
@@ -111,7 +141,7 @@ def _parser(command: str, words: Words) -> argparse.ArgumentParser:
     return parser
 
 
-def _add_front_end(parser: argparse.ArgumentParser, words: Words) -> None:
+def _add_front_end(parser: argparse._ArgumentGroup, words: Words) -> None:
     from donnie_tui import __version__
 
     parser.add_argument("file", nargs="?", metavar="FILE", help=words("option-file"))
@@ -124,26 +154,26 @@ def _add_front_end(parser: argparse.ArgumentParser, words: Words) -> None:
     parser.add_argument("--version", action="version", version=__version__, help=words("option-version"))
 
 
-def _add_run(parser: argparse.ArgumentParser, words: Words) -> None:
+def _add_run(parser: argparse._ArgumentGroup, words: Words) -> None:
     parser.add_argument("file", nargs="+", metavar="FILE", help=words("option-file-or-input"))
     parser.add_argument("--trace", action="store_true", help=words("option-trace"))
 
 
-def _add_check(parser: argparse.ArgumentParser, words: Words) -> None:
+def _add_check(parser: argparse._ArgumentGroup, words: Words) -> None:
     parser.add_argument("file", nargs="+", metavar="FILE", help=words("option-file-or-input"))
 
 
-def _add_format(parser: argparse.ArgumentParser, words: Words) -> None:
+def _add_format(parser: argparse._ArgumentGroup, words: Words) -> None:
     parser.add_argument("file", nargs="+", metavar="FILE", help=words("option-file-or-input"))
     parser.add_argument("--to", choices=("en", "pt", "es"), help=words("option-to"))
     parser.add_argument("-w", "--write", action="store_true", help=words("option-write"))
 
 
-def _add_nothing(parser: argparse.ArgumentParser, words: Words) -> None:
+def _add_nothing(parser: argparse._ArgumentGroup, words: Words) -> None:
     """The command takes the common options only."""
 
 
-def _add_world(parser: argparse.ArgumentParser, words: Words) -> None:
+def _add_world(parser: argparse._ArgumentGroup, words: Words) -> None:
     parser.add_argument("name", nargs="?", metavar="NAME", help=words("option-world"))
     form = parser.add_mutually_exclusive_group()
     form.add_argument("--map", action="store_true", help=words("option-map"))
@@ -153,7 +183,7 @@ def _add_world(parser: argparse.ArgumentParser, words: Words) -> None:
     form.add_argument("--brf", metavar="FILE", help=words("option-brf"))
 
 
-_ADD: dict[str, Callable[[argparse.ArgumentParser, Words], None]] = {
+_ADD: dict[str, Callable[[argparse._ArgumentGroup, Words], None]] = {
     "": _add_front_end,
     "run": _add_run,
     "check": _add_check,
@@ -163,15 +193,24 @@ _ADD: dict[str, Callable[[argparse.ArgumentParser, Words], None]] = {
 }
 
 
-def language_before_parsing(arguments: list[str], environment: dict[str, str] | os._Environ[str]) -> str:
-    """The language in which wrong usage is told: the option's if it is sound, else the environment's."""
-    from donnie_tui.settings import language_of
+def language_before_parsing(
+    arguments: list[str], environment: Mapping[str, str], file: Mapping[str, object]
+) -> str:
+    """The language in which help and wrong usage are told: the first sound one of all sources."""
+    from donnie_tui.settings import BadOption, resolve
 
+    for given in (_language_option(arguments), {}):
+        try:
+            return resolve(given, environment, file)[0].language
+        except BadOption:
+            continue
+    return "en"
+
+
+def _language_option(arguments: list[str]) -> dict[str, str]:
+    """What ``--lang`` says, wherever it stands."""
     for at, each in enumerate(arguments):
         key, _, value = each.partition("=")
         if key == "--lang":
-            given = value or (arguments[at + 1] if at + 1 < len(arguments) else "")
-            return language_of({"LANG": given})
-    return language_of(
-        {"LANG": environment.get("DONNIE_LANG", "")} if environment.get("DONNIE_LANG") else environment
-    )
+            return {"lang": value or "".join(arguments[at + 1 : at + 2])}
+    return {}

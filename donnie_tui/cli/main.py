@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import os
 import sys
-from collections.abc import Callable
+from collections.abc import Callable, Mapping
 from dataclasses import replace
 
 from donnie_tui.cli import codes
@@ -12,7 +12,7 @@ from donnie_tui.cli.arguments import TO_COME, Invocation, WrongUsage, language_b
 from donnie_tui.cli.order import Order
 from donnie_tui.cli.output import Output
 from donnie_tui.i18n.words import Words
-from donnie_tui.settings import BadOption, Settings, resolve
+from donnie_tui.settings import FRONT_END_SPEED, BadOption, Notice, Settings, resolve
 from donnie_tui.settings_file import read_settings
 from donnie_tui.unusable import Unusable
 
@@ -20,11 +20,12 @@ from donnie_tui.unusable import Unusable
 def main(arguments: list[str]) -> int:
     """Do it, and give the exit code. Prints; never raises for what the user did."""
     output = Output()
-    words = Words(language_before_parsing(arguments, os.environ))
+    file, troubles = read_settings(os.environ)
+    words = Words(language_before_parsing(arguments, os.environ, file))
     try:
-        return _obey(arguments, words, output)
+        return _obey(arguments, words, output, file, troubles)
     except WrongUsage as wrong:
-        return _complain(output, words("wrong-usage", problem=wrong.problem))
+        return _complain(output, words(wrong.code, what=wrong.what))
     except BadOption as bad:
         option, value = f"--{bad.key}", bad.value[:40]
         return _complain(output, words("bad-option", option=option, value=value, wanted=bad.wanted))
@@ -34,27 +35,35 @@ def main(arguments: list[str]) -> int:
         return codes.STOPPED
 
 
-def _obey(arguments: list[str], words: Words, output: Output) -> int:
+def _obey(
+    arguments: list[str],
+    words: Words,
+    output: Output,
+    file: Mapping[str, object],
+    troubles: tuple[Notice, ...],
+) -> int:
     invocation = understand(arguments, words)
     if invocation.command in TO_COME:
         raise Unusable(words("command-to-come", command=invocation.command))
-    order = _order(invocation, output)
-    for notice in order.notices:
-        output.complaint(order.words(notice.code, **notice.values))
+    order = _order(invocation, output, file, troubles)
     code = _handler(order)(order)
     if output.problem is not None:
         raise Unusable(order.words("output-unwritable", reason=output.problem))
     return code
 
 
-def _order(invocation: Invocation, output: Output) -> Order:
-    runs = invocation.command or getattr(invocation.arguments, "run", None)
-    file, troubles = read_settings(os.environ)
-    default_speed = {"default_speed": None} if runs else {}
-    settings, notices = resolve(invocation.options, os.environ, file, **default_speed)
-    settings = _with_original_flags(settings, invocation)
+def _order(
+    invocation: Invocation, output: Output, file: Mapping[str, object], troubles: tuple[Notice, ...]
+) -> Order:
+    """What is odd about the settings is told at once by a command, and by a front end once it listens."""
+    is_command = bool(invocation.command or invocation.arguments.run)
+    default_speed = None if is_command else FRONT_END_SPEED
+    settings, notices = resolve(invocation.options, os.environ, file, default_speed=default_speed)
     words = Words(settings.language, settings.verbosity)
-    return Order(invocation, settings, troubles + notices, words, output, os.environ)
+    for notice in troubles + notices if is_command else ():
+        output.complaint(words(notice.code, **notice.values))
+    settings = replace(settings, notices=() if is_command else troubles + notices)
+    return Order(invocation, _with_original_flags(settings, invocation), words, output, os.environ)
 
 
 def _with_original_flags(settings: Settings, invocation: Invocation) -> Settings:

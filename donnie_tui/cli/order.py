@@ -8,14 +8,13 @@ from dataclasses import dataclass
 from donnie_tui.cli.arguments import Invocation
 from donnie_tui.cli.output import Output
 from donnie_tui.i18n.words import Words
-from donnie_tui.settings import Notice, Settings
+from donnie_tui.settings import Settings
 
 
 @dataclass(frozen=True, slots=True)
 class Order:
     invocation: Invocation
     settings: Settings
-    notices: tuple[Notice, ...]
     words: Words
     output: Output
     environment: Mapping[str, str]

@@ -188,7 +188,14 @@ def test_a_report_tells_what_was_ignored(printed: Printed) -> None:
         (("run", "a.gd", "--speed", "fast"), "The option --speed can't be fast. It takes 0.1-1000, max."),
         (("run", "a.gd", "--world", "bare.world"), "The world bare.world has no robot with sensors."),
         (("run", "a.gd", "--events", "no/such"), "I can't write no/such: No such file or directory."),
-        (("run", "a.gd", "--foo"), "unrecognized arguments: --foo. The option --help tells more."),
+        (("run", "a.gd", "--foo"), "I do not understand --foo. The option --help tells more."),
+        (("run", "--lang", "pt"), "Falta: FILE. A opção --help diz mais."),
+        (
+            ("format", "a.gd", "--to", "fr"),
+            "The option --to does not know that. The option --help tells more.",
+        ),
+        (("run", "a.gd", "--lang"), "The option --lang needs a value. The option --help tells more."),
+        (("--linear", "--visual"), "The option --visual contradicts another one."),
         *(((command, "x"), f"The command {command} is not there yet.") for command in TO_COME),
     ],
 )

@@ -35,11 +35,33 @@ SENTENCES: dict[str, Sentence] = {
         "A opção --events - é de donnie run. Aqui, dê um arquivo.",
         "La opción --events - es de donnie run. Aquí, da un archivo.",
     ),
-    "wrong-usage": Sentence(
-        "{problem}. The option --help tells more.",
-        "{problem}. A opção --help diz mais.",
-        "{problem}. La opción --help dice más.",
+    "usage-missing": Sentence(
+        "Missing: {what}. The option --help tells more.",
+        "Falta: {what}. A opção --help diz mais.",
+        "Falta: {what}. La opción --help dice más.",
     ),
+    "usage-unrecognized": Sentence(
+        "I do not understand {what}. The option --help tells more.",
+        "Não entendo {what}. A opção --help diz mais.",
+        "No entiendo {what}. La opción --help dice más.",
+    ),
+    "usage-without-value": Sentence(
+        "The option {what} needs a value. The option --help tells more.",
+        "A opção {what} precisa de um valor. A opção --help diz mais.",
+        "La opción {what} necesita un valor. La opción --help dice más.",
+    ),
+    "usage-bad-choice": Sentence(
+        "The option {what} does not know that. The option --help tells more.",
+        "A opção {what} não conhece isso. A opção --help diz mais.",
+        "La opción {what} no conoce eso. La opción --help dice más.",
+    ),
+    "usage-not-together": Sentence(
+        "The option {what} contradicts another one.",
+        "A opção {what} contradiz outra.",
+        "La opción {what} contradice a otra.",
+    ),
+    "usage-prefix": Sentence("usage:", "uso:", "uso:"),
+    "usage-arguments": Sentence("arguments", "argumentos", "argumentos"),
     "output-unwritable": Sentence(
         "I can't write the output: {reason}.",
         "Não consigo escrever a saída: {reason}.",
