@@ -1,0 +1,61 @@
+"""Changing between the linear mode and the full screen takes the program along, as often as wanted."""
+
+from argparse import Namespace
+from pathlib import Path
+
+import pytest
+
+from donnie_tui.bootstrap import SwitchMode
+from donnie_tui.cli import front_ends
+from donnie_tui.cli.arguments import Invocation
+from donnie_tui.cli.order import Order
+from donnie_tui.cli.output import Output
+from donnie_tui.i18n.words import Words
+from donnie_tui.linear import app as linear
+from donnie_tui.settings import Settings
+from donnie_tui.tui import app as screen
+
+
+def order(file: str | None = None, *, option_linear: bool = False) -> Order:
+    arguments = Namespace(file=file, linear=option_linear, visual=False)
+    return Order(Invocation("", {}, arguments), Settings(), Words(), Output(), {"TERM": "xterm"})
+
+
+@pytest.fixture
+def visits(monkeypatch: pytest.MonkeyPatch) -> list[tuple[object, ...]]:
+    """What each mode was started with. The first two visits end by changing to the other mode."""
+    made: list[tuple[object, ...]] = []
+
+    def visit(*visited: object) -> int:
+        made.append(visited)
+        if len(made) < 3:
+            raise SwitchMode(f"FW {len(made)}", "a.gd" if len(made) == 1 else None)
+        return 0
+
+    monkeypatch.setattr(
+        linear,
+        "run_linear",
+        lambda settings, file, cause, text=None: visit("linear", file, cause, text),
+    )
+    monkeypatch.setattr(
+        screen, "run_full_screen", lambda settings, file, text=None: visit("screen", file, text)
+    )
+    return made
+
+
+def test_the_program_and_its_name_go_along(visits: list[tuple[object, ...]]) -> None:
+    assert front_ends.start(order("b.gd", option_linear=True)) == 0
+    assert visits == [
+        ("linear", Path("b.gd"), "option", None),
+        ("screen", Path("a.gd"), "FW 1"),
+        ("linear", None, "word", "FW 2"),
+    ]
+
+
+def test_what_no_terminal_offers_is_not_asked_of_it(
+    visits: list[tuple[object, ...]], monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """Under the tests there is no terminal."""
+    front_ends.start(order())
+
+    assert visits[0] == ("linear", None, "no-terminal", None)
