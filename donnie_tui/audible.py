@@ -6,7 +6,9 @@ on the stream, in print, once.
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from contextlib import ExitStack
+from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
 from devices.speech.choose import Channel, ChannelReason, Facts, choose_channel
@@ -28,18 +30,31 @@ _NOTICE_FOR = {
 }
 
 
-def make_audible(settings: Settings, session: Session, words: Words, closing: ExitStack) -> tuple[str, ...]:
-    """Add the voice and the cues that are wanted and possible. The answer is what is not, a sentence each."""
+@dataclass(frozen=True, slots=True)
+class Audible:
+    """What came of it."""
+
+    notices: tuple[str, ...] = ()
+    """What is wanted and not possible, a sentence each."""
+    is_quiet_within: Callable[[float], bool] = lambda _: True
+    """Wait until everything was said, that many seconds at most; False if that was not enough."""
+
+
+def make_audible(settings: Settings, session: Session, words: Words, closing: ExitStack) -> Audible:
+    """Add the voice and the cues that are wanted and possible."""
     facts = look_around()
     choice = choose_channel(settings.speech, facts)
     speaks, cues = choice.channel is Channel.TTS, wants_cues(settings, facts)
-    if speaks or cues:
-        _connect(session, words, closing, speaks=speaks, cues=cues)
     notice = _NOTICE_FOR.get(choice.reason)
-    return (words(notice),) if notice else ()
+    notices = (words(notice),) if notice else ()
+    if not (speaks or cues):
+        return Audible(notices)
+    return Audible(notices, _connect(session, words, closing, speaks=speaks, cues=cues))
 
 
-def _connect(session: Session, words: Words, closing: ExitStack, *, speaks: bool, cues: bool) -> None:
+def _connect(
+    session: Session, words: Words, closing: ExitStack, *, speaks: bool, cues: bool
+) -> Callable[[float], bool]:
     from devices.audio_worker.factory import make_audio, make_cue_player, make_speaker
     from devices.audio_worker.service import AudioSettings
 
@@ -47,6 +62,7 @@ def _connect(session: Session, words: Words, closing: ExitStack, *, speaks: bool
     closing.callback(audio.close)
     session.hub.subscribe(Voice(make_speaker(audio if speaks else None), words))
     session.hub.subscribe(Cues(make_cue_player(audio if cues else None)))
+    return audio.wait_until_quiet
 
 
 def wants_cues(settings: Settings, facts: Facts) -> bool:

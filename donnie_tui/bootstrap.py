@@ -12,7 +12,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING, TextIO
 
 from devices.ports.robot import Pace, Watcher
-from donnie_tui.audible import make_audible
+from donnie_tui.audible import Audible, make_audible
 from donnie_tui.core.event_stream import JsonLines
 from donnie_tui.core.events import Answered
 from donnie_tui.core.session import ResettableRobot, Session
@@ -47,6 +47,7 @@ class Donnie:
     """What had to be done without, a sentence each, to be told once at the start."""
     world: ChosenWorld
     """Its name, scene, and title, description and task where it is one of ours."""
+    _audible: Audible
     _closing: ExitStack
 
     def picture(self) -> Picture:
@@ -54,6 +55,10 @@ class Donnie:
         from sim.picture import picture
 
         return picture(self.world.scene)
+
+    def is_quiet_within(self, seconds: float) -> bool:
+        """Wait until everything was said, that long at most; False if that was not enough."""
+        return self._audible.is_quiet_within(seconds)
 
     def close(self) -> None:
         self._closing.close()
@@ -74,11 +79,11 @@ def assemble(settings: Settings, *, terminal: bool, out: TextIO | None = None) -
         _write_events(settings, session, words, out, closing)
         _write_log(settings, session, words, closing)
         about_settings = tuple(words(each.code, **each.values) for each in settings.notices)
-        notices = about_settings + make_audible(settings, session, words, closing)
+        audible = make_audible(settings, session, words, closing)
     except BaseException:
         closing.close()
         raise
-    return Donnie(session, words, notices, world, closing)
+    return Donnie(session, words, about_settings + audible.notices, world, audible, closing)
 
 
 def colours_of_world(settings: Settings, words: Words) -> frozenset[str]:

@@ -6,6 +6,7 @@ A signal stops the robot at once; the run then ends as it always does, with its 
 from __future__ import annotations
 
 import signal
+import threading
 from collections.abc import Callable, Iterator
 from contextlib import contextmanager
 from pathlib import PurePath
@@ -27,6 +28,12 @@ from donnie_tui.unusable import Unusable
 _SIGNALS = ("SIGINT", "SIGTERM", "SIGHUP")
 _GLANCE = 0.5
 """Seconds between two looks for a signal where waiting can't be interrupted by one."""
+
+_MOMENT = 0.05
+"""Seconds within which a signal ends the voice too."""
+
+_LONGEST_SPEECH = 2400
+"""Moments that the voice may take behind the end of a program: two minutes."""
 
 _CODE_OF = {
     Outcome.COMPLETED: codes.DONE,
@@ -71,12 +78,13 @@ def _run(order: Order, file: str, *, trace: bool) -> int:
 def _run_to_the_end(donnie: Donnie, source: Source, output: Output, trace: bool) -> int:
     session = donnie.session
     output.on_broken = session.stop
-    with _stopped_by_signals(session):
+    with _stopped_by_signals(session) as stopped:
         started = session.start(
             source.text, PurePath(source.name).name, fresh=True, hooked=False, trace=trace
         )
         while not started.wait(_GLANCE):
             pass
+        _let_speak(donnie, stopped)
     return codes.FAILED if started.outcome is None else _CODE_OF[started.outcome]
 
 
@@ -95,17 +103,26 @@ def _tell_notices(settings: Settings, donnie: Donnie, output: Output) -> None:
             output.complaint(notice)
 
 
+def _let_speak(donnie: Donnie, stopped: threading.Event) -> None:
+    """A program is done before its words are said: the voice gets its time, until somebody stops it."""
+    for _ in range(_LONGEST_SPEECH):
+        if stopped.is_set() or donnie.is_quiet_within(_MOMENT):
+            return
+
+
 @contextmanager
-def _stopped_by_signals(session: Session) -> Iterator[None]:
-    """Any of them, any number of times, stops the program and the robot; nothing else."""
+def _stopped_by_signals(session: Session) -> Iterator[threading.Event]:
+    """Any of them, any number of times, stops the program and the robot, and sets the event."""
+    stopped = threading.Event()
 
     def stop(_number: int, _frame: FrameType | None) -> None:
+        stopped.set()
         session.stop()
 
     numbers = [getattr(signal, name) for name in _SIGNALS if hasattr(signal, name)]
     before = {number: signal.signal(number, stop) for number in numbers}
     try:
-        yield
+        yield stopped
     finally:
         for number, handler in before.items():
             signal.signal(number, handler)

@@ -56,6 +56,7 @@ def test_what_is_missing_is_told_once(
 ) -> None:
     monkeypatch.setattr(audible, "look_around", lambda: around)
     with ExitStack() as closing:
-        told = make_audible(Settings(speech=speech, sound=False), Floor().session, Words(), closing)
+        made = make_audible(Settings(speech=speech, sound=False), Floor().session, Words(), closing)
 
-    assert told == notices
+    assert made.notices == notices
+    assert made.is_quiet_within(0)
