@@ -18,7 +18,7 @@ from donnie_tui.cli import codes
 from donnie_tui.cli.order import Order
 from donnie_tui.cli.output import Guarded, Output
 from donnie_tui.cli.sources import Source, read_source
-from donnie_tui.core.events import Outcome, Stamped
+from donnie_tui.core.events import Answered, Outcome, Stamped
 from donnie_tui.core.session import Session
 from donnie_tui.core.transcript import lines_of
 from donnie_tui.settings import Settings
@@ -68,8 +68,8 @@ def _run(order: Order, file: str, *, trace: bool) -> int:
     donnie = assemble(order.settings, terminal=False, out=cast(TextIO, Guarded(output)))
     try:
         _tell_notices(order.settings, donnie, output)
-        if order.settings.events != "-":
-            donnie.session.hub.subscribe(_printer(donnie, output))
+        with_words = order.settings.events != "-"
+        donnie.session.hub.subscribe(_printer(donnie, output, with_words=with_words))
         return _run_to_the_end(donnie, source, output, trace)
     finally:
         donnie.close()
@@ -88,10 +88,16 @@ def _run_to_the_end(donnie: Donnie, source: Source, output: Output, trace: bool)
     return codes.FAILED if started.outcome is None else _CODE_OF[started.outcome]
 
 
-def _printer(donnie: Donnie, output: Output) -> Callable[[Stamped], None]:
+def _printer(donnie: Donnie, output: Output, *, with_words: bool) -> Callable[[Stamped], None]:
+    """What the program tells is what was asked for; what Donnie answers of itself is not."""
+
     def tell(stamped: Stamped) -> None:
+        is_our_own = isinstance(stamped.event, Answered)
         for line in lines_of(stamped.event, donnie.words):
-            output.line(line)
+            if is_our_own:
+                output.complaint(line)
+            elif with_words:
+                output.line(line)
 
     return tell
 

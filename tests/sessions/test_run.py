@@ -183,5 +183,5 @@ def test_a_full_disk_is_told(tmp_path: Path) -> None:
 
     done = donnie(tmp_path, "run", "a.gd", *QUIET, "--events", "/dev/full")
 
-    assert "I can't write /dev/full" in done.stdout.decode()
-    assert done.stdout.decode().endswith("1\n")
+    assert done.stdout.decode() == "I walked 1 step forward.\n1\n"
+    assert done.stderr.decode() == "I can't write /dev/full: No space left on device.\n"
