@@ -136,6 +136,7 @@ class Runs:
                 break
             if self._console.take_interrupt() and not self._stopping:
                 self._left_out += self._told.trim(LARGEST_BLOCK)
+                self._begin_new_line()
                 self._stop()
             elif self._held:
                 self._while_held(run)
@@ -204,6 +205,11 @@ class Runs:
         self._stopped_at = self._line()
         self._desk.session.stop()
         self._told.let_pass()
+
+    def _begin_new_line(self) -> None:
+        """A terminal that edits by itself has shown Ctrl+C."""
+        if not self._desk.can_edit:
+            self._desk.hold_newline()
 
     def _tell_stopped(self) -> None:
         if self._left_out:
