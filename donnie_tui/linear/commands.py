@@ -40,6 +40,8 @@ class Command:
     """Not listed."""
 
 
+_AS = ("as", "como")
+
 # --- what the words do
 
 
@@ -50,7 +52,9 @@ def _open(desk: Desk, _: Runs, rest: str) -> bool:
 
 
 def _save(desk: Desk, _: Runs, rest: str) -> None:
-    files.save_named(desk, rest)
+    """SAVE name; SAVE AS name, as in the full screen, is the same."""
+    word, _blank, name = rest.partition(" ")
+    files.save_named(desk, name.strip() if name and fold_name(word) in _AS else rest)
 
 
 def _new(desk: Desk, _: Runs, rest: str) -> bool:

@@ -120,7 +120,9 @@ def test_a_program_is_saved_and_opened(learner: Learner, tmp_path: Path) -> None
     learner.sees("Saved corner.gd, 2 lines.")
     learner.enters("NEW", "LIST")
     learner.sees("No lines yet.")
-    learner.enters("OPEN corner", "RUN")
+    learner.enters("OPEN corner", "SAVE AS other name")
+    learner.sees("Saved other name.gd, 2 lines.")
+    learner.enters("RUN")
     learner.sees("I turned 90 degrees to the right.")
 
     assert (tmp_path / "corner.gd").read_text() == "FW 3\nTR 90\n"
