@@ -28,7 +28,9 @@ def test_the_roots_are_ours_alone(wheel: Path) -> None:
 
 
 def test_every_data_file_of_the_packages_is_in_the_wheel(wheel: Path) -> None:
-    tracked = subprocess.run(["git", "ls-files", *ROOTS], cwd=ROOT, check=True, capture_output=True, text=True)
+    tracked = subprocess.run(
+        ["git", "ls-files", *ROOTS], cwd=ROOT, check=True, capture_output=True, text=True
+    )
 
     assert set(tracked.stdout.split()) <= set(zipfile.ZipFile(wheel).namelist())
 
