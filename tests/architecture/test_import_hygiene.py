@@ -24,7 +24,7 @@ OWNERS = {
     "miniaudio": (),
     "numpy": (),
 }
-"""The modules, by prefix, that may load a library when they are imported; the others may not, or later only."""
+"""The modules, by prefix, that may load a library when they are imported; others may later, or never."""
 
 
 def modules() -> list[str]:

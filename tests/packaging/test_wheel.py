@@ -44,7 +44,7 @@ def test_the_three_commands_are_installed(wheel: Path) -> None:
 
 
 def test_what_is_installed_from_the_wheel_runs_a_program(wheel: Path, tmp_path: Path) -> None:
-    """The libraries are borrowed from the environment of the tests; our packages come from the wheel alone."""
+    """The libraries are borrowed from the tests' environment; our packages come from the wheel alone."""
     venv.create(tmp_path / "env", with_pip=False, symlinks=True)
     site = next((tmp_path / "env").glob("lib/python*/site-packages"))
     zipfile.ZipFile(wheel).extractall(site)
