@@ -5,7 +5,7 @@ What is heavy is imported where it is used, so that a command loads no more than
 
 from __future__ import annotations
 
-from contextlib import ExitStack
+from contextlib import ExitStack, suppress
 from dataclasses import dataclass
 from functools import partial
 from pathlib import Path
@@ -128,7 +128,7 @@ def _write_events(
     if settings.events is None:
         return
     if settings.events != "-":
-        out = closing.enter_context(_open_for_events(settings.events, words))
+        out = _open_to_write(settings.events, words, closing)
     elif out is None:
         raise Unusable(words("events-need-run"))
 
@@ -145,16 +145,24 @@ def _write_log(settings: Settings, session: Session, words: Words, closing: Exit
         return
     try:
         Path("Log").mkdir(exist_ok=True)
-        out = closing.enter_context(_open_for_events(str(next_log(Path("Log"))), words))
+        out = _open_to_write(str(next_log(Path("Log"))), words, closing)
     except OSError as problem:
         raise Unusable(words("file-unwritable", path="Log", reason=problem.strerror)) from None
     session.hub.subscribe(ToldLog(out, words))
 
 
-def _open_for_events(name: str, words: Words) -> TextIO:
+def _open_to_write(name: str, words: Words, closing: ExitStack) -> TextIO:
     """Lone surrogates become the escapes that JSON has for them."""
     try:
-        return Path(name).open("w", encoding="utf-8", errors="backslashreplace", newline="\n")
+        out = Path(name).open("w", encoding="utf-8", errors="backslashreplace", newline="\n")
     except (OSError, ValueError) as problem:
         reason = getattr(problem, "strerror", None) or str(problem)
         raise Unusable(words("file-unwritable", path=name, reason=reason)) from None
+    closing.callback(_close_quietly, out)
+    return out
+
+
+def _close_quietly(out: TextIO) -> None:
+    """What could not be written was told when it was written."""
+    with suppress(OSError):
+        out.close()
