@@ -154,7 +154,9 @@ def _write_log(settings: Settings, session: Session, words: Words, closing: Exit
 def _open_to_write(name: str, words: Words, closing: ExitStack) -> TextIO:
     """Lone surrogates become the escapes that JSON has for them."""
     try:
-        out = Path(name).open("w", encoding="utf-8", errors="backslashreplace", newline="\n")
+        out = Path(name).open(  # noqa: SIM115 -- closed with the session
+            "w", encoding="utf-8", errors="backslashreplace", newline="\n"
+        )
     except (OSError, ValueError) as problem:
         reason = getattr(problem, "strerror", None) or str(problem)
         raise Unusable(words("file-unwritable", path=name, reason=reason)) from None
