@@ -15,7 +15,7 @@ from typing import Any, NoReturn
 from devices.ports.robot import Bearing
 from language.arithmetic import checked, divide
 from language.control import ControlState, ExecutionControl
-from language.diagnostics import Kind, QuitRequested, Refused, Stopped
+from language.diagnostics import Kind, LanguageError, QuitRequested, Refused, Stopped
 from language.failures import failure_of
 from language.levels import Level, Levels, variables_in
 from language.runnable import MOST_FRAMES, Trace
@@ -24,6 +24,7 @@ from language.stack import DEEPEST_CALL, first_link
 from language.statements import EARLIER, PARAMETER
 from language.syntax import Axis
 from language.units import Unit
+from language.warming import warm_up
 
 _ACTIONS = tuple(name for name in vars(Actions) if not name.startswith("_"))
 """What the translated code calls by its own name."""
@@ -60,15 +61,12 @@ class Execution:
         stored = [value for _, value in sorted(self._memory.variables.items())]
         program = FunctionType(self._units[0].code, self._globals)
         failure = None
+        warm_up(self._units)
         self._control.attach(self._heed)
         try:
-            if self._control.state is ControlState.STOPPING:
-                raise Stopped
             self._keep(variables_in(program(first_link(), *stored)))
         except BaseException as error:
-            levels, inside = self._levels.of_traceback(error.__traceback__)
-            self._keep_what_was(levels)
-            failure = failure_of(error, levels, self._memory.procedures, inside=inside)
+            failure = self._failure(error)
             if failure is None:
                 raise
         finally:
@@ -82,6 +80,16 @@ class Execution:
         levels = self._levels.of_frame(sys._current_frames().get(self._thread))
         told = levels if len(levels) <= MOST_FRAMES else [levels[0], *levels[1 - MOST_FRAMES :]]
         return tuple(level.told() for level in reversed(told))
+
+    def _failure(self, error: BaseException) -> LanguageError | None:
+        """What an exception means; the memory is true afterwards."""
+        traceback = error.__traceback__
+        if isinstance(error, Stopped):  # nobody asks where, and out of a deep recursion it must be quick
+            self._keep_what_was(self._levels.outermost(traceback))
+            return Stopped()
+        levels, inside = self._levels.of_traceback(traceback), self._levels.raised(traceback)
+        self._keep_what_was(levels)
+        return failure_of(error, levels, self._memory.procedures, inside=inside)
 
     def _keep(self, variables: dict[str, int]) -> None:
         self._memory.variables = variables  # replaced as a whole: other threads may be reading the old ones

@@ -15,9 +15,10 @@ import ast
 from collections.abc import Callable
 from dataclasses import dataclass
 
-from language.arithmetic import SAFE_BITS
+from language.arithmetic import LIMIT, SAFE_BITS
 from language.building import (
     Sites,
+    any_of,
     assign,
     binary,
     both,
@@ -233,15 +234,17 @@ def _open_sides(operator: str, left: _Value, right: _Value) -> tuple[bool, bool]
 
 
 def _checked(site: int, code: ast.expr, above: bool, below: bool) -> ast.expr:
-    """The result if it is small, else what ``checked`` says."""
+    """The result if it is not too large, else what ``checked`` says. Small numbers are compared fastest."""
     if not above and not below:
         return code
-    kept = keeping(site, "t", code)
-    most, least = ("<", constant(site, SMALL)), constant(site, -SMALL)
+    small = _within(site, keeping(site, "t", code), SMALL, above, below)
+    allowed = _within(site, load(site, "t"), LIMIT, above, below)
+    is_good = any_of(site, small, allowed)
+    return either(site, is_good, load(site, "t"), call(site, "checked", load(site, "t")))
+
+
+def _within(site: int, value: ast.expr, limit: int, above: bool, below: bool) -> ast.expr:
+    most, least = ("<", constant(site, limit)), constant(site, -limit)
     if not below:
-        test = compare(site, kept, most)
-    elif not above:
-        test = compare(site, kept, (">", least))
-    else:
-        test = compare(site, least, ("<", kept), most)
-    return either(site, test, load(site, "t"), call(site, "checked", load(site, "t")))
+        return compare(site, value, most)
+    return compare(site, least, ("<", value), most) if above else compare(site, value, (">", least))

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Collection
 
-from language.diagnostics import Diagnostic, Kind, LanguageError, ProgramError, Refused, Stopped
+from language.diagnostics import Diagnostic, Kind, LanguageError, ProgramError, Refused
 from language.levels import Level, call_sites
 from language.mistakes import diagnostic, undeclared_procedure, undeclared_variable
 from language.stack import DEEPEST_CALL
@@ -19,8 +19,6 @@ def failure_of(
     ``procedures``: those that exist. ``inside``: the exception was raised by the translated code itself
     and not in something it called.
     """
-    if isinstance(error, Stopped):
-        return Stopped()
     if isinstance(error, Refused) and levels:
         return ProgramError(_refused(error, levels[-1]), call_sites(levels))
     found = _found_by_python(error, levels, procedures) if inside else None

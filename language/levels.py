@@ -10,11 +10,15 @@ from collections.abc import Iterable, Iterator, Mapping
 from dataclasses import dataclass
 from itertools import islice
 from types import CodeType, FrameType, TracebackType
+from typing import TypeAlias
 
 from language.diagnostics import CallSite
 from language.expressions import VARIABLE
 from language.runtime import Frame
 from language.units import Unit
+
+_Entry: TypeAlias = tuple[FrameType, int | None]
+"""A frame and the site in it."""
 
 
 @dataclass(slots=True)
@@ -53,23 +57,26 @@ class Levels:
         self._roots = {id(unit.code): unit for unit in units}
         self._codes = {id(code) for unit in units for code in _codes(unit.code)}
 
-    def of_traceback(self, traceback: TracebackType | None) -> tuple[list[Level], bool]:
-        """The levels, outermost first, and whether the error was raised in the innermost itself."""
-        entries: list[tuple[FrameType, int | None]] = []
-        inside = False
-        while traceback is not None:
-            inside = id(traceback.tb_frame.f_code) in self._codes
-            entries.append((traceback.tb_frame, traceback.tb_lineno))
-            traceback = traceback.tb_next
-        return self._levels(entries), inside
+    def of_traceback(self, traceback: TracebackType | None) -> list[Level]:
+        """The levels that an exception went through, outermost first."""
+        return list(self._levels(_entries(traceback)))
+
+    def outermost(self, traceback: TracebackType | None) -> list[Level]:
+        """The program's own level only: at once, however deep the exception was raised."""
+        return list(islice(self._levels(_entries(traceback)), 1))
 
     def of_frame(self, frame: FrameType | None) -> list[Level]:
         """The levels of a running thread, outermost first."""
-        entries: list[tuple[FrameType, int | None]] = []
+        entries: list[_Entry] = []
         while frame is not None:
             entries.append((frame, frame.f_lineno))
             frame = frame.f_back
-        return self._levels(reversed(entries))
+        return list(self._levels(reversed(entries)))
+
+    def raised(self, traceback: TracebackType | None) -> bool:
+        """Whether an exception was raised by the translated code itself, and not in what it called."""
+        *_, (innermost, _) = _entries(traceback)
+        return id(innermost.f_code) in self._codes
 
     def around(self, frame: FrameType) -> Level:
         """The level that a frame of the translated code belongs to."""
@@ -79,14 +86,17 @@ class Levels:
             frame = frame.f_back
         return Level(self._roots[id(frame.f_code)], frame, site, innermost)
 
-    def _levels(self, entries: Iterable[tuple[FrameType, int | None]]) -> list[Level]:
-        levels: list[Level] = []
+    def _levels(self, entries: Iterable[_Entry]) -> Iterator[Level]:
+        level: Level | None = None
         for frame, site in entries:
             if unit := self._roots.get(id(frame.f_code)):
-                levels.append(Level(unit, frame, site, frame))
-            elif id(frame.f_code) in self._codes and levels:
-                levels[-1].site, levels[-1].innermost = site, frame
-        return levels
+                if level is not None:
+                    yield level
+                level = Level(unit, frame, site, frame)
+            elif level is not None and id(frame.f_code) in self._codes:
+                level.site, level.innermost = site, frame
+        if level is not None:
+            yield level
 
 
 def call_sites(levels: list[Level]) -> tuple[CallSite, ...]:
@@ -104,6 +114,12 @@ def variables_in(names: Mapping[str, object]) -> dict[str, int]:
         for name, value in names.items()
         if name.startswith(VARIABLE) and isinstance(value, int)
     }
+
+
+def _entries(traceback: TracebackType | None) -> Iterator[_Entry]:
+    while traceback is not None:
+        yield traceback.tb_frame, traceback.tb_lineno
+        traceback = traceback.tb_next
 
 
 def _codes(code: CodeType) -> Iterator[CodeType]:

@@ -145,9 +145,7 @@ class ScopeTranslator:
         for name in sorted(self._clashing):
             owner = EARLIER if name in self._stored else PARAMETER if name in parameters else 0
             beginning.append(assign(site, OWNER + name, constant(site, owner)))
-        if self._scope.procedure is not None and not self._hooked:
-            beginning.append(_checkpoint(site))
-        return beginning
+        return beginning if self._hooked else [_checkpoint(site), *beginning]
 
     # --- statements
 

@@ -158,8 +158,8 @@ def test_a_program_without_hooks_is_held_at_its_next_checkpoint() -> None:
     program = fast(read("VAR a\nVAR b\nREPEAT 3 TIMES\na = a + 1\nEND REPEAT\nSPEAK a"))
     seen = frames_while(program, ExecutionControl.pause, ExecutionControl.step)
 
-    assert lines(seen) == [3, 3, 3, 6]
-    assert [dict(frames[0].variables)["a"] for frames in seen] == [1, 2, 3, 3]
+    assert lines(seen) == [1, 3, 3, 3, 6]
+    assert [dict(frames[0].variables).get("a") for frames in seen] == [None, 1, 2, 3, 3]
 
 
 @steppable
