@@ -7,6 +7,7 @@ from __future__ import annotations
 
 import sys
 import threading
+from collections import defaultdict
 from collections.abc import Callable, Iterator
 from itertools import repeat
 from types import FunctionType
@@ -52,7 +53,10 @@ class Execution:
         self._thread = threading.get_ident()
         self._levels = Levels(units)
         self._declared: dict[str, Unit] = {}
-        self._calls = frozenset[tuple[str, int]]().union(*(unit.calls for unit in units))
+        self._counts: dict[str, set[int]] = defaultdict(set)
+        """With how many arguments each procedure is called."""
+        for name, count in frozenset[tuple[str, int]]().union(*(unit.calls for unit in units)):
+            self._counts[name].add(count)
         self._globals = self._make_globals()
         self._bind_earlier()
 
@@ -195,9 +199,8 @@ class Execution:
 
     def _bind(self, unit: Unit) -> None:
         """Make the procedure callable with the right number of arguments, and refused with any other."""
-        for name, given in self._calls:
-            if name == unit.name:
-                self._globals[f"p_{name}_{given}"] = self._callable(unit, given)
+        for given in self._counts[unit.name]:
+            self._globals[f"p_{unit.name}_{given}"] = self._callable(unit, given)
 
     def _callable(self, unit: Unit, given: int) -> Callable[..., None]:
         wanted = len(unit.declared.procedure.parameters)
