@@ -7,9 +7,9 @@ Purposes and short labels are sentences of the catalogue: ``action-NAME`` and ``
 from __future__ import annotations
 
 from dataclasses import dataclass
+from functools import cache
 
 from donnie_tui.i18n.sentence import LANGUAGES
-from language.source import fold_name
 
 
 @dataclass(frozen=True, slots=True)
@@ -71,9 +71,10 @@ def find(typed: str) -> tuple[Action, str] | None:
     ``speed = 3`` and ``open [2]`` are GoDonnie's: a learner may call a variable or procedure as we call
     an action.
     """
-    words = typed.split()
-    for length in range(min(_MOST_WORDS, len(words)), 0, -1):
-        action = _BY_WORD.get(fold_name(" ".join(words[:length])))
+    words, by_word = typed.split(), _by_word()
+    longest = max(len(word.split()) for word in by_word)
+    for length in range(min(longest, len(words)), 0, -1):
+        action = by_word.get(_folded(" ".join(words[:length])))
         if action is not None:
             argument = typed.strip().split(maxsplit=length)[length:]
             return _with_argument(action, argument[0] if argument else "")
@@ -86,8 +87,16 @@ def _with_argument(action: Action, argument: str) -> tuple[Action, str] | None:
     return action, argument
 
 
-_BY_WORD = {fold_name(each.word(language)): each for each in reversed(ACTIONS) for language in LANGUAGES}
-_MOST_WORDS = max(len(word.split()) for word in _BY_WORD)
+@cache
+def _by_word() -> dict[str, Action]:
+    return {_folded(each.word(language)): each for each in reversed(ACTIONS) for language in LANGUAGES}
+
+
+def _folded(word: str) -> str:
+    """As the language compares words. Loaded when first needed: the keys are there before the words are."""
+    from language.source import fold_name
+
+    return fold_name(word)
 
 
 def key_label(key: str) -> str:

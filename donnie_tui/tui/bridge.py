@@ -23,6 +23,7 @@ from donnie_tui.core.events import (
     Error,
     Event,
     Moved,
+    Outcome,
     Passing,
     Read,
     RunEnded,
@@ -82,6 +83,11 @@ class Ended(Message):
         super().__init__()
         self.event = event
         self.errors = errors
+
+    @property
+    def asks_to_quit(self) -> bool:
+        """Whether QUIT was reached where it is allowed."""
+        return self.event.outcome is Outcome.QUIT
 
 
 class Bridge:

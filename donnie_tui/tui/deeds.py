@@ -15,7 +15,7 @@ from donnie_tui.tui.situation import speed_words
 
 
 class Host(Protocol):
-    """The application, as far as actions need it."""
+    """The work, as far as actions need it."""
 
     @property
     def words(self) -> Wording: ...
@@ -41,7 +41,7 @@ class Host(Protocol):
 
     def switch_to_linear(self) -> None: ...
 
-    def leave(self, code: int = 0) -> None: ...
+    def leave(self) -> None: ...
 
 
 class Deeds:

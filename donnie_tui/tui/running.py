@@ -70,6 +70,11 @@ class Running:
                 return Doing.RUNNING
 
     @property
+    def is_busy(self) -> bool:
+        """Whether something runs or holds."""
+        return self._run is not None
+
+    @property
     def frames(self) -> tuple[Frame, ...]:
         """The call stack, innermost first; empty when nothing runs."""
         return self._run.frames() if self._run else ()

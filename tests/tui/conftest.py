@@ -66,16 +66,16 @@ class Desk:
         await self.until(lambda: any(text in line for line in self.log), text)
 
     async def idle(self) -> None:
-        await self.until(lambda: self.app.running.doing is Doing.READY, "the end of the run")
+        await self.until(lambda: self.app.work.running.doing is Doing.READY, "the end of the run")
 
     async def run(self, text: str) -> None:
         """The program, run with F5 to its end."""
-        self.app.load(text)
+        self.app.work.load(text)
         await self.press("f5")
         await self.told("The program is done.")
 
     async def doing(self, doing: Doing) -> None:
-        await self.until(lambda: self.app.running.doing is doing, str(doing))
+        await self.until(lambda: self.app.work.running.doing is doing, str(doing))
 
     @property
     def log(self) -> tuple[str, ...]:
@@ -117,7 +117,7 @@ def work(tmp_path: Path):
         try:
             async with app.run_test(size=size) as pilot:
                 desk = Desk(app, pilot)
-                await desk.until(lambda: app.is_ready, "the session")
+                await desk.until(lambda: app.work is not None, "the session")
                 await pilot.pause()
                 yield desk
         finally:

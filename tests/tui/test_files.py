@@ -16,7 +16,7 @@ def program(tmp_path: Path) -> Path:
 
 async def test_a_file_of_the_command_line_is_open_at_the_start(work, program):
     async with work(file=program) as desk:
-        assert desk.app.text == "FW 1\nTR 90"
+        assert desk.app.work.text == "FW 1\nTR 90"
         assert "Opened walk.gd, 2 lines." in desk.log
         assert ">Program: walk.gd " in desk.screen
 
@@ -31,7 +31,7 @@ async def test_open_takes_the_name_behind_the_word(work, program):
         await desk.type_line(f"OPEN {program}")
         await desk.told("Opened walk.gd, 2 lines.")
 
-        assert desk.app.text == "FW 1\nTR 90"
+        assert desk.app.work.text == "FW 1\nTR 90"
 
 
 async def test_open_asks_for_the_name_and_says_at_once_what_is_wrong_with_it(work, program):
@@ -52,7 +52,7 @@ async def test_esc_goes_back_from_a_question(work):
         await desk.press("escape")
         await desk.until(lambda: desk.app.screen is desk.place, "the workplace")
 
-        assert desk.app.text == "FW 1"
+        assert desk.app.work.text == "FW 1"
         assert desk.place.editor.has_focus
 
 
@@ -102,7 +102,7 @@ async def test_what_is_not_saved_is_asked_about_before_it_goes(work, tmp_path):
         await desk.answer(str(tmp_path / "kept.gd"))
         await desk.told("A new program.")
 
-        assert desk.app.text == ""
+        assert desk.app.work.text == ""
         assert (tmp_path / "kept.gd").read_text(encoding="utf-8") == "FW 2\n"
 
 
@@ -114,12 +114,12 @@ async def test_going_back_from_the_question_keeps_the_program(work):
         await desk.pilot.pause()
 
         assert desk.app.is_running
-        assert desk.app.text == "FW 2"
+        assert desk.app.work.text == "FW 2"
 
 
 async def test_quitting_without_saving_leaves_no_copy(work, tmp_path):
     async with work("FW 2") as desk:
-        desk.app.files.keep_copy()
+        desk.app.work.files.keep_copy()
         assert list((tmp_path / "unsaved").iterdir())
         await desk.press("ctrl+q")
         await desk.answer("no")
@@ -150,7 +150,7 @@ async def test_what_a_crash_left_is_offered_and_comes_back_as_not_saved(work, tm
         await desk.type_line("RECOVER")
         await desk.told("Here it is again, 2 lines.")
 
-        assert desk.app.text == "FW 9\nFW 8"
+        assert desk.app.work.text == "FW 9\nFW 8"
         assert "changed" in desk.screen
 
 
@@ -164,8 +164,8 @@ async def test_there_may_be_nothing_to_recover(work):
 async def test_a_state_folder_that_can_t_be_written_is_told_once(work, tmp_path):
     (tmp_path / "unsaved").write_text("a file in its place")
     async with work("FW 1") as desk:
-        desk.app.files.keep_copy()
-        desk.app.files.keep_copy()
+        desk.app.work.files.keep_copy()
+        desk.app.work.files.keep_copy()
         await desk.told("What you type can't be kept safe")
 
         assert sum("kept safe" in line for line in desk.log) == 1
@@ -186,13 +186,13 @@ async def test_linear_leaves_with_the_text_and_its_file(work, program):
         await desk.until(lambda: not desk.app.is_running, "the end")
 
         assert desk.app.left_for_linear
-        assert desk.app.text == "XFW 1\nTR 90"
-        assert desk.app.files.document.path == program
+        assert desk.app.work.text == "XFW 1\nTR 90"
+        assert desk.app.work.files.document.path == program
 
 
 async def test_a_program_from_the_other_mode_keeps_its_file_and_its_changes(work, program):
     async with work("FW 1\nTR 90\nFW 7\n", file=program) as desk:
-        assert desk.app.text == "FW 1\nTR 90\nFW 7"
+        assert desk.app.work.text == "FW 1\nTR 90\nFW 7"
         assert "Program: walk.gd, changed" in desk.screen
 
 

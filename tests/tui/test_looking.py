@@ -3,6 +3,7 @@
 import pytest
 from textual.geometry import Offset
 
+from devices.ports.robot import Pose
 from donnie_tui.tui.actions import ACTIONS
 
 SIZES = [(40, 12), (80, 24), (100, 30), (120, 40), (200, 60)]
@@ -106,9 +107,7 @@ async def test_exploring_names_the_cell_and_home_goes_back_to_the_robot(work):
 async def test_things_are_named_when_they_are_explored(work):
     async with work(world="living_room", size=(120, 40)) as desk:
         thing = desk.place.map.grid.picture.things[0]
-        desk.place.map._explored = desk.place.map.grid.cell_of(
-            type(desk.app._pose)(round(thing.x), round(thing.y), 0.0)
-        )
+        desk.place.map._explored = desk.place.map.grid.cell_of(Pose(round(thing.x), round(thing.y), 0.0))
         desk.place.map.focus()
         await desk.press("left", "right")
         await desk.pilot.pause()

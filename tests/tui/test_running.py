@@ -64,7 +64,7 @@ async def test_f8_stops_a_program_without_end_and_says_where(work):
     async with work(COMPUTING) as desk:
         await desk.press("f5")
         await desk.doing(Doing.RUNNING)
-        await desk.until(lambda: desk.app.running.frames, "a line being run")
+        await desk.until(lambda: desk.app.work.running.frames, "a line being run")
         await desk.press("f8")
         await desk.told("Stopped at line ")
 
@@ -128,7 +128,7 @@ async def test_pause_holds_the_program_marks_its_line_and_goes_on(work):
         await desk.press("f6")
         await desk.doing(Doing.PAUSED)
         await desk.told("Line ")
-        line = desk.app.running.frames[0].line
+        line = desk.app.work.running.frames[0].line
         await desk.until(lambda: f">{line}  " in desk.screen, "the mark")
         assert "Paused" in desk.status
         assert desk.place.editor.line == line
@@ -209,7 +209,7 @@ async def test_speed_goes_up_and_down_and_is_told(work):
         await desk.type_line("SPEED fast")
         await desk.told("A speed is a number from")
 
-        assert desk.app.running.speed is None
+        assert desk.app.work.running.speed is None
 
 
 async def test_reset_puts_the_robot_back_and_forgets_the_variables(work):
@@ -247,8 +247,8 @@ async def test_quit_in_the_program_is_a_mistake_and_in_the_command_line_leaves(w
     async with work("QUIT") as desk:
         await desk.press("f5")
         await desk.told("Error, line 1")
-        desk.app.load("")
-        desk.app.files.document.become(None, "")
+        desk.app.work.load("")
+        desk.app.work.files.document.become(None, "")
         await desk.type_line("quit")
         await desk.until(lambda: not desk.app.is_running, "the end")
 

@@ -4,6 +4,7 @@
 kind of a line in the log. Titles and labels are no sentences: they have no full stop.
 """
 
+from donnie_tui.i18n import first_screen
 from donnie_tui.i18n.sentence import Sentence
 
 _PANES = {
@@ -16,9 +17,9 @@ _PANES = {
         "Mapa: {world}, {width} por {height} passos",
         "Mapa: {world}, {width} por {height} pasos",
     ),
-    "pane-map-empty": Sentence("Map", "Mapa", "Mapa"),
-    "pane-log": Sentence("Log", "Registro", "Registro"),
-    "pane-inspector": Sentence("Variables", "Variáveis", "Variables"),
+    "pane-map-empty": Sentence(*first_screen.MAP),
+    "pane-log": Sentence(*first_screen.LOG),
+    "pane-inspector": Sentence(*first_screen.VARIABLES),
     "new-program": Sentence("new program", "programa novo", "programa nuevo"),
     "typed-program": Sentence("command line", "linha de comando", "línea de comandos"),
 }
@@ -64,7 +65,7 @@ _STATUS = {
         "Paused, speed {speed}.", "Pausado, velocidade {speed}.", "En pausa, velocidad {speed}."
     ),
     "status-stopping-speed": Sentence("Stopping.", "Parando.", "Deteniendo."),
-    "status-starting": Sentence("Starting.", "Iniciando.", "Iniciando."),
+    "status-starting": Sentence(*first_screen.STARTING),
     "speed-max": Sentence("max", "max", "max"),
 }
 
@@ -98,16 +99,8 @@ _INSPECTOR = {
 }
 
 _ANSWERS = {
-    "screen-start": Sentence(
-        "Screen reader? Type LINEAR and Enter.",
-        "Leitor de tela? Digite LINEAR e Enter.",
-        "¿Lector de pantalla? Escribe LINEAL y Enter.",
-    ),
-    "screen-start-keys": Sentence(
-        "F5 runs the program. F1 helps.",
-        "F5 executa o programa. F1 ajuda.",
-        "F5 ejecuta el programa. F1 ayuda.",
-    ),
+    "screen-start": Sentence(*first_screen.START),
+    "screen-start-keys": Sentence(*first_screen.START_KEYS),
     "screen-stopped": Sentence(
         "Stopped at line {line}.", "Parou na linha {line}.", "Detenido en la línea {line}."
     ),
@@ -127,11 +120,7 @@ _ANSWERS = {
         "Um programa está sendo executado. F8 para.",
         "Un programa se está ejecutando. F8 lo detiene.",
     ),
-    "screen-starting": Sentence(
-        "One moment, Donnie is starting.",
-        "Um momento, o Donnie está iniciando.",
-        "Un momento, Donnie está iniciando.",
-    ),
+    "screen-starting": Sentence(*first_screen.ONE_MOMENT),
     "screen-speed": Sentence("Speed {speed}.", "Velocidade {speed}.", "Velocidad {speed}."),
     "screen-bad-speed": Sentence(
         "A speed is a number from {slowest} to {fastest}, or max.",

@@ -7,6 +7,7 @@ terminal one pane is shown at a time, with the command line and the status line 
 from __future__ import annotations
 
 from collections.abc import Iterable
+from typing import TYPE_CHECKING
 
 from textual.app import ComposeResult
 from textual.containers import Horizontal, Vertical
@@ -15,13 +16,15 @@ from textual.message import Message
 from textual.screen import Screen
 from textual.widgets import Static
 
-from donnie_tui.core.map_grid import MapGrid
 from donnie_tui.tui.widgets.command_line import CommandLine
 from donnie_tui.tui.widgets.editor import Editor
 from donnie_tui.tui.widgets.lines import FixedLine, KeyLine
 from donnie_tui.tui.widgets.map_view import MapView
 from donnie_tui.tui.widgets.pane import Pane
 from donnie_tui.tui.widgets.text_rows import TextRows
+
+if TYPE_CHECKING:
+    from donnie_tui.core.map_grid import MapGrid
 
 WIDE, NARROW, LOW = 110, 60, 18
 """From WIDE columns on there is room for the inspector too; below NARROW or LOW for one pane only."""

@@ -16,8 +16,6 @@ from textual.strip import Strip
 from textual.widgets import TextArea
 from textual.widgets.text_area import TextAreaTheme
 
-from donnie_tui.tui.highlighting import highlights
-
 HERE, CALLER = ">", "*"
 
 _LOOKS = TextAreaTheme(
@@ -102,4 +100,8 @@ class Editor(TextArea):
         """Textual fills ``_highlights`` from tree-sitter here; a test guards both names."""
         self._line_cache.clear()
         self._highlights.clear()
-        self._highlights.update(highlights(self.document.text))
+        text = self.document.text
+        if text:
+            from donnie_tui.tui.highlighting import highlights  # the lexer: not for the first frame
+
+            self._highlights.update(highlights(text))

@@ -6,7 +6,7 @@ focus. A step is two columns wide where the world fits so, because cells are twi
 
 from __future__ import annotations
 
-from typing import ClassVar
+from typing import TYPE_CHECKING, ClassVar
 
 from rich.segment import Segment
 from rich.style import Style
@@ -16,26 +16,22 @@ from textual.message import Message
 from textual.scroll_view import ScrollView
 from textual.strip import Strip
 
-from devices.ports.robot import Pose
-from donnie_tui.core.map_grid import Cell, Kind, MapGrid
+if TYPE_CHECKING:
+    from devices.ports.robot import Pose
+    from donnie_tui.core.map_grid import Cell, MapGrid
 
 _MARGIN = 3
 """Cells that stay visible between the robot and the border, where there is more floor beyond."""
 
-_LOOKS = {
-    Kind.ROBOT: "map-view--robot",
-    Kind.START: "map-view--start",
-    Kind.TRAIL: "map-view--trail",
-    Kind.WALL: "map-view--wall",
-    Kind.FREE: "map-view--free",
-    Kind.THING: "map-view--thing",
-}
+_KINDS = ("robot", "start", "trail", "wall", "free", "thing")
+"""As ``map_grid.Kind`` has them; it is loaded later than this."""
+_SOLID = ("wall", "thing")
 
 
 class MapView(ScrollView, can_focus=True):
     """Shows a ``MapGrid``. Empty until it is given one."""
 
-    COMPONENT_CLASSES: ClassVar[set[str]] = set(_LOOKS.values())
+    COMPONENT_CLASSES: ClassVar[set[str]] = {f"map-view--{kind}" for kind in _KINDS}
 
     BINDINGS: ClassVar[list[BindingType]] = [
         Binding("up", "explore(0, 1)", show=False),
@@ -53,7 +49,7 @@ class MapView(ScrollView, can_focus=True):
         self._grid: MapGrid | None = None
         self._columns = 1
         self._explored: Cell | None = None
-        self._looks: dict[Kind, Style] = {}
+        self._looks: dict[str, Style] = {}
 
     # --- what is shown
 
@@ -74,7 +70,7 @@ class MapView(ScrollView, can_focus=True):
         if self._grid is None:
             return
         bounds = self._grid.bounds
-        changed = frozenset[Cell]().union(*map(self._grid.move, poses))
+        changed = set().union(*map(self._grid.move, poses))
         if self._grid.bounds != bounds:
             self._fit()
         elif changed:
@@ -137,7 +133,7 @@ class MapView(ScrollView, can_focus=True):
         bounds, cell = self._grid.bounds, self.cell
         x = min(max(cell.x + east, bounds.left), bounds.right)
         y = min(max(cell.y + north, bounds.bottom), bounds.top)
-        self._explore(Cell(x, y))
+        self._explore(cell._replace(x=x, y=y))
 
     def action_robot(self) -> None:
         if self._grid is not None:
@@ -166,7 +162,7 @@ class MapView(ScrollView, can_focus=True):
         if north < bounds.bottom:
             return Strip.blank(self.size.width, base)
         first, last = self._visible_columns()
-        segments = [self._segment(Cell(x, north)) for x in range(first, last)]
+        segments = [self._segment(self._grid.robot._replace(x=x, y=north)) for x in range(first, last)]
         strip = Strip(Segment.simplify(segments))
         cut = self.scroll_offset.x - (first - bounds.left) * self._columns
         return strip.crop_extend(cut, cut + self.size.width, base)
@@ -179,18 +175,18 @@ class MapView(ScrollView, can_focus=True):
 
     def _segment(self, cell: Cell) -> Segment:
         assert self._grid is not None
-        kind = self._grid.kind(cell)
+        kind = self._grid.kind(cell).value
         look = self._look(kind)
         if cell == self._explored and self.has_focus:
             look += Style(reverse=True)
         letter = self._grid.letter(cell)
         return Segment(letter + self._filling(kind, letter) if self._columns == 2 else letter, look)
 
-    def _filling(self, kind: Kind, letter: str) -> str:
+    def _filling(self, kind: str, letter: str) -> str:
         """The second column of a wide cell: walls and things are solid, all else is a letter and a blank."""
-        return letter if kind in (Kind.WALL, Kind.THING) else " "
+        return letter if kind in _SOLID else " "
 
-    def _look(self, kind: Kind) -> Style:
+    def _look(self, kind: str) -> Style:
         if kind not in self._looks:
-            self._looks[kind] = self.get_component_rich_style(_LOOKS[kind])
+            self._looks[kind] = self.get_component_rich_style(f"map-view--{kind}")
         return self._looks[kind]

@@ -1,0 +1,22 @@
+"""What the full screen says before anything else is loaded. Imports nothing; the catalogue has it from here."""
+
+START = (
+    "Screen reader? Type LINEAR and Enter.",
+    "Leitor de tela? Digite LINEAR e Enter.",
+    "¿Lector de pantalla? Escribe LINEAL y Enter.",
+)
+START_KEYS = (
+    "F5 runs the program. F1 helps.",
+    "F5 executa o programa. F1 ajuda.",
+    "F5 ejecuta el programa. F1 ayuda.",
+)
+PROGRAM = ("Program", "Programa", "Programa")
+MAP = ("Map", "Mapa", "Mapa")
+LOG = ("Log", "Registro", "Registro")
+VARIABLES = ("Variables", "Variáveis", "Variables")
+STARTING = ("Starting.", "Iniciando.", "Iniciando.")
+ONE_MOMENT = (
+    "One moment, Donnie is starting.",
+    "Um momento, o Donnie está iniciando.",
+    "Un momento, Donnie está iniciando.",
+)

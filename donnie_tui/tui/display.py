@@ -1,0 +1,151 @@
+"""What the workplace shows of the session: titles, marks, map, inspector, status line, keys, log.
+
+Knows what was seen last (pose, readings, belt) and nothing about how it came.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+
+from devices.ports.robot import Pose
+from donnie_tui.bootstrap import Donnie
+from donnie_tui.core.events import Read
+from donnie_tui.core.map_grid import MapGrid, floor_size
+from donnie_tui.i18n.catalogue import SENTENCES
+from donnie_tui.tui.actions import BY_NAME, key_label
+from donnie_tui.tui.bridge import Mail
+from donnie_tui.tui.files import Files
+from donnie_tui.tui.running import Doing, Running
+from donnie_tui.tui.screens.workplace import Workplace
+from donnie_tui.tui.situation import cell_sentence, doing_sentences, inspector_lines, robot_sentence
+from language.runtime import Frame
+
+_OFFERED = {
+    Doing.READY: ("run", "step", "save", "open", "show_variables", "help", "quit"),
+    Doing.RUNNING: ("stop", "pause", "slower", "faster", "show_variables", "help"),
+    Doing.PAUSED: ("pause", "step", "step_over", "run_to", "stop", "show_variables", "help"),
+    Doing.STOPPING: ("help",),
+}
+"""The keys that the bottom line shows, by what the program does."""
+
+
+class Display:
+    """Brings the workplace up to date."""
+
+    def __init__(self, place: Workplace, donnie: Donnie, running: Running, files: Files) -> None:
+        self._place = place
+        self._donnie = donnie
+        self._words = donnie.words
+        self._running = running
+        self._files = files
+        self._pose = donnie.session.pose
+        self._readings: dict[tuple[str, str], Read] = {}
+        self._belt: tuple[int, ...] | None = None
+        self._kinds: dict[str, str] = {}
+        self._show_world()
+
+    def _show_world(self) -> None:
+        picture = self._donnie.picture()
+        self._place.show_map(MapGrid(picture, self._pose))
+        about = self._donnie.world.about(self._words.language)
+        width, height = floor_size(picture)
+        title = about.title if about else self._donnie.world.name
+        self._place.map_pane.entitle(self._words("pane-map", world=title, width=width, height=height))
+
+    # --- the robot
+
+    def begin(self, pose: Pose, *, fresh: bool) -> None:
+        """A run begins with the robot here; a fresh one has no trail and no readings."""
+        self._pose = pose
+        if fresh:
+            self._place.map.begin(pose)
+            self._readings.clear()
+
+    def move(self, poses: tuple[Pose, ...]) -> None:
+        """The robot went through these places."""
+        if poses:
+            self._pose = poses[-1]
+            self._place.map.move(poses)
+
+    def receive(self, mail: Mail) -> None:
+        """What happened since the last look, but for the words."""
+        self.move(mail.poses)
+        self._readings.update({(each.sensor, each.argument): each for each in mail.readings})
+        self._belt = mail.belt or self._belt
+
+    # --- the log
+
+    def note(self, *sentences: str) -> None:
+        """Sentences of no kind, at once."""
+        self._place.log_lines((sentence, "") for sentence in sentences)
+
+    def write(self, lines: Iterable[tuple[str, str]]) -> None:
+        """Lines with the codes of their kinds."""
+        self._place.log_lines([(text, self._kind_words(kind)) for text, kind in lines])
+        self._show_inspector()
+
+    def _kind_words(self, kind: str) -> str:
+        """What the log calls a kind; looked up once each, a flood has few kinds."""
+        if kind not in self._kinds:
+            code = f"kind-{kind}"
+            self._kinds[kind] = self._words(code) if code in SENTENCES else kind
+        return self._kinds[kind]
+
+    # --- all the rest
+
+    def look(self) -> None:
+        """Titles, marks, status line, keys and inspector as they should be now."""
+        self.show_titles()
+        self._show_marks()
+        self.say_status()
+        self._show_inspector()
+        self._place.keys.offer([self._key_entry(name) for name in _OFFERED[self._running.doing]])
+
+    def _key_entry(self, name: str) -> str:
+        shown_as = "continue_" if name == "pause" and self._running.doing is Doing.PAUSED else name
+        return f"{key_label(BY_NAME[name].keys[0])} {self._words(f'key-{shown_as}')}"
+
+    def show_titles(self) -> None:
+        code = "pane-program-changed" if self._files.is_changed else "pane-program"
+        self._place.program_pane.entitle(self._words(code, name=self._files.name))
+
+    def _show_marks(self) -> None:
+        lines = [frame.line for frame in self._program_frames()]
+        self._place.editor.mark(lines[0] if lines else None, frozenset(lines[1:]))
+
+    def _program_frames(self) -> tuple[Frame, ...]:
+        """Where the editor's program is; empty while it is not running."""
+        return self._running.frames if self._running.is_program else ()
+
+    def _show_inspector(self) -> None:
+        variables = self._donnie.session.variables if self._running.doing is Doing.READY else {}
+        readings = tuple(self._readings.values())
+        self._place.inspector.show(
+            inspector_lines(self._running.frames, variables, readings, self._belt, self._words)
+        )
+
+    def say_status(self) -> None:
+        """Where the focus is, where Donnie is, what the program does."""
+        robot = robot_sentence(self._pose, self._words, self._donnie.session.teller)
+        doings = doing_sentences(self._running.doing, self._running.speed, self._words)
+        focus = self._focus_sentence()
+        self._place.status.say(*(f" {focus} {robot} {doing}" for doing in doings))
+
+    def _focus_sentence(self) -> str:
+        place, words = self._place, self._words
+        if place.map.has_focus and place.map.grid is not None and place.map.is_exploring:
+            return cell_sentence(place.map.grid, place.map.cell, words)
+        if place.map.has_focus:
+            return words("status-map")
+        if place.log_rows.has_focus:
+            return words("status-log", line=place.log_rows.row + 1, lines=place.log_rows.row_count)
+        if place.inspector.has_focus:
+            return words("status-inspector")
+        if place.command_line.has_focus:
+            return words("status-command")
+        return words("status-program", line=self._program_line(), lines=place.editor.line_count)
+
+    def _program_line(self) -> int:
+        """The line being run, or the one of the cursor."""
+        frames = self._program_frames()
+        return frames[0].line if frames else self._place.editor.line
