@@ -5,8 +5,8 @@ hundred thousand numbers is a tree a hundred thousand levels deep, which Python 
 first part of a deep expression becomes a statement of its own, which goes before (``take_prelude``).
 
 Names for what is kept in between: ``t`` a result until it is checked, ``u`` and ``w`` a dividend and a
-divisor, ``s`` the first part of an expression, ``a`` an operand. The number behind u, w and s is the
-depth of parentheses, so that no two that are needed at once have the same name.
+divisor, ``s`` the first part of an expression, ``a`` an operand. The number behind u and s is the depth
+of parentheses, so that no two that are needed at once have the same name.
 """
 
 from __future__ import annotations
@@ -206,7 +206,7 @@ class Expressions:
 
     def _quotient_by_anything(self, site: int, left: _Value, right: _Value) -> ast.expr:
         first, dividend = _twice(site, f"u{self._level}", left)
-        second, divisor = _twice(site, f"w{self._level}", right)
+        second, divisor = _twice(site, "w", right)
         dividend_sign = compare(site, first, (">=", constant(site, 0)))
         divisor_sign = compare(site, second, (">", constant(site, 0)))
         test = (

@@ -140,9 +140,10 @@ def held_at(
             held.append(current)
             then()
 
-    control.observe(told)
+    end = control.observe(told)
     for current in places:
         control.reached(*current)
+    end()
     return held
 
 
@@ -162,6 +163,16 @@ def test_stepping_over_holds_where_no_more_calls_are_open() -> None:
         (4, 1),
         (5, 0),
     ]
+
+
+def test_stepping_over_twice_does_not_hold_inside_the_call() -> None:
+    control = ExecutionControl()
+    control.step()
+    held = held_at(control, control.step_over, (1, 1))
+    control.step_over()
+
+    assert held_at(control, control.resume, (2, 2), (3, 1)) == [(3, 1)]
+    assert held == [(1, 1)]
 
 
 def test_stepping_over_out_of_a_running_program_is_a_step() -> None:

@@ -29,6 +29,8 @@ back_ends = pytest.mark.parametrize("make", BACK_ENDS.values(), ids=BACK_ENDS.ke
         ("WHILE 1 == w DO END WHILE", ("undeclared-variable", 1, 12)),
         ("REPEAT r TIMES END REPEAT", ("undeclared-variable", 1, 8)),
         ("IF 1 == 2 THEN VAR a END IF\nSPEAK a", ("undeclared-variable", 2, 7)),
+        ("IF 1 == 2 THEN VAR a END IF\na = 1", ("undeclared-variable", 2, 1)),
+        ("IF 1 == 1 THEN SPEAK 1 ELSE VAR a END IF\na = 1", ("undeclared-variable", 2, 1)),
         ("REPEAT 0 TIMES VAR a END REPEAT a = 1", ("undeclared-variable", 1, 33)),
         ("NOPE [1]", ("undeclared-procedure", 1, 1)),
         ("P [1]\nPROCEDURE P: a DO END PROCEDURE", ("undeclared-procedure", 1, 1)),

@@ -24,6 +24,7 @@ back_ends = pytest.mark.parametrize("make", BACK_ENDS.values(), ids=BACK_ENDS.ke
         ("a / (b - 4)", 0),
         ("a / (b * b - 1)", 0),
         ("100 / a / b / (b + b)", 12),
+        ("(a - 20) / ((b - 30) / (a - 4))", -2),
         ("2 - 3 - 4", -5),
         ("2 + 3 * 4 - 6 / 4", 13),
         ("- - a", 1),
@@ -70,7 +71,16 @@ def test_a_larger_number_is_a_mistake_at_its_line_and_is_not_kept(make: Make, be
 
 @back_ends
 @pytest.mark.parametrize(
-    "growing", ["a = a * a", "a = a + a", "a = a * 10", "b = a a = b * 3", "a = a + a / 2", "a = a - -a"]
+    "growing",
+    [
+        "a = a * a",
+        "a = a + a",
+        "a = a * 10",
+        "b = a a = b * 3",
+        "a = a + a / 2",
+        "a = a - -a",
+        f"a = a + 1{'0' * 4298}",
+    ],
 )
 def test_a_number_that_grows_without_end_is_found(make: Make, growing: str) -> None:
     outcome = run(f"VAR a = 2 VAR b\nWHILE 1 == 1 DO {growing} END WHILE", make)
@@ -131,6 +141,39 @@ def test_a_mistake_in_a_long_expression_is_found_at_its_name(make: Make) -> None
     outcome = run(f"VAR a = 1\nSPEAK 0 {terms}\n+ nothing + zilch", make)
 
     assert outcome.place == ("undeclared-variable", 3, 3)
+
+
+@back_ends
+def test_what_stands_before_a_long_expression_is_read_before_it(make: Make) -> None:
+    chain = "+ 1 * (2 - a) " * 90
+    outcome = run(f"VAR a = 2 SPEAK DISTANCE F * a - (COLOR red {chain}) + POS x - (POS y {chain})", make)
+
+    assert [what[0] for what in outcome.actions.done] == [
+        "distance",
+        "colour",
+        "position",
+        "position",
+        "speak",
+    ]
+    assert outcome.actions.said == [24 - 3 + 3 + 4]
+
+
+@back_ends
+def test_arguments_are_calculated_in_their_order(make: Make) -> None:
+    chain = "+ 1 * (2 - a) " * 90
+    arguments = f"DISTANCE F, COLOR red {chain}, POS x + 0, POS y {chain}"
+    outcome = run(
+        f"VAR a = 2 PROCEDURE P: a, b, c, d DO SPEAK a - b * c / d END PROCEDURE P [{arguments}]", make
+    )
+
+    assert [what[0] for what in outcome.actions.done] == [
+        "distance",
+        "colour",
+        "position",
+        "position",
+        "speak",
+    ]
+    assert outcome.actions.said == [14]
 
 
 @back_ends
