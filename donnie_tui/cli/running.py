@@ -5,6 +5,7 @@ A signal stops the robot at once; the run then ends as it always does, with its 
 
 from __future__ import annotations
 
+import os
 import signal
 import threading
 from collections.abc import Callable, Iterator
@@ -19,6 +20,7 @@ from donnie_tui.cli.order import Order
 from donnie_tui.cli.output import Guarded, Output
 from donnie_tui.cli.sources import Source, read_source
 from donnie_tui.core.events import Answered, Outcome, Stamped
+from donnie_tui.core.runner import Run
 from donnie_tui.core.session import Session
 from donnie_tui.core.transcript import lines_of
 from donnie_tui.settings import Settings
@@ -28,6 +30,9 @@ from donnie_tui.unusable import Unusable
 _SIGNALS = ("SIGINT", "SIGTERM", "SIGHUP")
 _GLANCE = 0.5
 """Seconds between two looks for a signal where waiting can't be interrupted by one."""
+
+_LAST_WORDS = 1.0
+"""Seconds for a stopped run to end; it needs a few thousandths unless its output is stuck."""
 
 _MOMENT = 0.05
 """Seconds within which a signal ends the voice too."""
@@ -82,10 +87,16 @@ def _run_to_the_end(donnie: Donnie, source: Source, output: Output, trace: bool)
         started = session.start(
             source.text, PurePath(source.name).name, fresh=True, hooked=False, trace=trace
         )
-        while not started.wait(_GLANCE):
-            pass
+        _await_end(started, stopped)
         _let_speak(donnie, stopped)
     return codes.FAILED if started.outcome is None else _CODE_OF[started.outcome]
+
+
+def _await_end(run: Run, stopped: threading.Event) -> None:
+    """Wait for the run. One that was stopped and can't end, because nobody reads what it says, is left."""
+    while not run.wait(_GLANCE):
+        if stopped.is_set() and not run.wait(_LAST_WORDS):
+            os._exit(codes.STOPPED)
 
 
 def _printer(donnie: Donnie, output: Output, *, with_words: bool) -> Callable[[Stamped], None]:

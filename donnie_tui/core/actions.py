@@ -5,7 +5,8 @@ What is told about it, and with which sound, is decided in ``announcer``.
 
 from __future__ import annotations
 
-from itertools import groupby
+from collections.abc import Callable
+from itertools import groupby, takewhile
 
 from devices.ports.robot import Bearing, Motion, Pose, Robot, Sighting
 from donnie_tui.core import belt, numbers
@@ -56,8 +57,10 @@ class RobotWatcher:
 class RobotActions:
     """The commands, done by one robot. Lives as long as the robot: the history and the switches stay."""
 
-    def __init__(self, robot: Robot, hub: Hub, teller: Teller) -> None:
+    def __init__(self, robot: Robot, hub: Hub, teller: Teller, *, goes_on: Callable[[], bool]) -> None:
+        """``goes_on`` is asked in the midst of what may take long: False ends it."""
         self._robot = robot
+        self._goes_on = goes_on
         self._hub = hub
         self._tell = teller
         self.past = History()
@@ -77,7 +80,9 @@ class RobotActions:
         self._tell.state(self.past.last, self._robot.pose())
 
     def history(self) -> None:
-        self._tell.history(self.past.movements, self._robot.pose())
+        if self.past.last is None:
+            self._tell.no_history(self._robot.pose())
+        self._tell.history(takewhile(lambda _: self._goes_on(), self.past.movements))
 
     def tell_position(self) -> None:
         self._tell.position(self._robot.pose())

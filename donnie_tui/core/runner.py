@@ -10,6 +10,7 @@ import logging
 import threading
 from collections.abc import Callable
 from dataclasses import dataclass
+from typing import TypeAlias
 
 from devices.ports.robot import Robot
 from donnie_tui.core.events import Error, Outcome, RunEnded, RunStarted, Statement
@@ -21,6 +22,10 @@ from language.diagnostics import Diagnostic, ProgramError, QuitRequested, Stoppe
 from language.runtime import Actions, Frame, Memory
 
 _LOG = logging.getLogger(__name__)
+
+
+Readable: TypeAlias = Runnable | tuple[Diagnostic, ...]
+"""A text once it was read: a program, or its mistakes of form."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -42,7 +47,7 @@ class Run:
         self,
         stage: Stage,
         started: RunStarted,
-        program: Runnable | tuple[Diagnostic, ...],
+        read: Callable[[], Readable],
         source_lines: tuple[str, ...],
         memory: Memory,
         *,
@@ -55,7 +60,8 @@ class Run:
         self.outcome: Outcome | None = None
         self._stage = stage
         self._started = started
-        self._program = program
+        self._read = read
+        self._program: Readable | None = None
         self._source_lines = source_lines
         self._first_line = first_line
         self._memory = memory
@@ -77,14 +83,13 @@ class Run:
 
     @property
     def was_refused(self) -> bool:
-        """Whether mistakes of form keep it from running."""
+        """Whether mistakes of form kept it from running; known once it is over."""
         return isinstance(self._program, tuple)
 
     def frames(self) -> tuple[Frame, ...]:
         """The call stack, innermost first; empty when nothing runs."""
-        if self.is_over or isinstance(self._program, tuple):
-            return ()
-        return self._program.frames()
+        program = self._program
+        return () if self.is_over or program is None or isinstance(program, tuple) else program.frames()
 
     def _run(self, then: Callable[[Run], None]) -> None:
         try:
@@ -107,16 +112,8 @@ class Run:
         return outcome
 
     def _outcome(self) -> Outcome:
-        if isinstance(self._program, tuple):
-            for diagnostic in self._program:
-                self._publish_error(diagnostic)
-            return Outcome.FAILED
-        return self._run_program(self._program)
-
-    def _run_program(self, program: Runnable) -> Outcome:
-        trace = self._publish_statement if self._trace else None
         try:
-            program.run(self._stage.actions, self.control, self._memory, trace=trace)
+            return self._read_and_run()
         except ProgramError as error:
             self._publish_error(error.diagnostic, tuple(call.line for call in error.calls))
             return Outcome.FAILED
@@ -128,6 +125,15 @@ class Run:
             _LOG.exception("the program's thread failed")
             self._publish_failure()
             return Outcome.FAILED
+
+    def _read_and_run(self) -> Outcome:
+        self._program = program = self._read()
+        if isinstance(program, tuple):
+            for diagnostic in program:
+                self._publish_error(diagnostic)
+            return Outcome.FAILED
+        trace = self._publish_statement if self._trace else None
+        program.run(self._stage.actions, self.control, self._memory, trace=trace)
         return Outcome.COMPLETED
 
     def _publish_statement(self, line: int, column: int, depth: int) -> None:

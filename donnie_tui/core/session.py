@@ -17,13 +17,13 @@ from donnie_tui.core.announcer import Announcer
 from donnie_tui.core.documents import lines_in
 from donnie_tui.core.events import RunStarted
 from donnie_tui.core.hub import Hub
-from donnie_tui.core.runner import Run, Stage
+from donnie_tui.core.runner import Readable, Run, Stage
 from donnie_tui.core.telling import Teller
 from donnie_tui.core.wording import Wording
 from language.checker import check
 from language.compiler import compile_program
-from language.control import ExecutionControl
-from language.diagnostics import Diagnostic
+from language.control import ControlState, ExecutionControl
+from language.diagnostics import Diagnostic, Stopped
 from language.parser import Parsed, parse
 from language.runtime import Frame, Memory
 
@@ -50,6 +50,10 @@ class _CurrentPace:
     def sleep(self, seconds: float) -> bool:
         return self.control is not None and self.control.sleep(seconds)
 
+    def goes_on(self) -> bool:
+        """Whether no stop was asked for."""
+        return self.control is not None and self.control.state is not ControlState.STOPPING
+
 
 class Session:
     """Runs programs on a robot and publishes what happens."""
@@ -70,7 +74,7 @@ class Session:
         self._robot = make_robot(self._pace, RobotWatcher(self.hub))
         self.wording = wording
         self.teller = Teller(self.hub, wording)
-        self._actions = RobotActions(self._robot, self.hub, self.teller)
+        self._actions = RobotActions(self._robot, self.hub, self.teller, goes_on=self._pace.goes_on)
         self._announcer = Announcer(self.hub, self.teller, wording)
         self._memory = Memory()
         self._world, self._seed, self._terminal = world, seed, terminal
@@ -125,16 +129,23 @@ class Session:
     def _new_run(
         self, text: str, name: str, terminal: bool, hooked: bool, trace: bool, first_line: int
     ) -> Run:
-        parsed = self.parse(text, first_line)
-        tree = parsed.program
-        program = None if tree is None else compile_program(tree, terminal=terminal, hooked=hooked)
+        control = ExecutionControl()
+
+        def read() -> Readable:
+            parsed = self.parse(text, first_line)
+            if parsed.program is None:
+                return parsed.diagnostics
+            if control.state is ControlState.STOPPING:
+                raise Stopped
+            return compile_program(parsed.program, terminal=terminal, hooked=hooked)
+
         return Run(
             Stage(self._robot, self.hub, self._actions, self.wording, self._announcer.about_to_end),
             RunStarted(name, self._world, self._robot.name, self._seed, __version__),
-            parsed.diagnostics if program is None else program,
+            read,
             tuple(lines_in(text)),
             self._memory,
-            control=ExecutionControl(),
+            control=control,
             first_line=first_line,
             trace=trace,
         )

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterable
+
 from devices.ports.robot import Pose
 from donnie_tui.core import numbers
 from donnie_tui.core.events import Announced
@@ -29,11 +31,12 @@ class Teller:
         else:
             self._movement("state", last)
 
-    def history(self, movements: tuple[Movement, ...], pose: Pose) -> None:
+    def history(self, movements: Iterable[Movement]) -> None:
         for movement in movements:
             self._movement("history", movement)
-        if not movements:
-            self._no_movement("history", pose)
+
+    def no_history(self, pose: Pose) -> None:
+        self._no_movement("history", pose)
 
     def position(self, pose: Pose) -> None:
         self.announce("position", facing=self.facing(pose), x=numbers.whole(pose.x), y=numbers.whole(pose.y))

@@ -185,3 +185,17 @@ def test_a_full_disk_is_told(tmp_path: Path) -> None:
 
     assert done.stdout.decode() == "I walked 1 step forward.\n1\n"
     assert done.stderr.decode() == "I can't write /dev/full: No space left on device.\n"
+
+
+def test_a_signal_ends_a_run_that_talks_to_somebody_who_does_not_read(tmp_path: Path) -> None:
+    (tmp_path / "a.gd").write_text(
+        'WHILE 1 == 1 DO SPEAK "a line that fills the pipe sooner or later" END WHILE'
+    )
+    running = start(tmp_path, "run", "a.gd", *QUIET)
+    assert running.stdout is not None
+    running.stdout.readline()
+
+    running.send_signal(signal.SIGTERM)
+
+    assert running.wait(PATIENCE) == 130
+    running.communicate()

@@ -264,3 +264,25 @@ def test_check_tells_mistakes_or_else_hints() -> None:
     assert [each.kind.value for each in session.check("FWD 1")] == ["unknown-command"]
     assert [each.severity.value for each in session.check("DISTANCE F")] == ["hint"]
     assert session.check("FW 1") == ()
+
+
+def test_a_stop_while_the_program_is_being_read_keeps_it_from_running() -> None:
+    floor = Floor()
+
+    run = floor.session.start("SPEAK 1", "a.gd", prepare=lambda control: control.stop())
+
+    assert run.wait(PATIENCE)
+    assert run.outcome is Outcome.STOPPED
+    assert of(Spoke, floor) == []
+
+
+def test_a_history_that_is_being_told_ends_with_a_stop() -> None:
+    floor = Floor()
+    floor.session.hub.subscribe(
+        lambda stamped: floor.session.stop() if getattr(stamped.event, "code", "") == "history" else None
+    )
+
+    outcome = floor.run("REPEAT 50 TIMES FW 1 END REPEAT HISTORY")
+
+    assert outcome is Outcome.STOPPED
+    assert sum(getattr(each, "code", "") == "history" for each in floor.events) == 1
