@@ -7,12 +7,14 @@ either the old text or the new one.
 from __future__ import annotations
 
 import contextlib
+import errno
 import os
 import re
 import tempfile
 from pathlib import Path
 
 _LINE_END = re.compile(r"\r\n|\r|\n")
+_OBEYED = re.compile("[\x00-\x08\x0b\x0c\x0e-\x1f\x7f-\x9f\u2028\u2029]")
 
 LARGEST = 8 * 1024 * 1024
 """Bytes that a program file may have; a program of a learner has a few hundred."""
@@ -35,7 +37,10 @@ def program_to_open(name: str) -> Path:
     """The file that somebody means who types ``name``: that one, or the one with the suffix of programs."""
     path = _typed_path(name)
     suffixed = path.with_name(path.name + SUFFIX)
-    return suffixed if not _exists(path) and _exists(suffixed) else path
+    found = suffixed if not _exists(path) and _exists(suffixed) else path
+    if _exists(found) and not (found.is_file() or found.is_dir()):
+        raise DocumentError("file-not-text", str(found))  # reading a device or a pipe may wait for ever
+    return found
 
 
 def program_to_save(name: str) -> Path:
@@ -76,15 +81,23 @@ def read_program(path: Path) -> str:
 
 
 def decode(data: bytes, name: str) -> str:
-    """UTF-8, else the old Windows code page of our learners' languages. Raises ``DocumentError``."""
+    """UTF-8, else the old Windows code page of our learners' languages; cleaned. Raises ``DocumentError``."""
     if len(data) > LARGEST:
         raise DocumentError("file-too-large", name)
     if b"\0" in data:
         raise DocumentError("file-not-text", name)
     try:
-        return data.decode("utf-8-sig")
+        return cleaned(data.decode("utf-8-sig"))
     except UnicodeDecodeError:
-        return data.decode("cp1252", errors="replace")
+        return cleaned(data.decode("cp1252", errors="replace"))
+
+
+def cleaned(text: str) -> str:
+    """The text with a blank for every sign that a terminal would obey or an editor take for a line's end.
+
+    Tabs and the language's own line ends (CR, LF) stay; places in the text stay the same.
+    """
+    return _OBEYED.sub(" ", text)
 
 
 def lines_in(text: str) -> list[str]:
@@ -97,6 +110,8 @@ def write_program(path: Path, text: str) -> None:
     """Write a program as UTF-8. Raises ``DocumentError``."""
     try:
         target = path.resolve()
+        if target.exists() and not os.access(target, os.W_OK):
+            raise PermissionError(errno.EACCES, os.strerror(errno.EACCES))
         _write_beside(target, text)
     except (OSError, ValueError) as problem:
         raise DocumentError("file-unwritable", str(path), _reason(problem)) from None

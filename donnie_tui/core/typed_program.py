@@ -10,6 +10,7 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 
+from donnie_tui.core.documents import cleaned
 from language.outline import OutlineItem, block_depth, outline
 
 WORTH_SAVING = 5
@@ -89,6 +90,7 @@ class TypedProgram:
 
     def add(self, line: str) -> None:
         """One line more at the end. Raises ``ProgramTooLong``."""
+        line = cleaned(line)
         self._grow(line)
         self._lines.append(line)
 

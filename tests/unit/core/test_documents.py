@@ -1,5 +1,6 @@
 """Program files are read in any likely encoding, and written so that nothing is lost."""
 
+import os
 from pathlib import Path
 
 import pytest
@@ -121,3 +122,30 @@ def test_a_program_is_found_without_its_suffix(tmp_path: Path) -> None:
 )
 def test_lines_end_where_the_language_ends_them(text: str, lines: list[str]) -> None:
     assert lines_in(text) == lines
+
+
+def test_nothing_that_a_terminal_obeys_comes_out_of_a_file() -> None:
+    dangerous = 'SPEAK "\x1b]0;x\x07\x9b5m"\tFW 1\x0c\u2028\r\nFW 2\n'
+
+    assert decode(dangerous.encode(), "a.gd") == 'SPEAK " ]0;x  5m"\tFW 1  \r\nFW 2\n'
+
+
+def test_a_pipe_is_not_opened_because_reading_it_may_wait_for_ever(tmp_path: Path) -> None:
+    os.mkfifo(tmp_path / "pipe")
+
+    with pytest.raises(DocumentError):
+        program_to_open(str(tmp_path / "pipe"))
+
+
+def test_a_file_that_must_not_be_written_is_not_replaced(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    path = tmp_path / "mine.gd"
+    path.write_text("FW 1")
+    monkeypatch.setattr(
+        os, "access", lambda *_: False
+    )  # the superuser, who may run this, may write everything
+
+    with pytest.raises(DocumentError):
+        write_program(path, "FW 2")
+    assert path.read_text() == "FW 1"
