@@ -360,12 +360,22 @@ class _Reader:
             self._tell(Kind.RESERVED_WORD, before, details={"name": self._typed(before)})
             self._give_up()
         elif token[0] == _ASSIGN and self._automaton.accepts(_COMPARATOR):
-            self._tell(Kind.SYNTAX, token, "single-equals", ("comparison",), "==")
-            insort(self._flaws, self._at)
-            self._automaton.feed(_COMPARATOR)
-            self._at += 1
+            self._equals_sign(token)
         else:
             self._unexpected(token)
+
+    def _equals_sign(self, token: Token) -> None:
+        """A comparison written with one equals sign, or as it is spoken: ``=>`` for greater or equal."""
+        _, start, end, line, column, text = token
+        following = self._tokens[self._at + 1]
+        is_turned = following[1] == end and following[5] in ("<", ">")
+        if is_turned:
+            token = (_ASSIGN, start, following[2], line, column, text + following[5])
+        meant = f"{following[5]}=" if is_turned else "=="
+        self._tell(Kind.SYNTAX, token, "single-equals", ("comparison",), meant)
+        insort(self._flaws, self._at)
+        self._automaton.feed(_COMPARATOR)
+        self._at += 2 if is_turned else 1
 
     def _is_assigned_to_keyword(self, before: Token) -> bool:
         wants_name = before[0] in _BEFORE_NEW_NAME

@@ -234,6 +234,8 @@ def test_what_was_found_is_quoted_as_it_was_typed(source: str, found: str) -> No
         ("SPEAK COLOR gren", "GREEN"),
         ("FALAR COR vermelo", "VERMELHO"),
         ("IF a = 1 THEN FW 1 END IF", "=="),
+        ("IF a => 1 THEN FW 1 END IF", ">="),
+        ("WHILE a =< 1 DO FW 1 END WHILE", "<="),
         ("JUMP 3", ""),
         ("FOO 3", ""),
         ("go 3", ""),
