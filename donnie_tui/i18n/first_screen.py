@@ -10,6 +10,11 @@ START_KEYS = (
     "F5 executa o programa. F1 ajuda.",
     "F5 ejecuta el programa. F1 ayuda.",
 )
+FAULT = (
+    "Donnie failed and had to end; your program is kept: start again, type RECOVER and Enter.",
+    "O Donnie falhou e teve que terminar; seu programa está guardado: abra de novo, digite RECUPERAR e Enter.",
+    "Donnie falló y tuvo que terminar; tu programa está guardado: vuelve a abrir, escribe RECUPERAR y Enter.",
+)
 PROGRAM = ("Program", "Programa", "Programa")
 MAP = ("Map", "Mapa", "Mapa")
 LOG = ("Log", "Registro", "Registro")

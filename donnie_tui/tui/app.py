@@ -11,11 +11,13 @@ import asyncio
 import os
 import signal
 import sys
+import traceback
 from collections.abc import Awaitable, Callable, Iterable
 from contextlib import suppress
 from pathlib import Path
 from typing import TYPE_CHECKING, ClassVar
 
+from rich.text import Text
 from textual.app import App, SystemCommand
 from textual.binding import Binding, BindingType
 from textual.geometry import Offset
@@ -35,6 +37,9 @@ if TYPE_CHECKING:
     from donnie_tui.tui.work import Work
 
 SHOW_CURSOR = "\x1b[?25h"
+
+FAULT = "fault.txt"
+"""Beside the copies: what went wrong at last, for whoever mends it."""
 
 CRASHED = 1
 """Textual's return code after a fault of ours; the text is kept for the next start."""
@@ -66,7 +71,7 @@ class DonnieApp(App[int], inherit_bindings=False):
         folder: Path | None = None,
     ) -> None:
         """``text``: what the other mode left, unsaved changes included. ``folder`` holds the copies."""
-        super().__init__()
+        super().__init__(ansi_color=True if "NO_COLOR" in os.environ else None)  # the filters ask at once
         self.animation_level = "none"
         if self.no_color:
             self.theme = "ansi-dark"
@@ -264,6 +269,22 @@ class DonnieApp(App[int], inherit_bindings=False):
         if self.work is not None:
             self.work.files.keep_copy()
 
+    def panic(self, *_renderables: object) -> None:
+        self._fatal_error()
+
+    def _fatal_error(self) -> None:
+        """A fault of ours, of which Textual prints pages: the robot stops, the text is kept, one sentence."""
+        with suppress(Exception):
+            self._halt(0)
+        with suppress(Exception):
+            self.keep_text()
+        with suppress(OSError):
+            self._folder.mkdir(parents=True, exist_ok=True)
+            (self._folder / FAULT).write_text(traceback.format_exc(), encoding="utf-8")
+        if not self._exit_renderables:
+            self._exit_renderables.append(Text(first_screen.FAULT[self._language]))
+        self._close_messages_no_wait()
+
     def close_session(self) -> None:
         """After the screen is gone: nothing is left running."""
         if self.work is not None:
@@ -285,7 +306,6 @@ def run_full_screen(settings: Settings, file: Path | None, *, text: str | None =
     if app.trouble is not None:
         raise app.trouble
     if app.return_code == CRASHED:
-        app.keep_text()
         return CRASHED
     if app.left_for_linear:
         _switch(app)

@@ -35,8 +35,8 @@ from donnie_tui.core.events import (
 from donnie_tui.core.transcript import lines_of
 from donnie_tui.core.wording import Wording
 
-MOST_LINES = 2_000
-"""Lines that wait for the screen at most; it looks twenty times a second, and nobody reads faster."""
+MOST_LINES = 100_000
+"""Lines that wait for the screen at most: as many as the log keeps, so that it misses none it could show."""
 MOST_POSES = 5_000
 
 

@@ -1,4 +1,4 @@
-"""When the mailbox is emptied, and when the log is written: often enough to be alive, seldom enough to be cheap."""
+"""When the mailbox is emptied, and the log written: often enough to be alive, seldom enough to be cheap."""
 
 from __future__ import annotations
 
@@ -54,9 +54,9 @@ class Intake:
             self._taking = None
         self._taken_at = time.monotonic()
         mail = self._bridge.take()
-        self._lines.extend(mail.lines)
         if mail.missed:
             self._lines.append(LogLine(self._words("screen-left-out", count=mail.missed), "answer"))
+        self._lines.extend(mail.lines)
         self._receive(mail)
         self._write_soon()
 

@@ -100,6 +100,7 @@ _INSPECTOR = {
 
 _ANSWERS = {
     "screen-start": Sentence(*first_screen.START),
+    "screen-fault": Sentence(*first_screen.FAULT),
     "screen-start-keys": Sentence(*first_screen.START_KEYS),
     "screen-stopped": Sentence(
         "Stopped at line {line}.", "Parou na linha {line}.", "Detenido en la línea {line}."

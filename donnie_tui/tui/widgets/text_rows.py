@@ -105,7 +105,7 @@ class TextRows(ScrollView, can_focus=True):
 
     def _forget_oldest(self) -> None:
         if len(self._lines) > MOST_LINES:
-            lines = len(self._lines) - MOST_LINES + MOST_LINES // 10
+            lines = max(len(self._lines) - MOST_LINES, MOST_LINES // 10)
             rows = sum(self._heights[:lines])
             for column, count in (
                 (self._lines, lines),
