@@ -64,6 +64,22 @@ def nearest_keyword(word: str, terminals: frozenset[str], language: str) -> Near
     return None if len(folded) > LONGEST else _nearest_keyword(folded, terminals, language)
 
 
+def whole_of(second: str, terminals: frozenset[str]) -> Near | None:
+    """The keyword of two words whose second one stands alone: FRENTE, DIREITA. None if there are several."""
+    found = _wholes().get(fold_name(second), [])
+    return found[0] if len(found) == 1 and found[0].terminal in terminals else None
+
+
+def nearest_pair(first: str, second: str, terminals: frozenset[str]) -> Near | None:
+    """The keyword of two words whose second one was written and whose first one is misspelt: GIRA DIREITA."""
+    found = whole_of(second, terminals)
+    if found is None:
+        return None
+    written, folded = folded_word(found.text).split()[0], fold_name(first)
+    is_near = len(folded) <= LONGEST and slips_in(folded, written) <= slips_allowed(len(folded))
+    return found if is_near else None
+
+
 @lru_cache(maxsize=2000)
 def _folded(word: str) -> str:
     return folded_word(word)
@@ -111,6 +127,15 @@ def _keyword_and_argument(folded: str, terminals: frozenset[str]) -> Near | None
 @cache
 def _written() -> dict[str, str]:
     return {word: WORD_TERMINALS[folded_word(word)] for word in all_words()}
+
+
+@cache
+def _wholes() -> dict[str, list[Near]]:
+    found: dict[str, list[Near]] = {}
+    for text in (word for word in all_words() if " " in word):
+        near = Near(text, WORD_TERMINALS[folded_word(text)])
+        found.setdefault(folded_word(text).split()[1], []).append(near)
+    return {second: pairs for second, pairs in found.items() if second not in WORD_TERMINALS}
 
 
 @cache

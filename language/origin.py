@@ -1,4 +1,4 @@
-"""Which language a text is written in, as far as its keywords tell."""
+"""Which languages a text is written in, as far as its keywords tell."""
 
 from __future__ import annotations
 
@@ -8,6 +8,14 @@ from unicodedata import normalize
 
 from language.keywords import LANGUAGES, all_words, languages_of
 from language.lexer import Token
+
+
+def languages_in(tokens: Iterable[Token], source: str = "") -> frozenset[str]:
+    """The language of ``language_of``, and each other one that has a keyword to itself in the text."""
+    tokens = tuple(tokens)
+    spoken = [languages_of(token[5]) for token in tokens if token[5][:1].isalpha()]
+    only = [languages for languages in spoken if len(languages) == 1]
+    return frozenset({language_of(tokens, source)}).union(*only)
 
 
 def language_of(tokens: Iterable[Token], source: str = "") -> str:

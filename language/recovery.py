@@ -14,6 +14,7 @@ More than 400 lines, because all of it looks at one place in one text, and moves
 from __future__ import annotations
 
 from bisect import bisect_left, insort
+from functools import cached_property
 
 from language.automaton import Automaton
 from language.blocks import (
@@ -28,8 +29,8 @@ from language.blocks import (
     mistakes_ahead,
 )
 from language.diagnostics import Diagnostic, Kind
+from language.keywords import TERMINALS as WORD_TERMINALS
 from language.keywords import (
-    LANGUAGES,
     all_words,
     argument,
     argument_words,
@@ -37,10 +38,17 @@ from language.keywords import (
     is_reserved,
     spelling,
 )
-from language.keywords import TERMINALS as WORD_TERMINALS
 from language.lexer import DISTANCE, END, FOR, FRAGMENT, KIND, NAME, NUMBER, STRING, TAKES, Lexed, Token, lex
-from language.nearby import Near, nearest, nearest_keyword, slips_allowed, slips_in
-from language.origin import language_of
+from language.nearby import (
+    Near,
+    nearest,
+    nearest_keyword,
+    nearest_pair,
+    slips_allowed,
+    slips_in,
+    whole_of,
+)
+from language.origin import language_of, languages_in
 from language.source import Lines
 from language.syntax import Span
 from language.tables import TERMINALS
@@ -199,15 +207,26 @@ class _Reader:
         if self._follows_taker():
             self._bad_argument()
             return
-        near = self._command_meant(token[5])
+        pair = self._misspelt_pair(token)
+        near, width = (pair, 2) if pair else (self._command_meant(token[5]), 1)
         code = "call-brackets" if self._tokens[self._at + 1][0] == _LPAR and near is None else ""
         self._begun = self._at
         self._tell(Kind.UNKNOWN_COMMAND, token, code, ("command",), near.text if near else "")
-        self._read_as(near, 1)
+        self._read_as(near, width)
+
+    def _misspelt_pair(self, token: Token) -> Near | None:
+        """GIRA DIREITA: both words together, where the second one alone is not the mistake."""
+        following = self._tokens[self._at + 1]
+        if following[0] != NAME or following[3] != token[3]:
+            return None
+        return nearest_pair(token[5], following[5], self._automaton.acceptable())
 
     def _command_meant(self, typed: str) -> Near | None:
         """The nearest word that leaves all ENDs what they are, or else the nearest one."""
         words = self._automaton.acceptable()
+        whole = whole_of(typed, words)
+        if whole:
+            return whole
         fitting = frozenset(word for word in words if self._can_open(word, 1))
         near = nearest_keyword(typed, fitting, self._language)
         return near or nearest_keyword(typed, words, self._language)
@@ -443,8 +462,12 @@ class _Reader:
         if len(token[5]) <= 2:
             return ""
         preferred = argument_words(terminal, self._language)
-        words = [word for language in LANGUAGES for word in argument_words(terminal, language)]
+        words = [word for language in self._spoken for word in argument_words(terminal, language)]
         return nearest(token[5], words, preferred) or ""
+
+    @cached_property
+    def _spoken(self) -> list[str]:
+        return sorted(languages_in(self._lexed.tokens, self._lexed.source))
 
     # --- going on ------------------------------------------------------------------------------------
 

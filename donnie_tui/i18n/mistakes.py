@@ -31,11 +31,13 @@ def mistake(diagnostic: Diagnostic, words: Phrasing) -> str:
 
 
 def hint(diagnostic: Diagnostic, words: Phrasing) -> str | None:
-    """What would put it right, where that is known."""
-    if diagnostic.meant:
-        return words("hint-meant", meant=diagnostic.meant)
+    """What would put it right, where that is known. Of arguments there are few: all are told besides."""
     make = _HINT_OF.get(diagnostic.kind)
-    return make(diagnostic, words) if make else None
+    if not diagnostic.meant:
+        return make(diagnostic, words) if make else None
+    meant = words("hint-meant", meant=diagnostic.meant)
+    allowed = _hint_for_argument(diagnostic, words) if diagnostic.kind is Kind.BAD_ARGUMENT else None
+    return f"{meant} {allowed}" if allowed else meant
 
 
 def remark(diagnostic: Diagnostic, words: Phrasing) -> str:

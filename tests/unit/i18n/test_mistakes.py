@@ -32,6 +32,7 @@ TOLD = [
     ("SPEAK DISTANCE Z", "DISTANCE can't take Z.", "It takes F, FR, FL, B, BR or BL."),
     ("SPEAK POS b", "POS can't take b.", "It takes X, Y or A."),
     ("SOUND maybe", "SOUND can't take maybe.", "It takes ON or OFF."),
+    ("SOUND onn", "SOUND can't take onn.", "Did you mean ON? It takes ON or OFF."),
     ("SPEAK COLOR yellow", "The robot does not see yellow.", "It takes BLUE, GREEN or RED."),
     ("FW 1\nREPEAT 2 TIMES", "REPEAT has no END REPEAT.", "Write END REPEAT where it ends."),
     ("IF 1 == 1 THEN END FOR", "END FOR does not close IF of line 1.", "Here belongs END IF."),
