@@ -1,18 +1,20 @@
 """Hints about a program that can be read: what will surely fail or do nothing when it is reached.
 
 Rule: a hint is never a guess, and never keeps a program from running. Names are looked at only where the
-whole program is known; in the terminal an earlier batch may have declared them.
+whole program is known; in the terminal an earlier batch may have declared them. A missing name is told where
+it is used first, and as it was typed.
 """
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator
+from collections.abc import Collection, Iterable, Iterator
 from dataclasses import dataclass, field
 
 from language import syntax
 from language.diagnostics import Diagnostic, Kind, Severity
 from language.keywords import argument_spelling, spelling
 from language.lexer import lex
+from language.mistakes import as_declared
 from language.nearby import nearest
 from language.origin import language_of
 from language.syntax import Expression, Name, Program, Statement, blocks_of
@@ -65,6 +67,7 @@ class _Scope:
     """The variables of the program, or of one procedure."""
 
     procedure: str = ""
+    """As it was typed; empty for the program."""
     declared: set[str] = field(default_factory=set)
     used: list[Name] = field(default_factory=list)
 
@@ -102,16 +105,20 @@ class _Names:
     def _read_blocks(self, statement: Statement, scope: _Scope) -> None:
         if isinstance(statement, syntax.Procedure):
             self._procedures.setdefault(statement.name.name, []).append(statement)
-            scope = _Scope(statement.name.name, {each.name for each in statement.parameters})
+            typed = self._program.typed(statement.name.span)
+            scope = _Scope(typed, {each.name for each in statement.parameters})
             self._scopes.append(scope)
         for block in blocks_of(statement):
             self._read(block, scope)
 
     def hints(self) -> Iterator[Diagnostic]:
         for scope in self._scopes:
-            for name in scope.used:
+            for name in _firsts(scope.used):
                 if name.name not in scope.declared:
                     yield self._undeclared(name, scope)
+        for name in _firsts(call.name for call in self._calls):
+            if name.name not in self._procedures:
+                yield self._undeclared_procedure(name)
         for call in self._calls:
             yield from self._about_call(call)
         for statement in self._typed_only:
@@ -119,26 +126,43 @@ class _Names:
             yield Diagnostic(Kind.TERMINAL_ONLY, statement.span, found=found, severity=Severity.HINT)
 
     def _undeclared(self, name: Name, scope: _Scope) -> Diagnostic:
-        details: dict[str, str | int] = {"name": name.name}
+        details: dict[str, str | int] = {"name": self._program.typed(name.span)}
         if scope.procedure and name.name in self._main.declared:
             details["in_procedure"] = scope.procedure
-        meant = "" if "in_procedure" in details else nearest(name.name, sorted(scope.declared)) or ""
+        meant = "" if "in_procedure" in details else self._meant(name, scope.declared)
         return self._about_name(Kind.UNDECLARED_VARIABLE, name, meant, details)
+
+    def _undeclared_procedure(self, name: Name) -> Diagnostic:
+        details: dict[str, str | int] = {"name": self._program.typed(name.span)}
+        meant = self._meant(name, self._procedures)
+        return self._about_name(Kind.UNDECLARED_PROCEDURE, name, meant, details)
+
+    def _meant(self, name: Name, declared: Collection[str]) -> str:
+        near = nearest(name.name, sorted(declared))
+        return as_declared(self._program, near) if near else ""
 
     def _about_call(self, call: syntax.Call) -> Iterator[Diagnostic]:
         declared = self._procedures.get(call.name.name, [])
         counts = {len(each.parameters) for each in declared}
         given = len(call.arguments)
-        if not declared:
-            meant = nearest(call.name.name, sorted(self._procedures)) or ""
-            yield self._about_name(Kind.UNDECLARED_PROCEDURE, call.name, meant, {"name": call.name.name})
-        elif len(counts) == 1 and given not in counts:
-            details: dict[str, str | int] = {"name": call.name.name, "wanted": counts.pop(), "given": given}
+        if len(counts) == 1 and given not in counts:
+            name = self._program.typed(call.name.span)
+            details: dict[str, str | int] = {"name": name, "wanted": counts.pop(), "given": given}
             yield self._about_name(Kind.WRONG_ARGUMENT_COUNT, call.name, "", details)
 
     def _about_name(self, kind: Kind, name: Name, meant: str, details: dict[str, str | int]) -> Diagnostic:
         found = self._program.typed(name.span)
         return Diagnostic(kind, name.span, found=found, meant=meant, details=details, severity=Severity.HINT)
+
+
+def _firsts(names: Iterable[Name]) -> Iterator[Name]:
+    """Each name where it stands first."""
+    first: dict[str, Name] = {}
+    for name in names:
+        known = first.setdefault(name.name, name)
+        if name.span.start < known.span.start:
+            first[name.name] = name
+    yield from first.values()
 
 
 def _expressions(statement: Statement) -> tuple[Expression, ...]:

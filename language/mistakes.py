@@ -39,11 +39,11 @@ def _undeclared(
 ) -> Diagnostic:
     typed = program.typed(name.span)
     near = nearest(name.name, sorted(existing)[:_MOST_NAMES])
-    meant = _as_typed(program, near) if near else ""
+    meant = as_declared(program, near) if near else ""
     return Diagnostic(kind, name.span, found=typed, meant=meant, details={"name": typed, **details})
 
 
-def _as_typed(program: Program, name: str) -> str:
+def as_declared(program: Program, name: str) -> str:
     """A folded name as the learner wrote it where it was declared."""
     for statement in walk(program.body):
         for declared in _declared_by(statement):

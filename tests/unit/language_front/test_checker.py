@@ -41,8 +41,9 @@ def test_a_sensor_on_its_own_hints_at_speaking_it(source: str, meant: str) -> No
         ("FW 1\ntotal = 3", [("undeclared-variable", 2, 1)]),
         ("IF a < b THEN END IF", [("undeclared-variable", 1, 4), ("undeclared-variable", 1, 8)]),
         ("VAR g PROCEDURE P DO SPEAK g END PROCEDURE", [("undeclared-variable", 1, 28)]),
-        ("FOR i = 0; i < 2; j = 1 DO END FOR", [("undeclared-variable", 1, c) for c in (5, 12, 19)]),
+        ("FOR i = 0; i < 2; j = 1 DO END FOR", [("undeclared-variable", 1, c) for c in (5, 19)]),
         ("NOPE [1]", [("undeclared-procedure", 1, 1)]),
+        ("NOPE [1] nope [2] SPEAK q Q = q", [("undeclared-procedure", 1, 1), ("undeclared-variable", 1, 25)]),
         ("PROCEDURE P: a DO END PROCEDURE P [1, 2]", [("wrong-argument-count", 1, 33)]),
         ("FW 1\nQUIT", [("terminal-only", 2, 1)]),
         ("RUN", [("terminal-only", 1, 1)]),
@@ -75,7 +76,7 @@ def test_a_hint_about_a_program_variable_in_a_procedure_says_so() -> None:
 
     (hint,) = check(program)
 
-    assert hint.details["in_procedure"] == "pe"
+    assert hint.details["in_procedure"] == "Pê"
 
 
 def test_a_near_name_is_offered() -> None:
@@ -83,3 +84,22 @@ def test_a_near_name_is_offered() -> None:
     assert program is not None
 
     assert check(program)[0].meant == "total"
+
+
+@pytest.mark.parametrize(
+    ("source", "name", "meant"),
+    [
+        ("Pê [1]", "Pê", ""),
+        ("SPEAK Época", "Época", ""),
+        ("VAR Ação SPEAK acaos", "acaos", "Ação"),
+        ("PROCEDURE Dança DO END PROCEDURE Danca [1]", "Danca", ""),
+        ("PROCEDURE Dança DO END PROCEDURE Dancas []", "Dancas", "Dança"),
+    ],
+)
+def test_a_name_is_told_as_it_was_typed(source: str, name: str, meant: str) -> None:
+    program = parse(source).program
+    assert program is not None
+
+    (hint,) = check(program)
+
+    assert (hint.details["name"], hint.meant) == (name, meant)
