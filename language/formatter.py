@@ -1,8 +1,9 @@
 """Canonical text: one command a line, keywords in capitals, two blanks a level; and translation.
 
 Rule: only layout and the spelling of keywords change. Names, numbers, strings and the words of comments
-stay as they were written, every comment stays between the same two words, and one blank line between
-commands is kept. What is formatted twice does not change the second time.
+stay as they were written, every comment stays between the same two words (one within a keyword goes
+behind it), and one blank line between commands is kept. What is formatted twice does not change the
+second time.
 """
 
 from __future__ import annotations

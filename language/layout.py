@@ -2,7 +2,8 @@
 
 Rule: a command begins a line, and so do ELSE and END. A comment stays behind what it was behind, or on
 its own line if it had one; a command that goes on after a comment goes on in the next line, one level
-deeper. Of several blank lines between commands one is kept, at the borders of blocks none.
+deeper. One between the words of a keyword goes behind the keyword. Of several blank lines between commands
+one is kept, at the borders of blocks none.
 """
 
 from __future__ import annotations
@@ -112,7 +113,9 @@ class _Layout:
         written = _comment(self._lexed.source[comment.start : comment.end])
         following = self._lexed.tokens[comment.before : comment.before + 1]
         is_within = bool(following) and not self._ends_command(following[0])
-        if self._lines and comment.line == self._last_line and not self._must_break:
+        is_in_keyword = self._before is not None and comment.start < self._before[2]
+        is_behind = comment.line == self._last_line or is_in_keyword
+        if self._lines and is_behind and not self._must_break:
             self._lines[-1] += f" {written}"
         elif is_within:
             self._lines.append(INDENT * (self._command_depth + 1) + written)
@@ -122,7 +125,7 @@ class _Layout:
             self._lines.append(INDENT * self._depth + written)
             self._is_first_in_block = False
         self._must_break = True
-        self._last_line = comment.line
+        self._last_line = max(self._last_line, comment.line)
 
     def _ends_command(self, following: Token) -> bool:
         return self._begins_line(following) or (following[0] == _SEMICOLON and not self._is_in_for)

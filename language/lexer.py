@@ -55,6 +55,7 @@ _PIECES = (
     r'|"[^"]*"|[{quotes}][^{quotes}]*[{quotes}]|[^\S\r\n]+'
     r"|'[^'\r\n]*'|\u2018[^\u2019\r\n]*\u2019|."
 )
+_comment = re.compile(r"(?:--|[\u2013\u2014\u2015])[^\r\n]*")
 _begins_assignment_or_call = re.compile(r"\s*(?:=(?!=)|\[)")
 
 _single = {word: KIND[terminal] for word, terminal in WORD_TERMINALS.items() if " " not in word}
@@ -84,7 +85,7 @@ class Comment:
     end: int
     line: int
     before: int
-    """The index of the token that it stands before."""
+    """The index of the token that it stands before; in a keyword of two words, of the one behind it."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -115,6 +116,11 @@ def lex(source: str, first_line: int = 1, blamed_quote: int | None = None) -> Le
         lexer.open_string(blamed_quote)
     lexer.read(lexer.position, len(source))
     return lexer.lexed()
+
+
+def without_comments(text: str) -> str:
+    """For a stretch that has no string in it."""
+    return _comment.sub("", text)
 
 
 class _Lexer:
@@ -213,7 +219,8 @@ class _Lexer:
     def _is_pair(self, before: Token, token: Token, text: str) -> bool:
         if (before[5], text) not in _pairs:
             return False
-        if not self._folded[before[2] : token[1]].replace(UNSEEN, " ").isspace():
+        between = without_comments(self._folded[before[2] : token[1]])
+        if not between.replace(UNSEEN, " ").isspace():
             return False
         if before[0] == TOPIC and before[3] != token[3]:
             return False

@@ -15,6 +15,7 @@ from __future__ import annotations
 
 from bisect import bisect_left, insort
 from functools import cached_property
+from itertools import pairwise
 
 from language.automaton import Automaton
 from language.blocks import (
@@ -38,7 +39,21 @@ from language.keywords import (
     is_reserved,
     spelling,
 )
-from language.lexer import DISTANCE, END, FOR, FRAGMENT, KIND, NAME, NUMBER, STRING, TAKES, Lexed, Token, lex
+from language.lexer import (
+    DISTANCE,
+    END,
+    FOR,
+    FRAGMENT,
+    KIND,
+    NAME,
+    NUMBER,
+    STRING,
+    TAKES,
+    Lexed,
+    Token,
+    lex,
+    without_comments,
+)
 from language.nearby import (
     Near,
     nearest,
@@ -49,7 +64,7 @@ from language.nearby import (
     whole_of,
 )
 from language.origin import language_of, languages_in
-from language.source import Lines
+from language.source import Lines, line_ends
 from language.syntax import Span
 from language.tables import TERMINALS
 from language.tree import MOST_LEVELS
@@ -119,11 +134,11 @@ def _with_another_quote_open(lexed: Lexed, first_line: int) -> Lexed | None:
     Because strings may go over lines, a forgotten mark turns all later strings inside out. None if there
     is no such line.
     """
-    offset = 0
-    for line in lexed.source.splitlines(keepends=True):
-        if line.count('"') % 2:
-            return lex(lexed.source, first_line, offset + line.rindex('"'))
-        offset += len(line)
+    source = lexed.source
+    ends = [*line_ends(source), len(source)]
+    for start, end in pairwise((0, *ends)):
+        if source.count('"', start, end) % 2:
+            return lex(source, first_line, source.rindex('"', start, end))
     return None
 
 
@@ -581,7 +596,8 @@ class _Reader:
         return not is_complete or flaw[3] == self._tokens[self._at][3]
 
     def _typed(self, token: Token) -> str:
-        return " ".join(self._lexed.source[token[1] : token[2]].split())
+        typed = self._lexed.source[token[1] : token[2]]
+        return " ".join((typed if token[0] == STRING else without_comments(typed)).split())
 
 
 def _end_token(lexed: Lexed, first_line: int) -> Token:

@@ -28,6 +28,11 @@ PAIRS = [
         "repeat 2 times -- in\n-- first\nfw 1\n-- last\nend repeat -- out",
         "REPEAT 2 TIMES -- in\n  -- first\n  FW 1\n  -- last\nEND REPEAT -- out\n",
     ),
+    ("girar -- c\ndireita 90", "GIRAR DIREITA -- c\n  90\n"),
+    (
+        "repeat 2 times fw 1 end -- c\n\n– d\nrepeat\nfw 1",
+        "REPEAT 2 TIMES\n  FW 1\nEND REPEAT -- c\n-- d\nFW 1\n",
+    ),
     ("----- part -----\nfw 1", "----- part -----\nFW 1\n"),
     ('speak "a  -- b\nc" -- d', 'SPEAK "a  -- b\nc" -- d\n'),
     ("speak “olá”", "SPEAK “olá”\n"),

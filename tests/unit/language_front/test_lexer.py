@@ -15,7 +15,10 @@ def kinds(source: str) -> str:
     [
         ("END\n\tIF", "END_IF"),
         ("fim  se", "END_IF"),
-        ("END -- no\nIF", "END IF"),
+        ("END -- of\n-- what\nIF", "END_IF"),
+        ("GIRAR — para onde\rDIREITA 90", "TR NUMBER"),
+        ("END $ -- no\nIF", "END IF"),
+        ("PARA -- i\nfrente = 0", "FOR NAME ASSIGN NUMBER"),
         ("PARA FRENTE 2", "FW NUMBER"),
         ("PARA f = 0", "FOR NAME ASSIGN NUMBER"),
         ("PARA frente = 0", "FOR NAME ASSIGN NUMBER"),
@@ -27,7 +30,7 @@ def kinds(source: str) -> str:
         ("PARA TRA\u0301S 2", "BW NUMBER"),
     ],
 )
-def test_words_of_two_parts_are_split_by_any_blank(source: str, expected: str) -> None:
+def test_words_of_two_parts_are_split_by_any_blank_and_by_comments(source: str, expected: str) -> None:
     assert kinds(source) == expected
 
 

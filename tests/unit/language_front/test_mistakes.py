@@ -101,6 +101,8 @@ def the_mistake(source: str) -> Diagnostic:
         ("SPEAK “hello", "unterminated-string", 1, 7),
         ('SPEAK "one\nSPEAK "two"', "unterminated-string", 1, 7),
         ('SPEAK "one"\nSPEAK "two\nSPEAK "three"\nSPEAK "four"', "unterminated-string", 2, 7),
+        ('SPEAK "one\rSPEAK "two"', "unterminated-string", 1, 7),
+        ('SPEAK "a\u2028b"\nSPEAK "x\nSPEAK "y"', "unterminated-string", 2, 7),
         ('SPEAK "one\ntwo"\nSPEAK "three', "unterminated-string", 3, 7),
         # names
         ("VAR 52abc", "invalid-name", 1, 5),
@@ -202,6 +204,7 @@ def test_what_was_expected_is_what_could_stand_there(source: str, expected: tupl
         ("JUMP 3", "JUMP"),
         ("FW", ""),
         ("IF 1 == 1 THEN END\n  FOR", "END FOR"),
+        ("IF 1 == 1 THEN END -- of what\n  FOR", "END FOR"),
         ('SPEAK "hi', '"hi'),
         ("FW 1 $$", "$$"),
     ],
