@@ -38,7 +38,9 @@ def _work(settings: Settings, file: Path | None, cause: str | None, text: str | 
 
 
 def _surroundings(order: Order) -> Surroundings:
-    return Surroundings(_is_terminal(sys.stdin), _is_terminal(sys.stdout), order.environment)
+    return Surroundings(
+        _is_terminal(sys.stdin), _is_terminal(sys.stdout), order.environment, _is_terminal(sys.stderr)
+    )
 
 
 def _is_terminal(stream: object) -> bool:

@@ -18,6 +18,12 @@ class Surroundings:
     stdin_is_terminal: bool
     stdout_is_terminal: bool
     environment: Mapping[str, str]
+    stderr_is_terminal: bool = True
+    """The screen is painted there."""
+
+    @property
+    def is_terminal(self) -> bool:
+        return self.stdin_is_terminal and self.stdout_is_terminal and self.stderr_is_terminal
 
 
 def cause_of_linear(option: bool | None, configured: bool | None, around: Surroundings) -> str | None:
@@ -29,7 +35,7 @@ def cause_of_linear(option: bool | None, configured: bool | None, around: Surrou
     chosen = _chosen(option, configured, around.environment)
     if chosen and chosen[0]:
         return chosen[1]
-    if not (around.stdin_is_terminal and around.stdout_is_terminal):
+    if not around.is_terminal:
         return "no-terminal"
     if chosen is None and around.environment.get("TERM", "") in ("dumb", ""):
         return "simple-terminal"

@@ -1,4 +1,4 @@
-"""What the full screen says before anything else is loaded. Imports nothing; the catalogue has it from here."""
+"""What the full screen says before all else is loaded. Imports nothing; the catalogue takes it from here."""
 
 START = (
     "Screen reader? Type LINEAR and Enter.",
@@ -12,7 +12,7 @@ START_KEYS = (
 )
 FAULT = (
     "Donnie failed and had to end; your program is kept: start again, type RECOVER and Enter.",
-    "O Donnie falhou e teve que terminar; seu programa está guardado: abra de novo, digite RECUPERAR e Enter.",
+    "O Donnie falhou e teve que parar; seu programa está guardado: abra de novo, digite RECUPERAR e Enter.",
     "Donnie falló y tuvo que terminar; tu programa está guardado: vuelve a abrir, escribe RECUPERAR y Enter.",
 )
 PROGRAM = ("Program", "Programa", "Programa")

@@ -18,6 +18,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING, ClassVar
 
 from rich.text import Text
+from textual import events
 from textual.app import App, SystemCommand
 from textual.binding import Binding, BindingType
 from textual.geometry import Offset
@@ -27,8 +28,10 @@ from textual.timer import Timer
 from donnie_tui.folders import state_folder
 from donnie_tui.i18n import first_screen
 from donnie_tui.settings import LANGUAGES, Settings
-from donnie_tui.tui.actions import ACTIONS
+from donnie_tui.tui.actions import ACTIONS, BY_NAME
+from donnie_tui.tui.printable import Printable
 from donnie_tui.tui.screens.workplace import Workplace
+from donnie_tui.tui.turns import Turns
 from donnie_tui.tui.widgets.command_line import CommandLine
 
 if TYPE_CHECKING:
@@ -75,12 +78,15 @@ class DonnieApp(App[int], inherit_bindings=False):
         self.animation_level = "none"
         if self.no_color:
             self.theme = "ansi-dark"
+        self._filters.append(Printable())
         self.workplace = Workplace()
+        self._turns = Turns(self, super().on_event)
         self.work: Work | None = None
         """None until it is loaded."""
         self.trouble: Exception | None = None
         """What kept it from being loaded."""
         self.left_for_linear = False
+        self._wants_linear = False
         self._language = LANGUAGES.index(settings.language)
         self._file, self._text = file, text
         self._assemble = assemble
@@ -120,6 +126,8 @@ class DonnieApp(App[int], inherit_bindings=False):
 
             self.work = Work(self, self._assemble(), self._folder)
             self.work.begin(self._file, self._text)
+            if self._wants_linear:
+                self.work.switch_to_linear()
         except Exception as trouble:  # noqa: BLE001 -- raised again once the terminal is given back
             self.trouble = trouble
             self.exit(2)
@@ -137,18 +145,38 @@ class DonnieApp(App[int], inherit_bindings=False):
     # --- doing
 
     def check_action(self, action: str, parameters: tuple[object, ...]) -> bool | None:
-        """Actions belong to the workplace; Ctrl+C copies while nothing runs."""
+        """Actions belong to the workplace, but a stop is always possible; else Ctrl+C copies."""
         if action == "do":
             only_while_running = len(parameters) > 1
-            return self.screen is self.workplace and (not only_while_running or self._runs)
+            return self._stops(parameters) or (self.screen is self.workplace and not only_while_running)
         return super().check_action(action, parameters)
+
+    def _stops(self, parameters: tuple[object, ...]) -> bool:
+        return self._runs and parameters[0] == "stop"
 
     @property
     def _runs(self) -> bool:
         return self.work is not None and self.work.running.is_busy
 
     def action_do(self, name: str, _only_while_running: bool = False) -> None:
-        """A key was pressed. Running from the command line runs what is typed there."""
+        """A key was pressed. Stopping comes first, all else after what was typed before it."""
+        if name == "stop":
+            self.do(name)
+        else:
+            self._turns.do(lambda: self._do_in_turn(name))
+
+    async def on_event(self, event: events.Event) -> None:
+        is_typed = isinstance(event, (events.Key, events.Paste)) and not event.is_forwarded
+        if is_typed and self._turns.is_holding and not self._is_stop(event):
+            self._turns.hold(event)
+        else:
+            await super().on_event(event)
+
+    def _is_stop(self, event: events.Event) -> bool:
+        return isinstance(event, events.Key) and event.key in ("ctrl+c", *BY_NAME["stop"].keys) and self._runs
+
+    def _do_in_turn(self, name: str) -> None:
+        """Running from the command line runs what is typed there."""
         line = self.workplace.command_line
         if name == "run" and line.has_focus and line.value.strip():
             line.finish()
@@ -178,6 +206,13 @@ class DonnieApp(App[int], inherit_bindings=False):
 
     async def action_quit(self) -> None:
         self.do("quit")
+
+    def action_command_palette(self) -> None:
+        """Textual's own, in the learner's words; there once there are words."""
+        if self.work is not None and self.screen is self.workplace:
+            from donnie_tui.tui.screens.palette import Palette
+
+            self.push_screen(Palette(self.work.words))
 
     def get_system_commands(self, screen: Screen[object]) -> Iterable[SystemCommand]:
         """The command palette: the same actions again."""
@@ -236,6 +271,13 @@ class DonnieApp(App[int], inherit_bindings=False):
             if event.asks_to_quit:
                 self.do("quit")
 
+    def on_editor_linear_typed(self) -> None:
+        """At the very start it counts too: once there is something to change from."""
+        if self.work is None:
+            self._wants_linear = True
+        else:
+            self.work.linear_typed()
+
     def on_workplace_looked(self) -> None:
         if self.work is not None:
             self.work.display.say_status()
@@ -249,7 +291,7 @@ class DonnieApp(App[int], inherit_bindings=False):
     def _handle_signals(self) -> None:
         """Somebody ends the process, or the line is lost. Ctrl+C from elsewhere only stops the program."""
         loop = asyncio.get_running_loop()
-        for name, handler in (("SIGTERM", self._end), ("SIGHUP", self._end), ("SIGINT", self._halt)):
+        for name, handler in (("SIGTERM", self._end), ("SIGHUP", self._end), ("SIGINT", self._interrupt)):
             number = getattr(signal, name, None)
             if number is not None:
                 with suppress(NotImplementedError, RuntimeError, ValueError):
@@ -259,6 +301,11 @@ class DonnieApp(App[int], inherit_bindings=False):
         self._halt(number)
         self.keep_text()
         self.exit(128 + number)
+
+    def _interrupt(self, _number: int) -> None:
+        """As the key that stops."""
+        if self._runs:
+            self.do("stop")
 
     def _halt(self, _number: int) -> None:
         if self.work is not None:

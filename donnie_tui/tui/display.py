@@ -21,12 +21,12 @@ from donnie_tui.tui.situation import cell_sentence, doing_sentences, inspector_l
 from language.runtime import Frame
 
 _OFFERED = {
-    Doing.READY: ("run", "step", "save", "open", "show_variables", "help", "quit"),
-    Doing.RUNNING: ("stop", "pause", "slower", "faster", "show_variables", "help"),
-    Doing.PAUSED: ("pause", "step", "step_over", "run_to", "stop", "show_variables", "help"),
-    Doing.STOPPING: ("help",),
+    Doing.READY: ("run", "help", "quit", "step", "save", "open", "show_variables"),
+    Doing.RUNNING: ("stop", "help", "quit", "pause", "slower", "faster", "show_variables"),
+    Doing.PAUSED: ("pause", "help", "quit", "stop", "step", "step_over", "run_to", "show_variables"),
+    Doing.STOPPING: ("help", "quit"),
 }
-"""The keys that the bottom line shows, by what the program does."""
+"""The keys that the bottom line shows, by what the program does; what there is no room for goes last."""
 
 
 class Display:
@@ -106,6 +106,7 @@ class Display:
         return f"{key_label(BY_NAME[name].keys[0])} {self._words(f'key-{shown_as}')}"
 
     def show_titles(self) -> None:
+        self._place.editor.is_nobodys = self._files.document.path is None
         code = "pane-program-changed" if self._files.is_changed else "pane-program"
         self._place.program_pane.entitle(self._words(code, name=self._files.name))
 

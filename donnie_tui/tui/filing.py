@@ -78,14 +78,16 @@ class Copies:
 
     def offered(self) -> Path | None:
         """The newest copy that an earlier start left."""
-        left = [each for each in self._newest_first() if each != self._own]
+        left = [each for each in self._newest_first() if each != self._own and not _is_in_use(each)]
         return left[0] if left else None
 
     def take(self, path: Path) -> str:
-        """A copy's text; it is this start's own from now on. Raises ``DocumentError``."""
+        """A copy's text, written down anew as this start's own. Raises ``DocumentError``."""
         text = as_lines(read_program(path))
         self.forget()
-        self._own = path
+        self.keep(text)
+        with contextlib.suppress(OSError):
+            path.unlink()
         return text
 
     def keep(self, text: str) -> None:
@@ -107,9 +109,9 @@ class Copies:
 
     def _new(self) -> Path:
         self._folder.mkdir(parents=True, exist_ok=True)
-        handle, name = tempfile.mkstemp(dir=self._folder, prefix=_PREFIX, suffix=_SUFFIX)
+        handle, name = tempfile.mkstemp(dir=self._folder, prefix=f"{_PREFIX}{os.getpid()}-", suffix=_SUFFIX)
         os.close(handle)
-        for old in self._newest_first()[MOST_COPIES:]:
+        for old in [each for each in self._newest_first() if not _is_in_use(each)][MOST_COPIES:]:
             with contextlib.suppress(OSError):
                 old.unlink()
         return Path(name)
@@ -120,3 +122,17 @@ class Copies:
         except OSError:
             return []
         return [each for _, each in sorted(found, reverse=True)]
+
+
+def _is_in_use(copy: Path) -> bool:
+    """Whether another process that still runs keeps this copy; its number is in the name."""
+    number = copy.name.removeprefix(_PREFIX).partition("-")[0]
+    if os.name != "posix" or not number.isdecimal() or int(number) in (0, os.getpid()):
+        return False
+    try:
+        os.kill(int(number), 0)
+    except PermissionError:
+        return True
+    except (OSError, OverflowError):
+        return False
+    return True

@@ -155,12 +155,19 @@ class Work:
     def show_help(self) -> None:
         self._host.show_help(self.words("help-title"), help_text(self.words))
 
+    def linear_typed(self) -> None:
+        """LINEAR was typed into an empty program: that is not meant as its text."""
+        self.load("")
+        self.switch_to_linear()
+
     def switch_to_linear(self) -> None:
+        """The other mode has the text from now on: no copy is needed."""
+        self._forget_copy()
         self._host.leave(for_linear=True)
 
     def leave(self) -> None:
         """For good, on purpose: no copy is needed."""
-        self.files.give_up()
+        self._forget_copy()
         self._host.leave()
 
     def look(self) -> None:
@@ -231,6 +238,11 @@ class Work:
     def _keep_copy(self) -> None:
         self._copying = None
         self.files.keep_copy()
+
+    def _forget_copy(self) -> None:
+        if self._copying is not None:
+            self._copying.stop()
+        self.files.give_up()
 
     # --- ending
 

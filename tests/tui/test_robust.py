@@ -1,6 +1,9 @@
 """What must never happen at the screen: a crash, a page of traceback, a lost line, unreadable colours."""
 
+import os
 import re
+import signal
+import subprocess
 from pathlib import Path
 
 import pytest
@@ -9,8 +12,14 @@ from textual.filter import Monochrome, NoColor
 
 from donnie_tui.bootstrap import assemble
 from donnie_tui.i18n import first_screen
+from donnie_tui.i18n.sentence import LANGUAGES
+from donnie_tui.i18n.words import Words
 from donnie_tui.settings import Settings
 from donnie_tui.tui.app import FAULT, DonnieApp
+from donnie_tui.tui.filing import Copies
+from donnie_tui.tui.running import Doing
+from donnie_tui.tui.screens.help import help_text
+from tests.tui.conftest import WAITING
 
 COLOURED = re.compile(r"\x1b\[[0-9;]*(?:38|48);2;")
 
@@ -71,3 +80,203 @@ async def test_nothing_that_was_spoken_is_missing_from_the_log(work):
         await desk.told("The program is done.")
 
         assert desk.log.count("7") == 12000
+
+
+# --- stopping and order
+
+
+@pytest.mark.parametrize("key", ["f8", "ctrl+c"])
+@pytest.mark.parametrize("opened", ["f1", "ctrl+p", "ctrl+s"])
+async def test_a_program_is_stopped_whatever_is_in_front_of_it(work, key, opened):
+    async with work(WAITING, speed=1.0) as desk:
+        await desk.press("f5")
+        await desk.doing(Doing.RUNNING)
+        await desk.press(opened)
+        await desk.until(lambda: desk.app.screen is not desk.place, "what is in front")
+        await desk.press(key)
+        await desk.told("Stopped at line")
+
+
+def burst(desk, *keys: str) -> None:
+    """Keys that arrive at once."""
+    for key in keys:
+        desk.app.post_message(events.Key(key, {"space": " "}.get(key, key if len(key) == 1 else None)))
+
+
+async def test_f5_runs_what_was_typed_just_before_it_and_not_what_comes_after(work):
+    async with work() as desk:
+        burst(desk, *"SPEAK", "space", *"12345", "f5", "6")
+        await desk.told("The program is done.")
+
+        assert "12345" in desk.log
+        assert desk.place.editor.text == "SPEAK 123456"
+
+
+async def test_a_file_is_saved_with_the_last_letters(work, tmp_path):
+    file = tmp_path / "mine.gd"
+    file.write_text("FW 1", encoding="utf-8")
+    async with work(file=file) as desk:
+        desk.place.editor.go_to(1, 5)
+        burst(desk, *"2345", "ctrl+s")
+        await desk.told("Saved as mine.gd")
+
+    assert file.read_text(encoding="utf-8") == "FW 12345\n"
+
+
+async def test_a_typed_line_is_done_before_the_key_after_it(work):
+    async with work() as desk:
+        desk.place.command_line.focus()
+        await desk.pilot.pause()
+        burst(desk, *"SPEED", "space", "5", "enter", "f12")
+        await desk.told("Speed 10.")
+
+        assert desk.log.index("Speed 5.") < desk.log.index("Speed 10.")
+
+
+async def test_leaving_at_once_after_typing_asks_to_save(work):
+    async with work() as desk:
+        burst(desk, *"FW", "ctrl+q")
+        await desk.until(lambda: desk.app.screen is not desk.place, "the question")
+
+        assert desk.place.editor.text == "FW"
+
+
+# --- the way to the linear mode
+
+
+@pytest.mark.parametrize("word", ["LINEAR", "lineal", " Linear "])
+async def test_linear_as_the_only_line_and_enter_changes_the_mode(work, word):
+    async with work() as desk:
+        desk.place.editor.load_text(word)
+        await desk.press("enter")
+        await desk.until(lambda: desk.app.left_for_linear, "the way out")
+
+        assert desk.place.editor.text == ""
+
+
+async def test_linear_in_a_program_is_text(work, tmp_path):
+    file = tmp_path / "mine.gd"
+    file.write_text("", encoding="utf-8")
+    async with work(file=file) as desk:
+        burst(desk, *"LINEAR", "enter", "a")
+        await desk.until(lambda: desk.place.editor.text == "LINEAR\na")
+
+        assert not desk.app.left_for_linear
+
+
+async def test_the_way_to_the_linear_mode_is_the_first_that_is_told(work):
+    async with work() as desk:
+        assert desk.log[0] == "Screen reader? Type LINEAR and Enter."
+
+
+async def test_leaving_for_the_linear_mode_leaves_no_copy(work, tmp_path):
+    async with work() as desk:
+        await desk.press(*"FW")
+        await desk.until(lambda: list(tmp_path.rglob("*.gd")), "the copy")
+        await desk.type_line("LINEAR")
+        await desk.until(lambda: desk.app.left_for_linear, "the way out")
+
+    assert list(tmp_path.rglob("*.gd")) == []
+
+
+# --- control characters
+
+NASTY = "\x1b]0;title\x07 \x9b?25l \u202e \u2028 \x00"
+
+
+async def test_pasted_control_characters_become_blanks(work):
+    async with work() as desk:
+        desk.app.post_message(events.Paste("FW\x1b1\n\tTR\u20282"))
+        await desk.until(lambda: desk.place.editor.text == "FW 1\n\tTR 2", "the paste")
+        desk.place.command_line.focus()
+        await desk.pilot.pause()
+        desk.app.post_message(events.Paste("FW\x1b1"))
+        await desk.until(lambda: desk.place.command_line.value == "FW 1", "the second paste")
+
+
+async def test_no_control_character_is_painted(work):
+    async with work() as desk:
+        desk.place.editor.load_text(NASTY)
+        desk.place.log_lines([(NASTY, "")])
+        desk.place.map_pane.entitle(NASTY)
+        await desk.pilot.pause()
+        painted = "".join(
+            segment.text for strip in desk.app.screen._compositor.render_strips() for segment in strip
+        )
+
+    assert "title" in painted
+    assert not set(NASTY) - set(" ?25l]0;titleh") & set(painted)
+
+
+# --- words, keys, copies
+
+
+@pytest.mark.parametrize("language", LANGUAGES)
+@pytest.mark.parametrize("doing", [Doing.READY, Doing.RUNNING, Doing.PAUSED])
+async def test_help_and_quit_are_always_in_the_bottom_line(work, language, doing):
+    async with work(WAITING, language=language, speed=1.0) as desk:
+        if doing is not Doing.READY:
+            await desk.press("f7" if doing is Doing.PAUSED else "f5")
+            await desk.doing(doing)
+            await desk.until(lambda: "F8" in desk.place.keys.words)
+
+        assert "F1 " in desk.place.keys.words
+        assert "Ctrl+Q " in desk.place.keys.words
+
+
+@pytest.mark.parametrize(
+    ("language", "asked", "nothing"),
+    [
+        ("en", "Type what to do", "Nothing of that name."),
+        ("pt", "Digite o que fazer", "Nada com esse nome."),
+        ("es", "Escribe qué hacer", "Nada con ese nombre."),
+    ],
+)
+async def test_the_palette_speaks_the_language_and_has_no_pictures(work, language, asked, nothing):
+    async with work(language=language) as desk:
+        await desk.press("ctrl+p")
+        await desk.until(lambda: asked in desk.screen, asked)
+        seen = desk.screen
+        await desk.press(*"zzzz")
+        await desk.until(lambda: nothing in desk.screen, nothing)
+
+    assert "🔎" not in seen
+
+
+@pytest.mark.parametrize("language", LANGUAGES)
+def test_the_help_lists_each_word_once_and_the_palette(language):
+    lines = help_text(Words(language))
+    entries = [re.split(r"[:(]", line)[0].strip() for line in lines]
+
+    assert [each for each in set(entries) if entries.count(each) > 1] == []
+    assert any("Ctrl+P" in line for line in lines)
+
+
+async def test_an_interrupt_from_elsewhere_stops_as_the_key_does(work):
+    async with work(WAITING, speed=1.0) as desk:
+        await desk.press("f5")
+        await desk.doing(Doing.RUNNING)
+        await desk.until(lambda: desk.app.work.running.frames)
+        os.kill(os.getpid(), signal.SIGINT)
+        await desk.told("Stopped at line")
+
+
+def test_a_copy_of_a_start_that_still_runs_is_not_offered(tmp_path: Path):
+    copy = tmp_path / f"unsaved-{os.getppid()}-abc.gd"
+    copy.write_text("FW 1", encoding="utf-8")
+    assert Copies(tmp_path).offered() is None
+
+    ended = subprocess.Popen(["true"])
+    ended.wait()
+    copy = copy.rename(tmp_path / f"unsaved-{ended.pid}-abc.gd")
+    assert Copies(tmp_path).offered() == copy
+
+
+def test_a_copy_that_was_taken_is_this_start_s_own(tmp_path: Path):
+    old = tmp_path / "unsaved-abc.gd"
+    old.write_text("FW 1", encoding="utf-8")
+    copies = Copies(tmp_path)
+
+    assert copies.take(old) == "FW 1"
+    assert [each.read_text(encoding="utf-8") for each in tmp_path.iterdir()] == ["FW 1"]
+    assert not old.exists()

@@ -154,18 +154,19 @@ def test_the_terminal_s_cursor_is_visible_and_stands_at_the_focus(terminal):
     donnie = terminal()
     donnie.type("FW 1")
     donnie.shows("1  FW 1")
-    editor = (donnie.screen.cursor.x, donnie.screen.cursor.y)
+    donnie.until(
+        lambda: (donnie.screen.cursor.x, donnie.screen.cursor.y) == (8, 1), "the cursor in the program"
+    )
     donnie.type(TAB)
     donnie.shows(" Map. Donnie")
-    on_the_map = donnie.screen.display[donnie.screen.cursor.y][donnie.screen.cursor.x]
+    donnie.until(lambda: under_the_cursor(donnie)[1] == "^", "the cursor at the robot")
     donnie.type(TAB)
     donnie.shows(" Log, line")
-    in_the_log = donnie.screen.display[donnie.screen.cursor.y][donnie.screen.cursor.x]
+    donnie.until(lambda: under_the_cursor(donnie)[1] == ">", "the cursor at the row of the log")
     donnie.type(TAB)
     donnie.shows(" Command line.")
 
-    assert (editor, on_the_map, in_the_log) == ((8, 1), "^", ">")
-    assert donnie.screen.display[donnie.screen.cursor.y].startswith(">")
+    donnie.until(lambda: under_the_cursor(donnie) == ("> ", " "), "the cursor in the command line")
     assert not donnie.screen.cursor.hidden
 
 
@@ -212,3 +213,24 @@ def test_a_world_that_is_not_there_is_one_sentence_and_code_2(tmp_path):
         assert b"Traceback" not in donnie.raw
     finally:
         donnie.close()
+
+
+def under_the_cursor(donnie: Terminal) -> tuple[str, str]:
+    """What stands before the cursor in its row, and at it."""
+    row = donnie.screen.display[donnie.screen.cursor.y]
+    return row[: donnie.screen.cursor.x], row[donnie.screen.cursor.x]
+
+
+def test_the_cursor_stands_right_after_what_is_typed(terminal):
+    donnie = terminal()
+    donnie.type("x" + TAB * 3)
+    donnie.shows(" Command line.")
+    donnie.type("FW 12")
+    donnie.shows("> FW 12")
+    donnie.until(lambda: under_the_cursor(donnie) == ("> FW 12", " "), "the cursor after the command")
+    donnie.type("\x1b[D")
+    donnie.until(lambda: under_the_cursor(donnie) == ("> FW 1", "2"), "the cursor at the last letter")
+    donnie.type(CTRL_Q)
+    donnie.shows("yes or no:")
+    donnie.type("maybe")
+    donnie.until(lambda: under_the_cursor(donnie) == ("maybe", " "), "the cursor after the answer")

@@ -184,6 +184,13 @@ _QUESTIONS = {
     "answers-yes": Sentence("yes y", "sim s", "sí s"),
     "answers-no": Sentence("no n", "não n", "no n"),
     "help-title": Sentence("Help. Esc goes back", "Ajuda. Esc volta", "Ayuda. Esc vuelve"),
+    "palette-ask": Sentence("Type what to do", "Digite o que fazer", "Escribe qué hacer"),
+    "palette-nothing": Sentence("Nothing of that name.", "Nada com esse nome.", "Nada con ese nombre."),
+    "help-palette": Sentence(
+        "Ctrl+P: lists all of these to choose from.",
+        "Ctrl+P: lista tudo isto para escolher.",
+        "Ctrl+P: lista todo esto para elegir.",
+    ),
     "help-screen-words": Sentence("Keys and words:", "Teclas e palavras:", "Teclas y palabras:"),
     "help-program-words": Sentence("GoDonnie:", "GoDonnie:", "GoDonnie:"),
     "help-typed-file": Sentence("file", "arquivo", "archivo"),

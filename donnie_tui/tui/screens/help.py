@@ -44,9 +44,16 @@ def help_text(words: Wording) -> tuple[str, ...]:
     return (
         words("help-screen-words"),
         *(_line(action, words) for action in listed),
+        words("help-palette"),
         words("help-program-words"),
-        *words.help(None),
+        *_program_lines(listed, words),
     )
+
+
+def _program_lines(listed: Sequence[Action], words: Wording) -> tuple[str, ...]:
+    """GoDonnie's commands, but for those that the screen has listed."""
+    told = {action.word(words.language) for action in listed}
+    return tuple(line for line in words.help(None) if line.partition(":")[0] not in told)
 
 
 def _line(action: Action, words: Wording) -> str:

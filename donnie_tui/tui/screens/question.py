@@ -11,6 +11,8 @@ from textual.containers import Vertical
 from textual.screen import ModalScreen
 from textual.widgets import Input, Static
 
+from donnie_tui.tui.widgets.input_line import InputLine
+
 
 class Question(ModalScreen[str | None]):
     """Asks for one line. ``accepts`` answers what is wrong with an answer, or None if nothing is."""
@@ -28,11 +30,9 @@ class Question(ModalScreen[str | None]):
         self._accepts = accepts
 
     def compose(self) -> ComposeResult:
-        answer = Input(self._value, id="answer", compact=True, select_on_focus=False)
-        answer.cursor_blink = False
         with Vertical(id="question"):
             yield Static(self._asked, id="asked", markup=False)
-            yield answer
+            yield InputLine(self._value, id="answer")
             yield Static(f" {self._keys}", id="question-keys", markup=False)
 
     def on_input_submitted(self, event: Input.Submitted) -> None:

@@ -8,10 +8,12 @@ from textual.binding import Binding, BindingType
 from textual.message import Message
 from textual.widgets import Input
 
+from donnie_tui.tui.widgets.input_line import InputLine
+
 MOST_REMEMBERED = 500
 
 
-class CommandLine(Input):
+class CommandLine(InputLine):
     """One line of input with its past."""
 
     BINDINGS: ClassVar[list[BindingType]] = [
@@ -27,8 +29,7 @@ class CommandLine(Input):
             self.text = text
 
     def __init__(self, *, id: str) -> None:  # noqa: A002 -- Textual's own name
-        super().__init__(id=id, compact=True, select_on_focus=False)
-        self.cursor_blink = False
+        super().__init__(id=id)
         self._past: list[str] = []
         self._place = 0
 

@@ -10,13 +10,20 @@ from typing import ClassVar
 
 from rich.segment import Segment
 from rich.style import Style
+from textual import events
 from textual.binding import Binding, BindingType
 from textual.geometry import Offset, Region
+from textual.message import Message
 from textual.strip import Strip
 from textual.widgets import TextArea
 from textual.widgets.text_area import TextAreaTheme
 
+from donnie_tui.i18n.sentence import LANGUAGES
+from donnie_tui.tui.actions import BY_NAME
+
 HERE, CALLER = ">", "*"
+
+LINEAR_WORDS = frozenset(BY_NAME["linear"].word(each).casefold() for each in LANGUAGES)
 
 _LOOKS = TextAreaTheme(
     name="donnie",
@@ -36,14 +43,36 @@ class Editor(TextArea):
 
     BINDINGS: ClassVar[list[BindingType]] = [Binding("ctrl+a", "select_all", show=False)]
 
+    class LinearTyped(Message):
+        """LINEAR and Enter, and nothing else: what the first line of the log asks for."""
+
     def __init__(self, *, id: str) -> None:  # noqa: A002 -- Textual's own name
         super().__init__(id=id, soft_wrap=True, tab_behavior="focus", show_line_numbers=True)
         self.cursor_blink = False
+        self.is_nobodys = True
+        """Whether the text is no file's: only there LINEAR and Enter is no text."""
         self._marks: dict[int, str] = {}
 
     def on_mount(self) -> None:
         self.register_theme(_LOOKS)
         self.theme = "donnie"
+
+    # --- typing
+
+    async def _on_key(self, event: events.Key) -> None:
+        if event.key == "enter" and self._is_way_to_linear():
+            event.stop()
+            event.prevent_default()
+            self.post_message(self.LinearTyped())
+
+    def _is_way_to_linear(self) -> bool:
+        return self.is_nobodys and len(self.text) < 20 and self.text.strip().casefold() in LINEAR_WORDS
+
+    async def _on_paste(self, event: events.Paste) -> None:
+        from donnie_tui.core.documents import cleaned  # not for the first frame
+
+        event.prevent_default()
+        await super()._on_paste(events.Paste(cleaned(event.text)))
 
     # --- marks
 

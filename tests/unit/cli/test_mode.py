@@ -45,5 +45,12 @@ def test_the_mode_is_decided_in_order(
     assert cause_of_linear(option, configured, Surroundings(stdin, stdout, variables)) == cause
 
 
+@pytest.mark.parametrize("option", [None, False])
+def test_a_screen_whose_errors_go_to_a_file_has_no_terminal_to_be_painted_on(option: bool | None) -> None:
+    around = Surroundings(TTY, TTY, {"TERM": "xterm"}, stderr_is_terminal=PIPE)
+
+    assert cause_of_linear(option, None, around) == "no-terminal"
+
+
 def test_every_cause_has_its_first_line() -> None:
     assert {cause for *_, cause in CASES if cause} <= set(CAUSES)
