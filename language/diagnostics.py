@@ -16,6 +16,9 @@ from enum import Enum
 
 from language.syntax import Span
 
+MOST_MISTAKES = 100
+"""Mistakes of form that are told of one text; nobody listens to more."""
+
 
 class Kind(Enum):
     """The stable kinds. Scripts rely on the values."""

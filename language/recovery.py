@@ -29,7 +29,7 @@ from language.blocks import (
     kinds_of,
     mistakes_ahead,
 )
-from language.diagnostics import Diagnostic, Kind
+from language.diagnostics import MOST_MISTAKES, Diagnostic, Kind
 from language.keywords import TERMINALS as WORD_TERMINALS
 from language.keywords import (
     all_words,
@@ -68,9 +68,6 @@ from language.source import Lines, line_ends
 from language.syntax import Span
 from language.tables import TERMINALS
 from language.tree import MOST_LEVELS
-
-MOST_MISTAKES = 100
-"""That are told of one text; nobody listens to more."""
 
 _ASSIGN, _LSQB, _ELSE, _SCAN, _LPAR = (KIND[name] for name in ("ASSIGN", "LSQB", "ELSE", "SCAN", "LPAR"))
 _COMPARATOR, _SEMICOLON, _SIGN, _VAR = (KIND[name] for name in ("COMPARATOR", "SEMICOLON", "SIGN", "VAR"))

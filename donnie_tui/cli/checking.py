@@ -11,7 +11,7 @@ from donnie_tui.i18n.words import Words
 from donnie_tui.settings import Source as Origin
 from donnie_tui.unusable import Unusable
 from language.checker import check as hints_for
-from language.diagnostics import Diagnostic, Severity
+from language.diagnostics import MOST_MISTAKES, Diagnostic, Severity
 from language.parser import parse
 
 
@@ -30,9 +30,12 @@ def _check_file(order: Order, name: str, colours: frozenset[str] | None) -> int:
     found = diagnostics_of(source.text, colours)
     for each in found:
         order.output.line(line_for(each, source, order.words))
+    is_wrong = any(each.severity is Severity.ERROR for each in found)
+    if is_wrong and len(found) >= MOST_MISTAKES:
+        order.output.complaint(order.words("more-mistakes", limit=MOST_MISTAKES))
     if not found:
         order.output.complaint(order.words("check-clean", file=source.name))
-    return codes.FAILED if any(each.severity is Severity.ERROR for each in found) else codes.DONE
+    return codes.FAILED if is_wrong else codes.DONE
 
 
 def diagnostics_of(text: str, colours: frozenset[str] | None) -> tuple[Diagnostic, ...]:

@@ -13,12 +13,12 @@ from dataclasses import dataclass
 from typing import TypeAlias
 
 from devices.ports.robot import Robot
-from donnie_tui.core.events import Error, Outcome, RunEnded, RunStarted, Statement
+from donnie_tui.core.events import Announced, Error, Outcome, RunEnded, RunStarted, Statement
 from donnie_tui.core.hub import Hub
 from donnie_tui.core.wording import Wording
 from language.compiler import Runnable
 from language.control import ExecutionControl
-from language.diagnostics import Diagnostic, ProgramError, QuitRequested, Stopped
+from language.diagnostics import MOST_MISTAKES, Diagnostic, ProgramError, QuitRequested, Stopped
 from language.runtime import Actions, Frame, Memory
 
 _LOG = logging.getLogger(__name__)
@@ -129,8 +129,7 @@ class Run:
     def _read_and_run(self) -> Outcome:
         self._program = program = self._read()
         if isinstance(program, tuple):
-            for diagnostic in program:
-                self._publish_error(diagnostic)
+            self._publish_errors(program)
             return Outcome.FAILED
         trace = self._publish_statement if self._trace else None
         program.run(self._stage.actions, self.control, self._memory, trace=trace)
@@ -138,6 +137,13 @@ class Run:
 
     def _publish_statement(self, line: int, column: int, depth: int) -> None:
         self._stage.hub.publish(Statement(line, column, depth))
+
+    def _publish_errors(self, mistakes: tuple[Diagnostic, ...]) -> None:
+        for each in mistakes:
+            self._publish_error(each)
+        if len(mistakes) >= MOST_MISTAKES:
+            told = self._stage.wording("more-mistakes", limit=MOST_MISTAKES)
+            self._stage.hub.publish(Announced("more-mistakes", told))
 
     def _publish_error(self, diagnostic: Diagnostic, calls: tuple[int, ...] = ()) -> None:
         wording = self._stage.wording

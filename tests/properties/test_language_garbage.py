@@ -12,12 +12,11 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from language.checker import check
-from language.diagnostics import Diagnostic
+from language.diagnostics import MOST_MISTAKES, Diagnostic
 from language.formatter import formatted
 from language.keywords import ARGUMENTS, all_words
 from language.outline import block_depth, outline
 from language.parser import Parsed, parse
-from language.recovery import MOST_MISTAKES
 
 BATCHES = 10
 IN_A_BATCH = 10_000

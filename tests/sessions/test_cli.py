@@ -56,6 +56,19 @@ def test_check_tells_every_mistake_a_line_each(printed: Printed) -> None:
     ]
 
 
+@pytest.mark.parametrize(
+    ("wrong_lines", "told"), [(99, ""), (120, "Only the first 100 mistakes are told.\n")]
+)
+def test_check_says_when_only_the_first_mistakes_are_told(
+    printed: Printed, wrong_lines: int, told: str
+) -> None:
+    write("a.gd", "JUMP\n" * wrong_lines)
+
+    assert printed.by("check", "a.gd") == 1
+    assert len(printed.out.splitlines()) == min(wrong_lines, 100)
+    assert printed.err == told
+
+
 def test_check_tells_hints_but_they_are_no_failure(printed: Printed) -> None:
     write("a.gd", "DISTANCE F")
 

@@ -27,6 +27,11 @@ SENTENCES: dict[str, Sentence] = {
         "Algo deu errado dentro do Donnie.",
         "Algo salió mal dentro de Donnie.",
     ),
+    "more-mistakes": Sentence(
+        "Only the first {limit} mistakes are told.",
+        "Só conto os primeiros {limit} erros.",
+        "Solo digo los primeros {limit} errores.",
+    ),
     # --- form
     "mistake-syntax": Sentence(
         "I expected {expected}, not {found}.",

@@ -51,6 +51,15 @@ def test_after_a_mistake_of_form_nothing_has_happened_but_all_mistakes_are_told(
     assert floor.session.pose == Pose(0.0, 0.0, 0.0)
 
 
+def test_where_only_the_first_mistakes_are_told_the_last_sentence_says_so() -> None:
+    floor = Floor()
+
+    floor.run("JUMP\n" * 101)
+
+    assert len(of(Error, floor)) == 100
+    assert floor.told[-1] == "Only the first 100 mistakes are told."
+
+
 def test_after_a_mistake_of_meaning_what_was_done_stays_done() -> None:
     floor = Floor()
 

@@ -2,8 +2,8 @@
 
 import pytest
 
+from language.diagnostics import MOST_MISTAKES
 from language.parser import parse
-from language.recovery import MOST_MISTAKES
 
 
 def told(source: str) -> list[tuple[str, int]]:
