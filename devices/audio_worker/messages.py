@@ -109,6 +109,8 @@ _KINDS: dict[str, type[Order | Answer]] = {
     )
 }  # fmt: skip
 
+_BEGINNING = b'{"is": "'
+
 LONGEST_LINE = 65_536
 """Bytes; no message comes near it."""
 
@@ -119,7 +121,13 @@ def to_line(message: Order | Answer) -> bytes:
 
 
 def from_line(line: bytes) -> Order | Answer | None:
-    """The message in ``line``, or None if there is none in it."""
+    """The message in ``line``, or None if there is none in it.
+
+    What does not begin as ours is not parsed: json recurses in C as deep as a line is nested, and Python's
+    limit, which would end that, is raised for the recursion of learners' programs.
+    """
+    if not line.startswith(_BEGINNING):
+        return None
     try:
         fields = json.loads(line)
         return _KINDS[fields.pop("is")](**fields)
