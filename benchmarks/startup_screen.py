@@ -59,7 +59,8 @@ def main(rounds: int) -> None:
     print(f"importing Textual     {median(imports) * 1000:6.0f} ms")
     print(f"to the first frame    {median(frames) * 1000:6.0f} ms")
     print(
-        f"ratio                 {median(frames) / median(imports):6.2f}   (quartiles {low:.2f} to {high:.2f}; target 1.10)"
+        f"ratio                 {median(frames) / median(imports):6.2f}"
+        f"   (quartiles {low:.2f} to {high:.2f}; target 1.10)"
     )
 
 
