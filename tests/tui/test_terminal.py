@@ -42,7 +42,7 @@ class Terminal:
         environment = {
             name: value
             for name, value in os.environ.items()
-            if not name.startswith(("TEXTUAL", "DONNIE", "NO_COLOR", "LC_", "LANG"))
+            if not name.startswith(("TEXTUAL", "DONNIE", "NO_COLOR", "LC_", "LANG", "COLUMNS", "LINES"))
         } | {"TERM": "xterm-256color", "HOME": str(state), "LANG": "C.UTF-8"}
         environment.pop("XDG_STATE_HOME", None)
         environment.pop("XDG_CONFIG_HOME", None)
