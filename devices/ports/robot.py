@@ -35,6 +35,10 @@ class StoppedBy(Enum):
 
     OBSTACLE = "obstacle"
     COLLISION = "collision"
+    STALL = "stall"
+    """A real robot's wheels don't turn although its motors are on."""
+    LINK = "link"
+    """The line to a real robot was lost."""
     USER = "stopped"
 
 
@@ -87,6 +91,19 @@ class Sighting:
     """An English colour word of the language, such as ``red``."""
     name: str
     """The thing's name in its world, or an empty string."""
+
+
+class RobotProblem(Exception):
+    """Raised by a robot's method: it lacks what it was asked for, or can't be reached.
+
+    ``code`` names the sentence (``no-sensor``, ``no-eyes``, ``link-lost``, ...), ``values`` what it needs. A
+    movement that was under way has ended before, and the motors are off as far as that can be known.
+    """
+
+    def __init__(self, code: str, **values: str | int) -> None:
+        super().__init__(code)
+        self.code = code
+        self.values = values
 
 
 class Watcher(Protocol):
