@@ -6,31 +6,13 @@ Metres, and degrees counter-clockwise from the x axis, as Stage has them.
 from __future__ import annotations
 
 from collections.abc import Iterator, Mapping
-from dataclasses import dataclass, field
+from dataclasses import dataclass
 
 from sim.colours import Colour
-from sim.geometry import Point, direction, placed, signed_area
+from sim.fittings import Blobfinder, Bumper, Camera, FiducialFinder, Gripper, RangeSensor, Wheels
+from sim.geometry import Point, placed, signed_area
+from sim.placement import Placement
 from sim.report import LoadReport
-
-
-@dataclass(frozen=True, slots=True)
-class Placement:
-    """Where something stands and where it looks."""
-
-    x: float = 0.0
-    y: float = 0.0
-    z: float = 0.0
-    yaw: float = 0.0
-
-    def then(self, inner: Placement, lift: float = 0.0) -> Placement:
-        """Where ``inner``, given relative to this, is outside; ``lift`` is added to its height."""
-        c, s = direction(self.yaw)
-        return Placement(
-            self.x + c * inner.x - s * inner.y,
-            self.y + s * inner.x + c * inner.y,
-            self.z + lift + inner.z,
-            self.yaw + inner.yaw,
-        )
 
 
 @dataclass(frozen=True, slots=True)
@@ -40,28 +22,6 @@ class Polygon:
     points: tuple[Point, ...]
     bottom: float
     top: float
-
-
-@dataclass(frozen=True, slots=True)
-class RangeSensor:
-    """One sensor of a ranger, in the ranger's frame."""
-
-    pose: Placement = field(default_factory=Placement)
-    minimum: float = 0.0
-    maximum: float = 5.0
-    fov: float = 5.729577951308232
-    """Degrees; the default is Stage's tenth of a radian."""
-    samples: int = 1
-
-
-@dataclass(frozen=True, slots=True)
-class Blobfinder:
-    """What a blobfinder tells apart."""
-
-    maximum: float
-    fov: float
-    colours: tuple[Colour, ...]
-    """Empty: every colour."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -85,7 +45,15 @@ class Model:
     ranger_return: float
     blob_return: float
     fiducial_return: float
+    fiducial_key: int
+    """A finder notices only what has its own key."""
     gripper_return: float
+    pushable: bool
+    """Whether a robot that drives against it moves it."""
+    mass: float
+    """Kilograms; 0 where the file gives none."""
+    ignore_zloc: bool
+    """Whether its sensors see things whatever their height."""
     boundary: bool
     bitmap: str
     polygons: tuple[Polygon, ...]
@@ -93,6 +61,12 @@ class Model:
     """The four thin ones of ``boundary``."""
     sensors: tuple[RangeSensor, ...]
     blobfinder: Blobfinder | None
+    fiducial_finder: FiducialFinder | None
+    bumpers: tuple[Bumper, ...]
+    gripper: Gripper | None
+    camera: Camera | None
+    wheels: Wheels | None
+    """Of position models only."""
 
     def outlines(self) -> Iterator[tuple[Point, ...]]:
         """Its polygons and walls as they lie in the world."""
@@ -115,6 +89,16 @@ class Model:
     def solid(self) -> bool:
         """Whether a robot bumps into it. Walls are solid whatever the file says (that of Donnie says no)."""
         return self.obstacle_return != 0 or self.boundary or bool(self.bitmap)
+
+    @property
+    def grippable(self) -> bool:
+        """Whether a gripper can take it."""
+        return self.gripper_return != 0
+
+    def heights(self) -> Iterator[tuple[float, float]]:
+        """Bottom and top of each of its outlines above the floor, in the same order."""
+        for shape in (*self.polygons, *self.walls):
+            yield self.pose.z + shape.bottom, self.pose.z + shape.top
 
     @property
     def seen(self) -> bool:

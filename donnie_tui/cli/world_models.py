@@ -6,7 +6,9 @@ from collections.abc import Iterable
 from typing import TYPE_CHECKING
 
 if TYPE_CHECKING:
-    from sim.scene import Model, Placement, RangeSensor, Scene
+    from sim.fittings import RangeSensor
+    from sim.placement import Placement
+    from sim.scene import Model, Scene
 
 _DECIMALS = 6
 

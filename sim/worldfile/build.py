@@ -6,9 +6,11 @@ from collections import Counter
 from collections.abc import Callable, Iterable, Mapping
 
 from sim.colours import Colour
+from sim.fittings import Gripper, RangeSensor
+from sim.placement import Placement
 from sim.report import Note, NoteKind
-from sim.scene import Blobfinder, Model, Placement, Polygon, RangeSensor
-from sim.worldfile import shapes
+from sim.scene import Model, Polygon
+from sim.worldfile import equipment, shapes
 from sim.worldfile.entities import MODEL_TYPES, Entity, Setting
 from sim.worldfile.mistakes import Code, WorldError
 from sim.worldfile.values import Size, ValueReader
@@ -24,18 +26,21 @@ _SIZES = {
     "camera": (0.1, 0.07, 0.05),
 }
 _COLOURS = {"ranger": _NAVY, "camera": _BLACK}
-_NOT_SIMULATED = frozenset(["fiducial", "gripper", "camera", "actuator", "lightindicator", "blinkenlight"])
+_NOT_SIMULATED = frozenset(["camera", "actuator", "lightindicator", "blinkenlight"])
 MOST_POLYGON_POINTS = 200_000
 
 
 class Builder:
     """Builds the models of one world. Names are Stage's: ``parent.type:number`` where the file gives none."""
 
-    def __init__(self, reader: ValueReader, trace: Trace) -> None:
+    def __init__(self, reader: ValueReader, trace: Trace, world: Mapping[str, Setting]) -> None:
+        """``world``: the properties at the top level."""
         self.models: list[Model] = []
         self._reader = reader
         self._trace = trace
         self._points = 0
+        self._samples = 0
+        self._sees_any_height = reader.number(world, "ignore_zloc", 1)
 
     def build(self, entities: Iterable[Entity]) -> None:
         counts: Counter[str] = Counter(model=1)  # Stage counts its invisible floor
@@ -76,6 +81,7 @@ class Builder:
         size = read.size(settings, _SIZES.get(entity.type, (0.4, 0.4, 1.0)))
         origin = read.place(settings, "origin")
         walled = read.number(settings, "boundary", 0) != 0
+        gripper = equipment.gripper(read, settings) if entity.type == "gripper" else None
         return Model(
             index=index,
             type=entity.type,
@@ -91,31 +97,48 @@ class Builder:
             ranger_return=read.number(settings, "ranger_return", 1),
             blob_return=read.number(settings, "blob_return", 1),
             fiducial_return=read.number(settings, "fiducial_return", 0),
+            fiducial_key=int(read.number(settings, "fiducial_key", 0)),
             gripper_return=read.number(settings, "gripper_return", 0),
+            pushable=read.number(settings, "pushable", 0) != 0,
+            mass=max(0.0, read.number(settings, "mass", 0)),
+            ignore_zloc=read.number(settings, "ignore_zloc", self._sees_any_height) != 0,
             boundary=walled,
             bitmap=read.string(settings, "bitmap", ""),
-            polygons=self._shape(entity, blocks, size, origin, walled),
+            polygons=self._shape(entity, blocks, size, origin, walled, gripper),
             walls=shapes.boundary(size, origin) if walled else (),
             sensors=tuple(self._sensors(entity)),
-            blobfinder=self._blobfinder(settings) if entity.type == "blobfinder" else None,
+            blobfinder=equipment.blobfinder(read, settings) if entity.type == "blobfinder" else None,
+            fiducial_finder=equipment.fiducial_finder(read, settings) if entity.type == "fiducial" else None,
+            bumpers=tuple(equipment.bumpers(read, settings)) if entity.type == "bumper" else (),
+            gripper=gripper,
+            camera=equipment.camera(read, settings) if entity.type == "camera" else None,
+            wheels=equipment.wheels(read, settings) if entity.type == "position" else None,
         )
 
     def _shape(
-        self, entity: Entity, blocks: tuple[Entity, ...], size: Size, origin: Placement, walled: bool
+        self,
+        entity: Entity,
+        blocks: tuple[Entity, ...],
+        size: Size,
+        origin: Placement,
+        walled: bool,
+        gripper: Gripper | None,
     ) -> tuple[Polygon, ...]:
         polygons: tuple[Polygon, ...] = ()
-        if entity.type == "gripper":
-            polygons = shapes.gripper()
+        if gripper is not None:
+            polygons = shapes.gripper(gripper, float(gripper.closed), float(gripper.lifted))
         elif "bitmap" in entity.settings:
             polygons = self._trace(entity.settings["bitmap"])
         polygons += tuple(self._block(child) for child in blocks)
         if not polygons and shapes.has_default_block(entity.type, walled):
             polygons = (shapes.UNIT,)
         self._points += sum(len(polygon.points) for polygon in polygons)
-        if self._points > MOST_POLYGON_POINTS:
-            place = (entity.file, entity.line, entity.column)
-            raise WorldError(Code.TOO_MUCH, *place, limit=MOST_POLYGON_POINTS)
+        self._bound(entity, self._points, MOST_POLYGON_POINTS)
         return shapes.fitted(polygons, size, origin)
+
+    def _bound(self, entity: Entity, amount: int, limit: int) -> None:
+        if amount > limit:
+            raise WorldError(Code.TOO_MUCH, entity.file, entity.line, entity.column, limit=limit)
 
     def _block(self, entity: Entity) -> Polygon:
         self._reader.check(entity.settings)
@@ -125,19 +148,10 @@ class Builder:
         for child in entity.children:
             if child.type == "sensor" and entity.type == "ranger":
                 self._reader.check(child.settings)
-                yield self._sensor(child.settings)
-
-    def _sensor(self, settings: Mapping[str, Setting]) -> RangeSensor:
-        read, usual = self._reader, RangeSensor()
-        minimum, maximum = read.span(settings, "range", (usual.minimum, usual.maximum))
-        fov = min(360.0, max(0.0, read.angle(settings, "fov", usual.fov)))
-        samples = int(min(100_000, max(1, read.number(settings, "samples", 1))))
-        return RangeSensor(read.place(settings, "pose"), minimum, maximum, fov, samples)
-
-    def _blobfinder(self, settings: Mapping[str, Setting]) -> Blobfinder:
-        read = self._reader
-        maximum, fov = read.length(settings, "range", 12.0), read.angle(settings, "fov", 60.0)
-        return Blobfinder(max(0.0, maximum), fov, read.colours(settings))
+                sensor = equipment.range_sensor(self._reader, child.settings)
+                self._samples += sensor.samples
+                self._bound(entity, self._samples, equipment.MOST_SAMPLES_OF_ALL)
+                yield sensor
 
     def _remark(self, code: str, entity: Entity, kind: NoteKind = NoteKind.IGNORED, **details: str) -> None:
         self._reader.remark(Note(kind, code, entity.file, entity.line, entity.column, details))

@@ -39,7 +39,7 @@ def _scene(name: str, reader: FileReader, statements: Iterable[Placed]) -> Scene
     entities = expander.expand(statements)
     values.use_units(expander.settings)
     values.check(expander.settings, quiet=True)
-    builder = Builder(values, Plans(reader, values).polygons)
+    builder = Builder(values, Plans(reader, values).polygons, expander.settings)
     builder.build(entities)
     models = tuple(builder.models)
     robots = _robots(models)
@@ -49,13 +49,12 @@ def _scene(name: str, reader: FileReader, statements: Iterable[Placed]) -> Scene
 
 
 def _robots(models: tuple[Model, ...]) -> tuple[int, ...]:
-    """Position models with a ranger or a blobfinder; models with other senses only where none has these."""
+    """Position models that see, then those that feel only; one without any sense is a thing."""
+    robots: list[int] = []
     for senses in (_SENSES, _LESSER_SENSES):
         sensing = {model.root for model in models if model.type in senses}
-        robots = tuple(root for root in sorted(sensing) if models[root].type == "position")
-        if robots:
-            return robots
-    return ()
+        robots += [root for root in sorted(sensing) if models[root].type == "position"]
+    return tuple(dict.fromkeys(robots))
 
 
 def _walls(models: tuple[Model, ...]) -> Iterable[Note]:

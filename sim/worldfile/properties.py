@@ -10,41 +10,42 @@ def _named(kind: str, names: str) -> dict[str, str]:
 
 
 SIMULATED = {
-    **_named("tuple", "pose origin size color_rgba range colors point z"),
+    **_named("tuple", "pose origin size color_rgba range colors point z paddle_size paddle_state noise"),
+    **_named("tuple", "odom_error velocity_bounds acceleration_bounds localization_origin bpose image"),
     **_named("number", "obstacle_return ranger_return blob_return fiducial_return gripper_return boundary"),
-    **_named("number", "fov samples colors_count points"),
-    **_named("string", "name color bitmap unit_length unit_angle"),
+    **_named("number", "fov samples colors_count points fiducial_key pushable mass ignore_zloc pan"),
+    **_named("number", "range_min range_max range_max_id range_noise range_noise_const angle_noise"),
+    **_named("number", "wheelbase bcount blength autosnatch"),
+    **_named("string", "name color bitmap unit_length unit_angle drive localization"),
 }
 """What has an effect here, and its type."""
 
 QUIET = {
     **_named("number", "gui_nose gui_grid gui_move gui_outline alwayson update_interval trail_length"),
-    **_named("number", "trail_interval bcount blength debug mass map_resolution stack_children rebuild"),
-    **_named("string", "drive localization ctrl"),
-    **_named("tuple", "localization_origin image velocity_bounds acceleration_bounds bpose"),
+    **_named("number", "trail_interval debug map_resolution stack_children rebuild"),
+    **_named("string", "ctrl"),
 }
 """What changes nothing that a learner could notice: read and kept, no remark."""
 
 UNUSED = {
-    **_named("tuple", "velocity odom_error resolution pantilt"),
-    **_named("tuple", "rotate center paddle_size watts_size noise provides requires axis"),
-    **_named("number", "range_min range_max range_max_id fiducial_key scale interval"),
-    **_named("number", "interval_sim interval_real paused speedup quit_time wheelbase ignore_zloc"),
-    **_named("number", "range_noise angle_noise object_return friction threads show_data show_follow"),
+    **_named("tuple", "velocity resolution pantilt rotate center watts_size provides requires axis"),
+    **_named("number", "scale interval interval_sim interval_real paused speedup quit_time"),
+    **_named("number", "object_return friction threads show_data show_follow"),
     **_named("number", "show_clock show_clock_interval show_flags show_blocks show_bboxerr show_grid"),
     **_named("number", "show_trails show_occupancy pcam_on energy_capacity joules joules_capacity"),
     **_named("number", "watts watts_give watts_take kjoules max_speed max_position min_position"),
-    **_named("number", "start_position enabled autosnatch break_beam period dutycycle sticky_return"),
+    **_named("number", "start_position enabled break_beam period dutycycle sticky_return"),
     **_named("number", "laser_return audio channel_count"),
-    **_named("string", "type plugin worldfile model alarm paddle_state say texture mesh"),
+    **_named("string", "type plugin worldfile model alarm say texture mesh"),
 }
-"""What Stage knows and this simulator does not use (yet): read, kept, told in the load report."""
+"""What Stage knows and this simulator does not use: read, kept, told in the load report."""
 
 _TWO_TYPES = {
     "range": ("number", "tuple"),
     "fov": ("number", "tuple"),
     "resolution": ("number", "tuple"),
     "type": ("number", "string"),
+    "paddle_state": ("string", "tuple"),
 }
 _KNOWN = SIMULATED | QUIET | UNUSED
 

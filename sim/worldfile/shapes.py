@@ -4,8 +4,10 @@ from __future__ import annotations
 
 from collections.abc import Iterable
 
+from sim.fittings import Gripper
 from sim.geometry import Point
-from sim.scene import Placement, Polygon
+from sim.placement import Placement
+from sim.scene import Polygon
 from sim.worldfile.entities import Entity
 from sim.worldfile.mistakes import Code, WorldError
 from sim.worldfile.values import ValueReader
@@ -16,7 +18,6 @@ WALL = 0.01
 """Metres: the thickness of a boundary."""
 
 UNIT = Polygon(((0.0, 0.0), (1.0, 0.0), (1.0, 1.0), (0.0, 1.0)), 0.0, 1.0)
-_PADDLE_LENGTH, _PADDLE_WIDTH, _PADDLE_HEIGHT = 0.66, 0.1, 0.4  # Stage's gripper, in parts of its size
 
 
 def block(reader: ValueReader, entity: Entity) -> Polygon:
@@ -49,15 +50,17 @@ def rectangle(x: float, y: float, width: float, depth: float, top: float = 1.0) 
     return Polygon(((x, y), (x + width, y), (x + width, y + depth), (x, y + depth)), 0.0, top)
 
 
-def gripper() -> tuple[Polygon, ...]:
-    """The three blocks of Stage's gripper, paddles open."""
-    base = 1.0 - _PADDLE_LENGTH
-    paddle = (_PADDLE_LENGTH, _PADDLE_WIDTH, _PADDLE_HEIGHT)
-    return (
-        rectangle(0.0, 0.0, base, 1.0),
-        rectangle(base, 0.0, *paddle),
-        rectangle(base, 1.0 - _PADDLE_WIDTH, *paddle),
-    )
+def gripper(it: Gripper, closed: float, lifted: float) -> tuple[Polygon, ...]:
+    """The three blocks of Stage's gripper, as parts of its size: the base, the right and the left paddle.
+
+    ``closed``: from 0, open, to 1, when the paddles meet. ``lifted``: from 0, at the floor, to 1.
+    """
+    base, width = 1.0 - it.paddle_length, it.paddle_width
+    inwards = closed * (0.5 - width)
+    bottom = lifted * (1.0 - it.paddle_height)
+    paddles = (rectangle(base, y, it.paddle_length, width) for y in (inwards, 1.0 - width - inwards))
+    risen = (Polygon(paddle.points, bottom, bottom + it.paddle_height) for paddle in paddles)
+    return (rectangle(0.0, 0.0, base, 1.0), *risen)
 
 
 def fitted(

@@ -8,8 +8,8 @@ from difflib import get_close_matches
 from math import degrees
 
 from sim.colours import Colour
+from sim.placement import Placement
 from sim.report import Note, NoteKind
-from sim.scene import Placement
 from sim.worldfile import tree
 from sim.worldfile.entities import Setting
 from sim.worldfile.mistakes import Code, WorldError
@@ -108,6 +108,36 @@ class ValueReader:
         if not 0 <= low <= high:
             raise mistake(Code.OUT_OF_RANGE, setting, name=name)
         return low, high
+
+    def numbers(self, setting: Setting, least: int, most: int) -> tuple[float, ...]:
+        """The numbers of a tuple as they stand there, without a unit; a lone number is a tuple of one."""
+        value = setting.property.value
+        if isinstance(value, tree.Number) and least <= 1:
+            return (value.value,)
+        return tuple(_number(setting, item) for item in _items(setting, least, most))
+
+    def whole(
+        self, settings: Mapping[str, Setting], name: str, default: int, most: int, least: int = 1
+    ) -> int:
+        """A whole number between ``least`` and ``most``; a fraction is cut off, as in Stage."""
+        setting = settings.get(name)
+        if setting is None:
+            return default
+        value = int(_number(setting, setting.property.value))
+        if not least <= value <= most:
+            raise mistake(Code.OUT_OF_RANGE, setting, name=name, limit=most)
+        return value
+
+    def words(self, setting: Setting, choices: tuple[str, ...]) -> tuple[str, ...]:
+        """The words of a tuple, or the one word that stands there; each is one of ``choices``."""
+        name, value = setting.property.name, setting.property.value
+        items = (value,) if isinstance(value, tree.String) else _items(setting, 1, 8)
+        found = tuple(_string(setting, item) for item in items)
+        for word in found:
+            if word not in choices:
+                near = next(iter(get_close_matches(word[:60], choices, 1)), "")
+                raise mistake(Code.UNKNOWN_WORD, setting, choices, name=name, found=word[:60], nearest=near)
+        return found
 
     def pair(self, setting: Setting) -> tuple[float, float]:
         first, second = (self._length(setting, item) for item in _items(setting, 2, 2))

@@ -186,7 +186,7 @@ def test_robots_are_the_positions_that_sense_distances_or_colours() -> None:
         " position ( position ( blobfinder ( ) ) ) position ( bumper ( ) )"
     )
 
-    assert [scene.models[robot].name for robot in scene.robots] == ["position:1", "position:2"]
+    assert [scene.models[robot].name for robot in scene.robots] == ["position:1", "position:2", "position:3"]
 
 
 def test_where_no_position_has_these_any_sense_makes_a_robot() -> None:
@@ -202,7 +202,7 @@ def test_an_unknown_property_is_kept_out_and_told_with_the_nearest_name() -> Non
 
 
 def test_what_is_not_simulated_is_told_once_for_a_macro_however_often_it_stands() -> None:
-    scene = load("define f fiducial ( range_max 8 )\n" + "model ( f ( ) )\n" * 50)
+    scene = load("define f actuator ( axis [ 1 0 0 ] )\n" + "model ( f ( ) )\n" * 50)
 
     codes = [note.code for note in scene.report.notes]
     assert codes.count("unused-property") == 1
