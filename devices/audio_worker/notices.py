@@ -19,6 +19,10 @@ class NoticeCode(Enum):
     """The audio worker failed three times in a minute. Everything is in print until the next start."""
     SPEECH_BACKLOG = "speech-backlog"
     """The program speaks faster than can be said, for hours; from here on some of it is in print only."""
+    SSIP_SILENT = "ssip-silent"
+    """speech-dispatcher takes what is said and never tells its end: it has no sound device."""
+    SSIP_LOST = "ssip-lost"
+    """speech-dispatcher was lost three times in a minute. Everything is in print until the next start."""
 
 
 @dataclass(frozen=True, slots=True)

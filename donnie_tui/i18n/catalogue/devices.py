@@ -28,6 +28,16 @@ SENTENCES: dict[str, Sentence] = {
         "Há coisas demais para falar. Parte fica só escrita.",
         "Hay demasiado que decir. Una parte solo se escribe.",
     ),
+    "ssip-silent": Sentence(
+        "speech-dispatcher is silent. Has it a sound device?",
+        "O speech-dispatcher não soa. Ele tem som?",
+        "speech-dispatcher no suena. ¿Tiene sonido?",
+    ),
+    "ssip-lost": Sentence(
+        "speech-dispatcher is gone. All is in print.",
+        "O speech-dispatcher sumiu. Tudo fica escrito.",
+        "speech-dispatcher se fue. Todo se escribe.",
+    ),
     "voice-for-reader": Sentence(
         "Voice off, a screen reader runs.",
         "Voz desligada, há um leitor de tela.",

@@ -1,0 +1,1 @@
+"""Speech through speech-dispatcher's socket (SSIP), beside Orca and not over it."""
