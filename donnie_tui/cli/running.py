@@ -22,7 +22,7 @@ from donnie_tui.cli.sources import Source, read_source
 from donnie_tui.core.events import Answered, Outcome, Stamped
 from donnie_tui.core.runner import Run
 from donnie_tui.core.session import Session
-from donnie_tui.core.transcript import lines_of
+from donnie_tui.core.transcript import told_lines
 from donnie_tui.settings import Settings
 from donnie_tui.settings import Source as Origin
 from donnie_tui.unusable import Unusable
@@ -104,7 +104,7 @@ def _printer(donnie: Donnie, output: Output, *, with_words: bool) -> Callable[[S
 
     def tell(stamped: Stamped) -> None:
         is_our_own = isinstance(stamped.event, Answered)
-        for line in lines_of(stamped.event, donnie.words):
+        for line in told_lines(stamped, donnie.words):
             if is_our_own:
                 output.complaint(line)
             elif with_words:

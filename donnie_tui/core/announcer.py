@@ -15,11 +15,14 @@ from donnie_tui.core.events import (
     BeltShown,
     CueSounded,
     Error,
+    Gripped,
     Link,
     Moved,
     Outcome,
     Passing,
     Read,
+    Released,
+    Reset,
     RunEnded,
     RunStarted,
     Scanned,
@@ -28,6 +31,7 @@ from donnie_tui.core.events import (
     Spoke,
     Stamped,
     Statement,
+    ThingsMoved,
     Turned,
     Waited,
 )
@@ -43,7 +47,7 @@ class Announcer:
         self._hub = hub
         self._teller = teller
         self._say = wording
-        hub.subscribe(self._hear)
+        hub.subscribe_to_own(self._hear)
 
     def about_to_end(self, outcome: Outcome) -> None:
         """A run is over, and will be told to be."""
@@ -60,6 +64,10 @@ class Announcer:
                 self._scanned(groups)
             case SoundSwitched(on=on):
                 self._teller.announce("sound", "sound-on" if on else "sound-off")
+            case Gripped(thing=thing):
+                self._teller.announce("gripper", "gripped" if thing else "gripped-nothing", thing=thing)
+            case Released(thing=thing):
+                self._teller.announce("gripper", "released" if thing else "released-nothing", thing=thing)
             case Link(state=state, reason=reason):
                 self._teller.announce("link", f"link-{state}", reason=reason)
             case Error():
@@ -74,6 +82,8 @@ class Announcer:
                 | Waited()
                 | CueSounded()
                 | BeltShown()
+                | ThingsMoved()
+                | Reset()
                 | Passing()
                 | Answered()
             ):
@@ -98,7 +108,7 @@ class Announcer:
     def _bumped(self, stopped_by: StoppedBy | None, bearing: float) -> None:
         if stopped_by is StoppedBy.OBSTACLE:
             self._cue("obstacle", bearing, 1.0)
-        elif stopped_by is StoppedBy.COLLISION:
+        elif stopped_by in (StoppedBy.COLLISION, StoppedBy.STALL):
             self._cue("bump", bearing, 0.0)
 
     def _scanned(self, groups: tuple[SeenGroup, ...]) -> None:

@@ -26,12 +26,28 @@ class Outcome(Enum):
 
 
 @dataclass(frozen=True, slots=True)
+class HowStarted:
+    """A run as it was asked for: its text, and from where it goes on."""
+
+    text: str
+    first_line: int
+    fresh: bool
+    """Whether the robot was put back to its start and the variables forgotten."""
+    terminal: bool
+    trace: bool
+    pose: Pose
+    """Where the robot stands as it begins."""
+
+
+@dataclass(frozen=True, slots=True)
 class RunStarted:
     program: str
     world: str
     robot: str
     seed: int
     version: str
+    how: HowStarted | None = field(default=None, metadata={"private": True})
+    """What is needed to run it again."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -128,6 +144,45 @@ class BeltShown:
 
 
 @dataclass(frozen=True, slots=True)
+class Gripped:
+    """The gripper closed; ``thing`` is the name of what it holds now, empty for nothing."""
+
+    thing: str
+
+
+@dataclass(frozen=True, slots=True)
+class Released:
+    """The gripper opened; ``thing`` is the name of what it held, empty for nothing."""
+
+    thing: str
+
+
+@dataclass(frozen=True, slots=True)
+class PlacedThing:
+    """Where a thing of the world is now, with what the world's file calls it."""
+
+    name: str
+    pose: Pose
+    index: int = field(default=0, metadata={"private": True})
+    """Its number among the world's models; names may be equal."""
+
+
+@dataclass(frozen=True, slots=True)
+class ThingsMoved:
+    """All things that are elsewhere than at the start of the world: pushed, held, or put down again."""
+
+    EVENT: ClassVar[str] = "things"
+    places: tuple[PlacedThing, ...]
+
+
+@dataclass(frozen=True, slots=True)
+class Reset:
+    """The robot was put back to its start, and what it remembered is gone."""
+
+    pose: Pose
+
+
+@dataclass(frozen=True, slots=True)
 class SoundSwitched:
     EVENT: ClassVar[str] = "sound"
     on: bool
@@ -191,6 +246,10 @@ Event: TypeAlias = (
     | Waited
     | CueSounded
     | BeltShown
+    | Gripped
+    | Released
+    | ThingsMoved
+    | Reset
     | SoundSwitched
     | Link
     | Error
@@ -243,7 +302,11 @@ def _plain(value: object) -> object:
             return {key: _plain(each) for key, each in value.items()}
         case tuple():
             return [_plain(each) for each in value]
-        case Pose() | SeenGroup():
-            return {each.name: _plain(getattr(value, each.name)) for each in dataclasses.fields(value)}
+        case Pose() | SeenGroup() | PlacedThing():
+            return {
+                each.name: _plain(getattr(value, each.name))
+                for each in dataclasses.fields(value)
+                if not each.metadata.get("private")
+            }
         case _:
             return value

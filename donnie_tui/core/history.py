@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 
-from devices.ports.robot import Pose
+from devices.ports.robot import Pose, StoppedBy
 from donnie_tui.core.events import Moved, Turned
 
 
@@ -28,7 +28,7 @@ class History:
 
     def remember(self, event: Moved | Turned) -> None:
         done = event.walked if isinstance(event, Moved) else event.turned
-        crashed = event.stopped_by is not None
+        crashed = event.stopped_by not in (None, StoppedBy.LINK)
         number = len(self._movements) + 1
         turned = isinstance(event, Turned)
         self._movements.append(Movement(number, event.command, turned, done, crashed, event.pose))

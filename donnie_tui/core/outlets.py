@@ -17,7 +17,7 @@ from donnie_tui.core.events import (
     Spoke,
     Stamped,
 )
-from donnie_tui.core.transcript import lines_of
+from donnie_tui.core.transcript import told_lines
 from donnie_tui.core.wording import Wording
 
 _URGENCY_OF = {"waiting": Urgency.PROGRESS, "hint": Urgency.HINT, "link": Urgency.ALERT}
@@ -35,16 +35,16 @@ class Voice:
         if isinstance(stamped.event, SoundSwitched):
             self._switch(stamped.event.on)
         elif self._on:
-            self._say(stamped.event)
+            self._say(stamped)
 
     def _switch(self, on: bool) -> None:
         self._on = on
         if not on:
             self._speaker.silence()
 
-    def _say(self, event: Event) -> None:
-        for line in lines_of(event, self._wording):
-            self._speaker.say(Utterance(line, _urgency_of(event), self._wording.language))
+    def _say(self, stamped: Stamped) -> None:
+        for line in told_lines(stamped, self._wording):
+            self._speaker.say(Utterance(line, _urgency_of(stamped.event), self._wording.language))
 
 
 class Cues:

@@ -10,7 +10,7 @@ import logging
 import threading
 from collections.abc import Callable
 from dataclasses import dataclass
-from typing import TypeAlias
+from typing import Protocol, TypeAlias, runtime_checkable
 
 from devices.ports.robot import Robot
 from donnie_tui.core.events import Announced, Error, Outcome, RunEnded, RunStarted, Statement
@@ -26,6 +26,16 @@ _LOG = logging.getLogger(__name__)
 
 Readable: TypeAlias = Runnable | tuple[Diagnostic, ...]
 """A text once it was read: a program, or its mistakes of form."""
+
+
+@runtime_checkable
+class TakesTurns(Protocol):
+    """A robot that shares its world with others: from ``join`` to ``leave`` they act in a fixed order."""
+
+    def join(self) -> None:
+        """Called in the program's thread; returns when it is this robot's turn, or the run was stopped."""
+
+    def leave(self) -> None: ...
 
 
 @dataclass(frozen=True, slots=True)
@@ -93,12 +103,23 @@ class Run:
 
     def _run(self, then: Callable[[Run], None]) -> None:
         try:
-            self.outcome = self._tell_and_run()
+            self.outcome = self._run_in_turn()
         finally:
             try:
                 then(self)
             finally:
                 self._over.set()
+
+    def _run_in_turn(self) -> Outcome:
+        """From its first event to its last one the run is in its place among those of other robots."""
+        robot = self._stage.robot
+        if not isinstance(robot, TakesTurns):
+            return self._tell_and_run()
+        robot.join()
+        try:
+            return self._tell_and_run()
+        finally:
+            robot.leave()
 
     def _tell_and_run(self) -> Outcome:
         hub, robot = self._stage.hub, self._stage.robot

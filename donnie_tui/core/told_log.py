@@ -7,7 +7,7 @@ from pathlib import Path
 from typing import TextIO
 
 from donnie_tui.core.events import Stamped
-from donnie_tui.core.transcript import lines_of
+from donnie_tui.core.transcript import told_lines
 from donnie_tui.core.wording import Wording
 
 
@@ -19,7 +19,7 @@ class ToldLog:
         self._wording = wording
 
     def __call__(self, stamped: Stamped) -> None:
-        lines = lines_of(stamped.event, self._wording)
+        lines = told_lines(stamped, self._wording)
         if not lines or self._out.closed:
             return
         try:

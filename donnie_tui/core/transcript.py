@@ -8,7 +8,7 @@ from __future__ import annotations
 
 from unicodedata import category
 
-from donnie_tui.core.events import Announced, Answered, Error, Event, Spoke
+from donnie_tui.core.events import Announced, Answered, Error, Event, Spoke, Stamped
 from donnie_tui.core.wording import Wording
 
 LONGEST_SOURCE = 60
@@ -18,6 +18,18 @@ MOST_CALLS = 10
 """Calls that are told of a mistake deep inside."""
 
 _UNPRINTABLE = frozenset({"Cc", "Cs", "Zl", "Zp"})
+
+
+OF_NO_ROBOT = ("help", "more-mistakes")
+"""Announcements that are about the language and not about what a robot does."""
+
+
+def told_lines(stamped: Stamped, wording: Wording) -> tuple[str, ...]:
+    """The lines that tell the event, with the robot's name before them where the world has several."""
+    lines = lines_of(stamped.event, wording)
+    if stamped.robot is None or (isinstance(stamped.event, Announced) and stamped.event.code in OF_NO_ROBOT):
+        return lines
+    return tuple(wording("robot-says", robot=printable(stamped.robot), text=line) for line in lines)
 
 
 def lines_of(event: Event, wording: Wording) -> tuple[str, ...]:

@@ -98,6 +98,17 @@ def _undeclared_variable(diagnostic: Diagnostic, words: Phrasing) -> str:
     return words(f"mistake-undeclared-variable{in_procedure}", **_values(diagnostic, words))
 
 
+def _robot(diagnostic: Diagnostic, words: Phrasing) -> str:
+    """What the robot can't do, by the code of its problem; in general words where there are none for it."""
+    code = f"problem-{diagnostic.details.get('problem', '')}"
+    if not words.knows(code):
+        return _plain(diagnostic, words)
+    bearing = str(diagnostic.details.get("bearing", ""))
+    where = f"where-{bearing.replace(' ', '-')}"
+    place = words(where) if words.knows(where) else bearing
+    return words(code, **{"where": place, "reason": "", **diagnostic.details})
+
+
 _SENTENCE_OF: dict[Kind, Callable[[Diagnostic, Phrasing], str]] = {
     Kind.SYNTAX: _syntax,
     Kind.UNKNOWN_CHARACTER: _unknown_character,
@@ -105,6 +116,7 @@ _SENTENCE_OF: dict[Kind, Callable[[Diagnostic, Phrasing], str]] = {
     Kind.WRONG_END: _wrong_end,
     Kind.ALREADY_DECLARED: _already_declared,
     Kind.UNDECLARED_VARIABLE: _undeclared_variable,
+    Kind.ROBOT: _robot,
 }
 
 

@@ -10,6 +10,7 @@ from donnie_tui.i18n.catalogue import (
     linear,
     mistakes,
     movement,
+    robots,
     signs,
     things,
     tui,
@@ -17,6 +18,6 @@ from donnie_tui.i18n.catalogue import (
 )
 from donnie_tui.i18n.sentence import Sentence
 
-TOPICS = (movement, mistakes, signs, help, worlds, things, files, devices, cli, linear, tui)
+TOPICS = (movement, robots, mistakes, signs, help, worlds, things, files, devices, cli, linear, tui)
 
 SENTENCES: dict[str, Sentence] = {code: each for topic in TOPICS for code, each in topic.SENTENCES.items()}

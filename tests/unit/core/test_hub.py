@@ -5,7 +5,7 @@ import threading
 import pytest
 
 from donnie_tui.core.events import Answered, CueSounded, Event, Passing, Spoke, Stamped
-from donnie_tui.core.hub import Hub
+from donnie_tui.core.hub import Hub, Stream
 from tests.unit.core.values import HERE
 
 
@@ -94,3 +94,39 @@ def test_a_listener_that_fails_does_not_silence_the_stream() -> None:
     hub.publish(Spoke("b"))
 
     assert heard[-1].event == Spoke("b")
+
+
+def test_robots_share_one_numbering_and_each_event_says_whose_it_is() -> None:
+    stream, heard = Stream(), list[Stamped]()
+    alice = Hub(lambda: 1.0, "alice", stream)
+    bob = Hub(lambda: 2.0, "bob", stream)
+    alice.subscribe(heard.append)
+
+    alice.publish(Spoke("a"))
+    bob.publish(Spoke("b"))
+
+    assert heard == [Stamped(1, 1.0, Spoke("a"), "alice"), Stamped(2, 2.0, Spoke("b"), "bob")]
+
+
+def test_who_listens_to_one_robot_hears_it_first_and_no_other() -> None:
+    stream, order = Stream(), list[str]()
+    alice = Hub(lambda: 0.0, "alice", stream)
+    bob = Hub(lambda: 0.0, "bob", stream)
+    stream.subscribe(lambda _: order.append("everybody"))
+    leave = alice.subscribe_to_own(lambda _: order.append("alice's"))
+
+    alice.publish(Spoke("a"))
+    bob.publish(Spoke("b"))
+    leave()
+    alice.publish(Spoke("c"))
+
+    assert order == ["alice's", "everybody", "everybody", "everybody"]
+
+
+def test_what_a_front_end_answers_is_no_robots() -> None:
+    hub, heard = Hub(lambda: 0.0, "alice"), list[Stamped]()
+    hub.subscribe(heard.append)
+
+    hub.publish(Answered("Saved."))
+
+    assert heard[0].robot is None

@@ -1,0 +1,108 @@
+"""Robots: several in one world, what one can't do, the gripper.
+
+``problem-CODE`` tells a ``RobotProblem`` of that code.
+"""
+
+from donnie_tui.i18n.sentence import Sentence
+
+_CUT_SHORT = {
+    "stall": ("My wheels are stuck.", "Minhas rodas travaram.", "Mis ruedas no giran."),
+    "link": ("I lost the line.", "Perdi a ligação.", "Perdí la conexión."),
+}
+"""What ends the movements of a real robot only."""
+
+
+def _cut_short() -> dict[str, Sentence]:
+    sentences: dict[str, Sentence] = {}
+    for why, (en, pt, es) in _CUT_SHORT.items():
+        walked = Sentence(
+            f"Only {{steps}} {{steps:step|steps}}. {en}",
+            f"Só {{steps}} {{steps:passo|passos}}. {pt}",
+            f"Solo {{steps}} {{steps:paso|pasos}}. {es}",
+        )
+        turned = Sentence(
+            f"Only {{degrees}} {{degrees:degree|degrees}}. {en}",
+            f"Só {{degrees}} {{degrees:grau|graus}}. {pt}",
+            f"Solo {{degrees}} {{degrees:grado|grados}}. {es}",
+        )
+        sentences |= {f"walked-{way}-{why}": walked for way in ("forward", "backward")}
+        sentences |= {f"turned-{side}-{why}": turned for side in ("right", "left")}
+    return sentences
+
+
+SENTENCES: dict[str, Sentence] = _cut_short() | {
+    "robot-says": Sentence("{robot}: {text}", "{robot}: {text}", "{robot}: {text}"),
+    # --- what a robot can't do
+    "problem-no-sensor": Sentence(
+        "I have no sensor {where}.", "Não tenho sensor {where}.", "No tengo sensor {where}."
+    ),
+    "problem-no-sensors": Sentence(
+        "I have no distance sensors.", "Não tenho sensores de distância.", "No tengo sensores de distancia."
+    ),
+    "problem-no-eyes": Sentence(
+        "I have no eyes: I see no colors.",
+        "Não tenho olhos: não vejo cores.",
+        "No tengo ojos: no veo colores.",
+    ),
+    "problem-no-camera": Sentence(
+        "I have no camera: I see no colors.",
+        "Não tenho câmera: não vejo cores.",
+        "No tengo cámara: no veo colores.",
+    ),
+    "problem-no-gripper": Sentence("I have no gripper.", "Não tenho garra.", "No tengo pinza."),
+    "problem-cannot-move": Sentence("I can't move.", "Não consigo andar.", "No puedo moverme."),
+    "problem-cannot-turn": Sentence(
+        "I can't turn on the spot.", "Não consigo girar no lugar.", "No puedo girar en el lugar."
+    ),
+    "problem-link-lost": Sentence(
+        "The line to the robot is lost.",
+        "A ligação com o robô caiu.",
+        "Se perdió la conexión con el robot.",
+    ),
+    "problem-link-not-there": Sentence(
+        "No robot is connected.", "Nenhum robô está conectado.", "Ningún robot está conectado."
+    ),
+    # --- the gripper
+    "gripped": Sentence("I hold {thing}.", "Estou segurando {thing}.", "Tengo {thing}."),
+    "gripped-nothing": Sentence(
+        "There is nothing to grip.", "Não há nada para pegar.", "No hay nada para agarrar."
+    ),
+    "released": Sentence("I let go of {thing}.", "Soltei {thing}.", "Solté {thing}."),
+    "released-nothing": Sentence("I hold nothing.", "Não estou segurando nada.", "No tengo nada."),
+    # --- several at once
+    "robot-unknown": Sentence(
+        "There is no robot {name} here. There is {names}.",
+        "Não há robô {name} aqui. Há {names}.",
+        "No hay ningún robot {name} aquí. Hay {names}.",
+    ),
+    "robot-twice": Sentence(
+        "The robot {name} has two programs. One is enough.",
+        "O robô {name} tem dois programas. Basta um.",
+        "El robot {name} tiene dos programas. Basta uno.",
+    ),
+    "robots-need-names": Sentence(
+        "Several programs need their robots: {robot}={file}.",
+        "Vários programas precisam dos robôs: {robot}={file}.",
+        "Varios programas necesitan sus robots: {robot}={file}.",
+    ),
+    "robots-one-input": Sentence(
+        "Only one robot can take its program from standard input.",
+        "Só um robô pode ler seu programa da entrada padrão.",
+        "Solo un robot puede leer su programa de la entrada estándar.",
+    ),
+    "robot-chosen": Sentence("You talk to {name}.", "Você fala com {name}.", "Hablas con {name}."),
+    "robot-busy": Sentence("{name} is busy.", "{name} está ocupado.", "{name} está ocupado."),
+    "robot-listed": Sentence(
+        "{name}: {x}, {y}, facing {facing}.",
+        "{name}: {x}, {y}, virado para {facing}.",
+        "{name}: {x}, {y}, mirando al {facing}.",
+    ),
+    "robot-listed-running": Sentence(
+        "{name} runs: {x}, {y}, facing {facing}.",
+        "{name} em ação: {x}, {y}, virado para {facing}.",
+        "{name} en marcha: {x}, {y}, mirando al {facing}.",
+    ),
+    "robots-only-one": Sentence(
+        "There is one robot, {name}.", "Há um robô só, {name}.", "Hay un solo robot, {name}."
+    ),
+}
