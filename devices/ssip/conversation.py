@@ -66,9 +66,13 @@ class Conversation:
             self._end_sentence()
         elif (utterance := self._mailbox.take()) is not None:
             self._speak(utterance)
+        elif self._events:
+            self._hear(self._events.popleft())
+        elif self._message is not None and self._now() >= self._overdue_at:
+            self._on_silence()
+            self._end_sentence()
         else:
             self._listen(None if self._message is None else max(0.0, self._overdue_at - self._now()))
-            self._look_at_events()
 
     def _speak(self, utterance: Utterance) -> None:
         words = for_the_ear(utterance.text, utterance.language)
@@ -87,13 +91,8 @@ class Conversation:
             return None
         return protocol.message_of(self._ask(protocol.text(words)))
 
-    def _look_at_events(self) -> None:
-        while self._events:
-            event = self._events.popleft()
-            if event.message == self._message and event.kind is not EventKind.BEGIN:
-                self._end_sentence()
-        if self._message is not None and self._now() >= self._overdue_at:
-            self._on_silence()
+    def _hear(self, event: Event) -> None:
+        if event.message == self._message and event.kind is not EventKind.BEGIN:
             self._end_sentence()
 
     def _end_sentence(self) -> None:
