@@ -66,6 +66,7 @@ _RECIPES: Mapping[str, _Recipe] = MappingProxyType(
         "obstacle": _Recipe((_Tone(440, 440, 0.120, (1.0, 0.5, 0.25)),), tells_place=True),
         "bump": _Recipe((_Tone(140, 70, 0.180, _HARSH),)),
         "scan": _Recipe((_Tone(880, 880, 0.090, (1.0,)),), tells_place=True),
+        "belt": _Recipe((_Tone(330, 330, 0.060, (1.0,)),), tells_place=True),
         "found": _Recipe((_Tone(660, 660, 0.100), _Tone(880, 880, 0.150)), tells_place=True),
         "done": _Recipe((_Tone(523, 523, 0.090), _Tone(659, 659, 0.090), _Tone(784, 784, 0.140))),
         "error": _Recipe(

@@ -8,10 +8,10 @@ from __future__ import annotations
 from collections.abc import Callable
 from itertools import groupby, takewhile
 
-from devices.ports.robot import Bearing, Motion, Pose, Robot, Sighting
-from donnie_tui.core import belt, numbers
+from devices.ports.robot import Bearing, Motion, Pose, Robot, RobotProblem, Sighting, StoppedBy
+from donnie_tui.core import numbers
+from donnie_tui.core.belt_feeling import BeltFeeling
 from donnie_tui.core.events import (
-    BeltShown,
     CueSounded,
     Moved,
     Passing,
@@ -41,14 +41,18 @@ _CUE_OF = {
 
 
 class RobotWatcher:
-    """Turns a robot's progress into cues and moving pictures."""
+    """Turns a robot's progress into cues and moving pictures, and lets the belt follow it."""
 
     def __init__(self, hub: Hub) -> None:
         self._hub = hub
+        self.belt: BeltFeeling | None = None
+        """It asks the robot, which is made after its watcher."""
 
     def progressed(self, motion: Motion, pose: Pose) -> None:  # noqa: ARG002 -- the port gives the pose
         name, bearing = _CUE_OF[motion]
         self._hub.publish(CueSounded(name, bearing, None))
+        if self.belt is not None:
+            self.belt.felt()
 
     def passing(self, pose: Pose) -> None:
         self._hub.publish(Passing(pose))
@@ -57,19 +61,21 @@ class RobotWatcher:
 class RobotActions:
     """The commands, done by one robot. Lives as long as the robot: the history and the switches stay."""
 
-    def __init__(self, robot: Robot, hub: Hub, teller: Teller, *, goes_on: Callable[[], bool]) -> None:
+    def __init__(
+        self, robot: Robot, hub: Hub, teller: Teller, belt: BeltFeeling, *, goes_on: Callable[[], bool]
+    ) -> None:
         """``goes_on`` is asked in the midst of what may take long: False ends it."""
         self._robot = robot
         self._goes_on = goes_on
         self._hub = hub
         self._tell = teller
         self.past = History()
-        self._belt_on = False
+        self._belt = belt
 
     def forget(self) -> None:
         """Begin anew: no movement so far, the belt off."""
         self.past.forget()
-        self._belt_on = False
+        self._belt.forget()
 
     # --- telling
 
@@ -112,29 +118,51 @@ class RobotActions:
         asked = max(0, seconds)
         self._tell.waiting(asked)
         before = self._robot.time()
-        whole_time = self._robot.wait(asked)
+        try:
+            whole_time = self._robot.wait(asked)
+        except RobotProblem as problem:
+            raise _refused(problem) from None
         self._hub.publish(Waited(asked if whole_time else numbers.whole(self._robot.time() - before)))
 
     def _walk(self, steps: int, command: str, *, forward: bool) -> None:
         _refuse_beyond_limit(steps)
         go = self._robot.forward if forward else self._robot.backward
-        done = go(max(0, steps))
+        try:
+            done = go(max(0, steps))
+        except RobotProblem as problem:
+            raise _refused(problem) from None
         event = Moved(command, steps, done.walked, done.stopped_by, done.pose, forward)
         self.past.remember(event)
         self._hub.publish(event)
+        self._feel(done.stopped_by, Bearing.FRONT if forward else Bearing.BACK)
 
     def _turn(self, degrees: int, command: str, *, right: bool) -> None:
         _refuse_beyond_limit(degrees)
-        done = self._robot.turn(degrees if right else -degrees)
+        try:
+            done = self._robot.turn(degrees if right else -degrees)
+        except RobotProblem as problem:
+            raise _refused(problem) from None
         turned = done.turned if right else -done.turned
         event = Turned(command, degrees, turned, done.stopped_by, done.pose, right)
         self.past.remember(event)
         self._hub.publish(event)
+        to_the_right = right == (degrees >= 0)
+        self._feel(done.stopped_by, Bearing.FRONT_RIGHT if to_the_right else Bearing.FRONT_LEFT)
+
+    def _feel(self, stopped_by: StoppedBy | None, ahead: Bearing) -> None:
+        """What a movement came to, on the belt."""
+        if stopped_by in (StoppedBy.COLLISION, StoppedBy.STALL):
+            self._belt.bumped(ahead)
+        self._belt.felt()
 
     # --- sensing
 
     def distance(self, bearing: Bearing) -> int:
-        return self._read("distance", bearing.name.lower().replace("_", " "), self._robot.distance(bearing))
+        try:
+            steps = self._robot.distance(bearing)
+        except RobotProblem as problem:
+            raise _refused(problem, bearing=bearing_name(bearing)) from None
+        return self._read("distance", bearing_name(bearing), steps)
 
     def position(self, axis: Axis) -> int:
         pose = self._robot.pose()
@@ -146,11 +174,17 @@ class RobotActions:
         return self._read("position", axis.value, value[axis])
 
     def colour(self, colour: str) -> int:
-        seen = sum(each.colour == colour for each in self._robot.scan())
+        seen = sum(each.colour == colour for each in self._look())
         return self._read("colour", colour, seen)
 
     def scan(self) -> None:
-        self._hub.publish(Scanned(_groups(self._robot.scan())))
+        self._hub.publish(Scanned(_groups(self._look())))
+
+    def _look(self) -> tuple[Sighting, ...]:
+        try:
+            return self._robot.scan()
+        except RobotProblem as problem:
+            raise _refused(problem) from None
 
     def _read(self, sensor: str, argument: str, value: int) -> int:
         self._hub.publish(Read(sensor, argument, value))
@@ -162,16 +196,23 @@ class RobotActions:
         self._hub.publish(SoundSwitched(on))
 
     def belt(self, on: bool) -> None:
-        self._belt_on = on
         self._tell.belt(on)
-        if not on:
-            self._hub.publish(BeltShown(belt.OFF))
+        self._belt.switch(on)
 
     def vibrate(self, bearing: Bearing) -> None:
-        if not self._belt_on:
+        if not self._belt.is_on:
             raise Refused(Kind.BELT_OFF)
-        self._hub.publish(BeltShown(belt.pulse(bearing)))
-        self._hub.publish(BeltShown(belt.OFF))
+        self._belt.pulse(bearing)
+
+
+def bearing_name(bearing: Bearing) -> str:
+    """As events have it: ``front right``."""
+    return bearing.name.lower().replace("_", " ")
+
+
+def _refused(problem: RobotProblem, **values: str) -> Refused:
+    """What the robot can't do, as the program's mistake; i18n has the sentence by the problem's code."""
+    return Refused(Kind.ROBOT, **{**values, **problem.values, "problem": problem.code})
 
 
 def _refuse_beyond_limit(amount: int) -> None:

@@ -1,28 +1,112 @@
-"""Which motors of the belt stand for which direction of the robot.
+"""What the belt shows: which motors stand for which direction of the robot, how strong, and in words.
 
 Seven columns go round the body from the back over the left, the front (column 3) and the right to the
-back again; both rows do the same.
+back again; both rows do the same, but for an approach. Levels are 0 off, 1 weak, 2 medium, 3 strong; the
+upper row of seven comes first. Pure.
 """
 
 from __future__ import annotations
 
+from collections.abc import Mapping
+from dataclasses import dataclass, field
+from types import MappingProxyType
+
 from devices.ports.robot import Bearing
+from donnie_tui.core.wording import Wording
 
 COLUMNS = 7
-OFF = (0,) * (2 * COLUMNS)
-STRONG = 3
+MOTORS = 2 * COLUMNS
+OFF = (0,) * MOTORS
+WEAK, MEDIUM, STRONG = 1, 2, 3
 
-_COLUMNS_OF = {
-    Bearing.BACK: (0, 6),
-    Bearing.BACK_LEFT: (1,),
-    Bearing.FRONT_LEFT: (2,),
-    Bearing.FRONT: (3,),
-    Bearing.FRONT_RIGHT: (4,),
-    Bearing.BACK_RIGHT: (5,),
-}
+Levels = tuple[int, ...]
+"""14 of them."""
+
+_COLUMNS_OF: Mapping[Bearing, tuple[int, ...]] = MappingProxyType(
+    {
+        Bearing.BACK: (0, 6),
+        Bearing.BACK_LEFT: (1,),
+        Bearing.FRONT_LEFT: (2,),
+        Bearing.FRONT: (3,),
+        Bearing.FRONT_RIGHT: (4,),
+        Bearing.BACK_RIGHT: (5,),
+    }
+)
+"""As the original belt has them."""
+
+_WORD_OF_LEVEL = {WEAK: "belt-weak", MEDIUM: "belt-medium", STRONG: "belt-strong"}
 
 
-def pulse(bearing: Bearing) -> tuple[int, ...]:
-    """14 levels: strong where that direction is felt, off elsewhere."""
-    row = tuple(STRONG if column in _COLUMNS_OF[bearing] else 0 for column in range(COLUMNS))
+@dataclass(frozen=True, slots=True)
+class BeltSettings:
+    """How distances become levels, and directions columns."""
+
+    strong: int = 5
+    """Steps up to which something is felt strongly."""
+    medium: int = 10
+    weak: int = 20
+    columns: Mapping[Bearing, tuple[int, ...]] = field(default_factory=lambda: _COLUMNS_OF)
+
+    def level(self, steps: int) -> int:
+        """How strong something that many steps away is felt."""
+        limits = ((self.strong, STRONG), (self.medium, MEDIUM), (self.weak, WEAK))
+        return next((level for limit, level in limits if steps <= limit), 0)
+
+
+def pulse(bearing: Bearing, settings: BeltSettings | None = None) -> Levels:
+    """Strong where that direction is felt, off elsewhere."""
+    row = _row({bearing: STRONG}, settings or BeltSettings())
     return row + row
+
+
+def presence(levels: Mapping[Bearing, int], settings: BeltSettings) -> Levels:
+    """What is there: each direction at its level, both rows the same."""
+    row = _row(levels, settings)
+    return row + row
+
+
+def approach(levels: Mapping[Bearing, int], nearer: frozenset[Bearing], settings: BeltSettings) -> Levels:
+    """What came nearer is a blow of the upper row while the lower one says how near it is now."""
+    struck = {**levels, **dict.fromkeys(nearer, STRONG)}
+    return _row(struck, settings) + _row(levels, settings)
+
+
+def bump(bearing: Bearing, settings: BeltSettings) -> Levels:
+    """Something was hit: that direction and its neighbours on both sides, as strong as it gets."""
+    hit = settings.columns[bearing]
+    wide = {(column + side) % COLUMNS for column in hit for side in (-1, 0, 1)}
+    row = tuple(STRONG if column in wide else 0 for column in range(COLUMNS))
+    return row + row
+
+
+def felt(levels: Levels, settings: BeltSettings | None = None) -> dict[Bearing, int]:
+    """How strong each direction is felt; those that are off are left out."""
+    columns = (settings or BeltSettings()).columns
+    strongest = {
+        bearing: max((max(levels[each], levels[each + COLUMNS]) for each in columns[bearing]), default=0)
+        for bearing in Bearing
+    }
+    return {bearing: level for bearing, level in strongest.items() if level}
+
+
+def in_words(levels: Levels, wording: Wording, settings: BeltSettings | None = None) -> str:
+    """For those without a belt: "Belt: front strong, front right weak."."""
+    parts = [
+        f"{wording(f'belt-{bearing.name.lower()}')} {wording(_WORD_OF_LEVEL[level])}"
+        for bearing, level in felt(levels, settings).items()
+    ]
+    return wording("belt-felt", what=", ".join(parts)) if parts else wording("belt-nothing")
+
+
+def rows(levels: Levels) -> tuple[Levels, Levels]:
+    """The upper and the lower row, for a drawing: from the back over the left to the front and on."""
+    return levels[:COLUMNS], levels[COLUMNS:]
+
+
+def _row(levels: Mapping[Bearing, int], settings: BeltSettings) -> Levels:
+    """Where two directions share a column, the stronger one counts."""
+    row = [0] * COLUMNS
+    for bearing, level in levels.items():
+        for column in settings.columns[bearing]:
+            row[column] = max(row[column], level)
+    return tuple(row)

@@ -14,9 +14,11 @@ from devices.ports.robot import Pace, Pose, Robot, Watcher
 from donnie_tui import __version__
 from donnie_tui.core.actions import RobotActions, RobotWatcher
 from donnie_tui.core.announcer import Announcer
+from donnie_tui.core.belt import BeltSettings
+from donnie_tui.core.belt_feeling import BeltFeeling
 from donnie_tui.core.documents import lines_in
-from donnie_tui.core.events import RunStarted
-from donnie_tui.core.hub import Hub
+from donnie_tui.core.events import HowStarted, Outcome, Reset, RunStarted
+from donnie_tui.core.hub import Hub, Stream
 from donnie_tui.core.runner import Readable, Run, Stage
 from donnie_tui.core.telling import Teller
 from donnie_tui.core.wording import Wording
@@ -66,15 +68,25 @@ class Session:
         world: str,
         seed: int,
         terminal: bool,
+        belt: BeltSettings | None = None,
+        name: str | None = None,
+        stream: Stream | None = None,
     ) -> None:
-        """``terminal``: QUIT is allowed, and a name may be declared again by a later batch."""
+        """``terminal``: QUIT is allowed, and a name may be declared again by a later batch.
+
+        ``name``: the robot's, where its world has several; ``stream``: the one that it shares with these.
+        """
         self._pace = _CurrentPace()
         self._began = 0.0
-        self.hub = Hub(lambda: self._robot.time() - self._began)
-        self._robot = make_robot(self._pace, RobotWatcher(self.hub))
+        self.hub = Hub(lambda: self._robot.time() - self._began, name, stream)
+        watcher = RobotWatcher(self.hub)
+        self._robot = make_robot(self._pace, watcher)
+        self._belt = watcher.belt = BeltFeeling(self._robot, self.hub, belt or BeltSettings())
         self.wording = wording
         self.teller = Teller(self.hub, wording)
-        self._actions = RobotActions(self._robot, self.hub, self.teller, goes_on=self._pace.goes_on)
+        self._actions = RobotActions(
+            self._robot, self.hub, self.teller, self._belt, goes_on=self._pace.goes_on
+        )
         self._announcer = Announcer(self.hub, self.teller, wording)
         self._memory = Memory()
         self._world, self._seed, self._terminal = world, seed, terminal
@@ -122,33 +134,36 @@ class Session:
             if fresh:
                 self._begin_anew()
             self._began = self._robot.time()
-            self._run = self._new_run(text, name, terminal, hooked, trace, first_line)
+            how = HowStarted(text, first_line, fresh, terminal, trace, self._robot.pose())
+            self._run = self._new_run(name, how, hooked)
             self._pace.control = self._run.control
             return self._run
 
-    def _new_run(
-        self, text: str, name: str, terminal: bool, hooked: bool, trace: bool, first_line: int
-    ) -> Run:
+    def _new_run(self, name: str, how: HowStarted, hooked: bool) -> Run:
         control = ExecutionControl()
 
         def read() -> Readable:
-            parsed = self.parse(text, first_line)
+            parsed = self.parse(how.text, how.first_line)
             if parsed.program is None:
                 return parsed.diagnostics
             if control.state is ControlState.STOPPING:
                 raise Stopped
-            return compile_program(parsed.program, terminal=terminal, hooked=hooked)
+            return compile_program(parsed.program, terminal=how.terminal, hooked=hooked)
 
         return Run(
-            Stage(self._robot, self.hub, self._actions, self.wording, self._announcer.about_to_end),
-            RunStarted(name, self._world, self._robot.name, self._seed, __version__),
+            Stage(self._robot, self.hub, self._actions, self.wording, self._about_to_end),
+            RunStarted(name, self._world, self._robot.name, self._seed, __version__, how),
             read,
-            tuple(lines_in(text)),
+            tuple(lines_in(how.text)),
             self._memory,
             control=control,
-            first_line=first_line,
-            trace=trace,
+            first_line=how.first_line,
+            trace=how.trace,
         )
+
+    def _about_to_end(self, outcome: Outcome) -> None:
+        self._belt.rest()
+        self._announcer.about_to_end(outcome)
 
     def _release(self, run: Run) -> None:
         with self._lock:
@@ -187,6 +202,10 @@ class Session:
     # --- the robot
 
     @property
+    def name(self) -> str:
+        return self._robot.name
+
+    @property
     def speed(self) -> float | None:
         return self._robot.speed
 
@@ -217,6 +236,7 @@ class Session:
             if self._run is not None:
                 raise Busy
             self._begin_anew()
+        self.hub.publish(Reset(self.pose))
 
     def _begin_anew(self) -> None:
         self._robot.reset()

@@ -17,7 +17,7 @@ from devices.sound.silent import SilentCuePlayer
 from devices.sound.tones import CUE_NAMES, SAMPLE_RATE, render, seconds_of
 
 TICKS = ("step-forward", "step-back", "turn-right", "turn-left")
-TELL_PLACE = ("obstacle", "scan", "found")
+TELL_PLACE = ("obstacle", "scan", "found", "belt")
 
 
 def admitted(*cues: tuple[str, float, float]) -> list[float | None]:

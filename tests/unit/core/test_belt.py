@@ -1,0 +1,137 @@
+"""The belt follows the robot: from the same events with any robot, for fingers, ears and eyes."""
+
+from __future__ import annotations
+
+import pytest
+
+from devices.ports.robot import Bearing
+from donnie_tui.core import belt
+from donnie_tui.core.belt import OFF, BeltSettings, bump, felt, in_words, presence, pulse, rows
+from donnie_tui.core.events import BeltShown, CueSounded, Moved, RunEnded
+from donnie_tui.i18n.words import Words
+from tests.floor import Floor
+
+FRONT_ROW = (0, 0, 0, 3, 0, 0, 0)
+
+
+def shown(floor: Floor) -> list[tuple[int, ...]]:
+    return [each.levels for each in floor.events if isinstance(each, BeltShown)]
+
+
+@pytest.mark.parametrize(
+    ("steps", "level"), [(0, 3), (5, 3), (6, 2), (10, 2), (11, 1), (20, 1), (21, 0), (60, 0)]
+)
+def test_the_nearer_the_stronger(steps: int, level: int) -> None:
+    assert BeltSettings().level(steps) == level
+
+
+def test_the_directions_go_round_the_body_from_the_back_over_the_left() -> None:
+    order = [Bearing.BACK_LEFT, Bearing.FRONT_LEFT, Bearing.FRONT, Bearing.FRONT_RIGHT, Bearing.BACK_RIGHT]
+
+    assert [pulse(bearing).index(3) for bearing in order] == [1, 2, 3, 4, 5]
+    assert pulse(Bearing.BACK) == (3, 0, 0, 0, 0, 0, 3) * 2
+
+
+def test_directions_that_share_a_column_show_the_stronger() -> None:
+    settings = BeltSettings(columns=dict.fromkeys(Bearing, (3,)))
+
+    assert presence({Bearing.FRONT: 1, Bearing.BACK: 2}, settings) == (0, 0, 0, 2, 0, 0, 0) * 2
+
+
+def test_a_bump_is_wide() -> None:
+    assert bump(Bearing.FRONT, BeltSettings()) == (0, 0, 3, 3, 3, 0, 0) * 2
+    assert bump(Bearing.BACK, BeltSettings()) == (3, 3, 0, 0, 0, 3, 3) * 2
+
+
+@pytest.mark.parametrize(
+    ("language", "sentence"),
+    [
+        ("en", "Belt: front strong, front right weak."),
+        ("pt", "Cinto: frente forte, frente direita fraco."),
+        ("es", "Cinturón: frente fuerte, frente derecha débil."),
+    ],
+)
+def test_what_is_felt_is_told_in_words(language: str, sentence: str) -> None:
+    levels = (0, 0, 0, 3, 1, 0, 0, 0, 0, 0, 2, 1, 0, 0)
+
+    assert in_words(levels, Words(language)) == sentence
+    assert felt(levels) == {Bearing.FRONT: 3, Bearing.FRONT_RIGHT: 1}
+    assert rows(levels) == ((0, 0, 0, 3, 1, 0, 0), (0, 0, 0, 2, 1, 0, 0))
+
+
+def test_nothing_near_is_told_too() -> None:
+    assert in_words(OFF, Words()) == "Belt: nothing near."
+
+
+def test_the_belt_follows_the_robot_towards_a_thing() -> None:
+    """What comes a level nearer strikes the upper row, while the lower one says how near it is."""
+    floor = Floor(("red", 0, 23))
+    floor.run("BELT ON FW 19")
+
+    row = {level: (0, 0, 0, level, 0, 0, 0) for level in range(4)}
+    assert shown(floor) == [
+        row[3] + row[1],
+        row[1] * 2,
+        row[3] + row[2],
+        row[2] * 2,
+        row[3] * 2,
+        OFF,
+    ]
+
+
+def test_what_comes_nearer_is_sounded_where_it_is() -> None:
+    floor = Floor(("red", 0, 23))
+    floor.run("BELT ON FW 5")
+
+    assert [each for each in floor.events if isinstance(each, CueSounded) and each.name == "belt"] == [
+        CueSounded("belt", 0.0, 20.0)
+    ]
+
+
+def test_turning_moves_what_is_felt_round_the_body() -> None:
+    floor = Floor(("red", 0, 4))
+    floor.run("BELT ON TR 45")
+
+    assert shown(floor)[0] == FRONT_ROW * 2
+    assert shown(floor)[-2] == pulse(Bearing.FRONT_LEFT)
+
+
+def test_a_belt_that_is_off_feels_nothing() -> None:
+    floor = Floor(("red", 0, 4))
+    floor.run("FW 2 TR 90")
+
+    assert shown(floor) == []
+
+
+def test_belt_off_is_off_at_once() -> None:
+    floor = Floor(("red", 0, 4))
+    floor.run("BELT ON BELT OFF FW 1")
+
+    assert shown(floor) == [FRONT_ROW * 2, OFF]
+
+
+def test_a_pulse_comes_and_what_was_felt_is_felt_again() -> None:
+    floor = Floor(("red", 0, 4))
+    floor.run("BELT ON VIBRATE BL")
+
+    assert shown(floor) == [FRONT_ROW * 2, pulse(Bearing.BACK_LEFT), FRONT_ROW * 2, OFF]
+
+
+@pytest.mark.parametrize("program", ["BELT ON FW 1", "BELT ON SPEAK q", "BELT ON QUIT", "BELT ON FW 1 / 0"])
+def test_the_motors_are_off_before_a_run_is_told_to_be_over(program: str) -> None:
+    floor = Floor(("red", 0, 4), terminal=True)
+    floor.run(program)
+
+    assert isinstance(floor.events[-1], RunEnded)
+    assert shown(floor)[-1] == OFF
+
+
+def test_the_belt_stays_switched_on_for_the_next_lines_of_a_terminal() -> None:
+    floor = Floor(("red", 0, 9), terminal=True)
+    floor.run("BELT ON")
+    floor.stream.clear()
+    floor.run("FW 1")
+
+    assert next(each for each in floor.events if isinstance(each, BeltShown | Moved)) == BeltShown(
+        (0, 0, 0, belt.MEDIUM, 0, 0, 0) * 2
+    )

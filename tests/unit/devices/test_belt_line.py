@@ -1,0 +1,152 @@
+"""The belt on its line: off at the end, told once when it is lost, never in anybody's way."""
+
+from __future__ import annotations
+
+import os
+import threading
+import tty
+from collections.abc import Callable, Iterator
+
+import pytest
+
+from devices.belt.board import BeltBoard
+from devices.belt.frame import MOTORS, OFF, frame
+from devices.belt.line import BeltNews, BeltProblem, Line, SerialBelt
+
+FRONT = (0, 0, 0, 3, 0, 0, 0) * 2
+PATIENCE = 20.0
+
+
+class FakeLine:
+    """A line that can be pulled out. ``written`` is what came through."""
+
+    def __init__(self) -> None:
+        self.written: list[bytes] = []
+        self.answers: list[bytes] = []
+        self.fault: Exception | None = None
+        self.is_closed = False
+        self._changed = threading.Condition()
+
+    def write(self, data: bytes) -> int:
+        if self.fault:
+            raise self.fault
+        with self._changed:
+            self.written.append(data)
+            self._changed.notify_all()
+        return len(data)
+
+    def read(self, size: int = 1) -> bytes:
+        if self.fault:
+            raise self.fault
+        return self.answers.pop(0) if self.answers else b""
+
+    def close(self) -> None:
+        self.is_closed = True
+
+    def wait_for(self, is_met: Callable[[], bool]) -> bool:
+        with self._changed:
+            return self._changed.wait_for(is_met, PATIENCE)
+
+
+class News:
+    """What was told, and a way to wait for it."""
+
+    def __init__(self) -> None:
+        self.told: list[BeltNews] = []
+        self._changed = threading.Condition()
+
+    def __call__(self, news: BeltNews) -> None:
+        with self._changed:
+            self.told.append(news)
+            self._changed.notify_all()
+
+    def wait_for(self, *wanted: BeltNews) -> bool:
+        with self._changed:
+            return self._changed.wait_for(lambda: self.told == list(wanted), PATIENCE)
+
+
+@pytest.fixture
+def line() -> FakeLine:
+    return FakeLine()
+
+
+@pytest.fixture
+def news() -> News:
+    return News()
+
+
+@pytest.fixture
+def belt(line: FakeLine, news: News) -> Iterator[SerialBelt]:
+    made = SerialBelt("nowhere", news, lambda _: line)
+    yield made
+    made.close()
+
+
+def test_levels_reach_the_line_and_closing_turns_them_off(belt: SerialBelt, line: FakeLine) -> None:
+    belt.show(FRONT)
+    assert line.wait_for(lambda: frame(FRONT) in line.written)
+    belt.close()
+
+    assert line.written[-1] == frame(OFF)
+    assert line.is_closed
+
+
+def test_the_last_pulse_is_felt_before_the_line_is_closed(belt: SerialBelt, line: FakeLine) -> None:
+    belt.show(FRONT)
+    belt.show(OFF)
+    belt.close()
+
+    assert frame(FRONT) in line.written
+    assert line.written[-1] == frame(OFF)
+
+
+@pytest.mark.parametrize("fault", [OSError(5, "gone"), ValueError("closed")], ids=["pulled", "closed"])
+def test_a_lost_belt_is_told_once_and_once_when_it_is_back(
+    line: FakeLine, news: News, fault: Exception, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr("devices.belt.line.RETRY", 0.001)
+    lines, is_back = [line], threading.Event()
+
+    def opened(port: str) -> Line:
+        if len(lines) > 1 and not is_back.is_set():
+            raise BeltProblem("not there")
+        lines.append(FakeLine())
+        return lines[-2]
+
+    belt = SerialBelt("nowhere", news, opened)
+    line.fault = fault
+    belt.show(FRONT)
+    assert news.wait_for(BeltNews.LOST)
+    is_back.set()
+    assert news.wait_for(BeltNews.LOST, BeltNews.RESTORED)
+
+    second = lines[1]
+    assert second.wait_for(lambda: frame(FRONT) in second.written)
+    assert second.written[0] == b"Z!"
+    belt.close()
+
+
+def test_a_belt_that_is_not_there_is_a_problem_with_the_systems_reason() -> None:
+    with pytest.raises(BeltProblem) as caught:
+        SerialBelt("/dev/there-is-no-such-belt", News())
+
+    assert "No such file" in caught.value.reason
+
+
+def test_the_real_line_carries_frames_to_a_board(news: News) -> None:
+    """Over a pseudo terminal, with the system's own buffers between."""
+    ours, theirs = os.openpty()
+    tty.setraw(ours)
+    belt = SerialBelt(os.ttyname(theirs), news)
+    belt.show((3,) * MOTORS)
+    board, seconds = BeltBoard(), 0.0
+    while board.frames < 3:
+        os.write(ours, board.feed(os.read(ours, 100), seconds))
+    assert board.motors(seconds) == ("A",) * MOTORS
+    belt.close()
+    while set(board.motors(seconds)) != {"P"}:
+        board.feed(os.read(ours, 100), seconds)
+
+    os.close(ours)
+    os.close(theirs)
+    assert news.told == []

@@ -1,0 +1,151 @@
+"""What goes to the belt and when: the newest levels, often enough, and never more than that."""
+
+from __future__ import annotations
+
+import pytest
+from hypothesis import given
+from hypothesis import strategies as st
+
+from devices.belt.board import BeltBoard
+from devices.belt.frame import MOTORS, OFF, RESYNC, SIZE, frame
+from devices.belt.sender import AFTER_RESYNC, HOLD, PERIOD, BeltSender
+
+DARK = frame(OFF)
+FRONT = (0, 0, 0, 3, 0, 0, 0) * 2
+LEVELS = st.tuples(*[st.integers(0, 3)] * MOTORS)
+
+
+def awake() -> BeltSender:
+    """A sender whose line is in step already, at second 0."""
+    sender = BeltSender()
+    assert sender.next(-1.0) == RESYNC
+    return sender
+
+
+def sent(sender: BeltSender, start: float, end: float) -> list[tuple[float, bytes]]:
+    """Everything that it sends in that time, looked at each millisecond."""
+    moments = [start + each / 1000 for each in range(round((end - start) * 1000))]
+    said = [(moment, sender.next(moment)) for moment in moments]
+    return [(moment, data) for moment, data in said if data]
+
+
+def test_a_frame_has_the_motors_in_its_second_and_fourth_row() -> None:
+    levels = (1, 2, 3, 0, 0, 0, 3, 3, 0, 0, 0, 0, 2, 1)
+
+    assert frame(levels) == b"Z" + b"PPPPPPP" + b"CBAPPPA" + b"PPPPPPP" + b"APPPPBC" + b"PPPPPPP"
+
+
+@pytest.mark.parametrize("levels", [(), (0,) * 13, (4,) * MOTORS, (-1,) * MOTORS])
+def test_levels_that_are_none_are_refused(levels: tuple[int, ...]) -> None:
+    with pytest.raises(ValueError, match="14 motors"):
+        BeltSender().show(levels, 0.0)
+
+
+def test_a_line_begins_with_a_resync_and_silence() -> None:
+    sender = BeltSender()
+    sender.show(FRONT, 0.0)
+
+    assert sent(sender, 0.0, AFTER_RESYNC + 0.005) == [(0.0, RESYNC), (AFTER_RESYNC, frame(FRONT))]
+
+
+def test_while_a_motor_is_on_a_frame_goes_out_each_40_milliseconds() -> None:
+    sender = awake()
+    sender.show(FRONT, 0.0)
+
+    assert [moment for moment, _ in sent(sender, 0.0, 0.2)] == pytest.approx(
+        [0.0, 0.04, 0.08, 0.12, 0.16], abs=0.0011
+    )
+
+
+def test_off_is_one_dark_frame_and_then_silence() -> None:
+    sender = awake()
+    sender.show(FRONT, 0.0)
+    sender.next(0.0)
+    sender.show(OFF, 1.0)
+
+    assert [data for _, data in sent(sender, 1.0, 3.0)] == [DARK]
+    assert sender.wait(3.0) is None
+
+
+def test_a_belt_that_was_never_on_is_sent_nothing() -> None:
+    sender = awake()
+    sender.show(OFF, 0.0)
+
+    assert sent(sender, 0.0, 1.0) == []
+
+
+def test_only_the_newest_levels_are_sent() -> None:
+    sender = awake()
+    for number in range(500):
+        sender.show((number % 3,) * MOTORS, number / 1000)
+    sender.show(FRONT, 0.5)
+
+    assert [data for _, data in sent(sender, 0.9, 0.95)] == [frame(FRONT), frame(FRONT)]
+
+
+def test_a_pulse_of_no_length_is_felt_for_a_quarter_second() -> None:
+    sender = awake()
+    sender.show(FRONT, 0.0)
+    sender.show(OFF, 0.0)
+
+    frames = sent(sender, 0.0, 1.0)
+    assert frames[-1][1] == DARK
+    assert frames[-1][0] == pytest.approx(HOLD, abs=PERIOD + 0.002)
+    assert {data for _, data in frames[:-1]} == {frame(FRONT)}
+
+
+def test_a_dropped_belt_is_off_with_its_next_frame() -> None:
+    sender = awake()
+    sender.show(FRONT, 0.0)
+    sender.next(0.0)
+    sender.drop()
+
+    assert [data for _, data in sent(sender, 0.001, 1.0)] == [DARK]
+
+
+def test_a_complaint_of_the_board_is_answered_with_a_resync() -> None:
+    sender = awake()
+    sender.show(FRONT, 0.0)
+    sender.next(0.0)
+    sender.heard(b"E2\r\n", 0.01)
+
+    assert [data for _, data in sent(sender, 0.04, 0.075)] == [RESYNC, frame(FRONT)]
+
+
+def test_the_answers_to_a_resync_are_no_complaints() -> None:
+    sender = awake()
+    sender.heard(b"E1\r\n", 0.0)
+    assert sender.next(0.0) == RESYNC
+    sender.heard(b"E2\r\nE1\r\n", AFTER_RESYNC / 2)
+
+    assert sent(sender, AFTER_RESYNC, 1.0) == []
+
+
+def test_anything_else_that_comes_from_the_line_is_noise() -> None:
+    sender = awake()
+    sender.heard(bytes(each for each in range(256) if each != ord("E")), 0.0)
+
+    assert sent(sender, 0.0, 1.0) == []
+
+
+@given(st.lists(st.tuples(st.floats(0.0, 0.3), LEVELS), max_size=30), st.binary(max_size=40))
+def test_whatever_is_shown_the_board_ends_dark_and_in_step(
+    shown: list[tuple[float, tuple[int, ...]]], rubbish: bytes
+) -> None:
+    """From any state of the board: it has eaten rubbish before."""
+    sender, board, now = BeltSender(), BeltBoard(), 0.0
+    board.feed(rubbish, now)
+    for pause, levels in [*shown, (0.0, OFF)]:
+        sender.show(levels, now)
+        for moment, data in sent(sender, now, now + pause):
+            sender.heard(board.feed(data, moment), moment)
+        now += pause
+    ends = sent(sender, now, now + 1.0)
+    answers = [board.feed(data, moment) for moment, data in ends if data != RESYNC]
+
+    assert b"".join(answers) == b""
+    assert set(board.motors(now + 0.9)) == {"P"}
+
+
+def test_a_frame_takes_less_than_the_period_on_the_wire() -> None:
+    assert SIZE * 10 / 9600 < PERIOD
