@@ -13,6 +13,7 @@ from pathlib import Path
 
 from donnie_tui.bootstrap import Donnie, SwitchMode, Unusable, assemble
 from donnie_tui.core.typed_program import ProgramTooLong
+from donnie_tui.core.use_cases import When
 from donnie_tui.folders import state_folder
 from donnie_tui.i18n.first_words import PROMPT
 from donnie_tui.linear import choices, commands, files, greeting
@@ -160,7 +161,7 @@ class LinearMode:
         elif first in ("QUIT", "EXIT") and len(words) == 1:
             self._quit(line)
         elif first == "HELP":
-            choices.say_help(self._desk, " ".join(words[1:]), commands.NAMES, commands.LISTED)
+            choices.say_help(self._desk, " ".join(words[1:]), commands.listed())
         elif found := commands.find(line):
             commands.do(*found, self._desk, self._runs)
         else:
@@ -201,7 +202,7 @@ class LinearMode:
             return Hold.REST
         if not line or (found and found[0].name in ("step", "stop")):
             return Hold.STOP if found and found[0].name == "stop" else Hold.NEXT
-        if found and found[0].while_held:
+        if found and found[0].when is not When.IDLE:
             commands.do(*found, self._desk, self._runs)
         else:
             self._desk.answer("linear-stepping")

@@ -2,7 +2,9 @@
 
 from __future__ import annotations
 
+from donnie_tui.core import use_cases
 from donnie_tui.core.transcript import lines_of
+from donnie_tui.core.use_cases import UseCase
 from donnie_tui.linear.desk import Desk
 from donnie_tui.settings import read_speed
 from language.source import fold_name
@@ -73,22 +75,28 @@ def say_errors(desk: Desk) -> None:
         desk.tell(*lines_of(error, desk.say))
 
 
-def say_help(desk: Desk, topic: str, names: dict[str, str], own: tuple[str, ...]) -> None:
-    """The list, the keys, or one word. ``names``: what our words are called; ``own``: which to list."""
+def say_help(desk: Desk, topic: str, own: tuple[UseCase, ...]) -> None:
+    """The list, the keys, or one word. ``own``: the use cases to list."""
     folded = " ".join(fold_name(topic).split())
+    asked = use_cases.find(topic)
     if not topic:
-        desk.tell(*desk.say.help(None))
-        desk.answer("linear-help", count=len(own))
-        for name in own:
-            desk.answer(f"linear-word-{name}")
-        desk.answer("linear-help-keys")
+        _say_list(desk, own)
     elif folded in _KEYS:
         for line in _KEY_LINES:
             desk.answer(f"linear-keys-{line}")
-    elif folded in names:
-        desk.answer(f"linear-word-{names[folded]}")
+    elif asked is not None and not asked[0].is_godonnie and not asked[1]:
+        desk.tell(use_cases.help_line(asked[0], desk.say))
     else:
         desk.tell(*desk.say.help(topic))
+
+
+def _say_list(desk: Desk, own: tuple[UseCase, ...]) -> None:
+    """GoDonnie's words, then ours."""
+    ours = [each for each in own if not each.is_godonnie]
+    desk.tell(*desk.say.help(None))
+    desk.answer("linear-help", count=len(ours))
+    desk.tell(*(use_cases.help_line(each, desk.say) for each in ours))
+    desk.answer("linear-help-keys")
 
 
 def _chosen(table: dict[str, tuple[str, ...]], typed: str) -> str | None:

@@ -1,22 +1,17 @@
-"""The words of the linear mode, declared once: what they are called, what they do, when they may be said.
-
-HELP is made from this table: the line of a word is ``linear-word-NAME`` in the catalogue. GoDonnie's own
-words are none of these, and a learner may still call a variable or a procedure as one of them is called:
-``speed = 3`` and ``list [2]`` are GoDonnie.
-"""
+"""What the linear mode does for each use case. Words, arguments and purposes are the use cases' own."""
 
 from __future__ import annotations
 
 from collections.abc import Callable
-from dataclasses import dataclass
 from typing import TypeAlias
 
 from donnie_tui.bootstrap import SwitchMode
+from donnie_tui.core import use_cases
 from donnie_tui.core.session import Busy
+from donnie_tui.core.use_cases import UseCase
 from donnie_tui.linear import choices, files, lines, surroundings
 from donnie_tui.linear.desk import Desk
 from donnie_tui.linear.runs import Runs
-from language.source import fold_name
 
 LARGEST_NUMBER = 10_000_000
 """No program has so many lines, and no session so many answers."""
@@ -24,23 +19,6 @@ LARGEST_NUMBER = 10_000_000
 Handler: TypeAlias = Callable[[Desk, Runs, str], bool | None]
 """Does the word with what stands behind it. False if that can't be understood."""
 
-
-@dataclass(frozen=True, slots=True)
-class Command:
-    """One word."""
-
-    name: str
-    en: str
-    pt: str
-    es: str
-    do: Handler
-    while_held: bool = False
-    """Whether it may be said while a program is held between two steps."""
-    hidden: bool = False
-    """Not listed."""
-
-
-_AS = ("as", "como")
 
 # --- what the words do
 
@@ -52,9 +30,7 @@ def _open(desk: Desk, _: Runs, rest: str) -> bool:
 
 
 def _save(desk: Desk, _: Runs, rest: str) -> None:
-    """SAVE name; SAVE AS name, as in the full screen, is the same."""
-    word, _blank, name = rest.partition(" ")
-    files.save_named(desk, name.strip() if name and fold_name(word) in _AS else rest)
+    files.save_named(desk, rest)
 
 
 def _new(desk: Desk, _: Runs, rest: str) -> bool:
@@ -132,13 +108,15 @@ def _where(desk: Desk, _: Runs, rest: str) -> bool:
 
 
 def _map(desk: Desk, _: Runs, rest: str) -> bool:
-    if rest:
-        if not surroundings.is_picture(rest):
-            return False
-        surroundings.draw_map(desk)
-    else:
+    if not rest:
         surroundings.say_map(desk)
-    return True
+    return not rest
+
+
+def _map_picture(desk: Desk, _: Runs, rest: str) -> bool:
+    if not rest:
+        surroundings.draw_map(desk)
+    return not rest
 
 
 def _world(desk: Desk, _: Runs, rest: str) -> bool:
@@ -188,52 +166,53 @@ def _linear(desk: Desk, _: Runs, rest: str) -> bool:
     return not rest
 
 
-COMMANDS = (
-    Command("open", "OPEN", "ABRIR", "ABRIR", _open),
-    Command("save", "SAVE", "SALVAR", "GUARDAR", _save),
-    Command("new", "NEW", "NOVO", "NUEVO", _new),
-    Command("recover", "RECOVER", "RECUPERAR", "RECUPERAR", _recover),
-    Command("list", "LIST", "LISTAR", "LISTAR", _list, while_held=True),
-    Command("change", "CHANGE", "MUDAR", "CAMBIAR", _change),
-    Command("insert", "INSERT", "INSERIR", "INSERTAR", _insert),
-    Command("delete", "DELETE", "APAGAR", "BORRAR", _delete),
-    Command("again", "AGAIN", "NOVAMENTE", "NUEVAMENTE", _again),
-    Command("step", "STEP", "PASSO", "PASO", _step),
-    Command("stop", "STOP", "PARAR", "DETENER", _stop),
-    Command("reset", "RESET", "REINICIAR", "REINICIAR", _reset),
-    Command("where", "WHERE", "ONDE", "DÓNDE", _where, while_held=True),
-    Command("map", "MAP", "MAPA", "MAPA", _map, while_held=True),
-    Command("world", "WORLD", "MUNDO", "MUNDO", _world, while_held=True),
-    Command("speed", "SPEED", "VELOCIDADE", "VELOCIDAD", _speed, while_held=True),
-    Command("language", "LANGUAGE", "IDIOMA", "IDIOMA", _language, while_held=True),
-    Command("detail", "DETAIL", "DETALHE", "DETALLE", _detail, while_held=True),
-    Command("last", "LAST", "ÚLTIMO", "ÚLTIMO", _last, while_held=True),
-    Command("errors", "ERRORS", "ERROS", "ERRORES", _errors),
-    Command("visual", "VISUAL", "VISUAL", "VISUAL", _visual),
-    Command("linear", "LINEAR", "LINEAR", "LINEAL", _linear, hidden=True),
-)
+HANDLERS: dict[str, Handler] = {
+    "open": _open,
+    "save": _save,
+    "save_as": _save,
+    "new": _new,
+    "recover": _recover,
+    "list": _list,
+    "change": _change,
+    "insert": _insert,
+    "delete": _delete,
+    "again": _again,
+    "step": _step,
+    "stop": _stop,
+    "reset": _reset,
+    "where": _where,
+    "map": _map,
+    "map_picture": _map_picture,
+    "world": _world,
+    "speed": _speed,
+    "language": _language,
+    "detail": _detail,
+    "last": _last,
+    "errors": _errors,
+    "visual": _visual,
+    "linear": _linear,
+}
+"""What each use case does here. RUN, HELP and QUIT are the conversation's own."""
 
-_BY_WORD = {fold_name(word): each for each in COMMANDS for word in (each.en, each.pt, each.es)}
-NAMES = {word: each.name for word, each in _BY_WORD.items()}
-"""Every word of every language, folded, and the name of what it does."""
-LISTED = tuple(each.name for each in COMMANDS if not each.hidden)
-
-
-def find(line: str) -> tuple[Command, str] | None:
-    """The word that a line begins with, and what stands behind it; None if the line is GoDonnie."""
-    word, _, rest = line.strip().partition(" ")
-    command = _BY_WORD.get(fold_name(word)) if len(word) < 20 else None
-    rest = rest.strip()
-    if command is None or rest.startswith(("=", "[")):
-        return None
-    return command, rest
+OF_CONVERSATION = ("run", "help", "quit")
 
 
-def do(command: Command, rest: str, desk: Desk, runs: Runs) -> None:
+def find(line: str) -> tuple[UseCase, str] | None:
+    """What a line asks for, and what stands behind the word; None if the line is GoDonnie."""
+    found = use_cases.find(line)
+    return found if found and found[0].name in HANDLERS else None
+
+
+def do(case: UseCase, rest: str, desk: Desk, runs: Runs) -> None:
     """Do it; if what stands behind the word can't be understood, show how it is said."""
-    if command.do(desk, runs, rest) is False:
-        example = desk.say(f"linear-word-{command.name}").partition(":")[0]
-        desk.answer("linear-like-this", example=example)
+    if HANDLERS[case.name](desk, runs, rest) is False:
+        desk.answer("linear-like-this", example=use_cases.typed_form(case, desk.say))
+
+
+def listed() -> tuple[UseCase, ...]:
+    """What HELP tells of."""
+    done = (*HANDLERS, *OF_CONVERSATION)
+    return tuple(each for each in use_cases.USE_CASES if each.name in done and not each.hidden)
 
 
 # --- what stands behind a word

@@ -6,11 +6,9 @@ from donnie_tui.core import numbers
 from donnie_tui.core.describe import name_of, things_in_words
 from donnie_tui.core.map_grid import FREE, START, WALL, Bounds, Cell, MapGrid
 from donnie_tui.linear.desk import Desk
-from language.source import fold_name
 
 WIDEST, HIGHEST = 40, 18
 """Squares of the picture: what a braille display shows of a line, and what a screen reader takes at once."""
-_PICTURE = ("picture", "imagem", "imagen", "figura")
 
 
 def say_where(desk: Desk) -> None:
@@ -36,11 +34,6 @@ def say_map(desk: Desk) -> None:
     things = things_in_words(desk.donnie.picture(), desk.session.pose, desk.say)
     desk.answer("world-things" if things else "world-bare", count=len(things))
     desk.tell(*things)
-
-
-def is_picture(typed: str) -> bool:
-    """Whether that is the word for a picture."""
-    return fold_name(typed) in _PICTURE
 
 
 def draw_map(desk: Desk) -> None:

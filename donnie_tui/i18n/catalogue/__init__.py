@@ -14,10 +14,11 @@ from donnie_tui.i18n.catalogue import (
     signs,
     things,
     tui,
+    use_cases,
     worlds,
 )
 from donnie_tui.i18n.sentence import Sentence
 
-TOPICS = (movement, robots, mistakes, signs, help, worlds, things, files, devices, cli, linear, tui)
+TOPICS = (movement, robots, mistakes, signs, help, worlds, things, files, devices, cli, linear, tui, use_cases)
 
 SENTENCES: dict[str, Sentence] = {code: each for topic in TOPICS for code, each in topic.SENTENCES.items()}

@@ -193,168 +193,38 @@ _QUESTIONS = {
     ),
     "help-screen-words": Sentence("Keys and words:", "Teclas e palavras:", "Teclas y palabras:"),
     "help-program-words": Sentence("GoDonnie:", "GoDonnie:", "GoDonnie:"),
-    "help-typed-file": Sentence("file", "arquivo", "archivo"),
-    "help-typed-line": Sentence("line", "linha", "línea"),
-    "help-typed-speed": Sentence("number", "número", "número"),
 }
 
 
-def _action(name: str, label: tuple[str, str, str], purpose: tuple[str, str, str]) -> dict[str, Sentence]:
-    return {f"key-{name}": Sentence(*label), f"action-{name}": Sentence(*purpose)}
+_KEY_LABELS = {
+    "run": ("Run", "Executar", "Ejecutar"),
+    "stop": ("Stop", "Parar", "Detener"),
+    "pause": ("Pause", "Pausar", "Pausa"),
+    "continue_": ("Go on", "Continuar", "Continuar"),
+    "step": ("Step", "Passo", "Paso"),
+    "step_over": ("Over", "Inteiro", "Entero"),
+    "run_to": ("To here", "Até aqui", "Hasta aquí"),
+    "slower": ("Slower", "Devagar", "Lento"),
+    "faster": ("Faster", "Rápido", "Rápido"),
+    "speed": ("Speed", "Velocidade", "Velocidad"),
+    "reset": ("Reset", "Reiniciar", "Reiniciar"),
+    "where": ("Where", "Onde", "Dónde"),
+    "open": ("Open", "Abrir", "Abrir"),
+    "save": ("Save", "Salvar", "Guardar"),
+    "save_as": ("Save as", "Salvar como", "Guardar como"),
+    "new": ("New", "Novo", "Nuevo"),
+    "recover": ("Recover", "Recuperar", "Recuperar"),
+    "show_program": ("Program", "Programa", "Programa"),
+    "show_map": ("Map", "Mapa", "Mapa"),
+    "show_log": ("Log", "Registro", "Registro"),
+    "show_variables": ("Variables", "Variáveis", "Variables"),
+    "help": ("Help", "Ajuda", "Ayuda"),
+    "linear": ("Linear", "Linear", "Lineal"),
+    "quit": ("Quit", "Sair", "Salir"),
+}
+"""What an action is called where there is little room: in the bottom line and the palette."""
 
-
-_ACTIONS = (
-    _action(
-        "run",
-        ("Run", "Executar", "Ejecutar"),
-        (
-            "Runs the program, from the start of the world.",
-            "Executa o programa, do início do mundo.",
-            "Ejecuta el programa, desde el inicio del mundo.",
-        ),
-    )
-    | _action(
-        "stop",
-        ("Stop", "Parar", "Detener"),
-        ("Stops the program and Donnie.", "Para o programa e o Donnie.", "Detiene el programa y a Donnie."),
-    )
-    | _action(
-        "pause",
-        ("Pause", "Pausar", "Pausa"),
-        (
-            "Pauses the program, or goes on.",
-            "Pausa o programa, ou continua.",
-            "Pausa el programa, o continúa.",
-        ),
-    )
-    | _action(
-        "continue_",
-        ("Go on", "Continuar", "Continuar"),
-        ("Goes on after a pause.", "Continua depois de uma pausa.", "Continúa después de una pausa."),
-    )
-    | _action(
-        "step",
-        ("Step", "Passo", "Paso"),
-        ("Runs one command.", "Executa um comando.", "Ejecuta un comando."),
-    )
-    | _action(
-        "step_over",
-        ("Over", "Inteiro", "Entero"),
-        (
-            "Runs one command, a procedure as a whole.",
-            "Executa um comando, um procedimento inteiro.",
-            "Ejecuta un comando, un procedimiento entero.",
-        ),
-    )
-    | _action(
-        "run_to",
-        ("To here", "Até aqui", "Hasta aquí"),
-        (
-            "Runs until the line of the cursor, or until that line.",
-            "Executa até a linha do cursor, ou até essa linha.",
-            "Ejecuta hasta la línea del cursor, o hasta esa línea.",
-        ),
-    )
-    | _action(
-        "slower",
-        ("Slower", "Devagar", "Lento"),
-        ("Donnie moves more slowly.", "O Donnie anda mais devagar.", "Donnie va más lento."),
-    )
-    | _action(
-        "faster",
-        ("Faster", "Rápido", "Rápido"),
-        ("Donnie moves faster.", "O Donnie anda mais rápido.", "Donnie va más rápido."),
-    )
-    | _action(
-        "speed",
-        ("Speed", "Velocidade", "Velocidad"),
-        (
-            "Sets the speed; 1 is the real robot's, max has no waiting.",
-            "Muda a velocidade; 1 é a do robô real, max não espera.",
-            "Cambia la velocidad; 1 es la del robot real, max no espera.",
-        ),
-    )
-    | _action(
-        "reset",
-        ("Reset", "Reiniciar", "Reiniciar"),
-        (
-            "Puts Donnie back to the start, forgets the variables.",
-            "Leva o Donnie ao início, esquece as variáveis.",
-            "Lleva a Donnie al inicio, olvida las variables.",
-        ),
-    )
-    | _action(
-        "where",
-        ("Where", "Onde", "Dónde"),
-        ("Tells where Donnie is.", "Diz onde o Donnie está.", "Dice dónde está Donnie."),
-    )
-    | _action(
-        "open",
-        ("Open", "Abrir", "Abrir"),
-        ("Opens a program.", "Abre um programa.", "Abre un programa."),
-    )
-    | _action(
-        "save",
-        ("Save", "Salvar", "Guardar"),
-        ("Saves the program.", "Salva o programa.", "Guarda el programa."),
-    )
-    | _action(
-        "save_as",
-        ("Save as", "Salvar como", "Guardar como"),
-        (
-            "Saves the program under another name.",
-            "Salva o programa com outro nome.",
-            "Guarda el programa con otro nombre.",
-        ),
-    )
-    | _action(
-        "new",
-        ("New", "Novo", "Nuevo"),
-        ("Begins a new program.", "Começa um programa novo.", "Empieza un programa nuevo."),
-    )
-    | _action(
-        "recover",
-        ("Recover", "Recuperar", "Recuperar"),
-        (
-            "Brings back what was not saved last time.",
-            "Traz de volta o que não foi salvo da última vez.",
-            "Trae de vuelta lo que no se guardó la última vez.",
-        ),
-    )
-    | _action(
-        "show_program",
-        ("Program", "Programa", "Programa"),
-        ("Goes to the program.", "Vai para o programa.", "Va al programa."),
-    )
-    | _action("show_map", ("Map", "Mapa", "Mapa"), ("Goes to the map.", "Vai para o mapa.", "Va al mapa."))
-    | _action(
-        "show_log",
-        ("Log", "Registro", "Registro"),
-        ("Goes to the log.", "Vai para o registro.", "Va al registro."),
-    )
-    | _action(
-        "show_variables",
-        ("Variables", "Variáveis", "Variables"),
-        (
-            "Shows variables, calls and readings, or hides them.",
-            "Mostra variáveis, chamadas e leituras, ou esconde.",
-            "Muestra variables, llamadas y lecturas, o las oculta.",
-        ),
-    )
-    | _action(
-        "help", ("Help", "Ajuda", "Ayuda"), ("Shows this help.", "Mostra esta ajuda.", "Muestra esta ayuda.")
-    )
-    | _action(
-        "linear",
-        ("Linear", "Linear", "Lineal"),
-        (
-            "Changes to the linear mode, for screen readers.",
-            "Muda para o modo linear, para leitores de tela.",
-            "Cambia al modo lineal, para lectores de pantalla.",
-        ),
-    )
-    | _action("quit", ("Quit", "Sair", "Salir"), ("Leaves Donnie.", "Sai do Donnie.", "Sale de Donnie."))
-)
+_ACTIONS = {f"key-{name}": Sentence(*label) for name, label in _KEY_LABELS.items()}
 
 _KINDS = {
     f"kind-{kind}": Sentence(en, pt, es)

@@ -10,6 +10,7 @@ from textual.binding import Binding, BindingType
 from textual.screen import ModalScreen
 from textual.widgets import Static
 
+from donnie_tui.core.use_cases import help_line
 from donnie_tui.core.wording import Wording
 from donnie_tui.tui.actions import ACTIONS, Action, key_label
 from donnie_tui.tui.widgets.text_rows import TextRows
@@ -58,7 +59,4 @@ def _program_lines(listed: Sequence[Action], words: Wording) -> tuple[str, ...]:
 
 def _line(action: Action, words: Wording) -> str:
     """The typed word first: it works everywhere; then its keys, then what it does."""
-    argument = words(f"help-typed-{action.argument}") if action.argument else ""
-    typed = " ".join(filter(None, (action.word(words.language), argument)))
-    keys = ", ".join(key_label(key) for key in action.keys)
-    return f"{typed}{f' ({keys})' if keys else ''}: {words(f'action-{action.name}')}"
+    return help_line(action.case, words, ", ".join(key_label(key) for key in action.keys))
