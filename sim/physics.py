@@ -1,4 +1,4 @@
-"""The world as bodies: which things are where, found fast. The one place that knows pymunk.
+"""The world as bodies: which things are where, found fast. Only this room and the rays know pymunk.
 
 pymunk finds what could be touched or seen (its trees, its rays); exact contacts are computed in geometry.
 A ray of pymunk's with a radius must not be trusted: its trees are searched with the thin ray (measured: of
@@ -10,7 +10,7 @@ from __future__ import annotations
 
 import atexit
 import gc
-from collections.abc import Iterable, Iterator
+from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import dataclass
 from weakref import WeakSet
 
@@ -18,9 +18,10 @@ import pymunk
 
 from sim.colours import Colour
 from sim.geometry import Edge, Point, contains, edges, is_convex, signed_area
+from sim.rays import Hit, Rays
 from sim.scene import Model, Scene
 
-_BODY, _SIGHT = 1, 2
+_BODY, _SIGHT, _RANGED = 1, 2, 4
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -31,6 +32,13 @@ class Part:
     """Its number in the world: queries answer in this order, so that runs repeat exactly."""
     root: int
     """The index of the top-level model to which it belongs."""
+    model: Model
+    """The model whose polygon it is."""
+    place: Point
+    """Where that model stands."""
+    bottom: float
+    """Metres above the floor."""
+    top: float
     points: tuple[Point, ...]
     outline: tuple[Edge, ...]
     solid: bool
@@ -59,6 +67,7 @@ class Surroundings:
         self._space, self._halo = pymunk.Space(), pymunk.Space()
         _ALIVE.add(self)
         self._owner: dict[pymunk.Shape, Part] = {}
+        self._rays: Rays[Part] = Rays(self._space)
         for part in self.parts:
             self._add(part, guard)
 
@@ -71,10 +80,12 @@ class Surroundings:
         found = self._space.bb_query(pymunk.BB(left, bottom, right, top), pymunk.ShapeFilter())
         return tuple(sorted({self._owner[shape] for shape in found}, key=_rank)) if found else ()
 
-    def first_hit(self, x: float, y: float, to_x: float, to_y: float) -> Part | None:
-        """The part that a look from one place to another meets first."""
-        hit = self._space.segment_query_first((x, y), (to_x, to_y), 0.0, pymunk.ShapeFilter(mask=_SIGHT))
-        return None if hit is None or hit.shape is None else self._owner[hit.shape]
+    def first_hits(self, x: float, y: float, ends: Sequence[Point], ranging: bool = False) -> list[Hit[Part]]:
+        """The parts that looks from one place to each of ``ends`` meet first, and where on the way.
+
+        ``ranging``: as a ranger sees, to which some things are invisible.
+        """
+        return self._rays.first_hits(x, y, ends, _TO_RANGERS if ranging else _TO_EYES)
 
     def free_way(self, x: float, y: float, to_x: float, to_y: float) -> float:
         """The part of the way, from 0 to 1, on which nothing comes nearer than the guard distance."""
@@ -83,18 +94,22 @@ class Surroundings:
 
     def free(self) -> None:
         """Give pymunk's memory back. Nothing may be asked from now on."""
-        del self._space, self._halo
+        del self._rays, self._space, self._halo
         self._owner.clear()
 
     def _add(self, part: Part, guard: float) -> None:
-        category = pymunk.ShapeFilter(categories=_BODY | (_SIGHT if part.seen or part.solid else 0))
+        sight = (_SIGHT if part.seen or part.solid else 0) | (_RANGED if part.seen else 0)
+        category = pymunk.ShapeFilter(categories=_BODY | sight)
         for shape in _bodies(self._space, part.points, 0.0):
             shape.filter = category
             self._owner[shape] = part
+            self._rays.own(shape, part)
             self._space.add(shape)
         if part.solid or part.seen:
             self._halo.add(*_bodies(self._halo, part.points, guard))
 
+
+_TO_EYES, _TO_RANGERS = pymunk.ShapeFilter(mask=_SIGHT), pymunk.ShapeFilter(mask=_RANGED)
 
 _ALIVE: WeakSet[Surroundings] = WeakSet()
 
@@ -115,15 +130,21 @@ def _parts(scene: Scene, robot: int) -> Iterator[Part]:
     rank = 0
     for model in scene.models:
         if model.root != robot:
-            for points in model.outlines():
-                yield _part(scene, model, rank, points)
+            for points, (bottom, top) in zip(model.outlines(), model.heights(), strict=True):
+                yield _part(scene, model, rank, points, bottom, top)
                 rank += 1
 
 
-def _part(scene: Scene, model: Model, rank: int, points: tuple[Point, ...]) -> Part:
+def _part(
+    scene: Scene, model: Model, rank: int, points: tuple[Point, ...], bottom: float, top: float
+) -> Part:
     return Part(
         rank=rank,
         root=model.root,
+        model=model,
+        place=(model.pose.x, model.pose.y),
+        bottom=bottom,
+        top=top,
         points=points,
         outline=edges(points),
         solid=model.solid or model.index in scene.robots,

@@ -129,7 +129,7 @@ class Eyes:
         self, around: Surroundings, spot: Spot, reach: float, low: float, high: float
     ) -> _Glimpse | None:
         dx, dy = direction(spot.yaw + (low + high) / 2)
-        part = around.first_hit(spot.x, spot.y, spot.x + reach * dx, spot.y + reach * dy)
+        ((part, _),) = around.first_hits(spot.x, spot.y, [(spot.x + reach * dx, spot.y + reach * dy)])
         return _Glimpse(part, low, high) if part is not None and self.tells(part) else None
 
     def _thing(self, root: int, glimpses: list[_Glimpse], spot: Spot) -> Seen:

@@ -1,0 +1,113 @@
+"""Rays through a space: the quick way and pymunk's own give the same, and the quick one may be missing."""
+
+import importlib
+from collections.abc import Iterator
+from types import ModuleType, SimpleNamespace
+
+import pymunk
+import pytest
+from hypothesis import given, settings
+from hypothesis import strategies as st
+
+from sim import rays
+from sim.rays import Hit, Rays
+
+PLACES = st.tuples(st.floats(-5, 5), st.floats(-5, 5))
+EVERYTHING = pymunk.ShapeFilter()
+
+
+def boxes(places: list[tuple[float, float]]) -> tuple[pymunk.Space, list[pymunk.Shape]]:
+    space = pymunk.Space()
+    corners = [(0.0, 0.0), (0.6, 0.1), (0.4, 0.5)]
+    shapes: list[pymunk.Shape] = [
+        pymunk.Poly(space.static_body, [(x + dx, y + dy) for dx, dy in corners]) for x, y in places
+    ]
+    shapes += [pymunk.Segment(space.static_body, (x, y + 1), (x + 1, y + 1), 0.0) for x, y in places]
+    space.add(*shapes)
+    return space, shapes
+
+
+def owned(space: pymunk.Space, shapes: list[pymunk.Shape], direct: bool) -> Rays[int]:
+    found: Rays[int] = Rays(space, direct=direct)
+    for i, shape in enumerate(shapes):
+        found.own(shape, i)
+    return found
+
+
+@settings(max_examples=150, deadline=None)
+@given(
+    st.lists(
+        PLACES, min_size=1, max_size=8, unique_by=lambda place: (round(place[0], 1), round(place[1], 1))
+    ),
+    PLACES,
+    st.lists(PLACES, min_size=1, max_size=30),
+)
+def test_both_ways_give_the_same_hits(
+    places: list[tuple[float, float]], start: tuple[float, float], ends: list[tuple[float, float]]
+) -> None:
+    space, shapes = boxes(places)
+
+    quick, plain = (
+        owned(space, shapes, direct).first_hits(*start, ends, EVERYTHING) for direct in (True, False)
+    )
+
+    assert quick == plain
+    assert len(quick) == len(ends)
+
+
+@pytest.mark.parametrize("direct", [True, False])
+def test_a_shape_that_left_is_not_hit_and_a_filter_holds(direct: bool) -> None:
+    space, shapes = boxes([(1, 0)])
+    shapes[0].filter, shapes[1].filter = pymunk.ShapeFilter(categories=1), pymunk.ShapeFilter(categories=2)
+    it = owned(space, shapes, direct)
+
+    def hit(mask: int) -> Hit[int]:
+        return it.first_hits(1.3, -1, [(1.3, 3)], pymunk.ShapeFilter(mask=mask))[0]
+
+    assert hit(1)[0] == 0
+    assert hit(2) == (1, 0.5)
+    space.remove(shapes[0])
+    it.disown(shapes[0])
+    assert hit(pymunk.ShapeFilter.ALL_MASKS()) == (1, 0.5)
+    with pytest.raises(KeyError):
+        it.disown(shapes[0])
+
+
+@pytest.fixture
+def forgotten() -> Iterator[None]:
+    rays._library.cache_clear()
+    yield
+    rays._library.cache_clear()
+
+
+BROKEN = {
+    "gone": ImportError,
+    "empty": SimpleNamespace(),
+    "other functions": SimpleNamespace(
+        lib=SimpleNamespace(), ffi=SimpleNamespace(error=RuntimeError, new=None)
+    ),
+}
+
+
+@pytest.mark.usefixtures("forgotten")
+@pytest.mark.parametrize("state", BROKEN)
+def test_where_the_private_library_has_changed_the_public_method_answers(
+    state: str, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    found = BROKEN[state]
+
+    def module(name: str) -> ModuleType:
+        if found is ImportError:
+            raise ImportError(name)
+        return found  # type: ignore[return-value]
+
+    monkeypatch.setattr(importlib, "import_module", module)
+    space, shapes = boxes([(1, 0)])
+
+    assert rays._library() is None
+    assert owned(space, shapes, True).first_hits(1.3, -1, [(1.3, 3)], EVERYTHING)[0][0] == 0
+
+
+@pytest.mark.usefixtures("forgotten")
+def test_with_the_fixed_version_of_pymunk_the_quick_way_is_there() -> None:
+    assert rays._library() is not None
