@@ -22,7 +22,7 @@ REPLY_SECONDS = 3.0
 END_SECONDS = 10.0
 """Beyond the time that a sentence needs at a slow rate, until its missing end means: no sound."""
 
-_SECONDS_A_CHARACTER = 0.2
+SECONDS_A_CHARACTER = 0.2
 
 
 class Lost(Exception):
@@ -83,7 +83,7 @@ class Conversation:
         if self._message is None:
             self._end_sentence()
         else:
-            self._overdue_at = self._now() + END_SECONDS + _SECONDS_A_CHARACTER * len(words)
+            self._overdue_at = self._now() + END_SECONDS + SECONDS_A_CHARACTER * len(words)
 
     def _hand_over(self, words: str) -> str | None:
         """The message's number; None if it was refused."""

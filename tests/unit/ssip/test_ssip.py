@@ -14,6 +14,7 @@ from hypothesis import strategies as st
 from devices.audio_worker.notices import AudioNotice, NoticeCode
 from devices.ports.audio import Urgency, Utterance
 from devices.speech.voices import VoiceSettings
+from devices.ssip import conversation
 from devices.ssip.address import Address, find_address, is_reachable, parse_address
 from devices.ssip.protocol import Event, EventKind, NotSsip, Reader, Reply, message_of, text
 from devices.ssip.speaker import SsipSpeaker, ssip_settings
@@ -179,16 +180,16 @@ def test_without_a_server_it_is_told_once_and_nobody_waits(tmp_path: Path) -> No
     assert [notice.code for notice in notices] == [NoticeCode.SSIP_LOST]
 
 
-def test_an_end_that_never_comes_means_no_sound(tmp_path: Path) -> None:
+def test_an_end_that_never_comes_means_no_sound(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(conversation, "END_SECONDS", 0.0)
+    monkeypatch.setattr(conversation, "SECONDS_A_CHARACTER", 0.0)
     server = Server(tmp_path, tells_end=False)
     notices: list[AudioNotice] = []
-    seconds = [0.0]
-    speaker = SsipSpeaker(server.address, notices.append, now=lambda: seconds[0])
+    speaker = SsipSpeaker(server.address, notices.append)
     speaker.say(say("First."))
-    assert server.wait_for(texts=1)
-    seconds[0] = 1000.0
     speaker.say(say("Second."))
     assert server.wait_for(texts=2)
+    assert speaker.wait_until_quiet(10)
     speaker.close()
     assert [notice.code for notice in notices] == [NoticeCode.SSIP_SILENT]
 
