@@ -14,10 +14,9 @@ from enum import Enum
 from time import monotonic
 from typing import Protocol
 
-import serial
-
 from devices.belt.frame import BAUD, OFF, frame
 from devices.belt.sender import PERIOD, BeltSender
+from devices.serial_port import GONE, PortProblem, open_port
 
 _LOG = logging.getLogger(__name__)
 
@@ -27,10 +26,7 @@ RETRY = 1.0
 LONGEST_GOODBYE = 1.0
 """Seconds that closing may take: the last pulse, and the frame that turns everything off."""
 
-_WRITE_TIMEOUT = 0.2
 _MOST_HEARD = 256
-_GONE = (OSError, serial.SerialException, ValueError)
-"""What pyserial raises when a device is unplugged: all of these, depending on where it notices."""
 
 
 class BeltNews(Enum):
@@ -50,24 +46,9 @@ class Line(Protocol):
     def close(self) -> None: ...
 
 
-class BeltProblem(Exception):
-    """The belt's line can't be opened. ``reason`` is the system's word for it."""
-
-    def __init__(self, reason: str, *, errno: int | None = None) -> None:
-        super().__init__(reason)
-        self.reason = reason
-        self.errno = errno
-
-
 def open_line(port: str) -> Line:
-    """A serial line at the belt's speed. Any address that pyserial knows. Raises ``BeltProblem``."""
-    try:
-        return serial.serial_for_url(
-            port, baudrate=BAUD, timeout=0, write_timeout=_WRITE_TIMEOUT, exclusive=True
-        )
-    except _GONE as problem:
-        reason = getattr(problem, "strerror", None) or str(problem)
-        raise BeltProblem(reason, errno=getattr(problem, "errno", None)) from None
+    """A serial line at the belt's speed. Raises ``PortProblem``."""
+    return open_port(port, BAUD)
 
 
 class SerialBelt:
@@ -76,7 +57,7 @@ class SerialBelt:
     def __init__(
         self, port: str, on_news: Callable[[BeltNews], None], opened: Callable[[str], Line] = open_line
     ):
-        """Opens the port. Raises ``BeltProblem``. ``on_news`` is called in the belt's own thread."""
+        """Opens the port. Raises ``PortProblem``. ``on_news`` is called in the belt's own thread."""
         self._port = port
         self._on_news = on_news
         self._open = opened
@@ -106,7 +87,7 @@ class SerialBelt:
         while not self._is_done():
             try:
                 self._step()
-            except _GONE as problem:
+            except GONE as problem:
                 self._lose(problem)
         self._turn_off()
 
@@ -152,7 +133,7 @@ class SerialBelt:
             self._changed.wait(RETRY)
         try:
             self._line = self._open(self._port)
-        except BeltProblem:
+        except PortProblem:
             return
         with self._changed:
             self._sender.start_over()
@@ -161,12 +142,12 @@ class SerialBelt:
     def _turn_off(self) -> None:
         """Whatever happened before: the last thing on the line is a dark frame."""
         if self._line is not None:
-            with suppress(*_GONE):
+            with suppress(*GONE):
                 self._line.write(frame(OFF))
         self._close_line()
 
     def _close_line(self) -> None:
         line, self._line = self._line, None
         if line is not None:
-            with suppress(*_GONE):
+            with suppress(*GONE):
                 line.close()

@@ -11,7 +11,8 @@ import pytest
 
 from devices.belt.board import BeltBoard
 from devices.belt.frame import MOTORS, OFF, frame
-from devices.belt.line import BeltNews, BeltProblem, Line, SerialBelt
+from devices.belt.line import BeltNews, Line, SerialBelt
+from devices.serial_port import PortFault, PortProblem
 
 FRONT = (0, 0, 0, 3, 0, 0, 0) * 2
 PATIENCE = 20.0
@@ -109,7 +110,7 @@ def test_a_lost_belt_is_told_once_and_once_when_it_is_back(
 
     def opened(port: str) -> Line:
         if len(lines) > 1 and not is_back.is_set():
-            raise BeltProblem("not there")
+            raise PortProblem(port, PortFault.ABSENT, "not there")
         lines.append(FakeLine())
         return lines[-2]
 
@@ -127,10 +128,11 @@ def test_a_lost_belt_is_told_once_and_once_when_it_is_back(
 
 
 def test_a_belt_that_is_not_there_is_a_problem_with_the_systems_reason() -> None:
-    with pytest.raises(BeltProblem) as caught:
+    with pytest.raises(PortProblem) as caught:
         SerialBelt("/dev/there-is-no-such-belt", News())
 
-    assert "No such file" in caught.value.reason
+    assert caught.value.fault is PortFault.ABSENT
+    assert caught.value.reason == "No such file or directory"
 
 
 def test_the_real_line_carries_frames_to_a_board(news: News) -> None:

@@ -1,0 +1,84 @@
+"""Opens serial ports, for one process at a time, and says what is wrong with one in a word of ours.
+
+Any address that pyserial knows: a device, ``socket://``, ``loop://``, ``spy://``, ``hwgrep://``.
+"""
+
+from __future__ import annotations
+
+import errno
+import os
+from enum import Enum
+from pathlib import Path
+
+import serial
+
+GONE = (OSError, serial.SerialException, ValueError, TypeError)
+"""What pyserial raises when a device is unplugged, depending on where it notices."""
+
+WRITE_TIMEOUT = 0.2
+"""Seconds; a line that takes no bytes for so long is no line."""
+
+
+class PortFault(Enum):
+    """Why a port can't be used."""
+
+    ABSENT = "absent"
+    FORBIDDEN = "forbidden"
+    """Another group may use it, on Linux usually ``dialout``."""
+    BUSY = "busy"
+    """Another program has it."""
+    UNUSABLE = "unusable"
+
+
+class PortProblem(Exception):
+    """A port can't be opened. ``reason`` is the system's own word for it."""
+
+    def __init__(self, port: str, fault: PortFault, reason: str) -> None:
+        super().__init__(f"{port}: {reason}")
+        self.port = port
+        self.fault = fault
+        self.reason = reason
+
+
+_FAULT_OF = {
+    errno.ENOENT: PortFault.ABSENT,
+    errno.ENODEV: PortFault.ABSENT,
+    errno.ENXIO: PortFault.ABSENT,
+    errno.EACCES: PortFault.FORBIDDEN,
+    errno.EPERM: PortFault.FORBIDDEN,
+    errno.EAGAIN: PortFault.BUSY,
+    errno.EBUSY: PortFault.BUSY,
+}
+
+
+def open_port(port: str, baud: int, *, timeout: float = 0.0, exclusive: bool = True) -> serial.SerialBase:
+    """The port, open, 8N1. Opening resets a board that hangs on USB. Raises ``PortProblem``.
+
+    ``exclusive``: refuse a port that another process holds.
+    """
+    try:
+        return serial.serial_for_url(
+            port, baudrate=baud, timeout=timeout, write_timeout=WRITE_TIMEOUT, exclusive=exclusive or None
+        )
+    except GONE as problem:
+        raise problem_of(port, problem) from None
+
+
+def problem_of(port: str, problem: Exception) -> PortProblem:
+    """What pyserial raised, as a problem of ours."""
+    number = getattr(problem, "errno", None)
+    reason = os.strerror(number) if isinstance(number, int) else str(problem)
+    return PortProblem(port, _FAULT_OF.get(number or 0, PortFault.UNUSABLE), reason)
+
+
+def group_of(port: str) -> str:
+    """The group that may use the port, ``dialout`` where that can't be found out."""
+    try:
+        return Path(port).group()
+    except (OSError, KeyError, NotImplementedError, ValueError):
+        return "dialout"
+
+
+def is_same_port(one: str, other: str) -> bool:
+    """Whether two addresses are the same device, also by two of its names."""
+    return one == other or os.path.realpath(one) == os.path.realpath(other)
