@@ -10,6 +10,7 @@ from donnie_tui.i18n.catalogue import (
     linear,
     mistakes,
     movement,
+    recordings,
     robots,
     signs,
     things,
@@ -19,6 +20,21 @@ from donnie_tui.i18n.catalogue import (
 )
 from donnie_tui.i18n.sentence import Sentence
 
-TOPICS = (movement, robots, mistakes, signs, help, worlds, things, files, devices, cli, linear, tui, use_cases)
+TOPICS = (
+    movement,
+    recordings,
+    robots,
+    mistakes,
+    signs,
+    help,
+    worlds,
+    things,
+    files,
+    devices,
+    cli,
+    linear,
+    tui,
+    use_cases,
+)
 
 SENTENCES: dict[str, Sentence] = {code: each for topic in TOPICS for code, each in topic.SENTENCES.items()}

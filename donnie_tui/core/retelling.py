@@ -1,0 +1,73 @@
+"""Going back in words: what is undone, and where the robot is then."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+
+from devices.ports.robot import Pose
+from donnie_tui.core import numbers
+from donnie_tui.core.events import (
+    Announced,
+    Error,
+    Event,
+    Moved,
+    Reset,
+    RunEnded,
+    RunStarted,
+    Spoke,
+    Stamped,
+    Turned,
+    Waited,
+    event_name,
+)
+from donnie_tui.core.telling import facing
+from donnie_tui.core.timeline import Timeline, is_deed
+from donnie_tui.core.transcript import printable
+from donnie_tui.core.wording import Wording
+
+LONGEST_QUOTE = 60
+"""Characters of what was said that are told again."""
+
+
+def told_back(undone: Iterable[Stamped], timeline: Timeline, wording: Wording) -> str:
+    """One sentence for a step that was undone, ``timeline`` standing before it: "Back: FW 3. Position 0, 2."
+
+    ``undone`` is what ``Timeline.step_back`` gave; at the start of everything it is empty.
+    """
+    done = next((each for each in undone if is_deed(each.event)), None)
+    if done is None:
+        return wording("undone-start")
+    sentence = wording("undone", what=_what(done.event, wording))
+    place = _place(done.event, timeline.pose(done.robot), wording)
+    text = f"{sentence} {place}" if place else sentence
+    return text if done.robot is None else wording("robot-says", robot=printable(done.robot), text=text)
+
+
+def _what(event: Event, wording: Wording) -> str:
+    match event:
+        case Moved(command=command) | Turned(command=command):
+            return _quoted(command)
+        case Spoke(text=text) | Announced(text=text):
+            return _quoted(text)
+        case Waited(seconds=seconds):
+            return wording("undone-waited", seconds=seconds)
+        case Error(line=line):
+            return wording("undone-error", line=line)
+        case RunStarted(program=program):
+            return wording("undone-run-started", program=_quoted(program))
+        case _:
+            return wording(f"undone-{event_name(event).replace('_', '-')}")
+
+
+def _place(event: Event, pose: Pose | None, wording: Wording) -> str:
+    """Where the robot is again, where that has changed."""
+    if pose is None or not isinstance(event, Moved | Turned | RunStarted | RunEnded | Reset):
+        return ""
+    if isinstance(event, Turned):
+        return wording("undone-facing", facing=facing(pose, wording))
+    return wording("undone-position", x=numbers.whole(pose.x), y=numbers.whole(pose.y))
+
+
+def _quoted(text: str) -> str:
+    shown = printable(" ".join(text.split())).rstrip(".")
+    return shown if len(shown) <= LONGEST_QUOTE else f"{shown[: LONGEST_QUOTE - 1]}…"

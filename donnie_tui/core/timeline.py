@@ -1,0 +1,194 @@
+"""Going through what happened: event by event or step by step, forwards and backwards.
+
+A position is the number of events that have happened, from 0 to all of them. At each one the timeline knows
+where every robot is and how it came there; variables are known only where a run ended. A step is what one
+command did, with all that was told about it.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+
+from devices.ports.robot import Pose
+from donnie_tui.core.events import (
+    Announced,
+    BeltShown,
+    CueSounded,
+    Event,
+    Moved,
+    PlacedThing,
+    Read,
+    Reset,
+    RunEnded,
+    RunStarted,
+    Stamped,
+    Statement,
+    ThingsMoved,
+    Turned,
+)
+
+_TOLD_OF_A_DEED = ("moved", "turned", "scan", "sound", "link", "gripper")
+"""Announcements that follow an event of their own; all others are what happened themselves."""
+_OF_PROGRESS = ("step-forward", "step-back", "turn-right", "turn-left")
+"""Cues that come before the movement that they are about has ended."""
+
+
+@dataclass(frozen=True, slots=True)
+class _Place:
+    """A robot was here after so many events."""
+
+    at: int
+    pose: Pose
+    begins: bool
+    """Whether its trail begins here."""
+
+
+class Timeline:
+    """A position in a list of events, at its start at first."""
+
+    def __init__(self, events: Sequence[Stamped]) -> None:
+        """``events`` must not change while somebody goes through them; transient ones are not for it."""
+        self.events = events
+        self.at = 0
+        self._places: dict[str | None, list[_Place]] = {}
+        self._things: list[tuple[int, tuple[PlacedThing, ...]]] = []
+
+    # --- going
+
+    def forward(self) -> Stamped | None:
+        """Let the next event happen. None at the end."""
+        if self.at == len(self.events):
+            return None
+        stamped = self.events[self.at]
+        self.at += 1
+        self._happen(stamped)
+        return stamped
+
+    def back(self) -> Stamped | None:
+        """Undo the last event and give it. None at the start."""
+        if self.at == 0:
+            return None
+        self.at -= 1
+        stamped = self.events[self.at]
+        places = self._places.get(stamped.robot)
+        if places and places[-1].at > self.at:
+            places.pop()
+        if self._things and self._things[-1][0] > self.at:
+            self._things.pop()
+        return stamped
+
+    def go_to(self, at: int) -> None:
+        """Go to a position; the nearest one there is."""
+        while self.at < at and self.forward():
+            pass
+        while self.at > max(at, 0):
+            self.back()
+
+    def step(self) -> tuple[Stamped, ...]:
+        """Let the next step happen. Its events, none at the end."""
+        first = self.at
+        while self.forward() and not self._is_between_steps():
+            pass
+        return tuple(self.events[index] for index in range(first, self.at))
+
+    def step_back(self) -> tuple[Stamped, ...]:
+        """Undo the last step. Its events as they had happened, none at the start."""
+        last = self.at
+        while self.back() and not self._is_between_steps():
+            pass
+        return tuple(self.events[index] for index in range(self.at, last))
+
+    # --- looking
+
+    def __len__(self) -> int:
+        return len(self.events)
+
+    @property
+    def now(self) -> Stamped | None:
+        """What happened last; None at the start."""
+        return self.events[self.at - 1] if self.at else None
+
+    @property
+    def robots(self) -> tuple[str | None, ...]:
+        """The robots that were seen so far; None is the only one of its world."""
+        return tuple(robot for robot, places in self._places.items() if places)
+
+    def pose(self, robot: str | None = None) -> Pose | None:
+        """Where the robot is here. None where nothing tells it yet."""
+        places = self._places.get(robot)
+        return places[-1].pose if places else None
+
+    def trail(self, robot: str | None = None) -> tuple[Pose, ...]:
+        """Where it has been since it last stood at its start, oldest first, up to here."""
+        places = self._places.get(robot, [])
+        first = next((index for index in reversed(range(len(places))) if places[index].begins), 0)
+        return tuple(each.pose for each in places[first:])
+
+    @property
+    def things(self) -> tuple[PlacedThing, ...]:
+        """The things of the world that are not where they were at its start."""
+        return self._things[-1][1] if self._things else ()
+
+    # --- inside
+
+    def _happen(self, stamped: Stamped) -> None:
+        event = stamped.event
+        pose = _pose_of(event)
+        if pose is not None:
+            begins = isinstance(event, Reset) or (isinstance(event, RunStarted) and _is_fresh(event))
+            self._places.setdefault(stamped.robot, []).append(_Place(self.at, pose, begins))
+        if isinstance(event, ThingsMoved):
+            self._things.append((self.at, event.places))
+
+    def _is_between_steps(self) -> bool:
+        """Whether a step ended just before this position."""
+        if self.at in (0, len(self.events)):
+            return True
+        if _belongs_to_the_last(self.events[self.at].event):
+            return False
+        before = self.at - 1
+        while before > 0 and isinstance(self.events[before].event, BeltShown | ThingsMoved):
+            before -= 1
+        return not _leads_on(self.events[before].event)
+
+
+def is_deed(event: Event) -> bool:
+    """Whether it is what a step is about, and not what was told of it or what led to it."""
+    return not (_leads_on(event) or _belongs_to_the_last(event))
+
+
+def _pose_of(event: Event) -> Pose | None:
+    match event:
+        case RunStarted(how=how):
+            return how.pose if how is not None else None
+        case Moved(pose=pose) | Turned(pose=pose) | RunEnded(pose=pose) | Reset(pose=pose):
+            return pose
+        case _:
+            return None
+
+
+def _is_fresh(event: RunStarted) -> bool:
+    return event.how is not None and event.how.fresh
+
+
+def _belongs_to_the_last(event: Event) -> bool:
+    match event:
+        case Announced(code=code):
+            return code in _TOLD_OF_A_DEED
+        case CueSounded(name=name):
+            return name not in _OF_PROGRESS
+        case BeltShown() | ThingsMoved():
+            return True
+        case _:
+            return False
+
+
+def _leads_on(event: Event) -> bool:
+    match event:
+        case CueSounded(name=name):
+            return name in _OF_PROGRESS
+        case Statement() | Read() | Announced(code="waiting"):
+            return True
+        case _:
+            return False

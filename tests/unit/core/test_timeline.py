@@ -1,0 +1,133 @@
+"""Going back through what happened leads to the states that there were, step by step and event by event."""
+
+from devices.ports.robot import Pose
+from donnie_tui.core.chronicle import Chronicle
+from donnie_tui.core.events import TRANSIENT, Announced, Moved, Passing, Reset, Spoke, Stamped
+from donnie_tui.core.retelling import told_back
+from donnie_tui.core.timeline import Timeline
+from tests.floor import Floor
+from tests.unit.core.values import HERE
+
+PROGRAM = 'FW 2\nTR 90\nSPEAK "hello"\nWAIT 1\nFW 3\nSTATE\nSCAN'
+
+
+def happened(program: str = PROGRAM, language: str = "en") -> tuple[Floor, Timeline]:
+    floor = Floor(("red", 1, 5), language=language, terminal=True)
+    floor.run(program)
+    return floor, Timeline([each for each in floor.stream if not isinstance(each.event, TRANSIENT)])
+
+
+def test_forwards_and_backwards_give_the_same_events() -> None:
+    _, timeline = happened()
+
+    there = [timeline.forward() for _ in range(len(timeline))]
+    assert timeline.forward() is None
+    back = [timeline.back() for _ in range(len(timeline))]
+
+    assert timeline.back() is None
+    assert there == back[::-1] == list(timeline.events)
+
+
+def test_at_every_position_the_robot_is_where_it_was_whichever_way_one_came() -> None:
+    _, timeline = happened()
+
+    poses = []
+    while timeline.forward():
+        poses.append((timeline.pose(), timeline.trail()))
+    while timeline.at:
+        assert poses.pop() == (timeline.pose(), timeline.trail())
+        timeline.back()
+
+    assert timeline.pose() is None
+    assert timeline.trail() == ()
+
+
+def test_a_step_is_what_a_command_did_with_all_that_was_told_of_it() -> None:
+    floor, timeline = happened()
+
+    steps = list(iter(timeline.step, ()))
+
+    assert [[type(each.event).__name__ for each in step][-1] for step in steps[:4]] == [
+        "RunStarted",
+        "Announced",
+        "Announced",
+        "Spoke",
+    ]
+    assert [each for step in steps for each in step] == list(timeline.events)
+    back = list(iter(timeline.step_back, ()))
+    assert back[::-1] == steps
+    assert floor.told[0] == "I walked 2 steps forward."
+
+
+def test_the_end_of_a_huge_jump_is_the_end() -> None:
+    _, timeline = happened()
+
+    timeline.go_to(10**9)
+    assert timeline.at == len(timeline)
+    timeline.go_to(-5)
+    assert timeline.at == 0
+
+
+def test_going_back_is_told_with_the_place_that_it_leads_to() -> None:
+    floor, timeline = happened('FW 2\nTR 90\nSPEAK "hello"\nWAIT 1\nFW 3\nSCAN')
+    timeline.go_to(len(timeline))
+
+    told = []
+    while timeline.at:
+        told.append(told_back(timeline.step_back(), timeline, floor.words))
+
+    assert told == [
+        "Back: end of the program. Position 3, 2.",
+        "Back: looked around.",
+        "Back: FW 3. Position 0, 2.",
+        "Back: waited 1 second.",
+        "Back: hello.",
+        "Back: TR 90. Facing north.",
+        "Back: FW 2. Position 0, 0.",
+        "Back: start of test.gd.",
+    ]
+    assert told_back((), timeline, floor.words) == "This is the start."
+
+
+def test_a_trail_begins_anew_with_a_reset() -> None:
+    stamped = [
+        Stamped(1, 0.0, Moved("FW 1", 1, 1, None, Pose(0, 1, 0), True)),
+        Stamped(2, 0.0, Reset(HERE)),
+        Stamped(3, 0.0, Moved("FW 2", 2, 2, None, Pose(0, 2, 0), True)),
+    ]
+    timeline = Timeline(stamped)
+
+    timeline.go_to(3)
+    assert timeline.trail() == (HERE, Pose(0, 2, 0))
+    timeline.back()
+    timeline.back()
+    assert timeline.trail() == (Pose(0, 1, 0),)
+
+
+def test_each_robot_has_its_own_place_and_is_named() -> None:
+    timeline = Timeline(
+        [
+            Stamped(1, 0.0, Moved("FW 1", 1, 1, None, Pose(0, 1, 0), True), "alice"),
+            Stamped(2, 0.0, Announced("moved", "I walked 1 step forward."), "alice"),
+            Stamped(3, 0.0, Moved("FW 5", 5, 5, None, Pose(9, 5, 0), True), "bob"),
+        ]
+    )
+    timeline.go_to(3)
+    assert (timeline.pose("alice"), timeline.pose("bob")) == (Pose(0, 1, 0), Pose(9, 5, 0))
+    assert timeline.robots == ("alice", "bob")
+
+    floor = Floor()
+    assert told_back(timeline.step_back(), timeline, floor.words) == "bob: Back: FW 5."
+    assert timeline.pose("bob") is None
+
+
+def test_a_chronicle_keeps_the_newest_and_nothing_transient() -> None:
+    chronicle = Chronicle(most=3)
+
+    for number in range(1, 6):
+        chronicle(Stamped(number, 0.0, Spoke(str(number))))
+        chronicle(Stamped(0, 0.0, Passing(HERE)))
+
+    timeline = chronicle.timeline()
+    assert [each.seq for each in timeline.events] == [3, 4, 5]
+    assert timeline.at == 3
