@@ -1,7 +1,7 @@
 """Looks around for what ``choose`` wants to know: reads files and the environment, starts nothing.
 
-A few milliseconds: no library is loaded, no socket opened, no process started. So it finds what is
-plausible; what really works is told later by the audio worker.
+A few milliseconds: no library is loaded, no process started, one socket of this machine tried. So it
+finds what is plausible; what really works is told later by the audio worker.
 """
 
 from __future__ import annotations
@@ -13,6 +13,7 @@ from importlib.util import find_spec
 from pathlib import Path
 
 from devices.speech.choose import Facts
+from devices.ssip.address import Address, find_address, is_reachable
 
 _READERS = frozenset({"orca", "fenrir", "yasr", "tdsr", "emacspeak", "speakup"})
 """Readers that speak. BRLTTY alone does not."""
@@ -27,16 +28,37 @@ _LIBRARIES = ("libespeak-ng.so.1", "libespeak-ng.1.dylib")
 _YES = frozenset({"1", "true", "yes", "on"})
 
 
-def look_around(environment: Mapping[str, str] | None = None, root: Path = Path("/")) -> Facts:
+def look_around(
+    environment: Mapping[str, str] | None = None,
+    root: Path = Path("/"),
+    *,
+    is_linear: bool = True,
+    has_real_robot: bool = False,
+) -> Facts:
     """The facts about this process's surroundings; ``environment`` and ``root`` are for tests."""
     variables = os.environ if environment is None else environment
     return Facts(
         stdout_is_terminal=_stdout_is_terminal(),
-        over_ssh=bool(variables.get("SSH_CONNECTION") or variables.get("SSH_TTY")),
+        over_ssh=is_over_ssh(variables),
         screen_reader=find_screen_reader(variables, root),
         has_voice=has_voice(root),
         has_sound_device=has_sound_device(variables, root),
+        has_ssip=is_reachable(ssip_address(variables)),
+        is_linear=is_linear,
+        has_real_robot=has_real_robot,
     )
+
+
+def is_over_ssh(variables: Mapping[str, str]) -> bool:
+    """Whether the learner sits at another machine."""
+    return bool(variables.get("SSH_CONNECTION") or variables.get("SSH_TTY"))
+
+
+def ssip_address(variables: Mapping[str, str]) -> Address | None:
+    """Where a speech-dispatcher may be that the learner hears: over SSH only one that was brought along."""
+    if is_over_ssh(variables) and not variables.get("SPEECHD_ADDRESS"):
+        return None
+    return find_address(variables)
 
 
 def find_screen_reader(variables: Mapping[str, str], root: Path = Path("/")) -> str | None:

@@ -7,8 +7,9 @@ from pathlib import Path
 
 import pytest
 
-from devices.speech.choose import Channel, ChannelReason, Choice, Facts, choose_channel
-from devices.speech.probe import find_screen_reader, has_sound_device, look_around
+from devices.speech.choose import Channel, ChannelReason, Choice, Facts, SpeakPlace, choose_channel
+from devices.speech.probe import find_screen_reader, has_sound_device, look_around, ssip_address
+from devices.ssip.address import Address
 
 ALL_WELL = Facts(
     stdout_is_terminal=True, over_ssh=False, screen_reader=None, has_voice=True, has_sound_device=True
@@ -16,6 +17,9 @@ ALL_WELL = Facts(
 NO_TERMINAL = replace(ALL_WELL, stdout_is_terminal=False)
 SSH = replace(ALL_WELL, over_ssh=True)
 READER = replace(ALL_WELL, screen_reader="orca")
+SSIP = replace(ALL_WELL, has_ssip=True)
+SSIP_HOME = replace(SSIP, over_ssh=True)
+FULL_SCREEN = replace(ALL_WELL, is_linear=False)
 NO_VOICE = replace(ALL_WELL, has_voice=False)
 NO_DEVICE = replace(ALL_WELL, has_sound_device=False)
 
@@ -32,6 +36,19 @@ NO_DEVICE = replace(ALL_WELL, has_sound_device=False)
         ("auto", replace(SSH, screen_reader="orca"), Channel.TEXT, ChannelReason.OVER_SSH),
         ("auto", replace(NO_VOICE, over_ssh=True), Channel.TEXT, ChannelReason.OVER_SSH),
         ("auto", replace(NO_DEVICE, has_voice=False), Channel.TEXT, ChannelReason.NO_VOICE),
+        ("auto", SSIP, Channel.SSIP, ChannelReason.SPEECH_DISPATCHER),
+        ("auto", SSIP_HOME, Channel.SSIP, ChannelReason.SPEECH_DISPATCHER),
+        ("auto", replace(SSIP, screen_reader="orca"), Channel.TEXT, ChannelReason.SCREEN_READER),
+        (
+            "auto",
+            replace(SSIP, screen_reader="orca", is_linear=False),
+            Channel.SSIP,
+            ChannelReason.READERS_VOICE,
+        ),
+        ("auto", replace(FULL_SCREEN, screen_reader="orca"), Channel.TEXT, ChannelReason.SCREEN_READER),
+        ("auto", replace(SSIP, stdout_is_terminal=False), Channel.TEXT, ChannelReason.NOT_A_TERMINAL),
+        ("ssip", SSIP, Channel.SSIP, ChannelReason.ASKED_FOR),
+        ("ssip", ALL_WELL, Channel.TEXT, ChannelReason.NO_SPEECH_DISPATCHER),
         ("off", ALL_WELL, Channel.TEXT, ChannelReason.ASKED_FOR),
         ("text", ALL_WELL, Channel.TEXT, ChannelReason.ASKED_FOR),
         ("tts", ALL_WELL, Channel.TTS, ChannelReason.ASKED_FOR),
@@ -44,6 +61,36 @@ NO_DEVICE = replace(ALL_WELL, has_sound_device=False)
 )
 def test_the_choice(wanted: str, facts: Facts, channel: Channel, reason: ChannelReason) -> None:
     assert choose_channel(wanted, facts) == Choice(channel, reason)
+
+
+AT_ROBOT = replace(SSH, has_real_robot=True)
+
+
+@pytest.mark.parametrize(
+    ("wanted", "place", "facts", "heard"),
+    [
+        ("auto", "here", SSH, SpeakPlace.HERE),
+        ("auto", "here", AT_ROBOT, SpeakPlace.ROBOT),
+        ("text", "here", AT_ROBOT, SpeakPlace.HERE),
+        ("text", "robot", SSH, SpeakPlace.ROBOT),
+        ("auto", "both", SSIP_HOME, SpeakPlace.BOTH),
+        ("robot", "here", SSH, SpeakPlace.ROBOT),
+        ("robot", "here", replace(SSH, has_voice=False), SpeakPlace.HERE),
+        ("off", "robot", SSH, SpeakPlace.HERE),
+        ("tts", "both", ALL_WELL, SpeakPlace.HERE),
+    ],
+)
+def test_speak_is_heard_where_the_learner_wants_it(
+    wanted: str, place: str, facts: Facts, heard: SpeakPlace
+) -> None:
+    assert choose_channel(wanted, facts, place).speak is heard
+
+
+def test_over_ssh_only_a_speech_dispatcher_that_was_brought_along_is_heard() -> None:
+    here = {"XDG_RUNTIME_DIR": "/nowhere"}
+    brought = {"SSH_CONNECTION": "1 2 3 4", "SPEECHD_ADDRESS": "unix_socket:/tmp/brought.sock"}
+    assert ssip_address({**here, "SSH_CONNECTION": "1 2 3 4"}) is None
+    assert ssip_address(brought) == Address(path="/tmp/brought.sock")
 
 
 def test_another_word_is_an_error() -> None:
