@@ -24,8 +24,10 @@ from devices.ports.robot import (
 from sim.clock import Clock, Mark
 from sim.motion import Mover, body_of, guard_distance
 from sim.physics import Surroundings
+from sim.placement import Placement
 from sim.scene import Scene
 from sim.sensors import CENTIMETRES_A_STEP, Seen, Spot, senses_of
+from sim.turns import Seat
 
 STEPS_A_SECOND = 1.0
 DEGREES_A_SECOND = 45.0
@@ -48,6 +50,7 @@ class SimulatedRobot:
         watcher: Watcher | None = None,
         speed: float | None = None,
         seed: int = 0,
+        seat: Seat | None = None,
     ) -> None:
         """The robot called ``name``, or the world's first one.
 
@@ -64,7 +67,7 @@ class SimulatedRobot:
         guard = guard_distance(body, self._senses.cones)
         self._around = Surroundings(scene, self._model.index, guard)
         self._mover = Mover(self._around, body, self._senses)
-        self._clock = Clock(pace, speed)
+        self._clock = Clock(pace, speed, seat)
         self._start = Spot(self._model.pose.x, self._model.pose.y, self._model.pose.yaw % 360.0)
         self._spot = self._start
 
@@ -91,6 +94,22 @@ class SimulatedRobot:
     def stands_in(self) -> tuple[str, ...]:
         """Names of the things that the robot's world puts it inside of; they are not there for it."""
         return tuple(self._scene.models[root].name for root in self._around.stands_in)
+
+    @property
+    def placement(self) -> Placement:
+        """Where it is in truth."""
+        return Placement(self._spot.x, self._spot.y, self._model.pose.z, self._spot.yaw)
+
+    def join(self) -> None:
+        """Take part in the world's order; returns when it is this robot's turn, or after a stop.
+
+        The program's thread calls it before the first statement, and ``leave`` when the run is over.
+        """
+        self._clock.join()
+
+    def leave(self) -> None:
+        """Take part no more, having joined or not: nobody waits for this robot any longer."""
+        self._clock.leave()
 
     def reset(self) -> None:
         """Back to the start: place, heading and time."""
@@ -131,8 +150,10 @@ class SimulatedRobot:
 
     def wait(self, seconds: float) -> bool:
         asked = max(0.0, seconds)
-        self._clock.begin()
-        return self._clock.spend(asked, ()) >= asked
+        if not self._clock.begin():
+            return False
+        spent = self._clock.spend(asked, ()) if self._clock.undisturbed() >= asked else 0.0
+        return spent >= asked or (not self._clock.was_halted() and self._clock.elapse(asked - spent))
 
     def time(self) -> float:
         return self._clock.seconds
@@ -141,12 +162,14 @@ class SimulatedRobot:
         return _pose(self._spot)
 
     def distance(self, bearing: Bearing) -> int:
+        self._clock.begin()
         return self._senses.steps(self._around, self._spot, bearing)
 
     def scan(self) -> tuple[Sighting, ...]:
         eyes = self._senses.eyes
         if eyes is None:
             return ()
+        self._clock.begin()
         return tuple(self._sighting(seen) for seen in eyes.look(self._around, self._spot))
 
     def halt(self) -> None:

@@ -88,9 +88,28 @@ class Sighting:
     """From the robot's front, positive to the right, -90 to 90."""
     steps: float
     colour: str
-    """An English colour word of the language, such as ``red``."""
+    """An English colour word of the language, such as ``red``; an empty string where it can't be known."""
     name: str
     """The thing's name in its world, or an empty string."""
+
+
+class Grip(Enum):
+    """What became of gripping or releasing."""
+
+    GRIPPED = "gripped"
+    RELEASED = "released"
+    NOTHING_THERE = "nothing-there"
+    """Nothing that can be gripped is between the paddles or a step before them."""
+    HOLDS_ALREADY = "holds-already"
+    HOLDS_NOTHING = "holds-nothing"
+
+
+@dataclass(frozen=True, slots=True)
+class Gripped:
+    """A finished attempt to grip or to release. ``name``: the thing's, or empty where it has none."""
+
+    outcome: Grip
+    name: str = ""
 
 
 class RobotProblem(Exception):
@@ -104,6 +123,24 @@ class RobotProblem(Exception):
         super().__init__(code)
         self.code = code
         self.values = values
+
+
+class LinkNews(Enum):
+    """What happens to the line to a real robot, and is told at once."""
+
+    CONNECTED = "connected"
+    LOST = "lost"
+    RESTORED = "restored"
+    RESTARTED = "restarted"
+    """The robot's board began anew; whatever it was doing is forgotten, and it stands."""
+    BATTERY_LOW = "battery-low"
+
+
+class LinkWatcher(Protocol):
+    """Told what happens to the line, each thing once, from a thread of the line's own."""
+
+    def told(self, news: LinkNews, reason: str) -> None:
+        """``reason``: a port, a voltage or the words of the operating system; for a log, or an empty string."""
 
 
 class Watcher(Protocol):

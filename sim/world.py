@@ -1,0 +1,74 @@
+"""One world that several robots share. Deterministic: the same programs give the same run, at any speed.
+
+Rule: from ``join`` to ``leave`` a robot takes part in the world's order (``turns``). Who wants a run that
+doesn't hang on how fast threads start announces everybody first, with ``expect``.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Mapping
+
+from devices.ports.robot import Pace, Watcher
+from sim.placement import Placement
+from sim.robot import SimulatedRobot
+from sim.scene import Scene
+from sim.turns import Seat, Turns
+
+
+class World:
+    """A scene that lives."""
+
+    def __init__(self, scene: Scene, *, seed: int = 0) -> None:
+        """``seed``: of whatever is drawn by lot; 0 draws nothing, all is exact."""
+        self.scene = scene
+        self.seed = seed
+        self._turns = Turns()
+        self._seats = {index: Seat(self._turns, rank) for rank, index in enumerate(scene.robots)}
+        self._robots: dict[int, SimulatedRobot] = {}
+
+    def robot(
+        self,
+        name: str | None = None,
+        *,
+        pace: Pace,
+        watcher: Watcher | None = None,
+        speed: float | None = None,
+    ) -> SimulatedRobot:
+        """The robot called ``name``, or the world's first one. KeyError if the world has no such robot."""
+        index = self._index(name)
+        robot = SimulatedRobot(
+            self.scene,
+            self.scene.models[index].name,
+            pace=pace,
+            watcher=watcher,
+            speed=speed,
+            seed=self.seed,
+            seat=self._seats[index],
+        )
+        self._robots[index] = robot
+        return robot
+
+    def expect(self, names: Iterable[str]) -> None:
+        """These robots take part from now on, all from the same moment, whenever their programs come.
+
+        Each must ``leave``, its program having come or not. KeyError for a name that no robot has.
+        """
+        self._turns.expect([self._seats[self._index(name)] for name in names])
+
+    def poses(self) -> Mapping[str, Placement]:
+        """Where every robot that was made is in truth, by name."""
+        return {robot.name: robot.placement for robot in tuple(self._robots.values())}
+
+    def moved_things(self) -> Mapping[int, Placement]:
+        """Where things are that were pushed or gripped, by the index of their model."""
+        return {}
+
+    def reset(self) -> None:
+        """Everything back to its start. Only while no robot takes part."""
+        for robot in tuple(self._robots.values()):
+            robot.reset()
+
+    def _index(self, name: str | None) -> int:
+        if not self.scene.robots:
+            raise KeyError(name or "")
+        return self.scene.robots[0] if name is None else self.scene.robot(name).index
