@@ -12,6 +12,7 @@ import signal
 from pathlib import Path
 
 from donnie_tui.bootstrap import Donnie, SwitchMode, Unusable, assemble
+from donnie_tui.core.filing import Copies
 from donnie_tui.core.typed_program import ProgramTooLong
 from donnie_tui.core.use_cases import When
 from donnie_tui.folders import state_folder
@@ -65,7 +66,7 @@ class LinearMode:
         self._past = Past(folder / "history" if edits else None)
         reader: Reader = EditingReader(console, self._past) if edits else PlainReader(console)
         output = Output(console, paced=os.isatty(1))
-        self._desk = Desk(donnie, Ends(console, reader, output, told, attended), folder / "recovery.gd")
+        self._desk = Desk(donnie, Ends(console, reader, output, told, attended), Copies(folder / "unsaved"))
         self._runs = Runs(self._desk, told, self._wish_of)
         self._console = console
         self._quit_was_refused = False
@@ -114,8 +115,8 @@ class LinearMode:
         """What had to be done without. Where the prompt stands already, they come with the first answer."""
         desk = self._desk
         desk.tell(*desk.donnie.notices)
-        if desk.is_attended and desk.rescue.exists():
-            desk.answer("linear-rescued")
+        if desk.is_attended and desk.copies.offered():
+            desk.answer("answer-rescued")
 
     def _prompt(self) -> str:
         in_program = self._desk.is_attended and not self._desk.next_line
@@ -266,3 +267,5 @@ class LinearMode:
         if self._desk.leaving == 0:
             self._desk.answer("linear-goodbye")
         self._desk.show_told()
+        if self._desk.leaving == 0:
+            self._desk.copies.forget()

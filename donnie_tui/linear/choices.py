@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from donnie_tui.core import use_cases
+from donnie_tui.core.speeds import speed_words
 from donnie_tui.core.transcript import lines_of
 from donnie_tui.core.use_cases import UseCase
 from donnie_tui.linear.desk import Desk
@@ -30,12 +31,12 @@ def set_speed(desk: Desk, typed: str) -> bool:
             desk.session.speed = read_speed(fold_name(typed))
         except ValueError:
             return False
-    speed = desk.session.speed
-    if speed is None:
-        desk.answer("linear-speed-max")
-    else:
-        desk.answer("linear-speed", speed=f"{speed:g}")
+    say_speed(desk)
     return True
+
+
+def say_speed(desk: Desk) -> None:
+    desk.answer("answer-speed", speed=speed_words(desk.session.speed, desk.say))
 
 
 def set_language(desk: Desk, typed: str) -> bool:

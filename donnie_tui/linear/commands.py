@@ -97,7 +97,7 @@ def _reset(desk: Desk, _: Runs, rest: str) -> bool:
             desk.session.reset()
         except Busy:
             return False
-        desk.answer("linear-start")
+        desk.answer("answer-reset")
     return not rest
 
 

@@ -5,15 +5,15 @@ Rule: an answer goes through the hub like everything else that is told, so that 
 
 from __future__ import annotations
 
-import os
+import contextlib
 from collections import deque
 from collections.abc import Callable
 from dataclasses import dataclass
-from pathlib import Path
 
 from donnie_tui.bootstrap import Donnie
-from donnie_tui.core.documents import DocumentError, write_program
+from donnie_tui.core.documents import DocumentError
 from donnie_tui.core.events import Answered, Error, RunStarted, Stamped
+from donnie_tui.core.filing import Copies
 from donnie_tui.core.transcript import lines_of
 from donnie_tui.core.typed_program import TypedProgram
 from donnie_tui.linear.console import Console
@@ -45,14 +45,14 @@ class Ends:
 class Desk:
     """One conversation."""
 
-    def __init__(self, donnie: Donnie, ends: Ends, rescue: Path) -> None:
-        """``rescue`` is the file that keeps a program which can't be kept otherwise."""
+    def __init__(self, donnie: Donnie, ends: Ends, copies: Copies) -> None:
+        """``copies`` keep a program which can't be kept otherwise."""
         self.session = donnie.session
         self.say = donnie.words
         self.donnie = donnie
         self.console = ends.console
         self.program = TypedProgram()
-        self.rescue = rescue
+        self.copies = copies
         self.errors: list[Error] = []
         """Those of the last run."""
         self.answers: deque[tuple[str, ...]] = deque(maxlen=REMEMBERED)
@@ -120,7 +120,7 @@ class Desk:
         left_out = self.show_told(prompt)
         if left_out:
             self.console.take_interrupt()
-            self.answer("linear-left-out", lines=left_out)
+            self.answer("answer-left-out", lines=left_out)
             self.show_told(prompt)
 
     def hold_newline(self) -> None:
@@ -150,10 +150,6 @@ class Desk:
 
     def keep_for_later(self) -> None:
         """Save what is not saved beside everything else; quietly, since nobody may be there to hear."""
-        if self.program.saved or not self.program.lines:
-            return
-        try:
-            os.makedirs(self.rescue.parent, mode=0o700, exist_ok=True)  # noqa: PTH103 -- with its mode
-            write_program(self.rescue, self.program.text)
-        except (DocumentError, OSError):
-            return
+        if not self.program.saved and self.program.lines:
+            with contextlib.suppress(DocumentError, OSError):
+                self.copies.keep(self.program.text)

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import contextlib
 from pathlib import Path
 
 from donnie_tui.core.documents import (
@@ -33,16 +32,16 @@ def open_file(desk: Desk, path: Path) -> None:
         return
     if desk.may_lose_program():
         desk.program.replace(text, str(path))
-        desk.answer("linear-opened", name=path.name, lines=len(desk.program.lines))
+        desk.answer("answer-opened", name=path.name, lines=len(desk.program.lines))
     else:
-        desk.answer("linear-unchanged")
+        desk.answer("answer-unchanged")
 
 
 def save_named(desk: Desk, name: str) -> bool:
     """Save to what somebody calls ``name``, or where it came from. Whether it was saved."""
     name = name or desk.program.name or (desk.ask("linear-ask-name") if desk.is_attended else "")
     if not name:
-        desk.answer("linear-unchanged")
+        desk.answer("answer-unchanged")
         return False
     try:
         return _save(desk, program_to_save(name))
@@ -54,26 +53,31 @@ def save_named(desk: Desk, name: str) -> bool:
 def new_program(desk: Desk) -> None:
     if desk.may_lose_program():
         desk.program.clear()
-        desk.answer("linear-new")
+        desk.answer("answer-new")
     else:
-        desk.answer("linear-unchanged")
+        desk.answer("answer-unchanged")
 
 
 def recover(desk: Desk) -> None:
     """Open what was rescued when Donnie had to leave. It counts as unsaved."""
+    copy = desk.copies.offered()
+    if copy is None:
+        desk.answer("answer-nothing-to-recover")
+    elif not desk.may_lose_program():
+        desk.answer("answer-unchanged")
+    else:
+        _take_copy(desk, copy)
+
+
+def _take_copy(desk: Desk, copy: Path) -> None:
     try:
-        text = read_program(desk.rescue)
-    except DocumentError:
-        desk.answer("linear-nothing-to-recover")
-        return
-    if not desk.may_lose_program():
-        desk.answer("linear-unchanged")
+        text = desk.copies.take(copy)
+    except DocumentError as error:
+        refuse(desk, error)
         return
     desk.program.replace(text, None)
     desk.program.saved = False
-    with contextlib.suppress(OSError):
-        desk.rescue.unlink()
-    desk.answer("linear-lines", lines=len(desk.program.lines))
+    desk.answer("answer-recovered", lines=len(desk.program.lines))
 
 
 def holds(path: Path, text: str) -> bool:
@@ -93,11 +97,11 @@ def _save(desk: Desk, path: Path) -> bool:
         desk.answer("linear-nothing-to-save")
         return False
     if not _may_replace(desk, path):
-        desk.answer("linear-unchanged")
+        desk.answer("answer-unchanged")
         return False
     write_program(path, desk.program.text)
     desk.program.name, desk.program.saved = str(path), True
-    desk.answer("linear-saved", name=path.name, lines=len(desk.program.lines))
+    desk.answer("answer-saved", name=path.name, lines=len(desk.program.lines))
     return True
 
 

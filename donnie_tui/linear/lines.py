@@ -72,14 +72,14 @@ def _ask_for_line(desk: Desk, number: int, code: str, then: Callable[[str], None
 
 def _change(desk: Desk, number: int, text: str) -> None:
     if not text.strip() or text.strip() == desk.program.lines[number - 1].strip():
-        desk.answer("linear-unchanged")
+        desk.answer("answer-unchanged")
         return
     _edit(desk, number, text, desk.program.change)
 
 
 def _insert(desk: Desk, number: int, text: str) -> None:
     if not text.strip():
-        desk.answer("linear-unchanged")
+        desk.answer("answer-unchanged")
         return
     _edit(desk, number, text, desk.program.insert)
 
@@ -91,7 +91,7 @@ def _edit(desk: Desk, number: int, text: str, edit: Callable[[int, str], None]) 
     except ProgramTooLong:
         desk.answer("linear-too-long")
         return
-    desk.answer("linear-line", line=number, text=text.strip())
+    desk.answer("answer-line", line=number, text=text.strip())
     _warn_of_waiting(desk, waiting)
 
 
@@ -103,4 +103,4 @@ def _warn_of_waiting(desk: Desk, before: int) -> None:
 
 
 def _no_such_line(desk: Desk, number: int) -> None:
-    desk.answer("linear-no-such-line", line=number, last=len(desk.program.lines))
+    desk.answer("answer-no-line", line=number, last=len(desk.program.lines))

@@ -60,7 +60,7 @@ class Runs:
         """Run the lines that wait, and ``last``, which is no part of the program."""
         program = self._desk.program
         if not program.is_waiting and last is None:
-            self._desk.answer("linear-nothing-to-run")
+            self._desk.answer("answer-nothing-to-run")
             return
         batch = program.take_batch(last)
         run = self._run(batch.text, batch.first_line, stepping=stepping)
@@ -75,7 +75,7 @@ class Runs:
         program = self._desk.program
         program.rewind()
         if not program.is_waiting:
-            self._desk.answer("linear-nothing-to-run")
+            self._desk.answer("answer-nothing-to-run")
             return
         run = self._run(program.text, 1, fresh=True)
         if not run.was_refused:
@@ -213,11 +213,11 @@ class Runs:
 
     def _tell_stopped(self) -> None:
         if self._left_out:
-            self._desk.answer("linear-left-out", lines=self._left_out)
+            self._desk.answer("answer-left-out", lines=self._left_out)
         if self._stopped_at is None:
-            self._desk.answer("linear-stopped")
+            self._desk.answer("answer-stopped")
         else:
-            self._desk.answer("linear-stopped-at", line=self._stopped_at)
+            self._desk.answer("answer-stopped-at", line=self._stopped_at)
 
     # --- stepping
 
@@ -233,7 +233,7 @@ class Runs:
     def _while_held(self, run: Run) -> None:
         """Say where the program is, and do what is asked."""
         line = self._line()
-        self._desk.answer("linear-line", line=line or 0, text=self._text_of(line))
+        self._desk.answer("answer-line", line=line or 0, text=self._text_of(line))
         wish = self._ask_how_to_go_on()
         self._held = False
         match wish:

@@ -7,11 +7,11 @@ from __future__ import annotations
 from collections.abc import Awaitable
 from typing import Protocol
 
+from donnie_tui.core.speeds import speed_words
 from donnie_tui.core.wording import Wording
 from donnie_tui.tui.files import Files
 from donnie_tui.tui.running import Answer, Doing, Running
 from donnie_tui.tui.screens.workplace import Workplace
-from donnie_tui.tui.situation import speed_words
 
 
 class Host(Protocol):
@@ -84,7 +84,7 @@ class Deeds:
         editor = self._host.workplace.editor
         line = argument or str(editor.line)
         if not (line.isdecimal() and len(line) < 8 and 1 <= int(line) <= editor.line_count):
-            self._host.tell(Answer("screen-no-line", {"line": line[:20]}))
+            self._host.tell(Answer("answer-no-line", {"line": line[:20], "last": editor.line_count}))
         else:
             self._host.tell(self._host.running.run_to(int(line), *self._program))
 
@@ -111,7 +111,7 @@ class Deeds:
 
     def _tell_speed(self) -> None:
         speed = speed_words(self._host.running.speed, self._host.words)
-        self._host.tell(Answer("screen-speed", {"speed": speed}))
+        self._host.tell(Answer("answer-speed", {"speed": speed}))
 
     # --- files
 

@@ -11,8 +11,8 @@ from pathlib import Path
 from typing import Protocol
 
 from donnie_tui.core.documents import DocumentError
+from donnie_tui.core.filing import Copies, Document
 from donnie_tui.core.wording import Wording
-from donnie_tui.tui.filing import Copies, Document
 from donnie_tui.tui.running import Answer
 from language.source import fold_name
 
@@ -72,7 +72,7 @@ class Files:
             self._desk.tell(_told(error))
             return False
         self._become(path, text)
-        self._desk.tell(Answer("screen-opened", {"name": path.name, "lines": text.count("\n") + 1}))
+        self._desk.tell(Answer("answer-opened", {"name": path.name, "lines": text.count("\n") + 1}))
         return True
 
     def _wrong_to_open(self, name: str) -> str | None:
@@ -87,7 +87,7 @@ class Files:
     async def new(self) -> None:
         if await self.is_safe_to_leave():
             self._become(None, "")
-            self._desk.tell(Answer("screen-new"))
+            self._desk.tell(Answer("answer-new"))
 
     def bring(self, text: str, name: str | None) -> None:
         """A program from the other mode: its file's name, and whatever it is now, saved or not."""
@@ -125,7 +125,7 @@ class Files:
             self._desk.tell(_told(error))
             return False
         if self.document.overwrites(path) and not await self._yes("ask-replace", path.name):
-            self._desk.tell(Answer("screen-kept"))
+            self._desk.tell(Answer("answer-unchanged"))
             return False
         return self._write(path)
 
@@ -136,7 +136,7 @@ class Files:
             self._desk.tell(_told(error))
             return False
         self._copies.forget()
-        self._desk.tell(Answer("screen-saved", {"name": path.name}))
+        self._desk.tell(Answer("answer-saved", {"name": path.name, "lines": self._desk.text.count("\n") + 1}))
         return True
 
     async def is_safe_to_leave(self) -> bool:
@@ -177,7 +177,7 @@ class Files:
         except DocumentError as error:
             if not self._copying_failed:
                 self._copying_failed = True
-                self._desk.tell(Answer("screen-recovery-failed", {"reason": error.reason}))
+                self._desk.tell(Answer("answer-not-kept", {"reason": error.reason}))
 
     def give_up(self) -> None:
         """Leaving on purpose: no copy is needed."""
@@ -186,7 +186,7 @@ class Files:
     async def recover(self) -> None:
         """Bring back what an earlier start left unsaved."""
         if self._offered is None:
-            self._desk.tell(Answer("screen-nothing-to-recover"))
+            self._desk.tell(Answer("answer-nothing-to-recover"))
         elif await self.is_safe_to_leave():
             self._recover_now(self._offered)
 
@@ -199,7 +199,7 @@ class Files:
         self._offered = None
         self.document.become(None, "")
         self._desk.load(text)
-        self._desk.tell(Answer("screen-recovered", {"lines": text.count("\n") + 1}))
+        self._desk.tell(Answer("answer-recovered", {"lines": text.count("\n") + 1}))
 
 
 def _told(error: DocumentError) -> Answer:

@@ -55,7 +55,7 @@ class Intake:
         self._taken_at = time.monotonic()
         mail = self._bridge.take()
         if mail.missed:
-            self._lines.append(LogLine(self._words("screen-left-out", count=mail.missed), "answer"))
+            self._lines.append(LogLine(self._words("answer-left-out", lines=mail.missed), "answer"))
         self._lines.extend(mail.lines)
         self._receive(mail)
         self._write_soon()

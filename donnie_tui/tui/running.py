@@ -10,14 +10,12 @@ from collections.abc import Callable, Mapping
 from dataclasses import dataclass, field
 from enum import Enum
 
+from donnie_tui.core import speeds
 from donnie_tui.core.runner import Run
 from donnie_tui.core.session import Busy, Session
 from donnie_tui.settings import FASTEST, SLOWEST, read_speed
 from language.control import ControlState, ExecutionControl
 from language.runtime import Frame
-
-SPEEDS: tuple[float | None, ...] = (1.0, 2.0, 5.0, 10.0, 20.0, 50.0, None)
-"""What faster and slower choose from."""
 
 _LAST_WORDS = 1.0
 """Seconds that a program which has told its end may take to be gone; it needs microseconds."""
@@ -40,7 +38,7 @@ class Answer:
     values: Mapping[str, object] = field(default_factory=dict)
 
 
-_NOTHING_RUNS = Answer("screen-nothing-runs")
+_NOTHING_RUNS = Answer("answer-nothing-runs")
 _BUSY = Answer("screen-busy")
 
 
@@ -86,7 +84,7 @@ class Running:
     ) -> Answer | None:
         """Run the editor's program from the start of the world, with nothing remembered."""
         if not text.strip():
-            return Answer("screen-nothing-to-run")
+            return Answer("answer-nothing-to-run")
         return self._start(text, name, program=True, begin=begin)
 
     def command(self, text: str, name: str) -> Answer | None:
@@ -130,15 +128,15 @@ class Running:
     def stopped(self) -> Answer:
         """Where the program was when it was stopped."""
         if not self._stopped_line:
-            return Answer("screen-stopped-nowhere")
-        return Answer("screen-stopped", {"line": self._stopped_line})
+            return Answer("answer-stopped")
+        return Answer("answer-stopped-at", {"line": self._stopped_line})
 
     def reset(self) -> Answer:
         try:
             self._session.reset()
         except Busy:
             return _BUSY
-        return Answer("screen-reset")
+        return Answer("answer-reset")
 
     # --- pausing and stepping
 
@@ -155,7 +153,7 @@ class Running:
         if self._run is None:
             return _NOTHING_RUNS
         self._run.control.resume()
-        return Answer("screen-continued")
+        return Answer("answer-continued")
 
     def step(self, text: str, name: str) -> Answer | None:
         """The next statement; the first one of the program where nothing runs."""
@@ -185,11 +183,10 @@ class Running:
         return self._session.speed
 
     def faster(self) -> None:
-        self._session.speed = next((each for each in SPEEDS if _is_faster(each, self.speed)), None)
+        self._session.speed = speeds.faster(self.speed)
 
     def slower(self) -> None:
-        slower = [each for each in SPEEDS if _is_faster(self.speed, each)]
-        self._session.speed = slower[-1] if slower else min(SPEEDS[0] or SLOWEST, self.speed or SLOWEST)
+        self._session.speed = speeds.slower(self.speed)
 
     def set_speed(self, typed: str) -> Answer | None:
         """The speed that somebody typed, or what is wrong with it."""
@@ -198,8 +195,3 @@ class Running:
         except ValueError:
             return Answer("screen-bad-speed", {"slowest": f"{SLOWEST:g}", "fastest": f"{FASTEST:g}"})
         return None
-
-
-def _is_faster(one: float | None, other: float | None) -> bool:
-    """None is as fast as possible."""
-    return other is not None and (one is None or one > other)

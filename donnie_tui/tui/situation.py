@@ -12,6 +12,7 @@ from donnie_tui.core import numbers
 from donnie_tui.core.belt import COLUMNS
 from donnie_tui.core.events import Read
 from donnie_tui.core.map_grid import Cell, Kind, MapGrid
+from donnie_tui.core.speeds import speed_words
 from donnie_tui.core.telling import Teller
 from donnie_tui.core.wording import Wording
 from donnie_tui.tui.running import Doing
@@ -31,10 +32,6 @@ def doing_sentences(doing: Doing, speed: float | None, words: Wording) -> tuple[
         words(f"status-{doing.value}-speed", speed=speed_words(speed, words)),
         words(f"status-{doing.value}"),
     )
-
-
-def speed_words(speed: float | None, words: Wording) -> str:
-    return words("speed-max") if speed is None else f"{speed:g}"
 
 
 def cell_sentence(grid: MapGrid, cell: Cell, words: Wording) -> str:

@@ -15,13 +15,13 @@ from textual.timer import Timer
 
 from donnie_tui.bootstrap import Donnie
 from donnie_tui.core.events import Answered, Outcome
+from donnie_tui.core.filing import Copies
 from donnie_tui.i18n.words import Words
 from donnie_tui.tui.actions import find
 from donnie_tui.tui.bridge import Began, Bridge, Ended
 from donnie_tui.tui.deeds import Deeds
 from donnie_tui.tui.display import Display
 from donnie_tui.tui.files import Files
-from donnie_tui.tui.filing import Copies
 from donnie_tui.tui.intake import FLUSH, Intake
 from donnie_tui.tui.running import Answer, Doing, Running
 from donnie_tui.tui.screens.help import help_text
@@ -92,7 +92,7 @@ class Work:
         elif file is not None:
             self.files.open_now(str(file))
         if self.files.offers_recovery:
-            self.display.note(self.words("screen-recovery"))
+            self.display.note(self.words("answer-rescued"))
         self.look()
 
     # --- doing
@@ -204,7 +204,7 @@ class Work:
         editor = self.workplace.editor
         editor.go_to(line)
         text = editor.document.get_line(min(line, editor.line_count) - 1).strip()
-        self.tell(Answer("screen-at-line", {"line": line, "text": text}))
+        self.tell(Answer("answer-line", {"line": line, "text": text}))
 
     def ended(self, event: Ended) -> None:
         self.running.ended()

@@ -145,7 +145,7 @@ def test_a_program_on_the_command_line_waits_to_be_run(tmp_path: Path) -> None:
     learner = Learner(tmp_path, "walk.gd")
     learner.sees_prompt()
 
-    assert said(learner) == ["Linear mode, from the option.", "walk.gd, 3 lines. RUN runs it."]
+    assert said(learner) == ["Linear mode, from the option.", "Opened walk.gd, 3 lines."]
 
 
 def test_control_c_stops_in_the_middle_of_a_movement(tmp_path: Path) -> None:
@@ -261,7 +261,7 @@ def test_a_signal_to_leave_rescues_the_program(number: int, tmp_path: Path) -> N
     assert learner.leaves() == 128 + number
     again = Learner(tmp_path)
     again.enters("RECOVER")
-    again.sees("A program was rescued. RECOVER opens it.\r\n2 lines.")
+    again.sees("A program was rescued. RECOVER opens it.\r\nHere it is again, 2 lines.")
     again.enters("LIST")
     again.sees("1: FW 1\r\n2: FW 2\r\n> ")
 

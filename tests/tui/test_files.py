@@ -61,7 +61,7 @@ async def test_save_writes_the_file_and_the_title_says_changed_until_then(work, 
         await desk.press("S", "P", "space")
         await desk.until(lambda: "Program: walk.gd, changed" in desk.screen, "the title")
         await desk.press("ctrl+s")
-        await desk.told("Saved as walk.gd.")
+        await desk.told("Saved walk.gd")
 
         assert program.read_text(encoding="utf-8") == "SP FW 1\nTR 90\n"
         await desk.until(lambda: "changed" not in desk.screen, "the title")
@@ -71,7 +71,7 @@ async def test_the_first_save_asks_for_a_name_and_adds_the_suffix(work, tmp_path
     async with work("FW 2") as desk:
         await desk.press("ctrl+s")
         await desk.answer(str(tmp_path / "first"))
-        await desk.told("Saved as first.gd.")
+        await desk.told("Saved first.gd")
 
         assert (tmp_path / "first.gd").read_text(encoding="utf-8") == "FW 2\n"
 
@@ -83,7 +83,7 @@ async def test_another_file_is_replaced_only_after_a_yes(work, program, answer, 
         await desk.answer("perhaps")
         await desk.until(lambda: "Replace it?" in desk.screen, "the question again")
         await desk.answer(answer)
-        await desk.told("Saved as walk.gd." if answer == "yes" else "Nothing was changed.")
+        await desk.told("Saved walk.gd" if answer == "yes" else "Nothing was changed.")
 
         assert program.read_text(encoding="utf-8") == text
 
@@ -146,7 +146,7 @@ async def test_what_a_crash_left_is_offered_and_comes_back_as_not_saved(work, tm
     (tmp_path / "unsaved").mkdir()
     (tmp_path / "unsaved" / "unsaved-abc.gd").write_text("FW 9\nFW 8", encoding="utf-8")
     async with work() as desk:
-        await desk.told("A program was not saved last time.")
+        await desk.told("A program was rescued.")
         await desk.type_line("RECOVER")
         await desk.told("Here it is again, 2 lines.")
 

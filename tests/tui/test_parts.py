@@ -23,15 +23,15 @@ from donnie_tui.core.events import (
     Spoke,
     Stamped,
 )
+from donnie_tui.core.filing import MOST_COPIES, Copies, Document, as_lines
+from donnie_tui.core.speeds import SPEEDS
 from donnie_tui.i18n.catalogue import SENTENCES
 from donnie_tui.i18n.sentence import LANGUAGES
 from donnie_tui.i18n.words import Words
 from donnie_tui.tui.actions import ACTIONS, BY_NAME, find, key_label
 from donnie_tui.tui.bridge import MOST_LINES, Began, Bridge, Ended, Happened, LogLine
 from donnie_tui.tui.deeds import Deeds
-from donnie_tui.tui.filing import MOST_COPIES, Copies, Document, as_lines
 from donnie_tui.tui.highlighting import highlights
-from donnie_tui.tui.running import SPEEDS
 from donnie_tui.tui.widgets.editor import Editor
 from donnie_tui.tui.widgets.text_rows import MOST_LINES as MOST_LOGGED
 from donnie_tui.tui.widgets.text_rows import TextRows

@@ -16,7 +16,7 @@ from donnie_tui.i18n.sentence import LANGUAGES
 from donnie_tui.i18n.words import Words
 from donnie_tui.settings import Settings
 from donnie_tui.tui.app import FAULT, DonnieApp
-from donnie_tui.tui.filing import Copies
+from donnie_tui.core.filing import Copies
 from donnie_tui.tui.running import Doing
 from donnie_tui.tui.screens.help import help_text
 from tests.tui.conftest import WAITING
@@ -118,7 +118,7 @@ async def test_a_file_is_saved_with_the_last_letters(work, tmp_path):
     async with work(file=file) as desk:
         desk.place.editor.go_to(1, 5)
         burst(desk, *"2345", "ctrl+s")
-        await desk.told("Saved as mine.gd")
+        await desk.told("Saved mine.gd")
 
     assert file.read_text(encoding="utf-8") == "FW 12345\n"
 

@@ -16,6 +16,7 @@ from donnie_tui.i18n.catalogue import (
     things,
     tui,
     use_cases,
+    answers,
     worlds,
 )
 from donnie_tui.i18n.sentence import Sentence
@@ -35,6 +36,7 @@ TOPICS = (
     linear,
     tui,
     use_cases,
+    answers,
 )
 
 SENTENCES: dict[str, Sentence] = {code: each for topic in TOPICS for code, each in topic.SENTENCES.items()}

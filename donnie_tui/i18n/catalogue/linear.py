@@ -9,7 +9,6 @@ _GREETING = {
 }
 
 _RUNNING = {
-    "linear-nothing-to-run": Sentence("Nothing to run.", "Nada para executar.", "Nada que ejecutar."),
     "linear-done": Sentence("Done.", "Feito.", "Hecho."),
     "linear-still-open": Sentence(
         "Still open: {opener} from line {line}.",
@@ -21,19 +20,10 @@ _RUNNING = {
         "Nada foi executado. MUDAR {line} corrige a linha {line}.",
         "No se ejecutó nada. CAMBIAR {line} corrige la línea {line}.",
     ),
-    "linear-stopped-at": Sentence(
-        "Stopped at line {line}.", "Parado na linha {line}.", "Detenido en la línea {line}."
-    ),
-    "linear-stopped": Sentence("Stopped.", "Parado.", "Detenido."),
     "linear-still-at": Sentence(
         "Still at line {line}: {text}", "Ainda na linha {line}: {text}", "Todavía en la línea {line}: {text}"
     ),
     "linear-still-running": Sentence("Still running.", "Ainda executando.", "Todavía ejecutando."),
-    "linear-left-out": Sentence(
-        "{lines} {lines:line was|lines were} left out.",
-        "{lines} {lines:linha ficou|linhas ficaram} de fora.",
-        "{lines} {lines:línea quedó|líneas quedaron} fuera.",
-    ),
     "linear-cleared": Sentence("Line cleared.", "Linha apagada.", "Línea borrada."),
     "linear-nothing-to-stop": Sentence(
         "Nothing is running. QUIT leaves.",
@@ -64,18 +54,12 @@ _RUNNING = {
 }
 
 _PROGRAM = {
-    "linear-line": Sentence("Line {line}: {text}", "Linha {line}: {text}", "Línea {line}: {text}"),
     "linear-line-empty": Sentence("Line {line}: empty.", "Linha {line}: vazia.", "Línea {line}: vacía."),
     "linear-listed": Sentence("{line}: {text}", "{line}: {text}", "{line}: {text}"),
     "linear-lines": Sentence(
         "{lines} {lines:line|lines}.", "{lines} {lines:linha|linhas}.", "{lines} {lines:línea|líneas}."
     ),
     "linear-no-lines": Sentence("No lines yet.", "Nenhuma linha ainda.", "Ninguna línea todavía."),
-    "linear-no-such-line": Sentence(
-        "There is no line {line}. The last is {last}.",
-        "Não há linha {line}. A última é {last}.",
-        "No hay línea {line}. La última es {last}.",
-    ),
     "linear-deleted": Sentence(
         "{lines} {lines:line|lines} deleted.",
         "{lines} {lines:linha apagada|linhas apagadas}.",
@@ -95,7 +79,6 @@ _PROGRAM = {
         "Digite a linha {line}, e Enter.",
         "Escribe la línea {line}, y Enter.",
     ),
-    "linear-unchanged": Sentence("Nothing was changed.", "Nada foi mudado.", "No se cambió nada."),
     "linear-like-this": Sentence(
         "I did not understand. Type {example}.",
         "Não entendi. Digite {example}.",
@@ -104,26 +87,7 @@ _PROGRAM = {
 }
 
 _FILES = {
-    "linear-opened": Sentence(
-        "{name}, {lines} {lines:line|lines}. RUN runs it.",
-        "{name}, {lines} {lines:linha|linhas}. EXECUTAR executa.",
-        "{name}, {lines} {lines:línea|líneas}. EJECUTAR ejecuta.",
-    ),
-    "linear-saved": Sentence(
-        "Saved {name}, {lines} {lines:line|lines}.",
-        "Salvei {name}, {lines} {lines:linha|linhas}.",
-        "Guardé {name}, {lines} {lines:línea|líneas}.",
-    ),
     "linear-nothing-to-save": Sentence("Nothing to save.", "Nada para salvar.", "Nada que guardar."),
-    "linear-new": Sentence("A new program.", "Um programa novo.", "Un programa nuevo."),
-    "linear-rescued": Sentence(
-        "A program was rescued. RECOVER opens it.",
-        "Um programa foi salvo. RECUPERAR abre.",
-        "Se salvó un programa. RECUPERAR lo abre.",
-    ),
-    "linear-nothing-to-recover": Sentence(
-        "Nothing to recover.", "Nada para recuperar.", "Nada que recuperar."
-    ),
     "linear-ask-replace": Sentence(
         "{name} exists. Replace it, y or n? Enter means no.",
         "{name} já existe. Substituir, s ou n? Enter é não.",
@@ -148,13 +112,6 @@ _FILES = {
 }
 
 _SETTINGS = {
-    "linear-start": Sentence(
-        "The robot is back at the start.", "O robô voltou ao início.", "El robot volvió al inicio."
-    ),
-    "linear-speed": Sentence("Speed {speed}.", "Velocidade {speed}.", "Velocidad {speed}."),
-    "linear-speed-max": Sentence(
-        "Speed: as fast as possible.", "Velocidade: a maior possível.", "Velocidad: la mayor posible."
-    ),
     "linear-language": Sentence("Language: English.", "Idioma: português.", "Idioma: español."),
     "linear-detail": Sentence(
         "Detail: normal.",

@@ -66,7 +66,6 @@ _STATUS = {
     ),
     "status-stopping-speed": Sentence("Stopping.", "Parando.", "Deteniendo."),
     "status-starting": Sentence(*first_screen.STARTING),
-    "speed-max": Sentence("max", "max", "max"),
 }
 
 _CELLS = {
@@ -102,66 +101,17 @@ _ANSWERS = {
     "screen-start": Sentence(*first_screen.START),
     "screen-fault": Sentence(*first_screen.FAULT),
     "screen-start-keys": Sentence(*first_screen.START_KEYS),
-    "screen-stopped": Sentence(
-        "Stopped at line {line}.", "Parou na linha {line}.", "Detenido en la línea {line}."
-    ),
-    "screen-stopped-nowhere": Sentence("Stopped.", "Parou.", "Detenido."),
     "screen-done": Sentence("The program is done.", "O programa terminou.", "El programa terminó."),
-    "screen-paused": Sentence(
-        "Paused at line {line}.", "Pausado na linha {line}.", "En pausa en la línea {line}."
-    ),
-    "screen-at-line": Sentence("Line {line}: {text}", "Linha {line}: {text}", "Línea {line}: {text}"),
-    "screen-continued": Sentence("Going on.", "Continuando.", "Continuando."),
-    "screen-nothing-runs": Sentence(
-        "Nothing is running.", "Nada está sendo executado.", "No se ejecuta nada."
-    ),
-    "screen-nothing-to-run": Sentence("Nothing to run.", "Nada para executar.", "Nada que ejecutar."),
     "screen-busy": Sentence(
         "A program is running. F8 stops it.",
         "Um programa está sendo executado. F8 para.",
         "Un programa se está ejecutando. F8 lo detiene.",
     ),
     "screen-starting": Sentence(*first_screen.ONE_MOMENT),
-    "screen-speed": Sentence("Speed {speed}.", "Velocidade {speed}.", "Velocidad {speed}."),
     "screen-bad-speed": Sentence(
         "A speed is a number from {slowest} to {fastest}, or max.",
         "A velocidade é um número de {slowest} a {fastest}, ou max.",
         "La velocidad es un número de {slowest} a {fastest}, o max.",
-    ),
-    "screen-reset": Sentence(
-        "Donnie is back at the start.", "O Donnie voltou ao início.", "Donnie volvió al inicio."
-    ),
-    "screen-no-line": Sentence("There is no line {line}.", "Não há linha {line}.", "No hay línea {line}."),
-    "screen-saved": Sentence("Saved as {name}.", "Salvo como {name}.", "Guardado como {name}."),
-    "screen-opened": Sentence(
-        "Opened {name}, {lines} {lines:line|lines}.",
-        "Aberto {name}, {lines} {lines:linha|linhas}.",
-        "Abierto {name}, {lines} {lines:línea|líneas}.",
-    ),
-    "screen-new": Sentence("A new program.", "Um programa novo.", "Un programa nuevo."),
-    "screen-kept": Sentence("Nothing was changed.", "Nada foi alterado.", "No se cambió nada."),
-    "screen-recovery": Sentence(
-        "A program was not saved last time. Type RECOVER and Enter to have it back.",
-        "Um programa não foi salvo da última vez. Digite RECUPERAR e Enter para tê-lo de volta.",
-        "Un programa no se guardó la última vez. Escribe RECUPERAR y Enter para tenerlo de nuevo.",
-    ),
-    "screen-recovered": Sentence(
-        "Here it is again, {lines} {lines:line|lines}.",
-        "Aqui está de novo, {lines} {lines:linha|linhas}.",
-        "Aquí está de nuevo, {lines} {lines:línea|líneas}.",
-    ),
-    "screen-nothing-to-recover": Sentence(
-        "Nothing to recover.", "Nada para recuperar.", "Nada que recuperar."
-    ),
-    "screen-recovery-failed": Sentence(
-        "What you type can't be kept safe: {reason}.",
-        "O que você digita não pode ser guardado: {reason}.",
-        "Lo que escribes no se puede resguardar: {reason}.",
-    ),
-    "screen-left-out": Sentence(
-        "{count} {count:line was|lines were} left out.",
-        "{count} {count:linha ficou|linhas ficaram} de fora.",
-        "{count} {count:línea quedó|líneas quedaron} fuera.",
     ),
 }
 

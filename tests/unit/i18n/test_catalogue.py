@@ -12,6 +12,7 @@ from devices.audio_worker.notices import NoticeCode
 from donnie_tui.i18n.catalogue import (
     SENTENCES,
     TOPICS,
+    answers,
     help,  # noqa: A004 -- the module's own name
     linear,
     mistakes,
@@ -55,7 +56,7 @@ SAMPLES: dict[str, object] = {
 }
 """Ordinary values; a place without one is filled with an ordinary word."""
 
-LESSON = (movement, mistakes, help, signs, linear)
+LESSON = (movement, mistakes, help, signs, linear, answers)
 """What is heard while somebody programs."""
 
 OF_THE_MANUAL = re.compile(r"(walked|turned)-.*-obstacle|scan-(left|right|ahead)|(no-)?movement.*")
