@@ -49,12 +49,13 @@ def _scene(name: str, reader: FileReader, statements: Iterable[Placed]) -> Scene
 
 
 def _robots(models: tuple[Model, ...]) -> tuple[int, ...]:
-    """Position models that see, then those that feel only; one without any sense is a thing."""
+    """Position models that see, then those that feel only; those without any sense where no other is."""
     robots: list[int] = []
     for senses in (_SENSES, _LESSER_SENSES):
         sensing = {model.root for model in models if model.type in senses}
         robots += [root for root in sorted(sensing) if models[root].type == "position"]
-    return tuple(dict.fromkeys(robots))
+    bare = (model.index for model in models if model.type == "position" and model.parent is None)
+    return tuple(dict.fromkeys(robots or bare))
 
 
 def _walls(models: tuple[Model, ...]) -> Iterable[Note]:
