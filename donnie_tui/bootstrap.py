@@ -15,15 +15,19 @@ from devices.ports.robot import Pace, Watcher
 from donnie_tui.audible import Audible, make_audible
 from donnie_tui.core.event_stream import JsonLines
 from donnie_tui.core.events import Answered
+from donnie_tui.core.hub import Stream
 from donnie_tui.core.session import ResettableRobot, Session
+from donnie_tui.core.team import Team
 from donnie_tui.core.told_log import ToldLog, next_log
 from donnie_tui.i18n.words import Words
 from donnie_tui.settings import Settings
+from donnie_tui.tangible import belt_settings, connect_belt
 from donnie_tui.unusable import Unusable
 from donnie_tui.world_choice import ChosenWorld, choose_world
 
 if TYPE_CHECKING:
     from sim.picture import Picture
+    from sim.world import World
 
 __all__ = ["Donnie", "SwitchMode", "Unusable", "assemble", "colours_of_world"]
 
@@ -41,14 +45,22 @@ class SwitchMode(Exception):
 class Donnie:
     """Everything that a front end works with. ``close`` leaves nothing running."""
 
-    session: Session
+    team: Team
+    """The robots of the world, and who of them is talked to."""
     words: Words
     notices: tuple[str, ...]
     """What had to be done without, a sentence each, to be told once at the start."""
+    about_devices: tuple[str, ...]
+    """Those of the notices that are about the belt and the robot."""
     world: ChosenWorld
     """Its name, scene, and title, description and task where it is one of ours."""
     _audible: Audible
     _closing: ExitStack
+
+    @property
+    def session(self) -> Session:
+        """The session of the robot that is talked to."""
+        return self.team.chosen
 
     def picture(self) -> Picture:
         """The world as a grid of letters and a list of things. Events tell where the robot is."""
@@ -61,6 +73,8 @@ class Donnie:
         return self._audible.is_quiet_within(seconds)
 
     def close(self) -> None:
+        """The robot stops first, whatever else takes its time."""
+        self.session.stop()
         self._closing.close()
 
 
@@ -74,24 +88,25 @@ def assemble(settings: Settings, *, terminal: bool, out: TextIO | None = None) -
     world = _inhabited_world(settings, words)
     closing = ExitStack()
     try:
-        session = _session(settings, words, world, terminal)
-        closing.callback(session.close)
+        team = _team(settings, words, world, terminal)
+        closing.callback(team.close)
+        session = team.chosen
         _write_events(settings, session, words, out, closing)
         _write_log(settings, session, words, closing)
         about_settings = tuple(words(each.code, **each.values) for each in settings.notices)
         audible = make_audible(settings, session, words, closing)
+        about_devices = connect_belt(settings, session.hub, words, closing)
     except BaseException:
         closing.close()
         raise
-    return Donnie(session, words, about_settings + audible.notices, world, audible, closing)
+    notices = about_settings + audible.notices + about_devices
+    return Donnie(team, words, notices, about_devices, world, audible, closing)
 
 
 def colours_of_world(settings: Settings, words: Words) -> frozenset[str]:
     """The colours that the world's robot can tell apart. Raises ``Unusable``."""
     world = _inhabited_world(settings, words)
-    return Session(
-        partial(_simulated_robot, world, settings), words, world=world.name, seed=0, terminal=False
-    ).colours
+    return _team(settings, words, world, terminal=False).chosen.colours
 
 
 def _inhabited_world(settings: Settings, words: Words) -> ChosenWorld:
@@ -110,16 +125,33 @@ def _refuse_what_is_to_come(settings: Settings, words: Words) -> None:
         raise Unusable(words("option-to-come", option="--record"))
 
 
-def _session(settings: Settings, words: Words, world: ChosenWorld, terminal: bool) -> Session:
-    make_robot = partial(_simulated_robot, world, settings)
-    return Session(make_robot, words, world=world.name, seed=settings.seed, terminal=terminal)
+def _team(settings: Settings, words: Words, world: ChosenWorld, terminal: bool) -> Team:
+    """The robots of the simulated world. The first one is the learner's until another one is chosen."""
+    from sim.world import World
+
+    shared, stream = World(world.scene, seed=settings.seed), Stream()
+    names = tuple(dict.fromkeys(world.scene.models[index].name for index in world.scene.robots))
+
+    def make_session(name: str) -> Session:
+        make_robot = partial(_simulated_robot, shared, name, settings)
+        shown_as = name if len(names) > 1 else None
+        return Session(
+            make_robot,
+            words,
+            world=world.name,
+            seed=settings.seed,
+            terminal=terminal,
+            name=shown_as,
+            stream=stream,
+        )
+
+    return Team(names, make_session, stream, shared.expect)
 
 
-def _simulated_robot(world: ChosenWorld, settings: Settings, pace: Pace, watcher: Watcher) -> ResettableRobot:
-    """The first robot of the world is the learner's."""
-    from sim.robot import SimulatedRobot
-
-    return SimulatedRobot(world.scene, pace=pace, watcher=watcher, speed=settings.speed, seed=settings.seed)
+def _simulated_robot(
+    world: World, name: str, settings: Settings, pace: Pace, watcher: Watcher
+) -> ResettableRobot:
+    return world.robot(name, pace=pace, watcher=watcher, speed=settings.speed)
 
 
 def _write_events(

@@ -11,6 +11,37 @@ from collections.abc import Callable, Mapping
 from dataclasses import dataclass, field
 from enum import Enum
 
+from donnie_tui.device_settings import (
+    BUMPERS_WANTED,
+    COLUMNS_WANTED,
+    METRES_WANTED,
+    ROBOT_WANTED,
+    SONARS_WANTED,
+    STEPS_WANTED,
+    Columns,
+    Sonars,
+    read_bumpers,
+    read_columns,
+    read_metres,
+    read_robot,
+    read_sonars,
+    read_steps,
+)
+from donnie_tui.sound_settings import (
+    CUES_WANTED,
+    KEY_ECHO,
+    PERCENT_WANTED,
+    PUNCTUATION,
+    RATE_WANTED,
+    SOUND_WANTED,
+    SPEAK,
+    Sound,
+    read_cues,
+    read_percent,
+    read_rate,
+    read_sound,
+)
+
 FRONT_END_SPEED = 5.0
 """Times the real robot's pace in the front ends; ``donnie run`` is unlimited unless told otherwise."""
 
@@ -20,6 +51,8 @@ LARGEST_SEED = 2**63 - 1
 LANGUAGES = ("en", "pt", "es")
 SPEECH = ("auto", "off", "text", "ssip", "tts", "robot")
 VERBOSITY = ("brief", "normal", "full")
+THEMES = ("dark", "light", "contrast", "terminal")
+MOTION = ("full", "reduced")
 
 
 class Source(Enum):
@@ -49,12 +82,44 @@ class Settings:
     speed: float | None = FRONT_END_SPEED
     seed: int = 0
     speech: str = "auto"
-    sound: bool = True
+    sound: Sound = True
+    speak: str = "here"
+    """Where the words of SPEAK are heard."""
+    rate: int = 180
+    """Words a minute; this, the pitch and the volume are the own voice's, and speech-dispatcher's if chosen."""
+    pitch: int = 50
+    volume: int = 100
+    punctuation: str = "some"
+    key_echo: str = "none"
+    """What the own voice says of what is typed."""
+    cues: Mapping[str, int] = field(default_factory=dict)
+    """Volumes in percent by the name of a cue; 0 is off."""
+    wait_for_speech: bool = False
+    """Whether a program waits until what it says was said."""
     verbosity: str = "normal"
     events: str | None = None
     record: str | None = None
+    belt: str | None = None
+    """The port of the vibrating belt."""
+    belt_steps: tuple[int, int, int] | None = None
+    belt_columns: Columns | None = None
+    wheel_radius: float | None = None
+    """Of a real robot, in metres, as a calibration found it."""
+    axle_length: float | None = None
+    sonars: Sonars | None = None
+    bumpers: tuple[bool, ...] | None = None
     linear: bool | None = None
     """What the settings file says; the variables and the options are weighed in ``cli.mode``."""
+    theme: str = "dark"
+    """The look of the full screen."""
+    plain: bool | None = None
+    """One column without decoration; None where a screen reader decides."""
+    mouse: bool = True
+    motion: str = "full"
+    completion: bool = True
+    """Whether the editor offers the words that may follow."""
+    keys: str = ""
+    """Other keys of the full screen: ``run f9, step f10``."""
     log: bool = False
     """Whether what is told goes to a numbered file too, as with the original's ``-l``."""
     notices: tuple[Notice, ...] = ()
@@ -206,15 +271,36 @@ def _read_text(text: str) -> str:
 
 KEYS = (
     Key("world", "world", _read_text, "NAME_OR_FILE"),
-    Key("robot", "robot", _read_text, "sim"),
+    Key("robot", "robot", read_robot, ROBOT_WANTED),
     Key("lang", "language", _read_language, "en, pt, es"),
     Key("speed", "speed", read_speed, f"{SLOWEST:g}-{FASTEST:g}, max"),
     Key("seed", "seed", _read_seed, "0, 1, 2 ..."),
     Key("speech", "speech", _one_of(SPEECH), ", ".join(SPEECH)),
-    Key("sound", "sound", read_switch, "on, off"),
+    Key("sound", "sound", read_sound, SOUND_WANTED),
+    Key("speak", "speak", _one_of(SPEAK), ", ".join(SPEAK)),
+    Key("rate", "rate", read_rate, RATE_WANTED),
+    Key("pitch", "pitch", read_percent, PERCENT_WANTED),
+    Key("volume", "volume", read_percent, PERCENT_WANTED),
+    Key("punctuation", "punctuation", _one_of(PUNCTUATION), ", ".join(PUNCTUATION)),
+    Key("key_echo", "key_echo", _one_of(KEY_ECHO), ", ".join(KEY_ECHO)),
+    Key("cues", "cues", read_cues, CUES_WANTED),
+    Key("wait_for_speech", "wait_for_speech", read_switch, "on, off"),
     Key("verbosity", "verbosity", _one_of(VERBOSITY), ", ".join(VERBOSITY)),
     Key("events", "events", _read_text, "FILE, -"),
     Key("record", "record", _read_text, "FILE"),
+    Key("belt", "belt", _read_text, "PORT"),
+    Key("belt_steps", "belt_steps", read_steps, STEPS_WANTED),
+    Key("belt_columns", "belt_columns", read_columns, COLUMNS_WANTED),
+    Key("wheel_radius", "wheel_radius", read_metres, METRES_WANTED),
+    Key("axle_length", "axle_length", read_metres, METRES_WANTED),
+    Key("sonars", "sonars", read_sonars, SONARS_WANTED),
+    Key("bumpers", "bumpers", read_bumpers, BUMPERS_WANTED),
     Key("linear", "linear", read_switch, "on, off"),
+    Key("theme", "theme", _one_of(THEMES), ", ".join(THEMES)),
+    Key("plain", "plain", read_switch, "on, off"),
+    Key("mouse", "mouse", read_switch, "on, off"),
+    Key("motion", "motion", _one_of(MOTION), ", ".join(MOTION)),
+    Key("completion", "completion", read_switch, "on, off"),
+    Key("keys", "keys", _read_text, "ACTION KEY, ACTION KEY"),
 )
 _BY_KEY = {each.key: each for each in KEYS}

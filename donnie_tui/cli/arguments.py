@@ -14,7 +14,19 @@ from typing import NoReturn
 
 from donnie_tui.i18n.words import Words
 
-COMMON = ("world", "robot", "lang", "speed", "seed", "speech", "sound", "verbosity", "record", "events")
+COMMON = (
+    "world",
+    "robot",
+    "lang",
+    "speed",
+    "seed",
+    "speech",
+    "sound",
+    "verbosity",
+    "record",
+    "events",
+    "belt",
+)
 """The options that mean the same everywhere; their values are read in ``settings``."""
 
 TO_COME = ("challenge", "replay", "devices", "doctor", "stop", "serve")
@@ -22,7 +34,8 @@ COMMANDS = ("run", "check", "format", "worlds", "world", *TO_COME)
 
 _PLACEHOLDERS = {
     "world": "NAME_OR_FILE",
-    "robot": "sim",
+    "robot": "sim|serial|serial:PORT|double",
+    "belt": "PORT",
     "lang": "en|pt|es",
     "speed": "N|max",
     "seed": "N",

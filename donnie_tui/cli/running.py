@@ -115,9 +115,9 @@ def _printer(donnie: Donnie, output: Output, *, with_words: bool) -> Callable[[S
 
 def _tell_notices(settings: Settings, donnie: Donnie, output: Output) -> None:
     """Only to those who chose how Donnie speaks: a run is quiet about what nobody asked for."""
-    if settings.source_of("speech") is not Origin.DEFAULT:
-        for notice in donnie.notices:
-            output.complaint(notice)
+    asked_for = settings.source_of("speech") is not Origin.DEFAULT
+    for notice in donnie.notices if asked_for else donnie.about_devices:
+        output.complaint(notice)
 
 
 def _let_speak(donnie: Donnie, stopped: threading.Event) -> None:

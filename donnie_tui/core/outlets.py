@@ -6,6 +6,7 @@ SOUND OFF silences voice and cues and never the printed line; the belt has its o
 from __future__ import annotations
 
 from devices.ports.audio import Belt, Cue, CuePlayer, Speaker, Urgency, Utterance
+from donnie_tui.core.belt import OFF
 from donnie_tui.core.events import (
     Announced,
     Answered,
@@ -13,6 +14,7 @@ from donnie_tui.core.events import (
     CueSounded,
     Error,
     Event,
+    RunEnded,
     SoundSwitched,
     Spoke,
     Stamped,
@@ -67,7 +69,7 @@ class Cues:
 
 
 class BeltView:
-    """Shows the levels on a belt."""
+    """Shows the levels on a belt, and none once a run is over, whatever happened in it."""
 
     def __init__(self, belt: Belt) -> None:
         self._belt = belt
@@ -75,6 +77,8 @@ class BeltView:
     def __call__(self, stamped: Stamped) -> None:
         if isinstance(stamped.event, BeltShown):
             self._belt.show(stamped.event.levels)
+        elif isinstance(stamped.event, RunEnded):
+            self._belt.show(OFF)
 
 
 def _urgency_of(event: Event) -> Urgency:

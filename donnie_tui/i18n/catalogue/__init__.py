@@ -3,6 +3,8 @@
 from __future__ import annotations
 
 from donnie_tui.i18n.catalogue import (
+    answers,
+    belt,
     cli,
     devices,
     files,
@@ -16,7 +18,6 @@ from donnie_tui.i18n.catalogue import (
     things,
     tui,
     use_cases,
-    answers,
     worlds,
 )
 from donnie_tui.i18n.sentence import Sentence
@@ -32,6 +33,7 @@ TOPICS = (
     things,
     files,
     devices,
+    belt,
     cli,
     linear,
     tui,

@@ -26,6 +26,7 @@ SENTENCES: dict[str, Sentence] = {
         "Robô e cinto não podem estar os dois em {port}.",
         "El robot y el cinturón no pueden estar los dos en {port}.",
     ),
+    "option-belt": Sentence("the port of the belt", "a porta do cinto", "el puerto del cinturón"),
     "belt-words-on": Sentence(
         "I tell what the belt shows.", "Digo o que o cinto mostra.", "Digo lo que muestra el cinturón."
     ),
