@@ -257,7 +257,7 @@ class Conductor:
             sentence, self._retry = self._retry or self._next_sentence(), None
             if sentence is None:
                 return
-            words = for_the_ear(sentence.utterance.text, sentence.utterance.language)
+            words = for_the_ear(sentence.utterance.text, sentence.utterance.language, self._voice.punctuation)
             if words and self._can_read(sentence.utterance.language):
                 self._send_words(sentence, words, now)
 

@@ -23,6 +23,8 @@ class _Words:
     """English reads the digits after the point one by one."""
     signs: tuple[tuple[str, str], ...]
     """Comparisons and sums; the longer sign first."""
+    punctuation: tuple[tuple[str, str], ...]
+    """What is said only when all signs are wanted."""
 
 
 _ENGLISH = _Words(
@@ -32,6 +34,11 @@ _ENGLISH = _Words(
         ("!=", "different from"), ("==", "equals"), ("<", "less than"), (">", "greater than"),
         ("=", "equals"), ("+", "plus"), ("*", "times"), ("/", "divided by"),
     ),
+    (
+        (".", "full stop"), (",", "comma"), (";", "semicolon"), (":", "colon"), ("!", "exclamation mark"),
+        ("?", "question mark"), ("(", "left parenthesis"), (")", "right parenthesis"),
+        ("[", "left bracket"), ("]", "right bracket"), ('"', "quote"), ("-", "dash"), ("_", "underscore"),
+    ),
 )  # fmt: skip
 _PORTUGUESE = _Words(
     "menos", "vírgula", "grau", "graus", False,
@@ -40,6 +47,11 @@ _PORTUGUESE = _Words(
         ("!=", "diferente de"), ("==", "igual a"), ("<", "menor que"), (">", "maior que"),
         ("=", "igual a"), ("+", "mais"), ("*", "vezes"), ("/", "dividido por"),
     ),
+    (
+        (".", "ponto"), (",", "vírgula"), (";", "ponto e vírgula"), (":", "dois pontos"),
+        ("!", "exclamação"), ("?", "interrogação"), ("(", "abre parêntese"), (")", "fecha parêntese"),
+        ("[", "abre colchete"), ("]", "fecha colchete"), ('"', "aspas"), ("-", "traço"), ("_", "sublinhado"),
+    ),
 )  # fmt: skip
 _SPANISH = _Words(
     "menos", "coma", "grado", "grados", False,
@@ -47,6 +59,12 @@ _SPANISH = _Words(
         ("<=", "menor o igual que"), (">=", "mayor o igual que"), ("<>", "diferente de"),
         ("!=", "diferente de"), ("==", "igual a"), ("<", "menor que"), (">", "mayor que"),
         ("=", "igual a"), ("+", "más"), ("*", "por"), ("/", "dividido por"),
+    ),
+    (
+        (".", "punto"), (",", "coma"), (";", "punto y coma"), (":", "dos puntos"), ("!", "exclamación"),
+        ("?", "interrogación"), ("(", "abre paréntesis"), (")", "cierra paréntesis"),
+        ("[", "abre corchete"), ("]", "cierra corchete"), ('"', "comillas"), ("-", "guion"),
+        ("_", "guion bajo"),
     ),
 )  # fmt: skip
 _LANGUAGES = {"en": _ENGLISH, "pt": _PORTUGUESE, "es": _SPANISH}
@@ -69,21 +87,36 @@ _SUM = re.compile(
 _BLANKS = re.compile(r"[ \t]+")
 
 
-def for_the_ear(text: str, language: str) -> str:
-    """``text`` as a voice of ``language``, such as ``en``, ``pt`` or ``pt-BR``, should read it."""
+def for_the_ear(text: str, language: str, punctuation: str = "some") -> str:
+    """``text`` as a voice of ``language``, such as ``en``, ``pt`` or ``pt-BR``, should read it.
+
+    ``punctuation``: ``none`` leaves comparisons and sums to the voice too, ``all`` says every sign.
+    """
     speakable = _UNSPEAKABLE.sub(" ", text)
     words = _LANGUAGES.get(re.split(r"[-_]", language.lower(), maxsplit=1)[0])
     if words is not None:
-        speakable = _spell_out(speakable, words)
+        speakable = _spell_out(speakable, words, punctuation)
     return _BLANKS.sub(" ", speakable).strip()
 
 
-def _spell_out(text: str, words: _Words) -> str:
+def _spell_out(text: str, words: _Words, punctuation: str) -> str:
     text = _DEGREES.sub(lambda found: _degrees(found, words), text)
+    if punctuation != "none":
+        text = _signs_in_words(text, words)
+    text = _DECIMAL.sub(lambda found: _decimal(found, words), text)
+    return _every_sign(text, words) if punctuation == "all" else text
+
+
+def _every_sign(text: str, words: _Words) -> str:
+    for sign, said in words.punctuation:
+        text = text.replace(sign, f" {said} ")
+    return text
+
+
+def _signs_in_words(text: str, words: _Words) -> str:
     text = _COMPARISON.sub(_sign(words), text)
     text = _SUM.sub(_sign(words), text)
-    text = _MINUS.sub(f" {words.minus} ", text)
-    return _DECIMAL.sub(lambda found: _decimal(found, words), text)
+    return _MINUS.sub(f" {words.minus} ", text)
 
 
 def _degrees(found: re.Match[str], words: _Words) -> str:

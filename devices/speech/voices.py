@@ -13,6 +13,8 @@ from dataclasses import dataclass
 LANGUAGES = ("en", "pt", "es")
 """The languages that Donnie talks in, as ``Utterance.language`` writes them."""
 
+PUNCTUATION = ("none", "some", "all")
+
 _PREFERENCES = {
     "en": ("en", "en-gb", "en-us"),
     "pt": ("pt-br", "pt", "pt-pt"),
@@ -40,6 +42,8 @@ class VoiceSettings:
     """0 to 100."""
     volume: float = 1.0
     """0 to 1."""
+    punctuation: str = "some"
+    """``none``, ``some`` (what programs need) or ``all``."""
 
     def clamped(self) -> VoiceSettings:
         """The nearest settings that a voice can have; what is no number becomes the default."""
@@ -47,6 +51,7 @@ class VoiceSettings:
             words_per_minute=round(_clamp(self.words_per_minute, 80, 450, 180)),
             pitch=round(_clamp(self.pitch, 0, 100, 50)),
             volume=_clamp(self.volume, 0.0, 1.0, 1.0),
+            punctuation=self.punctuation if self.punctuation in PUNCTUATION else "some",
         )
 
 

@@ -38,9 +38,11 @@ class Conversation:
         mailbox: Mailbox,
         now: Callable[[], float],
         on_silence: Callable[[], None],
+        punctuation: str = "some",
     ) -> None:
         """``on_silence`` is told that the end of a sentence never came."""
         self._line, self._mailbox, self._now, self._on_silence = line, mailbox, now, on_silence
+        self._punctuation = punctuation
         self._reader = protocol.Reader()
         self._replies: deque[Reply] = deque()
         self._events: deque[Event] = deque()
@@ -75,7 +77,7 @@ class Conversation:
             self._listen(None if self._message is None else max(0.0, self._overdue_at - self._now()))
 
     def _speak(self, utterance: Utterance) -> None:
-        words = for_the_ear(utterance.text, utterance.language)
+        words = for_the_ear(utterance.text, utterance.language, self._punctuation)
         if words and utterance.language != self._language:
             self._ask(protocol.language(utterance.language))
             self._language = utterance.language

@@ -98,7 +98,6 @@ def greeting(user: str) -> tuple[bytes, ...]:
         _command("SET SELF PRIORITY MESSAGE"),
         _command("SET SELF NOTIFICATION END ON"),
         _command("SET SELF NOTIFICATION CANCEL ON"),
-        _command("SET SELF PUNCTUATION SOME"),
     )
 
 

@@ -35,11 +35,13 @@ class SsipSpeaker:
         address: Address,
         on_notice: Callable[[AudioNotice], None],
         voice: VoiceSettings | None = None,
+        punctuation: str = "some",
         now: Callable[[], float] = time.monotonic,
     ) -> None:
         """``on_notice`` must not block nor raise; each notice comes once. No ``voice``: the server's."""
         self._address, self._on_notice, self._now = address, on_notice, now
         self._settings = {} if voice is None else ssip_settings(voice)
+        self._punctuation = punctuation
         self._mailbox = Mailbox()
         self._starting = threading.Lock()
         self._thread: threading.Thread | None = None
@@ -87,7 +89,8 @@ class SsipSpeaker:
                     self._tell(NoticeCode.SSIP_LOST)
 
     def _conversation(self, line: socket.socket) -> Conversation:
-        return Conversation(line, self._mailbox, self._now, partial(self._tell, NoticeCode.SSIP_SILENT))
+        told = partial(self._tell, NoticeCode.SSIP_SILENT)
+        return Conversation(line, self._mailbox, self._now, told, self._punctuation)
 
     def _tell(self, code: NoticeCode) -> None:
         if code not in self._told:

@@ -66,3 +66,11 @@ def test_an_unknown_language_gets_no_words_of_another() -> None:
 
 def test_control_characters_and_broken_surrogates_never_reach_a_voice() -> None:
     assert for_the_ear("a\x00b\x1b[2Jc\ud800d\u200be", "en").encode("utf-8") == b"a b [2Jc d e"
+
+
+def test_of_signs_as_many_are_said_as_are_wanted() -> None:
+    line = 'IF x <= 3, "y"'
+    assert for_the_ear(line, "en", "none") == 'IF x <= 3, "y"'
+    assert for_the_ear(line, "en", "some") == 'IF x less than or equal to 3, "y"'
+    assert for_the_ear(line, "en", "all") == "IF x less than or equal to 3 comma quote y quote"
+    assert for_the_ear("(1)", "pt", "all") == "abre parêntese 1 fecha parêntese"

@@ -160,7 +160,7 @@ def test_silence_cancels_what_is_said_and_forgets_what_waits(tmp_path: Path) -> 
 
 
 def test_what_was_cut_off_is_said_again_to_the_next_server(tmp_path: Path) -> None:
-    server = Server(tmp_path, hangs_up_after=6)
+    server = Server(tmp_path, hangs_up_after=5)
     notices: list[AudioNotice] = []
     speaker = SsipSpeaker(server.address, notices.append)
     speaker.say(say("Hello."))
