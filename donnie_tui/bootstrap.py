@@ -73,8 +73,8 @@ class Donnie:
         return self._audible.is_quiet_within(seconds)
 
     def close(self) -> None:
-        """The robot stops first, whatever else takes its time."""
-        self.session.stop()
+        """The robots stop first, whatever else takes its time."""
+        self.team.stop()
         self._closing.close()
 
 
@@ -141,6 +141,7 @@ def _team(settings: Settings, words: Words, world: ChosenWorld, terminal: bool) 
             world=world.name,
             seed=settings.seed,
             terminal=terminal,
+            belt=belt_settings(settings),
             name=shown_as,
             stream=stream,
         )

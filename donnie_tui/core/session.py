@@ -19,7 +19,7 @@ from donnie_tui.core.belt_feeling import BeltFeeling
 from donnie_tui.core.documents import lines_in
 from donnie_tui.core.events import HowStarted, Outcome, Reset, RunStarted
 from donnie_tui.core.hub import Hub, Stream
-from donnie_tui.core.runner import Readable, Run, Stage
+from donnie_tui.core.runner import Readable, Run, Stage, TakesTurns
 from donnie_tui.core.telling import Teller
 from donnie_tui.core.wording import Wording
 from language.checker import check
@@ -118,16 +118,27 @@ class Session:
         terminal, the line below it is); ``prepare`` is given the control before the first statement (to step
         from the start, say).
         """
-        terminal = self._terminal if terminal is None else terminal
-        run = self._claim(text, name, fresh, terminal, hooked or trace, trace, first_line)
+        run = self.claim(
+            text, name, fresh=fresh, hooked=hooked, trace=trace, first_line=first_line, terminal=terminal
+        )
         if prepare:
             prepare(run.control)
-        run.start(then=self._release)
+        self.begin(run)
         return run
 
-    def _claim(
-        self, text: str, name: str, fresh: bool, terminal: bool, hooked: bool, trace: bool, first_line: int
+    def claim(
+        self,
+        text: str,
+        name: str,
+        *,
+        fresh: bool = False,
+        hooked: bool = True,
+        trace: bool = False,
+        first_line: int = 1,
+        terminal: bool | None = None,
     ) -> Run:
+        """As ``start``, but the run waits for ``begin``: for robots that start together."""
+        terminal = self._terminal if terminal is None else terminal
         with self._lock:
             if self._run is not None:
                 raise Busy
@@ -135,9 +146,19 @@ class Session:
                 self._begin_anew()
             self._began = self._robot.time()
             how = HowStarted(text, first_line, fresh, terminal, trace, self._robot.pose())
-            self._run = self._new_run(name, how, hooked)
+            self._run = self._new_run(name, how, hooked or trace)
             self._pace.control = self._run.control
             return self._run
+
+    def begin(self, run: Run) -> None:
+        """Let a run go that was claimed."""
+        run.start(then=self._release)
+
+    def give_up(self, run: Run) -> None:
+        """A run that was claimed and will not begin."""
+        self._release(run)
+        if isinstance(self._robot, TakesTurns):
+            self._robot.leave()
 
     def _new_run(self, name: str, how: HowStarted, hooked: bool) -> Run:
         control = ExecutionControl()

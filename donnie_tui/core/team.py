@@ -1,0 +1,129 @@
+"""The robots of one world: a session for each, one stream of events, and the one that is talked to.
+
+Sessions are made when somebody asks for them, so a world of a thousand robots costs no more than those that
+are used. Rule: robots that start together are announced before the first of them acts, so that what happens
+does not depend on whose thread is faster.
+"""
+
+from __future__ import annotations
+
+import threading
+from collections.abc import Callable, Iterable, Mapping
+from dataclasses import dataclass
+
+from donnie_tui.core.hub import Stream
+from donnie_tui.core.runner import Run
+from donnie_tui.core.session import Session
+from language.source import fold_name
+
+
+@dataclass(frozen=True, slots=True)
+class Assigned:
+    """A program for one robot."""
+
+    text: str
+    name: str
+    """What the program is called."""
+
+
+class Team:
+    """All robots of a world, the first one chosen. Any thread may ask for a stop."""
+
+    def __init__(
+        self,
+        names: Iterable[str],
+        make_session: Callable[[str], Session],
+        stream: Stream,
+        expect: Callable[[Iterable[str]], None] | None = None,
+    ) -> None:
+        """``names`` in the order of the world, at least one; ``expect`` announces who starts together."""
+        self.names = tuple(dict.fromkeys(names))
+        self.stream = stream
+        self._make_session = make_session
+        self._expect = expect
+        self._sessions: dict[str, Session] = {}
+        self._lock = threading.Lock()
+        self._chosen = self.names[0]
+
+    # --- who
+
+    @property
+    def has_several(self) -> bool:
+        return len(self.names) > 1
+
+    @property
+    def chosen(self) -> Session:
+        """The session of the robot that is talked to."""
+        return self.session(self._chosen)
+
+    def choose(self, name: str) -> Session:
+        """Talk to that robot from now on. Raises ``KeyError``."""
+        session = self.session(name)
+        self._chosen = name
+        return session
+
+    def called(self, typed: str) -> str | None:
+        """The name of the robot that somebody means, in any case and with or without accents."""
+        if typed in self.names:
+            return typed
+        return next((name for name in self.names if fold_name(name) == fold_name(typed)), None)
+
+    def session(self, name: str) -> Session:
+        """Raises ``KeyError`` if there is no such robot."""
+        with self._lock:
+            if name not in self.names:
+                raise KeyError(name)
+            if name not in self._sessions:
+                self._sessions[name] = self._make_session(name)
+            return self._sessions[name]
+
+    @property
+    def sessions(self) -> tuple[Session, ...]:
+        """Those that somebody has asked for, in the order of the world."""
+        return tuple(self._sessions[name] for name in self.names if name in self._sessions)
+
+    @property
+    def running(self) -> tuple[Session, ...]:
+        """Those whose programs run just now."""
+        return tuple(each for each in self.sessions if each.run is not None)
+
+    # --- what
+
+    def start_together(
+        self, programs: Mapping[str, Assigned], *, trace: bool = False, hooked: bool = True
+    ) -> tuple[Run, ...]:
+        """Each robot runs its program from its start, all from the same moment on, in the order of the world.
+
+        Raises ``Busy`` before any has begun if one of them runs something, ``KeyError`` for an unknown robot.
+        """
+        for unknown in programs.keys() - set(self.names):
+            raise KeyError(unknown)
+        claimed: list[tuple[Session, Run]] = []
+        try:
+            for session in map(self.session, filter(programs.__contains__, self.names)):
+                program = programs[session.name]
+                run = session.claim(program.text, program.name, fresh=True, trace=trace, hooked=hooked)
+                claimed.append((session, run))
+            self._begin_together(claimed)
+        except BaseException:
+            for session, run in claimed:
+                session.give_up(run)
+            raise
+        return tuple(run for _, run in claimed)
+
+    def _begin_together(self, claimed: list[tuple[Session, Run]]) -> None:
+        if self._expect is not None:
+            self._expect(session.name for session, _ in claimed)
+        for session, run in claimed:
+            session.begin(run)
+
+    def stop(self) -> None:
+        """Stop all programs and halt all robots."""
+        for session in self.sessions:
+            session.stop()
+
+    def close(self, seconds: float = 1.0) -> None:
+        """Stop all, wait for each program's thread that long, halt the robots."""
+        self.stop()
+        for session in self.sessions:
+            session.close(seconds)

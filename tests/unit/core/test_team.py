@@ -1,0 +1,179 @@
+"""The robots of one world share a stream, act in a fixed order, and one of them is talked to."""
+
+from functools import partial
+from pathlib import Path
+
+import pytest
+
+from donnie_tui.core.event_stream import as_line
+from donnie_tui.core.events import TRANSIENT, Moved, Outcome, RunEnded, RunStarted, Stamped
+from donnie_tui.core.hub import Stream
+from donnie_tui.core.session import Busy, Session
+from donnie_tui.core.team import Assigned, Team
+from donnie_tui.core.transcript import told_lines
+from donnie_tui.i18n.words import Words
+from sim.world import World
+from sim.worldfile import load_text
+from tests.floor import PATIENCE
+
+_SENSORS = "".join(f"sonar( pose [ 0 0 0 {-angle} ] )\n" for angle in (0, 45, -45, 180, 135, -135))
+TWO = f"""
+define sonar sensor ( size [ 0.001 0.001 0.001 ] range [ 0 3.0 ] fov 15 )
+define sonars ranger (
+{_SENSORS})
+define ideal position ( size [ 0.1 0.1 0.1 ] drive "diff" localization "gps" sonars() )
+ideal( name "alice" pose [ 0 0 0 90 ] color "red" )
+ideal( name "Bob" pose [ 0 1 0 -90 ] color "blue" )
+"""
+
+LONG = "REPEAT 5 TIMES SPEAK DISTANCE F FW 1 TR 90 WAIT 1 END REPEAT"
+
+
+class Hall:
+    """A hall with two robots that look at each other, 20 steps apart."""
+
+    def __init__(self, speed: float | None = None) -> None:
+        self.words = Words("en", "normal")
+        world, self.stream_of_all = World(load_text(TWO, Path("two.world"))), Stream()
+
+        def make(name: str) -> Session:
+            robot = partial(world.robot, name, speed=speed)
+            return Session(
+                lambda pace, watcher: robot(pace=pace, watcher=watcher),
+                self.words,
+                world="two",
+                seed=0,
+                terminal=True,
+                name=name,
+                stream=self.stream_of_all,
+            )
+
+        self.team = Team(("alice", "Bob"), make, self.stream_of_all, world.expect)
+        self.heard: list[Stamped] = []
+        self.stream_of_all.subscribe(self.heard.append)
+
+    def run(self, alice: str, bob: str) -> list[Outcome | None]:
+        runs = self.team.start_together({"Bob": Assigned(bob, "b.gd"), "alice": Assigned(alice, "a.gd")})
+        assert all(run.wait(PATIENCE) for run in runs)
+        return [run.outcome for run in runs]
+
+    @property
+    def json(self) -> str:
+        return "".join(as_line(each) for each in self.heard if not isinstance(each.event, TRANSIENT))
+
+    @property
+    def told(self) -> list[str]:
+        return [line for each in self.heard for line in told_lines(each, self.words)]
+
+
+def test_robots_that_start_together_write_the_same_bytes_every_time_at_any_speed() -> None:
+    streams = set()
+    for number in range(60):
+        hall = Hall(speed=(None, 1000.0, 400.0)[number % 3])
+        hall.run(LONG, f"WAIT 1 {LONG} SPEAK 1 / 0")
+        streams.add(hall.json)
+
+    assert len(streams) == 1
+
+
+def test_every_event_and_sentence_says_whose_it_is() -> None:
+    hall = Hall()
+
+    hall.run("FW 3", "SPEAK x")
+
+    assert {each.robot for each in hall.heard} == {"alice", "Bob"}
+    assert [each.seq for each in hall.heard if not isinstance(each.event, TRANSIENT)] == list(
+        range(1, hall.heard[-1].seq + 1)
+    )
+    assert "alice: I walked 3 steps forward." in hall.told
+    assert "Bob: Error, line 1, column 7: There is no variable x." in hall.told
+
+
+def test_help_is_no_robots() -> None:
+    hall = Hall()
+
+    hall.run("HELP FW", "")
+
+    assert hall.told
+    assert not any(line.startswith("alice") for line in hall.told)
+
+
+def test_a_stop_of_the_team_stops_all() -> None:
+    hall = Hall(speed=50.0)
+    endless = "WHILE 1 == 1 DO WAIT 1 END WHILE"
+    runs = hall.team.start_together({"alice": Assigned(endless, "a"), "Bob": Assigned(endless, "b")})
+
+    hall.team.stop()
+
+    assert all(run.wait(PATIENCE) for run in runs)
+    assert [run.outcome for run in runs] == [Outcome.STOPPED, Outcome.STOPPED]
+    assert hall.team.running == ()
+
+
+def test_one_robot_stops_and_the_other_goes_on() -> None:
+    hall = Hall()
+    endless = "WHILE 1 == 1 DO WAIT 1 END WHILE"
+    alice, bob = hall.team.start_together(
+        {"alice": Assigned(endless, "a"), "Bob": Assigned("WAIT 500 FW 1", "b")}
+    )
+
+    assert bob.wait(PATIENCE)
+    hall.team.session("alice").stop()
+
+    assert alice.wait(PATIENCE)
+    assert (alice.outcome, bob.outcome) == (Outcome.STOPPED, Outcome.COMPLETED)
+
+
+def test_a_program_that_computes_for_ever_lets_the_others_be_stopped() -> None:
+    hall = Hall()
+    runs = hall.team.start_together(
+        {"alice": Assigned("WHILE 1 == 1 DO END WHILE", "a"), "Bob": Assigned("FW 1", "b")}
+    )
+
+    hall.team.session("Bob").stop()
+    assert runs[1].wait(PATIENCE)
+
+    hall.team.stop()
+    assert runs[0].wait(PATIENCE)
+
+
+def test_who_is_busy_keeps_all_from_starting() -> None:
+    hall = Hall(speed=50.0)
+    run = hall.team.session("Bob").start("WAIT 1000", "b")
+
+    with pytest.raises(Busy):
+        hall.team.start_together({"alice": Assigned("FW 1", "a"), "Bob": Assigned("FW 1", "b")})
+
+    assert hall.team.session("alice").run is None
+    run.control.stop()
+    hall.team.session("Bob").stop()
+    assert run.wait(PATIENCE)
+    assert hall.run("FW 1", "FW 1") == [Outcome.COMPLETED, Outcome.COMPLETED]
+
+
+def test_the_first_robot_is_talked_to_until_another_one_is_chosen() -> None:
+    team = Hall().team
+
+    assert team.chosen.name == "alice"
+    team.choose(team.called("bob") or "")
+    assert team.chosen.name == "Bob"
+    assert team.called("carol") is None
+    with pytest.raises(KeyError):
+        team.choose("carol")
+
+
+def test_a_session_is_made_when_somebody_asks_for_it() -> None:
+    team = Hall().team
+
+    assert [each.name for each in team.sessions] == []
+    assert team.session("Bob").name == "Bob"
+    assert [each.name for each in team.sessions] == ["Bob"]
+
+
+def test_each_run_has_its_first_and_its_last_event() -> None:
+    hall = Hall()
+
+    hall.run("FW 1", "FW 2")
+
+    assert sum(isinstance(each.event, RunStarted) for each in hall.heard) == 2
+    assert sum(isinstance(each.event, RunEnded) for each in hall.heard) == 2
