@@ -39,6 +39,8 @@ class RangeSensor:
     samples: int = 1
     """1: a cone, covered whole. More: so many thin rays, spread evenly over the field of view."""
     noise: RangeNoise = field(default_factory=RangeNoise)
+    thickness: float = 0.02
+    """Metres up and down; it looks from the middle of that."""
 
 
 @dataclass(frozen=True, slots=True)

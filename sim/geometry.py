@@ -242,3 +242,29 @@ def _divides(line: Edge, edge: Edge) -> bool:
     first = (bx - ax) * (edge[1] - ay) - (by - ay) * (edge[0] - ax)
     second = (bx - ax) * (edge[3] - ay) - (by - ay) * (edge[2] - ax)
     return first * second < 0.0
+
+
+def along(ray: Edge, edge: Edge) -> float:
+    """The part of the way along ``ray``, from 0 to 1, at which it meets the edge, or infinity."""
+    ax, ay, bx, by = ray
+    cx, cy, dx, dy = edge
+    rx, ry, ex, ey = bx - ax, by - ay, dx - cx, dy - cy
+    across = rx * ey - ry * ex
+    if across == 0.0:
+        return inf
+    part = ((cx - ax) * ey - (cy - ay) * ex) / across
+    on_edge = ((cx - ax) * ry - (cy - ay) * rx) / across
+    return part if 0.0 <= part <= 1.0 and 0.0 <= on_edge <= 1.0 else inf
+
+
+def edges_apart(mine: Edge, other: Edge) -> float:
+    """The least distance between two edges."""
+    if along(mine, other) <= 1.0:
+        return 0.0
+    ends = ((mine, other), (other, mine))
+    return min(_point_apart(edge[i], edge[i + 1], against) for edge, against in ends for i in (0, 2))
+
+
+def _point_apart(x: float, y: float, edge: Edge) -> float:
+    ax, ay, bx, by = edge
+    return hypot(*nearest_on_edge((ax - x, ay - y, bx - x, by - y)))

@@ -26,7 +26,7 @@ from sim.geometry import (
 )
 from sim.physics import Part, Surroundings
 from sim.scene import Scene
-from sim.sensors import CENTIMETRES_A_STEP, Cone, Senses, Spot
+from sim.sensors import CENTIMETRES_A_STEP, Ranger, Senses, Spot
 
 SKIN = 1e-4
 """Metres that a robot keeps from what it bumped into, so that it can turn and leave."""
@@ -166,7 +166,7 @@ class Mover:
         return any(reading is not None and reading < 2 * CENTIMETRES_A_STEP for reading in readings)
 
 
-def guard_distance(body: Body, cones: tuple[Cone, ...]) -> float:
+def guard_distance(body: Body, rangers: tuple[Ranger, ...]) -> float:
     """Metres from its centre beyond which nothing touches a robot within a step, nor blocks its sensors."""
-    farthest = max((hypot(cone.x, cone.y) for cone in cones), default=0.0)
+    farthest = max((hypot(each.x, each.y) for each in rangers), default=0.0)
     return max(body.radius + STEP, farthest + 2 * STEP) + 0.01

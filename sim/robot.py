@@ -64,7 +64,7 @@ class SimulatedRobot:
         self.seed = seed
         self._senses = senses_of(scene, self._model.index)
         body = body_of(scene, self._model.index)
-        guard = guard_distance(body, self._senses.cones)
+        guard = guard_distance(body, self._senses.rangers)
         self._around = Surroundings(scene, self._model.index, guard)
         self._mover = Mover(self._around, body, self._senses)
         self._clock = Clock(pace, speed, seat)
@@ -166,11 +166,8 @@ class SimulatedRobot:
         return self._senses.steps(self._around, self._spot, bearing)
 
     def scan(self) -> tuple[Sighting, ...]:
-        eyes = self._senses.eyes
-        if eyes is None:
-            return ()
         self._clock.begin()
-        return tuple(self._sighting(seen) for seen in eyes.look(self._around, self._spot))
+        return tuple(self._sighting(seen) for seen in self._senses.look(self._around, self._spot))
 
     def halt(self) -> None:
         self._clock.halt()

@@ -37,7 +37,9 @@ def range_sensor(read: ValueReader, settings: Settings) -> RangeSensor:
     minimum, maximum = read.span(settings, "range", (usual.minimum, usual.maximum))
     fov = _fov(read.angle(settings, "fov", usual.fov))
     samples = read.whole(settings, "samples", 1, MOST_SAMPLES)
-    return RangeSensor(read.place(settings, "pose"), minimum, maximum, fov, samples, _noise(read, settings))
+    thickness = read.size(settings, (0.02, 0.02, usual.thickness))[2]
+    noise = _noise(read, settings)
+    return RangeSensor(read.place(settings, "pose"), minimum, maximum, fov, samples, noise, thickness)
 
 
 def _noise(read: ValueReader, settings: Settings) -> RangeNoise:

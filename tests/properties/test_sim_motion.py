@@ -102,7 +102,7 @@ def test_a_walk_at_once_and_one_looked_at_step_by_step_are_the_same(
 ) -> None:
     it = world(kind, around, yaw)
     senses, body = senses_of(it, 0), body_of(it, 0)
-    mover = Mover(Surroundings(it, 0, guard_distance(body, senses.cones)), body, senses)
+    mover = Mover(Surroundings(it, 0, guard_distance(body, senses.rangers)), body, senses)
     start = Spot(0, 0, yaw)
 
     assert mover.walk(start, bearing, steps) == mover.walk(start, bearing, steps, careful=True)

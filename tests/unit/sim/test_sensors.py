@@ -4,10 +4,9 @@ from math import atan, cos, degrees, hypot, radians, sin
 
 import pytest
 
-from devices.ports.robot import Bearing
-from sim.geometry import normal
+from devices.ports.robot import Bearing, RobotProblem
 from sim.physics import Surroundings
-from sim.sensors import Cone, Spot, senses_of
+from sim.sensors import Spot, senses_of
 from tests.unit.sim.floors import IDEAL, ideal, robot, scene
 
 
@@ -50,24 +49,28 @@ def test_a_sensor_inside_a_thing_reads_nothing_but_zero() -> None:
 
 
 @pytest.mark.parametrize(
-    ("yaw", "bearing"),
+    ("yaw", "fov", "bearings"),
     [
-        (0, Bearing.FRONT),
-        (-45, Bearing.FRONT_RIGHT),
-        (45, Bearing.FRONT_LEFT),
-        (180, Bearing.BACK),
-        (-180, Bearing.BACK),
-        (225, Bearing.BACK_RIGHT),
-        (-225, Bearing.BACK_LEFT),
-        (20, Bearing.FRONT),
-        (-30, Bearing.FRONT_RIGHT),
-        (-90, Bearing.FRONT_RIGHT),
-        (90, Bearing.FRONT_LEFT),
-        (150, Bearing.BACK_LEFT),
+        (0, 15, {Bearing.FRONT}),
+        (-45, 15, {Bearing.FRONT_RIGHT}),
+        (-180, 15, {Bearing.BACK}),
+        (225, 15, {Bearing.BACK_RIGHT}),
+        (20, 15, {Bearing.FRONT}),
+        (-30, 15, {Bearing.FRONT_RIGHT}),
+        (22.5, 15, {Bearing.FRONT, Bearing.FRONT_LEFT}),
+        (90, 15, set()),
+        (-90, 15, set()),
+        (60, 60, {Bearing.FRONT_LEFT}),
+        (0, 120, {Bearing.FRONT, Bearing.FRONT_LEFT, Bearing.FRONT_RIGHT}),
     ],
 )
-def test_a_sensor_belongs_to_the_bearing_nearest_to_its_mounting(yaw: float, bearing: Bearing) -> None:
-    assert Cone(0, 0, normal(yaw), 7.5, 0, 3).bearing is bearing
+def test_a_sensor_tells_for_the_bearings_that_it_looks_to(
+    yaw: float, fov: float, bearings: set[Bearing]
+) -> None:
+    it = scene(f"position( ranger( sensor( pose [ 0 0 0 {yaw} ] fov {fov} ) ) )")
+    senses = senses_of(it, 0)
+
+    assert {bearing for bearing in Bearing if senses.at(bearing)} == bearings
 
 
 @pytest.mark.parametrize(
@@ -138,11 +141,13 @@ def test_a_wide_scanner_serves_each_bearing_with_a_sector() -> None:
     assert robot(text + beside).distance(Bearing.FRONT) == 60
 
 
-def test_a_bearing_without_a_sensor_reads_sixty() -> None:
+def test_where_no_sensor_looks_there_is_no_distance() -> None:
     it = robot("position( ranger( sensor( range [ 0 1 ] ) ) )")
 
     assert it.distance(Bearing.FRONT) == 20
-    assert it.distance(Bearing.BACK) == 60
+    with pytest.raises(RobotProblem) as problem:
+        it.distance(Bearing.BACK_LEFT)
+    assert (problem.value.code, problem.value.values) == ("no-sensor", {"bearing": "back left"})
 
 
 # --- looking around ------------------------------------------------------------------------------
@@ -231,10 +236,12 @@ def test_blob_return_zero_is_invisible_to_the_camera() -> None:
     assert it.scan() == ()
 
 
-def test_a_robot_without_a_camera_sees_nothing() -> None:
+def test_a_robot_without_a_camera_says_so() -> None:
     it = robot("position( ranger( sensor() ) ) model( pose [ 2 0 0 0 ] )")
 
-    assert it.scan() == ()
+    with pytest.raises(RobotProblem) as problem:
+        it.scan()
+    assert (problem.value.code, problem.value.values) == ("no-eyes", {})
     assert it.colours == frozenset()
 
 
@@ -242,7 +249,7 @@ def test_a_thing_straight_ahead_is_as_far_for_the_camera_as_for_the_sonar() -> N
     donnie = (
         "define sonar sensor( range [ 0.02 3 ] fov 15 )"
         "position( size [ 0.128 0.128 0.1 ] pose [ 0 0 0 90 ] ranger( sonar( pose [ 0.0635 0 0 0 ] ) )"
-        '  blobfinder( colors [ "red" ] range 5 ) )'
+        '  position( size [ 0.01 0.01 0.01 ] blobfinder( colors [ "red" ] range 5 ) ) )'
     )
     for away in (0.3, 0.777, 1.0, 1.234, 2.5):
         it = robot(donnie + f'model( size [ 0.1 0.1 1 ] color "red" pose [ 0 {away} 0 0 ] )')

@@ -1,0 +1,142 @@
+"""Colour cameras: which coloured things a robot sees, where, and how far. What is nearer hides the rest."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Iterator
+from dataclasses import dataclass
+from itertools import pairwise
+
+from sim.colours import FAMILIES, Colour
+from sim.geometry import angle_of, at_radius, direction, edges, nearest_in_wedge, normal, seen_from
+from sim.physics import Part
+from sim.sensors.sight import Around, Height, at_height, first_hits
+from sim.sensors.spot import Spot
+
+HALF_CIRCLE = 90.0
+"""Degrees to either side that a head with a camera turns."""
+
+
+@dataclass(frozen=True, slots=True)
+class Seen:
+    """A thing in view."""
+
+    root: int
+    degrees: float
+    """Counter-clockwise from the robot's front."""
+    centimetres: int
+    colour: Colour
+
+
+@dataclass(frozen=True, slots=True)
+class View:
+    """What a camera looks at, in the robot's frame."""
+
+    x: float
+    y: float
+    yaw: float
+    half_angle: float
+    maximum: float
+    offset: float
+    """Metres from (x, y) from which distances and the range count: those to a head's sonar."""
+    colours: tuple[Colour, ...]
+    """Empty: all."""
+    height: Height = None
+
+    def tells(self, part: Part) -> bool:
+        return part.blob and (not self.colours or any(colour.same(part.colour) for colour in self.colours))
+
+    def look(self, around: Around, spot: Spot) -> Iterator[Seen]:
+        """Every visible thing once; what is hidden behind a nearer thing is not seen."""
+        place, reach = spot.mounted(self.x, self.y, self.yaw), self.maximum + self.offset
+        box = around.within(place.x - reach, place.y - reach, place.x + reach, place.y + reach)
+        parts = [part for part in box if at_height(part, self.height)]
+        if not any(self.tells(part) for part in parts):
+            return
+        glimpses: dict[int, list[_Glimpse]] = {}
+        for glimpse in self._glimpses(around, place, _directions(parts, place, reach, self.half_angle)):
+            glimpses.setdefault(glimpse.part.root, []).append(glimpse)
+        for root, seen in glimpses.items():
+            yield self._thing(root, seen, place)
+
+    def _glimpses(self, around: Around, place: Spot, directions: list[float]) -> Iterator[_Glimpse]:
+        """What is first in each sector between neighbouring directions, if its colour is told apart."""
+        reach, sectors = self.maximum + self.offset, list(pairwise(directions))
+        middles = (direction(place.yaw + (low + high) / 2) for low, high in sectors)
+        ends = [(place.x + reach * dx, place.y + reach * dy) for dx, dy in middles]
+        hits = first_hits(around, place.x, place.y, ends, self.height)
+        for (low, high), (part, _) in zip(sectors, hits, strict=True):
+            if part is not None and self.tells(part):
+                yield _Glimpse(part, low, high)
+
+    def _thing(self, root: int, glimpses: list[_Glimpse], place: Spot) -> Seen:
+        """What is seen of one thing: its widest unbroken stretch tells where it is."""
+        metres, colour = min(((it.nearest(place), it.part.colour) for it in glimpses), key=_first)
+        low, high = max(_stretches(glimpses), key=lambda stretch: stretch[1] - stretch[0])
+        degrees = (low + high) / 2 + self.yaw
+        away = max(0.0, metres - self.offset)
+        return Seen(root, degrees if self.yaw == 0.0 else normal(degrees), int(away * 100 + 0.5), colour)
+
+
+@dataclass(frozen=True, slots=True)
+class Eyes:
+    """All the cameras of a robot."""
+
+    views: tuple[View, ...]
+
+    @property
+    def families(self) -> frozenset[str]:
+        """The words of the language for what the cameras tell apart."""
+        if any(not view.colours for view in self.views):
+            return frozenset(FAMILIES)
+        return frozenset(colour.family for view in self.views for colour in view.colours)
+
+    def look(self, around: Around, spot: Spot) -> tuple[Seen, ...]:
+        """Every visible thing once, as the camera sees it that sees it nearest, from left to right."""
+        nearest: dict[int, Seen] = {}
+        for view in self.views:
+            for seen in view.look(around, spot):
+                known = nearest.get(seen.root)
+                if known is None or seen.centimetres < known.centimetres:
+                    nearest[seen.root] = seen
+        return tuple(sorted(nearest.values(), key=lambda thing: (-thing.degrees, thing.root)))
+
+
+@dataclass(frozen=True, slots=True)
+class _Glimpse:
+    """A range of directions, in degrees from the middle of the view, in which one part is what is seen."""
+
+    part: Part
+    low: float
+    high: float
+
+    def nearest(self, place: Spot) -> float:
+        middle = place.yaw + (self.low + self.high) / 2
+        outline = edges(seen_from(self.part.points, place.x, place.y, middle))
+        return nearest_in_wedge(outline, (self.high - self.low) / 2)
+
+
+def _first(pair: tuple[float, Colour]) -> float:
+    return pair[0]
+
+
+def _stretches(glimpses: list[_Glimpse]) -> Iterator[tuple[float, float]]:
+    """Neighbouring glimpses joined."""
+    low, high = glimpses[0].low, glimpses[0].high
+    for glimpse in glimpses[1:]:
+        if glimpse.low > high:
+            yield low, high
+            low = glimpse.low
+        high = glimpse.high
+    yield low, high
+
+
+def _directions(parts: Iterable[Part], place: Spot, reach: float, half_angle: float) -> list[float]:
+    """Directions between which the view can't change; where things cross each other, to a degree."""
+    whole = int(half_angle)
+    angles = {-half_angle, half_angle, *(float(degrees) for degrees in range(-whole, whole + 1))}
+    for part in parts:
+        for ax, ay, bx, by in edges(seen_from(part.points, place.x, place.y, place.yaw)):
+            angles.add(angle_of(ax, ay))
+            angles.update(angle_of(x, y) for x, y in at_radius(reach, (ax, ay, bx, by)))
+    inside = sorted(angle for angle in angles if -half_angle <= angle <= half_angle)
+    return [angle for i, angle in enumerate(inside) if i == 0 or angle - inside[i - 1] > 1e-9]

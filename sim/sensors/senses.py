@@ -1,0 +1,192 @@
+"""All the sensors of one robot, gathered from everything attached to it, and what they tell in steps."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping
+from dataclasses import dataclass
+from math import hypot
+from random import Random
+
+from devices.ports.robot import Bearing, RobotProblem
+from sim.fittings import RangeSensor
+from sim.geometry import normal, seen_from
+from sim.placement import Placement
+from sim.scene import Model, Scene
+from sim.sensors.eyes import HALF_CIRCLE, Eyes, Seen, View
+from sim.sensors.fiducials import Found, MarkFinder
+from sim.sensors.rangers import CENTIMETRES_A_STEP, Cone, Fan, Ranger, fan_angles
+from sim.sensors.sight import Around, Height
+from sim.sensors.spot import Spot
+from sim.sensors.touch import Bar, Beams
+
+HALF_SECTOR = 22.5
+"""Degrees: what looks at most so far off one of the robot's bearings tells distances for it."""
+
+
+@dataclass(frozen=True, slots=True)
+class Senses:
+    """All the sensors of one robot."""
+
+    rangers: tuple[Ranger, ...]
+    eyes: Eyes | None
+    finders: tuple[MarkFinder, ...]
+    bumpers: tuple[Bar, ...]
+    beams: Beams | None
+    """Of its first gripper."""
+    by_bearing: Mapping[Bearing, tuple[Ranger, ...]]
+
+    def at(self, bearing: Bearing) -> tuple[Ranger, ...]:
+        """What tells distances for that bearing; empty where nothing looks there."""
+        return self.by_bearing[bearing]
+
+    def steps(self, around: Around, spot: Spot, bearing: Bearing, chance: Random | None = None) -> int:
+        """Whole steps to the nearest thing there, or as far as the sensors reach.
+
+        ``chance``: sensors with noise have it; without, every reading is exact. RobotProblem
+        ``no-sensor`` (bearing, in words): nothing looks there.
+        """
+        rangers = self.at(bearing)
+        if not rangers:
+            raise RobotProblem("no-sensor", bearing=bearing.name.lower().replace("_", " "))
+        readings = [_reading(each, around, spot, chance) for each in rangers]
+        near = [reading for reading in readings if reading is not None]
+        farthest = max(int(each.maximum * 100 + 0.5) for each in rangers)
+        return min(near, default=farthest) // CENTIMETRES_A_STEP
+
+    def look(self, around: Around, spot: Spot) -> tuple[Seen, ...]:
+        """The coloured things in view, from left to right. RobotProblem ``no-eyes``: it has no blobfinder."""
+        if self.eyes is None:
+            raise RobotProblem("no-eyes")
+        return self.eyes.look(around, spot)
+
+    def marks(self, around: Around, spot: Spot) -> tuple[Found, ...]:
+        """What the fiducial finders find, finder by finder."""
+        return tuple(found for finder in self.finders for found in finder.look(around, spot))
+
+    def pressed(self, around: Around, spot: Spot) -> tuple[bool, ...]:
+        """For each bumper whether something touches it."""
+        return tuple(bumper.is_pressed(around, spot) for bumper in self.bumpers)
+
+
+def _reading(ranger: Ranger, around: Around, spot: Spot, chance: Random | None) -> int | None:
+    return ranger.centimetres(around, spot) if chance is None else ranger.noisy(around, spot, chance)
+
+
+def senses_of(scene: Scene, robot: int) -> Senses:
+    """The sensors of a robot and of everything attached to it."""
+    models = scene.tree(robot)
+    frame = scene.models[robot].pose
+    rangers = tuple(_rangers(models, frame))
+    by_bearing = {bearing: tuple(_towards(rangers, bearing)) for bearing in Bearing}
+    beams = next((_beams(model, frame) for model in models if model.gripper), None)
+    return Senses(
+        rangers,
+        _eyes(scene, models, frame, by_bearing),
+        tuple(_finders(models, frame)),
+        tuple(_bumpers(models, frame)),
+        beams,
+        by_bearing,
+    )
+
+
+def _rangers(models: tuple[Model, ...], frame: Placement) -> Iterator[Ranger]:
+    for model in models:
+        for sensor in model.sensors:
+            x, y, yaw = _mounted(model.pose.then(sensor.pose), frame)
+            yield _ranger(sensor, x, y, yaw, _height(model, sensor.pose.z + sensor.thickness / 2))
+
+
+def _ranger(sensor: RangeSensor, x: float, y: float, yaw: float, height: Height) -> Ranger:
+    bounds = (sensor.minimum, sensor.maximum, height, sensor.noise)
+    if sensor.samples == 1:
+        return Cone(x, y, yaw, sensor.fov / 2, *bounds)
+    return Fan(x, y, fan_angles(yaw, sensor.fov, sensor.samples), *bounds)
+
+
+def _towards(rangers: tuple[Ranger, ...], bearing: Bearing) -> Iterator[Ranger]:
+    """The sensors, and parts of lasers, that look to a bearing."""
+    angle = -float(bearing.value)
+    for ranger in rangers:
+        if isinstance(ranger, Cone):
+            if abs(normal(ranger.yaw - angle)) <= max(HALF_SECTOR, ranger.half_angle):
+                yield ranger
+        elif (sector := ranger.towards(angle, HALF_SECTOR)) is not None:
+            yield sector
+
+
+def _eyes(
+    scene: Scene,
+    models: tuple[Model, ...],
+    frame: Placement,
+    by_bearing: Mapping[Bearing, tuple[Ranger, ...]],
+) -> Eyes | None:
+    front = max((hypot(each.x, each.y) for each in by_bearing[Bearing.FRONT]), default=0.0)
+    turns = _is_donnie(by_bearing)
+    finders = (model for model in models if model.blobfinder is not None)
+    views = tuple(
+        _head_view(model, front) if turns or _on_head(scene, model) else _fixed_view(model, frame)
+        for model in finders
+    )
+    return Eyes(views) if views else None
+
+
+def _head_view(model: Model, front: float) -> View:
+    """A camera on a head looks all over the half circle ahead."""
+    finder = model.blobfinder
+    assert finder is not None
+    return View(0.0, 0.0, 0.0, HALF_CIRCLE, finder.maximum, front, finder.colours, _height(model))
+
+
+def _fixed_view(model: Model, frame: Placement) -> View:
+    """Another one looks where it is mounted."""
+    finder, (x, y, yaw) = model.blobfinder, _mounted(model.pose, frame)
+    assert finder is not None
+    half_angle = finder.fov / 2
+    return View(x, y, yaw + finder.pan, half_angle, finder.maximum, 0.0, finder.colours, _height(model))
+
+
+def _is_donnie(by_bearing: Mapping[Bearing, tuple[Ranger, ...]]) -> bool:
+    """Whether it has a sonar at exactly each of Donnie's six bearings: then it has Donnie's head too."""
+    return all(
+        any(isinstance(each, Cone) and abs(normal(each.yaw + bearing.value)) < 1e-6 for each in rangers)
+        for bearing, rangers in by_bearing.items()
+    )
+
+
+def _on_head(scene: Scene, model: Model) -> bool:
+    """Whether it is mounted on something of the robot that turns by itself: a position model on it."""
+    above = model.parent
+    while above is not None and above != model.root:
+        if scene.models[above].type == "position":
+            return True
+        above = scene.models[above].parent
+    return False
+
+
+def _finders(models: tuple[Model, ...], frame: Placement) -> Iterator[MarkFinder]:
+    for model in models:
+        if model.fiducial_finder is not None:
+            place = _mounted(model.pose, frame)
+            yield MarkFinder(*place, model.fiducial_finder, model.fiducial_key, _height(model))
+
+
+def _bumpers(models: tuple[Model, ...], frame: Placement) -> Iterator[Bar]:
+    for model in models:
+        for bumper in model.bumpers:
+            yield Bar(*_mounted(model.pose.then(bumper.pose), frame), bumper.length)
+
+
+def _beams(model: Model, frame: Placement) -> Beams:
+    assert model.gripper is not None
+    shape = model.pose.then(model.origin)
+    return Beams(*_mounted(shape, frame), model.size[0], model.size[1], model.gripper)
+
+
+def _mounted(place: Placement, frame: Placement) -> tuple[float, float, float]:
+    """A place of the world in the robot's frame: x, y, yaw."""
+    ((x, y),) = seen_from(((place.x, place.y),), frame.x, frame.y, frame.yaw)
+    return round(x, 9), round(y, 9), normal(place.yaw - frame.yaw)
+
+
+def _height(model: Model, above: float = 0.0) -> Height:
+    return None if model.ignore_zloc else model.pose.z + above
