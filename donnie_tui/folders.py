@@ -22,6 +22,13 @@ def settings_file(environment: Mapping[str, str], platform: str = sys.platform) 
     return f"{_folder(environment, platform, 'XDG_CONFIG_HOME', '.config')}/{SETTINGS_NAME}"
 
 
+def own_sounds(environment: Mapping[str, str], platform: str = sys.platform) -> Path:
+    """The folder in which learners put sounds of their own in the place of cues."""
+    from pathlib import Path
+
+    return Path(settings_file(environment, platform)).parent / "sounds"
+
+
 def state_folder(environment: Mapping[str, str], platform: str = sys.platform) -> Path:
     """The folder of what the learner did last: histories, texts to recover."""
     from pathlib import Path

@@ -86,7 +86,7 @@ class Settings:
     speak: str = "here"
     """Where the words of SPEAK are heard."""
     rate: int = 180
-    """Words a minute; this, the pitch and the volume are the own voice's, and speech-dispatcher's if chosen."""
+    """Words a minute of the own voice; speech-dispatcher's only if it was chosen."""
     pitch: int = 50
     volume: int = 100
     punctuation: str = "some"

@@ -46,6 +46,7 @@ class WorkerProcess:
         device: str,
         prefer_bundled_voice: bool,
         log: Path | None,
+        sounds: Path | None,
         on_answer: Callable[[Answer], None],
         on_end: Callable[[], None],
     ) -> None:
@@ -53,7 +54,7 @@ class WorkerProcess:
         self._on_answer = on_answer
         self._on_end = on_end
         self._unsent: queue.SimpleQueue[Order | None] = queue.SimpleQueue()
-        self._process = _start(device, prefer_bundled_voice, log)
+        self._process = _start(device, prefer_bundled_voice, log, sounds)
         for work in (self._write, self._read):
             threading.Thread(target=work, name="audio pipe", daemon=True).start()
 
@@ -89,10 +90,13 @@ class WorkerProcess:
         self._on_end()
 
 
-def _start(device: str, prefer_bundled_voice: bool, log: Path | None) -> subprocess.Popen[bytes]:
+def _start(
+    device: str, prefer_bundled_voice: bool, log: Path | None, sounds: Path | None
+) -> subprocess.Popen[bytes]:
     """``-P``: a folder called ``devices`` where the learner happens to be is not ours."""
     voice = "bundled" if prefer_bundled_voice else "system"
-    command = (sys.executable, "-P", "-m", _MODULE, device, voice, str(os.getpid()))
+    own = "" if sounds is None else str(sounds)
+    command = (sys.executable, "-P", "-m", _MODULE, device, voice, str(os.getpid()), own)
     if log is None:
         return _popen(command, subprocess.DEVNULL)
     with log.open("wb") as file:

@@ -41,6 +41,8 @@ class AudioSettings:
     """``auto``; ``null`` for one that throws everything away, ``none`` for a machine without one."""
     log: Path | None = None
     """Where the libraries' complaints go; nowhere if None. Never the terminal."""
+    sounds: Path | None = None
+    """A folder with the learner's own sounds, ``NAME.wav`` for a cue's name."""
 
 
 class AudioService:
@@ -189,6 +191,7 @@ class AudioService:
                 self._settings.device,
                 prefer_bundled_voice,
                 self._settings.log,
+                self._settings.sounds,
                 on_answer=lambda answer: self._answered(generation, answer),
                 on_end=lambda: self._ended(generation),
             )

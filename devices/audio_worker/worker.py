@@ -14,6 +14,7 @@ import sys
 import threading
 from array import array
 from collections.abc import Callable
+from pathlib import Path
 from typing import BinaryIO
 
 from devices.audio_worker.messages import (
@@ -34,8 +35,9 @@ from devices.audio_worker.messages import (
 )
 from devices.ports.audio import Cue
 from devices.sound.lifeline import CAN_DIE_WITH_PARENT, die_with_parent
+from devices.sound.own_sounds import OwnSounds, load, sound_of
 from devices.sound.player import Player, open_player
-from devices.sound.tones import CUE_NAMES, SAMPLE_RATE, render
+from devices.sound.tones import CUE_NAMES, SAMPLE_RATE
 from devices.speech.renderer import NoVoice, Renderer
 from devices.speech.voices import VoiceSettings
 
@@ -43,10 +45,17 @@ from devices.speech.voices import VoiceSettings
 class AudioWorker:
     """Obeys. ``answer`` may be called by any thread."""
 
-    def __init__(self, answer: Callable[[Answer], None], device: str, prefer_bundled_voice: bool) -> None:
+    def __init__(
+        self,
+        answer: Callable[[Answer], None],
+        device: str,
+        prefer_bundled_voice: bool,
+        own_sounds: OwnSounds,
+    ) -> None:
         self._answer = answer
         self._device = device
         self._prefer_bundled_voice = prefer_bundled_voice
+        self._own_sounds = own_sounds
         self._player: Player | None = None
         self._lock = threading.Lock()
         self._hushes = 0
@@ -75,7 +84,7 @@ class AudioWorker:
     def _play(self, order: PlayCue) -> None:
         if self._player is None or order.name not in CUE_NAMES:
             return
-        sound = render(Cue(order.name, order.bearing, order.steps), order.volume)
+        sound = sound_of(Cue(order.name, order.bearing, order.steps), order.volume, self._own_sounds)
         self._player.cue(order.name, sound, order.delay)
 
     def _hush(self, speech: bool, cues: bool) -> None:
@@ -124,10 +133,13 @@ class AudioWorker:
 
 
 def main() -> None:
-    """Arguments: a device, ``system`` or ``bundled``, the parent. Orders on input 0, answers on output 1."""
+    """Arguments: a device, ``system`` or ``bundled``, the parent, a folder with the learner's own sounds or
+    an empty string. Orders on input 0, answers on output 1.
+    """
     _end_with(int(sys.argv[3]))
     orders, answers = _keep_streams_to_ourselves()
-    worker = AudioWorker(_writer(answers), sys.argv[1], sys.argv[2] == "bundled")
+    own_sounds, _broken = load(Path(sys.argv[4]) if sys.argv[4] else None)
+    worker = AudioWorker(_writer(answers), sys.argv[1], sys.argv[2] == "bundled", own_sounds)
     worker.run(orders)
     _end_group()
 

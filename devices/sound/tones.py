@@ -93,6 +93,14 @@ def render(cue: Cue, volume: float = 1.0) -> array[int]:
     return _panned(mono, bearing, min(max(volume, 0.0), 1.0))
 
 
+def placed(mono: array[float], bearing: float, volume: float) -> array[int]:
+    """Any sound, samples from -1 to 1, where ``bearing`` (degrees to the right) has it: panned and dulled."""
+    wrapped = _wrapped(bearing)
+    behind = _behind(wrapped)
+    heard = _dulled(mono, behind * _DULLNESS) if behind else mono
+    return _panned(heard, wrapped, min(max(volume, 0.0), 1.0))
+
+
 @lru_cache(maxsize=128)
 def _mono(name: str, steps: float | None, glide: float, behind: float) -> array[float]:
     raised = 2 ** (_OCTAVES_OF_DISTANCE * (0.5 - steps / FARTHEST)) if steps is not None else 1.0

@@ -15,14 +15,13 @@ import os
 import sys
 import tempfile
 import threading
-import wave
 from array import array
 from collections.abc import Iterator
 from contextlib import contextmanager
 from pathlib import Path
 from typing import Any
 
-from devices.sound.tones import SAMPLE_RATE
+from devices.sound.wav_file import NotWav, read_mono
 from devices.speech.voices import LANGUAGES, Voice, VoiceSettings, base_language, choose_voice
 
 _MOST_TRIES = 5
@@ -77,7 +76,7 @@ class Renderer:
         with _scratch_file() as path:
             self._engine.save_to_file(text, path)
             self._engine.runAndWait()
-            return read_mono(path)
+            return _samples(path)
 
     def _set(self, name: str, value: float) -> None:
         """Set it until it is set: espeak-ng takes it later, and loses it if something else comes between."""
@@ -110,25 +109,11 @@ class Renderer:
         return bool(self._engine.getProperty("voice") == voice.identifier)
 
 
-def read_mono(path: str) -> array[int]:
-    """The samples of a 16-bit WAV file, its left side, at ``SAMPLE_RATE``. Raises ``NoVoice`` for others."""
+def _samples(path: str) -> array[int]:
     try:
-        with wave.open(path, "rb") as file:
-            channels, width, rate, frames, *_ = file.getparams()
-            samples = array("h", file.readframes(frames if width == 2 else 0))
-    except (wave.Error, EOFError, OSError) as reason:
+        return read_mono(path)
+    except NotWav as reason:
         raise NoVoice from reason
-    if sys.byteorder == "big":
-        samples.byteswap()
-    return _resampled(samples[::channels], rate)
-
-
-def _resampled(samples: array[int], rate: int) -> array[int]:
-    """The nearest sample will do for a voice; espeak-ng's rate is ours anyway."""
-    if rate == SAMPLE_RATE:
-        return samples
-    length = len(samples) * SAMPLE_RATE // rate
-    return array("h", (samples[frame * rate // SAMPLE_RATE] for frame in range(length)))
 
 
 def _make_espeak_findable(prefer_bundled: bool) -> None:

@@ -5,6 +5,8 @@ SOUND OFF silences voice and cues and never the printed line; the belt has its o
 
 from __future__ import annotations
 
+from enum import Enum
+
 from devices.ports.audio import Belt, Cue, CuePlayer, Speaker, Urgency, Utterance
 from donnie_tui.core.belt import OFF
 from donnie_tui.core.events import (
@@ -25,19 +27,33 @@ from donnie_tui.core.wording import Wording
 _URGENCY_OF = {"waiting": Urgency.PROGRESS, "hint": Urgency.HINT, "link": Urgency.ALERT}
 
 
+class Hears(Enum):
+    """What of the transcript a voice says."""
+
+    ALL = "all"
+    ANSWERS = "answers"
+    """Everything but the words of SPEAK, which are heard elsewhere."""
+    PROGRAM = "program"
+    """The words of SPEAK alone."""
+
+
 class Voice:
     """Says what the transcript prints."""
 
-    def __init__(self, speaker: Speaker, wording: Wording) -> None:
+    def __init__(self, speaker: Speaker, wording: Wording, hears: Hears = Hears.ALL) -> None:
         self._speaker = speaker
         self._wording = wording
+        self._hears = hears
         self._on = True
 
     def __call__(self, stamped: Stamped) -> None:
         if isinstance(stamped.event, SoundSwitched):
             self._switch(stamped.event.on)
-        elif self._on:
+        elif self._on and self._is_ours(stamped.event):
             self._say(stamped)
+
+    def _is_ours(self, event: Event) -> bool:
+        return self._hears is Hears.ALL or isinstance(event, Spoke) == (self._hears is Hears.PROGRAM)
 
     def _switch(self, on: bool) -> None:
         self._on = on

@@ -28,6 +28,11 @@ SENTENCES: dict[str, Sentence] = {
         "Há coisas demais para falar. Parte fica só escrita.",
         "Hay demasiado que decir. Una parte solo se escribe.",
     ),
+    "no-speech-dispatcher": Sentence(
+        "No speech-dispatcher here. All is in print.",
+        "Não há speech-dispatcher. Tudo fica escrito.",
+        "No hay speech-dispatcher. Todo se escribe.",
+    ),
     "ssip-silent": Sentence(
         "speech-dispatcher is silent. Has it a sound device?",
         "O speech-dispatcher não soa. Ele tem som?",

@@ -1,0 +1,112 @@
+"""Cues in a file, and the learner's own sounds."""
+
+from __future__ import annotations
+
+import wave
+from array import array
+from pathlib import Path
+
+import pytest
+
+from devices.ports.audio import Cue
+from devices.sound.own_sounds import load, sound_of, unknown_names
+from devices.sound.tones import SAMPLE_RATE, render
+from devices.sound.wav_file import NotWav, read_mono
+from devices.sound.wav_render import WavRenderer
+
+
+def written(path: Path, *cues: tuple[float, Cue], until: float = 0.0) -> bytes:
+    renderer = WavRenderer(path)
+    for at, cue in cues:
+        renderer.add(cue, at)
+    renderer.go_on_to(until)
+    renderer.close()
+    return path.read_bytes()
+
+
+def frames_of(path: Path) -> array[int]:
+    with wave.open(str(path)) as file:
+        assert (file.getnchannels(), file.getsampwidth(), file.getframerate()) == (2, 2, SAMPLE_RATE)
+        return array("h", file.readframes(file.getnframes()))
+
+
+def test_a_cue_sounds_at_its_time(tmp_path: Path) -> None:
+    written(tmp_path / "a.wav", (1.0, Cue("bump")))
+    samples = frames_of(tmp_path / "a.wav")
+    assert not any(samples[: 2 * SAMPLE_RATE])
+    assert samples[2 * SAMPLE_RATE :][: len(render(Cue("bump")))] == render(Cue("bump"))
+
+
+def test_the_same_cues_are_the_same_bytes(tmp_path: Path) -> None:
+    cues = [(step * 0.2, Cue("step-forward")) for step in range(10)]
+    assert written(tmp_path / "a.wav", *cues) == written(tmp_path / "b.wav", *cues)
+
+
+def test_silence_lasts_as_long_as_the_run(tmp_path: Path) -> None:
+    written(tmp_path / "a.wav", until=2.5)
+    assert len(frames_of(tmp_path / "a.wav")) == 2 * round(2.5 * SAMPLE_RATE)
+
+
+def test_what_would_sound_all_at_once_is_left_out_as_at_a_loudspeaker(tmp_path: Path) -> None:
+    one = written(tmp_path / "one.wav", (0.0, Cue("step-forward")), until=1.0)
+    ten = written(tmp_path / "ten.wav", *[(0.0, Cue("step-forward"))] * 10, until=1.0)
+    assert one == ten
+
+
+def test_an_endless_wait_does_not_fill_the_disk(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr("devices.sound.wav_render.LONGEST", 3.0)
+    renderer = WavRenderer(tmp_path / "a.wav")
+    renderer.go_on_to(1e12)
+    assert renderer.is_full
+    renderer.add(Cue("bump"), 1e12)
+    renderer.close()
+    assert len(frames_of(tmp_path / "a.wav")) == 2 * 3 * SAMPLE_RATE
+
+
+# --- the learner's own
+
+
+def wav(
+    path: Path, samples: array[int], *, width: int = 2, rate: int = SAMPLE_RATE, channels: int = 1
+) -> None:
+    with wave.open(str(path), "wb") as file:
+        file.setnchannels(channels)
+        file.setsampwidth(width)
+        file.setframerate(rate)
+        file.writeframes(samples.tobytes())
+
+
+def test_an_own_sound_is_heard_in_the_place_of_ours_and_on_its_side(tmp_path: Path) -> None:
+    wav(tmp_path / "bump.wav", array("h", [16_384] * 500))
+    own, broken = load(tmp_path)
+    assert (list(own), broken) == (["bump"], ())
+    right = sound_of(Cue("bump", 90.0), 1.0, own)
+    assert max(right[0::2]) == 0
+    assert max(right[1::2]) == pytest.approx(16_384, abs=2)
+    assert sound_of(Cue("done"), 1.0, own) == render(Cue("done"))
+
+
+def test_a_long_one_is_cut_and_another_rate_is_heard_at_its_pitch(tmp_path: Path) -> None:
+    wav(tmp_path / "done.wav", array("h", [1000] * 2 * 88_200), rate=44_100, channels=2)
+    own, _ = load(tmp_path)
+    assert len(own["done"]) == SAMPLE_RATE
+
+
+def test_a_file_that_is_no_sound_changes_nothing_and_is_named(tmp_path: Path) -> None:
+    (tmp_path / "bump.wav").write_bytes(b"RIFF....garbage")
+    wav(tmp_path / "done.wav", array("h", [1]), width=1)
+    wav(tmp_path / "trumpet.wav", array("h", [1]))
+    own, broken = load(tmp_path)
+    assert (dict(own), broken) == ({}, ("bump.wav", "done.wav"))
+    assert unknown_names(tmp_path) == ("trumpet.wav",)
+
+
+def test_no_folder_is_no_own_sounds(tmp_path: Path) -> None:
+    assert load(None) == ({}, ())
+    assert load(tmp_path / "none") == ({}, ())
+    assert unknown_names(tmp_path / "none") == ()
+
+
+def test_what_is_no_wav_is_refused(tmp_path: Path) -> None:
+    with pytest.raises(NotWav):
+        read_mono(tmp_path / "missing.wav")
