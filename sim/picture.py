@@ -44,6 +44,21 @@ class Thing:
     """Steps from west to east."""
     depth: float
     """Steps from south to north."""
+    is_robot: bool = False
+    """Another robot, with its own name."""
+    heading: float = 0.0
+    """Compass degrees; what a robot looks at."""
+
+
+@dataclass(frozen=True, slots=True)
+class Drawing:
+    """What stands in the world as lines: each wall, thing and robot with its outlines, in steps."""
+
+    outlines: tuple[tuple[Point, ...], ...]
+    thing: Thing | None
+    """None: a wall."""
+    from_bitmap: bool
+    """Its outlines are the pieces of one shape."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -104,23 +119,39 @@ def picture(scene: Scene, robot: str | None = None) -> Picture:
     return Picture(left, bottom, width, height, cell, grid.rows(), things, has_walls)
 
 
+def drawings(scene: Scene) -> tuple[Drawing, ...]:
+    """Everything that stands in the scene, robots too; things have the letters that ``picture`` gives."""
+    me = _me(scene, None)
+    shapes = tuple(_shapes(scene, None, walls_around=me))
+    letters = _letters(shape for shape in shapes if not shape.is_wall and shape.model is not me)
+    if me is not None:
+        letters.setdefault(_kind(me), "x")
+    return tuple(
+        Drawing(shape.outlines, None if shape.is_wall else _thing(shape, letters), bool(shape.model.bitmap))
+        for shape in shapes
+    )
+
+
 def _me(scene: Scene, robot: str | None) -> Model | None:
     if robot is not None:
         return scene.robot(robot)
     return scene.models[scene.robots[0]] if scene.robots else None
 
 
-def _shapes(scene: Scene, me: Model | None) -> Iterator[_Shape]:
+def _shapes(scene: Scene, me: Model | None, walls_around: Model | None = None) -> Iterator[_Shape]:
+    parts: dict[int, list[Model]] = {}
     for model in scene.models:
-        if model.parent is None and (me is None or model.index != me.index):
+        parts.setdefault(model.root, []).append(model)
+    for root, tree in parts.items():
+        if me is None or root != me.index:
             outlines = tuple(
                 tuple((x / STEP, y / STEP) for x, y in points)
-                for part in scene.tree(model.index)
+                for part in tree
                 if part.solid or part.seen
                 for points in part.outlines()
             )
             if outlines:
-                yield _shape(model, outlines, me)
+                yield _shape(scene.models[root], outlines, walls_around or me)
 
 
 def _shape(model: Model, outlines: tuple[tuple[Point, ...], ...], me: Model | None) -> _Shape:
@@ -226,6 +257,7 @@ def _sized(letter: str, shape: _Shape) -> str:
 
 def _thing(shape: _Shape, letters: dict[str, str]) -> Thing:
     model = shape.model
+    is_robot = model.type == "position"
     return Thing(
         name=_called(model),
         kind=model.kind,
@@ -235,4 +267,6 @@ def _thing(shape: _Shape, letters: dict[str, str]) -> Thing:
         y=round((shape.bottom + shape.top) / 2, 6),
         width=round(shape.right - shape.left, 6),
         depth=round(shape.top - shape.bottom, 6),
+        is_robot=is_robot,
+        heading=round(90.0 - model.pose.yaw, 6) % 360.0 if is_robot else 0.0,
     )
