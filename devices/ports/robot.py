@@ -140,7 +140,7 @@ class LinkWatcher(Protocol):
     """Told what happens to the line, each thing once, from a thread of the line's own."""
 
     def told(self, news: LinkNews, reason: str) -> None:
-        """``reason``: a port, a voltage or the words of the operating system; for a log, or an empty string."""
+        """``reason``: a port, a voltage or the words of the operating system; for a log."""
 
 
 class Watcher(Protocol):

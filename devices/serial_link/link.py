@@ -1,0 +1,235 @@
+"""The line to a robot on a real port: one thread owns the port, reads it, and writes what is due.
+
+Everything that is decided is decided in ``devices.wire``; here are only the port, the clock and the lock. The
+thread is a daemon that sleeps between its looks and is woken by whoever wants something sent.
+"""
+
+from __future__ import annotations
+
+import atexit
+import logging
+import threading
+import time
+from collections.abc import Callable
+
+from devices.ports.robot import LinkNews, RobotProblem
+from devices.serial_link.port import OpenPort, PortProblem
+from devices.wire.commands import STOP, Drive
+from devices.wire.connection import Connection, Need, Write
+from devices.wire.link_config import LinkConfig
+from devices.wire.link_state import LinkState
+from devices.wire.telemetry import Telemetry
+
+LOOK = 0.01
+"""Seconds between two looks at the port: some eight frames come in that time."""
+SHORTEST = 0.001
+PARTING = 0.1
+"""Seconds that a stop is given to reach the board before the port is closed."""
+PATIENCE = 1.0
+"""Seconds beyond the board's own time limit that ``connect`` waits, for the thread to say that it failed."""
+
+_LOG = logging.getLogger(__name__)
+
+
+class SerialLink:
+    """A line to one board on one port. See ``devices.serial_robot.line.RobotLine``."""
+
+    def __init__(
+        self,
+        port: str,
+        config: LinkConfig | None = None,
+        on_event: Callable[[LinkNews, str], None] | None = None,
+        *,
+        open_port: Callable[[str], OpenPort] = OpenPort,
+    ) -> None:
+        """``port``: a path or a pyserial URL. ``on_event`` is told the news, from the link's own thread."""
+        self.name = port
+        self._config = config or LinkConfig()
+        self._on_event = on_event
+        self._open_port = open_port
+        self._connection = Connection(self._config, lambda text: _LOG.debug("%s: %s", port, text))
+        self._lock = threading.Lock()
+        self._answered = threading.Condition(self._lock)
+        self._wanted = threading.Event()
+        self._closing = threading.Event()
+        self._port: OpenPort | None = None
+        self._thread: threading.Thread | None = None
+
+    # --- for everybody
+
+    @property
+    def state(self) -> LinkState:
+        return self._connection.state
+
+    @property
+    def telemetry(self) -> Telemetry:
+        return self._connection.telemetry
+
+    @property
+    def driving_since(self) -> float | None:
+        return self._connection.driving_since
+
+    def now(self) -> float:
+        return time.monotonic()
+
+    def permit(self) -> int:
+        return self._connection.permit
+
+    def drive(self, permit: int, drive: Drive, until: float) -> bool:
+        with self._lock:
+            is_new = self._connection.driving_since is None
+            allowed = self._connection.drive(permit, drive, until, self.now())
+        if is_new:
+            self._wanted.set()
+        return allowed
+
+    def stop(self) -> None:
+        with self._lock:
+            self._connection.stop(self.now())
+        self._wanted.set()
+
+    def put(self, frame: bytes) -> None:
+        with self._lock:
+            self._connection.put(frame)
+        self._wanted.set()
+
+    def connect(self) -> None:
+        """Open the port and wait for the board. RobotProblem says why not, and the port is closed again."""
+        if self._thread is not None:
+            return
+        try:
+            self._port = self._open_port(self.name)
+        except PortProblem as problem:
+            raise RobotProblem(problem.code, port=problem.port, reason=problem.reason) from problem
+        with self._lock:
+            self._connection.open(self.now())
+            self._connection.opened(self.now())
+        self._start()
+        if not self._is_answered():
+            self.close()
+            raise RobotProblem("no-answer", port=self.name)
+
+    def close(self) -> None:
+        """Stop the robot, give that a moment to arrive, let go of the port. Any thread, any time."""
+        thread, self._thread = self._thread, None
+        if thread is None:
+            return
+        atexit.unregister(self.close)
+        self.stop()
+        self._closing.wait(PARTING)
+        self._closing.set()
+        self._wanted.set()
+        if thread is not threading.current_thread():
+            thread.join(PATIENCE)
+
+    # --- the link's own thread
+
+    def _start(self) -> None:
+        atexit.register(self.close)
+        self._closing.clear()
+        self._thread = threading.Thread(target=self._live, name=f"line {self.name}", daemon=True)
+        self._thread.start()
+
+    def _is_answered(self) -> bool:
+        seconds = self._config.first_answer + PATIENCE
+        with self._answered:
+            self._answered.wait_for(lambda: self.state in (LinkState.STREAMING, LinkState.LOST), seconds)
+            return self.state is LinkState.STREAMING
+
+    def _live(self) -> None:
+        try:
+            while not self._closing.is_set():
+                self._look()
+                self._tell()
+                self._wait()
+        finally:
+            self._let_go()
+
+    def _look(self) -> None:
+        """Take in what came, and do what is due."""
+        try:
+            data = self._port.read() if self._port is not None else b""
+        except OSError as error:
+            self._lost(error)
+            return
+        with self._lock:
+            if data:
+                self._connection.received(data, self.now())
+            actions = self._connection.actions(self.now())
+            self._answered.notify_all()
+        for action in actions:
+            self._do(action)
+
+    def _do(self, action: Write | Need) -> None:
+        try:
+            match action:
+                case Write(data=data):
+                    self._write(data)
+                case Need.FORCE:
+                    if self._port is not None:
+                        self._port.pull_reset(self._closing.wait)
+                case Need.REOPEN:
+                    self._reopen()
+        except OSError as error:
+            self._lost(error)
+
+    def _write(self, data: bytes) -> None:
+        if self._port is not None and not self._port.write(data):
+            with self._lock:
+                self._connection.write_failed(self.now())
+
+    def _reopen(self) -> None:
+        self._drop_port()
+        with self._lock:
+            self._connection.open(self.now())
+        try:
+            self._port = self._open_port(self.name)
+        except PortProblem as problem:
+            self._lost(OSError(problem.reason))
+            return
+        with self._lock:
+            self._connection.opened(self.now())
+
+    def _lost(self, error: OSError) -> None:
+        self._drop_port()
+        with self._lock:
+            self._connection.failed(self.now(), str(error))
+            self._answered.notify_all()
+
+    def _drop_port(self) -> None:
+        port, self._port = self._port, None
+        if port is not None:
+            port.close()
+
+    def _tell(self) -> None:
+        with self._lock:
+            news = self._connection.take_news()
+        for kind, reason in news:
+            self._tell_one(kind, reason or self.name)
+
+    def _tell_one(self, kind: LinkNews, reason: str) -> None:
+        try:
+            if self._on_event is not None:
+                self._on_event(kind, reason)
+        except Exception:  # noqa: BLE001 -- whoever listens must not be able to leave the robot without its line
+            _LOG.exception("a listener failed")
+
+    def _wait(self) -> None:
+        with self._lock:
+            seconds = min(LOOK, self._connection.next_at(self.now()) - self.now())
+        self._wanted.wait(max(SHORTEST, seconds))
+        self._wanted.clear()
+
+    def _let_go(self) -> None:
+        """However the thread ends, the last thing that is written is a stop."""
+        with self._lock:
+            self._connection.close(self.now())
+        if self._port is not None:
+            self._part(self._port)
+        self._drop_port()
+
+    def _part(self, port: OpenPort) -> None:
+        try:
+            port.write(STOP)
+        except OSError as error:
+            _LOG.info("%s: gone before the last stop: %s", self.name, error)

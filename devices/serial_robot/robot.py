@@ -1,0 +1,269 @@
+"""The real robot: the port's commands, done over a line, counted by the encoders.
+
+A movement that loses the line ends with ``StoppedBy.LINK``, and the next command raises ``link-lost``, even
+if the line is back by then: nothing goes on by itself. ``halt``, as at the end of a run, wipes that slate.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+
+from devices.ports.robot import (
+    Bearing,
+    Motion,
+    Moved,
+    Pace,
+    Pose,
+    RobotProblem,
+    Sighting,
+    StoppedBy,
+    Turned,
+    Watcher,
+)
+from devices.serial_robot.config import RobotConfig
+from devices.serial_robot.line import RobotLine
+from devices.serial_robot.movement import Aim, Movement
+from devices.serial_robot.odometry import Odometry
+from devices.serial_robot.scanning import AHEAD, angles, sightings
+from devices.serial_robot.senses import Ahead, Senses, steps_told
+from devices.wire import commands
+from devices.wire.commands import Drive
+from devices.wire.link_state import LinkState
+from devices.wire.telemetry import REMEMBERED, Telemetry
+
+DEGREES_A_REPORT = 10
+SLICE = 0.05
+"""Seconds between two looks of a wait."""
+PICTURE = 0.05
+"""Seconds between two places that are told for a moving picture."""
+WHOLE = 0.05
+"""Of a step or a degree, that may lack from a whole one which counts as done."""
+
+
+class SerialRobot:
+    """One robot at the end of a line. All but ``halt``, ``pose``, ``time`` and ``speed`` is the program's
+    thread's."""
+
+    def __init__(
+        self,
+        line: RobotLine,
+        config: RobotConfig | None = None,
+        *,
+        pace: Pace,
+        watcher: Watcher | None = None,
+    ) -> None:
+        self._line = line
+        self._config = config or RobotConfig()
+        self._pace = pace
+        self._watcher = watcher
+        self._senses = Senses(self._config)
+        self._odometry = Odometry(self._config)
+        self._began = line.now()
+        self._walked_too_far = self._turned_too_far = 0.0
+        self._lost_the_line = False
+        self._pictured_at = 0.0
+
+    @property
+    def name(self) -> str:
+        return "donnie"
+
+    @property
+    def colours(self) -> frozenset[str]:
+        """None: no camera is part of the robot."""
+        return frozenset()
+
+    @property
+    def speed(self) -> float | None:
+        """Times the real robot's pace, which is the only one that it has."""
+        return 1.0
+
+    @speed.setter
+    def speed(self, speed: float | None) -> None:
+        """Of no effect."""
+
+    def connect(self) -> None:
+        """Open the line and wait for the robot, some six seconds at most. RobotProblem says why not."""
+        self._line.connect()
+        self.reset()
+
+    def close(self) -> None:
+        """Stop the robot and let go of the port. Any thread; never raises."""
+        self._line.close()
+
+    def reset(self) -> None:
+        """Where the robot stands is its start now, and it looks north; its time begins."""
+        self._odometry.begin(self._line.telemetry)
+        self._began = self._line.now()
+        self._walked_too_far = self._turned_too_far = 0.0
+        self._lost_the_line = False
+
+    # --- moving
+
+    def forward(self, steps: int) -> Moved:
+        """Walk forward. ValueError if ``steps`` is negative; RobotProblem if the line is lost."""
+        return self._walk(Motion.FORWARD, steps)
+
+    def backward(self, steps: int) -> Moved:
+        """Walk backward. ValueError if ``steps`` is negative; RobotProblem if the line is lost."""
+        return self._walk(Motion.BACKWARD, steps)
+
+    def turn(self, degrees: int) -> Turned:
+        """RobotProblem if the line is lost."""
+        self._need_the_line()
+        sense = 1 if degrees >= 0 else -1
+        if degrees == 0:
+            return Turned(0, 0, None, self.pose())
+        drive, motion = (Drive.RIGHT, Motion.RIGHT) if sense > 0 else (Drive.LEFT, Motion.LEFT)
+        asked, unit = abs(degrees), self._config.counts_a_degree
+        aim = Aim(drive, asked, unit, asked, self._config.turn_coast, sense * self._turned_too_far)
+        already = self._line.telemetry.bumpers
+        movement = self._movement(
+            aim,
+            may_begin=lambda *_: True,
+            bumps=lambda now: any(new and not old for new, old in zip(now.bumpers, already, strict=True)),
+            report=_Report(motion, asked, DEGREES_A_REPORT, self._tell),
+        )
+        movement.run()
+        done = self._done(movement, asked)
+        self._turned_too_far = sense * (movement.counts - done * unit) if movement.stopped_by is None else 0.0
+        return Turned(degrees, sense * done, self._end_of(movement), self.pose())
+
+    def halt(self) -> None:
+        self._lost_the_line = False
+        self._line.stop()
+
+    def _walk(self, motion: Motion, steps: int) -> Moved:
+        if steps < 0:
+            raise ValueError("a walk has no negative steps")
+        self._need_the_line()
+        if steps == 0:
+            return Moved(0, 0, None, self.pose())
+        is_forward = motion is Motion.FORWARD
+        sense, drive = (1, Drive.FORWARD) if is_forward else (-1, Drive.BACKWARD)
+        bumpers = self._config.front_bumpers if is_forward else self._config.back_bumpers
+        sonar = self._senses.sonar_at(Bearing.FRONT if is_forward else Bearing.BACK)
+        unit = self._config.counts_a_step
+        movement = self._movement(
+            Aim(drive, steps, unit, 1, self._config.walk_coast, sense * self._walked_too_far),
+            may_begin=lambda now, left: _VERDICT[self._senses.ahead(now, sonar, left + 2.0, sense)],
+            bumps=lambda now: self._senses.touches(now, bumpers),
+            report=_Report(motion, steps, 1, self._tell),
+        )
+        movement.run()
+        done = self._done(movement, steps)
+        is_whole = movement.stopped_by in (None, StoppedBy.OBSTACLE)
+        self._walked_too_far = sense * (movement.counts - done * unit) if is_whole else 0.0
+        return Moved(steps, done, self._end_of(movement), self.pose())
+
+    def _movement(
+        self,
+        aim: Aim,
+        *,
+        may_begin: Callable[[Telemetry, float], bool | None],
+        bumps: Callable[[Telemetry], bool],
+        report: _Report,
+    ) -> Movement:
+        def seen(telemetry: Telemetry, units: float) -> None:
+            pose = self._odometry.follow(telemetry)
+            report.reached(units + aim.coast / aim.unit, pose)
+            self._picture(pose)
+
+        return Movement(
+            aim, self._line, self._config, self._pace, may_begin=may_begin, bumps=bumps, seen=seen
+        )
+
+    def _done(self, movement: Movement, asked: int) -> int:
+        """Whole steps or degrees: all of them, if nothing ended it before."""
+        if movement.stopped_by is None:
+            return asked
+        return min(asked, max(0, int(movement.units + WHOLE)))
+
+    def _end_of(self, movement: Movement) -> StoppedBy | None:
+        if movement.stopped_by is StoppedBy.LINK:
+            self._lost_the_line = True
+        return movement.stopped_by
+
+    def _need_the_line(self) -> None:
+        if self._lost_the_line or self._line.state is not LinkState.STREAMING:
+            self._lost_the_line = False
+            raise RobotProblem("link-lost", port=self._line.name)
+
+    # --- waiting and sensing
+
+    def wait(self, seconds: float) -> bool:
+        ends = self._line.now() + max(0.0, seconds)
+        permit = self._line.permit()
+        while (left := ends - self._line.now()) > 1e-9:
+            if not self._pace.sleep(min(SLICE, left)) or permit != self._line.permit():
+                return False
+        return True
+
+    def time(self) -> float:
+        return self._line.now() - self._began
+
+    def pose(self) -> Pose:
+        return self._odometry.follow(self._line.telemetry)
+
+    def distance(self, bearing: Bearing) -> int:
+        """RobotProblem ``no-sensor`` where none looks, ``link-lost`` without a line."""
+        self._need_the_line()
+        sonar = self._senses.sonar_at(bearing)
+        if sonar is None:
+            raise RobotProblem("no-sensor", sensor=bearing.name.lower().replace("_", " "))
+        return steps_told(self._measured(sonar))
+
+    def scan(self) -> tuple[Sighting, ...]:
+        """What the sonar on the head meets, from left to right; without colours or names.
+
+        RobotProblem ``no-camera`` without a head, ``link-lost`` without a line.
+        """
+        self._need_the_line()
+        sonar = self._config.head_sonar
+        if sonar is None:
+            raise RobotProblem("no-camera")
+        met: list[tuple[int, float | None]] = []
+        for degrees in angles(self._config.head_stride):
+            self._line.put(commands.head(AHEAD + degrees))
+            if not self.wait(self._config.head_pause):
+                break
+            self._need_the_line()
+            met.append((degrees, self._measured(sonar)))
+        self._line.put(commands.head(AHEAD))
+        return sightings(met)
+
+    def _measured(self, sonar: int) -> float | None:
+        """Centimetres; waits two refreshes at most for a sonar that has told nothing yet."""
+        ends = self._line.now() + REMEMBERED
+        while (told := self._senses.newest(self._line.telemetry, sonar)) is None and self._line.now() < ends:
+            if not self._pace.sleep(self._config.poll):
+                break
+        return told
+
+    # --- telling
+
+    def _tell(self, motion: Motion, pose: Pose) -> None:
+        if self._watcher is not None:
+            self._watcher.progressed(motion, pose)
+
+    def _picture(self, pose: Pose) -> None:
+        if self._watcher is not None and self._line.now() - self._pictured_at >= PICTURE:
+            self._pictured_at = self._line.now()
+            self._watcher.passing(pose)
+
+
+_VERDICT = {Ahead.FREE: True, Ahead.DOUBTFUL: None, Ahead.BLOCKED: False}
+
+
+class _Report:
+    """Tells each whole step, or each ten degrees and the rest, once."""
+
+    def __init__(self, motion: Motion, amount: int, every: int, tell: Callable[[Motion, Pose], None]) -> None:
+        self._motion, self._amount, self._every, self._tell = motion, amount, every, tell
+        self._told = 0
+
+    def reached(self, units: float, pose: Pose) -> None:
+        while (following := min(self._amount, self._told + self._every)) > self._told:
+            if units < following - WHOLE:
+                return
+            self._told = following
+            self._tell(self._motion, pose)
