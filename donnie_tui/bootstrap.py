@@ -5,6 +5,7 @@ What is heavy is imported where it is used, so that a command loads no more than
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from contextlib import ExitStack, suppress
 from dataclasses import dataclass
 from functools import partial
@@ -55,6 +56,8 @@ class Donnie:
     world: ChosenWorld
     """Its name, scene, and title, description and task where it is one of ours."""
     _audible: Audible
+    _lost: list[str]
+    """The files that could not be written to their end."""
     _closing: ExitStack
 
     @property
@@ -72,6 +75,16 @@ class Donnie:
         """Wait until everything was said, that long at most; False if that was not enough."""
         return self._audible.is_quiet_within(seconds)
 
+    @property
+    def has_lost_output(self) -> bool:
+        """Whether something that was asked for could not be written; it was told when that happened."""
+        return bool(self._lost)
+
+    @property
+    def audible(self) -> Audible:
+        """What makes a voice and sounds."""
+        return self._audible
+
     def close(self) -> None:
         """The robots stop first, whatever else takes its time."""
         self.team.stop()
@@ -86,12 +99,12 @@ def assemble(settings: Settings, *, terminal: bool, out: TextIO | None = None) -
     words = Words(settings.language, settings.verbosity)
     _refuse_what_is_to_come(settings, words)
     world = _inhabited_world(settings, words)
-    closing = ExitStack()
+    closing, lost = ExitStack(), list[str]()
     try:
         team = _team(settings, words, world, terminal)
         closing.callback(team.close)
         session = team.chosen
-        _write_events(settings, session, words, out, closing)
+        _write_events(settings, session, words, out, lost, closing)
         _write_log(settings, session, words, closing)
         about_settings = tuple(words(each.code, **each.values) for each in settings.notices)
         audible = make_audible(settings, session, words, closing)
@@ -100,7 +113,7 @@ def assemble(settings: Settings, *, terminal: bool, out: TextIO | None = None) -
         closing.close()
         raise
     notices = about_settings + audible.notices + about_devices
-    return Donnie(team, words, notices, about_devices, world, audible, closing)
+    return Donnie(team, words, notices, about_devices, world, audible, lost, closing)
 
 
 def colours_of_world(settings: Settings, words: Words) -> frozenset[str]:
@@ -119,8 +132,6 @@ def _inhabited_world(settings: Settings, words: Words) -> ChosenWorld:
 def _refuse_what_is_to_come(settings: Settings, words: Words) -> None:
     if settings.robot != "sim":
         raise Unusable(words("robot-to-come", robot=settings.robot))
-    if settings.speech in ("ssip", "robot"):
-        raise Unusable(words("option-to-come", option=f"--speech {settings.speech}"))
     if settings.record is not None:
         raise Unusable(words("option-to-come", option="--record"))
 
@@ -156,7 +167,12 @@ def _simulated_robot(
 
 
 def _write_events(
-    settings: Settings, session: Session, words: Words, out: TextIO | None, closing: ExitStack
+    settings: Settings,
+    session: Session,
+    words: Words,
+    out: TextIO | None,
+    lost: list[str],
+    closing: ExitStack,
 ) -> None:
     if settings.events is None:
         return
@@ -165,11 +181,18 @@ def _write_events(
     elif out is None:
         raise Unusable(words("events-need-run"))
 
-    def tell(problem: OSError) -> None:
-        reason = problem.strerror or str(problem)
-        session.hub.publish(Answered(words("file-unwritable", path=settings.events, reason=reason)))
+    session.hub.subscribe(JsonLines(out, _teller_of_loss(settings.events, session, words, lost)))
 
-    session.hub.subscribe(JsonLines(out, tell))
+
+def _teller_of_loss(name: str, session: Session, words: Words, lost: list[str]) -> Callable[[OSError], None]:
+    """What to do when a file can't be written any more: tell it, and remember it for the exit code."""
+
+    def tell(problem: OSError) -> None:
+        lost.append(name)
+        reason = problem.strerror or str(problem)
+        session.hub.publish(Answered(words("file-unwritable", path=name, reason=reason)))
+
+    return tell
 
 
 def _write_log(settings: Settings, session: Session, words: Words, closing: ExitStack) -> None:

@@ -1,6 +1,6 @@
-"""``donnie run``: one program from its start to its end, told in words or as events.
+"""``donnie run``: programs from their start to their end, told in words or as events.
 
-A signal stops the robot at once; the run then ends as it always does, with its last event.
+A signal stops every robot at once; each run then ends as it always does, with its last event.
 """
 
 from __future__ import annotations
@@ -8,24 +8,22 @@ from __future__ import annotations
 import os
 import signal
 import threading
-from collections.abc import Callable, Iterator
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from contextlib import contextmanager
-from pathlib import PurePath
 from types import FrameType
 from typing import TextIO, cast
 
 from donnie_tui.bootstrap import Donnie, assemble
 from donnie_tui.cli import codes
+from donnie_tui.cli.assigning import assign, read_programs
 from donnie_tui.cli.order import Order
 from donnie_tui.cli.output import Guarded, Output
-from donnie_tui.cli.sources import Source, read_source
 from donnie_tui.core.events import Answered, Outcome, Stamped
 from donnie_tui.core.runner import Run
-from donnie_tui.core.session import Session
+from donnie_tui.core.team import Assigned, Team
 from donnie_tui.core.transcript import told_lines
 from donnie_tui.settings import Settings
 from donnie_tui.settings import Source as Origin
-from donnie_tui.unusable import Unusable
 
 _SIGNALS = ("SIGINT", "SIGTERM", "SIGHUP")
 _GLANCE = 0.5
@@ -49,47 +47,39 @@ _CODE_OF = {
 
 
 def run(order: Order) -> int:
-    """``donnie run FILE``."""
-    files = order.invocation.arguments.file
-    if len(files) > 1 or _names_robot(files[0]):
-        raise Unusable(order.words("several-robots-to-come"))
-    return _run(order, files[0], trace=order.invocation.arguments.trace)
+    """``donnie run FILE``, or ``donnie run ROBOT=FILE ROBOT=FILE``."""
+    return _run(order, order.invocation.arguments.file, trace=order.invocation.arguments.trace)
 
 
 def run_original(order: Order) -> int:
     """``GoDonnie -f FILE``."""
-    return _run(order, order.invocation.arguments.run, trace=False)
+    return _run(order, [order.invocation.arguments.run], trace=False)
 
 
-def _names_robot(argument: str) -> bool:
-    """``ROBOT=FILE``; a file of that very name wins."""
-    robot, equals, _ = argument.partition("=")
-    return bool(equals) and robot.isidentifier() and not PurePath(argument).is_absolute()
-
-
-def _run(order: Order, file: str, *, trace: bool) -> int:
-    source = read_source(file, order.words)
+def _run(order: Order, files: Sequence[str], *, trace: bool) -> int:
+    programs = read_programs(files, order.words)
     output = order.output
     donnie = assemble(order.settings, terminal=False, out=cast(TextIO, Guarded(output)))
     try:
+        assigned = assign(programs, donnie.team, order.words)
         _tell_notices(order.settings, donnie, output)
         with_words = order.settings.events != "-"
         donnie.session.hub.subscribe(_printer(donnie, output, with_words=with_words))
-        return _run_to_the_end(donnie, source, output, trace)
+        code = _run_to_the_end(donnie, assigned, output, trace)
+        return codes.UNUSABLE if donnie.has_lost_output else code
     finally:
         donnie.close()
 
 
-def _run_to_the_end(donnie: Donnie, source: Source, output: Output, trace: bool) -> int:
-    session = donnie.session
-    output.on_broken = session.stop
-    with _stopped_by_signals(session) as stopped:
-        started = session.start(
-            source.text, PurePath(source.name).name, fresh=True, hooked=False, trace=trace
-        )
-        _await_end(started, stopped)
+def _run_to_the_end(donnie: Donnie, programs: Mapping[str, Assigned], output: Output, trace: bool) -> int:
+    """The worst exit code of all."""
+    output.on_broken = donnie.team.stop
+    with _stopped_by_signals(donnie.team) as stopped:
+        started = donnie.team.start_together(programs, trace=trace, hooked=False)
+        for each in started:
+            _await_end(each, stopped)
         _let_speak(donnie, stopped)
-    return codes.FAILED if started.outcome is None else _CODE_OF[started.outcome]
+    return max(codes.FAILED if each.outcome is None else _CODE_OF[each.outcome] for each in started)
 
 
 def _await_end(run: Run, stopped: threading.Event) -> None:
@@ -128,13 +118,13 @@ def _let_speak(donnie: Donnie, stopped: threading.Event) -> None:
 
 
 @contextmanager
-def _stopped_by_signals(session: Session) -> Iterator[threading.Event]:
-    """Any of them, any number of times, stops the program and the robot, and sets the event."""
+def _stopped_by_signals(team: Team) -> Iterator[threading.Event]:
+    """Any of them, any number of times, stops all programs and robots, and sets the event."""
     stopped = threading.Event()
 
     def stop(_number: int, _frame: FrameType | None) -> None:
         stopped.set()
-        session.stop()
+        team.stop()
 
     numbers = [getattr(signal, name) for name in _SIGNALS if hasattr(signal, name)]
     before = {number: signal.signal(number, stop) for number in numbers}

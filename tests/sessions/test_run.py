@@ -185,6 +185,7 @@ def test_a_full_disk_is_told(tmp_path: Path) -> None:
 
     assert done.stdout.decode() == "I walked 1 step forward.\n1\n"
     assert done.stderr.decode() == "I can't write /dev/full: No space left on device.\n"
+    assert done.returncode == 2
 
 
 def test_a_signal_ends_a_run_that_talks_to_somebody_who_does_not_read(tmp_path: Path) -> None:
@@ -199,3 +200,96 @@ def test_a_signal_ends_a_run_that_talks_to_somebody_who_does_not_read(tmp_path: 
 
     assert running.wait(PATIENCE) == 130
     running.communicate()
+
+
+# --- several robots
+
+TWO = """include "donnie.inc"
+donnie( name "alice" pose [ 0 0 0 90 ] )
+donnie( name "bob" pose [ 0 2 0 -90 ] )
+"""
+
+
+def two(folder: Path, **programs: str) -> tuple[str, ...]:
+    """A world with alice and bob, and a program for each that is named."""
+    (folder / "two.world").write_text(TWO)
+    for robot, program in programs.items():
+        (folder / f"{robot}.gd").write_text(program, encoding="utf-8")
+    return ("--world", "two.world", *QUIET)
+
+
+def test_several_robots_run_each_its_own_program_and_say_who_they_are(tmp_path: Path) -> None:
+    world = two(tmp_path, alice="FW 2", bob='WAIT 1 SPEAK "olá"')
+
+    done = donnie(tmp_path, "run", "alice=alice.gd", "bob=bob.gd", *world)
+
+    assert done.returncode == 0
+    assert sorted(done.stdout.decode().splitlines()) == [
+        "alice: I walked 2 steps forward.",
+        "bob: Waiting 1 second.",
+        "bob: olá",
+    ]
+
+
+def test_several_robots_write_the_same_bytes_again(tmp_path: Path) -> None:
+    world = two(tmp_path, alice=PROGRAM, bob=PROGRAM)
+    common = ("run", "bob=bob.gd", "alice=alice.gd", *world, "--events", "-")
+
+    streams = {donnie(tmp_path, *common, "--speed", speed).stdout for speed in ("max", "max", "500")}
+
+    assert len(streams) == 1
+    assert {each["robot"] for each in records(streams.pop())} == {"alice", "bob"}
+
+
+def test_the_exit_code_of_several_is_the_worst(tmp_path: Path) -> None:
+    world = two(tmp_path, alice="FW 1", bob="SPEAK q")
+
+    assert donnie(tmp_path, "run", "alice=alice.gd", "bob=bob.gd", *world).returncode == 1
+
+
+def test_without_a_name_the_first_robot_of_the_world_runs(tmp_path: Path) -> None:
+    world = two(tmp_path, alice="FW 1")
+
+    done = donnie(tmp_path, "run", "alice.gd", *world)
+
+    assert done.stdout.decode() == "alice: I walked 1 step forward.\n"
+
+
+def test_a_file_with_a_sign_of_equality_in_its_name_is_a_file(tmp_path: Path) -> None:
+    world = two(tmp_path)
+    (tmp_path / "bob=alice.gd").write_text("SPEAK 1")
+
+    assert donnie(tmp_path, "run", "bob=alice.gd", *world).stdout.decode() == "alice: 1\n"
+
+
+@pytest.mark.parametrize(
+    ("arguments", "sentence"),
+    [
+        (("alice=alice.gd", "carol=alice.gd"), "There is no robot carol here. There is alice, bob."),
+        (("alice=alice.gd", "Alice=alice.gd"), "The robot alice has two programs. One is enough."),
+        (("alice.gd", "alice.gd"), "Which robot runs alice.gd? Write ROBOT=alice.gd."),
+        (("alice=-", "bob=-"), "Only one robot can take its program from standard input."),
+        (("alice=alice.gd", "bob=nowhere.gd"), "There is no file nowhere.gd."),
+    ],
+)
+def test_who_runs_what_must_be_clear(tmp_path: Path, arguments: tuple[str, ...], sentence: str) -> None:
+    world = two(tmp_path, alice="FW 1")
+
+    done = donnie(tmp_path, "run", *arguments, *world)
+
+    assert (done.returncode, done.stdout) == (2, b"")
+    assert done.stderr.decode() == f"{sentence}\n"
+
+
+def test_a_signal_stops_every_robot(tmp_path: Path) -> None:
+    world = two(tmp_path, alice="FW 1000", bob="WHILE 1 == 1 DO WAIT 1 END WHILE")
+    running = start(tmp_path, "run", "alice=alice.gd", "bob=bob.gd", *world, "--speed", "20", "--events", "-")
+    assert running.stdout is not None
+    seen = [running.stdout.readline() for _ in range(5)]
+
+    running.send_signal(signal.SIGTERM)
+    rest, complaints = running.communicate(timeout=PATIENCE)
+
+    ended = [each for each in records(b"".join(seen) + rest) if each["event"] == "run_ended"]
+    assert (running.returncode, complaints) == (130, b"")
+    assert {(each["robot"], each["outcome"]) for each in ended} == {("alice", "stopped"), ("bob", "stopped")}

@@ -19,11 +19,6 @@ SENTENCES: dict[str, Sentence] = {
         "O robô {robot} ainda não existe. Use sim, o simulador.",
         "El robot {robot} aún no existe. Usa sim, el simulador.",
     ),
-    "several-robots-to-come": Sentence(
-        "Several robots at once are not there yet.",
-        "Vários robôs ao mesmo tempo ainda não existem.",
-        "Varios robots a la vez aún no existen.",
-    ),
     # --- wrong usage
     "bad-option": Sentence(
         "The option {option} can't be {value}. It takes {wanted}.",

@@ -81,9 +81,9 @@ SENTENCES: dict[str, Sentence] = _cut_short() | {
         "El robot {name} tiene dos programas. Basta uno.",
     ),
     "robots-need-names": Sentence(
-        "Several programs need their robots: {robot}={file}.",
-        "Vários programas precisam dos robôs: {robot}={file}.",
-        "Varios programas necesitan sus robots: {robot}={file}.",
+        "Which robot runs {file}? Write ROBOT={file}.",
+        "Que robô executa {file}? Escreva ROBÔ={file}.",
+        "¿Qué robot ejecuta {file}? Escribe ROBOT={file}.",
     ),
     "robots-one-input": Sentence(
         "Only one robot can take its program from standard input.",
