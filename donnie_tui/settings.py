@@ -7,9 +7,11 @@ counts; only on the command line it is an error, because there somebody is waiti
 from __future__ import annotations
 
 import math
+import os
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass, field
 from enum import Enum
+from pathlib import Path
 
 from donnie_tui.device_settings import (
     BUMPERS_WANTED,
@@ -77,6 +79,8 @@ class Settings:
     """The choices of one start. ``speed`` None is as fast as possible; ``events`` a file or ``-``."""
 
     world: str = "open_floor"
+    world_folders: tuple[Path, ...] = ()
+    """Folders from which worlds may include files, besides their own."""
     robot: str = "sim"
     language: str = "en"
     speed: float | None = FRONT_END_SPEED
@@ -165,7 +169,11 @@ def resolve(
     default_speed: float | None = FRONT_END_SPEED,
 ) -> tuple[Settings, tuple[Notice, ...]]:
     """The settings that win, by ``key``. Raises ``BadOption``."""
-    values: dict[str, object] = {"speed": default_speed, "language": language_of(environment)}
+    values: dict[str, object] = {
+        "speed": default_speed,
+        "language": language_of(environment),
+        "world_folders": _folders(environment.get("STAGEPATH", "")),
+    }
     sources: dict[str, Source] = {}
     notices = [_unknown(key) for key in file if key not in _BY_KEY]
     for each in KEYS:
@@ -269,8 +277,22 @@ def _read_text(text: str) -> str:
     return text
 
 
+def read_folders(text: str) -> tuple[Path, ...]:
+    """Folders, apart as in PATH. Raises ``ValueError``."""
+    folders = _folders(_read_text(text))
+    if not folders:
+        raise ValueError(text)
+    return folders
+
+
+def _folders(text: str) -> tuple[Path, ...]:
+    given = (each for each in text.split(os.pathsep) if each.strip())
+    return tuple(Path(os.path.expanduser(each)) for each in given)  # noqa: PTH111 -- pathlib's raises
+
+
 KEYS = (
     Key("world", "world", _read_text, "NAME_OR_FILE"),
+    Key("worlds", "world_folders", read_folders, f"FOLDER{os.pathsep}FOLDER"),
     Key("robot", "robot", read_robot, ROBOT_WANTED),
     Key("lang", "language", _read_language, "en, pt, es"),
     Key("speed", "speed", read_speed, f"{SLOWEST:g}-{FASTEST:g}, max"),

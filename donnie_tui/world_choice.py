@@ -1,6 +1,7 @@
 """A world by its name or by its file, loaded; every way in which that can fail is a sentence.
 
-A name of a world that ships wins over a file in the current folder; ``./name`` is always the file.
+A name of a world that ships wins over a file in the current folder; ``./name`` is always the file. A
+configuration file chooses its world, the robots that it offers, and the real robot.
 """
 
 from __future__ import annotations
@@ -18,6 +19,10 @@ from donnie_tui.unusable import Unusable
 
 if TYPE_CHECKING:
     from sim.scene import Scene
+    from sim.worldfile import Offer
+
+WITHOUT_WORLD = "open_floor"
+"""Where a configuration file asks for a real robot only: something to draw it on."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -29,6 +34,10 @@ class ChosenWorld:
     scene: Scene
     ships: bool
     """Whether it is one of ours, with words about it."""
+    offers: tuple[Offer, ...] = ()
+    """What a configuration file offers, and under which addresses."""
+    physical_port: str | None = None
+    """The serial port of the real robot that a configuration file asks for."""
 
     def about(self, language: str) -> worlds.About | None:
         """Title, description and task; None for a file of the learner's own."""
@@ -42,15 +51,35 @@ class ChosenWorld:
         return Pose(round(place.x / STEP, 6), round(place.y / STEP, 6), round(90.0 - place.yaw, 6) % 360.0)
 
 
-def choose_world(name_or_file: str, words: Words) -> ChosenWorld:
-    """The world of ``--world``. Raises ``Unusable``."""
+def choose_world(name_or_file: str, words: Words, folders: tuple[Path, ...] = ()) -> ChosenWorld:
+    """The world of ``--world``. Raises ``Unusable``.
+
+    ``folders``: those from which its files may include others, besides their own.
+    """
     if name_or_file in worlds.names():
         path = worlds.path(name_or_file)
-        return ChosenWorld(name_or_file, path, _load(path, words), ships=True)
+        return ChosenWorld(name_or_file, path, _load(path, words, folders), ships=True)
     path = Path(name_or_file)
     if not _looks_like_a_file(name_or_file) and not path.exists():
         raise Unusable(_unknown_world(name_or_file, words))
-    return ChosenWorld(path.name, path, _load(path, words), ships=False)
+    if path.suffix.lower() == ".cfg":
+        return _configured(path, words, folders)
+    return ChosenWorld(path.name, path, _load(path, words, folders), ships=False)
+
+
+def _configured(path: Path, words: Words, folders: tuple[Path, ...]) -> ChosenWorld:
+    from sim.worldfile import WorldError, load_configuration
+
+    try:
+        found = load_configuration(path, allowed=(*folders, worlds.SCENES))
+    except WorldError as error:
+        raise Unusable(world_mistake(error, words)) from None
+    if found.scene is not None and found.world is not None:
+        name, place, scene = found.world.name, found.world, found.scene
+    else:
+        name, place = path.name, worlds.path(WITHOUT_WORLD)
+        scene = _load(place, words, folders)
+    return ChosenWorld(name, place, scene, False, found.offers, found.physical_port)
 
 
 def _looks_like_a_file(name: str) -> bool:
@@ -64,10 +93,10 @@ def _unknown_world(name: str, words: Words) -> str:
     return words("world-unknown", name=name)
 
 
-def _load(path: Path, words: Words) -> Scene:
+def _load(path: Path, words: Words, folders: tuple[Path, ...]) -> Scene:
     from sim.worldfile import WorldError, load_world
 
     try:
-        return load_world(path, allowed=(worlds.SCENES,))
+        return load_world(path, allowed=(*folders, worlds.SCENES))
     except WorldError as error:
         raise Unusable(world_mistake(error, words)) from None

@@ -35,7 +35,7 @@ def tell_world(order: Order) -> int:
     for form in ("svg", "brf"):
         if getattr(arguments, form):
             raise Unusable(words("option-to-come", option=f"--{form}"))
-    world = choose_world(arguments.name or order.settings.world, words)
+    world = choose_world(arguments.name or order.settings.world, words, order.settings.world_folders)
     for line in _lines(arguments, world, words):
         order.output.line(line)
     return codes.DONE

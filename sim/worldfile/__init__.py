@@ -1,6 +1,17 @@
 """World files as Stage has them: text in, a scene or a mistake with its place out."""
 
+from sim.worldfile.addresses import Address
+from sim.worldfile.configuration import Configuration, Offer, load_configuration
 from sim.worldfile.load import load_text, load_world
 from sim.worldfile.mistakes import Code, WorldError
 
-__all__ = ["Code", "WorldError", "load_text", "load_world"]
+__all__ = [
+    "Address",
+    "Code",
+    "Configuration",
+    "Offer",
+    "WorldError",
+    "load_configuration",
+    "load_text",
+    "load_world",
+]

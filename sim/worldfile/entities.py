@@ -60,7 +60,9 @@ _Bodies = list[tuple[str, tuple[tree.Item, ...]]]
 class Expander:
     """Turns the statements of a world into entities."""
 
-    def __init__(self) -> None:
+    def __init__(self, types: frozenset[str] = BUILT_IN) -> None:
+        """``types``: what there is to make things of, besides macros."""
+        self._types = types
         self.notes: list[Note] = []
         self.settings: dict[str, Setting] = {}
         """The properties at the top level, the last of each name."""
@@ -116,18 +118,18 @@ class Expander:
         bodies: _Bodies = [(file, instance.body)]
         name, place = instance.type, (file, instance.line, instance.column)
         seen: set[str] = set()
-        while (macro := self._macros.get(name)) is not None and not (name in seen and name in BUILT_IN):
+        while (macro := self._macros.get(name)) is not None and not (name in seen and name in self._types):
             if name in seen:
                 raise WorldError(Code.DEFINE_CYCLE, *place, found=name)
             seen.add(name)
             bodies.append((macro.file, macro.define.body))
             name = macro.define.base
             place = (macro.file, macro.define.base_line, macro.define.base_column)
-        if name not in BUILT_IN:
+        if name not in self._types:
             raise self._unknown(name, place)
         return name, bodies[::-1]
 
     def _unknown(self, name: str, place: tuple[str, int, int]) -> WorldError:
-        known = sorted(BUILT_IN | self._macros.keys())
+        known = sorted(self._types | self._macros.keys())
         nearest = next(iter(get_close_matches(name, known, 1, 0.7)), "") if len(name) < 60 else ""
         return WorldError(Code.UNKNOWN_TYPE, *place, ("type",), found=name[:60], nearest=nearest)

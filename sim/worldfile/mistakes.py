@@ -19,6 +19,8 @@ class Code(Enum):
     INCLUDE_CYCLE = "include-cycle"  # path
     INCLUDE_OUTSIDE = "include-outside"  # path
     INCLUDE_TOO_DEEP = "include-too-deep"  # limit
+    NO_WORLD_FILE = "no-world-file"  # a configuration that names neither a world nor a real robot
+    BAD_ADDRESS = "bad-address"  # found
     BITMAP_NOT_FOUND = "bitmap-not-found"  # path
     BITMAP_OUTSIDE = "bitmap-outside"  # path
     BITMAP_UNREADABLE = "bitmap-unreadable"  # path

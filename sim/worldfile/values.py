@@ -128,6 +128,10 @@ class ValueReader:
             raise mistake(Code.OUT_OF_RANGE, setting, name=name, limit=most)
         return value
 
+    def strings(self, setting: Setting, most: int) -> tuple[str, ...]:
+        """The strings of a tuple."""
+        return tuple(_string(setting, item) for item in _items(setting, 0, most))
+
     def words(self, setting: Setting, choices: tuple[str, ...]) -> tuple[str, ...]:
         """The words of a tuple, or the one word that stands there; each is one of ``choices``."""
         name, value = setting.property.name, setting.property.value

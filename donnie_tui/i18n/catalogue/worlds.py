@@ -49,6 +49,16 @@ SENTENCES: dict[str, Sentence] = {
         "Inclusões demais uma dentro da outra, no máximo {limit}.",
         "Demasiadas inclusiones una en otra, como máximo {limit}.",
     ),
+    "world-no-world-file": Sentence(
+        "This file names no worldfile and no real robot.",
+        "Este arquivo não indica nenhum worldfile nem robô real.",
+        "Este archivo no indica ningún worldfile ni robot real.",
+    ),
+    "world-bad-address": Sentence(
+        "{found} is no device address. One looks like position2d:0 or 6665:position2d:0.",
+        "{found} não é um endereço de dispositivo. Um exemplo é position2d:0 ou 6665:position2d:0.",
+        "{found} no es una dirección de dispositivo. Un ejemplo es position2d:0 o 6665:position2d:0.",
+    ),
     "world-bitmap-not-found": Sentence(
         "There is no picture {path}.", "Não existe a imagem {path}.", "No existe la imagen {path}."
     ),
@@ -210,6 +220,21 @@ SENTENCES: dict[str, Sentence] = {
         "The white margin of {path} was cropped.",
         "A margem branca de {path} foi cortada.",
         "El margen blanco de {path} se recortó.",
+    ),
+    "note-driver-not-used": Sentence(
+        "the driver {name} is not needed here.",
+        "o driver {name} não é necessário aqui.",
+        "el driver {name} no hace falta aquí.",
+    ),
+    "note-unknown-model": Sentence(
+        "the world has no model {name}.",
+        "o mundo não tem o modelo {name}.",
+        "el mundo no tiene el modelo {name}.",
+    ),
+    "note-unknown-model-near": Sentence(
+        "the world has no model {name}. Did you mean {nearest}?",
+        "o mundo não tem o modelo {name}. Você quis dizer {nearest}?",
+        "el mundo no tiene el modelo {name}. Quizá querías decir {nearest}.",
     ),
     "note-no-robot": Sentence("The world has no robot.", "O mundo não tem robô.", "El mundo no tiene robot."),
     # --- a world in words

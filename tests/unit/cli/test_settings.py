@@ -1,5 +1,6 @@
 """Command line, variables, file, defaults: the strongest sound value wins; its origin is known."""
 
+import os
 import tomllib
 from pathlib import Path
 
@@ -202,3 +203,18 @@ def test_each_platform_has_its_place(platform: str, environment: dict[str, str],
 
 def test_state_has_a_folder_of_its_own() -> None:
     assert state_folder({"HOME": "/h"}, "linux") == Path("/h/.local/state/donnie")
+
+
+def test_the_folders_of_worlds_are_those_of_stage_unless_others_are_named() -> None:
+    stage = {"STAGEPATH": os.pathsep.join(("/opt/stage", "", "~/worlds"))}
+
+    def folders(variables: dict[str, str], file: dict[str, object]) -> tuple[Path, ...]:
+        return resolve({}, variables, file)[0].world_folders
+
+    assert folders(stage, {}) == (Path("/opt/stage"), Path("~/worlds").expanduser())
+    assert folders({**stage, "DONNIE_WORLDS": "/mine"}, {}) == (Path("/mine"),)
+    assert folders({}, {"worlds": "/a" + os.pathsep + "~nobody-at-all/b"}) == (
+        Path("/a"),
+        Path("~nobody-at-all/b"),
+    )
+    assert folders({"DONNIE_WORLDS": os.pathsep}, {}) == ()
