@@ -1,10 +1,14 @@
-"""A world in words: how large it is, where the robot starts, and what stands where, nearest first.
+"""A world in words: how large it is, where its robots start, and what stands where, nearest first.
 
-Places are told from the robot: how far ahead or behind, how far to the left or the right, in steps.
+Places are told from the robot, in steps: as it sees them (ahead, to the left) or by the compass, which suits
+somebody who makes a picture of the world before anything moves. However much stands in a world, what is told
+has an end: the nearest things one by one, the others counted by kind.
 """
 
 from __future__ import annotations
 
+from collections import Counter
+from collections.abc import Callable, Iterable, Sequence
 from math import cos, hypot, radians, sin
 from typing import TYPE_CHECKING
 
@@ -15,21 +19,41 @@ from donnie_tui.core.wording import Wording
 
 if TYPE_CHECKING:
     from sim.picture import Picture, Thing
+    from worlds import About
+
+MOST_THINGS = 20
+"""Things that are told one by one."""
+MOST_KINDS = 5
+"""Kinds of the others that are counted."""
+MOST_ROBOTS = 10
+"""Robots that are named."""
+LONG = 8
+"""Steps from which the size of a thing is told too."""
+
+_PlaceOf = Callable[[float, float, Pose, Wording], str]
 
 
-def describe(picture: Picture, pose: Pose, wording: Wording) -> tuple[str, ...]:
-    """The world as it looks from ``pose``, a sentence a line."""
-    start = wording(
-        "world-start", x=numbers.whole(pose.x), y=numbers.whole(pose.y), facing=facing(pose, wording)
+def describe(
+    picture: Picture, pose: Pose, wording: Wording, *, robot: str | None = None, about: About | None = None
+) -> tuple[str, ...]:
+    """A world for somebody who wants it in mind, a sentence a line: all of it, its walls, then its things.
+
+    ``robot``: who starts at ``pose``, None where no robot is. ``about``: what the world's author says of it.
+    """
+    return (
+        *_overview(picture, about, wording),
+        *_robots(picture, pose, robot, wording),
+        *_things(picture, pose, wording),
+        *((wording("world-task", task=about.task),) if about else ()),
     )
-    count = wording("world-things", count=len(picture.things)) if picture.things else wording("world-bare")
-    return (_size(picture, wording), start, count, *things_in_words(picture, pose, wording))
 
 
-def things_in_words(picture: Picture, pose: Pose, wording: Wording) -> tuple[str, ...]:
-    """One sentence for each thing, the nearest first."""
-    nearest_first = sorted(picture.things, key=lambda each: hypot(each.x - pose.x, each.y - pose.y))
-    return tuple(_thing(each, pose, wording) for each in nearest_first)
+def _overview(picture: Picture, about: About | None, wording: Wording) -> tuple[str, ...]:
+    """The author's words know what is a room and what a passage; without them there is the size."""
+    if about is None:
+        return (_size(picture, wording),)
+    level = wording(f"difficulty-{about.difficulty.value}")
+    return (wording("world-difficulty", difficulty=level), *about.sentences)
 
 
 def _size(picture: Picture, wording: Wording) -> str:
@@ -38,22 +62,99 @@ def _size(picture: Picture, wording: Wording) -> str:
     return wording("world-size", width=picture.width * picture.cell, height=picture.height * picture.cell)
 
 
-def _thing(thing: Thing, pose: Pose, wording: Wording) -> str:
-    name = name_of(thing, wording)
+def _robots(picture: Picture, pose: Pose, robot: str | None, wording: Wording) -> tuple[str, ...]:
+    """Who they are, where the first one starts, and where the others are from there."""
+    if robot is None:
+        return (wording("world-no-robot"),)
+    start = {"x": numbers.whole(pose.x), "y": numbers.whole(pose.y), "facing": facing(pose, wording)}
+    others = _by_distance((each for each in picture.things if each.is_robot), pose)
+    if not others:
+        return (wording("world-robot-start", name=robot, **start),)
+    names = ", ".join([robot, *(each.name for each in others)][:MOST_ROBOTS])
+    code = "world-robots" if len(others) < MOST_ROBOTS else "world-robots-many"
+    return (
+        wording(code, count=len(others) + 1, names=names, more=len(others) + 1 - MOST_ROBOTS),
+        wording("world-robot-start", name=robot, **start),
+        *(_robot(each, pose, wording) for each in others[: MOST_ROBOTS - 1]),
+    )
+
+
+def _robot(robot: Thing, pose: Pose, wording: Wording) -> str:
+    turned = Pose(robot.x, robot.y, robot.heading)
     return wording(
-        "world-thing",
+        "world-robot",
+        name=name_of(robot, wording),
+        place=compass_place_of(robot.x, robot.y, pose, wording),
+        facing=facing(turned, wording),
+    )
+
+
+def _things(picture: Picture, pose: Pose, wording: Wording) -> tuple[str, ...]:
+    things = [each for each in picture.things if not each.is_robot]
+    if not things:
+        return (wording("world-bare"),)
+    count = wording("world-things-from-start", count=len(things))
+    return (count, *_bounded(things, pose, wording, compass_place_of))
+
+
+def things_in_words(picture: Picture, pose: Pose, wording: Wording) -> tuple[str, ...]:
+    """What stands around as it is seen from ``pose``, other robots too, the nearest first.
+
+    One sentence for each of the nearest ``MOST_THINGS``, then how many more there are; so the number of
+    sentences is not that of the things.
+    """
+    return _bounded(picture.things, pose, wording, place_of)
+
+
+def _bounded(things: Sequence[Thing], pose: Pose, wording: Wording, where: _PlaceOf) -> tuple[str, ...]:
+    nearest_first = _by_distance(things, pose)
+    told, others = nearest_first[:MOST_THINGS], nearest_first[MOST_THINGS:]
+    return (*(_thing(each, pose, wording, where) for each in told), *_counted(others, wording))
+
+
+def _by_distance(things: Iterable[Thing], pose: Pose) -> list[Thing]:
+    return sorted(things, key=lambda each: hypot(each.x - pose.x, each.y - pose.y))
+
+
+def _counted(others: Sequence[Thing], wording: Wording) -> tuple[str, ...]:
+    """The things that are not told one by one: how many, and of which kinds most."""
+    if not others:
+        return ()
+    kinds = Counter((_kind_of(each, wording), each.colour) for each in others)
+    return (
+        wording("world-more-things", count=len(others)),
+        *(
+            wording("world-more-of-kind", count=count, name=name, colour=wording(f"colour-{colour}"))
+            for (name, colour), count in kinds.most_common(MOST_KINDS)
+        ),
+    )
+
+
+def _thing(thing: Thing, pose: Pose, wording: Wording, where: _PlaceOf) -> str:
+    name = name_of(thing, wording)
+    width, depth = round(thing.width), round(thing.depth)
+    return wording(
+        "world-large-thing" if max(width, depth) >= LONG else "world-thing",
         name=name[:1].upper() + name[1:],
         colour=wording(f"colour-{thing.colour}"),
-        place=place_of(thing.x, thing.y, pose, wording),
+        width=width,
+        depth=depth,
+        place=where(thing.x, thing.y, pose, wording),
     )
 
 
 def name_of(thing: Thing, wording: Wording) -> str:
-    """In the learner's language where the kind is one of our worlds', else as its world's file has it."""
+    """A robot's own name; a thing's kind in the learner's language where it is one of our worlds'."""
+    if thing.is_robot and thing.name:
+        return thing.name
+    return _kind_of(thing, wording, thing.name or thing.kind)
+
+
+def _kind_of(thing: Thing, wording: Wording, otherwise: str | None = None) -> str:
     try:
         return wording(f"thing-{thing.kind}")
     except KeyError:
-        return thing.name or thing.kind
+        return otherwise or thing.kind
 
 
 def place_of(x: float, y: float, pose: Pose, wording: Wording) -> str:
@@ -61,9 +162,19 @@ def place_of(x: float, y: float, pose: Pose, wording: Wording) -> str:
     east, north, turned = x - pose.x, y - pose.y, radians(pose.heading)
     ahead = round(east * sin(turned) + north * cos(turned))
     right = round(east * cos(turned) - north * sin(turned))
-    parts = []
-    if right:
-        parts.append(wording("place-right" if right > 0 else "place-left", steps=abs(right)))
-    if ahead:
-        parts.append(wording("place-ahead" if ahead > 0 else "place-behind", steps=abs(ahead)))
+    return _both(right, ("place-left", "place-right"), ahead, ("place-behind", "place-ahead"), wording)
+
+
+def compass_place_of(x: float, y: float, pose: Pose, wording: Wording) -> str:
+    """Where something is by the compass, whichever way the robot looks: "2 west, 5 north", nearest step."""
+    east, north = round(x - pose.x), round(y - pose.y)
+    return _both(east, ("place-west", "place-east"), north, ("place-south", "place-north"), wording)
+
+
+def _both(
+    first: int, first_codes: tuple[str, str], second: int, second_codes: tuple[str, str], wording: Wording
+) -> str:
+    """Two distances in words; the codes are for negative and for positive ones."""
+    pairs = ((first, first_codes), (second, second_codes))
+    parts = [wording(codes[steps > 0], steps=abs(steps)) for steps, codes in pairs if steps]
     return ", ".join(parts) or wording("place-here")

@@ -1,0 +1,148 @@
+"""A world for paper: which letter stands for what, robots included, and a floor of these letters.
+
+Letters are small ones, each with one meaning, so that they can be told apart in six-dot braille. Free floor
+is ``.``, a wall ``#``; the northern row is the first.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Mapping, Sequence
+from dataclasses import dataclass
+from string import ascii_lowercase
+from typing import TYPE_CHECKING
+
+from devices.ports.robot import Pose
+from donnie_tui.core.describe import name_of
+from donnie_tui.core.map_grid import FREE, WALL
+from donnie_tui.core.telling import facing
+from donnie_tui.core.wording import Wording
+
+if TYPE_CHECKING:
+    from sim.picture import Picture, Thing
+
+MOST_ROBOTS = 6
+"""Robots with a letter of their own; the others share one."""
+MOST_COLOURS = 3
+"""Colours that the legend names for a letter."""
+
+
+@dataclass(frozen=True, slots=True)
+class Robot:
+    """A robot where it starts."""
+
+    name: str
+    pose: Pose
+    letter: str = ""
+
+
+@dataclass(frozen=True, slots=True)
+class Chart:
+    """What paper needs to know of a world."""
+
+    rows: tuple[str, ...]
+    cell: int
+    """Steps that a letter is wide and high."""
+    robots: tuple[Robot, ...]
+    legend: Mapping[str, str]
+    """The meaning of every letter, and of ``#``."""
+
+
+def chart(picture: Picture, pose: Pose, robot: str | None, wording: Wording) -> Chart:
+    """The world in which ``robot`` starts at ``pose``; None where there is no robot."""
+    things = [each for each in picture.things if not each.is_robot]
+    others = [Robot(each.name or each.kind, _pose(each)) for each in picture.things if each.is_robot]
+    me = [] if robot is None else [Robot(robot, pose)]
+    robots = _lettered([*me, *others], {each.letter.lower() for each in things})
+    legend = {WALL: wording("paper-legend-wall")} if picture.has_walls else {}
+    legend |= _robots_legend(robots, wording) | _things_legend(things, wording)
+    return Chart(_rows(picture, robots, bool(me)), picture.cell, robots, legend)
+
+
+def shrunk(rows: Sequence[str], across: int, down: int, strong: str = "") -> tuple[str, ...]:
+    """A block of letters becomes one: of ``strong`` ones, things, walls, floor the first that is there."""
+    return tuple(
+        "".join(
+            _strongest([row[x : x + across] for row in rows[y : y + down]], strong)
+            for x in range(0, len(rows[0]), across)
+        )
+        for y in range(0, len(rows), down)
+    )
+
+
+def _strongest(block: Iterable[str], strong: str) -> str:
+    def rank(letter: str) -> int:
+        return 3 if letter in strong else {FREE: 0, WALL: 1}.get(letter, 2)
+
+    return max("".join(block), key=rank)
+
+
+def _pose(thing: Thing) -> Pose:
+    return Pose(thing.x, thing.y, thing.heading)
+
+
+def _lettered(robots: Iterable[Robot], taken: set[str]) -> tuple[Robot, ...]:
+    """Each robot with a letter of its name if that is free; those that are too many share the last one."""
+    lettered: list[Robot] = []
+    taken = set(taken)
+    shared = next((each for each in reversed(ascii_lowercase) if each not in taken), "z")
+    for robot in robots:
+        letter = shared
+        if len(lettered) < MOST_ROBOTS:
+            wanted = (*robot.name.lower(), *ascii_lowercase)
+            free = (each for each in wanted if each in ascii_lowercase and each not in taken | {shared})
+            letter = next(free, shared)
+        taken.add(letter)
+        lettered.append(Robot(robot.name, robot.pose, letter))
+    return tuple(lettered)
+
+
+def _robots_legend(robots: Sequence[Robot], wording: Wording) -> dict[str, str]:
+    named, others = robots[:MOST_ROBOTS], robots[MOST_ROBOTS:]
+    legend = {
+        each.letter: wording("paper-legend-robot", name=each.name, facing=facing(each.pose, wording))
+        for each in named
+    }
+    if others:
+        legend[others[0].letter] = wording("paper-legend-robots", count=len(others))
+    return legend
+
+
+def _things_legend(things: Iterable[Thing], wording: Wording) -> dict[str, str]:
+    names: dict[str, list[str]] = {}
+    colours: dict[str, list[str]] = {}
+    for thing in things:
+        letter = thing.letter.lower()
+        _add(names.setdefault(letter, []), name_of(thing, wording))
+        _add(colours.setdefault(letter, []), wording(f"colour-{thing.colour}"))
+    return {
+        letter: ", ".join((*names[letter][:MOST_COLOURS], *colours[letter][:MOST_COLOURS]))
+        for letter in sorted(names)
+    }
+
+
+def _add(found: list[str], word: str) -> None:
+    if word not in found and len(found) < MOST_COLOURS:
+        found.append(word)
+
+
+def _rows(picture: Picture, robots: Sequence[Robot], has_me: bool) -> tuple[str, ...]:
+    rows = [list(row.lower()) for row in picture.rows]
+    bodies = [each for each in picture.things if each.is_robot]
+    for body, robot in zip(bodies, robots[has_me:], strict=True):
+        for row, column in _cells(picture, body):
+            if rows[row][column] == body.letter.lower():
+                rows[row][column] = robot.letter
+    for robot in robots:
+        cell = picture.at(robot.pose.x, robot.pose.y)
+        if cell is not None:
+            rows[cell[0]][cell[1]] = robot.letter
+    return tuple("".join(row) for row in rows)
+
+
+def _cells(picture: Picture, thing: Thing) -> Iterable[tuple[int, int]]:
+    """The squares of the box around a thing."""
+    first = picture.at(thing.x - thing.width / 2, thing.y + thing.depth / 2)
+    last = picture.at(thing.x + thing.width / 2, thing.y - thing.depth / 2)
+    if first is None or last is None:
+        return ()
+    return [(y, x) for y in range(first[0], last[0] + 1) for x in range(first[1], last[1] + 1)]
