@@ -1,6 +1,6 @@
 """The firmware's loop: bytes in, seconds go by, bytes out. No port, no clock, no thread.
 
-A pass of the loop reads one byte, prints what the parser says about it, sends whatever is due and always the
+A pass of the loop reads one byte (before it is configured, all there are), prints what the parser says about it, sends whatever is due and always the
 encoders. Nothing ever stops the motors but a MOTOR frame, a reset or a wheel at zero: that is the point.
 """
 
@@ -152,7 +152,8 @@ class SimulatedBoard:
         out += self._encoders()
 
     def _read(self, out: bytearray) -> None:
-        for _ in range(min(self._bytes_a_pass, len(self._unread))):
+        at_once = len(self._unread) if self._stage is _Stage.SETUP else self._bytes_a_pass
+        for _ in range(min(at_once, len(self._unread))):
             taken = self._receiver.take(self._unread.popleft())
             out += taken.text
             if taken.frame:

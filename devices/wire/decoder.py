@@ -73,6 +73,7 @@ class Decoder:
         """Read a frame, and answer where to go on."""
         whole = held[begins:ends]
         if whole and whole == self._last_frame and self._last_report is not None:
+            self._end_line()
             reports.append(self._last_report)
             return ends
         if not whole or checksum(whole[3:-1]) != whole[-1]:

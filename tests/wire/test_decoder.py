@@ -1,0 +1,166 @@
+"""Bytes in, reports out: any chunking gives the same, nothing raises, nothing piles up."""
+
+from itertools import pairwise
+from pathlib import Path
+
+import pytest
+from hypothesis import given, settings
+from hypothesis import strategies as st
+
+from devices.wire.commands import HEADER, frame
+from devices.wire.decoder import Decoder
+from devices.wire.reports import Bumpers, ConfigWanted, Encoders, Message, Pinged, Power, Ranges, Report
+from tests.wire.recordings import ROBOT_TRACES, recording
+
+WHOLE = frame(0x81, bytes.fromhex("00c800c000780078"))
+PIECES = st.one_of(
+    st.sampled_from(
+        [WHOLE, frame(0x42, bytes((6, 0, 1, 0, 0, 0, 0))), b"\nChecksum Error!", HEADER, b"\xaa", bytes(52)]
+    ),
+    st.binary(max_size=70),
+    st.binary(max_size=20).map(lambda data: frame(0x73, data)),
+)
+
+
+def read(chunks: list[bytes]) -> tuple[list[Report], list[str], int]:
+    told: list[str] = []
+    decoder = Decoder(told.append)
+    reports = [report for chunk in chunks for report in decoder.feed(chunk)]
+    return reports, told, decoder.bad_frames
+
+
+def cut(data: bytes, at: list[int]) -> list[bytes]:
+    ends = [0, *sorted(each % (len(data) + 1) for each in at), len(data)]
+    return [data[a:b] for a, b in pairwise(ends)]
+
+
+@given(st.lists(PIECES, max_size=12).map(b"".join), st.lists(st.integers(0, 1000), max_size=12))
+def test_any_chunking_of_a_stream_gives_the_same_frames_text_and_counts(data: bytes, at: list[int]) -> None:
+    assert read(cut(data, at)) == read([data])
+
+
+@given(st.lists(st.binary(max_size=300), max_size=20))
+def test_no_bytes_raise_and_never_more_than_a_frame_and_a_line_is_held(chunks: list[bytes]) -> None:
+    decoder = Decoder(lambda _: None)
+
+    for chunk in chunks:
+        decoder.feed(chunk)
+
+        assert decoder.held <= 54 + 200
+
+
+def test_an_endless_line_of_text_is_told_in_parts_and_not_kept() -> None:
+    told: list[str] = []
+    decoder = Decoder(told.append)
+
+    decoder.feed(b"x" * 100_000)
+
+    assert (len(told), decoder.held) == (500, 0)
+
+
+@pytest.mark.parametrize("name", ROBOT_TRACES)
+def test_a_recording_gives_its_frames_in_every_chunking(shared: Path, name: str) -> None:
+    data = b"".join(line.data for line in recording(shared, name) if line.who == "rx")
+    at_once = read([data])
+
+    assert [
+        read([data[i : i + size] for i in range(0, len(data), size)]) for size in (1, 2, 7, 64, 1000)
+    ] == [at_once] * 5
+
+
+@settings(max_examples=20, deadline=None)
+@given(st.lists(st.integers(0, 40_000), max_size=30))
+def test_a_recording_of_moves_gives_its_frames_wherever_it_is_cut(at: list[int]) -> None:
+    data = MOVES
+
+    assert read(cut(data, at)) == AT_ONCE
+
+
+MOVES = b"".join(
+    frame(0x81, n.to_bytes(2, "big") * 2 + b"\0\x78\0\x78") + (b"\nFOUND S0" if n % 9 == 0 else b"")
+    for n in range(2500)
+)
+AT_ONCE = read([MOVES])
+
+
+def test_what_the_board_says_is_read_as_values() -> None:
+    told = "aabb02c72bd9 aabb0366401f33 aabb084206000001000000"
+    reports, _, _ = read([bytes.fromhex(told.split()[0] + told.split()[1])])
+
+    assert reports == [ConfigWanted(), Power(8000)]
+
+
+def test_counts_are_signed_and_the_speeds_beside_them_are_not_read() -> None:
+    assert read([frame(0x81, bytes.fromhex("fffe0003007b0078"))])[0] == [Encoders(-2, 3)]
+
+
+def test_power_can_be_below_nothing() -> None:
+    assert read([frame(0x66, b"\x9c\xff")])[0] == [Power(-100)]
+
+
+def test_a_header_inside_the_data_does_not_begin_a_frame() -> None:
+    inside = frame(0x73, b"\xaa\xbb\x02\x41")
+
+    assert read([inside + WHOLE])[0] == [Message(b"\xaa\xbb\x02\x41"), Encoders(200, 192)]
+
+
+def test_after_a_bad_checksum_one_byte_is_dropped_and_the_next_frame_is_found() -> None:
+    """The bad frame's LEN would have swallowed the good one."""
+    bad = HEADER + bytes((20, 0x81))
+
+    reports, _, bad_frames = read([bad + WHOLE + WHOLE])
+
+    assert (reports, bad_frames) == ([Encoders(200, 192)] * 2, 1)
+
+
+def test_text_between_frames_goes_to_the_log_a_line_at_a_time() -> None:
+    text = b"\nFOUND S0\nFOUND S1\nPayload reveived"
+
+    _, told, bad = read([text, WHOLE, b"\nChecksum Error!", WHOLE])
+
+    assert (told, bad) == (["FOUND S0", "FOUND S1", "Payload reveived", "Checksum Error!"], 0)
+
+
+@pytest.mark.parametrize("length", [0, 51, 255])
+def test_a_length_that_is_none_is_no_frame(length: int) -> None:
+    assert read([HEADER + bytes((length,)) + bytes(60) + WHOLE])[0] == [Encoders(200, 192)]
+
+
+@pytest.mark.parametrize(
+    "body",
+    [
+        bytes((0x81, 0, 0)),
+        bytes((0x68, 6)) + bytes(6),
+        bytes((0x68, 7)) + bytes(6),
+        bytes((0x42, 6)) + bytes(7),
+        bytes((0x42, 6, 0, 0, 2, 0, 0, 0)),
+        bytes((0x66, 1)),
+        bytes((0xC7, 1, 2)),
+        bytes((0x41,)),
+        bytes((0x15, 4, 0)),
+        bytes((0x93, 1)),
+    ],
+    ids=[
+        "enc",
+        "six-sonars",
+        "short",
+        "seven-bumpers",
+        "bumper-2",
+        "power",
+        "config",
+        "ping",
+        "dio",
+        "unknown",
+    ],
+)
+def test_a_good_checksum_over_data_that_do_not_fit_their_type_is_counted_and_ignored(body: bytes) -> None:
+    assert read([frame(body[0], body[1:]) + frame(0x41, b"\x42")]) == ([Pinged()], [], 1)
+
+
+def test_bumpers_and_ranges_keep_the_boards_order() -> None:
+    bumpers, ranges = frame(0x42, bytes((6, 0, 1, 0, 0, 0, 1))), frame(0x68, bytes((7, 1, 2, 3, 4, 5, 6, 7)))
+
+    assert read([bumpers + ranges])[0] == [
+        Bumpers((False, True, False, False, False, True)),
+        Ranges((1, 2, 3, 4, 5, 6, 7)),
+    ]
