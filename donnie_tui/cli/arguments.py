@@ -29,8 +29,8 @@ COMMON = (
 )
 """The options that mean the same everywhere; their values are read in ``settings``."""
 
-TO_COME = ("challenge", "replay", "devices", "doctor", "stop", "serve")
-COMMANDS = ("run", "check", "format", "worlds", "world", *TO_COME)
+TO_COME = ("challenge", "replay", "serve")
+COMMANDS = ("run", "check", "format", "worlds", "world", "doctor", "devices", "stop", *TO_COME)
 
 _PLACEHOLDERS = {
     "world": "NAME_OR_FILE",
@@ -39,8 +39,8 @@ _PLACEHOLDERS = {
     "lang": "en|pt|es",
     "speed": "N|max",
     "seed": "N",
-    "speech": "auto|off|text|tts",
-    "sound": "on|off",
+    "speech": "auto|off|text|ssip|tts|robot",
+    "sound": "on|off|wav:FILE",
     "verbosity": "brief|normal|full",
     "record": "FILE",
     "events": "FILE|-",
@@ -196,13 +196,24 @@ def _add_world(parser: argparse._ArgumentGroup, words: Words) -> None:
     form.add_argument("--brf", metavar="FILE", help=words("option-brf"))
 
 
+def _add_devices(parser: argparse._ArgumentGroup, words: Words) -> None:
+    parser.add_argument("port", nargs="*", metavar="PORT", help=words("option-ports"))
+
+
+def _add_port(parser: argparse._ArgumentGroup, words: Words) -> None:
+    parser.add_argument("port", nargs="?", metavar="PORT", help=words("option-port"))
+
+
 _ADD: dict[str, Callable[[argparse._ArgumentGroup, Words], None]] = {
     "": _add_front_end,
     "run": _add_run,
+    "devices": _add_devices,
+    "stop": _add_port,
     "check": _add_check,
     "format": _add_format,
     "worlds": _add_nothing,
     "world": _add_world,
+    "doctor": _add_nothing,
 }
 
 

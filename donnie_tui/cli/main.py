@@ -86,6 +86,12 @@ def _handler(order: Order) -> Callable[[Order], int]:
             from donnie_tui.cli.worlds import list_worlds as command
         case "world":
             from donnie_tui.cli.worlds import tell_world as command
+        case "doctor":
+            from donnie_tui.cli.doctor import doctor as command
+        case "devices":
+            from donnie_tui.cli.devices import list_devices as command
+        case "stop":
+            from donnie_tui.cli.stopping import stop as command
         case _ if order.invocation.arguments.run:
             from donnie_tui.cli.running import run_original as command
         case _:

@@ -5,6 +5,7 @@ The order: the option, then the variables, then the settings file, then what the
 
 from __future__ import annotations
 
+import sys
 from collections.abc import Mapping
 from dataclasses import dataclass
 
@@ -24,6 +25,19 @@ class Surroundings:
     @property
     def is_terminal(self) -> bool:
         return self.stdin_is_terminal and self.stdout_is_terminal and self.stderr_is_terminal
+
+
+def surroundings(environment: Mapping[str, str]) -> Surroundings:
+    """Those of this process."""
+    stdin, stdout, stderr = map(_is_terminal, (sys.stdin, sys.stdout, sys.stderr))
+    return Surroundings(stdin, stdout, environment, stderr)
+
+
+def _is_terminal(stream: object) -> bool:
+    try:
+        return bool(stream is not None and stream.isatty())  # type: ignore[attr-defined] # a stream, or closed
+    except ValueError:
+        return False
 
 
 def cause_of_linear(option: bool | None, configured: bool | None, around: Surroundings) -> str | None:

@@ -7,6 +7,7 @@ from donnie_tui.i18n.catalogue import (
     belt,
     cli,
     devices,
+    doctor,
     files,
     help,  # noqa: A004 -- the module's own name
     linear,
@@ -35,6 +36,7 @@ TOPICS = (
     things,
     files,
     devices,
+    doctor,
     belt,
     cli,
     linear,

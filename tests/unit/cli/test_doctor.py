@@ -1,0 +1,119 @@
+"""``donnie doctor`` tells what works, what was chosen and why, and the remedy for what does not."""
+
+from __future__ import annotations
+
+import itertools
+import os
+from pathlib import Path
+
+import pytest
+
+from devices.port_listing import FoundPort
+from devices.speech.choose import Facts, SpeakPlace, SpeechWish, choose_channel
+from donnie_tui import examination
+from donnie_tui.examination import Finding, look_at_packages, look_at_ports, look_at_settings, look_at_speech
+from donnie_tui.i18n.catalogue import SENTENCES
+from donnie_tui.i18n.words import Words
+from donnie_tui.settings import Settings, resolve
+
+YES_NO = (False, True)
+
+
+def told(findings: list[Finding]) -> list[str]:
+    words = Words()
+    return [words(each.code, **each.values) for each in findings]
+
+
+def all_facts() -> list[Facts]:
+    return [
+        Facts(terminal, ssh, reader, voice, device, ssip, linear, robot)
+        for terminal, ssh, reader, voice, device, ssip, linear, robot in itertools.product(
+            YES_NO, YES_NO, (None, "orca"), YES_NO, YES_NO, YES_NO, YES_NO, YES_NO
+        )
+    ]
+
+
+def test_every_choice_of_a_channel_has_a_sentence_and_every_problem_a_remedy(
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    monkeypatch.setattr(examination, "look_at_worker", lambda: iter(()))
+    for facts, wish in itertools.product(all_facts(), SpeechWish):
+        monkeypatch.setattr(examination, "look_around", lambda facts=facts, **_: facts)
+        for finding in look_at_speech(Settings(speech=wish.value), facts.is_linear):
+            assert finding.code in SENTENCES
+            assert finding.is_well or f"{finding.code}-remedy" in SENTENCES
+
+
+def test_every_place_of_speak_has_a_sentence() -> None:
+    places = {
+        choose_channel(wish, facts, place).speak
+        for facts, wish, place in itertools.product(all_facts(), SpeechWish, SpeakPlace)
+    }
+    assert places == set(SpeakPlace)
+    assert all(f"doctor-speak-{place.value}" in SENTENCES for place in places)
+
+
+def test_every_cause_of_the_mode_has_a_sentence() -> None:
+    causes = ("option", "variable", "settings", "no-terminal", "simple-terminal", "visual")
+    assert all(f"doctor-mode-{cause}" in SENTENCES for cause in causes)
+
+
+def test_a_missing_package_is_a_problem_with_a_remedy(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(examination, "PACKAGES", ("textual", "no-such-package-at-all"))
+    (finding,) = look_at_packages()
+    assert (finding.code, finding.is_well) == ("doctor-package-missing", False)
+
+
+def test_a_package_that_hides_one_of_our_rooms_is_named(
+    monkeypatch: pytest.MonkeyPatch, tmp_path: Path
+) -> None:
+    hiding = tmp_path / "sim"
+    hiding.mkdir()
+    (hiding / "__init__.py").touch()
+    places = {"sim": hiding}
+    own_place = examination._place_of
+    monkeypatch.setattr(examination, "_place_of", lambda room: places.get(room) or own_place(room))
+    findings = [each for each in look_at_packages() if not each.is_well]
+    assert [each.values["name"] for each in findings] == ["sim"]
+    assert str(tmp_path) in told(findings)[0]
+
+
+def test_a_device_that_is_missing_is_told_with_the_remedy(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setenv("PULSE_SERVER", "unix:/nowhere")
+    monkeypatch.setenv("XDG_RUNTIME_DIR", "/nowhere")
+    findings = {each.code: each for each in examination.look_at_worker()}
+    assert "doctor-player" in findings or not findings["doctor-no-player"].is_well
+
+
+@pytest.mark.skipif("os.name != 'posix' or os.getuid() == 0", reason="root may use every port")
+def test_a_port_that_we_may_not_use_names_the_group(tmp_path: Path) -> None:
+    port = tmp_path / "ttyACM0"
+    port.touch(mode=0o000)
+    (finding,) = look_at_ports(lambda: (FoundPort(str(port), str(port), True),))
+    assert finding.code == "doctor-port-forbidden"
+    assert finding.values["group"] == port.group()
+
+
+def test_a_port_of_a_board_and_no_port_at_all_are_told(tmp_path: Path) -> None:
+    port = tmp_path / "ttyACM0"
+    port.touch()
+    found = FoundPort(str(port), str(port), True)
+    assert [each.code for each in look_at_ports(lambda: (found,))] == ["doctor-port-board"]
+    assert [each.code for each in look_at_ports(lambda: ())] == ["doctor-no-ports"]
+
+
+def test_it_is_told_which_source_of_a_setting_won(tmp_path: Path) -> None:
+    environment = {"DONNIE_RATE": "200", "XDG_CONFIG_HOME": str(tmp_path), "HOME": str(tmp_path)}
+    settings, _ = resolve({"speech": "off"}, environment, {"rate": "90", "theme": "light"})
+    lines = told(list(look_at_settings(settings, environment)))
+    assert "speech is off, from the command line." in lines
+    assert "rate is 200, from DONNIE_RATE." in lines
+    assert "theme is light, from the settings file." in lines
+    assert lines[0].startswith("No settings file yet")
+    assert not any(line.startswith("world ") for line in lines)
+
+
+def test_nothing_of_ours_changes_by_looking() -> None:
+    before = dict(os.environ)
+    list(look_at_packages())
+    assert dict(os.environ) == before
