@@ -20,14 +20,14 @@ WRITE_TIMEOUT = 0.2
 
 
 class PortFault(Enum):
-    """Why a port can't be used."""
+    """Why a port can't be used, by the codes that a ``RobotProblem`` has for it."""
 
-    ABSENT = "absent"
-    FORBIDDEN = "forbidden"
+    ABSENT = "no-port"
+    FORBIDDEN = "no-permission"
     """Another group may use it, on Linux usually ``dialout``."""
-    BUSY = "busy"
+    BUSY = "port-busy"
     """Another program has it."""
-    UNUSABLE = "unusable"
+    UNUSABLE = "port-failed"
 
 
 class PortProblem(Exception):

@@ -14,6 +14,7 @@ from donnie_tui.i18n.catalogue import (
     mistakes,
     movement,
     recordings,
+    robot_line,
     robots,
     scenarios,
     signs,
@@ -27,6 +28,7 @@ from donnie_tui.i18n.sentence import Sentence
 TOPICS = (
     movement,
     recordings,
+    robot_line,
     robots,
     mistakes,
     signs,

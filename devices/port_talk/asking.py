@@ -1,0 +1,118 @@
+"""What is at a port: a robot, a belt, or nothing that answers. Nothing moves by being asked.
+
+Opening the port restarts a board on USB. A robot that waits for its configuration is given it, because only
+then it tells its battery; that does not move it.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import dataclass
+from enum import Enum
+
+from devices.belt.frame import BAUD as BELT_BAUD
+from devices.belt.frame import RESYNC
+from devices.port_talk.line import Line, PortLine, hold
+from devices.wire.commands import CONFIGURE
+from devices.wire.decoder import Decoder
+from devices.wire.reports import ConfigWanted, Power, Report
+
+ROBOT_BAUD = 115200
+FIRST_ANSWER = 6.0
+"""Seconds within which a robot's board that was just restarted says something."""
+
+BATTERY = 2.0
+"""Seconds more until it has told its battery: it does so three times a second once it is configured."""
+
+BELT_ANSWER = 0.5
+
+
+class Answer(Enum):
+    """Who is there."""
+
+    ROBOT = "robot"
+    BELT = "belt"
+    NOTHING = "nothing"
+
+
+@dataclass(frozen=True, slots=True)
+class Found:
+    """What was found out about a port."""
+
+    answer: Answer
+    millivolts: int | None = None
+    """The robot's battery, if it told that."""
+    restarted: bool = False
+    """Whether opening the port restarted the robot's board."""
+
+
+class RobotTalk:
+    """Listens for a robot, and lets it tell its battery."""
+
+    def __init__(self, patience: float = FIRST_ANSWER) -> None:
+        self._decoder = Decoder()
+        self._patience = patience
+        self._until: float | None = None
+        self.answers = False
+        self.restarted = False
+        self.millivolts: int | None = None
+
+    def next(self, received: bytes, now: float) -> bytes:
+        if self._until is None:
+            self._until = now + self._patience
+        reply = b""
+        for report in self._decoder.feed(received):
+            reply = self._take(report, now) or reply
+        return reply
+
+    def _take(self, report: Report, now: float) -> bytes:
+        if not self.answers:
+            self.answers = True
+            self._until = now + BATTERY
+        if isinstance(report, Power):
+            self.millivolts = report.millivolts
+        elif isinstance(report, ConfigWanted):
+            self.restarted = True
+            return CONFIGURE
+        return b""
+
+    def is_over(self, now: float) -> bool:
+        return self.millivolts is not None or (self._until is not None and now >= self._until)
+
+
+class BeltTalk:
+    """Asks for the belt's complaint about something that is no frame."""
+
+    def __init__(self) -> None:
+        self._said = bytearray()
+        self._until: float | None = None
+
+    @property
+    def answers(self) -> bool:
+        return b"E1\r\n" in self._said or b"E2\r\n" in self._said
+
+    def next(self, received: bytes, now: float) -> bytes:
+        self._said = (self._said + received)[-64:]
+        if self._until is None:
+            self._until = now + BELT_ANSWER
+            return RESYNC
+        return b""
+
+    def is_over(self, now: float) -> bool:
+        return self.answers or (self._until is not None and now >= self._until)
+
+
+def ask(port: str, opened: Callable[[str, int], Line] = PortLine) -> Found:
+    """Who is at the port; some seven seconds at most. Raises ``PortProblem``."""
+    line = opened(port, ROBOT_BAUD)
+    try:
+        robot = RobotTalk()
+        hold(line, robot, port)
+        if robot.answers:
+            return Found(Answer.ROBOT, robot.millivolts, robot.restarted)
+        line.set_speed(BELT_BAUD)
+        belt = BeltTalk()
+        hold(line, belt, port)
+        return Found(Answer.BELT if belt.answers else Answer.NOTHING)
+    finally:
+        line.close()

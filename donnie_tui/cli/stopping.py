@@ -1,0 +1,26 @@
+"""``donnie stop``: halts a robot whose program is gone. Made to be called by a service manager too."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+
+from devices.port_talk.halting import Halted, halt
+from devices.serial_port import PortProblem
+from donnie_tui.cli import codes
+from donnie_tui.cli.order import Order
+from donnie_tui.robot_choice import find_port, sentences_of
+from donnie_tui.unusable import Unusable
+
+_CODE_OF = {Halted.STANDS: codes.DONE, Halted.UNCONFIRMED: codes.FAILED, Halted.IN_USE: codes.FAILED}
+"""Only a robot that is known to stand is one that was stopped."""
+
+
+def stop(order: Order, halted: Callable[[str], Halted] = halt) -> int:
+    """Stop it, and say what is known of it."""
+    port = order.invocation.arguments.port or find_port(order.settings, order.words)
+    try:
+        outcome = halted(port)
+    except PortProblem as problem:
+        raise Unusable(" ".join(sentences_of(problem, order.words))) from None
+    order.output.line(order.words(f"stop-{outcome.value}", port=port))
+    return _CODE_OF[outcome]

@@ -1,0 +1,174 @@
+"""The real robot: finding it, connecting, stopping and calibrating it.
+
+``problem-CODE`` tells a ``RobotProblem`` or a fault of a port; ``remedy-CODE`` what can be done about it.
+"""
+
+from donnie_tui.i18n.sentence import Sentence
+
+_PORTS: dict[str, Sentence] = {
+    "problem-no-port": Sentence(
+        "Nothing is plugged in at {port}.",
+        "Não há nada ligado em {port}.",
+        "No hay nada conectado en {port}.",
+    ),
+    "problem-no-permission": Sentence(
+        "I may not use {port}.", "Não tenho permissão para {port}.", "No tengo permiso para {port}."
+    ),
+    "problem-port-busy": Sentence(
+        "Another program uses {port}.", "Outro programa usa {port}.", "Otro programa usa {port}."
+    ),
+    "problem-port-failed": Sentence(
+        "I can't use {port}: {reason}.",
+        "Não consigo usar {port}: {reason}.",
+        "No puedo usar {port}: {reason}.",
+    ),
+    "problem-no-answer": Sentence(
+        "No robot answers at {port}.", "Nenhum robô responde em {port}.", "Ningún robot responde en {port}."
+    ),
+    "problem-no-board": Sentence(
+        "I find no robot. Is it plugged in?",
+        "Não acho o robô. Está ligado?",
+        "No encuentro el robot. ¿Está conectado?",
+    ),
+    "problem-many-boards": Sentence(
+        "There are several: {ports}. Choose one.",
+        "Há vários: {ports}. Escolha um.",
+        "Hay varios: {ports}. Elige uno.",
+    ),
+    "remedy-no-permission": Sentence(
+        "Join the group {group}: sudo usermod -aG {group} $USER. Then log in again.",
+        "Entre no grupo {group}: sudo usermod -aG {group} $USER. Depois entre de novo no sistema.",
+        "Entra en el grupo {group}: sudo usermod -aG {group} $USER. Luego vuelve a iniciar sesión.",
+    ),
+    "remedy-port-busy": Sentence(
+        "Perhaps another Donnie runs. Leave it first.",
+        "Talvez outro Donnie esteja aberto. Saia dele antes.",
+        "Quizás haya otro Donnie abierto. Sal de él primero.",
+    ),
+    "remedy-simulator": Sentence(
+        "The simulator needs none: --robot sim.",
+        "O simulador não precisa: --robot sim.",
+        "El simulador no lo necesita: --robot sim.",
+    ),
+}
+
+_DEVICES: dict[str, Sentence] = {
+    "usage-devices": Sentence(
+        "List the serial ports, and what answers there. Nothing moves.",
+        "Listar as portas seriais e o que responde nelas. Nada se move.",
+        "Listar los puertos serie y lo que responde en ellos. Nada se mueve.",
+    ),
+    "option-ports": Sentence(
+        "ports to ask; otherwise all boards that are plugged in",
+        "portas a perguntar; senão, todas as placas ligadas",
+        "puertos a preguntar; si no, todas las placas conectadas",
+    ),
+    "devices-asking": Sentence(
+        "I ask {count} {count:port|ports}. A board on USB restarts by that.",
+        "Pergunto a {count} {count:porta|portas}. Uma placa USB reinicia com isso.",
+        "Pregunto a {count} {count:puerto|puertos}. Una placa USB se reinicia con eso.",
+    ),
+    "device-robot": Sentence(
+        "{port}: robot, original firmware, battery {volts} volts.",
+        "{port}: robô, firmware original, bateria {volts} volts.",
+        "{port}: robot, firmware original, batería {volts} voltios.",
+    ),
+    "device-robot-low": Sentence(
+        "{port}: robot, original firmware, battery low, {volts} volts.",
+        "{port}: robô, firmware original, bateria fraca, {volts} volts.",
+        "{port}: robot, firmware original, batería baja, {volts} voltios.",
+    ),
+    "device-robot-unknown": Sentence(
+        "{port}: robot, original firmware, battery unknown.",
+        "{port}: robô, firmware original, bateria desconhecida.",
+        "{port}: robot, firmware original, batería desconocida.",
+    ),
+    "device-belt": Sentence("{port}: belt.", "{port}: cinto.", "{port}: cinturón."),
+    "device-nothing": Sentence(
+        "{port}: nothing answers.", "{port}: nada responde.", "{port}: nada responde."
+    ),
+    "device-other": Sentence(
+        "{port}: no Arduino, not asked.",
+        "{port}: não é Arduino, não perguntei.",
+        "{port}: no es Arduino, no pregunté.",
+    ),
+    "devices-none": Sentence(
+        "No devices are plugged in. The simulator needs none.",
+        "Não há dispositivos ligados. O simulador não precisa.",
+        "No hay dispositivos conectados. El simulador no los necesita.",
+    ),
+    "devices-use": Sentence(
+        "Drive it: donnie --robot serial:{port}",
+        "Para usar: donnie --robot serial:{port}",
+        "Para usarlo: donnie --robot serial:{port}",
+    ),
+}
+
+_STOPPING: dict[str, Sentence] = {
+    "usage-stop": Sentence(
+        "Stop a robot whose program is gone.",
+        "Parar um robô cujo programa se foi.",
+        "Detener un robot cuyo programa ya no está.",
+    ),
+    "option-port": Sentence(
+        "its port; otherwise the robot of the settings, or the board that is plugged in",
+        "sua porta; senão, o robô das configurações, ou a placa ligada",
+        "su puerto; si no, el robot de los ajustes, o la placa conectada",
+    ),
+    "stop-stands": Sentence(
+        "The robot stands. Port {port}.",
+        "O robô está parado. Porta {port}.",
+        "El robot está parado. Puerto {port}.",
+    ),
+    "stop-unconfirmed": Sentence(
+        "I said stop, but nothing answers at {port}. Switch the robot off if it drives.",
+        "Mandei parar, mas nada responde em {port}. Desligue o robô se ele andar.",
+        "Dije alto, pero nada responde en {port}. Apaga el robot si se mueve.",
+    ),
+    "stop-in-use": Sentence(
+        "I said stop, but another program has {port} and may go on. Stop it there.",
+        "Mandei parar, mas outro programa usa {port} e pode continuar. Pare nele.",
+        "Dije alto, pero otro programa tiene {port} y puede seguir. Deténlo allí.",
+    ),
+}
+
+_LINK: dict[str, Sentence] = {
+    "link-restarted": Sentence(
+        "The robot restarted. It stands.",
+        "O robô reiniciou. Está parado.",
+        "El robot se reinició. Está parado.",
+    ),
+    "link-battery-low": Sentence(
+        "The robot's battery is low.", "A bateria do robô está fraca.", "La batería del robot está baja."
+    ),
+    "connect-trying": Sentence(
+        "I look for the robot, some seconds.",
+        "Procuro o robô, alguns segundos.",
+        "Busco el robot, unos segundos.",
+    ),
+    "connect-simulator": Sentence("I use the simulator.", "Uso o simulador.", "Uso el simulador."),
+    "connect-instead": Sentence(
+        "I use the simulator instead. CONNECT tries again.",
+        "Uso o simulador. CONECTAR tenta de novo.",
+        "Uso el simulador. CONECTAR lo intenta de nuevo.",
+    ),
+    "connect-busy": Sentence(
+        "Not while a program runs.", "Não com um programa rodando.", "No mientras corre un programa."
+    ),
+    "connect-unknown": Sentence(
+        "There is no choice {number}.", "Não há a opção {number}.", "No hay la opción {number}."
+    ),
+    "connect-choice": Sentence("{number}: {what}.", "{number}: {what}.", "{number}: {what}."),
+    "connect-choice-simulator": Sentence("the simulator", "o simulador", "el simulador"),
+    "connect-choice-double": Sentence(
+        "a simulated board, to try without a robot",
+        "uma placa simulada, para testar",
+        "una placa simulada, para probar",
+    ),
+    "connect-choice-port": Sentence("robot at {port}", "robô em {port}", "robot en {port}"),
+    "connect-how": Sentence(
+        "Type CONNECT and a number.", "Digite CONECTAR e um número.", "Escribe CONECTAR y un número."
+    ),
+}
+
+SENTENCES: dict[str, Sentence] = _PORTS | _DEVICES | _STOPPING | _LINK

@@ -1,0 +1,72 @@
+"""Which robot is meant, where it is plugged in, and what to say and to do when it can't be used."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import dataclass
+
+from devices.port_listing import FoundPort, list_ports
+from devices.ports.robot import RobotProblem
+from devices.serial_port import PortProblem, group_of, is_same_port
+from donnie_tui.device_settings import DOUBLE, SERIAL, SIMULATED
+from donnie_tui.i18n.words import Words
+from donnie_tui.settings import Settings
+from donnie_tui.unusable import Unusable
+
+Lister = Callable[[], tuple[FoundPort, ...]]
+
+
+@dataclass(frozen=True, slots=True)
+class Choice:
+    """One robot that a learner may choose."""
+
+    robot: str
+    """As ``--robot`` takes it."""
+    sentence: str
+
+
+def choices(settings: Settings, words: Words, found: Lister = list_ports) -> tuple[Choice, ...]:
+    """The simulator, the boards that are plugged in and the one of the settings, and the simulated board."""
+    ports = dict.fromkeys(each.stable for each in _boards(settings, found))
+    configured = settings.robot.partition(":")[2]
+    if configured and not any(is_same_port(configured, port) for port in ports):
+        ports[configured] = None
+    return (
+        Choice(SIMULATED, words("connect-choice-simulator")),
+        *(Choice(f"{SERIAL}:{port}", words("connect-choice-port", port=port)) for port in ports),
+        Choice(DOUBLE, words("connect-choice-double")),
+    )
+
+
+def find_port(settings: Settings, words: Words, found: Lister = list_ports) -> str:
+    """The port of the robot that the settings name, or of the one board that is plugged in and is no belt.
+
+    Raises ``Unusable`` if there is none, or more than one.
+    """
+    kind, _, port = settings.robot.partition(":")
+    if kind == SERIAL and port:
+        return port
+    boards = _boards(settings, found)
+    if not boards:
+        raise Unusable(f"{words('problem-no-board')} {words('remedy-simulator')}")
+    if len(boards) > 1:
+        ports = ", ".join(each.stable for each in boards)
+        raise Unusable(words("problem-many-boards", ports=ports))
+    return boards[0].stable
+
+
+def sentences_of(problem: PortProblem | RobotProblem, words: Words) -> tuple[str, ...]:
+    """What is wrong, and what can be done about it where that is known."""
+    if isinstance(problem, PortProblem):
+        code, values = problem.fault.value, {"port": problem.port, "reason": problem.reason}
+    else:
+        code, values = problem.code, {name: str(value) for name, value in problem.values.items()}
+    told = words(f"problem-{code}", **values)
+    if not words.knows(f"remedy-{code}"):
+        return (told,)
+    return told, words(f"remedy-{code}", group=group_of(values.get("port", "")))
+
+
+def _boards(settings: Settings, found: Lister) -> tuple[FoundPort, ...]:
+    belt = settings.belt
+    return tuple(each for each in found() if each.is_board and not (belt and is_same_port(each.device, belt)))

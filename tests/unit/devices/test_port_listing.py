@@ -1,0 +1,48 @@
+"""Ports are found by what they tell the USB, and called by names that stay."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from pathlib import Path
+
+from devices.port_listing import FoundPort, list_ports
+
+
+@dataclass
+class Plugged:
+    device: str
+    vid: int | None = None
+    pid: int | None = None
+
+
+def test_boards_come_first_and_are_known_by_vendor_and_product(tmp_path: Path) -> None:
+    plugged = [
+        Plugged("/dev/ttyS0"),
+        Plugged("/dev/ttyUSB0", 0x0403, 0x6001),
+        Plugged("/dev/ttyACM1", 0x2341, 0x0010),
+        Plugged("/dev/ttyACM0", 0x2341, 0x0042),
+        Plugged("/dev/ttyACM2", 0x2341, 0x8036),
+    ]
+
+    found = list_ports(lambda: plugged, tmp_path / "none")
+    assert [(each.device, each.is_board) for each in found] == [
+        ("/dev/ttyACM0", True),
+        ("/dev/ttyACM1", True),
+        ("/dev/ttyACM2", False),
+        ("/dev/ttyS0", False),
+        ("/dev/ttyUSB0", False),
+    ]
+
+
+def test_a_port_is_called_by_its_make_and_number_where_it_has_one(tmp_path: Path) -> None:
+    device, link = tmp_path / "ttyACM0", tmp_path / "by-id" / "usb-Arduino_7543"
+    device.touch()
+    link.parent.mkdir()
+    link.symlink_to("../ttyACM0")
+
+    found = list_ports(lambda: [Plugged(str(device), 0x2341, 0x0042)], link.parent)
+    assert found == (FoundPort(str(device), str(link), is_board=True),)
+
+
+def test_the_machines_own_list_can_be_read() -> None:
+    assert all(isinstance(each, FoundPort) for each in list_ports())
