@@ -37,6 +37,12 @@ class HowStarted:
     trace: bool
     pose: Pose
     """Where the robot stands as it begins."""
+    language: str = "en"
+    detail: str = "normal"
+    named: bool = False
+    """Whether the world has several robots, so that events say whose they are."""
+    together: tuple[str, ...] = ()
+    """The robots that started at the same moment, this one among them; empty for one alone."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -270,28 +276,37 @@ class Stamped:
     """The robot's name where a world has several."""
 
 
-def event_name(event: Event) -> str:
-    """The event's name in the stream, such as ``run_started``."""
-    given: str | None = getattr(event, "EVENT", None)
-    return given or re.sub(r"(?<!^)(?=[A-Z])", "_", type(event).__name__).lower()
+def event_name(event: Event | type[Event]) -> str:
+    """The name of an event, or of a kind of events, in the stream, such as ``run_started``."""
+    kind = event if isinstance(event, type) else type(event)
+    given: str | None = getattr(kind, "EVENT", None)
+    return given or re.sub(r"(?<!^)(?=[A-Z])", "_", kind.__name__).lower()
 
 
-def as_record(stamped: Stamped) -> dict[str, object]:
-    """The event as the stream writes it: the common fields first, then its own."""
+def as_record(stamped: Stamped, *, whole: bool = False) -> dict[str, object]:
+    """The event as the stream writes it: the common fields first, then its own.
+
+    ``whole``: also what the stream does not tell, so that the event can be made again from it.
+    """
     record: dict[str, object] = {
         "seq": stamped.seq,
-        "t": _plain(stamped.t),
+        "t": _plain(stamped.t, whole),
         "event": event_name(stamped.event),
     }
     if stamped.robot is not None:
         record["robot"] = stamped.robot
-    for each in dataclasses.fields(stamped.event):
-        if not each.metadata.get("private"):
-            record[each.name] = _plain(getattr(stamped.event, each.name))
-    return record
+    return record | _fields(stamped.event, whole)
 
 
-def _plain(value: object) -> object:
+def _fields(value: object, whole: bool) -> dict[str, object]:
+    return {
+        each.name: _plain(getattr(value, each.name), whole)
+        for each in dataclasses.fields(value)  # type: ignore[arg-type] # only given dataclasses
+        if whole or not each.metadata.get("private")
+    }
+
+
+def _plain(value: object, whole: bool) -> object:
     """Values as JSON has them. Numbers are rounded so far that no float shows its last digits."""
     match value:
         case float():
@@ -299,14 +314,10 @@ def _plain(value: object) -> object:
         case Enum():
             return value.value
         case Mapping():
-            return {key: _plain(each) for key, each in value.items()}
+            return {key: _plain(each, whole) for key, each in value.items()}
         case tuple():
-            return [_plain(each) for each in value]
-        case Pose() | SeenGroup() | PlacedThing():
-            return {
-                each.name: _plain(getattr(value, each.name))
-                for each in dataclasses.fields(value)
-                if not each.metadata.get("private")
-            }
+            return [_plain(each, whole) for each in value]
+        case Pose() | SeenGroup() | PlacedThing() | HowStarted():
+            return _fields(value, whole)
         case _:
             return value

@@ -99,10 +99,18 @@ class Team:
         for unknown in programs.keys() - set(self.names):
             raise KeyError(unknown)
         claimed: list[tuple[Session, Run]] = []
+        names = tuple(filter(programs.__contains__, self.names))
         try:
-            for session in map(self.session, filter(programs.__contains__, self.names)):
+            for session in map(self.session, names):
                 program = programs[session.name]
-                run = session.claim(program.text, program.name, fresh=True, trace=trace, hooked=hooked)
+                run = session.claim(
+                    program.text,
+                    program.name,
+                    fresh=True,
+                    trace=trace,
+                    hooked=hooked,
+                    together=names if len(names) > 1 else (),
+                )
                 claimed.append((session, run))
             self._begin_together(claimed)
         except BaseException:

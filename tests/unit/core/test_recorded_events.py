@@ -1,0 +1,138 @@
+"""Every event can be made again from its line, and no line that is none of ours becomes an event."""
+
+import json
+from typing import get_args
+
+import pytest
+from hypothesis import given
+from hypothesis import strategies as st
+
+from devices.ports.robot import StoppedBy
+from donnie_tui.core.event_stream import as_line
+from donnie_tui.core.events import (
+    TRANSIENT,
+    Announced,
+    BeltShown,
+    CueSounded,
+    Error,
+    Event,
+    Gripped,
+    HowStarted,
+    Link,
+    Moved,
+    Outcome,
+    PlacedThing,
+    Read,
+    Released,
+    Reset,
+    RunEnded,
+    RunStarted,
+    Scanned,
+    SeenGroup,
+    SoundSwitched,
+    Spoke,
+    Stamped,
+    Statement,
+    ThingsMoved,
+    Turned,
+    Waited,
+)
+from donnie_tui.core.recorded_events import DamagedLineError, event_of, parse_line
+from tests.unit.core.values import HERE
+
+HOW = HowStarted("FW 1\n", 1, True, False, False, HERE, "pt", "brief", True, ("alice", "bob"))
+EVENTS: tuple[Event, ...] = (
+    RunStarted("a.gd", "two", "alice", 3, "0.1", HOW),
+    Statement(1, 2, 3),
+    Spoke('olá "x" {[ \n'),
+    Announced("moved", "Andei."),
+    Moved("FW 3", 3, 2, StoppedBy.OBSTACLE, HERE, True),
+    Turned("TR 90", 90, 90, None, HERE, False),
+    Scanned((SeenGroup("left", 30, 4, ("red", "blue")),)),
+    Read("distance", "front", 60),
+    Waited(2),
+    CueSounded("found", -30.0, None),
+    BeltShown((0,) * 14),
+    Gripped("box"),
+    Released(""),
+    ThingsMoved((PlacedThing("box", HERE, 7),)),
+    Reset(HERE),
+    SoundSwitched(False),
+    Link("lost", "cable"),
+    Error("syntax", 1, 2, "message", None, "FWD 3", (4, 5)),
+    RunEnded(Outcome.STOPPED, HERE, {"a": 10**30}, 2.5),
+)
+
+
+def again(stamped: Stamped) -> Stamped:
+    return event_of(parse_line(as_line(stamped, whole=True)))
+
+
+@pytest.mark.parametrize("event", EVENTS, ids=lambda event: type(event).__name__)
+@pytest.mark.parametrize("robot", [None, "alice"])
+def test_an_event_is_made_again_from_its_line(event: Event, robot: str | None) -> None:
+    if isinstance(event, RunStarted) and robot is None:
+        event = RunStarted("a.gd", "one", "donnie", 3, "0.1", None)
+    stamped = Stamped(7, 1.5, event, robot)
+
+    assert again(stamped) == stamped
+
+
+def test_no_kind_of_event_is_forgotten_here() -> None:
+    assert {type(each) for each in EVENTS} == set(get_args(Event)) - set(TRANSIENT)
+
+
+@pytest.mark.parametrize(
+    "line",
+    [
+        "",
+        "{",
+        "[1]",
+        '"text"',
+        "null",
+        '{"seq":1,"t":0,"event":"nonsense"}',
+        '{"seq":1,"t":0,"event":["spoke"],"text":"a"}',
+        '{"seq":1,"t":0,"event":"spoke"}',
+        '{"seq":1,"t":0,"event":"spoke","text":5}',
+        '{"seq":"1","t":0,"event":"spoke","text":"a"}',
+        '{"seq":true,"t":0,"event":"spoke","text":"a"}',
+        '{"seq":1,"t":NaN,"event":"spoke","text":"a"}',
+        '{"seq":1,"t":1' + "0" * 400 + ',"event":"spoke","text":"a"}',
+        '{"seq":1,"t":0,"event":"waited","seconds":1' + "0" * 5000 + "}",
+        '{"seq":1,"t":0,"event":"reset","pose":{"x":0,"y":0}}',
+        '{"seq":1,"t":0,"event":"reset","pose":[0,0,0]}',
+        '{"seq":1,"t":0,"event":"belt","levels":["a"]}',
+        '{"seq":1,"t":0,"event":"run_ended","outcome":"won","pose":{"x":0,"y":0,"heading":0}}',
+        '{"seq":1,"t":0,"event":"spoke","text":"a","robot":{}}',
+        '{"seq":1,"t":0,"event":"scanned","objects":' + "[" * 100_000 + "]" * 100_000 + "}",
+    ],
+    ids=range(20),
+)
+def test_a_line_that_makes_no_sense_is_none_of_ours(line: str) -> None:
+    with pytest.raises(DamagedLineError):
+        event_of(parse_line(line))
+
+
+def test_brackets_in_a_text_are_no_depth() -> None:
+    stamped = Stamped(1, 0.0, Spoke("[{" * 1000 + '\\"'))
+
+    assert again(stamped) == stamped
+
+
+@given(st.recursive(
+    st.none() | st.booleans() | st.integers() | st.floats() | st.text(max_size=5),
+    lambda inner: st.lists(inner, max_size=3) | st.dictionaries(st.text(max_size=5), inner, max_size=3),
+    max_leaves=8,
+), st.sampled_from(EVENTS), st.data())  # fmt: skip
+def test_whatever_stands_in_a_field_it_is_refused_or_an_event(
+    value: object, event: Event, data: st.DataObject
+) -> None:
+    record = json.loads(as_line(Stamped(1, 0.0, event), whole=True))
+    record[data.draw(st.sampled_from(sorted(record)))] = value
+
+    try:
+        made = event_of(parse_line(json.dumps(record)))
+    except DamagedLineError:
+        return
+    assert isinstance(made.event, get_args(Event))
+    assert as_line(made, whole=True)
