@@ -120,12 +120,23 @@ class Conductor:
         self._prefer_bundled_voice = False
         self._watch = Watch()
         self._has_sound = False
+        self._player = ""
         self._languages: tuple[str, ...] | None = None
         self._next_ping: float | None = None
 
     @property
     def state(self) -> State:
         return self._state
+
+    @property
+    def player(self) -> str:
+        """By what the worker sounds; empty while that is unknown, or where nothing does."""
+        return self._player if self._has_sound else ""
+
+    @property
+    def languages(self) -> tuple[str, ...]:
+        """Of the voices that were found; none while that is unknown."""
+        return self._languages or ()
 
     @property
     def is_quiet(self) -> bool:
@@ -288,7 +299,7 @@ class Conductor:
 
     def _sound_came(self, player: str) -> None:
         if player:
-            self._has_sound = True
+            self._has_sound, self._player = True, player
             self._get_ready()
         else:
             self._tell(NoticeCode.NO_SOUND_DEVICE)

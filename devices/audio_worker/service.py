@@ -85,6 +85,24 @@ class AudioService:
         with self._changed:
             return self._conductor.is_quiet
 
+    @property
+    def player(self) -> str:
+        """By what the worker sounds, such as ``miniaudio``; empty while nothing does."""
+        with self._changed:
+            return self._conductor.player
+
+    @property
+    def languages(self) -> tuple[str, ...]:
+        """Of the voices that the worker found."""
+        with self._changed:
+            return self._conductor.languages
+
+    def wait_until_ready(self, seconds: float) -> bool:
+        """Wait until the worker is ready or never will be, ``seconds`` at most; False if that was not enough."""
+        settled = (State.READY, State.SILENT, State.GIVEN_UP, State.CLOSED)
+        with self._changed:
+            return self._changed.wait_for(lambda: self._conductor.state in settled, seconds)
+
     def warm_up(self) -> None:
         """Start the worker in the background, so that the first sentence is not late."""
         with self._changed:
