@@ -10,7 +10,7 @@ from collections.abc import Callable
 from devices.firmware_double.board import SimulatedBoard
 from devices.firmware_double.surroundings import Place, Surroundings
 from devices.firmware_double.virtual_line import VirtualLine, VirtualPace
-from devices.ports.robot import LinkNews, Pace, Watcher
+from devices.ports.robot import LinkNews, Pace, Pose, Watcher
 from devices.serial_robot.config import RobotConfig
 from devices.serial_robot.robot import SerialRobot
 
@@ -30,15 +30,17 @@ class DoubleRobot(SerialRobot):
         watcher: Watcher | None = None,
         speed: float | None = 1.0,
         place: Place | None = None,
+        start: Pose | None = None,
         on_event: Callable[[LinkNews, str], None] | None = None,
         passes: int = QUICK_PASSES,
     ) -> None:
-        """``place``: where it begins; looking north from the origin if it isn't given."""
+        """``place``: where it begins; looking north from the origin if it isn't given. ``start``: what the
+        robot calls that place."""
         self.board = SimulatedBoard(surroundings, place=place, boot_loader=0.0, passes=passes)
         self.line = VirtualLine(self.board, on_event=on_event)
         self._virtual = VirtualPace(self.line, pace, speed)
         self._start = self.board.wheels.place
-        super().__init__(self.line, config, pace=self._virtual, watcher=watcher)
+        super().__init__(self.line, config, pace=self._virtual, watcher=watcher, start=start)
         self.connect()
 
     @property

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import threading
-from math import cos, degrees, pi, sin
+from math import cos, degrees, pi, radians, sin
 
 from devices.ports.robot import STEP, Pose
 from devices.serial_robot.config import RobotConfig
@@ -21,11 +21,11 @@ class Odometry:
         self._x = self._y = 0.0
         self._yaw = pi / 2
 
-    def begin(self, telemetry: Telemetry) -> None:
-        """The robot is at its start, looking north, and its wheels are where they are."""
+    def begin(self, telemetry: Telemetry, start: Pose) -> None:
+        """The robot is at its start, and its wheels are where they are."""
         with self._lock:
             self._right, self._left = telemetry.right, telemetry.left
-            self._x, self._y, self._yaw = 0.0, 0.0, pi / 2
+            self._x, self._y, self._yaw = start.x * STEP, start.y * STEP, radians(90.0 - start.heading)
 
     def follow(self, telemetry: Telemetry) -> Pose:
         """Go as the wheels went since it was last asked."""

@@ -51,8 +51,11 @@ class SerialRobot:
         *,
         pace: Pace,
         watcher: Watcher | None = None,
+        start: Pose | None = None,
     ) -> None:
+        """``start``: what its place is called where it stands when it is connected or reset."""
         self._line = line
+        self._start_pose = start or Pose(0.0, 0.0, 0.0)
         self._config = config or RobotConfig()
         self._pace = pace
         self._watcher = watcher
@@ -91,8 +94,8 @@ class SerialRobot:
         self._line.close()
 
     def reset(self) -> None:
-        """Where the robot stands is its start now, and it looks north; its time begins."""
-        self._odometry.begin(self._line.telemetry)
+        """Where the robot stands is its start now; its time begins."""
+        self._odometry.begin(self._line.telemetry, self._start_pose)
         self._began = self._line.now()
         self._walked_too_far = self._turned_too_far = 0.0
         self._lost_the_line = False
