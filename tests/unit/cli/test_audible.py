@@ -2,15 +2,22 @@
 
 from contextlib import ExitStack
 from dataclasses import replace
+from pathlib import Path
 
 import pytest
 
+from devices.ports.audio import Utterance
 from devices.speech.choose import Facts
+from devices.speech.silent import SilentSpeaker
 from donnie_tui import audible
 from donnie_tui.audible import make_audible, wants_cues
+from donnie_tui.core.events import Announced, SoundSwitched, Spoke
+from donnie_tui.core.outlets import Hears, Voice
 from donnie_tui.i18n.words import Words
 from donnie_tui.settings import Settings, Source
+from donnie_tui.unusable import Unusable
 from tests.floor import Floor
+from tests.unit.ssip.server import Server
 
 HOME = Facts(
     stdout_is_terminal=True, over_ssh=False, screen_reader=None, has_voice=True, has_sound_device=True
@@ -47,6 +54,7 @@ def test_cues_are_for_who_hears_them_or_asked_for_them(
         ("auto", facts(stdout_is_terminal=False), ()),
         ("auto", facts(screen_reader="orca"), ("Voice off, a screen reader runs.",)),
         ("auto", facts(over_ssh=True), ("Voice off over SSH.",)),
+        ("ssip", HOME, ("No speech-dispatcher here. All is in print.",)),
         ("tts", facts(has_voice=False), ("No voice, espeak-ng is missing. Sounds and print work.",)),
         ("auto", facts(has_sound_device=False), ("No sound device. Everything is in print.",)),
     ],
@@ -54,9 +62,64 @@ def test_cues_are_for_who_hears_them_or_asked_for_them(
 def test_what_is_missing_is_told_once(
     monkeypatch: pytest.MonkeyPatch, speech: str, around: Facts, notices: tuple[str, ...]
 ) -> None:
-    monkeypatch.setattr(audible, "look_around", lambda: around)
+    monkeypatch.setattr(audible, "look_around", lambda **_: around)
     with ExitStack() as closing:
         made = make_audible(Settings(speech=speech, sound=False), Floor().session, Words(), closing)
 
     assert made.notices == notices
     assert made.is_quiet_within(0)
+
+
+def test_what_is_told_goes_to_a_speech_dispatcher_that_is_there(
+    monkeypatch: pytest.MonkeyPatch, tmp_path: Path
+) -> None:
+    server = Server(tmp_path)
+    monkeypatch.setenv("SPEECHD_ADDRESS", f"unix_socket:{server.address.path}")
+    floor = Floor()
+    with ExitStack() as closing:
+        made = make_audible(Settings(speech="ssip", sound=False), floor.session, Words(), closing)
+        floor.session.hub.publish(Spoke("Hello."))
+        floor.session.hub.publish(SoundSwitched(False))
+        floor.session.hub.publish(Spoke("Not heard."))
+        floor.session.hub.publish(SoundSwitched(True))
+        assert made.speaks
+        assert made.is_quiet_within(10)
+        assert made.notices == ()
+    assert "Not heard." not in server.texts
+    server.close()
+
+
+def test_cues_of_a_run_are_written_into_a_file_the_same_every_time(tmp_path: Path) -> None:
+    def written(name: str) -> bytes:
+        floor, path = Floor(), tmp_path / name
+        with ExitStack() as closing:
+            make_audible(Settings(speech="off", sound=str(path)), floor.session, Words(), closing)
+            assert floor.session.start("FW 3 TR 90", "a.gd", fresh=True).wait(30)
+        return path.read_bytes()
+
+    first = written("a.wav")
+    assert first == written("b.wav")
+    assert len(first) > 4 * 22_050 * 5  # three steps and a right angle: five seconds, in stereo
+
+
+def test_a_file_that_can_not_be_written_is_told(tmp_path: Path) -> None:
+    with ExitStack() as closing, pytest.raises(Unusable):
+        wrong = str(tmp_path / "none" / "a.wav")
+        make_audible(Settings(speech="off", sound=wrong), Floor().session, Words(), closing)
+
+
+@pytest.mark.parametrize(
+    ("hears", "heard"),
+    [(Hears.ALL, ["Moved.", "Hi."]), (Hears.ANSWERS, ["Moved."]), (Hears.PROGRAM, ["Hi."])],
+)
+def test_the_words_of_speak_can_be_heard_elsewhere(hears: Hears, heard: list[str]) -> None:
+    class Noting(SilentSpeaker):
+        def say(self, utterance: Utterance) -> None:
+            said.append(utterance.text)
+
+    said: list[str] = []
+    floor = Floor()
+    floor.session.hub.subscribe(Voice(Noting(), Words(), hears))
+    floor.session.hub.publish(Announced("moved", "Moved."))
+    floor.session.hub.publish(Spoke("Hi."))
+    assert said == heard
