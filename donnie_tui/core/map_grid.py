@@ -44,6 +44,10 @@ class Kind(Enum):
     WALL = "wall"
     FREE = "free"
     THING = "thing"
+    OTHER = "other"
+    """Another robot."""
+    RAY = "ray"
+    """What a sensor looked along."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -127,7 +131,7 @@ class MapGrid:
 
     def thing(self, cell: Cell) -> Thing | None:
         """What stands there, if anything does: of several the one whose middle is nearest."""
-        letter, (x, y) = self._floor_letter(cell), self.place(cell)
+        letter, (x, y) = self.floor_letter(cell), self.place(cell)
         alike = [each for each in self.picture.things if each.letter == letter]
         return min(alike, key=lambda each: hypot(each.x - x, each.y - y), default=None)
 
@@ -142,7 +146,7 @@ class MapGrid:
             return self._arrow
         if cell == self.start:
             return START
-        return TRAIL if cell in self._trail else self._floor_letter(cell)
+        return TRAIL if cell in self._trail else self.floor_letter(cell)
 
     def kind(self, cell: Cell) -> Kind:
         """What the cell shows, for words and colours."""
@@ -152,9 +156,10 @@ class MapGrid:
             return Kind.START
         if cell in self._trail:
             return Kind.TRAIL
-        return {WALL: Kind.WALL, FREE: Kind.FREE}.get(self._floor_letter(cell), Kind.THING)
+        return {WALL: Kind.WALL, FREE: Kind.FREE}.get(self.floor_letter(cell), Kind.THING)
 
-    def _floor_letter(self, cell: Cell) -> str:
+    def floor_letter(self, cell: Cell) -> str:
+        """What stands there, the robot and its trail apart: ``WALL``, ``FREE`` or the letter of a thing."""
         if 0 <= cell.x < self.picture.width and 0 <= cell.y < self.picture.height:
             return self.picture.rows[self.picture.height - 1 - cell.y][cell.x]
         return FREE

@@ -8,6 +8,7 @@ mistake of form nothing has run: one line is forgotten (the learner types it aga
 
 from __future__ import annotations
 
+from collections import deque
 from dataclasses import dataclass
 
 from donnie_tui.core.documents import cleaned
@@ -18,6 +19,12 @@ WORTH_SAVING = 5
 
 LARGEST = 8 * 1024 * 1024
 """Characters that may be typed into one program."""
+
+
+MOST_UNDONE = 50
+"""Changes that can be taken back."""
+MOST_LINES_KEPT = 1_000_000
+"""Lines that are kept for that in all."""
 
 
 class ProgramTooLong(Exception):
@@ -43,6 +50,8 @@ class TypedProgram:
         self._kept: list[str] | None = []
         self._run = 0
         self._size = 0
+        self._before: deque[list[str]] = deque(maxlen=MOST_UNDONE)
+        """The lines before each of the last changes."""
 
     @property
     def saved(self) -> bool:
@@ -118,6 +127,7 @@ class TypedProgram:
         self._lines = lines_of(text)
         self._run = 0
         self._size = len(text)
+        self._before.clear()
         self.name = name
         self.saved = True
 
@@ -128,6 +138,7 @@ class TypedProgram:
         """Line ``number`` (from 1) is ``line`` from now on. Raises ``IndexError``, ``ProgramTooLong``."""
         self._check(number)
         self._grow(line)
+        self._keep()
         self._lines[number - 1] = line
         self._touched(number)
 
@@ -136,12 +147,15 @@ class TypedProgram:
         if not 1 <= number <= len(self._lines) + 1:
             raise IndexError(number)
         self._grow(line)
+        self._keep()
         self._lines.insert(number - 1, line)
         self._touched(number)
 
     def forget_waiting(self) -> int:
         """Drop what has not run, and say how many lines that were."""
         waiting = self.waiting
+        if waiting:
+            self._keep()
         del self._lines[self._run :]
         return waiting
 
@@ -149,8 +163,41 @@ class TypedProgram:
         """Lines ``first`` to ``last`` are gone. Raises ``IndexError`` unless both are there."""
         self._check(first)
         self._check(last)
+        self._keep()
         del self._lines[first - 1 : last]
         self._touched(first)
+
+    def move(self, first: int, last: int, to: int) -> int:
+        """Lines ``first`` to ``last`` stand before line ``to`` from now on. Returns where the first stands.
+
+        Raises ``IndexError`` unless all are there; ``to`` may be the line behind the last one.
+        """
+        self._check(first)
+        self._check(last)
+        if not 1 <= to <= len(self._lines) + 1 or first <= to <= last + 1:
+            raise IndexError(to)
+        self._keep()
+        moved = self._lines[first - 1 : last]
+        del self._lines[first - 1 : last]
+        at = to - 1 if to < first else to - 1 - len(moved)
+        self._lines[at:at] = moved
+        self._touched(min(first, to))
+        return at + 1
+
+    def undo(self) -> int | None:
+        """Take the last change back. The first line that is another one now, or None without a change."""
+        if not self._before:
+            return None
+        lines = self._before.pop()
+        same = _first_difference(lines, self._lines)
+        self._lines, self._run = lines, (0 if same < self._run else self._run)
+        return same + 1
+
+    def _keep(self) -> None:
+        """Remember the lines as they are; of very long programs fewer changes can be taken back."""
+        self._before.append(self._lines.copy())
+        while len(self._before) > 1 and sum(map(len, self._before)) > MOST_LINES_KEPT:
+            self._before.popleft()
 
     def _grow(self, line: str) -> None:
         """What was ever typed counts, so that no list of lines need be added up."""
@@ -166,6 +213,11 @@ class TypedProgram:
         """A program whose part that had run was changed waits as a whole."""
         if number <= self._run:
             self._run = 0
+
+
+def _first_difference(one: list[str], other: list[str]) -> int:
+    pairs = enumerate(zip(one, other, strict=False))
+    return next((at for at, (left, right) in pairs if left != right), min(len(one), len(other)))
 
 
 def lines_of(text: str) -> list[str]:

@@ -11,7 +11,8 @@ from devices.ports.robot import Pose
 from donnie_tui.core import numbers
 from donnie_tui.core.belt import COLUMNS
 from donnie_tui.core.events import Read
-from donnie_tui.core.map_grid import Cell, Kind, MapGrid
+from donnie_tui.core.map_grid import Cell, MapGrid
+from donnie_tui.core.map_words import square_content
 from donnie_tui.core.speeds import speed_words
 from donnie_tui.core.telling import Teller
 from donnie_tui.core.wording import Wording
@@ -37,15 +38,7 @@ def doing_sentences(doing: Doing, speed: float | None, words: Wording) -> tuple[
 def cell_sentence(grid: MapGrid, cell: Cell, words: Wording) -> str:
     """Where the explored cell is, and what it shows."""
     x, y = grid.place(cell)
-    return words("status-map-cell", x=x, y=y, what=_content(grid, cell, words))
-
-
-def _content(grid: MapGrid, cell: Cell, words: Wording) -> str:
-    kind = grid.kind(cell)
-    thing = grid.thing(cell) if kind is Kind.THING else None
-    if thing is not None:
-        return thing.name or thing.kind
-    return grid.letter(cell) if kind is Kind.THING else words(f"cell-{kind.value}")
+    return words("status-map-cell", x=x, y=y, what=square_content(grid, cell, words))
 
 
 def inspector_lines(

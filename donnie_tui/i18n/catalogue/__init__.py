@@ -8,6 +8,7 @@ from donnie_tui.i18n.catalogue import (
     cli,
     devices,
     doctor,
+    explain,
     files,
     help,  # noqa: A004 -- the module's own name
     linear,
@@ -18,6 +19,7 @@ from donnie_tui.i18n.catalogue import (
     robots,
     scenarios,
     signs,
+    surroundings,
     things,
     tui,
     use_cases,
@@ -45,6 +47,8 @@ TOPICS = (
     tui,
     use_cases,
     answers,
+    explain,
+    surroundings,
 )
 
 SENTENCES: dict[str, Sentence] = {code: each for topic in TOPICS for code, each in topic.SENTENCES.items()}

@@ -68,14 +68,6 @@ _STATUS = {
     "status-starting": Sentence(*first_screen.STARTING),
 }
 
-_CELLS = {
-    "cell-robot": Sentence("Donnie", "Donnie", "Donnie"),
-    "cell-start": Sentence("the start", "o início", "el inicio"),
-    "cell-trail": Sentence("trail", "rastro", "rastro"),
-    "cell-wall": Sentence("wall", "parede", "pared"),
-    "cell-free": Sentence("free", "livre", "libre"),
-}
-
 _INSPECTOR = {
     "inspector-variables": Sentence("Variables:", "Variáveis:", "Variables:"),
     "inspector-no-variables": Sentence("No variables.", "Nenhuma variável.", "Ninguna variable."),
@@ -134,6 +126,11 @@ _QUESTIONS = {
     "answers-yes": Sentence("yes y", "sim s", "sí s"),
     "answers-no": Sentence("no n", "não n", "no n"),
     "help-title": Sentence("Help. Esc goes back", "Ajuda. Esc volta", "Ayuda. Esc vuelve"),
+    "chooser-keys": Sentence(
+        "Up and Down choose, typing narrows, Enter takes it, Esc goes back",
+        "Seta acima e abaixo escolhem, digitar filtra, Enter aceita, Esc volta",
+        "Arriba y abajo eligen, escribir filtra, Enter acepta, Esc vuelve",
+    ),
     "palette-ask": Sentence("Type what to do", "Digite o que fazer", "Escribe qué hacer"),
     "palette-nothing": Sentence("Nothing of that name.", "Nada com esse nome.", "Nada con ese nombre."),
     "help-palette": Sentence(
@@ -201,4 +198,4 @@ _KINDS = {
     )
 }
 
-SENTENCES = _PANES | _STATUS | _CELLS | _INSPECTOR | _ANSWERS | _QUESTIONS | _ACTIONS | _KINDS
+SENTENCES = _PANES | _STATUS | _INSPECTOR | _ANSWERS | _QUESTIONS | _ACTIONS | _KINDS

@@ -142,3 +142,36 @@ def test_a_program_takes_no_more_than_a_file_may_hold(monkeypatch: pytest.Monkey
 )
 def test_lines_end_where_the_language_ends_them(text: str, lines: list[str]) -> None:
     assert lines_of(text) == lines
+
+
+def test_lines_are_moved_before_another_line_or_behind_the_last() -> None:
+    program = typed("A", "B", "C", "D")
+
+    assert program.move(3, 4, 1) == 1
+    assert program.lines == ("C", "D", "A", "B")
+    assert program.move(1, 1, 5) == 4
+    assert program.lines == ("D", "A", "B", "C")
+    with pytest.raises(IndexError):
+        program.move(1, 2, 2)
+
+
+def test_every_change_can_be_taken_back_in_turn() -> None:
+    program = typed("A", "B", "C")
+    program.change(2, "X")
+    program.delete(1, 1)
+    program.insert(3, "Y")
+    program.move(1, 1, 3)
+    found = [program.undo() for _ in range(5)]
+
+    assert program.lines == ("A", "B", "C")
+    assert found == [1, 3, 1, 2, None]
+
+
+def test_taking_back_a_change_to_what_has_run_lets_all_wait_again() -> None:
+    program = typed("A", "B")
+    program.batch_ran()
+    program.change(2, "X")
+    program.batch_ran()
+
+    assert program.undo() == 2
+    assert program.waiting == 2

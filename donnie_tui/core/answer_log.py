@@ -1,0 +1,74 @@
+"""What was told, answer by answer, to be said again, spelled, searched and saved. Bounded.
+
+An answer is what was told between two prompts; of a very long one the last lines are kept.
+"""
+
+from __future__ import annotations
+
+from collections import deque
+from collections.abc import Sequence
+from unicodedata import normalize
+
+from donnie_tui.core.wording import Wording
+from language.source import fold_name
+
+KEPT = 1000
+"""Answers that are remembered."""
+LONGEST_ANSWER = 200
+"""Lines of one answer that are remembered, its last ones."""
+MOST_FOUND = 20
+"""Lines that FIND tells, the newest ones."""
+LONGEST_LINE = 38
+"""Characters of a line of spelling."""
+
+
+class AnswerLog:
+    """The answers so far, oldest first."""
+
+    def __init__(self) -> None:
+        self._answers: deque[tuple[str, ...]] = deque(maxlen=KEPT)
+
+    def add(self, lines: Sequence[str]) -> None:
+        if lines:
+            self._answers.append(tuple(lines[-LONGEST_ANSWER:]))
+
+    def last(self, which: int = 1) -> tuple[str, ...]:
+        """The ``which``-th last answer, empty if there is none."""
+        return self._answers[-which] if 1 <= which <= len(self._answers) else ()
+
+    def found(self, typed: str) -> tuple[str, ...]:
+        """The newest lines that have the word, in any case and without accents, oldest first."""
+        wanted = fold_name(typed)
+        hits = [line for answer in self._answers for line in answer if wanted in fold_name(line)]
+        return tuple(hits[-MOST_FOUND:])
+
+    def text(self) -> str:
+        """All of it, a line each."""
+        return "".join(f"{line}\n" for answer in self._answers for line in answer)
+
+    def __len__(self) -> int:
+        return len(self._answers)
+
+
+def spelled(text: str, sign_names: dict[str, str], wording: Wording) -> tuple[str, ...]:
+    """Character by character, signs and blanks by name, as many lines as that takes.
+
+    ``sign_names`` has the code of the name of each sign.
+    """
+    names = [_name(each, sign_names, wording) for each in normalize("NFC", text)]
+    lines = [""]
+    for name in names:
+        longer = f"{lines[-1]}, {name}" if lines[-1] else name
+        if lines[-1] and len(longer) > LONGEST_LINE:
+            lines.append(name)
+        else:
+            lines[-1] = longer
+    return tuple(f"{line}." for line in lines if line)
+
+
+def _name(character: str, sign_names: dict[str, str], wording: Wording) -> str:
+    if character == " ":
+        return wording("spell-blank")
+    if character in sign_names:
+        return wording(sign_names[character])
+    return wording("spell-capital", letter=character) if character.isupper() else character

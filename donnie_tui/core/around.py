@@ -1,0 +1,100 @@
+"""What is around the robot, told by direction: how many things, then clockwise from ahead (or from north).
+
+Every thing in range is named exactly once, in the direction in which its middle is; a direction with neither
+thing nor wall is free. Directions are 4, 8 at detail full, or the 12 hours of a clock face.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from dataclasses import dataclass
+from math import atan2, cos, degrees, hypot, radians, sin
+from typing import TYPE_CHECKING
+
+from devices.ports.robot import Pose
+from donnie_tui.core.describe import name_of
+from donnie_tui.core.map_grid import WALL, MapGrid
+from donnie_tui.core.wording import Wording
+
+if TYPE_CHECKING:
+    from sim.picture import Thing
+
+RANGE = 10
+"""Steps that are looked at in each direction."""
+
+_RELATIVE = ("front", "front-right", "right", "back-right", "back", "back-left", "left", "front-left")
+_COMPASS = ("north", "northeast", "east", "southeast", "south", "southwest", "west", "northwest")
+
+
+@dataclass(frozen=True, slots=True)
+class Face:
+    """Into which directions the surroundings are cut, and what these are called."""
+
+    sectors: int
+    first: float
+    """The compass heading of the first one."""
+    codes: tuple[str, ...]
+    """Of the sentence that names each sector; with ``{hour}`` for a clock face."""
+    told_when_free: tuple[int, ...]
+
+
+def around_in_words(
+    grid: MapGrid, pose: Pose, wording: Wording, *, absolute: bool = False, clock: bool = False
+) -> tuple[str, ...]:
+    """The number of things in range, then a line for each thing, wall or free direction."""
+    face = _face(0.0 if absolute else pose.heading, wording.detail, absolute=absolute, clock=clock)
+    sectors = _things_by_sector(grid, pose, face)
+    count = sum(map(len, sectors))
+    lines = [wording("around-things" if count else "around-none", count=count, steps=RANGE)]
+    for sector in range(face.sectors):
+        lines += _sector_in_words(grid, pose, face, sector, sectors[sector], wording)
+    return tuple(lines)
+
+
+def _face(first: float, detail: str, *, absolute: bool, clock: bool) -> Face:
+    full = detail == "full"
+    if clock:
+        return Face(12, first, ("around-hour",) * 12, tuple(range(12)) if full else (0, 3, 6, 9))
+    codes = [f"compass-{each}" for each in _COMPASS] if absolute else [f"around-{each}" for each in _RELATIVE]
+    step = 1 if full else 2
+    return Face(8 // step, first, tuple(codes[::step]), tuple(range(8 // step)))
+
+
+def _things_by_sector(grid: MapGrid, pose: Pose, face: Face) -> list[list[tuple[int, Thing]]]:
+    """The things in range with their distances, the nearest first, by sector."""
+    found: list[list[tuple[int, Thing]]] = [[] for _ in range(face.sectors)]
+    for thing in grid.picture.things:
+        east, north = thing.x - pose.x, thing.y - pose.y
+        steps = round(hypot(east, north))
+        if steps <= RANGE:
+            turned = degrees(atan2(east, north)) - face.first
+            found[round(turned / (360 / face.sectors)) % face.sectors].append((steps, thing))
+    return [sorted(each, key=lambda found: (found[0], found[1].name)) for each in found]
+
+
+def _sector_in_words(
+    grid: MapGrid, pose: Pose, face: Face, sector: int, things: list[tuple[int, Thing]], wording: Wording
+) -> Iterator[str]:
+    where = wording(face.codes[sector], hour=sector or 12)
+    where = where[:1].upper() + where[1:]
+    wall = _steps_to_wall(grid, pose, face.first + sector * 360 / face.sectors)
+    told = [(steps, name_of(thing, wording), thing.colour) for steps, thing in things]
+    if wall is not None and (told or sector in face.told_when_free):
+        told = sorted([*told, (wall, wording("cell-wall"), "")], key=lambda each: each[0])
+    for steps, name, colour in told:
+        code = "around-thing" if colour else "around-wall"
+        shade = wording(f"colour-{colour}") if colour else ""
+        yield wording(code, where=where, name=name, colour=shade, steps=steps)
+    if not told and sector in face.told_when_free:
+        yield wording("around-free", where=where, steps=RANGE)
+
+
+def _steps_to_wall(grid: MapGrid, pose: Pose, heading: float) -> int | None:
+    """Steps to the first square of wall in that direction, None if there is none in range."""
+    east, north = sin(radians(heading)), cos(radians(heading))
+    for half_steps in range(1, 2 * RANGE + 1):
+        steps = half_steps / 2
+        there = Pose(pose.x + east * steps, pose.y + north * steps, 0.0)
+        if grid.floor_letter(grid.cell_of(there)) == WALL:
+            return round(steps + 0.01)
+    return None

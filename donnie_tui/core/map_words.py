@@ -1,0 +1,149 @@
+"""The map in words: rows and columns as runs of like squares, single squares, the picture with its legend.
+
+Squares are told by their place in steps, x to the east and y to the north, as WHERE tells the robot's. Rows
+tell the floor and the robot, not its trail. A row in words has all that is in the grid: it can be read back.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+from itertools import groupby
+from typing import TYPE_CHECKING
+
+from devices.ports.robot import Pose
+from donnie_tui.core.describe import name_of, place_of, things_in_words
+from donnie_tui.core.map_grid import FREE, START, TRAIL, WALL, Bounds, Cell, Kind, MapGrid
+from donnie_tui.core.wording import Wording
+
+if TYPE_CHECKING:
+    from sim.picture import Picture
+
+WIDEST, HIGHEST = 40, 18
+"""Squares of the picture: what a braille display shows of a line, and what a screen reader takes at once."""
+
+_LINE = {"brief": 40, "normal": 60, "full": 80}
+"""Characters of a line of runs."""
+
+
+def map_in_words(picture: Picture, pose: Pose, wording: Wording) -> tuple[str, ...]:
+    """How large the floor is, how many things there are, and where each is, the nearest first."""
+    width, height = picture.width * picture.cell, picture.height * picture.cell
+    size = (
+        wording("world-size", width=width, height=height) if picture.has_walls else wording("world-endless")
+    )
+    things = things_in_words(picture, pose, wording)
+    count = wording("world-things", count=len(picture.things)) if things else wording("world-bare")
+    return (size, count, *things)
+
+
+def row_in_words(grid: MapGrid, y: int, wording: Wording) -> tuple[str, ...]:
+    """The squares from west to east that are ``y`` steps to the north."""
+    bounds, cell = grid.bounds, _nearest_cell(grid, 0, y)
+    if not bounds.bottom <= cell.y <= bounds.top:
+        low, high = grid.place(Cell(0, bounds.bottom))[1], grid.place(Cell(0, bounds.top))[1]
+        return (wording("map-no-row", row=y, first=low, last=high),)
+    cells = [Cell(x, cell.y) for x in range(bounds.left, bounds.right + 1)]
+    return tuple(_runs_in_words(grid, "map-row", y, cells, wording))
+
+
+def column_in_words(grid: MapGrid, x: int, wording: Wording) -> tuple[str, ...]:
+    """The squares from south to north that are ``x`` steps to the east."""
+    bounds, cell = grid.bounds, _nearest_cell(grid, x, 0)
+    if not bounds.left <= cell.x <= bounds.right:
+        low, high = grid.place(Cell(bounds.left, 0))[0], grid.place(Cell(bounds.right, 0))[0]
+        return (wording("map-no-column", column=x, first=low, last=high),)
+    cells = [Cell(cell.x, y) for y in range(bounds.bottom, bounds.top + 1)]
+    return tuple(_runs_in_words(grid, "map-column", x, cells, wording))
+
+
+def square_in_words(grid: MapGrid, x: int, y: int, pose: Pose, wording: Wording) -> str:
+    """What is at a place, and where that is from the robot."""
+    what = square_content(grid, _nearest_cell(grid, x, y), wording)
+    return wording("map-square", x=x, y=y, what=what, place=place_of(x, y, pose, wording))
+
+
+def square_content(grid: MapGrid, cell: Cell, wording: Wording) -> str:
+    """What a square shows, the robot's trail and start included."""
+    kind = grid.kind(cell)
+    thing = grid.thing(cell) if kind is Kind.THING else None
+    if thing is not None:
+        return name_of(thing, wording)
+    return grid.letter(cell) if kind is Kind.THING else wording(f"cell-{kind.value}")
+
+
+def names_of_letters(picture: Picture, wording: Wording) -> dict[str, str]:
+    """What each letter of the floor stands for; no two have the same words."""
+    names = {WALL: wording("cell-wall"), FREE: wording("cell-free")}
+    for thing in picture.things:
+        name = name_of(thing, wording)
+        taken = name in (other for letter, other in names.items() if letter != thing.letter)
+        names.setdefault(thing.letter, f"{name} {thing.letter}" if taken else name)
+    return names
+
+
+def picture_in_letters(grid: MapGrid, wording: Wording, free: str = FREE) -> tuple[str, ...]:
+    """What the letters mean, then the squares around the robot, the northern row first.
+
+    ``free`` is shown for a free square: a full stop, or a letter for those who read braille.
+    """
+    window = _window(grid)
+    rows = [
+        "".join(grid.letter(Cell(x, y)) for x in range(window.left, window.right + 1))
+        for y in range(window.top, window.bottom - 1, -1)
+    ]
+    shown = set("".join(rows)) - {TRAIL, START}
+    names = names_of_letters(grid.picture, wording)
+    legend = [
+        wording("picture-letter", name=names[letter][:1].upper() + names[letter][1:], letter=shown_as)
+        for letter in sorted(shown & names.keys())
+        if (shown_as := free if letter == FREE else letter)
+    ]
+    title = wording("picture-title", robot=grid.letter(grid.robot), width=window.width, height=window.height)
+    return (title, *legend, *(row.replace(START, FREE).replace(FREE, free) for row in rows))
+
+
+def _runs_in_words(
+    grid: MapGrid, code: str, number: int, cells: list[Cell], wording: Wording
+) -> Iterable[str]:
+    """The runs, in as many lines as they need; each says from where it goes on."""
+    names = names_of_letters(grid.picture, wording)
+    start, runs = cells[0], list[str]()
+    done = 0
+    for name, same in groupby(cells, lambda cell: _floor_words(grid, cell, names, wording)):
+        count = len(list(same))
+        run = f"{count} {name}" if count > 1 else name
+        line = _line_of_runs(grid, code, number, start, [*runs, run], wording)
+        if runs and len(line) > _LINE[wording.detail]:
+            yield _line_of_runs(grid, code, number, start, runs, wording)
+            start, runs = cells[done], []
+        runs.append(run)
+        done += count
+    yield _line_of_runs(grid, code, number, start, runs, wording)
+
+
+def _line_of_runs(
+    grid: MapGrid, code: str, number: int, start: Cell, runs: list[str], wording: Wording
+) -> str:
+    x, y = grid.place(start)
+    return wording(code, number=number, start=x if code == "map-row" else y, runs=", ".join(runs))
+
+
+def _floor_words(grid: MapGrid, cell: Cell, names: dict[str, str], wording: Wording) -> str:
+    return wording("cell-robot") if cell == grid.robot else names.get(grid.floor_letter(cell), "?")
+
+
+def _nearest_cell(grid: MapGrid, x: int, y: int) -> Cell:
+    return grid.cell_of(Pose(float(x), float(y), 0.0))
+
+
+def _window(grid: MapGrid) -> Bounds:
+    """At most so many squares, with the robot in them."""
+    bounds = grid.bounds
+    left, right = _part(bounds.left, bounds.right, grid.robot.x, WIDEST)
+    bottom, top = _part(bounds.bottom, bounds.top, grid.robot.y, HIGHEST)
+    return Bounds(left, bottom, right, top)
+
+
+def _part(first: int, last: int, middle: int, most: int) -> tuple[int, int]:
+    begin = max(first, min(middle - most // 2, last - most + 1))
+    return begin, min(last, begin + most - 1)

@@ -1,0 +1,52 @@
+"""The robot's last moves, for TRAIL: heard from the stream, told in words, the newest last."""
+
+from __future__ import annotations
+
+from collections import deque
+
+from donnie_tui.core import numbers
+from donnie_tui.core.events import Moved, Stamped, Turned
+from donnie_tui.core.telling import facing
+from donnie_tui.core.wording import Wording
+
+KEPT = 1000
+"""Moves that are remembered."""
+
+
+class Trail:
+    """The moves so far. Subscribe ``hear`` to a hub."""
+
+    def __init__(self) -> None:
+        self._moves: deque[Moved | Turned] = deque(maxlen=KEPT)
+
+    def hear(self, stamped: Stamped) -> None:
+        """In any thread."""
+        if isinstance(stamped.event, Moved | Turned):
+            self._moves.append(stamped.event)
+
+    def in_words(self, count: int, wording: Wording) -> tuple[str, ...]:
+        """The last ``count`` moves, a sentence each."""
+        moves = list(self._moves)[-count:] if count else []
+        return tuple(_move(each, wording) for each in moves) or (wording("trail-none"),)
+
+    def rows(self) -> tuple[tuple[str, int, int, int, int, bool], ...]:
+        """For a table: command, steps or degrees done, x, y, heading, whether it was cut short."""
+        return tuple(
+            (
+                each.command,
+                each.walked if isinstance(each, Moved) else each.turned,
+                numbers.whole(each.pose.x),
+                numbers.whole(each.pose.y),
+                numbers.heading(each.pose),
+                each.stopped_by is not None,
+            )
+            for each in list(self._moves)
+        )
+
+
+def _move(event: Moved | Turned, wording: Wording) -> str:
+    if isinstance(event, Turned):
+        return wording("trail-turned", command=event.command, facing=facing(event.pose, wording))
+    code = "trail-blocked" if event.stopped_by else "trail-walked"
+    x, y = numbers.whole(event.pose.x), numbers.whole(event.pose.y)
+    return wording(code, command=event.command, done=event.walked, x=x, y=y)

@@ -1,0 +1,153 @@
+"""Where the robot is, what is around it, the map and the trail in words: the same in both front ends."""
+
+from donnie_tui.i18n.sentence import Sentence
+
+_CELLS = {
+    "cell-robot": Sentence("Donnie", "Donnie", "Donnie"),
+    "cell-start": Sentence("the start", "o início", "el inicio"),
+    "cell-trail": Sentence("trail", "rastro", "rastro"),
+    "cell-wall": Sentence("wall", "parede", "pared"),
+    "cell-free": Sentence("free", "livre", "libre"),
+}
+
+_MAP = {
+    "map-row": Sentence(
+        "Row {number}, from {start}: {runs}.",
+        "Linha {number}, de {start}: {runs}.",
+        "Fila {number}, desde {start}: {runs}.",
+    ),
+    "map-column": Sentence(
+        "Column {number}, from {start}: {runs}.",
+        "Coluna {number}, de {start}: {runs}.",
+        "Columna {number}, desde {start}: {runs}.",
+    ),
+    "map-no-row": Sentence(
+        "No row {row}. Rows go from {first} to {last}.",
+        "Não há linha {row}. Vão de {first} a {last}.",
+        "No hay fila {row}. Van de {first} a {last}.",
+    ),
+    "map-no-column": Sentence(
+        "No column {column}. They go from {first} to {last}.",
+        "Não há coluna {column}. Vão de {first} a {last}.",
+        "No hay columna {column}. Van de {first} a {last}.",
+    ),
+    "map-square": Sentence(
+        "{x}, {y}: {what}. {place}.",
+        "{x}, {y}: {what}. {place}.",
+        "{x}, {y}: {what}. {place}.",
+        brief=("{x}, {y}: {what}.", "{x}, {y}: {what}.", "{x}, {y}: {what}."),
+    ),
+    "picture-title": Sentence(
+        "Picture, {width} by {height}. Donnie is {robot}",
+        "Imagem, {width} por {height}. Donnie é {robot}",
+        "Imagen, {width} por {height}. Donnie es {robot}",
+        brief=(
+            "{width} by {height}. Donnie is {robot}",
+            "{width} por {height}. Donnie é {robot}",
+            "{width} por {height}. Donnie es {robot}",
+        ),
+    ),
+    "picture-letter": Sentence("{name}: {letter}", "{name}: {letter}", "{name}: {letter}"),
+}
+
+_AROUND = {
+    "around-things": Sentence(
+        "{count} {count:thing|things} within {steps} steps.",
+        "{count} {count:objeto|objetos} até {steps} passos.",
+        "{count} {count:objeto|objetos} hasta {steps} pasos.",
+    ),
+    "around-none": Sentence(
+        "No things within {steps} steps.",
+        "Nenhum objeto até {steps} passos.",
+        "Ningún objeto hasta {steps} pasos.",
+    ),
+    "around-thing": Sentence(
+        "{where}: {name}, {colour}, {steps} {steps:step|steps}.",
+        "{where}: {name}, {colour}, {steps} {steps:passo|passos}.",
+        "{where}: {name}, {colour}, {steps} {steps:paso|pasos}.",
+        brief=("{where}: {name}, {steps}.", "{where}: {name}, {steps}.", "{where}: {name}, {steps}."),
+    ),
+    "around-wall": Sentence(
+        "{where}: {name}, {steps} {steps:step|steps}.",
+        "{where}: {name}, {steps} {steps:passo|passos}.",
+        "{where}: {name}, {steps} {steps:paso|pasos}.",
+        brief=("{where}: {name}, {steps}.", "{where}: {name}, {steps}.", "{where}: {name}, {steps}."),
+    ),
+    "around-free": Sentence(
+        "{where}: free, {steps} steps.",
+        "{where}: livre, {steps} passos.",
+        "{where}: libre, {steps} pasos.",
+        brief=("{where}: free.", "{where}: livre.", "{where}: libre."),
+    ),
+    "around-hour": Sentence("{hour} o'clock", "{hour} horas", "{hour} en punto"),
+    "around-front": Sentence("ahead", "à frente", "al frente"),
+    "around-front-right": Sentence("ahead right", "à frente, direita", "al frente, derecha"),
+    "around-right": Sentence("right", "à direita", "a la derecha"),
+    "around-back-right": Sentence("behind right", "atrás, direita", "atrás, derecha"),
+    "around-back": Sentence("behind", "atrás", "atrás"),
+    "around-back-left": Sentence("behind left", "atrás, esquerda", "atrás, izquierda"),
+    "around-left": Sentence("left", "à esquerda", "a la izquierda"),
+    "around-front-left": Sentence("ahead left", "à frente, esquerda", "al frente, izquierda"),
+}
+
+_TRAIL = {
+    "trail-none": Sentence(
+        "Donnie has not moved yet.", "O Donnie ainda não andou.", "Donnie aún no se movió."
+    ),
+    "trail-walked": Sentence(
+        "{command}: {done} {done:step|steps}, to {x}, {y}.",
+        "{command}: {done} {done:passo|passos}, até {x}, {y}.",
+        "{command}: {done} {done:paso|pasos}, hasta {x}, {y}.",
+    ),
+    "trail-blocked": Sentence(
+        "{command}: blocked after {done}, at {x}, {y}.",
+        "{command}: bloqueado após {done}, em {x}, {y}.",
+        "{command}: bloqueado tras {done}, en {x}, {y}.",
+    ),
+    "trail-turned": Sentence(
+        "{command}: now facing {facing}.",
+        "{command}: agora virado para {facing}.",
+        "{command}: ahora mira al {facing}.",
+        brief=("{command}: {facing}.", "{command}: {facing}.", "{command}: {facing}."),
+    ),
+}
+
+_READING = {
+    "line-empty": Sentence("empty.", "vazia.", "vacía."),
+    "line-closes": Sentence(
+        "{text}, closes line {opener}.",
+        "{text}, fecha a linha {opener}.",
+        "{text}, cierra la línea {opener}.",
+    ),
+    "line-level": Sentence(
+        "Line {line}, level {level}: {text}",
+        "Linha {line}, nível {level}: {text}",
+        "Línea {line}, nivel {level}: {text}",
+    ),
+    "place-line": Sentence(
+        "Line {line} of {lines}, level {level}.",
+        "Linha {line} de {lines}, nível {level}.",
+        "Línea {line} de {lines}, nivel {level}.",
+    ),
+    "place-in": Sentence(
+        "In {opener} from line {line}.", "Em {opener} da linha {line}.", "En {opener} de la línea {line}."
+    ),
+    "outline-none": Sentence("There are no blocks.", "Não há blocos.", "No hay bloques."),
+    "outline-count": Sentence(
+        "{count} {count:block|blocks}.", "{count} {count:bloco|blocos}.", "{count} {count:bloque|bloques}."
+    ),
+    "read-no-up": Sentence("No block is around this.", "Nenhum bloco em volta.", "Ningún bloque alrededor."),
+    "read-no-down": Sentence("No block opens here.", "Nenhum bloco abre aqui.", "Ningún bloque abre aquí."),
+    "read-no-next_same": Sentence(
+        "Nothing more on this level.", "Nada mais neste nível.", "Nada más en este nivel."
+    ),
+    "read-no-back_same": Sentence(
+        "Nothing before on this level.", "Nada antes neste nível.", "Nada antes en este nivel."
+    ),
+    "read-no-next": Sentence("That is the last line.", "Essa é a última linha.", "Esa es la última línea."),
+    "read-no-back": Sentence(
+        "That is the first line.", "Essa é a primeira linha.", "Esa es la primera línea."
+    ),
+}
+
+SENTENCES = _CELLS | _MAP | _AROUND | _TRAIL | _READING

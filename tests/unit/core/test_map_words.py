@@ -1,0 +1,173 @@
+"""The map in words has all that the grid has; what is around is named once; no two letters mean the same."""
+
+import re
+
+import pytest
+from hypothesis import given
+from hypothesis import strategies as st
+
+from devices.ports.robot import Pose
+from donnie_tui.core.around import RANGE, around_in_words
+from donnie_tui.core.map_grid import FREE, MapGrid
+from donnie_tui.core.map_words import (
+    column_in_words,
+    names_of_letters,
+    picture_in_letters,
+    row_in_words,
+    square_in_words,
+)
+from donnie_tui.i18n.words import Words
+from sim.picture import Picture, Thing
+
+LANGUAGES = ("en", "pt", "es")
+DETAILS = ("brief", "normal", "full")
+
+
+def thing(letter: str, x: float, y: float, kind: str = "") -> Thing:
+    return Thing("", kind or {"c": "chair", "C": "chair", "t": "table"}[letter], letter, "red", x, y, 1, 1)
+
+
+@st.composite
+def pictures(draw: st.DrawFn) -> Picture:
+    width, height = draw(st.integers(1, 30)), draw(st.integers(1, 12))
+    letters = st.sampled_from("..........###cCt")
+    rows = tuple("".join(draw(letters) for _ in range(width)) for _ in range(height))
+    left, bottom = draw(st.integers(-20, 20)), draw(st.integers(-20, 20))
+    things = tuple(
+        thing(letter, left + x, bottom + height - 1 - y)
+        for y, row in enumerate(rows)
+        for x, letter in enumerate(row)
+        if letter in "cCt"
+    )
+    return Picture(left, bottom, width, height, 1, rows, things, "#" in "".join(rows))
+
+
+def parsed(lines: tuple[str, ...], names: dict[str, str], robot: str) -> tuple[int, str]:
+    """Where a row begins, and its letters, read back from the words."""
+    letters = {name: letter for letter, name in names.items()} | {robot: "@"}
+    told, begin = "", 0
+    for line in lines:
+        found = re.fullmatch(r"\w+ -?\d+, \w+ (-?\d+): (.*)\.", line)
+        assert found is not None
+        begin = int(found[1]) if not told else begin
+        assert int(found[1]) == begin + len(told)
+        for run in found[2].split(", "):
+            count, _, name = run.partition(" ")
+            told += int(count) * letters[name] if count.isdecimal() else letters[run]
+    return begin, told
+
+
+@given(pictures(), st.sampled_from(LANGUAGES), st.sampled_from(DETAILS), st.data())
+def test_rows_and_columns_in_words_are_read_back_exactly(
+    picture: Picture, language: str, detail: str, data: st.DataObject
+) -> None:
+    x = data.draw(st.integers(picture.left, picture.left + picture.width - 1))
+    y = data.draw(st.integers(picture.bottom, picture.bottom + picture.height - 1))
+    grid, words = MapGrid(picture, Pose(x, y, 0)), Words(language, detail)
+    names = names_of_letters(picture, words)
+    floor = [list(row) for row in picture.rows]
+    floor[picture.height - 1 - (y - picture.bottom)][x - picture.left] = "@"
+    for row in range(picture.height):
+        told = row_in_words(grid, picture.bottom + row, words)
+        assert parsed(told, names, words("cell-robot")) == (
+            picture.left,
+            "".join(floor[picture.height - 1 - row]),
+        )
+    for column in range(picture.width):
+        told = column_in_words(grid, picture.left + column, words)
+        letters = "".join(row[column] for row in reversed(floor))
+        assert parsed(told, names, words("cell-robot")) == (picture.bottom, letters)
+
+
+@given(pictures(), st.sampled_from(DETAILS), st.booleans(), st.booleans(), st.floats(0, 359))
+def test_everything_in_range_is_named_exactly_once(
+    picture: Picture, detail: str, absolute: bool, clock: bool, heading: float
+) -> None:
+    pose = Pose(picture.left, picture.bottom, heading)
+    words = Words("en", detail)
+    told = around_in_words(MapGrid(picture, pose), pose, words, absolute=absolute, clock=clock)
+    near = [
+        each
+        for each in picture.things
+        if round(((each.x - pose.x) ** 2 + (each.y - pose.y) ** 2) ** 0.5) <= RANGE
+    ]
+
+    assert sum(" chair" in line or " table" in line for line in told) == len(near)
+    assert told[0].startswith(f"{len(near)} thing" if near else "No things")
+    assert all(len(line) <= (40 if detail == "brief" else 80) for line in told)
+
+
+ROOM = Picture(
+    0, 0, 7, 5, 1, ("#######", "#..c..#", "#.....#", "#.....#", "#######"), (thing("c", 3, 3),), True
+)
+
+
+def test_around_begins_ahead_and_goes_clockwise() -> None:
+    pose = Pose(3, 1, 0)
+
+    assert around_in_words(MapGrid(ROOM, pose), pose, Words()) == (
+        "1 thing within 10 steps.",
+        "Ahead: chair, red, 2 steps.",
+        "Ahead: wall, 3 steps.",
+        "Right: wall, 3 steps.",
+        "Behind: wall, 1 step.",
+        "Left: wall, 3 steps.",
+    )
+
+
+def test_around_by_the_compass_begins_in_the_north_whatever_the_heading() -> None:
+    pose = Pose(3, 1, 90)
+    told = around_in_words(MapGrid(ROOM, pose), pose, Words(), absolute=True)
+
+    assert told[1] == "North: chair, red, 2 steps."
+
+
+def test_around_on_a_clock_face_names_the_hours() -> None:
+    pose = Pose(3, 1, 90)
+    told = around_in_words(MapGrid(ROOM, pose), pose, Words(), clock=True)
+
+    assert told[1:3] == ("12 o'clock: wall, 3 steps.", "3 o'clock: wall, 1 step.")
+    assert "9 o'clock: chair, red, 2 steps." in told
+
+
+def test_a_free_direction_is_told_to_be_free() -> None:
+    picture = Picture(-30, -30, 61, 61, 1, ("." * 61,) * 61, (), False)
+    pose = Pose(0, 0, 0)
+
+    assert around_in_words(MapGrid(picture, pose), pose, Words("pt")) == (
+        "Nenhum objeto até 10 passos.",
+        "À frente: livre, 10 passos.",
+        "À direita: livre, 10 passos.",
+        "Atrás: livre, 10 passos.",
+        "À esquerda: livre, 10 passos.",
+    )
+
+
+def test_a_square_is_told_with_its_place_from_the_robot() -> None:
+    pose = Pose(1, 1, 0)
+
+    assert square_in_words(MapGrid(ROOM, pose), 3, 3, pose, Words()) == "3, 3: chair. 2 right, 2 ahead."
+    assert square_in_words(MapGrid(ROOM, pose), 1, 1, pose, Words("es")) == "1, 1: Donnie. aquí."
+
+
+def test_a_row_that_is_not_there_is_told_with_those_that_are() -> None:
+    assert row_in_words(MapGrid(ROOM, Pose(1, 1, 0)), 9, Words()) == ("No row 9. Rows go from 0 to 4.",)
+    assert column_in_words(MapGrid(ROOM, Pose(1, 1, 0)), -1, Words()) == (
+        "No column -1. They go from 0 to 6.",
+    )
+
+
+@pytest.mark.parametrize("free", [FREE, "f"])
+def test_the_picture_has_its_legend_first_and_a_letter_a_square(free: str) -> None:
+    told = picture_in_letters(MapGrid(ROOM, Pose(1, 1, 0)), Words(), free)
+
+    assert told[:4] == ("Picture, 7 by 5. Donnie is ^", "Wall: #", f"Free: {free}", "Chair: c")
+    assert told[4:] == tuple(
+        row.replace(".", free) for row in ("#######", "#..c..#", "#.....#", "#^....#", "#######")
+    )
+
+
+def test_two_letters_never_have_the_same_words() -> None:
+    picture = Picture(0, 0, 2, 1, 1, ("cC",), (thing("c", 0, 0), thing("C", 1, 0)), False)
+
+    assert names_of_letters(picture, Words())["C"] == "chair C"
