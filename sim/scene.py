@@ -57,6 +57,8 @@ class Model:
     boundary: bool
     bitmap: str
     polygons: tuple[Polygon, ...]
+    stage_blocks: int
+    """How many blocks Stage makes of it; it keeps a picture as outlines, we as rectangles."""
     walls: tuple[Polygon, ...]
     """The four thin ones of ``boundary``."""
     sensors: tuple[RangeSensor, ...]
@@ -81,7 +83,7 @@ class Model:
         picture only, so that their areas count against each other.
         """
         area = sum(abs(signed_area(shape.points)) for shape in self.polygons)
-        if not self.bitmap:
+        if self.polygons and not self.bitmap:
             return area
         return abs(area - sum(abs(signed_area(wall.points)) for wall in self.walls))
 

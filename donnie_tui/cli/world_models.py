@@ -30,8 +30,11 @@ def _record(model: Model, scene: Scene) -> dict[str, object]:
         "color": _rounded((model.colour.red, model.colour.green, model.colour.blue, model.colour.alpha)),
         "obstacle_return": model.obstacle_return,
         "ranger_return": model.ranger_return,
+        "blob_return": model.blob_return,
+        "fiducial_return": model.fiducial_return,
+        "gripper_return": model.gripper_return,
         "boundary": int(model.boundary),
-        "blocks": len(model.polygons),
+        "blocks": model.stage_blocks,
         "block_area": round(model.stage_area, _DECIMALS),
     }
     if model.sensors:

@@ -1,9 +1,10 @@
 """Pictures as floor plans: a file's dark pixels as rectangles."""
 
+from sim.bitmap.outlines import count_outlines
 from sim.bitmap.pixels import BadPicture, Picture
 from sim.bitmap.rectangles import Rectangle, rectangles
 
-__all__ = ["BadPicture", "Picture", "Rectangle", "read_picture", "rectangles"]
+__all__ = ["BadPicture", "Picture", "Rectangle", "count_outlines", "read_picture", "rectangles"]
 
 
 def read_picture(data: bytes) -> Picture:

@@ -6,17 +6,18 @@ from collections import Counter
 from collections.abc import Callable, Iterable, Mapping
 
 from sim.colours import Colour
-from sim.fittings import Gripper, RangeSensor
+from sim.fittings import RangeSensor
 from sim.placement import Placement
 from sim.report import Note, NoteKind
 from sim.scene import Model, Polygon
 from sim.worldfile import equipment, shapes
 from sim.worldfile.entities import MODEL_TYPES, Entity, Setting
 from sim.worldfile.mistakes import Code, WorldError
-from sim.worldfile.values import Size, ValueReader
+from sim.worldfile.plans import NOTHING, Plan
+from sim.worldfile.values import ValueReader
 
-Trace = Callable[[Setting], tuple[Polygon, ...]]
-"""The dark pixels of the picture that a ``bitmap`` names, as polygons."""
+Trace = Callable[[Setting], Plan]
+"""The dark pixels of the picture that a ``bitmap`` names."""
 
 _RED, _NAVY, _BLACK = Colour("red", 1, 0, 0), Colour("", 0, 0, 0.5), Colour("black", 0, 0, 0)
 _SIZES = {
@@ -75,13 +76,20 @@ class Builder:
     ) -> Model:
         read, settings = self._reader, entity.settings
         index = len(self.models)
+        plan = self._trace(settings["bitmap"]) if "bitmap" in settings else NOTHING
         default = f"{entity.type}:{counts[entity.type]}"
         counts[entity.type] += 1
         name = read.string(settings, "name", f"{parent.name}.{default}" if parent else default)
         size = read.size(settings, _SIZES.get(entity.type, (0.4, 0.4, 1.0)))
         origin = read.place(settings, "origin")
         walled = read.number(settings, "boundary", 0) != 0
+        walls = shapes.boundary(size, origin) if walled else ()
         gripper = equipment.gripper(read, settings) if entity.type == "gripper" else None
+        if gripper is not None:
+            drawn = shapes.gripper(gripper, float(gripper.closed), float(gripper.lifted))
+        else:
+            drawn = plan.polygons
+        polygons = shapes.fitted(self._shape(entity, drawn, blocks, walled), size, origin)
         return Model(
             index=index,
             type=entity.type,
@@ -104,8 +112,9 @@ class Builder:
             ignore_zloc=read.number(settings, "ignore_zloc", self._sees_any_height) != 0,
             boundary=walled,
             bitmap=read.string(settings, "bitmap", ""),
-            polygons=self._shape(entity, blocks, size, origin, walled, gripper),
-            walls=shapes.boundary(size, origin) if walled else (),
+            polygons=polygons,
+            stage_blocks=len(polygons) - len(plan.polygons) + plan.outlines + (0 if blocks else len(walls)),
+            walls=walls,
             sensors=tuple(self._sensors(entity)),
             blobfinder=equipment.blobfinder(read, settings) if entity.type == "blobfinder" else None,
             fiducial_finder=equipment.fiducial_finder(read, settings) if entity.type == "fiducial" else None,
@@ -116,25 +125,15 @@ class Builder:
         )
 
     def _shape(
-        self,
-        entity: Entity,
-        blocks: tuple[Entity, ...],
-        size: Size,
-        origin: Placement,
-        walled: bool,
-        gripper: Gripper | None,
+        self, entity: Entity, drawn: tuple[Polygon, ...], blocks: tuple[Entity, ...], walled: bool
     ) -> tuple[Polygon, ...]:
-        polygons: tuple[Polygon, ...] = ()
-        if gripper is not None:
-            polygons = shapes.gripper(gripper, float(gripper.closed), float(gripper.lifted))
-        elif "bitmap" in entity.settings:
-            polygons = self._trace(entity.settings["bitmap"])
-        polygons += tuple(self._block(child) for child in blocks)
+        """What is drawn already and the blocks of the file, or the default block; not scaled yet."""
+        polygons = drawn + tuple(self._block(child) for child in blocks)
         if not polygons and shapes.has_default_block(entity.type, walled):
             polygons = (shapes.UNIT,)
         self._points += sum(len(polygon.points) for polygon in polygons)
         self._bound(entity, self._points, MOST_POLYGON_POINTS)
-        return shapes.fitted(polygons, size, origin)
+        return polygons
 
     def _bound(self, entity: Entity, amount: int, limit: int) -> None:
         if amount > limit:

@@ -39,12 +39,12 @@ def _scene(name: str, reader: FileReader, statements: Iterable[Placed]) -> Scene
     entities = expander.expand(statements)
     values.use_units(expander.settings)
     values.check(expander.settings, quiet=True)
-    builder = Builder(values, Plans(reader, values).polygons, expander.settings)
+    builder = Builder(values, Plans(reader, values).plan, expander.settings)
     builder.build(entities)
     models = tuple(builder.models)
     robots = _robots(models)
     notes = (*reader.notes, *expander.notes, *values.notes, *_walls(models), *_no_robot(reader, robots))
-    report = LoadReport(tuple(dict.fromkeys(reader.files)), _counts(models), notes)
+    report = LoadReport(tuple(dict.fromkeys(reader.files)), _counts(models), notes, tuple(reader.pictures))
     return Scene(name, models, robots, _plain(expander.settings), report)
 
 

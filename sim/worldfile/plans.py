@@ -2,9 +2,10 @@
 
 from __future__ import annotations
 
+from dataclasses import dataclass
 from pathlib import Path
 
-from sim.bitmap import BadPicture, Picture, read_picture, rectangles
+from sim.bitmap import BadPicture, Picture, count_outlines, read_picture, rectangles
 from sim.report import NoteKind
 from sim.scene import Polygon
 from sim.worldfile.entities import Setting
@@ -13,6 +14,17 @@ from sim.worldfile.reader import LARGEST_FILE, FileReader
 from sim.worldfile.shapes import rectangle
 from sim.worldfile.values import ValueReader, mistake
 
+
+@dataclass(frozen=True, slots=True)
+class Plan:
+    """The solid part of a picture, in pixels, y upwards; margins are left for the fitting to crop."""
+
+    polygons: tuple[Polygon, ...]
+    outlines: int
+    """How many polygons Stage makes of it."""
+
+
+NOTHING = Plan((), 0)
 KINDS = ("PNG", "JPEG", "PGM", "PPM", "BMP", "GIF")
 MOST_RECTANGLES = 25_000
 
@@ -23,13 +35,14 @@ class Plans:
     def __init__(self, reader: FileReader, values: ValueReader) -> None:
         self._reader = reader
         self._values = values
-        self._traced: dict[Path, tuple[Polygon, ...]] = {}
+        self._traced: dict[Path, Plan] = {}
 
-    def polygons(self, setting: Setting) -> tuple[Polygon, ...]:
-        """The solid pixels of the picture, in pixels, y upwards; margins are left for the fitting to crop."""
+    def plan(self, setting: Setting) -> Plan:
+        """The solid pixels of the picture that ``setting`` names."""
         name = self._values.string({"bitmap": setting}, "bitmap", "")
         path = self._path(setting, name)
         if path not in self._traced:
+            self._reader.pictures.append(str(path))
             self._traced[path] = self._trace(setting, path, name)
         return self._traced[path]
 
@@ -41,7 +54,7 @@ class Plans:
             raise mistake(Code.BITMAP_OUTSIDE, setting, path=name[:200])
         return path.resolve()
 
-    def _trace(self, setting: Setting, path: Path, name: str) -> tuple[Polygon, ...]:
+    def _trace(self, setting: Setting, path: Path, name: str) -> Plan:
         picture = self._picture(setting, path, name)
         solid = list(rectangles(picture))
         if len(solid) > MOST_RECTANGLES:
@@ -52,7 +65,8 @@ class Plans:
         )
         if solid and not _fills(picture):
             self._values.note(NoteKind.REPAIRED, "margin-cropped", setting, path=name)
-        return polygons
+        outlines = count_outlines(picture)
+        return Plan(polygons, len(polygons) if outlines is None else outlines)
 
     def _picture(self, setting: Setting, path: Path, name: str) -> Picture:
         try:

@@ -31,6 +31,7 @@ class FileReader:
     def __init__(self, top: Path, allowed: tuple[Path, ...]) -> None:
         self._folders = (top.resolve().parent, *(folder.resolve() for folder in allowed))
         self.files: list[str] = []
+        self.pictures: list[str] = []
         self.notes: list[Note] = []
 
     def read(self, path: Path) -> Iterator[Placed]:

@@ -39,17 +39,24 @@ def compare(model: Model, expected: dict[str, object]) -> None:
     assert list(model.size) == pytest.approx(expected["size"])
     colour = [model.colour.red, model.colour.green, model.colour.blue]
     assert colour == pytest.approx(expected["color"][:3], abs=1e-3)  # type: ignore[index]
-    assert [model.obstacle_return, model.ranger_return, model.fiducial_return] == [
-        expected[name] for name in ("obstacle_return", "ranger_return", "fiducial_return")
-    ]
+    returns = ("obstacle_return", "ranger_return", "fiducial_return", "gripper_return")
+    assert [getattr(model, name) for name in returns] == [expected[name] for name in returns]
+    assert [model.origin.x, model.origin.y, model.origin.z, model.origin.yaw] == expected["origin"]
+    assert model.boundary == expected["boundary"]
+    points = [point for shape in (*model.polygons, *model.walls) for point in shape.points]
+    if points and not model.origin.x:  # Stage's box leaves the origin out
+        (left, bottom), (right, top) = (
+            tuple(f(axis) for axis in zip(*points, strict=True)) for f in (min, max)
+        )
+        assert [left, bottom, right, top] == pytest.approx(expected["block_bbox"], abs=1e-3)
     area = abs(expected["block_signed_area"])  # type: ignore[arg-type]
     assert model.stage_area == pytest.approx(area, rel=0.02, abs=1e-6)
-    if not model.bitmap:  # we keep a picture as rectangles, Stage as outlines
-        assert len(model.polygons) == expected["blocks"]
+    assert model.stage_blocks == expected["blocks"]
     sensors = expected.get("sensors", [])
     assert [
-        ([s.pose.x, s.pose.y, s.pose.z, s.pose.yaw], [s.minimum, s.maximum], s.samples) for s in model.sensors
-    ] == [(s["pose"], s["range"], s["samples"]) for s in sensors]  # type: ignore[attr-defined]
+        ([s.pose.x, s.pose.y, s.pose.z, s.pose.yaw], [s.minimum, s.maximum], s.samples, pytest.approx(s.fov))
+        for s in model.sensors
+    ] == [(s["pose"], s["range"], s["samples"], s["fov_deg"]) for s in sensors]  # type: ignore[attr-defined]
 
 
 @pytest.mark.parametrize("world", WORLDS)
