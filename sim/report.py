@@ -36,3 +36,5 @@ class LoadReport:
     loaded: tuple[tuple[str, int], ...]
     """Built-in type and how many models of it, most frequent first."""
     notes: tuple[Note, ...]
+    pictures: tuple[str, ...] = ()
+    """The pictures that became walls and floors."""
