@@ -7,7 +7,7 @@ stands in the middle of a cell. Walls are ``#``, free floor is ``.``, things hav
 from __future__ import annotations
 
 from collections.abc import Iterable, Iterator
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from math import ceil, floor
 from string import ascii_lowercase
 
@@ -48,6 +48,8 @@ class Thing:
     """Another robot, with its own name."""
     heading: float = 0.0
     """Compass degrees; what a robot looks at."""
+    index: int = field(default=0, compare=False)
+    """Its number among the world's models, by which events tell that it was moved."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -269,4 +271,5 @@ def _thing(shape: _Shape, letters: dict[str, str]) -> Thing:
         depth=round(shape.top - shape.bottom, 6),
         is_robot=is_robot,
         heading=round(90.0 - model.pose.yaw, 6) % 360.0 if is_robot else 0.0,
+        index=model.index,
     )

@@ -2,11 +2,10 @@
 
 from __future__ import annotations
 
-import sys
 from pathlib import Path
 
 from donnie_tui.bootstrap import SwitchMode
-from donnie_tui.cli.mode import Surroundings, cause_of_linear
+from donnie_tui.cli.mode import cause_of_linear, surroundings
 from donnie_tui.cli.order import Order
 from donnie_tui.settings import Settings
 
@@ -15,7 +14,7 @@ def start(order: Order) -> int:
     """Stay until the learner leaves for good; the exit code is the front end's."""
     arguments = order.invocation.arguments
     option = True if arguments.linear else False if arguments.visual else None
-    cause = cause_of_linear(option, order.settings.linear, _surroundings(order))
+    cause = cause_of_linear(option, order.settings.linear, surroundings(order.environment))
     file = Path(arguments.file) if arguments.file else None
     text: str | None = None
     while True:
@@ -29,22 +28,12 @@ def start(order: Order) -> int:
 def _work(settings: Settings, file: Path | None, cause: str | None, text: str | None) -> int:
     """``text`` is what the other mode left; None to read ``file``."""
     if cause is None:
+        from donnie_tui.tui.terminal import prepare
+
+        prepare(settings)
         from donnie_tui.tui.app import run_full_screen
 
         return run_full_screen(settings, file, text=text)
     from donnie_tui.linear.app import run_linear
 
     return run_linear(settings, file, cause, text=text)
-
-
-def _surroundings(order: Order) -> Surroundings:
-    return Surroundings(
-        _is_terminal(sys.stdin), _is_terminal(sys.stdout), order.environment, _is_terminal(sys.stderr)
-    )
-
-
-def _is_terminal(stream: object) -> bool:
-    try:
-        return bool(stream is not None and stream.isatty())  # type: ignore[attr-defined] # a stream, or closed
-    except ValueError:
-        return False

@@ -12,14 +12,14 @@ import os
 import signal
 import sys
 import traceback
-from collections.abc import Awaitable, Callable, Iterable
+from collections.abc import Awaitable, Callable, Sequence
 from contextlib import suppress
 from pathlib import Path
 from typing import TYPE_CHECKING, ClassVar
 
 from rich.text import Text
 from textual import events
-from textual.app import App, SystemCommand
+from textual.app import App
 from textual.binding import Binding, BindingType
 from textual.geometry import Offset
 from textual.screen import Screen
@@ -28,15 +28,18 @@ from textual.timer import Timer
 from donnie_tui.folders import state_folder
 from donnie_tui.i18n import first_screen
 from donnie_tui.settings import LANGUAGES, Settings
+from donnie_tui.tui import themes
 from donnie_tui.tui.actions import ACTIONS, BY_NAME
 from donnie_tui.tui.printable import Printable
 from donnie_tui.tui.screens.workplace import Workplace
+from donnie_tui.tui.terminal import is_plain, wants_mouse
 from donnie_tui.tui.turns import Turns
 from donnie_tui.tui.widgets.command_line import CommandLine
 
 if TYPE_CHECKING:
     from donnie_tui.bootstrap import Donnie
     from donnie_tui.tui.bridge import Began, Ended
+    from donnie_tui.tui.screens.chooser import Choice
     from donnie_tui.tui.work import Work
 
 SHOW_CURSOR = "\x1b[?25h"
@@ -76,10 +79,11 @@ class DonnieApp(App[int], inherit_bindings=False):
         """``text``: what the other mode left, unsaved changes included. ``folder`` holds the copies."""
         super().__init__(ansi_color=True if "NO_COLOR" in os.environ else None)  # the filters ask at once
         self.animation_level = "none"
-        if self.no_color:
-            self.theme = "ansi-dark"
+        for name in themes.NAMES:
+            self.register_theme(themes.theme(name))
+        self.theme = themes.TERMINAL if self.no_color else themes.name_of(settings.theme)
         self._filters.append(Printable())
-        self.workplace = Workplace()
+        self.workplace = Workplace(plain=is_plain(settings))
         self._turns = Turns(self, super().on_event)
         self.work: Work | None = None
         """None until it is loaded."""
@@ -93,6 +97,10 @@ class DonnieApp(App[int], inherit_bindings=False):
         self._folder = Path(folder or state_folder(os.environ)) / "unsaved"
 
     # --- beginning
+
+    def get_theme_variable_defaults(self) -> dict[str, str]:
+        """Before a theme of ours is chosen the style sheet is read with Textual's own."""
+        return themes.theme(themes.DARK).variables
 
     def get_default_screen(self) -> Screen[None]:
         return self.workplace
@@ -208,23 +216,18 @@ class DonnieApp(App[int], inherit_bindings=False):
         self.do("quit")
 
     def action_command_palette(self) -> None:
-        """Textual's own, in the learner's words; there once there are words."""
+        """Every action to choose from; there once there are words."""
         if self.work is not None and self.screen is self.workplace:
-            from donnie_tui.tui.screens.palette import Palette
+            self._await(self._choose_action(self.work))
 
-            self.push_screen(Palette(self.work.words))
+    async def _choose_action(self, work: Work) -> None:
+        from donnie_tui.tui.screens.palette import palette
 
-    def get_system_commands(self, screen: Screen[object]) -> Iterable[SystemCommand]:
-        """The command palette: the same actions again."""
-        if self.work is None or screen is not self.workplace:
-            return
-        for action in ACTIONS:
-            if not action.hidden and not action.required:
-                label, purpose = (
-                    self.work.words(f"key-{action.name}"),
-                    self.work.words(f"action-{action.name}"),
-                )
-                yield SystemCommand(label, purpose, lambda name=action.name: self.do(name))
+        chosen = await self.choose(*palette(work.words))
+        if chosen is not None:
+            asking = work.do(chosen)
+            if asking is not None:
+                await asking
 
     # --- what the work asks of the application
 
@@ -240,6 +243,11 @@ class DonnieApp(App[int], inherit_bindings=False):
         from donnie_tui.tui.screens.question import Question
 
         return await self.push_screen_wait(Question(asked, keys, value=value, accepts=accepts))
+
+    async def choose(self, title: str, keys: str, nothing: str, choices: Sequence[Choice]) -> str | None:
+        from donnie_tui.tui.screens.chooser import Chooser
+
+        return await self.push_screen_wait(Chooser(title, keys, nothing, choices))
 
     def show_help(self, title: str, lines: tuple[str, ...]) -> None:
         from donnie_tui.tui.screens.help import Help
@@ -347,7 +355,7 @@ def run_full_screen(settings: Settings, file: Path | None, *, text: str | None =
     sys.setswitchinterval(0.001)  # a program that computes must not starve the screen
     app = DonnieApp(settings, file, text=text, assemble=lambda: _assembled(settings))
     try:
-        code = app.run(mouse=_wants_mouse())
+        code = app.run(mouse=wants_mouse(settings))
     finally:
         app.close_session()
     if app.trouble is not None:
@@ -370,8 +378,3 @@ def _switch(app: DonnieApp) -> None:
 
     path = app.work.files.document.path if app.work is not None else None
     raise SwitchMode(app.workplace.editor.text, str(path) if path else None)
-
-
-def _wants_mouse() -> bool:
-    """Mouse reports cost bytes over SSH and take the terminal's own selection: DONNIE_MOUSE=0 has none."""
-    return os.environ.get("DONNIE_MOUSE", "").strip().lower() not in ("0", "off", "no", "false")

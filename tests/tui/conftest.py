@@ -42,6 +42,8 @@ class Desk:
         for _ in range(LOOKS):
             if condition():
                 return
+            if self.app.trouble is not None:
+                raise self.app.trouble
             await self.pilot.pause(0.01)
         raise AssertionError(f"never happened: {what or condition}; the log: {self.log}")
 

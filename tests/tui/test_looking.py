@@ -236,11 +236,24 @@ async def test_the_log_is_read_by_rows_and_follows_its_end_again(work):
         assert desk.place.log_rows.row_text == "100"
 
 
-async def test_the_palette_offers_the_same_actions(work):
-    async with work() as desk:
-        offered = {each.title for each in desk.app.get_system_commands(desk.place)}
+async def test_the_palette_does_what_is_chosen(work):
+    async with work('SPEAK "chosen"') as desk:
+        await desk.press("ctrl+p")
+        await desk.until(lambda: desk.app.screen is not desk.place, "the palette")
+        await desk.press(*"runs the", "enter")
+        await desk.told("chosen")
 
-        assert {"Run", "Stop", "Open", "Save", "Help", "Quit"} <= offered
+
+async def test_the_cursor_stands_on_the_row_that_enter_would_choose(work):
+    async with work() as desk:
+        await desk.press("ctrl+p")
+        await desk.until(lambda: desk.app.screen is not desk.place, "the palette")
+        await desk.press("down", "down")
+        await desk.pilot.pause()
+        row = desk.screen.splitlines()[desk.app.cursor_position.y]
+
+        assert row.startswith(">")
+        assert [line for line in desk.screen.splitlines() if line.startswith(">")] == [row]
 
 
 @pytest.mark.parametrize("language", ["pt", "es"])
@@ -265,5 +278,5 @@ async def test_without_colours_the_screen_says_the_same(work, monkeypatch):
         await desk.told("Line 1: FW 1")
         await desk.pilot.pause()
 
-        assert desk.app.theme == "ansi-dark"
+        assert desk.app.theme == "donnie-terminal"
         assert desk.screen == with_colours

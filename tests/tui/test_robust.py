@@ -11,12 +11,12 @@ from textual import events
 from textual.filter import Monochrome, NoColor
 
 from donnie_tui.bootstrap import assemble
+from donnie_tui.core.filing import Copies
 from donnie_tui.i18n import first_screen
 from donnie_tui.i18n.sentence import LANGUAGES
 from donnie_tui.i18n.words import Words
 from donnie_tui.settings import Settings
 from donnie_tui.tui.app import FAULT, DonnieApp
-from donnie_tui.core.filing import Copies
 from donnie_tui.tui.running import Doing
 from donnie_tui.tui.screens.help import help_text
 from tests.tui.conftest import WAITING

@@ -32,7 +32,7 @@ class Help(ModalScreen[None]):
         self.rows = TextRows(id="help-rows")
 
     def compose(self) -> ComposeResult:
-        yield Static(f" {self._title_words}", id="help-title", markup=False)
+        yield Static(f" {self._title_words}", id="help-title", classes="screen-title", markup=False)
         yield self.rows
 
     def on_mount(self) -> None:

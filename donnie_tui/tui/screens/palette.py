@@ -1,26 +1,19 @@
-"""The command palette: Textual's, in the learner's words and without pictures."""
+"""The command palette: every action that means something by itself, with its keys."""
 
 from __future__ import annotations
 
-from textual.command import CommandList, CommandPalette
-from textual.widgets.option_list import Option
-
 from donnie_tui.core.wording import Wording
+from donnie_tui.tui.actions import ACTIONS, Action, key_label
+from donnie_tui.tui.screens.chooser import Choice
 
 
-class Palette(CommandPalette):
-    """Lists the actions; typing narrows the list, Enter does the first."""
+def palette(words: Wording) -> tuple[str, str, str, tuple[Choice, ...]]:
+    """What a chooser is given: title, keys, what is said where nothing fits, and the actions by name."""
+    listed = (each for each in ACTIONS if not each.hidden and not each.required)
+    rows = tuple(Choice(each.name, _row(each, words)) for each in listed)
+    return words("palette-ask"), words("chooser-keys"), words("palette-nothing"), rows
 
-    def __init__(self, words: Wording) -> None:
-        super().__init__(placeholder=words("palette-ask"), id="--command-palette")
-        self._nothing = words("palette-nothing")
 
-    def _start_no_matches_countdown(self, search_value: str) -> None:
-        """Textual says it in English."""
-        self._stop_no_matches_countdown()
-        self._no_matches_timer = self.set_timer(self._NO_MATCHES_COUNTDOWN, lambda: self._say(search_value))
-
-    def _say(self, search_value: str) -> None:
-        if search_value:
-            self.query_one(CommandList).add_option(Option(self._nothing, disabled=True, id=self._NO_MATCHES))
-        self._list_visible = bool(search_value)
+def _row(action: Action, words: Wording) -> str:
+    keys = f" ({key_label(action.keys[0])})" if action.keys else ""
+    return f"{action.word(words.language)}{keys}: {words(f'action-{action.name}')}"

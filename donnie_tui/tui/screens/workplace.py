@@ -14,6 +14,7 @@ from textual.containers import Horizontal, Vertical
 from textual.events import DescendantFocus, Resize
 from textual.message import Message
 from textual.screen import Screen
+from textual.widget import Widget
 from textual.widgets import Static
 
 from donnie_tui.tui.widgets.command_line import CommandLine
@@ -43,8 +44,8 @@ class Workplace(Screen[None]):
     class Looked(Message):
         """The focus, or what is read in it, is elsewhere."""
 
-    def __init__(self) -> None:
-        super().__init__(id="workplace")
+    def __init__(self, *, plain: bool = False) -> None:
+        super().__init__(id="workplace", classes="-plain" if plain else "")
         self.editor = Editor(id="editor")
         self.map = MapView(id="map")
         self.inspector = TextRows(id="inspector")
@@ -71,7 +72,32 @@ class Workplace(Screen[None]):
         yield self.status
         yield self.keys
 
+    def on_mount(self) -> None:
+        self.set_plain(self.is_plain)
+        if self.is_plain:
+            self.command_line.focus()
+
     # --- panes
+
+    @property
+    def is_plain(self) -> bool:
+        """One column without decoration, for those who listen; the map and the variables by themselves."""
+        return self.has_class("-plain")
+
+    def set_plain(self, plain: bool) -> None:
+        self.set_class(plain, "-plain")
+        self.editor.show_line_numbers = not plain
+        self._arrange()
+        self._give_room()
+
+    @property
+    def focus_chain(self) -> list[Widget]:
+        """In the order of reading; the plain layout has the command line first and the map last."""
+        chain = super().focus_chain
+        if not self.is_plain:
+            return chain
+        order = (self.command_line, self.editor, self.log_rows, self.map, self.inspector)
+        return [each for each in order if each in chain]
 
     @property
     def panes(self) -> tuple[Pane, ...]:
@@ -118,6 +144,7 @@ class Workplace(Screen[None]):
         for pane in self.panes:
             pane.set_class(pane is self._shown, "-shown")
         self.query_one("#upper").set_class(self._shown is not self.log_pane, "-shown")
+        self.set_class(self._shown in (self.map_pane, self.inspector_pane), "-alone")
 
     # --- what is told to it
 
@@ -131,7 +158,8 @@ class Workplace(Screen[None]):
         grid = self.map.grid
         wanted = grid.bounds.width if grid else 0
         fits = LEAST_PROGRAM + wanted + 1 <= self.size.width < WIDE and wanted >= LEAST_MAP
-        self.map_pane.styles.width = wanted if fits and not self.has_class("-one-pane") else None
+        free = not self.has_class("-one-pane") and not self.is_plain
+        self.map_pane.styles.width = wanted if fits and free else None
 
     def log_lines(self, lines: Iterable[tuple[str, str]]) -> None:
         self.log_rows.append(lines)

@@ -19,23 +19,12 @@ from textual.widgets import TextArea
 from textual.widgets.text_area import TextAreaTheme
 
 from donnie_tui.i18n.sentence import LANGUAGES
+from donnie_tui.tui import themes
 from donnie_tui.tui.actions import BY_NAME
 
 HERE, CALLER = ">", "*"
 
 LINEAR_WORDS = frozenset(BY_NAME["linear"].word(each).casefold() for each in LANGUAGES)
-
-_LOOKS = TextAreaTheme(
-    name="donnie",
-    syntax_styles={
-        "command": Style(bold=True),
-        "argument": Style(bold=True),
-        "number": Style(),
-        "string": Style(italic=True),
-        "comment": Style(dim=True, italic=True),
-        "operator": Style(),
-    },
-)
 
 
 class Editor(TextArea):
@@ -54,8 +43,14 @@ class Editor(TextArea):
         self._marks: dict[int, str] = {}
 
     def on_mount(self) -> None:
-        self.register_theme(_LOOKS)
-        self.theme = "donnie"
+        self.app.theme_changed_signal.subscribe(self, lambda _: self._wear())
+        self._wear()
+
+    def _wear(self) -> None:
+        """The looks of the application's theme."""
+        name = self.app.theme
+        self.register_theme(TextAreaTheme(name=name, syntax_styles=dict(themes.syntax_styles(name))))
+        self.theme = name
 
     # --- typing
 

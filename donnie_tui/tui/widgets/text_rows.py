@@ -96,6 +96,25 @@ class TextRows(ScrollView, can_focus=True):
         return max(0, len(self._rows) - 1) if self._row is None else self._row
 
     @property
+    def line(self) -> int:
+        """The line whose row is being read, from 0."""
+        rows = 0
+        for line, height in enumerate(self._heights):
+            rows += height
+            if rows > self.row:
+                return line
+        return max(0, len(self._lines) - 1)
+
+    def read_line(self, line: int) -> None:
+        """Read the first row of a line."""
+        self._read(sum(self._heights[:line]))
+
+    @property
+    def is_read(self) -> bool:
+        """Whether the row being read is marked."""
+        return self.has_focus
+
+    @property
     def row_count(self) -> int:
         return len(self._rows)
 
@@ -196,16 +215,17 @@ class TextRows(ScrollView, can_focus=True):
 
     def _segments(self, row: int) -> list[Segment]:
         style, text = self._style(row), self._rows[row]
-        here = self.has_focus and row == self.row
+        here = self.is_read and row == self.row
+        kind_style = style if here else style + self._look("kind")
         segments = [Segment(">" if here else " ", style), Segment(text, style)]
         kind = self._row_kinds[row]
         if kind and self._shows_kinds:
             gap = " " * (self._text_width + 1 - cell_len(text))
-            segments += [Segment(gap, style), Segment(kind[:_KIND_WIDTH], style + self._look("kind"))]
+            segments += [Segment(gap, style), Segment(kind[:_KIND_WIDTH], kind_style)]
         return segments
 
     def _style(self, row: int) -> Style:
-        here = self.has_focus and row == self.row
+        here = self.is_read and row == self.row
         return self.rich_style + self._look("row") if here else self.rich_style
 
     def _look(self, name: str) -> Style:

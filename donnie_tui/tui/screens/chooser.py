@@ -1,0 +1,111 @@
+"""A list to choose from: the palette, worlds, robots, recent programs, the outline, settings.
+
+Typing narrows it, Up and Down move, Enter chooses, Esc goes back. The terminal's own cursor stands on the
+row that Enter would choose, and ``>`` before it.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+from typing import ClassVar
+
+from textual.app import ComposeResult
+from textual.binding import Binding, BindingType
+from textual.geometry import Offset
+from textual.screen import ModalScreen
+from textual.widgets import Input, Static
+
+from donnie_tui.tui.widgets.input_line import InputLine
+from donnie_tui.tui.widgets.text_rows import TextRows
+
+
+@dataclass(frozen=True, slots=True)
+class Choice:
+    """One row."""
+
+    value: str
+    text: str
+    is_current: bool = False
+    """Whether it is what is chosen now."""
+
+
+class _Rows(TextRows, can_focus=False):
+    """Rows of which one is always chosen: the focus stays where one types."""
+
+    @property
+    def is_read(self) -> bool:
+        return True
+
+
+class _Narrowing(InputLine):
+    """What is typed narrows the list; the cursor is shown on the row."""
+
+    def __init__(self, rows: _Rows) -> None:
+        super().__init__(id="narrowing")
+        self._rows = rows
+        self.points_at_row = True
+
+    @property
+    def cursor_screen_offset(self) -> Offset:
+        return self._rows.cursor_screen_offset if self.points_at_row else super().cursor_screen_offset
+
+
+class Chooser(ModalScreen[str | None]):
+    """Answers the value of the chosen row, None if somebody went back."""
+
+    BINDINGS: ClassVar[list[BindingType]] = [
+        Binding("escape,ctrl+q", "go_back", show=False, priority=True),
+        Binding("up", "choose_row(-1)", show=False, priority=True),
+        Binding("down", "choose_row(1)", show=False, priority=True),
+        Binding("pageup", "choose_row(-10)", show=False, priority=True),
+        Binding("pagedown", "choose_row(10)", show=False, priority=True),
+    ]
+    AUTO_FOCUS = "#narrowing"
+
+    def __init__(self, title: str, keys: str, nothing: str, choices: Sequence[Choice]) -> None:
+        """``nothing`` is shown where no row fits what was typed."""
+        super().__init__()
+        self._title_words, self._key_words, self._nothing = title, keys, nothing
+        self._choices = tuple(choices)
+        self._fitting = self._choices
+        self.rows = _Rows(id="choices")
+        self._typed = _Narrowing(self.rows)
+
+    def compose(self) -> ComposeResult:
+        yield Static(f" {self._title_words}", classes="screen-title", markup=False)
+        yield self._typed
+        yield self.rows
+        yield Static(f" {self._key_words}", classes="screen-keys", markup=False)
+
+    def on_mount(self) -> None:
+        self._show()
+        current = next((at for at, each in enumerate(self._choices) if each.is_current), 0)
+        self.rows.read_line(current)
+
+    def on_input_changed(self, event: Input.Changed) -> None:
+        from language.source import fold_name
+
+        event.stop()
+        words = fold_name(event.value).split()
+        self._fitting = tuple(
+            each for each in self._choices if all(word in fold_name(each.text) for word in words)
+        )
+        self._typed.points_at_row = not words
+        self._show()
+        self.rows.read_line(0)
+
+    def _show(self) -> None:
+        self.rows.show([each.text for each in self._fitting] or [self._nothing])
+
+    def action_choose_row(self, down: int) -> None:
+        self._typed.points_at_row = True
+        self.rows.read_line(min(max(0, self.rows.line + down), max(0, len(self._fitting) - 1)))
+
+    def on_input_submitted(self, event: Input.Submitted) -> None:
+        event.stop()
+        if self._fitting:
+            self.dismiss(self._fitting[min(self.rows.line, len(self._fitting) - 1)].value)
+
+    def action_go_back(self) -> None:
+        self.dismiss(None)

@@ -1,0 +1,33 @@
+"""What the terminal is asked for, decided before Textual is loaded: it reads its own switches then.
+
+Plain is for those who listen: one column, and nothing that a screen reader would say without need.
+"""
+
+from __future__ import annotations
+
+import os
+from collections.abc import MutableMapping
+
+from donnie_tui.settings import Settings
+
+
+def is_plain(settings: Settings) -> bool:
+    """As it was chosen; where nothing was, plain if a screen reader runs."""
+    if settings.plain is not None:
+        return settings.plain
+    from devices.speech.probe import find_screen_reader
+
+    return find_screen_reader(os.environ) is not None
+
+
+def prepare(settings: Settings, environment: MutableMapping[str, str] = os.environ) -> None:
+    """No key reports or mouse pixels that only some terminals know; before Textual is imported."""
+    environment.setdefault("TEXTUAL_SMOOTH_SCROLL", "0")
+    environment.setdefault("TEXTUAL_ANIMATIONS", "none")
+    if is_plain(settings):
+        environment.setdefault("TEXTUAL_DISABLE_KITTY_KEY", "1")
+
+
+def wants_mouse(settings: Settings) -> bool:
+    """Mouse reports cost bytes over SSH and take the terminal's own selection; a reader needs neither."""
+    return settings.mouse and not is_plain(settings)

@@ -1,0 +1,124 @@
+"""The four looks: dark, light, high contrast, and the terminal's own colours.
+
+Rules: every text is at least 7:1 against what it stands on (a test measures what is painted), and no colour
+says what letters and words don't. One table of roles a look; CSS and the editor take colours from it only.
+"""
+
+from __future__ import annotations
+
+from rich.style import Style
+from textual.theme import Theme
+
+DARK, LIGHT, CONTRAST, TERMINAL = "donnie-dark", "donnie-light", "donnie-contrast", "donnie-terminal"
+
+ROLES = ("background", "foreground", "surface", "panel", "muted", "border", "chosen", "on-chosen")
+"""What a text stands on or is; ``chosen`` is the background of the row or the title with the focus."""
+
+COLOURS = ("red", "green", "blue", "yellow", "orange", "pink", "gray")
+"""The colour words of the language, as a thing of that colour is painted."""
+
+_PALETTES: dict[str, dict[str, str]] = {
+    DARK: {
+        "background": "#0e1116", "foreground": "#f2f4f8", "surface": "#161b22", "panel": "#232a33",
+        "muted": "#c4cbd6", "border": "#9aa7b8", "chosen": "#f2f4f8", "on-chosen": "#0e1116",
+        "accent": "#7fd4ff", "success": "#7ee787", "warning": "#ffd866", "error": "#ffb0a6",
+        "red": "#ff9e94", "green": "#7ee787", "blue": "#9cc4ff", "yellow": "#ffe066",
+        "orange": "#ffb366", "pink": "#ffb3e0", "gray": "#c8c8c8",
+    },
+    LIGHT: {
+        "background": "#ffffff", "foreground": "#14171a", "surface": "#f6f6f3", "panel": "#e7e7e2",
+        "muted": "#3a3f45", "border": "#5a6068", "chosen": "#14171a", "on-chosen": "#ffffff",
+        "accent": "#003f75", "success": "#0a4a1c", "warning": "#573a00", "error": "#860c0c",
+        "red": "#8f0d0d", "green": "#0a4a1c", "blue": "#0b3a8f", "yellow": "#524300",
+        "orange": "#6e3500", "pink": "#7d0f5c", "gray": "#3f3f3f",
+    },
+    CONTRAST: {
+        "background": "#000000", "foreground": "#ffffff", "surface": "#000000", "panel": "#00004d",
+        "muted": "#ffffff", "border": "#ffffff", "chosen": "#ffff00", "on-chosen": "#000000",
+        "accent": "#00ffff", "success": "#66ff66", "warning": "#ffff00", "error": "#ffb3b3",
+        "red": "#ffb3b3", "green": "#66ff66", "blue": "#99ccff", "yellow": "#ffff00",
+        "orange": "#ffc266", "pink": "#ffb3ff", "gray": "#ffffff",
+    },
+    TERMINAL: {
+        **dict.fromkeys(ROLES, "ansi_default"),
+        "border": "ansi_blue", "accent": "ansi_cyan", "success": "ansi_green", "warning": "ansi_yellow",
+        "error": "ansi_red", "red": "ansi_red", "green": "ansi_green", "blue": "ansi_blue",
+        "yellow": "ansi_yellow", "orange": "ansi_bright_red", "pink": "ansi_magenta", "gray": "ansi_default",
+    },
+}  # fmt: skip
+
+NAMES = tuple(_PALETTES)
+
+
+def name_of(setting: str) -> str:
+    """The look of a setting: ``dark``, ``light``, ``contrast`` or ``terminal``."""
+    return f"donnie-{setting}"
+
+
+def theme(name: str) -> Theme:
+    """Textual's form of a look."""
+    roles = _PALETTES[name]
+    own = {role: roles[role] for role in ("muted", "chosen", "on-chosen")}
+    own |= {f"thing-{colour}": roles[colour] for colour in COLOURS}
+    return Theme(
+        name=name,
+        primary=roles["accent"],
+        secondary=roles["accent"],
+        accent=roles["accent"],
+        success=roles["success"],
+        warning=roles["warning"],
+        error=roles["error"],
+        foreground=roles["foreground"],
+        background=roles["background"],
+        surface=roles["surface"],
+        panel=roles["panel"],
+        boost=roles["surface"],
+        dark=name != LIGHT,
+        ansi=name == TERMINAL,
+        variables=own | _of_textual(roles, is_ansi=name == TERMINAL),
+    )
+
+
+def _of_textual(roles: dict[str, str], *, is_ansi: bool) -> dict[str, str]:
+    """Variables of Textual's own widgets, which would otherwise be mixtures of lower contrast."""
+    chosen = ("ansi_white", "ansi_black") if is_ansi else (roles["chosen"], roles["on-chosen"])
+    background, foreground = chosen
+    return {
+        "ansi-background": "ansi_black",
+        "ansi-foreground": "ansi_white",
+        "text": roles["foreground"],
+        "text-muted": roles["muted"],
+        "text-disabled": roles["muted"],
+        "border": roles["border"],
+        "border-blurred": roles["border"],
+        "block-cursor-background": background,
+        "block-cursor-foreground": foreground,
+        "block-cursor-blurred-background": background,
+        "block-cursor-blurred-foreground": foreground,
+        "block-hover-background": roles["panel"],
+        "input-cursor-background": background,
+        "input-cursor-foreground": foreground,
+        "input-cursor-text-style": "none",
+        "input-selection-background": background,
+        "input-selection-foreground": foreground,
+        "screen-selection-background": background,
+        "screen-selection-foreground": foreground,
+    }
+
+
+def syntax_styles(name: str) -> dict[str, Style]:
+    """How the editor shows the parts of a program; colours repeat what weight and slant say."""
+    roles = _PALETTES.get(name, _PALETTES[TERMINAL])
+
+    def painted(role: str, *, bold: bool = False, italic: bool = False) -> Style:
+        colour = None if roles[role].startswith("ansi") else roles[role]
+        return Style(color=colour, bold=bold or None, italic=italic or None)
+
+    return {
+        "command": painted("accent", bold=True),
+        "argument": painted("success", bold=True),
+        "number": painted("warning"),
+        "string": painted("orange", italic=True),
+        "comment": painted("muted", italic=True),
+        "operator": painted("foreground"),
+    }

@@ -1,0 +1,100 @@
+"""The looks: what is painted is measured, not what was meant."""
+
+from collections.abc import Iterator
+
+import pytest
+from rich.segment import Segment
+from textual.theme import Theme
+
+from donnie_tui.settings import THEMES
+from donnie_tui.tui import themes
+
+LEAST_TEXT, LEAST_BORDER = 7.0, 4.5
+BORDERS = set("▔▁▊▎─│┌┐└┘━┃▀▄█▌▐")
+RGB = tuple(name for name in themes.NAMES if name != themes.TERMINAL)
+
+PROGRAM = """\
+PROCEDURE WALK: n DO -- a comment
+SPEAK "text" FW n
+END PROCEDURE
+VAR n = 3 + 4
+WALK [n]
+TURN 90"""
+
+
+def luminance(triplet) -> float:
+    def linear(part: float) -> float:
+        return part / 12.92 if part <= 0.03928 else ((part + 0.055) / 1.055) ** 2.4
+
+    red, green, blue = (linear(part / 255) for part in triplet)
+    return 0.2126 * red + 0.7152 * green + 0.0722 * blue
+
+
+def contrast(one, other) -> float:
+    low, high = sorted((luminance(one), luminance(other)))
+    return (high + 0.05) / (low + 0.05)
+
+
+def painted(app) -> Iterator[Segment]:
+    for strip in app.screen._compositor.render_strips():
+        yield from strip
+
+
+def too_faint(app) -> dict[str, float]:
+    """What is on the screen with too little contrast, and how much it has."""
+    found = {}
+    for text, style, _ in painted(app):
+        if not text.strip() or style is None or style.color is None or style.bgcolor is None:
+            continue
+        ratio = contrast(style.color.get_truecolor(), style.bgcolor.get_truecolor())
+        least = LEAST_BORDER if set(text.strip()) <= BORDERS else LEAST_TEXT
+        if ratio < least or style.dim:
+            found[f"{text.strip()[:30]} {style}"] = round(ratio, 2)
+    return found
+
+
+@pytest.mark.parametrize("name", RGB)
+async def test_every_text_that_is_painted_has_a_contrast_of_seven(work, name):
+    async with work(PROGRAM, world="living_room", size=(120, 40)) as desk:
+        desk.app.theme = name
+        await desk.press("f5")
+        await desk.told("Error, line 6")
+        await desk.idle()
+        faint = too_faint(desk.app)
+        for widget in (desk.place.map, desk.place.log_rows, desk.place.inspector, desk.place.command_line):
+            widget.focus()
+            await desk.pilot.pause()
+            faint |= too_faint(desk.app)
+        desk.place.editor.focus()
+        await desk.press("shift+up", "shift+right")
+        faint |= too_faint(desk.app)
+        for key, leave in (("f1", "escape"), ("ctrl+p", "escape"), ("ctrl+n", "escape")):
+            await desk.press(key)
+            await desk.until(lambda: desk.app.screen is not desk.place, key)
+            await desk.pilot.pause(0.1)
+            faint |= too_faint(desk.app)
+            await desk.press(leave)
+            await desk.until(lambda: desk.app.screen is desk.place, leave)
+
+        assert faint == {}
+
+
+@pytest.mark.parametrize("name", RGB)
+def test_a_thing_of_any_colour_can_be_seen_on_the_floor(name):
+    variables = themes.theme(name).variables
+    floor = themes.theme(name).background
+
+    assert {
+        colour: round(contrast(_parts(variables[f"thing-{colour}"]), _parts(floor)), 1)
+        for colour in themes.COLOURS
+        if contrast(_parts(variables[f"thing-{colour}"]), _parts(floor)) < LEAST_TEXT
+    } == {}
+
+
+def _parts(colour: str) -> tuple[int, int, int]:
+    return tuple(int(colour[at : at + 2], 16) for at in (1, 3, 5))
+
+
+def test_every_setting_of_the_look_is_one():
+    assert tuple(map(themes.name_of, THEMES)) == themes.NAMES
+    assert all(isinstance(themes.theme(name), Theme) for name in themes.NAMES)
