@@ -3,6 +3,27 @@
 from donnie_tui.i18n.sentence import Sentence
 
 SENTENCES: dict[str, Sentence] = {
+    # --- the world of a recording
+    "bundle-too-large": Sentence(
+        "The world is too large for a recording: more than {limit} MB.",
+        "O mundo é grande demais para uma gravação: mais de {limit} MB.",
+        "El mundo es demasiado grande para una grabación: más de {limit} MB.",
+    ),
+    "bundle-damaged": Sentence(
+        "The world in the recording is damaged.",
+        "O mundo na gravação está danificado.",
+        "El mundo en la grabación está dañado.",
+    ),
+    "bundle-incomplete": Sentence(
+        "The world in the recording lacks {name}.",
+        "Falta {name} no mundo da gravação.",
+        "Falta {name} en el mundo de la grabación.",
+    ),
+    "bundle-unwritable": Sentence(
+        "I can't unpack the world: {reason}.",
+        "Não consigo desempacotar o mundo: {reason}.",
+        "No puedo desempaquetar el mundo: {reason}.",
+    ),
     # --- going back
     "undone": Sentence("Back: {what}.", "De volta: {what}.", "Atrás: {what}."),
     "undone-start": Sentence("This is the start.", "Este é o começo.", "Este es el comienzo."),

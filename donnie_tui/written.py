@@ -1,0 +1,129 @@
+"""What a session writes into files as it goes: its events, its recording, the log of what was told.
+
+A file that can't be opened keeps everything from starting; one that takes no more is told once, and the run
+goes on without it.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from contextlib import ExitStack, suppress
+from pathlib import Path
+from typing import TextIO
+
+import worlds
+from donnie_tui import __version__
+from donnie_tui.core.event_stream import JsonLines
+from donnie_tui.core.events import Answered
+from donnie_tui.core.hub import Hub
+from donnie_tui.core.recording import Header
+from donnie_tui.core.told_log import ToldLog, next_log
+from donnie_tui.i18n.words import Words
+from donnie_tui.settings import Settings
+from donnie_tui.tangible import belt_settings
+from donnie_tui.unusable import Unusable
+from donnie_tui.world_bundle import BundleError, WorldBundle, pack
+from donnie_tui.world_choice import ChosenWorld
+
+
+class Written:
+    """The files of one session, closed with it. Every method raises ``Unusable``."""
+
+    def __init__(self, settings: Settings, hub: Hub, words: Words, closing: ExitStack) -> None:
+        self.lost: list[str] = []
+        """Those that could not be written to their end."""
+        self._settings = settings
+        self._hub = hub
+        self._words = words
+        self._closing = closing
+
+    def events(self, standard_output: TextIO | None) -> None:
+        """As JSON lines, to standard output or a file; nowhere if nobody asked."""
+        name = self._settings.events
+        if name is None:
+            return
+        out = standard_output if name == "-" else self._open(name)
+        if out is None:
+            raise Unusable(self._words("events-need-run"))
+        self._hub.subscribe(JsonLines(out, self._teller_of_loss(name)))
+
+    def recording(self, world: ChosenWorld) -> None:
+        """Everything that is needed to tell it again and to run it again, if somebody asked."""
+        name = self._settings.record
+        if name is None:
+            return
+        header = self._header(world)
+        out = self._open(name)
+        try:
+            header.write(out)
+        except OSError as problem:
+            raise self._unwritable(name, problem) from None
+        self._hub.subscribe(JsonLines(out, self._teller_of_loss(name), whole=True))
+
+    def log(self) -> None:
+        """``Log/log_001.txt`` and so on, as the original GoDonnie did."""
+        if not self._settings.log:
+            return
+        try:
+            Path("Log").mkdir(exist_ok=True)
+            out = self._open(str(next_log(Path("Log"))))
+        except OSError as problem:
+            raise self._unwritable("Log", problem) from None
+        self._hub.subscribe(ToldLog(out, self._words))
+
+    def _header(self, world: ChosenWorld) -> Header:
+        belt = belt_settings(self._settings)
+        try:
+            bundle = bundle_of(world, self._settings)
+        except BundleError as error:
+            raise Unusable(self._words(error.code, **error.values)) from None
+        return Header(
+            __version__,
+            self._settings.seed,
+            self._settings.robot,
+            {
+                "steps": [belt.strong, belt.medium, belt.weak],
+                "columns": {str(bearing.value): list(columns) for bearing, columns in belt.columns.items()},
+            },
+            bundle.as_record(),
+        )
+
+    def _open(self, name: str) -> TextIO:
+        """Lone surrogates become the escapes that JSON has for them."""
+        try:
+            out = Path(name).open(  # noqa: SIM115 -- closed with the session
+                "w", encoding="utf-8", errors="backslashreplace", newline="\n"
+            )
+        except (OSError, ValueError) as problem:
+            raise self._unwritable(name, problem) from None
+        self._closing.callback(_close_quietly, out)
+        return out
+
+    def _unwritable(self, name: str, problem: OSError | ValueError) -> Unusable:
+        return Unusable(self._words("file-unwritable", path=name, reason=_reason(problem)))
+
+    def _teller_of_loss(self, name: str) -> Callable[[OSError], None]:
+        def tell(problem: OSError) -> None:
+            self.lost.append(name)
+            sentence = self._words("file-unwritable", path=name, reason=_reason(problem))
+            self._hub.publish(Answered(sentence))
+
+        return tell
+
+
+def bundle_of(world: ChosenWorld, settings: Settings) -> WorldBundle:
+    """All that was read for the world. Raises ``BundleError``."""
+    report, scene = world.scene.report, world.scene
+    robots = [scene.models[index].name for index in scene.robots]
+    folders = (*settings.world_folders, worlds.SCENES)
+    return pack(world.name, world.path, (*report.files, *report.pictures), folders, robots)
+
+
+def _reason(problem: OSError | ValueError) -> str:
+    return getattr(problem, "strerror", None) or str(problem)
+
+
+def _close_quietly(out: TextIO) -> None:
+    """What could not be written was told when it was written."""
+    with suppress(OSError):
+        out.close()
