@@ -9,11 +9,13 @@ import errno
 import os
 from enum import Enum
 from pathlib import Path
+from typing import TYPE_CHECKING
 
-import serial
+if TYPE_CHECKING:
+    import serial
 
-GONE = (OSError, serial.SerialException, ValueError, TypeError)
-"""What pyserial raises when a device is unplugged, depending on where it notices."""
+GONE = (OSError, ValueError, TypeError)
+"""What pyserial raises when a device is unplugged, depending on where it notices; its own are ``OSError``."""
 
 WRITE_TIMEOUT = 0.2
 """Seconds; a line that takes no bytes for so long is no line."""
@@ -56,6 +58,8 @@ def open_port(port: str, baud: int, *, timeout: float = 0.0, exclusive: bool = T
 
     ``exclusive``: refuse a port that another process holds.
     """
+    import serial
+
     try:
         return serial.serial_for_url(
             port, baudrate=baud, timeout=timeout, write_timeout=WRITE_TIMEOUT, exclusive=exclusive or None

@@ -5,26 +5,25 @@ What is heavy is imported where it is used, so that a command loads no more than
 
 from __future__ import annotations
 
-from collections.abc import Callable
-from contextlib import ExitStack, suppress
+from contextlib import ExitStack
 from dataclasses import dataclass
 from functools import partial
-from pathlib import Path
 from typing import TYPE_CHECKING, TextIO
 
 from devices.ports.robot import Pace, Watcher
 from donnie_tui.audible import Audible, make_audible
-from donnie_tui.core.event_stream import JsonLines
-from donnie_tui.core.events import Answered
+from donnie_tui.connecting import Connection
+from donnie_tui.core.chronicle import Chronicle
 from donnie_tui.core.hub import Stream
 from donnie_tui.core.session import ResettableRobot, Session
 from donnie_tui.core.team import Team
-from donnie_tui.core.told_log import ToldLog, next_log
+from donnie_tui.device_settings import SERIAL, SIMULATED
 from donnie_tui.i18n.words import Words
-from donnie_tui.settings import Settings
+from donnie_tui.settings import Settings, Source
 from donnie_tui.tangible import belt_settings, connect_belt
 from donnie_tui.unusable import Unusable
 from donnie_tui.world_choice import ChosenWorld, choose_world
+from donnie_tui.written import Written
 
 if TYPE_CHECKING:
     from sim.picture import Picture
@@ -55,9 +54,12 @@ class Donnie:
     """Those of the notices that are about the belt and the robot."""
     world: ChosenWorld
     """Its name, scene, and title, description and task where it is one of ours."""
+    connection: Connection
+    """Whether the robot is simulated or real, and changing that."""
+    chronicle: Chronicle
+    """What happened lately, to go back through."""
     _audible: Audible
-    _lost: list[str]
-    """The files that could not be written to their end."""
+    _written: Written
     _closing: ExitStack
 
     @property
@@ -78,7 +80,7 @@ class Donnie:
     @property
     def has_lost_output(self) -> bool:
         """Whether something that was asked for could not be written; it was told when that happened."""
-        return bool(self._lost)
+        return bool(self._written.lost)
 
     @property
     def audible(self) -> Audible:
@@ -97,23 +99,48 @@ def assemble(settings: Settings, *, terminal: bool, out: TextIO | None = None) -
     ``terminal``: QUIT is allowed, and a name may be declared again by a later batch.
     """
     words = Words(settings.language, settings.verbosity)
-    _refuse_what_is_to_come(settings, words)
     world = _inhabited_world(settings, words)
-    closing, lost = ExitStack(), list[str]()
+    closing = ExitStack()
     try:
         team = _team(settings, words, world, terminal)
-        closing.callback(team.close)
         session = team.chosen
-        _write_events(settings, session, words, out, lost, closing)
-        _write_log(settings, session, words, closing)
+        connection = Connection(settings, words, world, session)
+        closing.callback(connection.close)
+        closing.callback(team.close)
+        chronicle = Chronicle()
+        session.hub.subscribe(chronicle)
+        written = Written(settings, session.hub, words, closing)
+        written.events(out)
+        written.recording(world)
+        written.log()
         about_settings = tuple(words(each.code, **each.values) for each in settings.notices)
         audible = make_audible(settings, session, words, closing)
-        about_devices = connect_belt(settings, session.hub, words, closing)
+        about_belt = connect_belt(settings, session.hub, words, closing)
+        about_devices = about_belt + _connect_robot(connection, settings, words, world, terminal)
     except BaseException:
         closing.close()
         raise
     notices = about_settings + audible.notices + about_devices
-    return Donnie(team, words, notices, about_devices, world, audible, lost, closing)
+    return Donnie(
+        team, words, notices, about_devices, world, connection, chronicle, audible, written, closing
+    )
+
+
+def _connect_robot(
+    connection: Connection, settings: Settings, words: Words, world: ChosenWorld, terminal: bool
+) -> tuple[str, ...]:
+    """The robot of the settings, or the real one that a configuration file asks for.
+
+    Where nobody could choose another one, it must be there: raises ``Unusable``.
+    """
+    robot = settings.robot
+    if world.physical_port is not None and settings.source_of("robot") is Source.DEFAULT:
+        robot = f"{SERIAL}:{world.physical_port}"
+    if not terminal:
+        connection.insist(robot)
+        return ()
+    missing = connection.connect(robot)
+    return missing or ((words("link-connected"),) if connection.robot != SIMULATED else ())
 
 
 def colours_of_world(settings: Settings, words: Words) -> frozenset[str]:
@@ -127,13 +154,6 @@ def _inhabited_world(settings: Settings, words: Words) -> ChosenWorld:
     if not world.scene.robots:
         raise Unusable(words("world-without-robot", name=world.name))
     return world
-
-
-def _refuse_what_is_to_come(settings: Settings, words: Words) -> None:
-    if settings.robot != "sim":
-        raise Unusable(words("robot-to-come", robot=settings.robot))
-    if settings.record is not None:
-        raise Unusable(words("option-to-come", option="--record"))
 
 
 def _team(settings: Settings, words: Words, world: ChosenWorld, terminal: bool) -> Team:
@@ -164,63 +184,3 @@ def _simulated_robot(
     world: World, name: str, settings: Settings, pace: Pace, watcher: Watcher
 ) -> ResettableRobot:
     return world.robot(name, pace=pace, watcher=watcher, speed=settings.speed)
-
-
-def _write_events(
-    settings: Settings,
-    session: Session,
-    words: Words,
-    out: TextIO | None,
-    lost: list[str],
-    closing: ExitStack,
-) -> None:
-    if settings.events is None:
-        return
-    if settings.events != "-":
-        out = _open_to_write(settings.events, words, closing)
-    elif out is None:
-        raise Unusable(words("events-need-run"))
-
-    session.hub.subscribe(JsonLines(out, _teller_of_loss(settings.events, session, words, lost)))
-
-
-def _teller_of_loss(name: str, session: Session, words: Words, lost: list[str]) -> Callable[[OSError], None]:
-    """What to do when a file can't be written any more: tell it, and remember it for the exit code."""
-
-    def tell(problem: OSError) -> None:
-        lost.append(name)
-        reason = problem.strerror or str(problem)
-        session.hub.publish(Answered(words("file-unwritable", path=name, reason=reason)))
-
-    return tell
-
-
-def _write_log(settings: Settings, session: Session, words: Words, closing: ExitStack) -> None:
-    """``Log/log_001.txt`` and so on, as the original GoDonnie did."""
-    if not settings.log:
-        return
-    try:
-        Path("Log").mkdir(exist_ok=True)
-        out = _open_to_write(str(next_log(Path("Log"))), words, closing)
-    except OSError as problem:
-        raise Unusable(words("file-unwritable", path="Log", reason=problem.strerror)) from None
-    session.hub.subscribe(ToldLog(out, words))
-
-
-def _open_to_write(name: str, words: Words, closing: ExitStack) -> TextIO:
-    """Lone surrogates become the escapes that JSON has for them."""
-    try:
-        out = Path(name).open(  # noqa: SIM115 -- closed with the session
-            "w", encoding="utf-8", errors="backslashreplace", newline="\n"
-        )
-    except (OSError, ValueError) as problem:
-        reason = getattr(problem, "strerror", None) or str(problem)
-        raise Unusable(words("file-unwritable", path=name, reason=reason)) from None
-    closing.callback(_close_quietly, out)
-    return out
-
-
-def _close_quietly(out: TextIO) -> None:
-    """What could not be written was told when it was written."""
-    with suppress(OSError):
-        out.close()

@@ -8,7 +8,7 @@ from __future__ import annotations
 
 import threading
 from collections.abc import Callable
-from typing import Protocol
+from typing import Protocol, TypeAlias
 
 from devices.ports.robot import Pace, Pose, Robot, Watcher
 from donnie_tui import __version__
@@ -39,6 +39,9 @@ class ResettableRobot(Robot, Protocol):
     def reset(self) -> None: ...
 
 
+MakeRobot: TypeAlias = Callable[[Pace, Watcher], ResettableRobot]
+
+
 class Busy(Exception):
     """A program is running already."""
 
@@ -62,7 +65,7 @@ class Session:
 
     def __init__(
         self,
-        make_robot: Callable[[Pace, Watcher], ResettableRobot],
+        make_robot: MakeRobot,
         wording: Wording,
         *,
         world: str,
@@ -79,25 +82,33 @@ class Session:
         self._pace = _CurrentPace()
         self._began = 0.0
         self.hub = Hub(lambda: self._robot.time() - self._began, name, stream)
-        watcher = RobotWatcher(self.hub)
-        self._robot = make_robot(self._pace, watcher)
-        self._belt = watcher.belt = BeltFeeling(self._robot, self.hub, belt or BeltSettings())
         self.wording = wording
         self.teller = Teller(self.hub, wording)
-        self._actions = RobotActions(
-            self._robot, self.hub, self.teller, self._belt, goes_on=self._pace.goes_on
-        )
+        self._belt_settings = belt or BeltSettings()
+        self._own_robot = make_robot
+        self._take(make_robot)
         self._announcer = Announcer(self.hub, self.teller, wording)
         self._memory = Memory()
         self._world, self._seed, self._terminal = world, seed, terminal
         self._lock = threading.Lock()
         self._run: Run | None = None
 
+    def _take(self, make_robot: MakeRobot) -> None:
+        watcher = RobotWatcher(self.hub)
+        self._robot = make_robot(self._pace, watcher)
+        self._belt = watcher.belt = BeltFeeling(self._robot, self.hub, self._belt_settings)
+        self._actions = RobotActions(
+            self._robot, self.hub, self.teller, self._belt, goes_on=self._pace.goes_on
+        )
+
     # --- programs
 
     def parse(self, text: str, first_line: int = 1) -> Parsed:
-        """The program's tree, or its mistakes of form, with the colours that this robot can see."""
-        return parse(text, first_line=first_line, colours=self._robot.colours)
+        """The program's tree, or its mistakes of form, with the colours that this robot can see.
+
+        A robot without eyes says so when it is asked to look.
+        """
+        return parse(text, first_line=first_line, colours=self._robot.colours or None)
 
     def start(
         self,
@@ -269,6 +280,19 @@ class Session:
             if self._run is not None:
                 raise Busy
             self._begin_anew()
+        self.hub.publish(Reset(self.pose))
+
+    def change_robot(self, make_robot: MakeRobot | None) -> None:
+        """Another robot from now on, at its start, with nothing remembered. None: the one of the beginning.
+
+        Raises ``Busy`` while a program runs, and what ``make_robot`` raises; then the old one stays.
+        """
+        with self._lock:
+            if self._run is not None:
+                raise Busy
+            self._take(make_robot or self._own_robot)
+            self._began = self._robot.time()
+            self._memory = Memory()
         self.hub.publish(Reset(self.pose))
 
     def _begin_anew(self) -> None:

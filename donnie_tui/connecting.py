@@ -1,0 +1,189 @@
+"""Which robot a session has, and changing it: a simulated one, a real one on its line, or a simulated board.
+
+Rules: what happens to the line is a ``link`` event at once; a robot that is not there is told, and the
+simulator takes its place, in so many words; whoever is left, its wheels stand.
+"""
+
+from __future__ import annotations
+
+import threading
+from collections.abc import Callable
+from dataclasses import dataclass, replace
+from typing import Protocol
+
+from devices.port_listing import list_ports
+from devices.ports.robot import LinkNews, Pace, RobotProblem, Watcher
+from devices.serial_robot.config import RobotConfig
+from donnie_tui.core.events import Link
+from donnie_tui.core.session import Busy, ResettableRobot, Session
+from donnie_tui.device_settings import DOUBLE, SERIAL, SIMULATED
+from donnie_tui.i18n.words import Words
+from donnie_tui.robot_choice import Choice, Lister, choices, find_port, sentences_of
+from donnie_tui.settings import Settings
+from donnie_tui.tangible import refuse_shared_port
+from donnie_tui.unusable import Unusable
+from donnie_tui.world_choice import ChosenWorld
+
+
+class Connectable(ResettableRobot, Protocol):
+    """A robot with a line."""
+
+    def connect(self) -> None:
+        """Raises ``RobotProblem``."""
+
+    def close(self) -> None: ...
+
+
+@dataclass(slots=True)
+class _Connected:
+    """The robot that has a line just now, if any."""
+
+    robot: Connectable | None = None
+
+    def drop(self) -> None:
+        robot, self.robot = self.robot, None
+        if robot is not None:
+            robot.close()
+
+
+class Connection:
+    """One session's robot. ``connect`` blocks for some seconds; the rest returns at once."""
+
+    def __init__(
+        self,
+        settings: Settings,
+        words: Words,
+        world: ChosenWorld,
+        session: Session,
+        found: Lister = list_ports,
+    ) -> None:
+        """``session``: whose robot it is; it begins with a simulated one."""
+        self._settings = settings
+        self._words = words
+        self._world = world
+        self._session = session
+        self._found = found
+        self._now = _Connected()
+        self._lock = threading.Lock()
+        self.robot = SIMULATED
+        """The robot that is there, as ``--robot`` takes it."""
+
+    def choices(self) -> tuple[Choice, ...]:
+        """What a learner may choose among."""
+        return choices(self._settings, self._words, self._found)
+
+    def connect(self, robot: str) -> tuple[str, ...]:
+        """Change to that robot; what can't be done, a sentence each. The simulator is left where it can't.
+
+        Raises ``Busy`` while a program runs.
+        """
+        with self._lock:
+            try:
+                self._change(robot)
+            except (RobotProblem, Unusable) as problem:
+                self._change(SIMULATED)
+                return (*self._told(problem), self._words("connect-instead"))
+        return ()
+
+    def insist(self, robot: str) -> None:
+        """Change to that robot, or raise ``Unusable``."""
+        with self._lock:
+            try:
+                self._change(robot)
+            except RobotProblem as problem:
+                self._change(SIMULATED)
+                raise Unusable(" ".join(self._told(problem))) from None
+
+    def close(self) -> None:
+        """Let go of the line; the robot is stopped."""
+        self._now.drop()
+
+    # --- changing
+
+    def _change(self, robot: str) -> None:
+        if self._session.run is not None:
+            raise Busy
+        if robot == SIMULATED and self.robot == SIMULATED:
+            return
+        self._session.change_robot(None)
+        self._now.drop()
+        self.robot = SIMULATED
+        if robot != SIMULATED:
+            self._connect(robot)
+
+    def _connect(self, robot: str) -> None:
+        make, name = self._maker(robot)
+        made: list[Connectable] = []
+
+        def make_and_keep(pace: Pace, watcher: Watcher) -> ResettableRobot:
+            made.append(make(pace, watcher))
+            return made[0]
+
+        self._session.change_robot(make_and_keep)
+        self._now.robot = made[0]
+        try:
+            made[0].connect()
+        except RobotProblem:
+            self._session.change_robot(None)
+            self._now.drop()
+            raise
+        self.robot = name
+
+    def _maker(self, robot: str) -> tuple[Callable[[Pace, Watcher], Connectable], str]:
+        if robot == DOUBLE:
+            return self._make_double, DOUBLE
+        settings = replace(self._settings, robot=robot)
+        port = find_port(settings, self._words, self._found)
+        name = f"{SERIAL}:{port}"
+        refuse_shared_port(replace(settings, robot=name), self._words)
+        return lambda pace, watcher: self._make_serial(port, pace, watcher), name
+
+    def _make_serial(self, port: str, pace: Pace, watcher: Watcher) -> Connectable:
+        from devices.serial_link import SerialLink
+        from devices.serial_robot.robot import SerialRobot
+
+        link = SerialLink(port, on_event=self._tell)
+        return SerialRobot(
+            link, robot_config(self._settings), pace=pace, watcher=watcher, start=self._world.start()
+        )
+
+    def _make_double(self, pace: Pace, watcher: Watcher) -> Connectable:
+        from devices.firmware_double.robot import DoubleRobot
+        from donnie_tui.double_floor import floor_of, place_of
+
+        start = self._world.start()
+        return DoubleRobot(
+            floor_of(self._world.scene, start),
+            robot_config(self._settings),
+            pace=pace,
+            watcher=watcher,
+            speed=self._settings.speed,
+            place=place_of(start),
+            start=start,
+            on_event=self._tell,
+        )
+
+    # --- telling
+
+    def _tell(self, news: LinkNews, reason: str) -> None:
+        self._session.hub.publish(Link(news.value, reason))
+
+    def _told(self, problem: RobotProblem | Unusable) -> tuple[str, ...]:
+        if isinstance(problem, Unusable):
+            return (problem.sentence,)
+        return sentences_of(problem, self._words)
+
+
+def robot_config(settings: Settings) -> RobotConfig:
+    """A real robot as the settings have it; what is not set is as with the original."""
+    config = RobotConfig()
+    if settings.wheel_radius is not None:
+        config = replace(config, wheel_radius=settings.wheel_radius)
+    if settings.axle_length is not None:
+        config = replace(config, axle_length=settings.axle_length)
+    if settings.sonars is not None:
+        config = replace(config, sonars=settings.sonars)
+    if settings.bumpers is not None:
+        front = frozenset(bit for bit, in_front in enumerate(settings.bumpers) if in_front)
+        config = replace(config, front_bumpers=front, back_bumpers=frozenset(range(6)) - front)
+    return config
