@@ -110,6 +110,10 @@ def write_program(path: Path, text: str) -> None:
     """Write a program as UTF-8. Raises ``DocumentError``."""
     try:
         target = path.resolve()
+        if target.is_dir():
+            raise DocumentError("file-is-folder", str(path))
+        if target.exists() and not target.is_file():  # taking a device's place would break the machine
+            raise DocumentError("file-no-file", str(path))
         if target.exists() and not os.access(target, os.W_OK):
             raise PermissionError(errno.EACCES, os.strerror(errno.EACCES))
         _write_beside(target, text)

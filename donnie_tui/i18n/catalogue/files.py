@@ -13,6 +13,9 @@ SENTENCES: dict[str, Sentence] = {
         "{path} es demasiado grande para un programa.",
     ),
     "file-not-text": Sentence("{path} is no text.", "{path} não é um texto.", "{path} no es un texto."),
+    "file-no-file": Sentence(
+        "{path} is no ordinary file.", "{path} não é um arquivo comum.", "{path} no es un archivo común."
+    ),
     "file-unreadable": Sentence(
         "I can't read {path}: {reason}.",
         "Não consigo ler {path}: {reason}.",

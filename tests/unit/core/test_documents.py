@@ -137,6 +137,21 @@ def test_a_pipe_is_not_opened_because_reading_it_may_wait_for_ever(tmp_path: Pat
         program_to_open(str(tmp_path / "pipe"))
 
 
+def test_a_device_or_a_pipe_is_not_replaced_by_a_file(tmp_path: Path) -> None:
+    os.mkfifo(tmp_path / "pipe")
+
+    with pytest.raises(DocumentError) as caught:
+        write_program(tmp_path / "pipe", "FW 2")
+    assert caught.value.code == "file-no-file"
+    assert (tmp_path / "pipe").is_fifo()
+
+
+def test_a_folder_is_not_written(tmp_path: Path) -> None:
+    with pytest.raises(DocumentError) as caught:
+        write_program(tmp_path, "FW 2")
+    assert caught.value.code == "file-is-folder"
+
+
 def test_a_file_that_must_not_be_written_is_not_replaced(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
