@@ -1,7 +1,8 @@
 """The firmware's loop: bytes in, seconds go by, bytes out. No port, no clock, no thread.
 
-A pass of the loop reads one byte (before it is configured, all there are), prints what the parser says about it, sends whatever is due and always the
-encoders. Nothing ever stops the motors but a MOTOR frame, a reset or a wheel at zero: that is the point.
+A pass of the loop reads one byte (all there are, before it is configured), prints what the parser says about
+it, sends whatever is due and always the encoders. Nothing ever stops the motors but a MOTOR frame, a reset or
+a wheel at zero: that is the point.
 """
 
 from __future__ import annotations

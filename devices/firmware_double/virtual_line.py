@@ -138,7 +138,8 @@ class VirtualLine:
         if not self._is_open:
             return
         if self.is_blocked:
-            self._connection.write_failed(self._now)
+            self._is_open = False
+            self._connection.failed(self._now, "the port takes nothing")
             return
         if self.written is not None:
             self.written.append((self._now, data))

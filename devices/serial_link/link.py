@@ -13,7 +13,8 @@ import time
 from collections.abc import Callable
 
 from devices.ports.robot import LinkNews, RobotProblem
-from devices.serial_link.port import OpenPort, PortProblem
+from devices.serial_link.port import OpenPort
+from devices.serial_port import PortProblem
 from devices.wire.commands import STOP, Drive
 from devices.wire.connection import Connection, Need, Write
 from devices.wire.link_config import LinkConfig
@@ -100,7 +101,7 @@ class SerialLink:
         try:
             self._port = self._open_port(self.name)
         except PortProblem as problem:
-            raise RobotProblem(problem.code, port=problem.port, reason=problem.reason) from problem
+            raise RobotProblem(problem.fault.value, port=problem.port, reason=problem.reason) from problem
         with self._lock:
             self._connection.open(self.now())
             self._connection.opened(self.now())
@@ -174,9 +175,8 @@ class SerialLink:
             self._lost(error)
 
     def _write(self, data: bytes) -> None:
-        if self._port is not None and not self._port.write(data):
-            with self._lock:
-                self._connection.write_failed(self.now())
+        if self._port is not None:
+            self._port.write(data)
 
     def _reopen(self) -> None:
         self._drop_port()

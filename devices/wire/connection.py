@@ -121,11 +121,6 @@ class Connection:
             self._lose(Happening.FAILED, now, reason)
             self._deadline = now + self._config.reopen
 
-    def write_failed(self, now: float) -> None:
-        """A frame may have been written by half: what comes next must end it."""
-        self._outbox.flush()
-        self._end_drive(now)
-
     def received(self, data: bytes, now: float) -> None:
         """Take whatever came in."""
         if self.state in (LinkState.CLOSED, LinkState.OPENING):
@@ -306,7 +301,7 @@ class Connection:
             self._deadline = now + self._config.first_answer
         elif self.state is LinkState.WAITING and now >= self._deadline:
             self._lose(Happening.SILENCE, now, "no answer")
-            self._deadline = now
+            self._deadline = now + self._config.reopen
 
     def _silent_at(self) -> float:
         return self._heard_at + self._config.silence if self.state is LinkState.STREAMING else inf

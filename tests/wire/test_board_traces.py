@@ -3,8 +3,9 @@
 Timing aside: the recordings were made on another clock, in chunks of 20 milliseconds. So per part of a
 recording, from one thing that was done to the next, the text is the same to the byte, but for a frame that a
 reset cut off; battery, bumpers, beeps and outputs tell the same values; the sonars end at the same centimetre
-(one is allowed, as the recordings have it among themselves), the wheels at the same count (4 of a hundred and 14
-are allowed), and each type of frame comes as often (15 of a hundred are allowed, and what fits into one chunk).
+(one is allowed, as the recordings have it among themselves), the wheels at the same count (4 of a hundred and
+14 are allowed), and each type of frame comes as often (15 of a hundred are allowed, and what fits into one
+chunk).
 """
 
 from __future__ import annotations
@@ -127,7 +128,7 @@ def as_simulated(lines: list[Line]) -> list[Part]:
     return parts(said)
 
 
-@pytest.fixture(params=ROBOT_TRACES)
+@pytest.fixture(params=ROBOT_TRACES, scope="module")
 def both(request: pytest.FixtureRequest, shared: Path) -> list[tuple[Part, Part]]:
     lines = recording(shared, request.param)
     pairs = list(zip(as_recorded(lines), as_simulated(lines), strict=True))
