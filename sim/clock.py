@@ -45,8 +45,9 @@ class Clock:
         self._turns.dismiss(self._seat)
 
     @property
-    def takes_part(self) -> bool:
-        return self._seat.takes_part
+    def has_company(self) -> bool:
+        """Whether another robot takes part in the world's order."""
+        return self._turns.has_others(self._seat)
 
     def halt(self) -> None:
         """End the command that goes on now. From any thread."""
@@ -89,6 +90,8 @@ class Clock:
 
     def elapse(self, seconds: float) -> bool:
         """Let ``seconds`` go by in which others act. False if it was cut short."""
+        if not self._seat.takes_part:
+            return self.spend(seconds, ()) >= seconds
         began = self.seconds
         self.seconds = began + seconds
         if self._comes_to_turn() and self._catch_up():

@@ -1,17 +1,15 @@
 """The simulated robot: the port's commands, told in steps and compass degrees, over metres and the world.
 
-It walks a step (0.05 m) and turns 45 degrees in a second of robot time; sensors take no time. What a command
-comes to is computed at once, then played: progress is told at its times, at any speed in the same order.
+Sensors take no time. What a movement comes to, and how it is played, is the business of ``movement``.
 """
 
 from __future__ import annotations
 
-from collections.abc import Callable
-from math import copysign
+from random import Random
 
 from devices.ports.robot import (
-    STEP,
     Bearing,
+    Gripped,
     Motion,
     Moved,
     Pace,
@@ -21,55 +19,42 @@ from devices.ports.robot import (
     Turned,
     Watcher,
 )
-from sim.clock import Clock, Mark
-from sim.motion import Mover, body_of, guard_distance
-from sim.physics import Surroundings
+from sim.clock import Clock
+from sim.ground import Ground
+from sim.motion import Mover
+from sim.movement import Going, Movement
 from sim.placement import Placement
-from sim.scene import Scene
-from sim.sensors import CENTIMETRES_A_STEP, Seen, Spot, senses_of
+from sim.sensors import CENTIMETRES_A_STEP, Seen
+from sim.turning import Bend, Turn
 from sim.turns import Seat
-
-STEPS_A_SECOND = 1.0
-DEGREES_A_SECOND = 45.0
-DEGREES_A_REPORT = 10
-MOST_REPORTS = 1000
-"""Of a longer movement only every so many-th step is told, so that a huge one stays short."""
-
-_BEARINGS = {Motion.FORWARD: Bearing.FRONT, Motion.BACKWARD: Bearing.BACK}
+from sim.units import pose_of
+from sim.vehicle import Vehicle
+from sim.walking import Walk
+from sim.wheels import moving, odometry_of, rates_of, turning
 
 
 class SimulatedRobot:
-    """One robot of a scene. All but ``halt``, ``pose``, ``time`` and ``speed`` is the program's thread's."""
+    """One robot of a world. All but ``halt``, ``pose``, ``time`` and ``speed`` is the program's thread's."""
 
     def __init__(
         self,
-        scene: Scene,
-        name: str | None = None,
+        ground: Ground,
+        robot: int,
+        seat: Seat,
         *,
         pace: Pace,
-        watcher: Watcher | None = None,
-        speed: float | None = None,
-        seed: int = 0,
-        seat: Seat | None = None,
+        watcher: Watcher | None,
+        speed: float | None,
+        seed: int,
     ) -> None:
-        """The robot called ``name``, or the world's first one.
-
-        KeyError if the world has no such robot. ``seed`` is for sensors with noise, which no world has yet.
-        """
-        if not scene.robots:
-            raise KeyError(name or "")
-        self._model = scene.robot(name) if name is not None else scene.models[scene.robots[0]]
-        self._scene = scene
-        self._watcher = watcher
-        self.seed = seed
-        self._senses = senses_of(scene, self._model.index)
-        body = body_of(scene, self._model.index)
-        guard = guard_distance(body, self._senses.rangers)
-        self._around = Surroundings(scene, self._model.index, guard)
-        self._mover = Mover(self._around, body, self._senses)
+        """``robot``: the index of its model. ``seed``: of its errors; 0 makes none."""
+        self._ground = ground
+        self._model = ground.scene.models[robot]
+        self._seed = seed
+        self._mover = Mover(ground, robot)
         self._clock = Clock(pace, speed, seat)
-        self._start = Spot(self._model.pose.x, self._model.pose.y, self._model.pose.yaw % 360.0)
-        self._spot = self._start
+        self._vehicle = Vehicle(self._mover, self._clock, rates_of(self._model.wheels), watcher)
+        self._begin_anew()
 
     @property
     def name(self) -> str:
@@ -77,7 +62,8 @@ class SimulatedRobot:
 
     @property
     def colours(self) -> frozenset[str]:
-        return self._senses.eyes.families if self._senses.eyes is not None else frozenset()
+        eyes = self._mover.senses.eyes
+        return eyes.families if eyes is not None else frozenset()
 
     @property
     def speed(self) -> float | None:
@@ -93,12 +79,18 @@ class SimulatedRobot:
     @property
     def stands_in(self) -> tuple[str, ...]:
         """Names of the things that the robot's world puts it inside of; they are not there for it."""
-        return tuple(self._scene.models[root].name for root in self._around.stands_in)
+        return tuple(self._ground.scene.models[root].name for root in self._mover.around.stands_in)
 
     @property
     def placement(self) -> Placement:
-        """Where it is in truth."""
-        return Placement(self._spot.x, self._spot.y, self._model.pose.z, self._spot.yaw)
+        """Where it is in truth, in metres. ``pose`` is what the robot believes."""
+        spot = self._vehicle.here.truth
+        return Placement(spot.x, spot.y, self._model.pose.z, spot.yaw)
+
+    @property
+    def holds(self) -> int | None:
+        """The index of the thing in its gripper."""
+        return self._vehicle.hand.held
 
     def join(self) -> None:
         """Take part in the world's order; returns when it is this robot's turn, or after a stop.
@@ -112,41 +104,32 @@ class SimulatedRobot:
         self._clock.leave()
 
     def reset(self) -> None:
-        """Back to the start: place, heading and time."""
-        self._spot = self._start
+        """Back to the start: place, heading, gripper, time; and all things, if no other robot takes part."""
+        self._begin_anew()
+        if not self._clock.has_company:
+            self._ground.put_things_back()
         self._clock.reset()
 
     def forward(self, steps: int) -> Moved:
         """Walk forward. ValueError if ``steps`` is negative."""
-        return self._walk(Motion.FORWARD, steps)
+        return self._walk(Motion.FORWARD, steps, self._vehicle.rates.forward)
 
     def backward(self, steps: int) -> Moved:
         """Walk backward. ValueError if ``steps`` is negative."""
-        return self._walk(Motion.BACKWARD, steps)
+        return self._walk(Motion.BACKWARD, steps, self._vehicle.rates.backward)
 
     def turn(self, degrees: int) -> Turned:
-        start = self._spot
-        self._clock.begin()
-        turnable = -self._mover.turn(start, -degrees)
-        side = Motion.RIGHT if degrees >= 0 else Motion.LEFT
-        sign = 1 if degrees >= 0 else -1
-
-        def turned_by(seconds: float) -> Spot:
-            return _turned(start, sign * seconds * DEGREES_A_SECOND)
-
-        def exactly(turned: int) -> Spot:
-            return _turned(start, sign * turned)
-
-        marks = self._marks(side, abs(turnable), DEGREES_A_REPORT, DEGREES_A_SECOND, exactly)
-        seconds = abs(turnable) / DEGREES_A_SECOND
-        spent = self._play(seconds, marks, turned_by)
-        if spent < seconds:
-            done = int(spent * DEGREES_A_SECOND + 1e-6)
-            self._spot = exactly(done)
-            return Turned(degrees, sign * done, StoppedBy.USER, self.pose())
-        self._spot = exactly(abs(turnable))
-        stopped_by = None if turnable == degrees else StoppedBy.COLLISION
-        return Turned(degrees, turnable, stopped_by, self.pose())
+        """On the spot; a car drives forward on its smallest circle. RobotProblem ``cannot-turn``."""
+        rates = self._vehicle.rates
+        motion, sign = (Motion.RIGHT, -1) if degrees >= 0 else (Motion.LEFT, 1)
+        rate = turning(rates.right if degrees >= 0 else rates.left)
+        movement: Movement
+        if rates.bend is None:
+            movement = Turn(self._vehicle, motion, abs(degrees), rate, sign)
+        else:
+            movement = Bend(self._vehicle, motion, abs(degrees), rate, sign, rates.bend)
+        turned, stopped_by = self._run(movement)
+        return Turned(degrees, -sign * turned, stopped_by, self.pose())
 
     def wait(self, seconds: float) -> bool:
         asked = max(0.0, seconds)
@@ -159,92 +142,57 @@ class SimulatedRobot:
         return self._clock.seconds
 
     def pose(self) -> Pose:
-        return _pose(self._spot)
+        """Where the robot believes to be: the truth, unless it counts its wheels' turns with errors."""
+        return pose_of(self._vehicle.here.belief)
 
     def distance(self, bearing: Bearing) -> int:
+        """RobotProblem ``no-sensor`` (bearing) if nothing looks there."""
         self._clock.begin()
-        return self._senses.steps(self._around, self._spot, bearing)
+        return self._mover.senses.steps(self._mover.around, self._vehicle.here.truth, bearing, self._chance)
 
     def scan(self) -> tuple[Sighting, ...]:
+        """RobotProblem ``no-eyes`` if it has none."""
         self._clock.begin()
-        return tuple(self._sighting(seen) for seen in self._senses.look(self._around, self._spot))
+        things = self._mover.senses.look(self._mover.around, self._vehicle.here.truth)
+        return tuple(self._sighting(seen) for seen in things)
+
+    def grip(self) -> Gripped:
+        """Take the thing between the paddles, or a step before them. RobotProblem ``no-gripper``."""
+        self._clock.begin()
+        outcome = self._vehicle.hand.grip(self._vehicle.here.truth)
+        return Gripped(outcome, self._name_of(self.holds))
+
+    def release(self) -> Gripped:
+        """Let go what is held; it stays there. RobotProblem ``no-gripper``."""
+        self._clock.begin()
+        held = self.holds
+        return Gripped(self._vehicle.hand.release(), self._name_of(held))
 
     def halt(self) -> None:
         self._clock.halt()
 
-    def _walk(self, motion: Motion, steps: int) -> Moved:
+    def _begin_anew(self) -> None:
+        self._chance = Random(f"{self._seed} {self.name}") if self._seed else None
+        self._vehicle.begin_anew(odometry_of(self._model.wheels, self._chance))
+
+    def _walk(self, motion: Motion, steps: int, rate: float) -> Moved:
         if steps < 0:
             raise ValueError("a walk has no negative steps")
-        start, bearing = self._spot, _BEARINGS[motion]
-        angle = start.yaw + (180.0 if motion is Motion.BACKWARD else 0.0)
-        self._clock.begin()
-        walk = self._mover.walk(start, bearing, steps, self._clock.goes_on)
+        walked, stopped_by = self._run(Walk(self._vehicle, motion, steps, moving(rate)))
+        return Moved(steps, walked, stopped_by, self.pose())
 
-        def walked_by(seconds: float) -> Spot:
-            return start.ahead(seconds * STEPS_A_SECOND * STEP, angle)
-
-        def exactly(walked: int) -> Spot:
-            return start.ahead(walked * STEP, angle)
-
-        marks = self._marks(motion, walk.steps, 1, STEPS_A_SECOND, exactly)
-        seconds = walk.metres / STEP / STEPS_A_SECOND
-        spent = self._play(seconds, marks, walked_by)
-        if spent < seconds:
-            self._spot = walked_by(spent)
-            walked = min(walk.steps, int(spent * STEPS_A_SECOND + 1e-6))
-            return Moved(steps, walked, StoppedBy.USER, self.pose())
-        self._spot = start.ahead(walk.metres, angle)
-        return Moved(steps, walk.steps, walk.stopped_by, self.pose())
-
-    def _marks(
-        self, motion: Motion, count: int, every: int, a_second: float, at: Callable[[int], Spot]
-    ) -> list[Mark]:
-        """When to tell what of a movement of ``count`` steps or degrees; the rest at its end is told too."""
-        if count == 0 or self._watcher is None:
-            return []
-        stride = every * -(-count // (every * MOST_REPORTS))
-        amounts = [*range(stride, count, stride), count]
-        return [(amount / a_second, self._telling(motion, at, amount)) for amount in amounts]
-
-    def _telling(self, motion: Motion, at: Callable[[int], Spot], amount: int) -> Callable[[], None]:
-        def tell() -> None:
-            self._spot = at(amount)
-            if self._watcher is not None:
-                self._watcher.progressed(motion, self.pose())
-
-        return tell
-
-    def _play(self, seconds: float, marks: list[Mark], place: Callable[[float], Spot]) -> float:
-        """Let the movement happen. Answers the seconds that it took."""
-
-        def passing(spent: float) -> None:
-            self._spot = place(spent)
-            if self._watcher is not None:
-                self._watcher.passing(self.pose())
-
-        return self._clock.spend(seconds, marks, passing)
+    def _run(self, movement: Movement) -> Going:
+        return movement.run() if self._clock.begin() else (0, StoppedBy.USER)
 
     def _sighting(self, seen: Seen) -> Sighting:
-        name = self._scene.models[seen.root].name
         return Sighting(
             degrees=-round(seen.degrees, 9) + 0.0,
             steps=seen.centimetres / CENTIMETRES_A_STEP,
             colour=seen.colour.family,
-            name="" if ":" in name else name,
+            name=self._name_of(seen.root),
         )
 
-
-def _turned(spot: Spot, degrees: float) -> Spot:
-    """After a turn to the right. Whole degrees stay exact."""
-    return Spot(spot.x, spot.y, (spot.yaw - degrees) % 360.0)
-
-
-def _pose(spot: Spot) -> Pose:
-    """In steps and compass degrees; rounded far below what matters, so that three steps are not 2.9999."""
-    heading = round((90.0 - spot.yaw) % 360.0, 9) % 360.0
-    return Pose(_whole(spot.x), _whole(spot.y), heading)
-
-
-def _whole(metres: float) -> float:
-    steps = round(metres / STEP, 9)
-    return copysign(steps, 1.0) if steps == 0 else steps
+    def _name_of(self, root: int | None) -> str:
+        """As its world calls it; empty where it only has a number."""
+        name = "" if root is None else self._ground.scene.models[root].name
+        return "" if ":" in name else name

@@ -49,6 +49,12 @@ class Turns:
                 heapify(self.queue)
             self._appoint()
 
+    def has_others(self, seat: Seat) -> bool:
+        """Whether anybody but this one takes part."""
+        with self.lock:
+            others = [self.holder, *(entry[2] for entry in self.queue)]
+            return any(other is not None and other is not seat for other in others)
+
     def hand_over(self) -> None:
         """The turn goes to the least; the holder gets in the queue. Under the lock."""
         holder = self.holder

@@ -9,6 +9,7 @@ from __future__ import annotations
 from collections.abc import Iterable, Mapping
 
 from devices.ports.robot import Pace, Watcher
+from sim.ground import Ground
 from sim.placement import Placement
 from sim.robot import SimulatedRobot
 from sim.scene import Scene
@@ -22,6 +23,7 @@ class World:
         """``seed``: of whatever is drawn by lot; 0 draws nothing, all is exact."""
         self.scene = scene
         self.seed = seed
+        self._ground = Ground(scene)
         self._turns = Turns()
         self._seats = {index: Seat(self._turns, rank) for rank, index in enumerate(scene.robots)}
         self._robots: dict[int, SimulatedRobot] = {}
@@ -37,13 +39,13 @@ class World:
         """The robot called ``name``, or the world's first one. KeyError if the world has no such robot."""
         index = self._index(name)
         robot = SimulatedRobot(
-            self.scene,
-            self.scene.models[index].name,
+            self._ground,
+            index,
+            self._seats[index],
             pace=pace,
             watcher=watcher,
             speed=speed,
             seed=self.seed,
-            seat=self._seats[index],
         )
         self._robots[index] = robot
         return robot
@@ -60,13 +62,14 @@ class World:
         return {robot.name: robot.placement for robot in tuple(self._robots.values())}
 
     def moved_things(self) -> Mapping[int, Placement]:
-        """Where things are that were pushed or gripped, by the index of their model."""
-        return {}
+        """Where things are that were pushed or carried, by the index of their (top-level) model."""
+        return {root: now for root, now in self._ground.moved().items() if root not in self._seats}
 
     def reset(self) -> None:
         """Everything back to its start. Only while no robot takes part."""
         for robot in tuple(self._robots.values()):
             robot.reset()
+        self._ground.put_things_back()
 
     def _index(self, name: str | None) -> int:
         if not self.scene.robots:

@@ -13,6 +13,7 @@ from donnie_tui.core.transcript import lines_of
 from donnie_tui.i18n.words import Words
 from sim.robot import SimulatedRobot
 from sim.scene import Scene
+from sim.world import World
 from sim.worldfile import load_text
 
 PATIENCE = 20
@@ -67,7 +68,7 @@ class Floor:
 
 
 def _robot(scene: Scene, speed: float | None, pace: Pace, watcher: Watcher) -> SimulatedRobot:
-    return SimulatedRobot(scene, pace=pace, watcher=watcher, speed=speed)
+    return World(scene).robot(pace=pace, watcher=watcher, speed=speed)
 
 
 _SENSORS = "".join(f"sonar( pose [ 0 0 0 {-angle} ] )\n" for angle in (0, 45, -45, 180, 135, -135))

@@ -6,12 +6,14 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from devices.ports.robot import STEP, Bearing, StoppedBy
+from sim.body import body_of
 from sim.geometry import overlapping, placed
-from sim.motion import Mover, body_of, guard_distance
+from sim.ground import Ground
+from sim.motion import Mover
 from sim.physics import Surroundings
-from sim.robot import SimulatedRobot
 from sim.scene import Scene
-from sim.sensors import Spot, senses_of
+from sim.sensors import Spot
+from sim.world import World
 from tests.unit.sim.floors import Unpaced, scene
 
 ROBOTS = {
@@ -67,8 +69,8 @@ def test_a_robot_is_never_inside_a_thing(
     kind: str, around: list[Thing], yaw: int, program: list[tuple[str, int]]
 ) -> None:
     it = world(kind, around, yaw)
-    robot = SimulatedRobot(it, pace=Unpaced())
-    body, parts = body_of(it, 0), Surroundings(it, 0, 0.1).parts
+    robot = World(it).robot(pace=Unpaced())
+    body, parts = body_of(it, 0), Surroundings(Ground(it), 0).parts
 
     for command, amount in program:
         before = robot.pose()
@@ -101,8 +103,7 @@ def test_a_walk_at_once_and_one_looked_at_step_by_step_are_the_same(
     kind: str, around: list[Thing], yaw: int, steps: int, bearing: Bearing
 ) -> None:
     it = world(kind, around, yaw)
-    senses, body = senses_of(it, 0), body_of(it, 0)
-    mover = Mover(Surroundings(it, 0, guard_distance(body, senses.rangers)), body, senses)
+    mover = Mover(Ground(it), 0)
     start = Spot(0, 0, yaw)
 
     assert mover.walk(start, bearing, steps) == mover.walk(start, bearing, steps, careful=True)
@@ -117,7 +118,7 @@ def test_nothing_is_tunnelled_however_thin_the_wall_and_long_the_walk(
     x, y = away * cos(radians(yaw)), away * sin(radians(yaw))
     wall = f"model( size [ 0.0001 20 1 ] pose [ {x} {y} 0 {yaw + slant} ] )"
     it = scene(SENSOR + ROBOTS["long"] + f"it( pose [ 0 0 0 {yaw} ] )" + wall)
-    robot = SimulatedRobot(it, pace=Unpaced())
+    robot = World(it).robot(pace=Unpaced())
 
     moved = robot.forward(steps)
 
@@ -134,7 +135,7 @@ def test_the_same_commands_give_the_same_answers(
     around: list[Thing], yaw: int, program: list[tuple[str, int]]
 ) -> None:
     def run() -> list[object]:
-        robot = SimulatedRobot(world("octagon", around, yaw), pace=Unpaced())
+        robot = World(world("octagon", around, yaw)).robot(pace=Unpaced())
         does = {"f": robot.forward, "b": robot.backward, "t": robot.turn}
         return [does[command](amount) for command, amount in program] + [robot.time()]
 

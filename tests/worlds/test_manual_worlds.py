@@ -9,6 +9,7 @@ from devices.ports.robot import STEP, Bearing, Pose
 from sim.picture import Picture, picture
 from sim.robot import SimulatedRobot
 from sim.scene import Model, Scene
+from sim.world import World
 from sim.worldfile import load_world
 from tests.unit.sim.floors import Unpaced
 
@@ -38,7 +39,7 @@ def extent(model: Model) -> tuple[float, float, float, float]:
 
 
 def driven(name: str) -> SimulatedRobot:
-    return SimulatedRobot(scene(name), pace=Unpaced())
+    return World(scene(name)).robot(pace=Unpaced())
 
 
 @pytest.mark.parametrize("name", STEPS)

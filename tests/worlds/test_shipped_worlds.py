@@ -10,6 +10,7 @@ from devices.ports.robot import Bearing, Pose, StoppedBy
 from sim.picture import picture
 from sim.robot import SimulatedRobot
 from sim.scene import Scene
+from sim.world import World
 from sim.worldfile import load_world
 from tests.unit.sim.floors import Unpaced
 
@@ -19,7 +20,7 @@ def scene(name: str) -> Scene:
 
 
 def donnie(name: str) -> SimulatedRobot:
-    return SimulatedRobot(scene(name), pace=Unpaced())
+    return World(scene(name)).robot(pace=Unpaced())
 
 
 def test_the_open_floor_is_offered_first() -> None:
@@ -55,7 +56,7 @@ def test_every_scenario_loads_without_a_remark_and_starts_at_the_origin_facing_n
     it = scene(name)
 
     assert it.report.notes == ()
-    robot = SimulatedRobot(it, pace=Unpaced())
+    robot = World(it).robot(pace=Unpaced())
     assert (robot.pose(), robot.stands_in) == (Pose(0, 0, 0), ())
     assert robot.name == {"two_robots": "alice", "factory": "bob"}.get(name, "donnie")
 

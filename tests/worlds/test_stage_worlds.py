@@ -5,8 +5,8 @@ from pathlib import Path
 
 import pytest
 
-from sim.robot import SimulatedRobot
 from sim.scene import Model
+from sim.world import World
 from sim.worldfile import load_world
 from tests.unit.sim.floors import Unpaced
 
@@ -61,7 +61,7 @@ def compare(model: Model, expected: dict[str, object]) -> None:
 
 @pytest.mark.parametrize("world", WORLDS)
 def test_the_first_robot_of_a_stage_world_can_be_driven(shared: Path, world: str) -> None:
-    robot = SimulatedRobot(load_world(shared / "stage" / world), pace=Unpaced())
+    robot = World(load_world(shared / "stage" / world)).robot(pace=Unpaced())
 
     robot.turn(90)
     robot.forward(100)
@@ -72,7 +72,7 @@ def test_the_first_robot_of_a_stage_world_can_be_driven(shared: Path, world: str
 
 
 def test_the_original_donnie_does_not_drive_through_its_walls(shared: Path) -> None:
-    robot = SimulatedRobot(load_world(shared / "stage" / "donnie" / "donnie.world"), pace=Unpaced())
+    robot = World(load_world(shared / "stage" / "donnie" / "donnie.world")).robot(pace=Unpaced())
 
     for _ in range(8):
         robot.forward(200)

@@ -6,6 +6,7 @@ from pathlib import Path
 from devices.ports.robot import Motion, Pose, Watcher
 from sim.robot import SimulatedRobot
 from sim.scene import Scene
+from sim.world import World
 from sim.worldfile import load_text
 
 STEP = 0.05
@@ -73,7 +74,7 @@ def robot(
     watcher: Watcher | None = None,
     speed: float | None = None,
 ) -> SimulatedRobot:
-    return SimulatedRobot(scene(text), pace=pace or Unpaced(), watcher=watcher, speed=speed)
+    return World(scene(text)).robot(pace=pace or Unpaced(), watcher=watcher, speed=speed)
 
 
 def ideal(

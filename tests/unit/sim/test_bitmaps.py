@@ -12,7 +12,7 @@ from hypothesis import strategies as st
 from sim.bitmap import BadPicture, Picture, Rectangle, read_picture, rectangles
 from sim.bitmap.pixels import MOST_PIXELS
 from sim.geometry import signed_area
-from sim.robot import SimulatedRobot
+from sim.world import World
 from sim.worldfile import load_text
 from tests.unit.sim.floors import IDEAL, Unpaced
 
@@ -194,7 +194,7 @@ def test_the_dark_part_of_a_picture_is_fitted_to_the_size(tmp_path: Path) -> Non
     scene = load_text(
         IDEAL + 'model ( bitmap "ring.pgm" size [ 4 3 1 ] ) ideal ( pose [ 0 0 0 90 ] )', tmp_path / "t.world"
     )
-    robot = SimulatedRobot(scene, pace=Unpaced())
+    robot = World(scene).robot(pace=Unpaced())
 
     assert sum(abs(signed_area(polygon.points)) for polygon in scene.models[0].polygons) == pytest.approx(10)
     assert {x for polygon in scene.models[0].polygons for x, _ in polygon.points} == {-2, -1, 1, 2}

@@ -6,6 +6,7 @@ import pytest
 
 from devices.ports.robot import Bearing, Motion, Pose, Robot, StoppedBy
 from sim.robot import SimulatedRobot
+from sim.world import World
 from tests.unit.sim.floors import BOX_ROBOT, IDEAL, Diary, Unpaced, ideal, robot, scene
 
 
@@ -153,9 +154,9 @@ def test_reset_puts_everything_back() -> None:
 
 def test_a_world_without_that_robot_is_refused() -> None:
     with pytest.raises(KeyError):
-        SimulatedRobot(scene(IDEAL + 'ideal( name "donnie" )'), "marvin", pace=Unpaced())
+        World(scene(IDEAL + 'ideal( name "donnie" )')).robot("marvin", pace=Unpaced())
     with pytest.raises(KeyError):
-        SimulatedRobot(scene("model()"), pace=Unpaced())
+        World(scene("model()")).robot(pace=Unpaced())
 
 
 # --- time ----------------------------------------------------------------------------------------

@@ -5,6 +5,7 @@ from math import atan, cos, degrees, hypot, radians, sin
 import pytest
 
 from devices.ports.robot import Bearing, RobotProblem
+from sim.ground import Ground
 from sim.physics import Surroundings
 from sim.sensors import Spot, senses_of
 from tests.unit.sim.floors import IDEAL, ideal, robot, scene
@@ -15,7 +16,7 @@ def centimetres(text: str, spot: Spot) -> int | None:
     it = scene(text + "\nideal( pose [ -50 -50 0 0 ] )")
     me = it.robots[-1]
     (front,) = senses_of(it, me).at(Bearing.FRONT)
-    return front.centimetres(Surroundings(it, me, 0.1), spot)
+    return front.centimetres(Surroundings(Ground(it), me), spot)
 
 
 @pytest.mark.parametrize("angle", [0, 10, 30, -45, 60, -75])

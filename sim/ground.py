@@ -1,0 +1,214 @@
+"""Where everything of a world is now: one ground that all its robots share, from any thread.
+
+Robots, and things that can be pushed or gripped, may be put elsewhere; the rest lies still. What was moved is
+worked out when somebody asks for it, so that a robot alone pays nothing for moving.
+"""
+
+from __future__ import annotations
+
+import threading
+from collections.abc import Mapping, Sequence
+from math import ceil, log
+
+import pymunk
+
+from sim.geometry import Point, contains
+from sim.layer import RANGED, SIGHT, Layer
+from sim.parts import Part, parts_of
+from sim.placement import Placement
+from sim.rays import Hit
+from sim.scene import Scene
+
+_FINENESS = 1.1
+"""Guard distances are rounded up to powers of this, so that many kinds of robots share a few layers."""
+
+
+class Ground:
+    """The parts of a scene. ``root`` is always the index of a top-level model."""
+
+    def __init__(self, scene: Scene) -> None:
+        self.scene = scene
+        self._lock = threading.Lock()
+        self._at_start = tuple(parts_of(scene))
+        self._start = {root: scene.models[root].pose for root in _movable(scene)}
+        self._now = dict(self._start)
+        self._groups: dict[int, int] = {root: root + 1 for root in scene.robots}
+        self._parts = list(self._at_start)
+        self._ranks: dict[int, list[int]] = {root: [] for root in self._start}
+        for part in self._at_start:
+            if part.root in self._ranks:
+                self._ranks[part.root].append(part.rank)
+        self._layers: dict[float, _Kept] = {}
+        self._bare = self._layer(0.0)
+        self._around_start = {root: self._inside_of(root) for root in self._start}
+
+    # --- where things are
+
+    @property
+    def movable(self) -> frozenset[int]:
+        """The roots that may be put elsewhere: robots, and things to push or to grip."""
+        return frozenset(self._start)
+
+    def place(self, root: int) -> Placement:
+        """Where a movable root is now."""
+        return self._now[root]
+
+    def start(self, root: int) -> Placement:
+        return self._start[root]
+
+    def around_start(self, root: int) -> tuple[Part, ...]:
+        """The parts of others inside which a movable root stands at the start."""
+        return self._around_start[root]
+
+    def put(self, root: int, now: Placement) -> None:
+        """Put a movable root there."""
+        with self._lock:
+            self._now[root] = now
+            for kept in self._layers.values():
+                kept.stale.add(root)
+
+    def put_things_back(self) -> None:
+        """To where they started, but for those that a robot holds."""
+        for root in self.moved():
+            if root not in self.scene.robots and not self.is_attached(root):
+                self.put(root, self._start[root])
+
+    def moved(self) -> Mapping[int, Placement]:
+        """The movable roots that are not where they started, and where they are."""
+        with self._lock:
+            return {root: now for root, now in self._now.items() if now != self._start[root]}
+
+    def attach(self, root: int, robot: int | None) -> None:
+        """A thing is part of that robot's body from now on; of none if it is None."""
+        with self._lock:
+            self._groups[root] = 0 if robot is None else robot + 1
+            for kept in self._layers.values():
+                kept.layer.group(root, self._groups[root])
+
+    def is_attached(self, root: int) -> bool:
+        """Whether a robot holds that thing."""
+        return self._groups.get(root, 0) != 0 and root not in self.scene.robots
+
+    # --- what robots ask. ``asker``: its own body, and what is attached to it, is not there for it
+
+    def parts(self) -> tuple[Part, ...]:
+        """Everything, in order."""
+        with self._lock:
+            self._bring_up(self._bare, None)
+            return tuple(self._parts)
+
+    def parts_of(self, root: int) -> tuple[Part, ...]:
+        """The parts of a movable root."""
+        with self._lock:
+            self._bring_up(self._bare, None)
+            return tuple(self._parts[rank] for rank in self._ranks[root])
+
+    def within(
+        self, asker: int, left: float, bottom: float, right: float, top: float, but: frozenset[int]
+    ) -> list[Part]:
+        """All parts that come into a box, and perhaps some more, in order; without the ranks ``but``."""
+        with self._lock:
+            self._bring_up(self._bare, asker)
+            ranks = self._bare.layer.within(left, bottom, right, top)
+            group, groups, parts = asker + 1, self._groups, self._parts
+            found = [parts[rank] for rank in sorted(ranks - but)]
+            return [part for part in found if groups.get(part.root, 0) != group]
+
+    def first_hits(
+        self, asker: int, x: float, y: float, ends: Sequence[Point], ranging: bool, but: frozenset[int]
+    ) -> list[Hit[Part]]:
+        """What looks from one place to each of ``ends`` meet first, and where on the way."""
+        wanted = pymunk.ShapeFilter(group=asker + 1, mask=RANGED if ranging else SIGHT)
+        with self._lock:
+            self._bring_up(self._bare, asker)
+            hits = _asked(self._bare.layer, x, y, ends, wanted, but)
+            return [(None if rank is None else self._parts[rank], way) for rank, way in hits]
+
+    def free_way(
+        self, asker: int, x: float, y: float, end: Point, guard: float, but: frozenset[int]
+    ) -> float:
+        """The part of the way, from 0 to 1, on which nothing comes nearer than ``guard``.
+
+        That is one that ``guarded`` has answered.
+        """
+        with self._lock:
+            kept = self._layers[guard]
+            self._bring_up(kept, asker)
+            wanted = pymunk.ShapeFilter(group=asker + 1)
+            return _asked(kept.layer, x, y, (end,), wanted, but)[0][1]
+
+    def guarded(self, guard: float) -> float:
+        """Prepare for ``free_way`` with that distance (metres). Answers the one that is really kept."""
+        rounded: float = _FINENESS ** ceil(log(guard) / log(_FINENESS))
+        with self._lock:
+            if rounded not in self._layers:
+                self._bring_up(self._bare, None)
+                self._layer(rounded)
+        return rounded
+
+    # --- inside
+
+    def _inside_of(self, root: int) -> tuple[Part, ...]:
+        here = self._start[root]
+        close = self.within(root, here.x, here.y, here.x, here.y, frozenset())
+        return tuple(part for part in close if part.root != root and contains(part.points, here.x, here.y))
+
+    def _layer(self, thickness: float) -> _Kept:
+        wanted = (
+            self._parts if thickness == 0.0 else [part for part in self._parts if part.solid or part.seen]
+        )
+        kept = _Kept(Layer(wanted, thickness, self._now))
+        for root, group in self._groups.items():
+            kept.layer.group(root, group)
+        self._layers[thickness] = kept
+        return kept
+
+    def _bring_up(self, kept: _Kept, asker: int | None) -> None:
+        """Let a layer know what was moved, but for the asker itself. Under the lock."""
+        stale = kept.stale
+        if not stale or (len(stale) == 1 and asker in stale):
+            return
+        for root in stale:
+            kept.layer.move(root, self._now[root])
+            if kept is self._bare:
+                self._place_parts(root)
+        stale.clear()
+
+    def _place_parts(self, root: int) -> None:
+        start, now = self._start[root], self._now[root]
+        for rank in self._ranks[root]:
+            part = self._at_start[rank]
+            self._parts[rank] = part if now == start else part.moved(start, now)
+
+
+class _Kept:
+    """A layer, and what was moved since it was last asked."""
+
+    __slots__ = ("layer", "stale")
+
+    def __init__(self, layer: Layer) -> None:
+        self.layer = layer
+        self.stale: set[int] = set()
+
+
+def _asked(
+    layer: Layer,
+    x: float,
+    y: float,
+    ends: Sequence[Point],
+    wanted: pymunk.ShapeFilter,
+    but: frozenset[int],
+) -> list[Hit[int]]:
+    if not but:
+        return layer.first_hits(x, y, ends, wanted)
+    return [layer.first_hit_but(x, y, end, wanted, but) for end in ends]
+
+
+def _movable(scene: Scene) -> list[int]:
+    """Robots, and whatever stands for itself and can be pushed or gripped."""
+    robots = frozenset(scene.robots)
+    return [
+        model.index
+        for model in scene.models
+        if model.parent is None and (model.index in robots or model.pushable or model.grippable)
+    ]

@@ -1,0 +1,84 @@
+"""The polygons of a world, each where it lies now: what there is to bump into and to see. Values only."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from dataclasses import dataclass
+
+from sim.colours import Colour
+from sim.geometry import Edge, Point, edges, placed, seen_from
+from sim.placement import Placement
+from sim.scene import Model, Scene
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class Part:
+    """One polygon of the world, where it lies."""
+
+    rank: int
+    """Its number in the world: queries answer in this order, so that runs repeat exactly."""
+    root: int
+    """The index of the top-level model to which it belongs."""
+    model: Model
+    """The model whose polygon it is."""
+    place: Point
+    """Where that model stands."""
+    bottom: float
+    """Metres above the floor."""
+    top: float
+    points: tuple[Point, ...]
+    outline: tuple[Edge, ...]
+    solid: bool
+    seen: bool
+    """Whether rangers see it."""
+    colour: Colour
+    blob: bool
+    """Whether blobfinders notice it."""
+
+    def moved(self, start: Placement, now: Placement) -> Part:
+        """The same polygon after its top-level model went from ``start`` to ``now``."""
+        local = seen_from((*self.points, self.place), start.x, start.y, start.yaw)
+        *points, place = placed(local, now.x, now.y, now.yaw)
+        return Part(
+            self.rank,
+            self.root,
+            self.model,
+            place,
+            self.bottom,
+            self.top,
+            tuple(points),
+            edges(points),
+            self.solid,
+            self.seen,
+            self.colour,
+            self.blob,
+        )
+
+
+def parts_of(scene: Scene) -> Iterator[Part]:
+    """Every polygon of the world at its start, in order."""
+    rank = 0
+    robots = frozenset(scene.robots)
+    for model in scene.models:
+        for points, (bottom, top) in zip(model.outlines(), model.heights(), strict=True):
+            yield _part(model, rank, points, bottom, top, model.index in robots)
+            rank += 1
+
+
+def _part(
+    model: Model, rank: int, points: tuple[Point, ...], bottom: float, top: float, is_robot: bool
+) -> Part:
+    return Part(
+        rank=rank,
+        root=model.root,
+        model=model,
+        place=(model.pose.x, model.pose.y),
+        bottom=bottom,
+        top=top,
+        points=points,
+        outline=edges(points),
+        solid=model.solid or is_robot,
+        seen=model.seen,
+        colour=model.colour,
+        blob=model.blob_return != 0,
+    )

@@ -1,0 +1,79 @@
+"""Walks: straight forward or backward, step by step, pushing what gives way."""
+
+from __future__ import annotations
+
+from math import ceil, floor
+
+from devices.ports.robot import STEP, Bearing, Motion, StoppedBy
+from sim.movement import NEARLY, Sweeping
+from sim.pushing import TOUCHING
+from sim.vehicle import TICK, Vehicle, Whereabouts
+
+AS_GOOD_AS = 1.0 - 1e-9
+"""The part of a way that is the whole way."""
+
+
+class Walk(Sweeping):
+    """Straight forward or backward."""
+
+    def __init__(self, vehicle: Vehicle, motion: Motion, steps: int, rate: float) -> None:
+        super().__init__(vehicle, motion, steps, rate, 1)
+        self._bearing = Bearing.BACK if motion is Motion.BACKWARD else Bearing.FRONT
+        self._turned = 180.0 if motion is Motion.BACKWARD else 0.0
+        self._angle = self._start.truth.yaw + self._turned
+        self._done = 0.0
+        """Steps, with fractions."""
+        self._must_push = False
+        self._ticks_a_step = ceil(1.0 / (rate * TICK) - NEARLY)
+
+    def _room(self) -> int:
+        return super()._room() if self._is_whole and not self._must_push else 0
+
+    @property
+    def _is_whole(self) -> bool:
+        return abs(self._done - self._whole) < NEARLY
+
+    def _at(self, steps: float) -> Whereabouts:
+        return self._vehicle.ahead(self._start, steps * STEP, self._turned)
+
+    def _sweep(self, room: int) -> StoppedBy | None:
+        vehicle, begun = self._vehicle, self._whole
+        plan = vehicle.mover.walk(vehicle.here.truth, self._bearing, room, vehicle.clock.goes_on)
+        amount = plan.metres / STEP
+        done, is_all = self._play(plan.steps, amount, lambda steps: self._at(begun + steps), room)
+        self._done = begun + done
+        self._whole = begun + (plan.steps if is_all else min(plan.steps, int(done + NEARLY)))
+        vehicle.go_to(self._at(self._done))
+        if not is_all:
+            return StoppedBy.USER if vehicle.clock.was_halted() else None
+        self._must_push = plan.steps < room
+        return plan.stopped_by
+
+    def _tick(self) -> StoppedBy | None:
+        vehicle = self._vehicle
+        if self._is_whole and vehicle.mover.is_blocked(vehicle.here.truth, self._bearing):
+            return StoppedBy.OBSTACLE
+        following = min(
+            self._asked, (floor(self._done * self._ticks_a_step + NEARLY) + 1) / self._ticks_a_step
+        )
+        length = (following - self._done) * STEP
+        free = vehicle.way(self._angle, length).metres
+        if free < TOUCHING:
+            return StoppedBy.COLLISION
+        if not vehicle.clock.elapse(free / STEP / self._rate):
+            return StoppedBy.USER
+        self._go(following, length, free)
+        return None
+
+    def _go(self, following: float, length: float, free: float) -> None:
+        """As far as was free before this robot's turn came, and still is."""
+        vehicle = self._vehicle
+        way = vehicle.way(self._angle, free)
+        vehicle.take_along(way, self._angle)
+        has_come = way.metres >= AS_GOOD_AS * length
+        self._done = following if has_come else self._done + way.metres / STEP
+        vehicle.go_to(self._at(self._done))
+        vehicle.show()
+        if has_come and following == round(following):
+            self._whole, self._must_push = round(following), False
+            self._tell_in_passing()
