@@ -65,7 +65,7 @@ TRANSITIONS: dict[tuple[ControlState, Request], ControlState] = {
     **{(state, _R.STEP_OVER): _S.STEPPING_OVER for state in _ALIVE},
     **{(state, _R.RUN_TO): _S.RUNNING_TO for state in _ALIVE},
     **{(state, _R.STOP): _S.STOPPING for state in _ALIVE},
-    **{(state, _R.HOLD): _S.PAUSED for state in _HOLDABLE},
+    **{(state, _R.HOLD): _S.PAUSED for state in (_S.RUNNING, *_HOLDABLE)},
     **{(state, _R.END): _S.ENDED for state in (*_ALIVE, _S.STOPPING)},
     (_S.ENDED, _R.RESTART): _S.RUNNING,
 }
@@ -80,6 +80,8 @@ class ExecutionControl:
         self._changed = threading.Condition(threading.Lock())
         self._state = ControlState.RUNNING
         self._line = 0
+        self._breakpoints: frozenset[int] = frozenset()
+        self._held_at = (0, 0)
         self._held_depth = inf
         self._over_depth = inf
         self._observers: list[Callable[[ControlState], None]] = []
@@ -113,6 +115,21 @@ class ExecutionControl:
         """Go on to the next statement that begins on ``line``."""
         self._change(Request.RUN_TO, line)
 
+    def break_at(self, lines: frozenset[int]) -> None:
+        """From now on hold before each statement that begins on one of these lines, whatever else is wanted.
+
+        Needs a program that was compiled with hooks.
+        """
+        with self._changed:
+            self._breakpoints = lines
+            if self._runtime is not None:
+                self._runtime(self._state)
+
+    @property
+    def held_at(self) -> tuple[int, int]:
+        """Line and column of the statement before which the program held last; 0, 0 if it never did."""
+        return self._held_at
+
     def restart(self) -> None:
         """Make the control of an ended program fit for the next one; without effect on a living one."""
         self._change(Request.RESTART)
@@ -145,9 +162,10 @@ class ExecutionControl:
                 self._changed.wait(min(remaining, LONGEST_WAIT))
                 remaining -= self._clock() - started
 
-    def reached(self, line: int, depth: int) -> None:
+    def reached(self, line: int, depth: int, column: int = 0) -> None:
         """A statement on ``line``, inside ``depth`` calls, is next: hold if wanted; raises Stopped."""
         if self._holds_at(line, depth):  # asked again under the lock; most statements are not to be held at
+            self._held_at = line, column
             self._hold_if(lambda: self._holds_at(line, depth), depth)
         if self._state is ControlState.STOPPING:
             raise Stopped
@@ -165,9 +183,10 @@ class ExecutionControl:
             if runtime is not None:
                 runtime(self._state)
 
-    def holds_on_line(self) -> int:
-        """The line that ``run_to`` asked for last."""
-        return self._line
+    def holds_on_lines(self) -> frozenset[int]:
+        """The breakpoints, and the line that ``run_to`` asked for while that counts."""
+        asked = {self._line} if self._state is ControlState.RUNNING_TO else set[int]()
+        return self._breakpoints | asked
 
     def holds_to_depth(self) -> float:
         """The number of calls up to which ``step_over`` holds."""
@@ -180,9 +199,11 @@ class ExecutionControl:
             case ControlState.PAUSING | ControlState.STEPPING:
                 return True
             case ControlState.STEPPING_OVER:
-                return depth <= self._over_depth
+                return depth <= self._over_depth or line in self._breakpoints
             case ControlState.RUNNING_TO:
-                return line == self._line
+                return line == self._line or line in self._breakpoints
+            case ControlState.RUNNING:
+                return line in self._breakpoints
             case _:
                 return False
 

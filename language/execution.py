@@ -31,6 +31,15 @@ _ACTIONS = tuple(name for name in vars(Actions) if not name.startswith("_"))
 """What the translated code calls by its own name."""
 
 
+class _AnyOf(frozenset[int]):
+    """Lines that the translated code compares with its own line: equal to each of them."""
+
+    def __eq__(self, line: object) -> bool:
+        return line in self
+
+    __hash__ = frozenset.__hash__
+
+
 class Execution:
     """Units that run once. The first is the program."""
 
@@ -112,7 +121,7 @@ class Execution:
             "flag": False,
             "hook": None,
             "near": DEEPEST_CALL,
-            "wanted": 0,
+            "wanted": _AnyOf(),
             "check": self._check,
             "checked": checked,
             "divide": divide,
@@ -150,16 +159,19 @@ class Execution:
 
     def _set_hook(self, state: ControlState) -> None:
         """What to call before which statements; as few as possible unless all are traced."""
-        near, wanted = DEEPEST_CALL, 0
-        if self._trace is None and state is ControlState.RUNNING_TO:
-            near, wanted = -1, self._control.holds_on_line()
+        lines = self._control.holds_on_lines()
+        near = DEEPEST_CALL
+        if self._trace is None and state in (ControlState.RUNNING, ControlState.RUNNING_TO):
+            near = -1
         elif self._trace is None and state is ControlState.STEPPING_OVER:
             near = int(min(self._control.holds_to_depth(), DEEPEST_CALL))
-        hook = self._trace if state is ControlState.RUNNING else self._visit
-        self._globals.update(near=near, wanted=wanted, hook=hook)
+        looks_away = state is ControlState.RUNNING and not lines
+        self._globals.update(
+            near=near, wanted=_AnyOf(lines), hook=self._trace if looks_away else self._visit
+        )
 
     def _visit(self, line: int, column: int, depth: int) -> None:
-        self._control.reached(line, depth)
+        self._control.reached(line, depth, column)
         if self._trace is not None:
             self._trace(line, column, depth)
 

@@ -167,7 +167,7 @@ class _PlainRun:
     def _visit(self, statement: Statement) -> None:
         span, depth = statement.span, len(self._levels) - 1
         self._levels[-1].line = span.line
-        self._control.reached(span.line, depth)
+        self._control.reached(span.line, depth, span.column)
         if self._trace is not None:
             self._trace(span.line, span.column, depth)
 

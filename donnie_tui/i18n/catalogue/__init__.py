@@ -19,6 +19,7 @@ from donnie_tui.i18n.catalogue import (
     robots,
     scenarios,
     signs,
+    stepping,
     surroundings,
     things,
     tui,
@@ -48,6 +49,7 @@ TOPICS = (
     use_cases,
     answers,
     explain,
+    stepping,
     surroundings,
 )
 

@@ -200,3 +200,35 @@ def test_another_thread_can_look_into_a_program_that_runs(make: Make) -> None:
     assert {frames[0].procedure for frames in looks} == {"P"}
     assert {frames[0].line for frames in looks} <= {2, 3, 4}
     assert {frames[-1] for frames in looks} == {Frame("", 7, (("a", 7),))}
+
+
+@steppable
+def test_a_running_program_holds_at_each_of_its_breakpoints(make: Make) -> None:
+    def break_at_4_and_10(control: ExecutionControl) -> None:
+        control.break_at(frozenset({4, 10}))
+
+    assert lines(frames_while(make(read(PROGRAM)), break_at_4_and_10, ExecutionControl.resume)) == [4, 4, 10]
+
+
+@steppable
+def test_breakpoints_count_besides_a_line_to_run_to_and_in_a_procedure_stepped_over(make: Make) -> None:
+    def begin(control: ExecutionControl) -> None:
+        control.break_at(frozenset({4}))
+        control.run_to(7)
+
+    assert lines(frames_while(make(read(PROGRAM)), begin, ExecutionControl.step_over)) == [
+        *(7, 4, 8, 6, 7, 4, 8, 6, 10)
+    ]
+
+
+@steppable
+def test_where_a_program_is_held_is_known_to_the_column(make: Make) -> None:
+    held = []
+
+    def note(control: ExecutionControl) -> None:
+        held.append(control.held_at)
+        control.step()
+
+    frames_while(make(read("FW 1 TR 90\nFW 2")), ExecutionControl.step, note)
+
+    assert held == [(1, 1), (1, 6), (2, 1)]

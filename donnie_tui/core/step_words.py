@@ -1,0 +1,205 @@
+"""A program that is stepped through, in words: the statement that is next, rounds of loops, conditions.
+
+Made anew for each run. It is told of what is read and of each statement before which the program holds; what
+a condition found is computed again from the variables and from what the sensors said in between.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping, Sequence
+from dataclasses import dataclass
+
+from donnie_tui.core.events import Read
+from donnie_tui.core.wording import Wording
+from language.arithmetic import divide
+from language.diagnostics import LanguageError
+from language.runtime import Frame
+from language.source import fold_name
+from language.syntax import (
+    Binary,
+    Condition,
+    Expression,
+    For,
+    If,
+    Name,
+    Negative,
+    Number,
+    Program,
+    Repeat,
+    Statement,
+    While,
+    blocks_of,
+)
+
+_COMPARISONS = {
+    "==": "equal",
+    "<>": "different",
+    "<": "less",
+    ">": "greater",
+    "<=": "less-or-equal",
+    ">=": "greater-or-equal",
+}
+
+
+@dataclass(slots=True)
+class _Round:
+    """A loop that the program is in."""
+
+    loop: Statement
+    calls: int
+    count: int = 1
+    total: int | None = None
+
+
+class StepWords:
+    """Tells one run, hold by hold."""
+
+    def __init__(self, program: Program | None, lines: Sequence[str], wording: Wording) -> None:
+        """``lines`` are those of the whole program, for what earlier batches declared."""
+        self._program = program
+        self._lines = lines
+        self._say = wording
+        self._found = dict(_by_place(program.body if program else (), 0))
+        self._reads: list[int] = []
+        self._rounds: list[_Round] = []
+        self._before: Statement | None = None
+        self._level = -1
+
+    def heard(self, event: Read) -> None:
+        """A sensor said something."""
+        self._reads.append(event.value)
+
+    def lose_count(self) -> None:
+        """Statements go by without a hold: rounds are not known any more."""
+        self._rounds.clear()
+        self._before = None
+
+    def held(self, line: int, column: int, frames: Sequence[Frame]) -> tuple[str, ...]:
+        """The program holds before that statement: what came out of the last one, and what is next."""
+        statement, level = self._found.get((line, column), (None, 0))
+        variables = {fold_name(name): value for name, value in frames[0].variables} if frames else {}
+        told = [*self._condition(variables)]
+        told += self._round(statement, len(frames), variables)
+        told.append(self._next(statement, line, level))
+        self._before, self._level = statement, level
+        self._reads.clear()
+        return tuple(told)
+
+    # --- the statement that is next
+
+    def _next(self, statement: Statement | None, line: int, level: int) -> str:
+        text = self._text(statement, line)
+        detail = self._say.detail
+        with_level = statement is not None and (
+            detail == "full" or (detail == "normal" and level != self._level)
+        )
+        return self._say("line-level" if with_level else "answer-line", line=line, level=level, text=text)
+
+    def _text(self, statement: Statement | None, line: int) -> str:
+        """The statement as typed, of a block its first words."""
+        if statement is None or self._program is None:
+            return self._lines[line - 1].strip() if 0 < line <= len(self._lines) else ""
+        inside = next((block[0] for block in blocks_of(statement) if block), None)
+        end = statement.span.end if inside is None else inside.span.start
+        return " ".join(self._program.source[statement.span.start : end].split())
+
+    # --- rounds
+
+    def _round(self, statement: Statement | None, calls: int, variables: Mapping[str, int]) -> Iterator[str]:
+        while self._rounds and not self._is_in(self._rounds[-1], statement, calls):
+            self._rounds.pop()
+        current = self._rounds[-1] if self._rounds else None
+        if current is not None and statement is current.loop and calls == current.calls:
+            current.count += 1
+        elif isinstance(statement, Repeat | While | For):
+            self._rounds.append(_Round(statement, calls))
+        elif current is not None and self._before is current.loop:
+            yield self._round_in_words(current, variables)
+
+    def _is_in(self, current: _Round, statement: Statement | None, calls: int) -> bool:
+        if calls != current.calls or statement is None:
+            return calls > current.calls
+        return current.loop.span.start <= statement.span.start < current.loop.span.end
+
+    def _round_in_words(self, current: _Round, variables: Mapping[str, int]) -> str:
+        if isinstance(current.loop, Repeat) and current.count == 1:
+            current.total = self._value(current.loop.times, variables, iter(self._reads))
+        code = "step-round" if current.total is None else "step-round-of"
+        return self._say(code, round=current.count, rounds=current.total)
+
+    # --- conditions
+
+    def _condition(self, variables: Mapping[str, int]) -> Iterator[str]:
+        if isinstance(self._before, If | While | For):
+            condition, reads = self._before.condition, iter(self._reads)
+            left = self._value(condition.left, variables, reads)
+            right = self._value(condition.right, variables, reads)
+            if left is not None and right is not None:
+                yield self._condition_in_words(condition, left, right)
+
+    def _condition_in_words(self, condition: Condition, left: int, right: int) -> str:
+        """What is: "3 greater than 2", whatever was asked."""
+        is_true = {
+            "==": left == right,
+            "<>": left != right,
+            "<": left < right,
+            ">": left > right,
+            "<=": left <= right,
+            ">=": left >= right,
+        }[condition.comparator]
+        relation = "equal" if left == right else "less" if left < right else "greater"
+        told = _COMPARISONS[condition.comparator] if is_true else relation
+        how = self._say(f"comparison-{told}", left=left, right=right)
+        return self._say("step-true" if is_true else "step-false", how=how)
+
+    def _value(
+        self, expression: Expression, variables: Mapping[str, int], reads: Iterator[int]
+    ) -> int | None:
+        """What an expression was just now; None where that can't be known."""
+        match expression:
+            case Number(value=value):
+                return value
+            case Name():
+                return variables.get(fold_name(expression.name))
+            case Negative(operand=operand):
+                negated = self._value(operand, variables, reads)
+                return None if negated is None else -negated
+            case Binary(operator=operator):
+                left = self._value(expression.left, variables, reads)
+                right = self._value(expression.right, variables, reads)
+                return None if left is None or right is None else _computed(operator, left, right)
+            case _:
+                return next(reads, None)
+
+
+def _computed(operator: str, left: int, right: int) -> int | None:
+    try:
+        match operator:
+            case "+":
+                return left + right
+            case "-":
+                return left - right
+            case "*":
+                return left * right
+            case _:
+                return divide(left, right)
+    except (LanguageError, ZeroDivisionError):
+        return None
+
+
+def _by_place(
+    statements: tuple[Statement, ...], level: int
+) -> Iterator[tuple[tuple[int, int], tuple[Statement, int]]]:
+    for statement in statements:
+        yield (statement.span.line, statement.span.column), (statement, level)
+        for block in blocks_of(statement):
+            yield from _by_place(block, level + 1)
+
+
+def changes(
+    watched: Sequence[str], before: Mapping[str, int], now: Mapping[str, int], wording: Wording
+) -> Iterator[str]:
+    """What the watched variables are now, where that is something else than before."""
+    for name in watched:
+        if name in now and now[name] != before.get(name):
+            yield wording("variable-is", name=name, value=now[name])

@@ -1,0 +1,124 @@
+"""Stepping in words: the statement with its level, the round of how many, what a condition found."""
+
+from donnie_tui.core.events import Read
+from donnie_tui.core.step_words import StepWords, changes
+from donnie_tui.i18n.words import Words
+from language.compiler import compile_program
+from language.control import ControlState, ExecutionControl
+from language.parser import parse
+from language.runtime import Memory
+from tests.unit.language_back.recorder import Recorder
+
+
+class Sensing(Recorder):
+    """Tells what it is asked, as the session does."""
+
+    def __init__(self, words: StepWords, values: list[int]) -> None:
+        super().__init__()
+        self._words, self._values = words, values
+
+    def distance(self, bearing: object) -> int:
+        value = self._values.pop(0)
+        self._words.heard(Read("distance", "F", value))
+        return value
+
+
+def told(source: str, *, detail: str = "brief", values: tuple[int, ...] = ()) -> list[str]:
+    """What is told at each step of a program."""
+    program = parse(source).program
+    assert program is not None
+    words = StepWords(program, source.split("\n"), Words("en", detail))
+    control, runnable, lines = ExecutionControl(), compile_program(program, hooked=True), list[str]()
+
+    def note(state: ControlState) -> None:
+        if state is ControlState.PAUSED:
+            lines.extend(words.held(*control.held_at, runnable.frames()))
+            control.step()
+
+    control.observe(note)
+    control.step()
+    runnable.run(Sensing(words, list(values)), control, Memory())
+    return lines
+
+
+def test_a_repeat_tells_which_round_of_how_many() -> None:
+    assert told("VAR n = 2\nREPEAT n + 0 TIMES\nFW 1\nTR 90\nEND REPEAT") == [
+        "Line 1: VAR n = 2",
+        "Line 2: REPEAT n + 0 TIMES",
+        "Round 1 of 2.",
+        "Line 3: FW 1",
+        "Line 4: TR 90",
+        "Line 2: REPEAT n + 0 TIMES",
+        "Round 2 of 2.",
+        "Line 3: FW 1",
+        "Line 4: TR 90",
+        "Line 2: REPEAT n + 0 TIMES",
+    ]
+
+
+def test_loops_in_each_other_count_for_themselves() -> None:
+    rounds = [
+        line
+        for line in told("REPEAT 2 TIMES\nREPEAT 3 TIMES\nFW 1\nEND REPEAT\nEND REPEAT")
+        if line.startswith("Round")
+    ]
+
+    assert rounds == [*(f"Round {n} of 3." for n in (1, 2, 3, 1, 2, 3))]
+
+
+def test_a_condition_is_told_with_what_was_compared() -> None:
+    assert told("VAR x = 3\nIF x > 2 THEN\nFW 1\nEND IF\nIF x == 2 THEN\nFW 2\nEND IF\nFW 3")[2:] == [
+        "Condition true: 3 greater than 2.",
+        "Line 3: FW 1",
+        "Line 5: IF x == 2 THEN",
+        "Condition false: 3 greater than 2.",
+        "Line 8: FW 3",
+    ]
+
+
+def test_what_a_sensor_said_is_told_with_the_condition() -> None:
+    lines = told("WHILE DISTANCE F > 3 DO\nFW 1\nEND WHILE\nFW 9", values=(5, 4, 2))
+
+    assert [line for line in lines if line.startswith(("Cond", "Round"))] == [
+        "Condition true: 5 greater than 3.",
+        "Round 1.",
+        "Condition true: 4 greater than 3.",
+        "Round 2.",
+        "Condition false: 2 less than 3.",
+    ]
+
+
+def test_of_several_commands_on_a_line_each_is_told_alone() -> None:
+    assert told("FW 1 TR 90\nREPEAT 1 TIMES FW 2 END REPEAT") == [
+        "Line 1: FW 1",
+        "Line 1: TR 90",
+        "Line 2: REPEAT 1 TIMES",
+        "Round 1 of 1.",
+        "Line 2: FW 2",
+        "Line 2: REPEAT 1 TIMES",
+    ]
+
+
+def test_the_level_is_told_when_it_changes() -> None:
+    lines = told("FW 1\nREPEAT 1 TIMES\nFW 2\nFW 3\nEND REPEAT", detail="normal")
+
+    assert [line for line in lines if line.startswith("Line")] == [
+        "Line 1, level 0: FW 1",
+        "Line 2: REPEAT 1 TIMES",
+        "Line 3, level 1: FW 2",
+        "Line 4: FW 3",
+        "Line 2, level 0: REPEAT 1 TIMES",
+    ]
+
+
+def test_a_recursion_counts_each_call_s_rounds_for_itself() -> None:
+    body = "REPEAT 2 TIMES\nIF n > 0 THEN\nP [n - 1]\nEND IF\nEND REPEAT"
+    source = f"PROCEDURE P: n DO\n{body}\nEND PROCEDURE\nP [1]"
+
+    assert [line for line in told(source) if line.startswith("Round")] == [
+        *(f"Round {n} of 2." for n in (1, 1, 2, 2, 1, 2))
+    ]
+
+
+def test_only_a_watched_variable_that_changed_is_told() -> None:
+    assert list(changes(["x", "y", "z"], {"x": 1, "y": 2}, {"x": 5, "y": 2}, Words())) == ["x is 5."]
