@@ -72,9 +72,8 @@ class View:
         """What is seen of one thing: its widest unbroken stretch tells where it is."""
         metres, colour = min(((it.nearest(place), it.part.colour) for it in glimpses), key=_first)
         low, high = max(_stretches(glimpses), key=lambda stretch: stretch[1] - stretch[0])
-        degrees = (low + high) / 2 + self.yaw
-        away = max(0.0, metres - self.offset)
-        return Seen(root, degrees if self.yaw == 0.0 else normal(degrees), int(away * 100 + 0.5), colour)
+        degrees = normal((low + high) / 2 + self.yaw)
+        return Seen(root, degrees, int(max(0.0, metres - self.offset) * 100 + 0.5), colour)
 
 
 @dataclass(frozen=True, slots=True)
@@ -119,15 +118,19 @@ def _first(pair: tuple[float, Colour]) -> float:
     return pair[0]
 
 
-def _stretches(glimpses: list[_Glimpse]) -> Iterator[tuple[float, float]]:
-    """Neighbouring glimpses joined."""
-    low, high = glimpses[0].low, glimpses[0].high
+def _stretches(glimpses: list[_Glimpse]) -> list[tuple[float, float]]:
+    """Neighbouring glimpses joined, also across the direction straight behind."""
+    stretches = [(glimpses[0].low, glimpses[0].high)]
     for glimpse in glimpses[1:]:
+        low, high = stretches[-1]
         if glimpse.low > high:
-            yield low, high
-            low = glimpse.low
-        high = glimpse.high
-    yield low, high
+            stretches.append((glimpse.low, glimpse.high))
+        else:
+            stretches[-1] = (low, glimpse.high)
+    if len(stretches) > 1 and stretches[0][0] == -180.0 and stretches[-1][1] == 180.0:
+        (_, high), (low, _) = stretches[0], stretches[-1]
+        stretches = [*stretches[1:-1], (low, high + 360.0)]
+    return stretches
 
 
 def _directions(parts: Iterable[Part], place: Spot, reach: float, half_angle: float) -> list[float]:
