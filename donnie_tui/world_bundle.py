@@ -54,7 +54,10 @@ class WorldBundle:
 def pack(
     name: str, main: Path, files: Sequence[str], folders: Sequence[Path], robots: Sequence[str]
 ) -> WorldBundle:
-    """Read all ``files``; each lies in the folder of ``main`` or in one of ``folders``. Raises ``BundleError``."""
+    """Read all ``files``; each lies in the folder of ``main`` or in one of ``folders``.
+
+    Raises ``BundleError``.
+    """
     places = [main.resolve().parent, *(each.resolve() for each in folders)]
     packed: dict[str, bytes] = {}
     for file in (str(main), *files):

@@ -191,13 +191,11 @@ def test_a_report_tells_what_was_ignored(printed: Printed) -> None:
         (("world", "open_floor", "--brf", "x"), "The option --brf is not there yet."),
         (("run", "no.gd"), "There is no file no.gd."),
         (("run", "."), ". is a folder."),
-        (("run", "A=a.gd", "B=b.gd"), "Several robots at once are not there yet."),
         (
             ("run", "a.gd", "--robot", "serial:/dev/x"),
             "The robot serial:/dev/x is not there yet. Use sim, the simulator.",
         ),
         (("run", "a.gd", "--speech", "ssip"), "The option --speech ssip is not there yet."),
-        (("run", "a.gd", "--record", "x"), "The option --record is not there yet."),
         (("run", "a.gd", "--speed", "fast"), "The option --speed can't be fast. It takes 0.1-1000, max."),
         (("run", "a.gd", "--world", "bare.world"), "The world bare.world has no robot with sensors."),
         (("run", "a.gd", "--events", "no/such"), "I can't write no/such: No such file or directory."),

@@ -183,7 +183,7 @@ SENTENCES: dict[str, Sentence] = {
     "option-sound": Sentence("sounds", "sons", "sonidos"),
     "option-verbosity": Sentence("how much is told", "quanto é dito", "cuánto se dice"),
     "option-record": Sentence(
-        "record the run, to come", "gravar a execução, ainda não", "grabar la ejecución, aún no"
+        "a file to record into", "um arquivo para gravar", "un archivo para grabar"
     ),
     "option-events": Sentence(
         "what happens, as JSON lines", "o que acontece, em linhas JSON", "lo que pasa, en líneas JSON"
