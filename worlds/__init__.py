@@ -19,9 +19,10 @@ MANUAL = SCENES.parent / "manual"
 _ORDER = (
     *("open_floor", "living_room", "corridor", "colour_garden", "object_field"),
     *("two_robots", "race_track", "cave", "factory", "maze"),
-    *("empty", "helloworld"),
+    *("empty", "helloworld", "bigbob1", "bigbob2", "bigbob_yaws", "bigbob3", "bigbob_drive"),
+    *("bigbob4", "bigbob5", "bigbob6", "bigbob_oranges", "bigbob7"),
 )
-"""Easy ones first in each folder; what is not named here follows by name."""
+"""Easy scenarios first, the manual's steps as they come there; what is not named here follows by name."""
 
 
 class Difficulty(Enum):

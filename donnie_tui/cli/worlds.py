@@ -1,17 +1,20 @@
-"""``donnie worlds`` and ``donnie world NAME``: worlds in words, as a map, as a report, as JSON."""
+"""``donnie worlds`` and ``donnie world NAME``: worlds in words, as a map, on paper, as a report, as JSON."""
 
 from __future__ import annotations
 
 import json
 from collections import Counter
-from pathlib import PurePath
+from math import ceil
+from pathlib import Path, PurePath
 from typing import TYPE_CHECKING
 
 import worlds
 from donnie_tui.cli import codes
 from donnie_tui.cli.order import Order
 from donnie_tui.cli.world_models import records
-from donnie_tui.core.describe import describe, things_in_words
+from donnie_tui.core.chart import shrunk
+from donnie_tui.core.describe import describe
+from donnie_tui.core.documents import DocumentError, write_program
 from donnie_tui.i18n.words import Words
 from donnie_tui.i18n.world_mistakes import world_note
 from donnie_tui.unusable import Unusable
@@ -20,21 +23,23 @@ from donnie_tui.world_choice import ChosenWorld, choose_world
 if TYPE_CHECKING:
     from sim.report import LoadReport
 
+WIDEST_MAP = 80
+"""Letters in a line of ``--map``; in a wider world a letter stands for several steps."""
+_ARROWS = "^>v<"
+
 
 def list_worlds(order: Order) -> int:
-    """Name and title of each world that ships, a line each."""
+    """Name, title and difficulty of each world that ships, a line each."""
     for name in worlds.names():
-        title = worlds.about(name, order.words.language).title
-        order.output.line(order.words("world-title", name=name, title=title))
+        about = worlds.about(name, order.words.language)
+        difficulty = order.words(f"difficulty-{about.difficulty.value}")
+        order.output.line(order.words("world-listed", name=name, title=about.title, difficulty=difficulty))
     return codes.DONE
 
 
 def tell_world(order: Order) -> int:
     """In the form that was asked for, in words if none was."""
     arguments, words = order.invocation.arguments, order.words
-    for form in ("svg", "brf"):
-        if getattr(arguments, form):
-            raise Unusable(words("option-to-come", option=f"--{form}"))
     world = choose_world(arguments.name or order.settings.world, words, order.settings.world_folders)
     for line in _lines(arguments, world, words):
         order.output.line(line)
@@ -43,11 +48,15 @@ def tell_world(order: Order) -> int:
 
 def _lines(arguments: object, world: ChosenWorld, words: Words) -> tuple[str, ...]:
     if getattr(arguments, "map", False):
-        return _map(world)
+        return _map(world, words)
     if getattr(arguments, "report", False):
         return _report(world.scene.report, words)
     if getattr(arguments, "json", False):
         return (json.dumps(records(world.scene), ensure_ascii=False, indent=1),)
+    if (path := getattr(arguments, "svg", None)) is not None:
+        return (_written("--svg", path, _raised_picture(world, words), words),)
+    if (path := getattr(arguments, "brf", None)) is not None:
+        return (_written("--brf", path, _braille_pages(world, words), words),)
     return _words(world, words)
 
 
@@ -56,24 +65,62 @@ def _words(world: ChosenWorld, words: Words) -> tuple[str, ...]:
     from sim.picture import picture
 
     about = world.about(words.language)
-    seen, pose = picture(world.scene), world.start()
-    if about is None:
-        return describe(seen, pose, words)
-    sentences = about.description.replace(". ", ".\n").splitlines()
-    task = words("world-task", task=about.task)
-    title = words("world-title", name=world.name, title=about.title)
-    return (title, *sentences, *things_in_words(seen, pose, words), task)
+    told = describe(picture(world.scene), world.start(), words, robot=_robot(world), about=about)
+    title = () if about is None else (words("world-title", name=world.name, title=about.title),)
+    return (*title, *told)
 
 
-def _map(world: ChosenWorld) -> tuple[str, ...]:
+def _robot(world: ChosenWorld) -> str | None:
+    scene = world.scene
+    return scene.models[scene.robots[0]].name if scene.robots else None
+
+
+def _map(world: ChosenWorld, words: Words) -> tuple[str, ...]:
+    """The floor in letters, every robot as an arrow; how much a letter is, where it is more than a step."""
     from sim.picture import picture
 
     seen, pose = picture(world.scene), world.start()
-    cell = seen.at(pose.x, pose.y)
     rows = [list(row) for row in seen.rows]
-    if cell is not None and world.scene.robots:
-        rows[cell[0]][cell[1]] = "^>v<"[round(pose.heading / 90) % 4]
-    return tuple("".join(row) for row in rows)
+    robots = [(each.x, each.y, each.heading) for each in seen.things if each.is_robot]
+    if world.scene.robots:
+        robots.append((pose.x, pose.y, pose.heading))
+    for x, y, heading in robots:
+        cell = seen.at(x, y)
+        if cell is not None:
+            rows[cell[0]][cell[1]] = _ARROWS[round(heading / 90) % 4]
+    across = ceil(seen.width / WIDEST_MAP)
+    steps = across * seen.cell
+    scale = (words("map-scale", steps=steps),) if steps > 1 else ()
+    return (*shrunk(["".join(row) for row in rows], across, across, _ARROWS), *scale)
+
+
+def _braille_pages(world: ChosenWorld, words: Words) -> str:
+    from donnie_tui.core.braille_page import braille_pages
+    from donnie_tui.core.chart import chart
+    from sim.picture import picture
+
+    return braille_pages(world.name, chart(picture(world.scene), world.start(), _robot(world), words), words)
+
+
+def _raised_picture(world: ChosenWorld, words: Words) -> str:
+    from donnie_tui.core.chart import chart
+    from donnie_tui.core.raised_picture import raised_picture
+    from sim.picture import drawings, picture
+
+    seen = picture(world.scene)
+    plan = chart(seen, world.start(), _robot(world), words)
+    return raised_picture(world.name, plan, seen, drawings(world.scene), words)
+
+
+def _written(option: str, path: str, text: str, words: Words) -> str:
+    """Written whole or not at all. Raises ``Unusable``."""
+    if not path:
+        raise Unusable(words("usage-without-value", what=option))
+    try:
+        write_program(Path(path), text)
+    except DocumentError as problem:
+        raise Unusable(words(problem.code, path=problem.path, reason=problem.reason)) from None
+    return words("paper-written", path=path)
 
 
 def _report(report: LoadReport, words: Words) -> tuple[str, ...]:

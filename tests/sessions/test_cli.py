@@ -13,6 +13,7 @@ import pytest
 import worlds
 from donnie_tui.cli.arguments import TO_COME
 from donnie_tui.cli.main import main
+from donnie_tui.i18n.words import Words
 from tests.conftest import ROOT
 from tests.sessions.command import QUIET, donnie
 
@@ -136,10 +137,11 @@ def test_format_leaves_a_program_with_mistakes_as_it_is(printed: Printed) -> Non
 
 
 @pytest.mark.parametrize("language", ["en", "pt", "es"])
-def test_worlds_lists_each_with_its_title(printed: Printed, language: str) -> None:
+def test_worlds_lists_each_with_its_title_and_difficulty(printed: Printed, language: str) -> None:
     assert printed.by("worlds", "--lang", language) == 0
     assert printed.out.splitlines() == [
-        f"{name}: {worlds.about(name, language).title}." for name in worlds.names()
+        f"{name}: {about.title}, {Words(language)(f'difficulty-{about.difficulty.value}')}."
+        for name, about in ((each, worlds.about(each, language)) for each in worlds.names())
     ]
 
 
@@ -187,8 +189,15 @@ def test_a_report_tells_what_was_ignored(printed: Printed) -> None:
         (("world", "living_rom"), "There is no world living_rom. Did you mean living_room?"),
         (("world", "xyz"), "There is no world xyz. The command donnie worlds lists them."),
         (("world", "no.world"), "There is no file no.world."),
-        (("world", "open_floor", "--svg", "x"), "The option --svg is not there yet."),
-        (("world", "open_floor", "--brf", "x"), "The option --brf is not there yet."),
+        (
+            ("world", "open_floor", "--svg", "no/x.svg"),
+            "I can't write no/x.svg: No such file or directory.",
+        ),
+        (("world", "open_floor", "--brf", "."), ". is a folder."),
+        (
+            ("world", "open_floor", "--svg", ""),
+            "The option --svg needs a value. The option --help tells more.",
+        ),
         (("run", "no.gd"), "There is no file no.gd."),
         (("run", "."), ". is a folder."),
         (

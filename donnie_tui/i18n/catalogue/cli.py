@@ -162,9 +162,15 @@ SENTENCES: dict[str, Sentence] = {
         "lo cargado, ignorado y corregido",
     ),
     "option-json": Sentence("the models as JSON", "os modelos em JSON", "los modelos en JSON"),
-    "option-svg": Sentence("a picture, to come", "uma imagem, ainda não", "una imagen, aún no"),
+    "option-svg": Sentence(
+        "write a raised-line picture for swell paper",
+        "gravar um desenho em relevo para papel microcapsulado",
+        "guardar un dibujo en relieve para papel microcápsula",
+    ),
     "option-brf": Sentence(
-        "a braille page, to come", "uma página em braile, ainda não", "una página en braille, aún no"
+        "write a braille page for an embosser",
+        "gravar uma página em braille para impressora braille",
+        "guardar una página en braille para impresora braille",
     ),
     "option-world": Sentence(
         "a world by name, or a file",

@@ -11,18 +11,16 @@ SENTENCES: dict[str, Sentence] = {
     "difficulty-medium": Sentence("medium", "médio", "medio"),
     "difficulty-hard": Sentence("hard", "difícil", "difícil"),
     # --- a world in words
-    "world-difficulty": Sentence(
-        "Difficulty: {difficulty}.", "Dificuldade: {difficulty}.", "Dificultad: {difficulty}."
-    ),
+    "world-difficulty": Sentence("Difficulty: {difficulty}.", "Nível: {difficulty}.", "Nivel: {difficulty}."),
     "world-no-robot": Sentence(
         "There is no robot. Places are told from the middle.",
         "Não há robô. Os lugares são contados a partir do meio.",
         "No hay robot. Los lugares se cuentan desde el centro.",
     ),
     "world-robot-start": Sentence(
-        "{name} starts at {x}, {y}, facing {facing}.",
-        "{name} começa em {x}, {y}, virado para {facing}.",
-        "{name} empieza en {x}, {y}, mirando al {facing}.",
+        "The robot {name} starts at {x}, {y}, facing {facing}.",
+        "O robô {name} começa em {x}, {y}, virado para {facing}.",
+        "El robot {name} empieza en {x}, {y}, mirando al {facing}.",
     ),
     "world-robots": Sentence(
         "{count} robots: {names}.", "{count} robôs: {names}.", "{count} robots: {names}."
@@ -76,7 +74,9 @@ SENTENCES: dict[str, Sentence] = {
         "una celda mide {width} por {height} pasos",
     ),
     "paper-scale": Sentence(
-        "the line below is {steps} steps", "a linha mede {steps} passos", "la línea mide {steps} pasos"
+        "the line below is {steps} steps",
+        "a linha abaixo mede {steps} passos",
+        "la línea de abajo mide {steps} pasos",
     ),
     "paper-legend-wall": Sentence("wall", "parede", "pared"),
     "paper-legend-robot": Sentence(

@@ -3,10 +3,11 @@
 import pytest
 
 from devices.ports.robot import Pose
-from donnie_tui.core.describe import describe, place_of
+from donnie_tui.core.describe import MOST_THINGS, compass_place_of, describe, place_of, things_in_words
 from donnie_tui.i18n.words import Words
-from sim.picture import picture
+from sim.picture import Picture, Thing, picture
 from tests.floor import floor
+from worlds import About, Difficulty
 
 
 @pytest.mark.parametrize(
@@ -27,15 +28,26 @@ def test_a_place_is_told_as_it_is_seen_from_the_robot(x: float, y: float, headin
     assert place_of(x, y, Pose(0.0, 0.0, heading), Words()) == place
 
 
+@pytest.mark.parametrize(
+    ("x", "y", "place"),
+    [(0, 5, "5 north"), (-2, 5, "2 west, 5 north"), (3, -1, "3 east, 1 south"), (0.2, -0.3, "here")],
+)
+@pytest.mark.parametrize("heading", [0, 45, 270])
+def test_by_the_compass_a_place_is_the_same_whichever_way_the_robot_looks(
+    x: float, y: float, place: str, heading: float
+) -> None:
+    assert compass_place_of(x + 7, y - 4, Pose(7.0, -4.0, heading), Words()) == place
+
+
 def test_a_world_is_described_from_its_size_to_its_things() -> None:
     seen = picture(floor(("red", 0, 10), ("green", 3, 0)))
 
-    assert describe(seen, Pose(0.0, 0.0, 90.0), Words()) == (
+    assert describe(seen, Pose(0.0, 0.0, 90.0), Words(), robot="donnie") == (
         "An open floor without walls.",
-        "The robot starts at 0, 0, facing east.",
-        "2 things, the nearest first.",
-        "Thing2, green: 3 ahead.",
-        "Thing1, red: 10 left.",
+        "The robot donnie starts at 0, 0, facing east.",
+        "2 things, the nearest first, in steps.",
+        "Thing2, green: 3 east.",
+        "Thing1, red: 10 north.",
     )
 
 
@@ -43,3 +55,72 @@ def test_an_empty_floor_is_described_in_each_language() -> None:
     said = {describe(picture(floor()), Pose(0.0, 0.0, 0.0), Words(each))[-1] for each in ("en", "pt", "es")}
 
     assert said == {"There are no things.", "Não há objetos.", "No hay objetos."}
+
+
+def test_what_an_author_says_stands_between_the_difficulty_and_the_task() -> None:
+    about = About("A title", "One thing.\nAnother.", "Do it.", Difficulty.HARD)
+
+    assert describe(picture(floor()), Pose(0.0, 0.0, 0.0), Words(), robot="bob", about=about) == (
+        "Difficulty: hard.",
+        "One thing.",
+        "Another.",
+        "The robot bob starts at 0, 0, facing north.",
+        "There are no things.",
+        "Task: Do it.",
+    )
+
+
+def test_a_world_without_a_robot_says_so() -> None:
+    assert "There is no robot. Places are told from the middle." in describe(
+        picture(floor()), Pose(0.0, 0.0, 0.0), Words()
+    )
+
+
+def large(thing_count: int, robot_count: int) -> Picture:
+    things = tuple(
+        Thing("", "box" if each % 3 else "ball", "b", "red", 10.0 + each, 0.0, 3.0, 3.0)
+        for each in range(thing_count)
+    )
+    robots = tuple(
+        Thing(f"r{each}", "donnie", "d", "red", 0.0, 5.0 + each, 3.0, 3.0, is_robot=True, heading=180.0)
+        for each in range(robot_count)
+    )
+    return Picture(0, 0, 400, 400, 5, ("." * 400,) * 400, things + robots, has_walls=False)
+
+
+def test_of_very_many_things_the_nearest_are_told_and_the_others_counted() -> None:
+    told = describe(large(1000, 0), Pose(0.0, 0.0, 0.0), Words(), robot="donnie")
+
+    assert told[2:4] == ("1000 things, the nearest first, in steps.", "Ball, red: 10 east.")
+    assert told[-3:] == (
+        "980 more things are farther away.",
+        "653 of them: box, red.",
+        "327 of them: ball, red.",
+    )
+    assert len(told) == 3 + MOST_THINGS + 3
+
+
+def test_of_very_many_robots_the_nearest_are_named() -> None:
+    told = describe(large(0, 999), Pose(0.0, 0.0, 0.0), Words(), robot="me")
+
+    assert told[1] == "1000 robots: me, r0, r1, r2, r3, r4, r5, r6, r7, r8 and 990 more."
+    assert told[3] == "Robot r0: 5 north, facing south."
+    assert len(told) == 13
+
+
+def test_two_robots_are_told_by_name() -> None:
+    told = describe(large(0, 1), Pose(0.0, 0.0, 0.0), Words("pt"), robot="me")
+
+    assert told[1:4] == (
+        "2 robôs: me, r0.",
+        "O robô me começa em 0, 0, virado para norte.",
+        "Robô r0: 5 ao norte, virado para sul.",
+    )
+
+
+def test_a_large_thing_is_told_with_its_size() -> None:
+    wide = Thing("", "table", "t", "red", 0.0, 20.0, 5.0, 10.0)
+    seen = Picture(0, 0, 9, 9, 1, ("." * 9,) * 9, (wide,), has_walls=True)
+
+    assert describe(seen, Pose(0.0, 0.0, 0.0), Words(), robot="me")[-1] == "Table, red, 5 by 10: 20 north."
+    assert things_in_words(seen, Pose(0.0, 0.0, 180.0), Words()) == ("Table, red, 5 by 10: 20 behind.",)

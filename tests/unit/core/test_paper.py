@@ -1,0 +1,250 @@
+"""A world on paper: letters with one meaning each, braille pages of 40 by 25, a picture whose lines rise."""
+
+import re
+from functools import cache
+from xml.etree import ElementTree
+
+import pytest
+
+import worlds
+from devices.ports.robot import STEP, Pose
+from donnie_tui.core.braille import ASCII, braille, dots
+from donnie_tui.core.braille_page import braille_pages
+from donnie_tui.core.chart import Chart, Robot, chart, shrunk
+from donnie_tui.core.raised_picture import A4, LINE, raised_picture
+from donnie_tui.i18n.words import Words
+from sim.picture import Drawing, Picture, Thing, drawings, picture
+from sim.scene import Scene
+from sim.worldfile import load_world
+
+SVG = "{http://www.w3.org/2000/svg}"
+
+
+@cache
+def scene(name: str) -> Scene:
+    return load_world(worlds.path(name), allowed=(worlds.SCENES,))
+
+
+@cache
+def seen(name: str) -> Picture:
+    return picture(scene(name))
+
+
+def charted(name: str, language: str = "en") -> Chart:
+    it = scene(name)
+    if not it.robots:
+        return chart(seen(name), Pose(0.0, 0.0, 0.0), None, Words(language))
+    robot = it.models[it.robots[0]]
+    pose = Pose(robot.pose.x / STEP, robot.pose.y / STEP, (90 - robot.pose.yaw) % 360)
+    return chart(seen(name), pose, robot.name, Words(language))
+
+
+def pages(name: str, language: str = "en") -> list[list[str]]:
+    """Lines by page."""
+    text = braille_pages(name, charted(name, language), Words(language))
+    assert text.endswith("\f")
+    return [page.split("\r\n")[:-1] for page in text.split("\f")[:-1]]
+
+
+def sheet(name: str, language: str = "en") -> ElementTree.Element:
+    it, plan = scene(name), charted(name, language)
+    return ElementTree.fromstring(raised_picture(name, plan, seen(name), drawings(it), Words(language)))
+
+
+# --- letters
+
+
+def test_every_letter_of_a_chart_has_one_meaning_whatever_its_case() -> None:
+    it = charted("living_room")
+
+    assert set("".join(it.rows)) - {"."} == set(it.legend)
+    assert it.legend == {
+        "#": "wall",
+        "d": "donnie, looks north",
+        "s": "small sofa, blue",
+        "l": "large sofa, blue",
+        "t": "table, red",
+        "c": "chair, green",
+    }
+
+
+def test_each_robot_has_a_letter_of_its_own() -> None:
+    it = charted("two_robots")
+
+    assert [(each.name, each.letter) for each in it.robots] == [("alice", "a"), ("bob", "o")]
+    assert it.legend["o"] == "bob, looks south"
+    assert it.legend["b"] == "box, red, blue"
+    assert sum(row.count("o") for row in it.rows) == 9
+    assert sum(row.count("a") for row in it.rows) == 1
+
+
+def test_robots_that_are_too_many_share_a_letter() -> None:
+    others = tuple(
+        Thing(f"r{each}", "donnie", "d", "red", each, 0, 1, 1, is_robot=True) for each in range(1, 30)
+    )
+    it = chart(
+        Picture(0, 0, 30, 1, 1, ("." + "d" * 29,), others, has_walls=False), Pose(0, 0, 0), "r0", Words()
+    )
+
+    assert len({each.letter for each in it.robots}) == 7
+    assert it.legend[it.robots[-1].letter] == "24 more robots"
+
+
+def test_a_block_of_letters_keeps_what_matters_most() -> None:
+    rows = ("..##..^.", "..#c....", "....#...", "........")
+
+    assert shrunk(rows, 2, 2, "^") == (".c.^", "..#.")
+    assert shrunk(rows, 1, 1) == rows
+    assert shrunk(rows, 3, 3, "^") == ("#c^", "...")
+
+
+# --- braille
+
+
+@pytest.mark.parametrize(
+    ("language", "text", "cells"),
+    [
+        ("en", "Map, 12 by 3.", "MAP1 #AB BY #C4"),
+        ("en", "North: 0", "NORTH3 #J"),
+        ("pt", "câmara, parede, não é", "C*MARA1 PAREDE1 N>O ="),
+        ("es", "niño, aquí está.", "NI]O1 AQU/ EST('"),
+        ("en", "über 漢 \x1b", "UBER    "),
+    ],
+)
+def test_text_becomes_ascii_braille(language: str, text: str, cells: str) -> None:
+    assert braille(text, language) == cells
+
+
+def test_there_are_sixty_four_cells_each_with_its_dots() -> None:
+    assert len(set(ASCII)) == len(ASCII) == 64
+    assert [dots(each) for each in " ACL=#'"] == [
+        (),
+        (1,),
+        (1, 4),
+        (1, 2, 3),
+        (1, 2, 3, 4, 5, 6),
+        (3, 4, 5, 6),
+        (3,),
+    ]
+
+
+@pytest.mark.parametrize("name", worlds.names())
+@pytest.mark.parametrize("language", ["en", "pt", "es"])
+def test_braille_pages_are_forty_cells_by_twenty_five_lines_of_ascii_braille(
+    name: str, language: str
+) -> None:
+    for page in pages(name, language):
+        assert 0 < len(page) <= 25
+        for line in page:
+            assert len(line) <= 40
+            assert set(line) <= set(ASCII)
+
+
+def test_the_page_of_the_living_room_has_the_map_and_the_legend_on_one_page() -> None:
+    (page,) = pages("living_room")
+
+    assert page[:5] == [
+        "MAP OF LIVING-ROOM",
+        "A CELL IS #B BY #C STEPS",
+        "=======LLLLLL========",
+        "=      LLLLLL       =",
+        "SSS               TTT",
+    ]
+    assert page[16:] == [
+        "NORTH IS AT THE TOP",
+        "=  WALL",
+        "D  DONNIE1 LOOKS NORTH",
+        "C  CHAIR1 GREEN",
+        "L  LARGE SOFA1 BLUE",
+        "S  SMALL SOFA1 BLUE",
+        "T  TABLE1 RED",
+    ]
+
+
+def test_a_legend_that_would_make_the_map_smaller_has_its_own_page() -> None:
+    first, second = pages("two_robots")
+
+    assert first[1] == "A CELL IS #A BY #B STEPS"
+    assert len(first) == 24
+    assert second[0] == "NORTH IS AT THE TOP"
+
+
+@pytest.mark.parametrize("name", [each for each in worlds.names() if each != "open_floor"])
+def test_everything_in_the_legend_is_on_the_map(name: str) -> None:
+    cells = {"#": "="}
+    text = "".join("".join(page) for page in pages(name)[:1])
+
+    for letter in charted(name).legend:
+        assert cells.get(letter, letter.upper()) in text
+
+
+def test_a_maze_on_a_braille_page_can_still_be_gone_through() -> None:
+    (page,) = pages("maze")
+    rows = page[2:16]
+    reached = {next((x, y) for y, row in enumerate(rows) for x, cell in enumerate(row) if cell == "D")}
+    border = list(reached)
+    for x, y in border:
+        for there in ((x + 1, y), (x - 1, y), (x, y + 1), (x, y - 1)):
+            if there not in reached and rows[there[1]].ljust(40)[there[0]] != "=":
+                reached.add(there)
+                border.append(there)
+
+    assert any(rows[y].ljust(40)[x] == "B" for x, y in reached)
+
+
+# --- swell paper
+
+
+@pytest.mark.parametrize("name", worlds.names())
+def test_a_picture_is_a_sheet_of_a4_and_everything_black_is_on_it(name: str) -> None:
+    root = sheet(name)
+    width, height = (float(each) for each in (root.get("viewBox") or "").split()[2:])
+
+    assert (width, height) in (A4, A4[::-1])
+    for circle in root.iter(f"{SVG}circle"):
+        assert 0 < float(circle.get("cx") or 0) < width
+        assert 0 < float(circle.get("cy") or 0) < height
+    for path in root.iter(f"{SVG}path"):
+        for x, y in re.findall(r"[ML](-?[\d.]+) (-?[\d.]+)", path.get("d") or ""):
+            assert 0 < float(x) < width
+            assert 0 < float(y) < height
+
+
+@pytest.mark.parametrize("name", ["living_room", "cave", "factory", "two_robots"])
+def test_no_line_is_thinner_than_what_rises_and_only_walls_and_dots_are_filled_black(name: str) -> None:
+    root = sheet(name)
+
+    widths = {float(each.get("stroke-width") or LINE) for each in root.iter()}
+    assert min(widths) == LINE
+    assert root.find(f"{SVG}text") is None
+    black = [each for each in root.iter(f"{SVG}path") if each.get("fill") == "black"]
+    assert len(black) == {"living_room": 1, "cave": 0, "factory": 4, "two_robots": 4}[name]
+
+
+def test_a_picture_tells_in_text_what_it_shows() -> None:
+    root = sheet("living_room", "pt")
+
+    assert root.findtext(f"{SVG}title") == "Mapa de living_room"
+    assert "c: cadeira, verde" in (root.findtext(f"{SVG}desc") or "")
+
+
+def test_names_that_xml_may_not_hold_are_no_harm() -> None:
+    bad = Thing("<\x1b&>", "<\x00>", "b", "red", 0, 0, 3, 3)
+    floor = Picture(-5, -5, 10, 10, 1, ("." * 10,) * 10, (bad,), has_walls=False)
+    square = ((-1.0, -1.0), (1.0, -1.0), (1.0, 1.0), (-1.0, 1.0))
+    plan = chart(floor, Pose(3, 3, 0), "\x07<", Words())
+
+    root = ElementTree.fromstring(
+        raised_picture("<&\x00", plan, floor, [Drawing((square,), bad, False)], Words())
+    )
+
+    assert root.findtext(f"{SVG}title") == "Map of <& "
+    assert isinstance(plan.robots[0], Robot)
+
+
+def test_the_dots_of_the_legend_can_be_read() -> None:
+    """A page of braille is made of dots 2.5 mm apart: the title's first cell is an M, dots 1, 3, 4."""
+    first = next(each for each in sheet("maze").iter(f"{SVG}g") if each.get("fill") == "black")
+    circles = [(float(c.get("cx") or 0), float(c.get("cy") or 0)) for c in first.iter(f"{SVG}circle")]
+
+    assert circles[:3] == [(12, 12), (12, 17), (14.5, 12)]
