@@ -194,6 +194,7 @@ class Connection:
         self.stop(now)
         self._happens(Happening.CLOSE, now)
         self._deadline = inf
+        self._was_up = self._is_told_lost = False
 
     # --- inside
 
