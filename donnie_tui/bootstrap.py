@@ -13,6 +13,7 @@ from typing import TYPE_CHECKING, TextIO
 from devices.ports.robot import Pace, Watcher
 from donnie_tui.audible import Audible, make_audible
 from donnie_tui.connecting import Connection
+from donnie_tui.core.belt_telling import BeltTelling
 from donnie_tui.core.chronicle import Chronicle
 from donnie_tui.core.hub import Stream
 from donnie_tui.core.session import ResettableRobot, Session
@@ -58,6 +59,8 @@ class Donnie:
     """Whether the robot is simulated or real, and changing that."""
     chronicle: Chronicle
     """What happened lately, to go back through."""
+    belt_telling: BeltTelling
+    """The belt in words."""
     _audible: Audible
     _written: Written
     _closing: ExitStack
@@ -115,6 +118,7 @@ def assemble(settings: Settings, *, terminal: bool, out: TextIO | None = None) -
         written.log()
         about_settings = tuple(words(each.code, **each.values) for each in settings.notices)
         audible = make_audible(settings, session, words, closing)
+        belt_telling = BeltTelling(session.hub, words)
         about_belt = connect_belt(settings, session.hub, words, closing)
         about_devices = about_belt + _connect_robot(connection, settings, words, world, terminal)
     except BaseException:
@@ -122,7 +126,17 @@ def assemble(settings: Settings, *, terminal: bool, out: TextIO | None = None) -
         raise
     notices = about_settings + audible.notices + about_devices
     return Donnie(
-        team, words, notices, about_devices, world, connection, chronicle, audible, written, closing
+        team,
+        words,
+        notices,
+        about_devices,
+        world,
+        connection,
+        chronicle,
+        belt_telling,
+        audible,
+        written,
+        closing,
     )
 
 

@@ -103,11 +103,10 @@ class Connection:
     def _change(self, robot: str) -> None:
         if self._session.run is not None:
             raise Busy
-        if robot == SIMULATED and self.robot == SIMULATED:
-            return
-        self._session.change_robot(None)
-        self._now.drop()
-        self.robot = SIMULATED
+        if self.robot != SIMULATED:
+            self._session.change_robot(None)
+            self._now.drop()
+            self.robot = SIMULATED
         if robot != SIMULATED:
             self._connect(robot)
 
@@ -128,6 +127,7 @@ class Connection:
             self._now.drop()
             raise
         self.robot = name
+        self._session.hub.publish(Link(LinkNews.CONNECTED.value, name))
 
     def _maker(self, robot: str) -> tuple[Callable[[Pace, Watcher], Connectable], str]:
         if robot == DOUBLE:
@@ -166,7 +166,9 @@ class Connection:
     # --- telling
 
     def _tell(self, news: LinkNews, reason: str) -> None:
-        self._session.hub.publish(Link(news.value, reason))
+        """What happens from now on; that it is connected is told by whoever wanted that, in its turn."""
+        if news is not LinkNews.CONNECTED:
+            self._session.hub.publish(Link(news.value, reason))
 
     def _told(self, problem: RobotProblem | Unusable) -> tuple[str, ...]:
         if isinstance(problem, Unusable):

@@ -80,12 +80,9 @@ def bump(bearing: Bearing, settings: BeltSettings) -> Levels:
 
 
 def felt(levels: Levels, settings: BeltSettings | None = None) -> dict[Bearing, int]:
-    """How strong each direction is felt; those that are off are left out."""
-    columns = (settings or BeltSettings()).columns
-    strongest = {
-        bearing: max((max(levels[each], levels[each + COLUMNS]) for each in columns[bearing]), default=0)
-        for bearing in Bearing
-    }
+    """How strong each direction is felt; those that are off are left out. The upper row may only strike."""
+    columns, lower = (settings or BeltSettings()).columns, levels[COLUMNS:]
+    strongest = {bearing: max((lower[each] for each in columns[bearing]), default=0) for bearing in Bearing}
     return {bearing: level for bearing, level in strongest.items() if level}
 
 

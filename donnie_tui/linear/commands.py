@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable
 from typing import TypeAlias
 
+from donnie_tui import robot_words
 from donnie_tui.bootstrap import SwitchMode
 from donnie_tui.core import use_cases
 from donnie_tui.core.session import Busy
@@ -166,6 +167,14 @@ def _linear(desk: Desk, _: Runs, rest: str) -> bool:
     return not rest
 
 
+def _connect(desk: Desk, _: Runs, rest: str) -> None:
+    robot_words.connect(desk.donnie, rest, desk.show_told)
+
+
+def _feel(desk: Desk, _: Runs, rest: str) -> None:
+    robot_words.feel(desk.donnie, rest)
+
+
 HANDLERS: dict[str, Handler] = {
     "open": _open,
     "save": _save,
@@ -183,6 +192,8 @@ HANDLERS: dict[str, Handler] = {
     "where": _where,
     "map": _map,
     "map_picture": _map_picture,
+    "connect": _connect,
+    "feel": _feel,
     "world": _world,
     "speed": _speed,
     "language": _language,

@@ -25,6 +25,8 @@ KEYS: dict[str, tuple[str, ...]] = {
     "speed": (),
     "reset": ("ctrl+r",),
     "where": (),
+    "connect": (),
+    "feel": (),
     "open": ("ctrl+o", "f3"),
     "save": ("ctrl+s", "f2"),
     "save_as": (),

@@ -37,6 +37,10 @@ class Host(Protocol):
 
     def tell_position(self) -> None: ...
 
+    def connect(self, argument: str) -> Awaitable[None]: ...
+
+    def feel(self, argument: str) -> None: ...
+
     def show_help(self) -> None: ...
 
     def switch_to_linear(self) -> None: ...
@@ -141,6 +145,12 @@ class Deeds:
 
     def where(self, _argument: str) -> None:
         self._host.tell_position()
+
+    def connect(self, argument: str) -> Awaitable[None] | None:
+        return self._host.connect(argument) if self._is_idle() else None
+
+    def feel(self, argument: str) -> None:
+        self._host.feel(argument)
 
     def show_program(self, _argument: str) -> None:
         self._host.workplace.go_to(self._host.workplace.program_pane)

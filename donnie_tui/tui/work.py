@@ -6,6 +6,7 @@ bridge's mailbox; nothing here waits for them.
 
 from __future__ import annotations
 
+import asyncio
 from collections.abc import Awaitable, Callable
 from pathlib import Path
 from typing import Protocol
@@ -13,6 +14,7 @@ from typing import Protocol
 from textual.message import Message
 from textual.timer import Timer
 
+from donnie_tui import robot_words
 from donnie_tui.bootstrap import Donnie
 from donnie_tui.core.events import Answered, Outcome
 from donnie_tui.core.filing import Copies
@@ -143,6 +145,15 @@ class Work:
         self, asked: str, value: str = "", accepts: Callable[[str], str | None] | None = None
     ) -> str | None:
         return await self._host.ask(asked, self.words("ask-keys"), value, accepts)
+
+    async def connect(self, argument: str) -> None:
+        """Another robot. It takes some seconds, in which the screen goes on."""
+        await asyncio.to_thread(robot_words.connect, self._donnie, argument)
+        self.show_pose()
+
+    def feel(self, argument: str) -> None:
+        """The belt in words."""
+        robot_words.feel(self._donnie, argument)
 
     def tell_position(self) -> None:
         self._donnie.session.teller.position(self._donnie.session.pose)

@@ -159,6 +159,9 @@ _LINK: dict[str, Sentence] = {
         "There is no choice {number}.", "Não há a opção {number}.", "No hay la opción {number}."
     ),
     "connect-choice": Sentence("{number}: {what}.", "{number}: {what}.", "{number}: {what}."),
+    "connect-choice-now": Sentence(
+        "{number}: {what}, now.", "{number}: {what}, agora.", "{number}: {what}, ahora."
+    ),
     "connect-choice-simulator": Sentence("the simulator", "o simulador", "el simulador"),
     "connect-choice-double": Sentence(
         "a simulated board, to try without a robot",

@@ -23,6 +23,7 @@ _ARGUMENTS = {
     "language": ("pt", "en", "en"),
     "detail": ("brief", "breve", "breve"),
     "setting": ("page ask", "página perguntar", "página preguntar"),
+    "switch": ("on", "ligado", "encendido"),
     "topic": ("FW", "PF", "AV"),
 }
 
@@ -91,6 +92,8 @@ _PURPOSES = {
     "map_column": ("That column.", "Essa coluna.", "Esa columna."),
     "map_picture": ("Draws with letters.", "Desenha com letras.", "Dibuja con letras."),
     "trail": ("The last moves.", "Os últimos movimentos.", "Los últimos movimientos."),
+    "connect": ("Lists robots, or takes one.", "Lista robôs, ou escolhe um.", "Lista robots, o elige uno."),
+    "feel": ("What the belt shows.", "O que o cinto mostra.", "Lo que da el cinturón."),
     "world": ("Tells about the world.", "Fala sobre o mundo.", "Habla sobre el mundo."),
     "show_program": ("Goes to the program.", "Vai ao programa.", "Va al programa."),
     "show_map": ("Goes to the map.", "Vai ao mapa.", "Va al mapa."),

@@ -7,6 +7,7 @@ import pytest
 from devices.ports.robot import Bearing
 from donnie_tui.core import belt
 from donnie_tui.core.belt import OFF, BeltSettings, bump, felt, in_words, presence, pulse, rows
+from donnie_tui.core.belt_telling import BeltTelling
 from donnie_tui.core.events import BeltShown, CueSounded, Moved, RunEnded
 from donnie_tui.i18n.words import Words
 from tests.floor import Floor
@@ -52,11 +53,11 @@ def test_a_bump_is_wide() -> None:
     ],
 )
 def test_what_is_felt_is_told_in_words(language: str, sentence: str) -> None:
-    levels = (0, 0, 0, 3, 1, 0, 0, 0, 0, 0, 2, 1, 0, 0)
+    levels = (0, 0, 0, 3, 3, 0, 0, 0, 0, 0, 3, 1, 0, 0)
 
     assert in_words(levels, Words(language)) == sentence
     assert felt(levels) == {Bearing.FRONT: 3, Bearing.FRONT_RIGHT: 1}
-    assert rows(levels) == ((0, 0, 0, 3, 1, 0, 0), (0, 0, 0, 2, 1, 0, 0))
+    assert rows(levels) == ((0, 0, 0, 3, 3, 0, 0), (0, 0, 0, 3, 1, 0, 0))
 
 
 def test_nothing_near_is_told_too() -> None:
@@ -135,3 +136,28 @@ def test_the_belt_stays_switched_on_for_the_next_lines_of_a_terminal() -> None:
     assert next(each for each in floor.events if isinstance(each, BeltShown | Moved)) == BeltShown(
         (0, 0, 0, belt.MEDIUM, 0, 0, 0) * 2
     )
+
+
+def test_whoever_wants_it_is_told_what_changes_in_words() -> None:
+    floor = Floor(("red", 0, 22))
+    BeltTelling(floor.session.hub, floor.words).is_on = True
+    floor.run("BELT ON FW 3 FW 2")
+
+    assert [line for line in floor.told if line.startswith("Belt:")] == [
+        "Belt: front weak.",
+        "Belt: nothing near.",
+    ]
+
+
+def test_what_is_felt_now_can_be_asked_for_without_being_told_all_the_time() -> None:
+    floor = Floor(("red", 0, 4))
+    telling = BeltTelling(floor.session.hub, floor.words)
+    during = list[str]()
+    floor.session.hub.subscribe(
+        lambda stamped: during.append(telling.now()) if isinstance(stamped.event, Moved) else None
+    )
+    floor.run("BELT ON FW 1")
+
+    assert during == ["Belt: front strong."]
+    assert telling.now() == "Belt: nothing near."
+    assert not [line for line in floor.told if line.startswith("Belt:")]

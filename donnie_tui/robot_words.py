@@ -1,0 +1,84 @@
+"""What the words about robot and belt do, for both front ends: CONNECT and FEEL. Answers go to the hub."""
+
+from __future__ import annotations
+
+import os
+from collections.abc import Callable
+
+from donnie_tui.bootstrap import Donnie
+from donnie_tui.core.documents import DocumentError
+from donnie_tui.core.events import Answered
+from donnie_tui.core.session import Busy
+from donnie_tui.device_settings import SIMULATED
+from donnie_tui.settings_file import remember
+from language.source import fold_name
+
+_ON = {"on", "ligado", "ligar", "encendido", "encender"}
+_OFF = {"off", "desligado", "desligar", "apagado", "apagar"}
+_MOST_DIGITS = 4
+
+
+def connect(donnie: Donnie, typed: str, show: Callable[[], object] = lambda: None) -> None:
+    """Take the robot of that number, or for anything else tell which may be chosen.
+
+    Connecting takes some seconds: ``show`` is called before, so that what was told so far is not late.
+    """
+    if typed.isdecimal() and len(typed) <= _MOST_DIGITS:
+        _choose(donnie, int(typed), show)
+    else:
+        _tell_choices(donnie)
+
+
+def feel(donnie: Donnie, typed: str) -> None:
+    """Tell what the belt shows, or with ON and OFF from now on every change, or none."""
+    telling, folded = donnie.belt_telling, fold_name(typed)
+    if folded in _ON | _OFF:
+        telling.is_on = folded in _ON
+        _say(donnie, "belt-words-on" if telling.is_on else "belt-words-off")
+    else:
+        _answer(donnie, telling.now())
+
+
+def _tell_choices(donnie: Donnie) -> None:
+    for number, choice in enumerate(donnie.connection.choices(), 1):
+        code = "connect-choice-now" if choice.robot == donnie.connection.robot else "connect-choice"
+        _say(donnie, code, number=number, what=choice.sentence)
+    _say(donnie, "connect-how")
+
+
+def _choose(donnie: Donnie, number: int, show: Callable[[], object]) -> None:
+    choices = donnie.connection.choices()
+    if not 1 <= number <= len(choices):
+        _say(donnie, "connect-unknown", number=number)
+        return
+    robot = choices[number - 1].robot
+    if robot != SIMULATED:
+        _say(donnie, "connect-trying")
+        show()
+    try:
+        missing = donnie.connection.connect(robot)
+    except Busy:
+        _say(donnie, "connect-busy")
+        return
+    for sentence in missing:
+        _answer(donnie, sentence)
+    if not missing:
+        _connected(donnie)
+
+
+def _connected(donnie: Donnie) -> None:
+    """That a real one is there, its link has told."""
+    if donnie.connection.robot == SIMULATED:
+        _say(donnie, "connect-simulator")
+    try:
+        remember("robot", donnie.connection.robot, os.environ)
+    except DocumentError as problem:
+        _say(donnie, problem.code, path=problem.path, reason=problem.reason)
+
+
+def _say(donnie: Donnie, code: str, **values: object) -> None:
+    _answer(donnie, donnie.words(code, **values))
+
+
+def _answer(donnie: Donnie, sentence: str) -> None:
+    donnie.session.hub.publish(Answered(sentence))
