@@ -49,7 +49,7 @@ class SerialLink:
         self._on_event = on_event
         self._open_port = open_port
         self._connection = Connection(self._config, lambda text: _LOG.debug("%s: %s", port, text))
-        self._lock = threading.Lock()
+        self._lock = threading.RLock()  # a signal's handler may close the link in the midst of anything
         self._answered = threading.Condition(self._lock)
         self._wanted = threading.Event()
         self._closing = threading.Event()

@@ -1,0 +1,271 @@
+"""The line on a real device path: a pseudo-terminal with a simulated board behind it, in real time.
+
+Few tests, for each takes a second; what is decided is tested in virtual time. Nothing here measures how fast
+this machine is: limits are generous, and a hang is a failure.
+"""
+
+from __future__ import annotations
+
+import os
+import signal
+import subprocess
+import sys
+import termios
+import threading
+from collections.abc import Callable, Iterator
+
+import pytest
+
+from devices.firmware_double.board import SimulatedBoard
+from devices.firmware_double.on_pty import DoubleOnPty
+from devices.ports.robot import LinkNews, RobotProblem, StoppedBy
+from devices.serial_link import SerialLink
+from devices.serial_link.port import OpenPort
+from devices.serial_robot.robot import SerialRobot
+from devices.wire.commands import STOP, Drive, motors
+from devices.wire.link_config import LinkConfig
+from devices.wire.link_state import LinkState
+from tests.conftest import ROOT
+
+FAR = 1e9
+PATIENCE = 15.0
+"""Seconds that anything may take on a busy machine."""
+
+
+def started() -> SimulatedBoard:
+    """A board whose sketch began nine tenths of a second ago, so that it asks for its configuration soon."""
+    return SimulatedBoard(boot_loader=-0.9)
+
+
+@pytest.fixture
+def double() -> Iterator[DoubleOnPty]:
+    with DoubleOnPty(started()) as it:
+        yield it
+
+
+class News:
+    """What a link told, to be waited for."""
+
+    def __init__(self) -> None:
+        self.told: list[LinkNews] = []
+        self._more = threading.Condition()
+
+    def __call__(self, news: LinkNews, reason: str) -> None:
+        with self._more:
+            self.told.append(news)
+            self._more.notify_all()
+
+    def wait_for(self, news: LinkNews) -> bool:
+        with self._more:
+            return self._more.wait_for(lambda: news in self.told, PATIENCE)
+
+
+class RealPace:
+    def __init__(self) -> None:
+        self._never = threading.Event()
+
+    def sleep(self, seconds: float) -> bool:
+        return not self._never.wait(seconds)
+
+
+def until(happened: Callable[[], bool]) -> bool:
+    """Wait for it. False if it doesn't happen."""
+    never = threading.Event()
+    return any(happened() or never.wait(0.01) for _ in range(round(PATIENCE / 0.01)))
+
+
+@pytest.fixture
+def link(double: DoubleOnPty) -> Iterator[SerialLink]:
+    it = SerialLink(double.path)
+    it.connect()
+    yield it
+    it.close()
+
+
+def test_a_robot_on_a_port_walks_a_step(double: DoubleOnPty) -> None:
+    robot = SerialRobot(SerialLink(double.path), pace=RealPace())
+    robot.connect()
+
+    moved = robot.forward(1)
+    robot.close()
+
+    assert (moved.walked, moved.stopped_by) == (1, None)
+    assert moved.pose.y == pytest.approx(1, abs=0.3)
+    assert until(lambda: not double.board.is_driving)
+
+
+def test_a_second_program_cannot_have_the_port(double: DoubleOnPty, link: SerialLink) -> None:
+    with pytest.raises(RobotProblem) as told:
+        SerialLink(double.path).connect()
+
+    assert (told.value.code, told.value.values["port"]) == ("port-busy", double.path)
+
+
+def test_a_port_that_is_not_there_is_told_by_its_name() -> None:
+    with pytest.raises(RobotProblem) as told:
+        SerialLink("/dev/no-such-robot").connect()
+
+    assert (told.value.code, told.value.values["port"]) == ("no-port", "/dev/no-such-robot")
+
+
+def test_a_port_where_nobody_answers_is_let_go_of() -> None:
+    """A loop answers with what it was told, which are no frames of a board."""
+    link = SerialLink("loop://", LinkConfig(first_answer=0.2))
+    with pytest.raises(RobotProblem) as told:
+        link.connect()
+
+    assert (told.value.code, link.state) == ("no-answer", LinkState.CLOSED)
+
+
+def test_an_unplugged_robot_is_told_and_found_again_where_its_name_leads(double: DoubleOnPty) -> None:
+    news = News()
+    link = SerialLink(double.path, LinkConfig(reopen=0.1), news)
+    link.connect()
+    link.drive(link.permit(), Drive.FORWARD, FAR)
+    permit = link.permit()
+
+    double.unplug()
+    assert news.wait_for(LinkNews.LOST)
+    assert link.drive(permit, Drive.FORWARD, FAR) is False
+    double.plug()
+
+    assert news.wait_for(LinkNews.RESTORED)
+    assert news.told == [LinkNews.CONNECTED, LinkNews.LOST, LinkNews.RESTORED]
+    assert not double.board.is_driving
+    link.close()
+
+
+def test_a_walk_ends_when_the_robot_is_unplugged(double: DoubleOnPty) -> None:
+    news = News()
+    robot = SerialRobot(SerialLink(double.path, None, news), pace=RealPace())
+    robot.connect()
+    unplugging = threading.Timer(0.3, double.unplug)
+    unplugging.start()
+
+    assert robot.forward(100).stopped_by is StoppedBy.LINK
+    robot.close()
+
+
+def test_closing_leaves_two_stops_as_the_last_words(double: DoubleOnPty) -> None:
+    link = SerialLink(double.path)
+    link.connect()
+    link.drive(link.permit(), Drive.FORWARD, FAR)
+    assert until(lambda: double.board.is_driving)
+
+    link.close()
+
+    assert until(lambda: not double.board.is_driving)
+    assert double.heard.endswith(STOP + STOP)
+    assert link.state is LinkState.CLOSED
+
+
+def test_a_listener_that_fails_does_not_take_the_line_with_it(double: DoubleOnPty) -> None:
+    def fail(news: LinkNews, reason: str) -> None:
+        raise KeyError("a listener's own mistake")
+
+    link = SerialLink(double.path, None, fail)
+    link.connect()
+
+    assert link.drive(link.permit(), Drive.FORWARD, FAR) is True
+    assert until(lambda: double.board.is_driving)
+    link.close()
+    assert until(lambda: not double.board.is_driving)
+
+
+def test_a_thread_that_is_gone_leaves_no_motor_on(double: DoubleOnPty, link: SerialLink) -> None:
+    """Nobody renews what it drove."""
+    gone = threading.Thread(target=lambda: link.drive(link.permit(), Drive.LEFT, FAR))
+    gone.start()
+    gone.join()
+
+    assert until(lambda: double.board.is_driving)
+    assert until(lambda: not double.board.is_driving)
+
+
+def test_a_stop_from_any_thread_reaches_the_wire(double: DoubleOnPty, link: SerialLink) -> None:
+    link.drive(link.permit(), Drive.FORWARD, FAR)
+    assert until(lambda: double.board.is_driving)
+    threading.Thread(target=link.stop).start()
+
+    assert until(lambda: not double.board.is_driving)
+
+
+def test_the_hang_up_flag_of_the_port_is_left_alone(double: DoubleOnPty) -> None:
+    """With it, the system drops DTR when a program is killed, which resets the next board that is opened."""
+    fd = os.open(double.path, os.O_RDWR | os.O_NOCTTY)
+    settings = termios.tcgetattr(fd)
+    settings[2] |= termios.HUPCL
+    termios.tcsetattr(fd, termios.TCSANOW, settings)
+    port = OpenPort(double.path)
+    flags = termios.tcgetattr(fd)[2]
+    port.close()
+    os.close(fd)
+
+    assert flags & termios.HUPCL
+
+
+def test_a_port_without_a_reset_line_tolerates_its_being_pulled(double: DoubleOnPty) -> None:
+    port = OpenPort(double.path)
+    port.pull_reset(lambda seconds: None)
+
+    assert port.read() is not None
+    port.close()
+
+
+DRIVER = """
+import signal, sys, time
+from devices.serial_link import SerialLink
+from devices.wire.commands import Drive
+link = SerialLink(sys.argv[1]); link.connect()
+signal.signal(signal.SIGTERM, lambda *_: (link.close(), sys.exit(3)))
+ends = time.monotonic() + 60
+while time.monotonic() < ends:
+    link.drive(link.permit(), Drive.FORWARD, 1e9)
+    {then}
+    time.sleep(0.02)
+"""
+
+
+def driver(double: DoubleOnPty, then: str) -> subprocess.Popen[str]:
+    """A program that drives, and does something else at the same time."""
+    code = [sys.executable, "-c", DRIVER.format(then=then), double.path]
+    return subprocess.Popen(code, cwd=ROOT, stdout=subprocess.PIPE, stderr=subprocess.DEVNULL, text=True)
+
+
+@pytest.mark.parametrize(
+    "then",
+    [
+        "if ends - time.monotonic() < 59.5: raise KeyError",
+        "sys.exit(0) if ends - time.monotonic() < 59.5 else 0",
+    ],
+    ids=["exception", "exit"],
+)
+def test_a_program_that_ends_in_the_middle_of_a_drive_stops_the_robot(double: DoubleOnPty, then: str) -> None:
+    program = driver(double, then)
+    assert program.wait(PATIENCE) is not None
+
+    assert motors(Drive.FORWARD) in double.heard
+    assert until(lambda: not double.board.is_driving)
+
+
+def test_a_program_that_was_killed_leaves_a_robot_that_the_next_one_stops(double: DoubleOnPty) -> None:
+    program = driver(double, "pass")
+    assert until(lambda: double.board.is_driving)
+    program.send_signal(signal.SIGKILL)
+    program.wait(PATIENCE)
+    assert double.board.is_driving
+
+    link = SerialLink(double.path)
+    link.connect()
+
+    assert not double.board.is_driving
+    link.close()
+
+
+def test_a_signals_handler_may_close_the_link_in_the_midst_of_anything(double: DoubleOnPty) -> None:
+    program = driver(double, "pass")
+    assert until(lambda: double.board.is_driving)
+    program.send_signal(signal.SIGTERM)
+
+    assert program.wait(PATIENCE) == 3
+    assert until(lambda: not double.board.is_driving)
