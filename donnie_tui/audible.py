@@ -15,8 +15,8 @@ from devices.ports.audio import Cue, CuePlayer, Speaker, Urgency, Utterance
 from devices.speech.choose import Channel, ChannelReason, Choice, Facts, SpeakPlace, choose_channel
 from devices.speech.probe import look_around, ssip_address
 from donnie_tui.core.events import Answered
+from donnie_tui.core.hub import HasHub
 from donnie_tui.core.outlets import Cues, Hears, Voice
-from donnie_tui.core.session import Session
 from donnie_tui.folders import own_sounds
 from donnie_tui.i18n.words import Words
 from donnie_tui.settings import Settings, Source
@@ -80,7 +80,7 @@ class Audible:
 
 
 def make_audible(
-    settings: Settings, session: Session, words: Words, closing: ExitStack, *, is_linear: bool = True
+    settings: Settings, session: HasHub, words: Words, closing: ExitStack, *, is_linear: bool = True
 ) -> Audible:
     """Add the voice and the cues that are wanted and possible. Raises ``Unusable`` where a file can't be."""
     facts = look_around(is_linear=is_linear, has_real_robot=settings.robot.startswith("serial"))
@@ -112,7 +112,7 @@ class _Maker:
     """Connects what was chosen with the stream."""
 
     def __init__(
-        self, settings: Settings, session: Session, words: Words, closing: ExitStack, choice: Choice
+        self, settings: Settings, session: HasHub, words: Words, closing: ExitStack, choice: Choice
     ) -> None:
         self._settings, self._session, self._words = settings, session, words
         self._closing, self._choice = closing, choice

@@ -105,7 +105,7 @@ def assemble(settings: Settings, *, terminal: bool, out: TextIO | None = None) -
     world = _inhabited_world(settings, words)
     closing = ExitStack()
     try:
-        team = _team(settings, words, world, terminal)
+        team = make_team(settings, words, world, terminal)
         session = team.chosen
         connection = Connection(settings, words, world, session)
         closing.callback(connection.close)
@@ -160,7 +160,7 @@ def _connect_robot(
 def colours_of_world(settings: Settings, words: Words) -> frozenset[str]:
     """The colours that the world's robot can tell apart. Raises ``Unusable``."""
     world = _inhabited_world(settings, words)
-    return _team(settings, words, world, terminal=False).chosen.colours
+    return make_team(settings, words, world, terminal=False).chosen.colours
 
 
 def _inhabited_world(settings: Settings, words: Words) -> ChosenWorld:
@@ -170,8 +170,8 @@ def _inhabited_world(settings: Settings, words: Words) -> ChosenWorld:
     return world
 
 
-def _team(settings: Settings, words: Words, world: ChosenWorld, terminal: bool) -> Team:
-    """The robots of the simulated world. The first one is the learner's until another one is chosen."""
+def make_team(settings: Settings, words: Words, world: ChosenWorld, terminal: bool) -> Team:
+    """The robots of a simulated world. The first one is the learner's until another one is chosen."""
     from sim.world import World
 
     shared, stream = World(world.scene, seed=settings.seed), Stream()

@@ -13,12 +13,12 @@ from pathlib import Path
 from devices.ports.audio import Cue
 from devices.sound.wav_render import WavRenderer
 from donnie_tui.core.events import Answered, CueSounded, RunEnded, SoundSwitched, Stamped
-from donnie_tui.core.session import Session
+from donnie_tui.core.hub import HasHub
 from donnie_tui.i18n.words import Words
 from donnie_tui.unusable import Unusable
 
 
-def write_cues(name: str, session: Session, words: Words, closing: ExitStack) -> None:
+def write_cues(name: str, session: HasHub, words: Words, closing: ExitStack) -> None:
     """Write from now on what is to be heard. Raises ``Unusable``."""
     try:
         renderer = WavRenderer(Path(name))

@@ -10,7 +10,7 @@ from __future__ import annotations
 import threading
 from collections import deque
 from collections.abc import Callable
-from typing import TypeAlias
+from typing import Protocol, TypeAlias
 
 from donnie_tui.core.events import TRANSIENT, Answered, Event, Stamped
 
@@ -53,14 +53,25 @@ class Stream:
         """Those of one channel."""
         return _Listeners(self._lock)
 
+    def pass_on(self, stamped: Stamped) -> None:
+        """Tell everybody what happened before, as it was then."""
+        with self._lock:
+            if not self._queue(stamped, self.listeners()):
+                return
+        self._deliver()
+
     def publish(self, event: Event, t: float, robot: str | None, own: _Listeners) -> None:
         """Tell the channel's ``own`` listeners, then everybody."""
         with self._lock:
-            self._waiting.append((self._stamp(event, t, robot), own))
-            if self._delivering:
+            if not self._queue(self._stamp(event, t, robot), own):
                 return
-            self._delivering = True
         self._deliver()
+
+    def _queue(self, stamped: Stamped, own: _Listeners) -> bool:
+        """Whether the caller is to deliver; else somebody does already. Under the lock."""
+        self._waiting.append((stamped, own))
+        was_delivering, self._delivering = self._delivering, True
+        return not was_delivering
 
     def _stamp(self, event: Event, t: float, robot: str | None) -> Stamped:
         if isinstance(event, TRANSIENT):
@@ -86,6 +97,13 @@ class Stream:
             with self._lock:
                 self._delivering = False
             raise
+
+
+class HasHub(Protocol):
+    """Whatever can be listened to."""
+
+    @property
+    def hub(self) -> Hub: ...
 
 
 class Hub:

@@ -1,0 +1,237 @@
+"""Running a recording again: the same programs in the same world give the same events, or one differs.
+
+What somebody stopped by hand is compared up to there, since nobody stops at the same moment twice. What
+follows can be compared again only where everything begins anew.
+"""
+
+from __future__ import annotations
+
+import threading
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
+from enum import Enum
+from typing import Protocol
+
+from donnie_tui.core.events import (
+    TRANSIENT,
+    Announced,
+    HowStarted,
+    Moved,
+    Outcome,
+    Reset,
+    RunEnded,
+    RunStarted,
+    Stamped,
+    Turned,
+    Waited,
+    as_record,
+)
+from donnie_tui.core.runner import Run
+from donnie_tui.core.team import Assigned, Team
+
+
+class Tone(Protocol):
+    """The wording, as far as a recording chose it."""
+
+    language: str
+    detail: str
+
+
+class Result(Enum):
+    """How it came out; a sentence ``recheck-...`` each."""
+
+    SAME = "same"
+    DIFFERENT = "different"
+    STOPPED = "stopped"
+    """The same as far as somebody let it run."""
+    OVERLAPPING = "overlapping"
+    """Robots were started by hand at different moments; up to there it is the same."""
+
+
+@dataclass(frozen=True, slots=True)
+class Verdict:
+    """``index`` is the event up to which it is the same; of a difference, what happened in its place."""
+
+    result: Result
+    index: int
+    now: Stamped | None = None
+
+
+def recheck(events: Sequence[Stamped], team: Team, tone: Tone) -> Verdict:
+    """Run everything again with ``team``, which stands at the start of the same world, and compare.
+
+    Blocks as long as the programs take; ``team.stop`` ends it from another thread, which is a difference.
+    """
+    checking = _Checking(events, team, tone)
+    leave = team.stream.subscribe(checking.hear)
+    try:
+        return checking.verdict()
+    finally:
+        leave()
+
+
+@dataclass(frozen=True, slots=True)
+class _Segment:
+    """Runs that began together, and all that happened until the last of them ended."""
+
+    first: int
+    starts: Mapping[str | None, Stamped]
+    end: int
+    """The position behind it."""
+    cut: int | None
+    """The first event that depends on when somebody stopped it."""
+    intruder: int | None
+    """A run that somebody began meanwhile."""
+
+
+class _Checking:
+    """The position in the recording, shared with the programs' threads by the stream's own order."""
+
+    def __init__(self, events: Sequence[Stamped], team: Team, tone: Tone) -> None:
+        self._events = events
+        self._team = team
+        self._tone = tone
+        self._at = 0
+        self._until = 0
+        self._difference: Verdict | None = None
+        self._lock = threading.Lock()
+
+    def verdict(self) -> Verdict:
+        stopped_at: int | None = None
+        while self._at < len(self._events):
+            event = self._events[self._at].event
+            if isinstance(event, RunStarted) and event.how is not None:
+                segment = self._segment(event.how)
+                if stopped_at is not None and not self._begins_anew(event.how):
+                    break
+                failure = self._run(segment)
+                if failure is not None:
+                    return failure
+                stopped_at = segment.cut if segment.cut is not None else stopped_at
+            else:
+                self._between_runs(self._events[self._at])
+        if stopped_at is not None:
+            return Verdict(Result.STOPPED, stopped_at)
+        return Verdict(Result.SAME, len(self._events))
+
+    def _begins_anew(self, how: HowStarted) -> bool:
+        """Whether nothing is left of what was stopped."""
+        return how.fresh and len(how.together or ("",)) == len(self._team.names)
+
+    # --- a segment
+
+    def _segment(self, how: HowStarted) -> _Segment:
+        first = self._at
+        names: set[str | None] = set(how.together) or {self._events[first].robot}
+        starts: dict[str | None, Stamped] = {}
+        ended, cuts, intruder = 0, list[int](), None
+        last_deeds: dict[str | None, int] = {}
+        index = first
+        while index < len(self._events) and ended < len(names):
+            stamped = self._events[index]
+            match stamped.event:
+                case RunStarted() if stamped.robot in names and stamped.robot not in starts:
+                    starts[stamped.robot] = stamped
+                case RunStarted() if intruder is None:
+                    intruder = index
+                case Moved() | Turned() | Waited():
+                    last_deeds[stamped.robot] = index
+                case RunEnded(outcome=outcome) if stamped.robot in names:
+                    ended += 1
+                    if outcome is Outcome.STOPPED:
+                        cuts.append(last_deeds.get(stamped.robot, index))
+            index += 1
+        if ended < len(names):  # the recording ends before the run did
+            cuts.append(index)
+        return _Segment(first, starts, index, min(cuts, default=None), intruder)
+
+    def _run(self, segment: _Segment) -> Verdict | None:
+        """Run it. None if it is the same, as far as it can be."""
+        limits = [each for each in (segment.cut, segment.intruder) if each is not None]
+        self._until = min([segment.end, *limits])
+        for run in self._start(segment.starts):
+            run.wait()
+        with self._lock:
+            if self._difference is None and self._at < self._until:
+                self._difference = Verdict(Result.DIFFERENT, self._at)
+            if self._difference is not None:
+                return self._difference
+            if segment.intruder is not None and segment.intruder == self._until:
+                return Verdict(Result.OVERLAPPING, segment.intruder)
+            self._at = segment.end
+            return None
+
+    def _start(self, starts: Mapping[str | None, Stamped]) -> tuple[Run, ...]:
+        hows = {
+            robot: (each.event, each.event.how)
+            for robot, each in starts.items()
+            if isinstance(each.event, RunStarted)
+        }
+        first = next(how for _, how in hows.values() if how is not None)
+        self._tone.language, self._tone.detail = first.language, first.detail
+        if len(hows) > 1:
+            programs = {
+                robot or "": Assigned(how.text, started.program)
+                for robot, (started, how) in hows.items()
+                if how is not None
+            }
+            return self._team.start_together(programs, trace=first.trace, hooked=False)
+        (robot, (started, how)) = next(iter(hows.items()))
+        assert how is not None  # it is the first
+        session = self._team.session(robot or self._team.names[0])
+        run = session.start(
+            how.text,
+            started.program,
+            fresh=how.fresh,
+            hooked=False,
+            trace=how.trace,
+            first_line=how.first_line,
+            terminal=how.terminal,
+        )
+        return (run,)
+
+    def hear(self, stamped: Stamped) -> None:
+        """What happens now, in a program's thread."""
+        if isinstance(stamped.event, TRANSIENT):
+            return
+        with self._lock:
+            if self._difference is not None or self._at >= self._until:
+                return
+            self._skip_questions(stamped)
+            if self._at < self._until and not _is_same(self._events[self._at], stamped):
+                self._difference = Verdict(Result.DIFFERENT, self._at, stamped)
+            self._at += 1
+            is_over = self._at >= self._until or self._difference is not None
+        if is_over and not isinstance(stamped.event, RunEnded):
+            self._team.stop()
+
+    def _skip_questions(self, stamped: Stamped) -> None:
+        """Somebody asked where the robot is while it ran: nothing that a program did."""
+        while (
+            self._at < self._until
+            and _is_question(self._events[self._at])
+            and not _is_same(self._events[self._at], stamped)
+        ):
+            self._at += 1
+
+    # --- between runs
+
+    def _between_runs(self, stamped: Stamped) -> None:
+        self._until = self._at
+        if isinstance(stamped.event, Reset):
+            self._team.session(stamped.robot or self._team.names[0]).reset()
+        self._at += 1
+
+
+def _is_question(stamped: Stamped) -> bool:
+    return isinstance(stamped.event, Announced) and stamped.event.code in ("position", "help")
+
+
+def _is_same(one: Stamped, other: Stamped) -> bool:
+    return _compared(one) == _compared(other)
+
+
+def _compared(stamped: Stamped) -> dict[str, object]:
+    """All but the number, which depends on what was asked meanwhile, and the version of Donnie."""
+    record = as_record(stamped, whole=True)
+    return {name: value for name, value in record.items() if name not in ("seq", "version")}
