@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterable
 
 from sim.fittings import Gripper
-from sim.geometry import Point
+from sim.geometry import Point, placed
 from sim.placement import Placement
 from sim.scene import Polygon
 from sim.worldfile.entities import Entity
@@ -78,7 +78,7 @@ def fitted(
 
     def moved(points: Iterable[Point]) -> tuple[Point, ...]:
         flat = (((x - middle_x) * scale_x, (y - middle_y) * scale_y) for x, y in points)
-        return tuple(_shifted(point, origin) for point in flat)
+        return placed(flat, origin.x, origin.y, origin.yaw)
 
     return tuple(Polygon(moved(p.points), p.bottom * scale_z, p.top * scale_z) for p in polygons)
 
@@ -86,11 +86,6 @@ def fitted(
 def _fit(values: list[float], size: float) -> tuple[float, float]:
     low, high = min(values), max(values)
     return (size / (high - low) if high > low else 1.0), (low + high) / 2
-
-
-def _shifted(point: Point, origin: Placement) -> Point:
-    place = origin.then(Placement(*point))
-    return place.x, place.y
 
 
 def boundary(size: tuple[float, float, float], origin: Placement) -> tuple[Polygon, ...]:
@@ -104,9 +99,7 @@ def boundary(size: tuple[float, float, float], origin: Placement) -> tuple[Polyg
         rectangle(x, y, across, depth, height),
         rectangle(-x - across, y, across, depth, height),
     )
-    return tuple(
-        Polygon(tuple(_shifted(point, origin) for point in wall.points), 0.0, height) for wall in walls
-    )
+    return tuple(Polygon(placed(wall.points, origin.x, origin.y, origin.yaw), 0.0, height) for wall in walls)
 
 
 def has_default_block(kind: str, walled: bool) -> bool:

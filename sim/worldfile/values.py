@@ -187,7 +187,7 @@ class ValueReader:
     def check(self, settings: Mapping[str, Setting], quiet: bool = False) -> None:
         """The type of every known property; a remark for every one without effect."""
         for name, setting in settings.items():
-            self._check(_INDEXED.sub(r"\1", name), setting, quiet)
+            self._check(_INDEXED.sub(r"\1", name) if name.endswith("]") else name, setting, quiet)
 
     def _check(self, name: str, setting: Setting, quiet: bool) -> None:
         types = types_of(name)
