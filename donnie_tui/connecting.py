@@ -9,11 +9,12 @@ from __future__ import annotations
 import threading
 from collections.abc import Callable
 from dataclasses import dataclass, replace
-from typing import Protocol
+from typing import TYPE_CHECKING, Protocol
 
 from devices.port_listing import list_ports
-from devices.ports.robot import LinkNews, Pace, RobotProblem, Watcher
+from devices.ports.robot import LinkNews, Pace, Pose, RobotProblem, Watcher
 from devices.serial_robot.config import RobotConfig
+from devices.wire.telemetry import Telemetry
 from donnie_tui.core.events import Link
 from donnie_tui.core.session import Busy, ResettableRobot, Session
 from donnie_tui.device_settings import DOUBLE, SERIAL, SIMULATED
@@ -24,6 +25,9 @@ from donnie_tui.tangible import refuse_shared_port
 from donnie_tui.unusable import Unusable
 from donnie_tui.world_choice import ChosenWorld
 
+if TYPE_CHECKING:
+    from devices.serial_robot.robot import SerialRobot
+
 
 class Connectable(ResettableRobot, Protocol):
     """A robot with a line."""
@@ -32,6 +36,13 @@ class Connectable(ResettableRobot, Protocol):
         """Raises ``RobotProblem``."""
 
     def close(self) -> None: ...
+
+
+class MeasurableRobot(Connectable, Protocol):
+    """A robot whose wheels' counts can be read."""
+
+    @property
+    def telemetry(self) -> Telemetry: ...
 
 
 @dataclass(slots=True)
@@ -139,12 +150,8 @@ class Connection:
         return lambda pace, watcher: self._make_serial(port, pace, watcher), name
 
     def _make_serial(self, port: str, pace: Pace, watcher: Watcher) -> Connectable:
-        from devices.serial_link import SerialLink
-        from devices.serial_robot.robot import SerialRobot
-
-        link = SerialLink(port, on_event=self._tell)
-        return SerialRobot(
-            link, robot_config(self._settings), pace=pace, watcher=watcher, start=self._world.start()
+        return _serial_robot(
+            port, self._settings, pace, watcher=watcher, start=self._world.start(), on_event=self._tell
         )
 
     def _make_double(self, pace: Pace, watcher: Watcher) -> Connectable:
@@ -174,6 +181,31 @@ class Connection:
         if isinstance(problem, Unusable):
             return (problem.sentence,)
         return sentences_of(problem, self._words)
+
+
+def make_measurable(settings: Settings, words: Words, pace: Pace) -> MeasurableRobot:
+    """The real robot of the settings, or the simulated board, without a session. Raises ``Unusable``."""
+    if settings.robot == DOUBLE:
+        from devices.firmware_double.robot import DoubleRobot
+
+        return DoubleRobot(config=robot_config(settings), pace=pace, speed=settings.speed)
+    return _serial_robot(find_port(settings, words), settings, pace)
+
+
+def _serial_robot(
+    port: str,
+    settings: Settings,
+    pace: Pace,
+    *,
+    watcher: Watcher | None = None,
+    start: Pose | None = None,
+    on_event: Callable[[LinkNews, str], None] | None = None,
+) -> SerialRobot:
+    from devices.serial_link import SerialLink
+    from devices.serial_robot.robot import SerialRobot
+
+    link = SerialLink(port, on_event=on_event)
+    return SerialRobot(link, robot_config(settings), pace=pace, watcher=watcher, start=start)
 
 
 def robot_config(settings: Settings) -> RobotConfig:

@@ -76,6 +76,11 @@ class SerialRobot:
         return frozenset()
 
     @property
+    def telemetry(self) -> Telemetry:
+        """What its board told last: counts of the wheels, sonars, bumpers, battery."""
+        return self._line.telemetry
+
+    @property
     def speed(self) -> float | None:
         """Times the real robot's pace, which is the only one that it has."""
         return 1.0

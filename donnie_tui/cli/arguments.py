@@ -30,7 +30,7 @@ COMMON = (
 """The options that mean the same everywhere; their values are read in ``settings``."""
 
 TO_COME = ("challenge", "replay", "serve")
-COMMANDS = ("run", "check", "format", "worlds", "world", "doctor", "devices", "stop", *TO_COME)
+COMMANDS = ("run", "check", "format", "worlds", "world", "doctor", "devices", "stop", "calibrate", *TO_COME)
 
 _PLACEHOLDERS = {
     "world": "NAME_OR_FILE",
@@ -209,6 +209,7 @@ _ADD: dict[str, Callable[[argparse._ArgumentGroup, Words], None]] = {
     "run": _add_run,
     "devices": _add_devices,
     "stop": _add_port,
+    "calibrate": _add_nothing,
     "check": _add_check,
     "format": _add_format,
     "worlds": _add_nothing,

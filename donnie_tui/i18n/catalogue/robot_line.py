@@ -174,4 +174,63 @@ _LINK: dict[str, Sentence] = {
     ),
 }
 
-SENTENCES: dict[str, Sentence] = _PORTS | _DEVICES | _STOPPING | _LINK
+_CALIBRATION: dict[str, Sentence] = {
+    "usage-calibrate": Sentence(
+        "Measure the robot's wheels and axle: it walks and turns, you measure.",
+        "Medir as rodas e o eixo do robô: ele anda e gira, você mede.",
+        "Medir las ruedas y el eje del robot: él camina y gira, tú mides.",
+    ),
+    "calibrate-start": Sentence(
+        "Put the robot on the floor, with two metres free ahead. I connect.",
+        "Ponha o robô no chão, com dois metros livres à frente. Vou conectar.",
+        "Pon el robot en el suelo, con dos metros libres delante. Me conecto.",
+    ),
+    "calibrate-walk": Sentence(
+        "Mark where it stands. Enter: it walks {amount} steps.",
+        "Marque onde ele está. Enter: ele anda {amount} passos.",
+        "Marca dónde está. Enter: camina {amount} pasos.",
+    ),
+    "calibrate-ask-centimetres": Sentence(
+        "How many centimetres did it walk? Enter alone skips this.",
+        "Quantos centímetros ele andou? Só Enter pula.",
+        "¿Cuántos centímetros caminó? Enter solo lo salta.",
+    ),
+    "calibrate-turn": Sentence(
+        "Mark where it looks. Enter: it turns {amount} degrees to the right.",
+        "Marque para onde ele olha. Enter: ele gira {amount} graus à direita.",
+        "Marca hacia dónde mira. Enter: gira {amount} grados a la derecha.",
+    ),
+    "calibrate-ask-degrees": Sentence(
+        "How many degrees did it turn in all? A whole turn is 360. Enter alone skips this.",
+        "Quantos graus ele girou ao todo? Uma volta são 360. Só Enter pula.",
+        "¿Cuántos grados giró en total? Una vuelta son 360. Enter solo lo salta.",
+    ),
+    "calibrate-number": Sentence("A number, please.", "Um número, por favor.", "Un número, por favor."),
+    "calibrate-cut-short": Sentence(
+        "Something stopped it. I leave this out.",
+        "Algo o parou. Deixo isso de fora.",
+        "Algo lo detuvo. Dejo esto fuera.",
+    ),
+    "calibrate-absurd": Sentence(
+        "That can't be. I leave this out.",
+        "Isso não pode ser. Deixo de fora.",
+        "Eso no puede ser. Lo dejo fuera.",
+    ),
+    "calibrate-wheel-radius": Sentence(
+        "Wheel radius {millimetres} millimetres, kept in the settings.",
+        "Raio da roda {millimetres} milímetros, guardado nas configurações.",
+        "Radio de la rueda {millimetres} milímetros, guardado en los ajustes.",
+    ),
+    "calibrate-axle-length": Sentence(
+        "Axle {millimetres} millimetres, kept in the settings.",
+        "Eixo {millimetres} milímetros, guardado nas configurações.",
+        "Eje {millimetres} milímetros, guardado en los ajustes.",
+    ),
+    "calibrate-nothing": Sentence(
+        "Nothing was measured. Nothing has changed.",
+        "Nada foi medido. Nada mudou.",
+        "No se midió nada. Nada cambió.",
+    ),
+}
+
+SENTENCES: dict[str, Sentence] = _CALIBRATION | _PORTS | _DEVICES | _STOPPING | _LINK
