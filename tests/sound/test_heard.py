@@ -1,0 +1,111 @@
+"""What really sounds: voice and cues through a private PulseAudio with a sink that can be recorded."""
+
+from __future__ import annotations
+
+import os
+import shutil
+import subprocess
+from array import array
+from collections.abc import Iterator
+from pathlib import Path
+
+import pytest
+
+from devices.audio_worker.notices import AudioNotice
+from devices.audio_worker.service import AudioService, AudioSettings
+from devices.ports.audio import Cue, Urgency, Utterance
+
+RATE = 22_050
+CHUNK = RATE // 20
+"""Frames: a twentieth of a second."""
+
+LOUD = 500
+PATIENCE = 400
+"""Chunks after which what must come will not come any more: twenty seconds of sound."""
+
+pytestmark = pytest.mark.skipif(
+    not (shutil.which("pulseaudio") and shutil.which("parec")), reason="needs pulseaudio and parec"
+)
+
+
+class Ear:
+    """Hears the sink, in stereo."""
+
+    def __init__(self, recording: subprocess.Popen[bytes]) -> None:
+        self._recording = recording
+
+    def hear(self) -> array[int]:
+        assert self._recording.stdout is not None
+        return array("h", self._recording.stdout.read(4 * CHUNK))
+
+    def hears_something(self) -> array[int] | None:
+        """The first loud chunk, None if there is none."""
+        return next((chunk for _ in range(PATIENCE) if max(chunk := self.hear()) > LOUD), None)
+
+    def chunks_until_silence(self) -> int:
+        """How many chunks pass until half a second of silence begins."""
+        silent = 0
+        for number in range(PATIENCE):
+            silent = 0 if max(self.hear()) > LOUD else silent + 1
+            if silent == 10:
+                return number - 9
+        return PATIENCE
+
+
+@pytest.fixture
+def ear(tmp_path_factory: pytest.TempPathFactory, monkeypatch: pytest.MonkeyPatch) -> Iterator[Ear]:
+    folder = tmp_path_factory.mktemp("pulse")
+    socket = folder / "native"
+    server = subprocess.Popen(
+        [
+            "pulseaudio", "-n", "--daemonize=no", "--exit-idle-time=-1", "--disable-shm=yes",
+            "--use-pid-file=no", "-L", f"module-native-protocol-unix socket={socket} auth-anonymous=1",
+            "-L", f"module-null-sink sink_name=ear rate={RATE}",
+        ],
+        env=_environment(folder), stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL,
+    )  # fmt: skip
+    monkeypatch.setenv("PULSE_SERVER", f"unix:{socket}")
+    recording = subprocess.Popen(
+        ["/bin/sh", "-c", f'while ! [ -S "{socket}" ]; do sleep 0.05; done; exec parec -d ear.monitor '
+         f"--format=s16le --rate={RATE} --channels=2 --latency-msec=20"],
+        env={**_environment(folder), "PULSE_SERVER": f"unix:{socket}"}, stdout=subprocess.PIPE,
+        stderr=subprocess.DEVNULL,
+    )  # fmt: skip
+    try:
+        made = Ear(recording)
+        made.hear()  # the sink is there
+        yield made
+    finally:
+        for process in (recording, server):
+            process.kill()
+            process.wait()
+
+
+def _environment(folder: Path) -> dict[str, str]:
+    return {**os.environ, "XDG_RUNTIME_DIR": str(folder), "HOME": str(folder)}
+
+
+@pytest.fixture
+def audio(ear: Ear) -> Iterator[AudioService]:
+    del ear
+    notices: list[AudioNotice] = []
+    made = AudioService(AudioSettings(), notices.append)
+    yield made
+    made.close()
+    assert notices == []
+
+
+def test_a_sentence_is_heard_and_ends_when_it_is_silenced(ear: Ear, audio: AudioService) -> None:
+    sentence = "one two three four five six seven eight nine ten " * 8
+    audio.say(Utterance(sentence, Urgency.PROGRAM, "en"))
+    assert ear.hears_something()
+    audio.silence_speech()
+    assert ear.chunks_until_silence() < 60
+    assert audio.is_quiet
+
+
+def test_a_cue_is_heard_on_its_side(ear: Ear, audio: AudioService) -> None:
+    audio.play(Cue("bump", 90.0, None))
+    heard = ear.hears_something()
+    assert heard
+    assert max(heard[1::2]) > 4 * max(heard[0::2])
