@@ -18,6 +18,7 @@ from donnie_tui.core.chronicle import Chronicle
 from donnie_tui.core.hub import Stream
 from donnie_tui.core.session import ResettableRobot, Session
 from donnie_tui.core.team import Team
+from donnie_tui.core.until_said import UntilSaid
 from donnie_tui.device_settings import SERIAL, SIMULATED
 from donnie_tui.i18n.words import Words
 from donnie_tui.settings import Settings, Source
@@ -105,7 +106,8 @@ def assemble(settings: Settings, *, terminal: bool, out: TextIO | None = None) -
     world = _inhabited_world(settings, words)
     closing = ExitStack()
     try:
-        team = make_team(settings, words, world, terminal)
+        until_said = UntilSaid()
+        team = make_team(settings, words, world, terminal, until_said)
         session = team.chosen
         connection = Connection(settings, words, world, session)
         closing.callback(connection.close)
@@ -118,6 +120,8 @@ def assemble(settings: Settings, *, terminal: bool, out: TextIO | None = None) -
         written.log()
         about_settings = tuple(words(each.code, **each.values) for each in settings.notices)
         audible = make_audible(settings, session, words, closing)
+        if settings.wait_for_speech:
+            until_said.is_quiet_within = audible.is_quiet_within
         belt_telling = BeltTelling(session.hub, words)
         about_belt = connect_belt(settings, session.hub, words, closing)
         about_devices = about_belt + _connect_robot(connection, settings, words, world, terminal)
@@ -170,7 +174,13 @@ def _inhabited_world(settings: Settings, words: Words) -> ChosenWorld:
     return world
 
 
-def make_team(settings: Settings, words: Words, world: ChosenWorld, terminal: bool) -> Team:
+def make_team(
+    settings: Settings,
+    words: Words,
+    world: ChosenWorld,
+    terminal: bool,
+    until_said: UntilSaid | None = None,
+) -> Team:
     """The robots of a simulated world. The first one is the learner's until another one is chosen."""
     from sim.world import World
 
@@ -189,6 +199,7 @@ def make_team(settings: Settings, words: Words, world: ChosenWorld, terminal: bo
             belt=belt_settings(settings),
             name=shown_as,
             stream=stream,
+            until_said=until_said,
         )
 
     return Team(names, make_session, stream, shared.expect)

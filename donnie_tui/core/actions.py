@@ -26,6 +26,7 @@ from donnie_tui.core.events import (
 from donnie_tui.core.history import History
 from donnie_tui.core.hub import Hub
 from donnie_tui.core.telling import Teller
+from donnie_tui.core.until_said import UntilSaid
 from language.diagnostics import Kind, Refused
 from language.syntax import Axis
 
@@ -62,7 +63,14 @@ class RobotActions:
     """The commands, done by one robot. Lives as long as the robot: the history and the switches stay."""
 
     def __init__(
-        self, robot: Robot, hub: Hub, teller: Teller, belt: BeltFeeling, *, goes_on: Callable[[], bool]
+        self,
+        robot: Robot,
+        hub: Hub,
+        teller: Teller,
+        belt: BeltFeeling,
+        *,
+        goes_on: Callable[[], bool],
+        until_said: UntilSaid | None = None,
     ) -> None:
         """``goes_on`` is asked in the midst of what may take long: False ends it."""
         self._robot = robot
@@ -71,6 +79,7 @@ class RobotActions:
         self._tell = teller
         self.past = History()
         self._belt = belt
+        self._said = until_said or UntilSaid()
 
     def forget(self) -> None:
         """Begin anew: no movement so far, the belt off."""
@@ -81,6 +90,7 @@ class RobotActions:
 
     def speak(self, what: int | str) -> None:
         self._hub.publish(Spoke(str(what)))
+        self._said.wait(self._goes_on)
 
     def state(self) -> None:
         self._tell.state(self.past.last, self._robot.pose())

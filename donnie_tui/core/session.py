@@ -21,6 +21,7 @@ from donnie_tui.core.events import HowStarted, Outcome, Reset, RunStarted
 from donnie_tui.core.hub import Hub, Stream
 from donnie_tui.core.runner import Readable, Run, Stage, TakesTurns
 from donnie_tui.core.telling import Teller
+from donnie_tui.core.until_said import UntilSaid
 from donnie_tui.core.wording import Wording
 from language.checker import check
 from language.compiler import compile_program
@@ -74,6 +75,7 @@ class Session:
         belt: BeltSettings | None = None,
         name: str | None = None,
         stream: Stream | None = None,
+        until_said: UntilSaid | None = None,
     ) -> None:
         """``terminal``: QUIT is allowed, and a name may be declared again by a later batch.
 
@@ -85,7 +87,7 @@ class Session:
         self.wording = wording
         self.teller = Teller(self.hub, wording)
         self._belt_settings = belt or BeltSettings()
-        self._own_robot = make_robot
+        self._own_robot, self._until_said = make_robot, until_said
         self._take(make_robot)
         self._announcer = Announcer(self.hub, self.teller, wording)
         self._memory = Memory()
@@ -98,7 +100,12 @@ class Session:
         self._robot = make_robot(self._pace, watcher)
         self._belt = watcher.belt = BeltFeeling(self._robot, self.hub, self._belt_settings)
         self._actions = RobotActions(
-            self._robot, self.hub, self.teller, self._belt, goes_on=self._pace.goes_on
+            self._robot,
+            self.hub,
+            self.teller,
+            self._belt,
+            goes_on=self._pace.goes_on,
+            until_said=self._until_said,
         )
 
     # --- programs

@@ -1,0 +1,33 @@
+"""A program can wait until what it says was heard."""
+
+from __future__ import annotations
+
+from donnie_tui.core.until_said import LONGEST, SLICE, UntilSaid
+
+
+def test_without_a_voice_nobody_waits() -> None:
+    UntilSaid().wait(lambda: True)
+
+
+def test_it_waits_until_all_is_said() -> None:
+    looks = iter((False, False, True))
+    until_said = UntilSaid()
+    until_said.is_quiet_within = lambda _: next(looks)
+    until_said.wait(lambda: True)
+    assert next(looks, None) is None
+
+
+def test_a_stop_ends_the_wait_at_the_next_look() -> None:
+    asked: list[float] = []
+    until_said = UntilSaid()
+    until_said.is_quiet_within = lambda seconds: asked.append(seconds) is not None
+    until_said.wait(lambda: False)
+    assert asked == [SLICE]
+
+
+def test_a_voice_that_hangs_holds_nobody_for_ever() -> None:
+    asked: list[float] = []
+    until_said = UntilSaid()
+    until_said.is_quiet_within = lambda seconds: asked.append(seconds) is not None
+    until_said.wait(lambda: True)
+    assert sum(asked) <= LONGEST + SLICE
