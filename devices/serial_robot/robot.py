@@ -24,6 +24,7 @@ from devices.serial_robot.config import RobotConfig
 from devices.serial_robot.line import RobotLine
 from devices.serial_robot.movement import Aim, Movement
 from devices.serial_robot.odometry import Odometry
+from devices.serial_robot.progress import Progress, whole
 from devices.serial_robot.scanning import AHEAD, angles, sightings
 from devices.serial_robot.senses import Ahead, Senses, steps_told
 from devices.wire import commands
@@ -36,8 +37,6 @@ SLICE = 0.05
 """Seconds between two looks of a wait."""
 PICTURE = 0.05
 """Seconds between two places that are told for a moving picture."""
-WHOLE = 0.05
-"""Of a step or a degree, that may lack from a whole one which counts as done."""
 
 
 class SerialRobot:
@@ -125,14 +124,14 @@ class SerialRobot:
         asked, unit = abs(degrees), self._config.counts_a_degree
         aim = Aim(drive, asked, unit, asked, self._config.turn_coast, sense * self._turned_too_far)
         already = self._line.telemetry.bumpers
+        report = Progress(motion, asked, DEGREES_A_REPORT, self._tell)
         movement = self._movement(
             aim,
             may_begin=lambda *_: True,
             bumps=lambda now: any(new and not old for new, old in zip(now.bumpers, already, strict=True)),
-            report=_Report(motion, asked, DEGREES_A_REPORT, self._tell),
+            report=report,
         )
-        movement.run()
-        done = self._done(movement, asked)
+        done = self._run(movement, report, asked)
         self._turned_too_far = sense * (movement.counts - done * unit) if movement.stopped_by is None else 0.0
         return Turned(degrees, sense * done, self._end_of(movement), self.pose())
 
@@ -151,14 +150,14 @@ class SerialRobot:
         bumpers = self._config.front_bumpers if is_forward else self._config.back_bumpers
         sonar = self._senses.sonar_at(Bearing.FRONT if is_forward else Bearing.BACK)
         unit = self._config.counts_a_step
+        report = Progress(motion, steps, 1, self._tell)
         movement = self._movement(
             Aim(drive, steps, unit, 1, self._config.walk_coast, sense * self._walked_too_far),
             may_begin=lambda now, left: _VERDICT[self._senses.ahead(now, sonar, left + 2.0, sense)],
             bumps=lambda now: self._senses.touches(now, bumpers),
-            report=_Report(motion, steps, 1, self._tell),
+            report=report,
         )
-        movement.run()
-        done = self._done(movement, steps)
+        done = self._run(movement, report, steps)
         is_whole = movement.stopped_by in (None, StoppedBy.OBSTACLE)
         self._walked_too_far = sense * (movement.counts - done * unit) if is_whole else 0.0
         return Moved(steps, done, self._end_of(movement), self.pose())
@@ -169,22 +168,24 @@ class SerialRobot:
         *,
         may_begin: Callable[[Telemetry, float], bool | None],
         bumps: Callable[[Telemetry], bool],
-        report: _Report,
+        report: Progress,
     ) -> Movement:
         def seen(telemetry: Telemetry, units: float) -> None:
             pose = self._odometry.follow(telemetry)
-            report.reached(units + aim.coast / aim.unit, pose)
+            report.reached(units, pose)
             self._picture(pose)
 
         return Movement(
             aim, self._line, self._config, self._pace, may_begin=may_begin, bumps=bumps, seen=seen
         )
 
-    def _done(self, movement: Movement, asked: int) -> int:
-        """Whole steps or degrees: all of them, if nothing ended it before."""
+    def _run(self, movement: Movement, report: Progress, asked: int) -> int:
+        """Whole steps or degrees that were done: all of them, if nothing ended it before."""
+        movement.run()
         if movement.stopped_by is None:
+            report.reached(asked, self.pose())
             return asked
-        return min(asked, max(0, int(movement.units + WHOLE)))
+        return min(asked, whole(movement.units))
 
     def _end_of(self, movement: Movement) -> StoppedBy | None:
         if movement.stopped_by is StoppedBy.LINK:
@@ -260,18 +261,3 @@ class SerialRobot:
 
 
 _VERDICT = {Ahead.FREE: True, Ahead.DOUBTFUL: None, Ahead.BLOCKED: False}
-
-
-class _Report:
-    """Tells each whole step, or each ten degrees and the rest, once."""
-
-    def __init__(self, motion: Motion, amount: int, every: int, tell: Callable[[Motion, Pose], None]) -> None:
-        self._motion, self._amount, self._every, self._tell = motion, amount, every, tell
-        self._told = 0
-
-    def reached(self, units: float, pose: Pose) -> None:
-        while (following := min(self._amount, self._told + self._every)) > self._told:
-            if units < following - WHOLE:
-                return
-            self._told = following
-            self._tell(self._motion, pose)
