@@ -1,0 +1,299 @@
+"""The real command and a real line: a pseudo terminal with the simulated board of a robot at its other end.
+
+Whatever ends the program, the board is told to stop.
+"""
+
+from __future__ import annotations
+
+import json
+import signal
+import subprocess
+import time
+from collections.abc import Callable, Iterator
+from pathlib import Path
+
+import pytest
+
+from devices.firmware_double.board import SimulatedBoard
+from devices.firmware_double.on_pty import DoubleOnPty
+from devices.ports.robot import Pose
+from devices.wire.commands import STOP
+from donnie_tui.bootstrap import Donnie, assemble
+from donnie_tui.core.events import CueSounded, Moved, Outcome, RunEnded, Stamped
+from donnie_tui.settings import Settings
+from tests.sessions.command import PATIENCE, QUIET, donnie, start
+
+LONG_WALK = "FW 100\n"
+
+
+@pytest.fixture
+def robot() -> Iterator[DoubleOnPty]:
+    with DoubleOnPty(SimulatedBoard(boot_loader=0.1)) as double:
+        yield double
+
+
+def until(is_met: Callable[[], bool]) -> bool:
+    """Wait for it, looking often."""
+    ends = time.monotonic() + PATIENCE
+    while not is_met() and time.monotonic() < ends:
+        time.sleep(0.005)
+    return is_met()
+
+
+def program(folder: Path, text: str) -> str:
+    file = folder / "program.gd"
+    file.write_text(text, encoding="utf-8")
+    return str(file)
+
+
+def serial(robot: DoubleOnPty) -> tuple[str, ...]:
+    return "--robot", f"serial:{robot.path}"
+
+
+# --- running
+
+
+def test_a_program_runs_on_the_robot_and_is_told_as_ever(tmp_path: Path, robot: DoubleOnPty) -> None:
+    file = program(tmp_path, "FW 2\nTR 45\nSPEAK DISTANCE F\n")
+
+    done = donnie(tmp_path, "run", file, *serial(robot), *QUIET, "--events", "events.jsonl")
+    assert done.stdout.decode().splitlines() == [
+        "I walked 2 steps forward.",
+        "I turned 45 degrees to the right.",
+        "60",
+    ]
+    assert done.returncode == 0
+    assert not robot.board.is_driving
+    events = [json.loads(line) for line in (tmp_path / "events.jsonl").read_text().splitlines()]
+    assert [each["state"] for each in events if each["event"] == "link"] == ["connected"]
+
+
+@pytest.mark.parametrize("number", [signal.SIGINT, signal.SIGTERM, signal.SIGHUP], ids=lambda each: each.name)
+def test_a_signal_stops_the_robot(tmp_path: Path, robot: DoubleOnPty, number: signal.Signals) -> None:
+    process = start(tmp_path, "run", program(tmp_path, LONG_WALK), *serial(robot), *QUIET)
+    assert until(lambda: robot.board.is_driving)
+    process.send_signal(number)
+
+    assert until(lambda: not robot.board.is_driving)
+    assert process.wait(PATIENCE) == 130
+    assert robot.heard.endswith(STOP)
+
+
+def test_a_killed_program_leaves_a_robot_that_donnie_stop_halts(tmp_path: Path, robot: DoubleOnPty) -> None:
+    process = start(tmp_path, "run", program(tmp_path, LONG_WALK), *serial(robot), *QUIET)
+    assert until(lambda: robot.board.is_driving)
+    process.kill()
+    process.wait(PATIENCE)
+    assert robot.board.is_driving
+
+    done = donnie(tmp_path, "stop", robot.path)
+    assert done.stdout.decode() == f"The robot stands. Port {robot.path}.\n"
+    assert done.returncode == 0
+    assert not robot.board.is_driving
+
+
+def assembled(robot: DoubleOnPty) -> Donnie:
+    settings = Settings(robot=f"serial:{robot.path}", speech="off", sound=False)
+    return assemble(settings, terminal=False)
+
+
+def test_a_listener_that_fails_in_the_middle_of_a_walk_stops_the_robot(robot: DoubleOnPty) -> None:
+    donnie = assembled(robot)
+
+    def fail(stamped: Stamped) -> None:
+        if isinstance(stamped.event, CueSounded) and stamped.event.name == "step-forward":
+            raise ZeroDivisionError("a fault of ours")
+
+    try:
+        donnie.session.hub.subscribe(fail)
+        run = donnie.session.start("FW 100", "test.gd", hooked=False)
+        assert until(lambda: robot.board.is_driving)
+        assert run.wait(PATIENCE)
+
+        assert run.outcome is Outcome.FAILED
+        assert until(lambda: not robot.board.is_driving)
+    finally:
+        donnie.close()
+
+
+def test_closing_stops_what_runs(robot: DoubleOnPty) -> None:
+    donnie = assembled(robot)
+    donnie.session.start("FW 100", "test.gd", hooked=False)
+    assert until(lambda: robot.board.is_driving)
+    donnie.close()
+
+    assert until(lambda: not robot.board.is_driving)
+    assert robot.heard.endswith(STOP)
+
+
+def test_a_line_that_is_lost_ends_the_walk_and_nothing_goes_on_by_itself(robot: DoubleOnPty) -> None:
+    donnie, heard = assembled(robot), list[Stamped]()
+    donnie.session.hub.subscribe(heard.append)
+    run = donnie.session.start("FW 100 FW 1", "test.gd", hooked=False)
+    assert until(lambda: robot.board.is_driving)
+    robot.unplug()
+    assert run.wait(PATIENCE)
+    robot.plug()
+
+    codes = lambda: [each.event.text for each in heard if hasattr(each.event, "text")]  # noqa: E731
+    assert until(lambda: "Robot is back." in codes())
+    assert any(text.startswith("Robot lost.") for text in codes())
+    moved = [each.event for each in heard if isinstance(each.event, Moved)]
+    assert [each.stopped_by.value for each in moved if each.stopped_by] == ["link"]
+    assert not robot.board.is_driving
+    donnie.close()
+
+
+# --- several programs, one port
+
+
+def test_a_port_has_one_program_at_a_time(tmp_path: Path, robot: DoubleOnPty) -> None:
+    first = start(tmp_path, "run", program(tmp_path, LONG_WALK), *serial(robot), *QUIET)
+    assert until(lambda: robot.board.is_driving)
+
+    second = donnie(tmp_path, "run", program(tmp_path, "FW 1"), *serial(robot), *QUIET)
+    assert second.returncode == 2
+    assert second.stderr.decode() == (
+        f"Another program uses {robot.path}. Perhaps another Donnie runs. Leave it first.\n"
+    )
+    stop = donnie(tmp_path, "stop", robot.path)
+    assert stop.returncode == 1
+    assert "another program has" in stop.stdout.decode()
+    first.send_signal(signal.SIGTERM)
+    first.wait(PATIENCE)
+
+
+# --- devices, and a robot that is not there
+
+
+def test_devices_tells_what_answers_and_how_to_use_it(tmp_path: Path, robot: DoubleOnPty) -> None:
+    done = donnie(tmp_path, "devices", robot.path, "/dev/there-is-nothing")
+
+    assert done.stdout.decode().splitlines() == [
+        "I ask 2 ports. A board on USB restarts by that.",
+        f"{robot.path}: robot, original firmware, battery 8.0 volts.",
+        f"Drive it: donnie --robot serial:{robot.path}",
+        "Nothing is plugged in at /dev/there-is-nothing.",
+    ]
+    assert done.returncode == 2
+
+
+@pytest.mark.parametrize(
+    ("language", "sentence"),
+    [
+        ("en", "Nothing is plugged in at /dev/nothing."),
+        ("pt", "Não há nada ligado em /dev/nothing."),
+        ("es", "No hay nada conectado en /dev/nothing."),
+    ],
+)
+def test_a_robot_that_is_not_there_is_told(tmp_path: Path, language: str, sentence: str) -> None:
+    file = program(tmp_path, "FW 1")
+    done = donnie(tmp_path, "run", file, "--robot", "serial:/dev/nothing", "--lang", language)
+
+    assert done.returncode == 2
+    assert done.stderr.decode() == f"{sentence}\n"
+
+
+def test_a_front_end_goes_on_with_the_simulator(tmp_path: Path) -> None:
+    options = ("--linear", "--robot", "serial:/dev/nothing", *QUIET)
+    done = donnie(tmp_path, *options, typed="FW 1\nRUN\nQUIT\n")
+
+    lines = done.stdout.decode().splitlines()
+    assert "Nothing is plugged in at /dev/nothing." in lines
+    assert "I use the simulator instead. CONNECT tries again." in lines
+    assert "I walked 1 step forward." in lines
+
+
+def test_the_learner_changes_to_another_robot_and_finds_it_again_the_next_time(tmp_path: Path) -> None:
+    typed = "CONNECT\nCONNECT 2\nFW 1\nRUN\nQUIT\n"
+    done = donnie(tmp_path, "--linear", "--speed", "max", *QUIET, typed=typed)
+
+    lines = done.stdout.decode().splitlines()
+    assert "1: the simulator, now." in lines
+    assert "2: a simulated board, to try without a robot." in lines
+    assert "Robot connected." in lines
+    assert "I walked 1 step forward." in lines
+    settings = next((tmp_path / "config").rglob("*.toml"))
+    assert settings.read_text() == 'robot = "double"\n'
+
+
+# --- calibrate
+
+
+def test_a_calibration_finds_the_wheels_and_the_axle_that_the_robot_really_has(tmp_path: Path) -> None:
+    """The board's wheels have a radius of 21 mm, its axle 68 mm; the settings believe something else."""
+    config = tmp_path / "config" / "donnie"
+    config.mkdir(parents=True)
+    wrong = {"DONNIE_WHEEL_RADIUS": "0.024", "DONNIE_AXLE_LENGTH": "0.080"}
+    # What a tape measure shows: 20 steps of 5 cm, by wheels that are smaller than believed.
+    centimetres, degrees = 100 * 21 / 24, 720 * (21 / 24) * (80 / 68)
+
+    typed = f"\n{centimetres:.2f}\n\n{degrees:.1f}\n"
+    done = donnie(tmp_path, "calibrate", "--robot", "double", typed=typed, changes=wrong)
+    assert done.returncode == 0
+    settings = next((tmp_path / "config").rglob("*.toml")).read_text()
+    found = dict(line.split(" = ") for line in settings.splitlines())
+    assert float(found["wheel_radius"]) == pytest.approx(0.021, rel=0.01)
+    assert float(found["axle_length"]) == pytest.approx(0.068, rel=0.01)
+
+
+@pytest.mark.parametrize("typed", ["", "\n\n\n\n", "\nfar\n\n", "\n-3\n0\n\n\n\n"])
+def test_where_nothing_is_measured_nothing_changes(tmp_path: Path, typed: str) -> None:
+    done = donnie(tmp_path, "calibrate", "--robot", "double", typed=typed)
+
+    assert done.returncode == 1
+    assert done.stdout.decode().splitlines()[-1] == "Nothing was measured. Nothing has changed."
+    assert not list((tmp_path / "config").rglob("*.toml"))
+
+
+def test_a_signal_in_the_middle_of_a_calibration_stops_the_robot(tmp_path: Path, robot: DoubleOnPty) -> None:
+    from tests.sessions.command import COMMAND, environment
+
+    process = subprocess.Popen(
+        [*COMMAND, "calibrate", *serial(robot)],
+        stdin=subprocess.PIPE,
+        stdout=subprocess.DEVNULL,
+        cwd=tmp_path,
+        env=environment(tmp_path),
+    )
+    assert process.stdin is not None
+    process.stdin.write(b"\n")
+    process.stdin.flush()
+    assert until(lambda: robot.board.is_driving)
+    process.send_signal(signal.SIGTERM)
+
+    assert until(lambda: not robot.board.is_driving)
+    assert process.wait(PATIENCE) == 130
+
+
+# --- the belt
+
+
+def test_a_belt_that_is_missing_is_told_and_the_run_goes_on(tmp_path: Path) -> None:
+    done = donnie(tmp_path, "run", program(tmp_path, "BELT ON\nFW 1\n"), "--belt", "/dev/nothing")
+
+    assert done.stderr.decode() == "No belt at /dev/nothing: No such file or directory. I go on without.\n"
+    assert done.stdout.decode() == "Belt on.\nI walked 1 step forward.\n"
+    assert done.returncode == 0
+
+
+def test_robot_and_belt_may_not_have_the_same_port(tmp_path: Path, robot: DoubleOnPty) -> None:
+    file = program(tmp_path, "FW 1")
+    done = donnie(tmp_path, "run", file, *serial(robot), "--belt", robot.path)
+
+    assert done.stderr.decode() == f"Robot and belt can't both be at {robot.path}.\n"
+    assert done.returncode == 2
+
+
+def test_the_pose_of_a_real_robot_begins_where_its_world_says(robot: DoubleOnPty) -> None:
+    settings = Settings(robot=f"serial:{robot.path}", world="living_room", speech="off", sound=False)
+    donnie, heard = assemble(settings, terminal=False), list[Stamped]()
+    try:
+        began = donnie.world.start()
+        donnie.session.hub.subscribe(heard.append)
+        assert donnie.session.start("FW 0", "test.gd", fresh=True, hooked=False).wait(PATIENCE)
+    finally:
+        donnie.close()
+
+    ended = [each.event.pose for each in heard if isinstance(each.event, RunEnded)]
+    assert ended == [Pose(began.x, began.y, began.heading)]
