@@ -69,6 +69,11 @@ _RECIPES: Mapping[str, _Recipe] = MappingProxyType(
         "belt": _Recipe((_Tone(330, 330, 0.060, (1.0,)),), tells_place=True),
         "found": _Recipe((_Tone(660, 660, 0.100), _Tone(880, 880, 0.150)), tells_place=True),
         "done": _Recipe((_Tone(523, 523, 0.090), _Tone(659, 659, 0.090), _Tone(784, 784, 0.140))),
+        "waiting": _Recipe(
+            (_Tone(494, 494, 0.070, (1.0,)), _Tone(0, 0, 0.060), _Tone(494, 494, 0.070, (1.0,)))
+        ),
+        "block-opened": _Recipe((_Tone(392, 523, 0.080),), tells_place=True),
+        "block-closed": _Recipe((_Tone(523, 392, 0.080),), tells_place=True),
         "error": _Recipe(
             (_Tone(220, 220, 0.130, _HARSH), _Tone(0, 0, 0.040), _Tone(165, 165, 0.160, _HARSH))
         ),
@@ -81,6 +86,11 @@ CUE_NAMES = tuple(_RECIPES)
 def seconds_of(name: str) -> float:
     """How long the cue of that name lasts. ``KeyError`` for a name that is not in ``CUE_NAMES``."""
     return sum(tone.seconds for tone in _RECIPES[name].tones)
+
+
+def pitch_of_level(level: int) -> float:
+    """The ``steps`` of a cue about a block: the deeper it lies (from 1), the higher it sounds."""
+    return max(0.0, FARTHEST - 8.0 * level)
 
 
 def render(cue: Cue, volume: float = 1.0) -> array[int]:

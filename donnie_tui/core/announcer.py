@@ -72,6 +72,8 @@ class Announcer:
                 self._teller.announce("link", f"link-{state}", reason=reason)
             case Error():
                 self._cue("error")
+            case Announced(code="waiting"):
+                self._cue("waiting")
             case (
                 RunStarted()
                 | RunEnded()

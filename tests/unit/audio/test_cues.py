@@ -14,10 +14,10 @@ from devices.ports.audio import Cue, CuePlayer
 from devices.sound.cue_policy import CuePolicy
 from devices.sound.mixer import Mixer
 from devices.sound.silent import SilentCuePlayer
-from devices.sound.tones import CUE_NAMES, SAMPLE_RATE, render, seconds_of
+from devices.sound.tones import CUE_NAMES, SAMPLE_RATE, pitch_of_level, render, seconds_of
 
 TICKS = ("step-forward", "step-back", "turn-right", "turn-left")
-TELL_PLACE = ("obstacle", "scan", "found", "belt")
+TELL_PLACE = ("obstacle", "scan", "found", "belt", "block-opened", "block-closed")
 
 
 def admitted(*cues: tuple[str, float, float]) -> list[float | None]:
@@ -95,7 +95,7 @@ def crossings(cue: Cue) -> int:
 
 
 def test_the_cues_have_their_agreed_names() -> None:
-    assert set(CUE_NAMES) == {*TICKS, *TELL_PLACE, "bump", "done", "error"}
+    assert set(CUE_NAMES) == {*TICKS, *TELL_PLACE, "bump", "done", "error", "waiting"}
 
 
 @pytest.mark.parametrize("name", CUE_NAMES)
@@ -263,3 +263,10 @@ def test_the_silent_player_takes_everything() -> None:
     player.silence()
     player.close()
     player.play(Cue("bump"))
+
+
+def test_a_deeper_block_sounds_higher() -> None:
+    steps = [pitch_of_level(level) for level in range(1, 8)]
+    assert steps == sorted(steps, reverse=True)
+    assert steps[-1] >= 0
+    assert pitch_of_level(100) == 0

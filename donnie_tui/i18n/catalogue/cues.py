@@ -1,0 +1,29 @@
+"""The cues by name: what each says without a word."""
+
+from donnie_tui.i18n.sentence import Sentence
+
+SENTENCES: dict[str, Sentence] = {
+    "cue-step-forward": Sentence("A step forward.", "Um passo para frente.", "Un paso adelante."),
+    "cue-step-back": Sentence("A step back.", "Um passo para trás.", "Un paso atrás."),
+    "cue-turn-right": Sentence("10 degrees to the right.", "10 graus à direita.", "10 grados a la derecha."),
+    "cue-turn-left": Sentence("10 degrees to the left.", "10 graus à esquerda.", "10 grados a la izquierda."),
+    "cue-obstacle": Sentence("An obstacle is near.", "Um obstáculo está perto.", "Hay un obstáculo cerca."),
+    "cue-bump": Sentence("A collision.", "Uma colisão.", "Un choque."),
+    "cue-scan": Sentence("Looking around.", "Olhando em volta.", "Mirando alrededor."),
+    "cue-found": Sentence("A thing was found.", "Um objeto foi achado.", "Se halló una cosa."),
+    "cue-belt": Sentence("The belt vibrates.", "O cinto vibra.", "El cinturón vibra."),
+    "cue-done": Sentence("The program is done.", "O programa terminou.", "El programa terminó."),
+    "cue-error": Sentence("An error.", "Um erro.", "Un error."),
+    "cue-waiting": Sentence("Waiting.", "Esperando.", "Esperando."),
+    "cue-block-opened": Sentence("A block begins.", "Um bloco começa.", "Un bloque empieza."),
+    "cue-block-closed": Sentence("A block ends.", "Um bloco termina.", "Un bloque termina."),
+    "action-cues": Sentence(
+        "Plays each sound with its name.", "Toca cada som com seu nome.", "Toca cada sonido con su nombre."
+    ),
+    "cues-silent": Sentence(
+        "Sounds are off here. HELP SOUND tells more.",
+        "Os sons estão desligados. Veja AJUDA SOM.",
+        "Los sonidos están apagados. Ve AYUDA SONIDO.",
+        brief=("Sounds are off here.", "Os sons estão desligados.", "Los sonidos están apagados."),
+    ),
+}
