@@ -45,6 +45,11 @@ class Clock:
         self._turns.dismiss(self._seat)
 
     @property
+    def takes_part(self) -> bool:
+        """Whether this robot takes part in the world's order."""
+        return self._seat.takes_part
+
+    @property
     def has_company(self) -> bool:
         """Whether another robot takes part in the world's order."""
         return self._turns.has_others(self._seat)

@@ -38,6 +38,10 @@ class Ground:
         for part in self._at_start:
             if part.root in self._ranks:
                 self._ranks[part.root].append(part.rank)
+        self.fastest = 0.0
+        """Metres a second: no point of anything that moves in its turn is faster."""
+        self.jumps = 0
+        """Counts what moved out of turn, or became faster: what was known to be far may be near now."""
         self._layers: dict[float, _Kept] = {}
         self._bare = self._layer(0.0)
         self._around_start = {root: self._inside_of(root) for root in self._start}
@@ -67,11 +71,18 @@ class Ground:
             for kept in self._layers.values():
                 kept.stale.add(root)
 
+    def quicken(self, speed: float) -> None:
+        """Something may be that fast from now on (metres a second)."""
+        if speed > self.fastest:
+            self.fastest = speed
+            self.jumps += 1
+
     def put_things_back(self) -> None:
         """To where they started, but for those that a robot holds."""
         for root in self.moved():
             if root not in self.scene.robots and not self.is_attached(root):
                 self.put(root, self._start[root])
+                self.jumps += 1
 
     def moved(self) -> Mapping[int, Placement]:
         """The movable roots that are not where they started, and where they are."""
@@ -82,6 +93,7 @@ class Ground:
         """A thing is part of that robot's body from now on; of none if it is None."""
         with self._lock:
             self._groups[root] = 0 if robot is None else robot + 1
+            self.jumps += 1
             for kept in self._layers.values():
                 kept.layer.group(root, self._groups[root])
 

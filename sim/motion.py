@@ -14,8 +14,8 @@ from devices.ports.robot import STEP, Bearing, StoppedBy
 from sim.body import Body, Outline, body_of
 from sim.geometry import disc_contact, edges, outline_contact, overlapping, placed, seen_from, turn_contact
 from sim.ground import Ground
-from sim.physics import Part, Surroundings
-from sim.sensors import CENTIMETRES_A_STEP, Ranger, Senses, Spot, senses_of
+from sim.physics import OtherRobots, Part, Surroundings
+from sim.sensors import CENTIMETRES_A_STEP, Around, Ranger, Senses, Spot, senses_of
 
 SKIN = 1e-4
 """Metres that a robot keeps from what it bumped into, so that it can turn and leave."""
@@ -64,6 +64,7 @@ class Mover:
         self._keep_guard()
         gives_way = frozenset(root for root in ground.movable if self.gives_way(root))
         self._barring = self.around.without(gives_way) if gives_way else self.around
+        self._others = OtherRobots(self.around)
         self._rangers = {bearing: self.senses.at(bearing) for bearing in (Bearing.FRONT, Bearing.BACK)}
 
     def gives_way(self, root: int) -> bool:
@@ -130,10 +131,23 @@ class Mover:
                 nearest = Contact(metres, part)
         return nearest
 
+    def is_far(self, spot: Spot, metres: float) -> bool:
+        """Whether nothing can stop the next step or turn, even if all that is around came so much nearer."""
+        close = self.around.near(spot.x, spot.y, self._guard + metres)
+        return not any(part.solid or part.seen for part in close)
+
     def is_blocked(self, spot: Spot, bearing: Bearing) -> bool:
         """Whether the next step would leave less than one step of free space before a sensor."""
-        readings = (ranger.centimetres(self._barring, spot) for ranger in self._rangers[bearing])
-        return any(reading is not None and reading < 2 * CENTIMETRES_A_STEP for reading in readings)
+        return self._sees(self._barring, spot, bearing, 2.0)
+
+    def is_met(self, spot: Spot, bearing: Bearing, rest: float) -> bool:
+        """The same for the ``rest`` of a step, because of a robot that has come near meanwhile."""
+        return bool(self._others) and self._sees(self._others, spot, bearing, rest + 1.0)
+
+    def _sees(self, around: Around, spot: Spot, bearing: Bearing, steps: float) -> bool:
+        near = steps * CENTIMETRES_A_STEP
+        readings = (ranger.centimetres(around, spot) for ranger in self._rangers[bearing])
+        return any(reading is not None and reading < near for reading in readings)
 
     def _stopped_by(self, contact: Contact) -> StoppedBy | None:
         part = contact.part
@@ -167,7 +181,8 @@ class Mover:
         return steps if part >= 1.0 else floor(part * steps)
 
     def _keep_guard(self) -> None:
-        self.around.keep(guard_distance(self.body, self.senses.rangers))
+        self._guard = guard_distance(self.body, self.senses.rangers)
+        self.around.keep(self._guard)
 
 
 def less_skin(contact: float, squarely: float) -> float:

@@ -12,7 +12,28 @@ from sim.ground import Ground
 from sim.parts import Part
 from sim.rays import Hit
 
-__all__ = ["Part", "Surroundings"]
+__all__ = ["OtherRobots", "Part", "Surroundings"]
+
+
+class OtherRobots:
+    """What is around one robot, as far as it is robots."""
+
+    def __init__(self, around: Surroundings) -> None:
+        self._around = around
+        self._robots = frozenset(around.ground.scene.robots)
+
+    def __bool__(self) -> bool:
+        return len(self._robots) > 1
+
+    def within(self, left: float, bottom: float, right: float, top: float) -> list[Part]:
+        """All parts that come into a box, and perhaps some more, in order."""
+        found = self._around.within(left, bottom, right, top)
+        return [part for part in found if part.root in self._robots]
+
+    def first_hits(self, x: float, y: float, ends: Sequence[Point], ranging: bool = False) -> list[Hit[Part]]:
+        """The robots that looks meet first, unless something else is before them."""
+        hits = self._around.first_hits(x, y, ends, ranging)
+        return [hit if hit[0] and hit[0].root in self._robots else (None, 1.0) for hit in hits]
 
 
 class Surroundings:

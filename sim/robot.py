@@ -159,14 +159,14 @@ class SimulatedRobot:
     def grip(self) -> Gripped:
         """Take the thing between the paddles, or a step before them. RobotProblem ``no-gripper``."""
         self._clock.begin()
-        outcome = self._vehicle.hand.grip(self._vehicle.here.truth)
+        outcome = self._vehicle.grip()
         return Gripped(outcome, self._name_of(self.holds))
 
     def release(self) -> Gripped:
         """Let go what is held; it stays there. RobotProblem ``no-gripper``."""
         self._clock.begin()
         held = self.holds
-        return Gripped(self._vehicle.hand.release(), self._name_of(held))
+        return Gripped(self._vehicle.release(), self._name_of(held))
 
     def halt(self) -> None:
         self._clock.halt()

@@ -34,12 +34,14 @@ class Turn(Sweeping):
     def _tick(self) -> StoppedBy | None:
         vehicle = self._vehicle
         to_report = DEGREES_A_REPORT - self._whole % DEGREES_A_REPORT
-        free = self._free(min(max(1, int(self._rate * TICK)), self._asked - self._whole, to_report))
+        wanted = min(max(1, int(self._rate * TICK)), self._asked - self._whole, to_report)
+        is_clear = vehicle.is_clear()
+        free = wanted if is_clear else self._free(wanted)
         if free == 0:
             return StoppedBy.COLLISION
         if not vehicle.clock.elapse(free / self._rate):
             return StoppedBy.USER
-        self._whole += self._free(free)
+        self._whole += free if is_clear and vehicle.is_clear() else self._free(free)
         vehicle.go_to(self._at(self._whole))
         vehicle.show()
         self._tell_in_passing()

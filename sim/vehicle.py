@@ -3,9 +3,9 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
-from math import inf
+from math import inf, radians
 
-from devices.ports.robot import Motion, Watcher
+from devices.ports.robot import STEP, Grip, Motion, Watcher
 from sim.clock import SLICE, Clock
 from sim.hand import Hand
 from sim.motion import Mover
@@ -17,6 +17,8 @@ from sim.wheels import Odometry, Rates
 
 TICK = 1 / 20
 """Seconds of robot time at most in which a robot that others may disturb takes the world to stand still."""
+CLEARANCE = 0.3
+"""Metres: a robot that has that much room more than it needs looks around again only after a while."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -40,6 +42,8 @@ class Vehicle:
         self._ground = mover.around.ground
         self._pushing = Pushing(self._ground, mover)
         self._shown = -inf
+        self._jumps = -1
+        self.quicken()
         self.odometry = Odometry()
         self.here = self._at_start()
 
@@ -47,7 +51,7 @@ class Vehicle:
         """To the start, with empty hands. What was held stays where it is."""
         self.hand.let_go()
         self.odometry = odometry
-        self._shown = -inf
+        self._shown = self._clear_until = -inf
         self.go_to(self._at_start())
 
     def pass_by(self, where: Whereabouts) -> None:
@@ -62,6 +66,28 @@ class Vehicle:
             z = self._ground.start(self._root).z
             self._ground.put(self._root, Placement(spot.x, spot.y, z, spot.yaw))
             self.hand.carry(spot)
+            if not self.clock.takes_part:
+                self._ground.jumps += 1
+
+    def quicken(self) -> None:
+        """Its body has changed: let the ground know how fast points of it may be now."""
+        self._clear_until = -inf
+        rates = self.rates
+        turning = radians(max(rates.right, rates.left)) * self.mover.body.radius
+        self._ground.quicken(max(rates.forward, rates.backward) * STEP + turning)
+
+    def is_clear(self) -> bool:
+        """Whether nothing can come in the way of the next tick.
+
+        Known for a while after it was found out; what others do in their last tick takes a step at most.
+        """
+        seconds, ground = self.clock.seconds, self._ground
+        if self._clear_until >= seconds + TICK and self._jumps == ground.jumps:
+            return True
+        self._clear_until, self._jumps = -inf, ground.jumps
+        if self.clock.takes_part and self.mover.is_far(self.here.truth, CLEARANCE + STEP):
+            self._clear_until = seconds + CLEARANCE / (2 * ground.fastest)
+        return self._clear_until >= seconds + TICK
 
     def ahead(self, start: Whereabouts, metres: float, turned: float) -> Whereabouts:
         """So far from ``start`` in the direction that is ``turned`` degrees from the front."""
@@ -81,6 +107,18 @@ class Vehicle:
     def way(self, angle: float, length: float) -> Advance:
         """What would become of so many metres (at most a step) to ``angle``, from here."""
         return self._pushing.advance(self.here.truth, angle, length)
+
+    def grip(self) -> Grip:
+        """See ``Hand.grip``."""
+        outcome = self.hand.grip(self.here.truth)
+        self.quicken()
+        return outcome
+
+    def release(self) -> Grip:
+        """See ``Hand.release``."""
+        outcome = self.hand.release()
+        self.quicken()
+        return outcome
 
     def take_along(self, advance: Advance, angle: float) -> None:
         """Move what the way pushes."""

@@ -24,6 +24,7 @@ class Walk(Sweeping):
         self._done = 0.0
         """Steps, with fractions."""
         self._must_push = False
+        self._is_clear = False
         self._ticks_a_step = ceil(1.0 / (rate * TICK) - NEARLY)
 
     def _room(self) -> int:
@@ -51,13 +52,14 @@ class Walk(Sweeping):
 
     def _tick(self) -> StoppedBy | None:
         vehicle = self._vehicle
-        if self._is_whole and vehicle.mover.is_blocked(vehicle.here.truth, self._bearing):
+        self._is_clear = (self._is_clear or self._is_whole) and vehicle.is_clear()
+        if not self._is_clear and self._is_barred():
             return StoppedBy.OBSTACLE
         following = min(
             self._asked, (floor(self._done * self._ticks_a_step + NEARLY) + 1) / self._ticks_a_step
         )
         length = (following - self._done) * STEP
-        free = vehicle.way(self._angle, length).metres
+        free = length if self._is_clear else vehicle.way(self._angle, length).metres
         if free < TOUCHING:
             return StoppedBy.COLLISION
         if not vehicle.clock.elapse(free / STEP / self._rate):
@@ -65,13 +67,24 @@ class Walk(Sweeping):
         self._go(following, length, free)
         return None
 
+    def _push(self, free: float) -> float:
+        """Take along what is in the way. Answers how many metres of it are free now."""
+        way = self._vehicle.way(self._angle, free)
+        self._vehicle.take_along(way, self._angle)
+        return way.metres
+
+    def _is_barred(self) -> bool:
+        mover, here = self._vehicle.mover, self._vehicle.here.truth
+        if self._is_whole:
+            return mover.is_blocked(here, self._bearing)
+        return mover.is_met(here, self._bearing, self._whole + 1 - self._done)
+
     def _go(self, following: float, length: float, free: float) -> None:
         """As far as was free before this robot's turn came, and still is."""
         vehicle = self._vehicle
-        way = vehicle.way(self._angle, free)
-        vehicle.take_along(way, self._angle)
-        has_come = way.metres >= AS_GOOD_AS * length
-        self._done = following if has_come else self._done + way.metres / STEP
+        metres = free if self._is_clear and vehicle.is_clear() else self._push(free)
+        has_come = metres >= AS_GOOD_AS * length
+        self._done = following if has_come else self._done + metres / STEP
         vehicle.go_to(self._at(self._done))
         vehicle.show()
         if has_come and following == round(following):

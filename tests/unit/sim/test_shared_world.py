@@ -1,0 +1,234 @@
+"""Several robots in one world: whose turn it is, what they see of each other, how they stop."""
+
+import threading
+from collections.abc import Callable
+
+import pytest
+
+from devices.ports.robot import Bearing, StoppedBy
+from sim.robot import SimulatedRobot
+from sim.world import World
+from tests.unit.sim.company import PATIENCE, Company
+from tests.unit.sim.floors import BOX_ROBOT, IDEAL, Unpaced, scene
+
+TWO = IDEAL + (
+    'ideal( name "alice" pose [ 0 0 0 90 ] color "red" ) ideal( name "bob" pose [ 0 1 0 270 ] color "blue" )'
+)
+APART = IDEAL + 'ideal( name "alice" pose [ 0 0 0 90 ] ) ideal( name "bob" pose [ 5 0 0 90 ] )'
+
+
+def stroll(robot: SimulatedRobot) -> None:
+    for i in range(6):
+        robot.forward(i % 3)
+        robot.wait(i % 2 + 0.5)
+        robot.turn(70 if robot.distance(Bearing.FRONT) > 20 else -110)
+
+
+@pytest.mark.parametrize("speed", [None, 0.25, 1.0, 7.0, 100.0])
+def test_programs_together_give_the_same_at_any_speed(speed: float | None) -> None:
+    plain = Company(scene(TWO)).run({"alice": stroll, "bob": stroll})
+
+    assert Company(scene(TWO), speed=speed).run({"alice": stroll, "bob": stroll}) == plain
+    assert {name for name, *_ in plain} == {"alice", "bob"}
+
+
+def test_they_give_the_same_every_time() -> None:
+    runs = [Company(scene(TWO)).run({"alice": stroll, "bob": stroll}) for _ in range(20)]
+
+    assert all(run == runs[0] for run in runs)
+
+
+def test_real_time_goes_by_once_for_all() -> None:
+    paces = {"alice": Unpaced(), "bob": Unpaced()}
+
+    Company(scene(APART), speed=1.0).run(
+        {"alice": lambda it: it.forward(5), "bob": lambda it: it.backward(5)}, paces
+    )
+
+    assert sum(sum(pace.slept) for pace in paces.values()) == pytest.approx(5.0)
+
+
+def test_of_equal_times_the_first_of_the_world_goes_first_then_the_least_time() -> None:
+    company = Company(scene(APART))
+
+    def program(name: str, seconds: float) -> Callable[[SimulatedRobot], None]:
+        def run(robot: SimulatedRobot) -> None:
+            for _ in range(3):
+                company.log.append((name, robot.time()))
+                robot.wait(seconds)
+
+        return run
+
+    log = company.run({"bob": program("bob", 2), "alice": program("alice", 3)})
+
+    assert log == [("alice", 0), ("bob", 0), ("bob", 2), ("alice", 3), ("bob", 4), ("alice", 6)]
+
+
+def test_a_robot_sees_where_another_is_now() -> None:
+    company = Company(scene(TWO))
+
+    def looks(robot: SimulatedRobot) -> None:
+        for _ in range(3):
+            company.log.append((robot.time(), robot.distance(Bearing.FRONT), robot.scan()[0].steps))
+            robot.wait(2)
+
+    company.run({"alice": lambda it: it.forward(4), "bob": looks})
+
+    seen = [entry for entry in company.log if isinstance(entry[0], float)]  # type: ignore[index]
+    assert seen == [(0.0, 20, 20.0), (2.0, 18, 18.0), (4.0, 16, 16.0)]
+
+
+def test_two_that_walk_towards_each_other_stop_before_they_touch() -> None:
+    company, ends = Company(scene(TWO)), {}
+
+    def walks(robot: SimulatedRobot) -> None:
+        ends[robot.name] = robot.forward(20)
+
+    company.run({"alice": walks, "bob": walks})
+
+    assert {moved.stopped_by for moved in ends.values()} == {StoppedBy.OBSTACLE}
+    assert 1 <= ends["bob"].pose.y - ends["alice"].pose.y <= 2.5
+
+
+def test_two_that_see_nothing_bump_into_each_other_and_both_can_leave() -> None:
+    blind = 'blind( name "alice" pose [ 0 0 0 0 ] ) blind( name "bob" pose [ 1 0 0 180 ] )'
+    company, bumped, left = Company(scene(BOX_ROBOT + blind)), {}, {}
+
+    def walks(robot: SimulatedRobot) -> None:
+        bumped[robot.name] = robot.forward(20)
+        robot.wait(20)
+        left[robot.name] = robot.backward(3)
+
+    company.run({"alice": walks, "bob": walks})
+
+    assert {moved.stopped_by for moved in bumped.values()} == {StoppedBy.COLLISION}
+    gap = (bumped["bob"].pose.x - bumped["alice"].pose.x) * 0.05 - 0.2
+    assert 0 <= gap < 0.001
+    assert {moved.stopped_by for moved in left.values()} == {None}
+
+
+def test_a_robot_that_did_not_join_acts_at_once_and_holds_up_nobody() -> None:
+    world = World(scene(APART))
+    alice, bob = (world.robot(name, pace=Unpaced()) for name in ("alice", "bob"))
+    alice.join()
+
+    assert bob.forward(3).walked == 3
+    assert alice.forward(3).walked == 3
+    alice.leave()
+
+
+def test_an_expected_robot_whose_program_never_comes_holds_the_others_until_it_leaves() -> None:
+    world = World(scene(APART))
+    alice, bob = (world.robot(name, pace=Unpaced()) for name in ("alice", "bob"))
+    world.expect(["alice", "bob"])
+    begun = threading.Event()
+
+    def run() -> None:
+        bob.join()
+        begun.set()
+        bob.leave()
+
+    thread = threading.Thread(target=run)
+    thread.start()
+
+    assert not begun.is_set()
+    alice.leave()
+    assert begun.wait(PATIENCE)
+    thread.join(PATIENCE)
+
+
+class Switch:
+    """A pace that can be told to stop from outside."""
+
+    def __init__(self) -> None:
+        self.stopped = False
+        self.asked = threading.Event()
+
+    def sleep(self, seconds: float) -> bool:
+        self.asked.set()
+        return not self.stopped
+
+
+def test_a_program_that_computes_for_ever_does_not_keep_the_others_from_being_stopped() -> None:
+    world, switch, bob_ended = World(scene(APART)), Switch(), threading.Event()
+    alice, bob = world.robot("alice", pace=Unpaced()), world.robot("bob", pace=switch)
+    world.expect(["alice", "bob"])
+    alice.join()
+    outcome: list[StoppedBy | None] = []
+
+    def run() -> None:
+        bob.join()
+        outcome.append(bob.forward(3).stopped_by)
+        bob.leave()
+        bob_ended.set()
+
+    thread = threading.Thread(target=run)
+    thread.start()
+    assert switch.asked.wait(PATIENCE)
+    switch.stopped = True
+    bob.halt()
+
+    assert bob_ended.wait(PATIENCE)
+    assert outcome == [StoppedBy.USER]
+    alice.leave()
+    thread.join(PATIENCE)
+
+
+def test_a_newcomer_gets_its_turn_in_the_middle_of_anothers_long_way() -> None:
+    world, log = World(scene(APART)), list[str]()
+    bob = world.robot("bob", pace=Unpaced(), speed=1.0)
+    threads: list[threading.Thread] = []
+
+    class Opening(Unpaced):
+        """Has bob come while alice walks."""
+
+        def sleep(self, seconds: float) -> bool:
+            if len(self.slept) == 30:
+                threads.append(threading.Thread(target=visit))
+                threads[0].start()
+                while not bob_waits():
+                    pass
+            return super().sleep(seconds)
+
+    def bob_waits() -> bool:
+        return bool(world._turns.queue)
+
+    def visit() -> None:
+        bob.join()
+        log.append(f"bob came at {alice.time():.2f}")
+        bob.leave()
+
+    alice = world.robot("alice", pace=Opening(), speed=1.0)
+    alice.join()
+    moved = alice.forward(10)
+    log.append(f"alice walked {moved.walked} in {alice.time():.2f}")
+    alice.leave()
+    threads[0].join(PATIENCE)
+
+    assert len(log) == 2
+    assert log[0].startswith("bob came at 1.")
+    assert log[1] == "alice walked 10 in 10.00"
+
+
+def test_poses_are_told_by_name_and_reset_puts_everybody_back() -> None:
+    company = Company(scene(APART))
+    company.run({"alice": lambda it: it.forward(4), "bob": lambda it: it.turn(90)})
+    world = company.world
+    after = {name: (round(p.x, 6), round(p.y, 6), p.yaw) for name, p in world.poses().items()}
+
+    world.reset()
+
+    assert after == {"alice": (0, 0.2, 90), "bob": (5, 0, 0)}
+    assert {name: (p.x, p.y, p.yaw) for name, p in world.poses().items()} == {
+        "alice": (0, 0, 90),
+        "bob": (5, 0, 90),
+    }
+
+
+def test_a_name_that_no_robot_has_is_refused() -> None:
+    world = World(scene(APART))
+
+    with pytest.raises(KeyError):
+        world.robot("eve", pace=Unpaced())
+    with pytest.raises(KeyError):
+        world.expect(["eve"])
