@@ -12,7 +12,8 @@ from math import ceil, floor
 from string import ascii_lowercase
 
 from devices.ports.robot import STEP
-from sim.geometry import Point, overlapping
+from sim.geometry import Point
+from sim.raster import Raster, covered
 from sim.scene import Model, Scene
 
 MOST_CELLS = 400
@@ -192,43 +193,28 @@ def _bounds(me: Model | None, shapes: tuple[_Shape, ...]) -> tuple[int, int, int
 
 class _Grid:
     def __init__(self, left: int, bottom: int, width: int, height: int, cell: int) -> None:
-        self.width, self.height = width, height
-        self._left, self._bottom, self._cell = left, bottom, cell
+        self._raster = Raster(left, bottom, cell, width, height)
         self._cells = [bytearray(b"." * width) for _ in range(height)]
 
     def draw(self, shape: _Shape, letter: str) -> None:
         """Walls mark every cell that they touch, things those that they fill well, and one at least."""
-        margin = 0.02 if shape.is_wall else 0.3
+        half = self._raster.cell * (0.5 - (0.02 if shape.is_wall else 0.3))
         drawn = False
         for outline in shape.outlines:
-            for row, column in self._touched(outline, margin):
-                self._cells[row][column] = ord(letter)
+            for row, first, last in covered(outline, self._raster, half):
+                self._cells[row][first : last + 1] = letter.encode() * (last + 1 - first)
                 drawn = True
         if not drawn:
-            middle = ((shape.left + shape.right) / 2, (shape.bottom + shape.top) / 2)
-            row, column = self._row(middle[1]), self._column(middle[0])
+            row, column = self._cell((shape.left + shape.right) / 2, (shape.bottom + shape.top) / 2)
             self._cells[row][column] = ord(letter)
 
     def rows(self) -> tuple[str, ...]:
         return tuple(row.decode() for row in reversed(self._cells))
 
-    def _touched(self, outline: tuple[Point, ...], margin: float) -> Iterator[tuple[int, int]]:
-        xs, ys = [x for x, _ in outline], [y for _, y in outline]
-        for row in range(self._row(min(ys)), self._row(max(ys)) + 1):
-            for column in range(self._column(min(xs)), self._column(max(xs)) + 1):
-                if overlapping(self._square(row, column, margin), outline):
-                    yield row, column
-
-    def _square(self, row: int, column: int, margin: float) -> tuple[Point, ...]:
-        half = self._cell * (0.5 - margin)
-        x, y = self._left + column * self._cell, self._bottom + row * self._cell
-        return ((x - half, y - half), (x + half, y - half), (x + half, y + half), (x - half, y + half))
-
-    def _row(self, y: float) -> int:
-        return min(self.height - 1, max(0, floor((y - self._bottom) / self._cell + 0.5)))
-
-    def _column(self, x: float) -> int:
-        return min(self.width - 1, max(0, floor((x - self._left) / self._cell + 0.5)))
+    def _cell(self, x: float, y: float) -> tuple[int, int]:
+        it = self._raster
+        row, column = floor((y - it.bottom) / it.cell + 0.5), floor((x - it.left) / it.cell + 0.5)
+        return min(it.height - 1, max(0, row)), min(it.width - 1, max(0, column))
 
 
 def _kind(model: Model) -> str:
