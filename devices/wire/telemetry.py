@@ -7,10 +7,10 @@ in 256 pass, and the firmware's own counters can be torn.
 from __future__ import annotations
 
 from collections import deque
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 
 from devices.wire.link_config import LinkConfig
-from devices.wire.reports import BUMPERS, SONARS
+from devices.wire.reports import BUMPERS
 
 REFRESH = 0.2
 """Seconds in which every sonar has measured once more."""
@@ -97,8 +97,9 @@ class Instruments:
         self._right = WheelCounter(config.tick_jump)
         self._left = WheelCounter(config.tick_jump)
         self._ranges: deque[RangeSample] = deque(maxlen=_MOST_REMEMBERED)
-        self._last_bumpers = (False,) * BUMPERS
-        self._now = Telemetry()
+        self._last_bumpers = self._bumpers = (False,) * BUMPERS
+        self._era = 0
+        self._millivolts: int | None = None
         self._moved_at = 0.0
         self._frames = 0
 
@@ -119,8 +120,8 @@ class Instruments:
         self._right.rebase()
         self._left.rebase()
         self._ranges.clear()
-        self._last_bumpers = (False,) * BUMPERS
-        self._now = replace(self._now, era=self._now.era + 1, bumpers=self._last_bumpers, ranges=())
+        self._last_bumpers = self._bumpers = (False,) * BUMPERS
+        self._era += 1
 
     def heard(self) -> None:
         self._frames += 1
@@ -137,24 +138,22 @@ class Instruments:
 
     def touched(self, pressed: tuple[bool, ...]) -> None:
         if pressed == self._last_bumpers:
-            self._now = replace(self._now, bumpers=pressed)
+            self._bumpers = pressed
         self._last_bumpers = pressed
 
     def powered(self, millivolts: int) -> None:
-        self._now = replace(self._now, millivolts=millivolts)
+        self._millivolts = millivolts
 
     def telemetry(self, now: float, bad_frames: int) -> Telemetry:
-        self._now = replace(
-            self._now,
+        return Telemetry(
             at=now,
+            era=self._era,
             right=self.right,
             left=self.left,
             moved_at=self._moved_at,
             ranges=tuple(self._ranges),
+            bumpers=self._bumpers,
+            millivolts=self._millivolts,
             frames=self._frames,
             bad_frames=bad_frames,
         )
-        return self._now
-
-
-__all__ = ["REFRESH", "REMEMBERED", "SONARS", "Instruments", "RangeSample", "Telemetry", "WheelCounter"]

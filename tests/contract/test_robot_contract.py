@@ -1,7 +1,7 @@
 """What every robot promises, simulated or real, on a good line and on a bad one.
 
 The same tests for the simulator, for the real robot's driver on a device path with a simulated board behind
-it (in real time), and for the driver in virtual time under each fault of a line or of a board with which it can
+it (in real time), and for the driver in virtual time under each fault of line or board with which it can
 still work. Then, for each fault with which it can't: every command ends, says why, and leaves no motor on.
 
 Tolerance between the robots: a fifth of a step, two degrees.
