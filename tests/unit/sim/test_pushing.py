@@ -1,0 +1,197 @@
+"""Things that give way: pushed straight on, never into anything; and seen where they are now."""
+
+import pytest
+
+from devices.ports.robot import Bearing, Grip, RobotProblem, StoppedBy
+from sim.world import World
+from tests.unit.sim.floors import BOX_ROBOT, IDEAL, Unpaced, scene
+
+PUSHER = BOX_ROBOT + "blind( pose [ 0 0 0 0 ] )"
+BOX = "model( size [ 0.1 0.1 0.2 ] pose [ {} {} 0 0 ] pushable 1 )"
+WALL = "model( size [ 0.1 2 1 ] pose [ {} 0 0 0 ] )"
+
+
+def things(world: World) -> list[tuple[float, float]]:
+    return [(round(place.x, 3), round(place.y, 3)) for place in world.moved_things().values()]
+
+
+def test_a_thing_that_gives_way_is_pushed_and_the_walk_goes_on() -> None:
+    world = World(scene(PUSHER + BOX.format(0.3, 0)))
+    moved = world.robot(pace=Unpaced()).forward(10)
+
+    assert (moved.walked, moved.stopped_by) == (10, None)
+    assert things(world) == [(0.5 + 0.1 + 0.05, 0)]
+
+
+def test_a_thing_that_does_not_give_way_is_not_pushed() -> None:
+    world = World(scene(PUSHER + BOX.format(0.3, 0).replace("pushable 1", "")))
+    moved = world.robot(pace=Unpaced()).forward(10)
+
+    assert moved.stopped_by is StoppedBy.COLLISION
+    assert things(world) == []
+
+
+def test_what_is_pushed_stops_at_a_wall_and_the_robot_with_it() -> None:
+    world = World(scene(PUSHER + BOX.format(0.3, 0) + WALL.format(0.6)))
+    robot = world.robot(pace=Unpaced())
+
+    moved = robot.forward(20)
+    again = robot.forward(20)
+
+    assert moved.stopped_by is StoppedBy.COLLISION
+    assert things(world) == [(0.5, 0)]
+    assert moved.pose.x * 0.05 == pytest.approx(0.6 - 0.05 - 0.1 - 0.1, abs=0.001)
+    assert (again.walked, again.stopped_by) == (0, StoppedBy.COLLISION)
+    assert robot.backward(3).walked == 3
+
+
+def test_one_thing_pushes_the_next() -> None:
+    world = World(scene(PUSHER + BOX.format(0.3, 0) + BOX.format(0.5, 0.03) + WALL.format(1)))
+
+    assert world.robot(pace=Unpaced()).forward(20).stopped_by is StoppedBy.COLLISION
+    assert things(world) == [(0.8, 0), (0.9, 0.03)]
+
+
+def test_things_beside_the_way_stay() -> None:
+    world = World(scene(PUSHER + BOX.format(0.3, 0.11)))
+
+    assert world.robot(pace=Unpaced()).forward(20).walked == 20
+    assert things(world) == []
+
+
+def test_nothing_is_pushed_into_another_robot() -> None:
+    world = World(scene(PUSHER + BOX.format(0.3, 0) + 'blind( name "bob" pose [ 0.6 0 0 0 ] )'))
+
+    assert world.robot(pace=Unpaced()).forward(20).stopped_by is StoppedBy.COLLISION
+    assert things(world) == [(0.45, 0)]
+
+
+def test_a_sonar_that_sees_a_thing_to_push_does_not_stop_the_robot_and_tells_its_distance() -> None:
+    world = World(scene(IDEAL + "ideal( pose [ 0 0 0 0 ] )" + BOX.format(0.35, 0)))
+    robot = world.robot(pace=Unpaced())
+
+    far = robot.distance(Bearing.FRONT)
+    moved = robot.forward(10)
+
+    assert (far, moved.walked, robot.distance(Bearing.FRONT)) == (6, 10, 0)
+    robot.backward(4)
+    assert robot.distance(Bearing.FRONT) == 4
+
+
+def test_scan_sees_a_thing_where_it_is_now() -> None:
+    world = World(
+        scene(IDEAL + "ideal( pose [ 0 0 0 0 ] )" + BOX.format(0.35, 0).replace(")", 'color "red" )'))
+    )
+    robot = world.robot(pace=Unpaced())
+    robot.forward(10)
+    robot.backward(6)
+
+    (sighting,) = robot.scan()
+
+    assert sighting.steps == pytest.approx(6, abs=0.21)
+
+
+def test_a_reset_puts_things_back() -> None:
+    world = World(scene(PUSHER + BOX.format(0.3, 0)))
+    robot = world.robot(pace=Unpaced())
+    first = robot.forward(10)
+    robot.reset()
+
+    assert things(world) == []
+    assert robot.forward(10) == first
+
+
+def test_a_stop_in_the_middle_leaves_the_thing_before_the_robot() -> None:
+    world = World(scene(PUSHER + BOX.format(0.3, 0)))
+    robot = world.robot(pace=Unpaced(stop_after=6.5), speed=1.0)
+
+    moved = robot.forward(20)
+
+    assert (moved.walked, moved.stopped_by) == (6, StoppedBy.USER)
+    ((x, _),) = things(world)
+    assert x == pytest.approx(moved.pose.x * 0.05 + 0.1 + 0.05, abs=0.001)
+
+
+# --- grippers
+
+GRIPPER = (
+    BOX_ROBOT
+    + """
+define lifter position ( size [ 0.2 0.2 0.1 ] ranger( sonar( pose [ 0.1 0 0 0 ] ) )
+  gripper( pose [ 0.15 0 0 0 ] size [ 0.1 0.1 0.1 ] ) )
+lifter( pose [ 0 0 0 0 ] )
+define ball model ( size [ 0.05 0.05 0.05 ] gripper_return 1 )
+"""
+)
+
+
+def test_a_gripper_takes_carries_and_releases() -> None:
+    world = World(scene(GRIPPER + 'ball( name "orange" pose [ 0.4 0 0 0 ] )'))
+    robot = world.robot(pace=Unpaced())
+
+    up_to_it = robot.forward(20)
+    taken = robot.grip()
+    robot.turn(90)
+    carried = robot.backward(4)
+    released = robot.release()
+    robot.backward(4)
+
+    assert up_to_it.stopped_by is StoppedBy.COLLISION
+    assert (taken.outcome, taken.name) == (Grip.GRIPPED, "orange")
+    assert carried.walked == 4
+    assert (released.outcome, released.name) == (Grip.RELEASED, "orange")
+    ((x, y),) = things(world)
+    ahead = 0.4 - up_to_it.pose.x * 0.05
+    assert (x, y) == pytest.approx((up_to_it.pose.x * 0.05, 0.2 - ahead), abs=0.001)
+
+
+def test_what_is_held_bumps_into_walls() -> None:
+    world = World(scene(GRIPPER + "ball( pose [ 0.23 0 0 0 ] )" + WALL.format(0.6)))
+    robot = world.robot(pace=Unpaced())
+    alone = World(scene(GRIPPER + WALL.format(0.6))).robot(pace=Unpaced()).forward(20)
+
+    robot.grip()
+    moved = robot.forward(20)
+
+    assert moved.stopped_by is not None
+    (ball,) = world.moved_things().values()
+    assert ball.x + 0.025 < 0.55
+    assert moved.pose.x <= alone.pose.x
+
+
+def test_gripping_says_what_is_the_matter() -> None:
+    robot = World(scene(GRIPPER + "ball( pose [ 0.23 0 0 0 ] )")).robot(pace=Unpaced())
+
+    answers = [robot.release(), robot.grip(), robot.grip(), robot.release()]
+
+    assert [answer.outcome for answer in answers] == [
+        Grip.HOLDS_NOTHING,
+        Grip.GRIPPED,
+        Grip.HOLDS_ALREADY,
+        Grip.RELEASED,
+    ]
+    robot.backward(4)
+    assert robot.grip().outcome is Grip.NOTHING_THERE
+
+
+def test_a_robot_without_a_gripper_says_so() -> None:
+    robot = World(scene(PUSHER)).robot(pace=Unpaced())
+
+    with pytest.raises(RobotProblem, match="no-gripper"):
+        robot.grip()
+    with pytest.raises(RobotProblem, match="no-gripper"):
+        robot.release()
+
+
+def test_what_one_holds_another_cannot_take_nor_push() -> None:
+    world = World(
+        scene(GRIPPER + 'ball( pose [ 0.23 0 0 0 ] pushable 1 ) lifter( name "bob" pose [ 0.6 0 0 180 ] )')
+    )
+    robot, bob = world.robot(pace=Unpaced()), world.robot("bob", pace=Unpaced())
+    robot.grip()
+
+    met = bob.forward(20)
+
+    assert met.stopped_by is StoppedBy.COLLISION
+    assert bob.grip().outcome is Grip.NOTHING_THERE
+    assert things(world) == []
