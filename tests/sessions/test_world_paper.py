@@ -1,0 +1,127 @@
+"""``donnie world NAME`` as a map, a braille page, a picture: of our worlds and of very large ones."""
+
+import os
+from pathlib import Path
+from xml.etree import ElementTree
+
+import pytest
+
+import worlds
+from donnie_tui.cli.main import main
+from tests.conftest import ROOT
+
+CROWD = """
+define sonar sensor ( range [ 0 3 ] )
+define bot position ( size [ 0.1 0.1 0.1 ] ranger( sonar( ) ) )
+define crate model ( size [ 0.15 0.15 0.15 ] color "blue" )
+"""
+
+
+@pytest.fixture(autouse=True)
+def folder(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
+    monkeypatch.setenv("XDG_CONFIG_HOME", str(tmp_path / "config"))
+    monkeypatch.setenv("DONNIE_LANG", "en")
+    monkeypatch.chdir(tmp_path)
+    return tmp_path
+
+
+@pytest.fixture
+def crowd(folder: Path) -> str:
+    """A world of 1000 robots and 1000 other things."""
+    places = [(0.5 * (each % 40), 0.5 * (each // 40)) for each in range(1000)]
+    robots = [f'bot( name "r{each}" pose [ {x} {y} 0 90 ] )' for each, (x, y) in enumerate(places)]
+    crates = [f"crate( pose [ {x + 0.25} {y + 0.25} 0 0 ] )" for x, y in places]
+    (folder / "crowd.world").write_text(CROWD + "\n".join((*robots, *crates)))
+    return "crowd.world"
+
+
+@pytest.mark.parametrize("name", worlds.names())
+def test_the_map_of_every_world_fits_eighty_columns(name: str, capsys: pytest.CaptureFixture[str]) -> None:
+    assert main(["world", name, "--map"]) == 0
+
+    lines = capsys.readouterr().out.splitlines()
+    rows = [line for line in lines if not line.startswith("Each letter")]
+    assert max(map(len, lines)) <= 80
+    assert len(set(map(len, rows))) == 1
+    robots = sum(row.count(arrow) for row in rows for arrow in "^>v<")
+    assert robots == {"two_robots": 2, "bigbob_yaws": 4, "empty": 0, "helloworld": 0}.get(name, 1)
+
+
+def test_where_a_letter_is_several_steps_the_last_line_says_so(capsys: pytest.CaptureFixture[str]) -> None:
+    main(["world", "factory", "--map"])
+
+    assert capsys.readouterr().out.splitlines()[-1] == "Each letter stands for 4 by 4 steps."
+
+
+def test_a_braille_page_is_written_as_embossers_want_it(
+    folder: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    assert main(["world", "corridor", "--brf", "page.brf"]) == 0
+
+    assert capsys.readouterr().out == "I wrote page.brf.\n"
+    written = (folder / "page.brf").read_bytes()
+    assert written.isascii()
+    assert written.startswith(b"MAP OF CORRIDOR\r\nA CELL IS #")
+    assert written.endswith(b"\r\n\f")
+
+
+def test_a_picture_is_written_and_replaces_the_one_that_was_there(folder: Path) -> None:
+    (folder / "a.svg").write_text("old")
+
+    assert main(["world", "cave", "--svg", "a.svg", "--lang", "pt"]) == 0
+    root = ElementTree.parse(folder / "a.svg").getroot()
+    assert root.findtext("{http://www.w3.org/2000/svg}title") == "Mapa de cave"
+
+
+def test_a_world_of_a_thousand_robots_is_told_in_few_lines(
+    crowd: str, folder: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    assert main(["world", crowd]) == 0
+
+    lines = capsys.readouterr().out.splitlines()
+    assert len(lines) < 40
+    assert lines[1].startswith("1000 robots: r0, ")
+    assert "1000 things, the nearest first, in steps." in lines
+    assert lines[-1] == "980 of them: crate, blue."
+
+
+def test_a_world_of_a_thousand_robots_fits_on_paper(crowd: str, folder: Path) -> None:
+    assert main(["world", crowd, "--brf", "a.brf"]) == 0
+    assert main(["world", crowd, "--svg", "a.svg"]) == 0
+
+    assert (folder / "a.brf").read_text().count("\f") <= 2
+    assert ElementTree.parse(folder / "a.svg").getroot().get("role") == "img"
+
+
+@pytest.mark.parametrize("form", ["--svg", "--brf"])
+def test_a_pipe_is_told_and_left_as_it_is(
+    form: str, folder: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    os.mkfifo(folder / "pipe")
+
+    assert main(["world", "open_floor", form, "pipe"]) == 2
+
+    assert capsys.readouterr().err == "pipe is no ordinary file.\n"
+    assert (folder / "pipe").is_fifo()
+
+
+def test_every_world_has_its_place_in_the_documents() -> None:
+    scenarios = (ROOT / "docs" / "scenarios.md").read_text(encoding="utf-8")
+    manual = (ROOT / "docs" / "manual-worlds.md").read_text(encoding="utf-8")
+
+    for name in worlds.names():
+        if name in worlds.scenarios():
+            level = worlds.about(name, "en").difficulty.value
+            assert f"\n## {name}, {level}\n" in scenarios
+        else:
+            assert f": `{name}`\n" in manual
+
+
+def test_every_file_beside_the_worlds_is_used_by_one_of_them() -> None:
+    for folder in (worlds.SCENES, worlds.MANUAL):
+        files = [*folder.glob("*.world"), *folder.glob("*.inc")]
+        text = "\n".join(file.read_text(encoding="utf-8") for file in files)
+        for file in (*folder.glob("*.inc"), *folder.glob("bitmaps/*")):
+            assert f'"{file.relative_to(folder).as_posix()}"' in text
+        for file in folder.glob("*.cfg"):
+            assert f'worldfile "{file.stem}.world"' in file.read_text(encoding="utf-8")
