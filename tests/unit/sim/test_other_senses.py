@@ -1,0 +1,270 @@
+"""Cameras that don't turn, marks, bumpers and the beams of a gripper."""
+
+from math import atan, degrees
+
+import pytest
+
+from devices.ports.robot import Bearing, RobotProblem
+from tests.unit.sim.sensing import Sensing
+
+BODY = "size [ 0.2 0.2 0.2 ]"
+
+
+def told(it: Sensing) -> list[tuple[str, int]]:
+    return [(it.name(seen.root), round(seen.degrees)) for seen in it.senses.look(it.around, it.spot)]
+
+
+def pole(name: str, x: float, y: float, colour: str = "red", more: str = "") -> str:
+    return f'model( name "{name}" size [ 0.02 0.02 1 ] pose [ {x} {y} 0 0 ] color "{colour}" {more} )\n'
+
+
+# --- cameras
+
+POLES = pole("ahead", 1, 0) + pole("left", 1, 0.5) + pole("far left", 1, 1) + pole("behind", -1, 0)
+
+
+@pytest.mark.parametrize(
+    ("camera", "expected"),
+    [
+        ("fov 60", [("left", 27), ("ahead", 0)]),
+        ("fov 50", [("ahead", 0)]),
+        ("fov 100", [("far left", 45), ("left", 27), ("ahead", 0)]),
+        ("fov 10 pose [ 0 0 0 45 ]", [("far left", 45)]),
+        ("fov 10 pan 45", [("far left", 45)]),
+        ("fov 20 pose [ 0 0 0 180 ]", [("behind", 180)]),
+        ("fov 360", [("behind", 180), ("far left", 45), ("left", 27), ("ahead", 0)]),
+        ("fov 60 range 1.05", [("ahead", 0)]),
+        ("fov 60 range 0.5", []),
+    ],
+)
+def test_a_camera_that_does_not_turn_sees_its_own_field_of_view(
+    camera: str, expected: list[tuple[str, int]]
+) -> None:
+    it = Sensing(f"position( {BODY} blobfinder( {camera} ) )" + POLES)
+
+    assert told(it) == expected
+
+
+def test_a_camera_on_a_head_looks_over_the_half_circle_ahead() -> None:
+    it = Sensing(f"position( {BODY} position( {BODY} blobfinder( fov 10 ) ) )" + POLES)
+
+    assert told(it) == [("far left", 45), ("left", 27), ("ahead", 0)]
+
+
+def test_six_sonars_at_donnies_bearings_come_with_donnies_head() -> None:
+    sonars = "".join(f"sensor( pose [ 0 0 0 {-bearing.value} ] )" for bearing in Bearing)
+    it = Sensing(f"position( {BODY} ranger( {sonars} ) blobfinder( fov 10 ) )" + POLES)
+
+    assert told(it) == [("far left", 45), ("left", 27), ("ahead", 0)]
+
+
+def test_a_fixed_camera_measures_from_where_it_is() -> None:
+    it = Sensing(f"position( {BODY} blobfinder( pose [ 0.3 0 0 0 ] ) )" + POLES)
+
+    (seen,) = it.senses.look(it.around, it.spot)
+
+    assert seen.centimetres == 69
+
+
+def test_two_cameras_tell_a_thing_once() -> None:
+    it = Sensing(
+        f'position( {BODY} blobfinder( colors [ "red" ] fov 30 ) blobfinder( colors [ "blue" ] fov 100 ) )'
+        + pole("ahead", 1, 0)
+        + pole("blue", 1, 1, "blue")
+    )
+
+    assert told(it) == [("blue", 45), ("ahead", 0)]
+    assert it.senses.eyes is not None
+    assert it.senses.eyes.families == {"red", "blue"}
+
+
+def test_a_nearer_thing_hides_a_farther_one_at_its_own_height_only() -> None:
+    low = 'model( name "low" size [ 0.1 1 0.1 ] pose [ 0.5 0 0 0 ] color "yellow" )'
+    robot = f'position( {BODY} blobfinder( colors [ "red" ] ) )'
+    things = low + pole("ahead", 1, 0)
+
+    assert told(Sensing(robot + things)) == []
+    assert told(Sensing("ignore_zloc 0 " + robot + things)) == [("ahead", 0)]
+
+
+def test_without_a_camera_there_is_nothing_to_look_with() -> None:
+    it = Sensing(f"position( {BODY} bumper( ) )")
+
+    with pytest.raises(RobotProblem) as problem:
+        it.senses.look(it.around, it.spot)
+    assert problem.value.code == "no-eyes"
+
+
+# --- marks
+
+
+def finder(settings: str = "", things: str = "", robot: str = "") -> Sensing:
+    return Sensing(f"position( {BODY} {robot} fiducial( {settings} ) )" + things)
+
+
+def marks(it: Sensing) -> list[tuple[object, ...]]:
+    found = it.senses.marks(it.around, it.spot)
+    return [(it.name(f.model), round(f.degrees), pytest.approx(f.metres), f.number) for f in found]
+
+
+def test_marks_are_told_from_left_to_right_with_their_numbers() -> None:
+    things = pole("door", 3, 0, more="fiducial_return 7") + pole("window", 0, 2, more="fiducial_return 9")
+
+    assert marks(finder("", things + pole("plain", 1, -1))) == [("window", 90, 2, 9), ("door", 0, 3, 7)]
+
+
+def test_a_mark_that_is_too_far_to_be_read_has_the_number_zero() -> None:
+    things = pole("near", 1.9, 0, more="fiducial_return 7") + pole("far", 2, 1, more="fiducial_return 8")
+
+    assert marks(finder("range_max_id 2", things)) == [("far", 27, 5**0.5, 0), ("near", 0, 1.9, 7)]
+
+
+@pytest.mark.parametrize(
+    ("settings", "mark", "expected"),
+    [
+        ("range_max 2.9", "", False),
+        ("range_max 3.1", "", True),
+        ("range_min 5", "", True),
+        ("fiducial_key 3", "", False),
+        ("fiducial_key 3", "fiducial_key 3", True),
+        ("", "fiducial_key 3", False),
+        ("fov 30 pose [ 0 0 0 16 ]", "", False),
+        ("fov 34 pose [ 0 0 0 16 ]", "", True),
+    ],
+)
+def test_a_finder_finds_within_its_range_its_view_and_its_key(
+    settings: str, mark: str, expected: bool
+) -> None:
+    it = finder(settings, pole("door", 3, 0, more=f"fiducial_return 1 {mark}"))
+
+    assert [found[0] for found in marks(it)] == (["door"] if expected else [])
+
+
+def test_nearer_than_a_finder_can_tell_is_its_minimum() -> None:
+    ((_, _, metres, _),) = marks(finder("range_min 5", pole("door", 3, 0, more="fiducial_return 1")))
+
+    assert metres == 5
+
+
+def test_what_stands_between_hides_a_mark() -> None:
+    things = pole("door", 3, 0, more="fiducial_return 1") + pole("side", 3, 0.3, more="fiducial_return 2")
+
+    assert [found[0] for found in marks(finder("", things + pole("post", 1, 0)))] == ["side"]
+
+
+def test_a_robot_does_not_find_its_own_mark() -> None:
+    assert marks(finder("", "", "fiducial_return 5")) == []
+
+
+# --- bumpers
+
+BUMPERS = (
+    f"position( {BODY} bumper( bcount 3 blength 0.2"
+    " bpose[0] [ 0.1 0 0 0 ] bpose[1] [ -0.1 0 0 180 ] bpose[2] [ 0 0.1 0 90 ] blength[2] 0.02 ) )"
+)
+
+
+@pytest.mark.parametrize(
+    ("wall", "expected"),
+    [
+        ("size [ 0.1 1 1 ] pose [ 0.151 0 0 0 ]", (True, False, False)),
+        ("size [ 0.1 1 1 ] pose [ 0.165 0 0 0 ]", (False, False, False)),
+        ("size [ 0.1 0.05 1 ] pose [ 0.151 0.14 0 0 ]", (False, False, False)),
+        ("size [ 0.1 1 1 ] pose [ -0.155 0 0 0 ]", (False, True, False)),
+        ("size [ 0.02 0.1 1 ] pose [ 0 0.155 0 0 ]", (False, False, True)),
+        ("size [ 0.02 0.1 1 ] pose [ 0.05 0.155 0 0 ]", (False, False, False)),
+        ("size [ 0.1 1 1 ] pose [ 0.151 0 0 0 ] obstacle_return 0", (False, False, False)),
+    ],
+)
+def test_a_bumper_is_pressed_by_what_is_solid_and_touches_its_bar(
+    wall: str, expected: tuple[bool, ...]
+) -> None:
+    it = Sensing(BUMPERS + f"model( {wall} )")
+
+    assert it.senses.pressed(it.around, it.spot) == expected
+
+
+# --- the gripper
+
+GRIPPER = f"position( {BODY} ranger( ) gripper( pose [ 0.2 0 -0.2 0 ] ) )"
+
+
+def broken(puck: str, closed: float = 0.0, gripper: str = GRIPPER) -> list[str | None]:
+    it = Sensing(gripper + f'model( name "puck" size [ 0.03 0.03 0.1 ] {puck} )')
+    assert it.senses.beams is not None
+    parts = it.senses.beams.broken_by(it.around, it.spot, closed)
+    return [None if part is None else it.name(part.root) for part in parts]
+
+
+def test_the_beams_are_a_quarter_and_three_quarters_along_the_paddles() -> None:
+    """The gripper is 0.2 long, around x = 0.2; its paddles are the outer 0.132 m of that."""
+    inner, outer = 0.3 - 0.75 * 0.132, 0.3 - 0.25 * 0.132
+
+    assert broken(f"gripper_return 1 pose [ {inner} 0 0 0 ]") == ["puck", None]
+    assert broken(f"gripper_return 1 pose [ {outer} 0.05 0 0 ]") == [None, "puck"]
+    assert broken("gripper_return 1 pose [ 0.35 0 0 0 ]") == [None, None]
+
+
+def test_only_what_can_be_gripped_breaks_a_beam() -> None:
+    assert broken("gripper_return 0 pose [ 0.201 0 0 0 ]") == [None, None]
+
+
+def test_the_beams_reach_from_paddle_to_paddle() -> None:
+    beside = "gripper_return 1 pose [ 0.201 0.1 0 0 ]"
+
+    assert broken(beside) == ["puck", None]
+    assert broken(beside, closed=0.5) == [None, None]
+
+
+# --- the manual's robot
+
+BIGBOB = """
+define sonar sensor ( size [ 0.01 0.05 0.01 ] range [ 0.3 2.0 ] fov 10 )
+define laser sensor ( size [ 0.025 0.025 0.025 ] range [ 0 0.25 ] fov 20 samples 180 )
+define bigbob position
+(
+  size [ 1.25 1 1 ] origin [ 0.125 0 0 ]
+  block ( points 6 point[5] [0 0] point[4] [0 1] point[3] [0.75 1] point[2] [1 0.75] point[1] [1 0.25]
+          point[0] [0.75 0] z [0 1] )
+  block ( points 4 point[3] [1 0.75] point[2] [1.25 0.75] point[1] [1.25 0.625] point[0] [1 0.625] z [0 0.5] )
+  block ( points 4 point[3] [1 0.375] point[2] [1.25 0.375] point[1] [1.25 0.25] point[0] [1 0.25] z [0 0.5] )
+  ranger ( sonar( pose [ 0.75 0.1875 0 0] ) sonar( pose [ 0.75 -0.1875 0 0] )
+           sonar( pose [ 0.25 0.5 0 30] ) sonar( pose [ 0.25 -0.5 0 -30] ) )
+  blobfinder ( colors_count 2 colors ["orange" "DarkBlue"] image [160 120] range 5.00 fov 60 )
+  ranger ( laser( pose [ 0.625 0.125 -0.975 270 ] ) )
+)
+bigbob ( name "bob1" )
+"""
+WALL = 'model( size [ 0.1 8 0.5 ] pose [ 2.05 0 0 0 ] color "gray30" )'
+
+
+def test_bigbob_sees_the_walls_that_stage_shoots_over() -> None:
+    it = Sensing(BIGBOB + WALL)
+
+    assert it.senses.steps(it.around, it.spot, Bearing.FRONT) == 25  # 1.25 m before its teeth
+    with pytest.raises(RobotProblem):
+        it.senses.steps(it.around, it.spot, Bearing.BACK_RIGHT)  # the laser looks across its teeth
+
+
+def test_bigbob_is_blind_where_the_world_asks_for_stages_heights() -> None:
+    it = Sensing("ignore_zloc 0\n" + BIGBOB + WALL)
+
+    assert it.senses.steps(it.around, it.spot, Bearing.FRONT) == 40
+
+
+def test_bigbobs_laser_notices_what_lies_between_its_teeth() -> None:
+    orange = 'model( name "orange" size [ 0.15 0.15 0.15 ] pose [ 0.625 0 0 0 ] color "orange" )'
+    for thing, expected in (("", 0.25), (orange, 0.05)):
+        it = Sensing(BIGBOB + thing)
+        laser = it.senses.rangers[-1]
+
+        assert min(laser.metres(it.around, it.spot), 0.25) == pytest.approx(expected)
+
+
+def test_bigbob_sees_oranges_and_cartons_within_its_sixty_degrees() -> None:
+    side = degrees(atan(1 / 2))
+    things = pole("orange", 2, 1, "orange") + pole("carton", 2, -1, "DarkBlue") + pole("red", 2, 0)
+
+    it = Sensing(BIGBOB + things + pole("far left", 1, 1, "orange"))
+
+    assert told(it) == [("orange", round(side)), ("carton", -round(side))]
