@@ -33,9 +33,6 @@ from devices.wire.reports import (
 from devices.wire.stopping import Stopping
 from devices.wire.telemetry import Instruments
 
-SETTLED = 0.02
-"""Seconds after the last frame of the handshake from which a frame is an answer, and not an old one."""
-
 News: TypeAlias = tuple[LinkNews, str]
 
 
@@ -97,8 +94,7 @@ class Connection:
         self._was_up = self._is_told_lost = self._is_told_low = False
         self._heard_at = 0.0
         self._deadline = inf
-        self._handshaken_at: float | None = None
-        self._greets = False
+        self._greets = self._is_greeted = False
         self._millivolts: int | None = None
         self._now = 0.0
 
@@ -143,7 +139,7 @@ class Connection:
             done.append(Need.FORCE)
         if frame := self._outbox.due(now):
             done.append(Write(frame))
-            self._watch_handshake(now)
+            self._watch_handshake()
         return done
 
     def next_at(self, now: float) -> float:
@@ -235,7 +231,7 @@ class Connection:
         if not self._greets:
             self._outbox.flush()
             self._greet()
-        elif self._handshaken_at is not None and now - self._handshaken_at >= SETTLED:
+        elif self._is_greeted:
             self._ready(now)
 
     def _restarted(self, now: float) -> None:
@@ -251,17 +247,17 @@ class Connection:
         self._greet()
 
     def _greet(self) -> None:
-        self._greets, self._handshaken_at = True, None
+        self._greets, self._is_greeted = True, False
         self._outbox.configure()
         self._outbox.stop()
 
     def _await_answer(self, now: float) -> None:
-        self._greets, self._handshaken_at = False, None
+        self._greets = self._is_greeted = False
         self._deadline = now + self._config.first_answer
 
-    def _watch_handshake(self, now: float) -> None:
-        if self._greets and self._handshaken_at is None and self._outbox.is_empty:
-            self._handshaken_at = now
+    def _watch_handshake(self) -> None:
+        """A frame that comes once all of it was written is an answer, and none from before."""
+        self._is_greeted = self._greets and self._outbox.is_empty
 
     def _ready(self, now: float) -> None:
         self._happens(Happening.READY, now)

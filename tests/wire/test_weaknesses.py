@@ -158,7 +158,9 @@ def test_ticks_go_on_where_the_boards_counter_wraps() -> None:
 
 
 def test_ticks_of_a_torn_frame_are_not_counted() -> None:
-    assert counted(100, 104, 362, 108, 112) == 12
+    counter = WheelCounter(60)
+
+    assert [counter.count(raw) for raw in (100, 104, 362, 108, 112)] == [0, 4, 0, 4, 4]
 
 
 def test_ticks_of_a_jump_that_a_second_frame_confirms_are_counted() -> None:
@@ -179,6 +181,19 @@ def test_ticks_begin_anew_after_a_restart_and_make_no_jump() -> None:
     assert bench.is_up
     assert (after.right, after.left) == (before.right, before.left)
     assert after.era > before.era
+
+
+def test_ticks_make_no_jump_after_a_restart_that_was_too_short_for_a_silence() -> None:
+    connection = streaming()
+    for told in (
+        frame(0x81, bytes(8)),
+        frame(0x81, bytes((0, 50) * 2 + (0, 0) * 2)),
+        frame(0xC7, b"\x2b"),
+        *[frame(0x81, bytes(8))] * 3,
+    ):
+        connection.received(told, 1.1)
+
+    assert (connection.telemetry.right, connection.telemetry.left) == (50, 50)
 
 
 def test_ticks_that_are_torn_while_driving_leave_the_count_right() -> None:
@@ -227,6 +242,7 @@ def test_rate_never_more_than_the_boards_buffer_is_outstanding() -> None:
     outbox.flush()
     sent, unread = [], 0.0
     for step in range(200):
+        outbox.drive(Drive.LEFT, step * 0.001)
         outbox.stop()
         if wanted := outbox.due(step * 0.001):
             sent.append(wanted)

@@ -1,0 +1,101 @@
+"""The real robot's line: frames a second through the codec, how soon a stop is on the wire, what it costs.
+
+The line is a pseudo-terminal with a simulated board behind it, which sends as many frames as the real one.
+The board is a process of its own, so that only the driver is measured. (Not called serial.py: pyserial is.)
+"""
+
+from __future__ import annotations
+
+import multiprocessing
+import statistics
+import time
+from collections.abc import Callable
+from multiprocessing.connection import Connection
+
+from devices.firmware_double.board import SimulatedBoard
+from devices.firmware_double.on_pty import DoubleOnPty
+from devices.serial_link import SerialLink
+from devices.wire.commands import STOP, Drive
+from devices.wire.decoder import Decoder
+
+FAR = 1e9
+SECONDS = 5.0
+STOPS = 20
+
+
+def main() -> None:
+    decode()
+    talk: tuple[Connection, Connection] = multiprocessing.Pipe()
+    board = multiprocessing.get_context("spawn").Process(target=play_board, args=(talk[1],), daemon=True)
+    board.start()
+    link = SerialLink(talk[0].recv())
+    link.connect()
+    cost(link)
+    stop(link, talk[0])
+    link.close()
+    board.kill()
+
+
+def decode() -> None:
+    """What a driving board says in ten seconds, in the chunks in which it is read."""
+    board = SimulatedBoard(boot_loader=-0.9)
+    board.advance(0.2)
+    board.receive(bytes.fromhex("aabb13c03f800000000000000000000040a0000003fdef"))
+    board.advance(0.1)
+    board.receive(bytes.fromhex("aabb05280f7ff07fcc"))
+    chunks = [board.advance(0.01) for _ in range(1000)]
+    decoder = Decoder()
+    began = time.perf_counter()
+    frames = sum(len(decoder.feed(chunk)) for chunk in chunks)
+    seconds = time.perf_counter() - began
+    print(f"codec: {frames / seconds:,.0f} frames a second ({frames} of a board that drives)")
+
+
+def cost(link: SerialLink) -> None:
+    """Of the thread that reads, while the robot drives."""
+    before, began = link.telemetry.frames, time.perf_counter()
+    worked = -time.process_time()
+    while (passed := time.perf_counter() - began) < SECONDS:
+        link.drive(link.permit(), Drive.FORWARD, FAR)
+        time.sleep(0.02)
+    worked += time.process_time()
+    link.stop()
+    frames = (link.telemetry.frames - before) / passed
+    print(f"thread: {100 * worked / passed:.1f} % of a processor at {frames:.0f} frames a second")
+
+
+def stop(link: SerialLink, board: Connection) -> None:
+    """From the call to the last byte of a stop at the other end of the line."""
+    took = [one_stop(link, board.recv) for _ in range(STOPS)]
+    print(
+        f"stop: {1000 * statistics.median(took):.1f} ms in the middle, {1000 * max(took):.1f} ms at the most"
+    )
+
+
+def one_stop(link: SerialLink, heard_at: Callable[[], float]) -> float:
+    for _ in range(25):
+        link.drive(link.permit(), Drive.FORWARD, FAR)
+        time.sleep(0.02)
+    asked = time.monotonic()
+    link.stop()
+    while (at := heard_at()) < asked:
+        pass
+    time.sleep(0.5)
+    return at - asked
+
+
+def play_board(talk: Connection) -> None:
+    """Tells its path, and then when it heard each stop."""
+    with DoubleOnPty(SimulatedBoard(boot_loader=-0.9)) as double:
+        talk.send(double.path)
+        looked_to = 0
+        while True:
+            found = double.heard.find(STOP, looked_to)
+            if found >= 0:
+                looked_to = found + len(STOP)
+                talk.send(time.monotonic())
+            time.sleep(0.0005)
+
+
+if __name__ == "__main__":
+    main()
