@@ -156,11 +156,11 @@ class Connection:
 
     def _make_double(self, pace: Pace, watcher: Watcher) -> Connectable:
         from devices.firmware_double.robot import DoubleRobot
-        from donnie_tui.double_floor import floor_of, place_of
+        from donnie_tui.double_floor import SceneFloor, place_of
 
         start = self._world.start()
         return DoubleRobot(
-            floor_of(self._world.scene, start),
+            SceneFloor(self._world.scene),
             robot_config(self._settings),
             pace=pace,
             watcher=watcher,

@@ -1,34 +1,71 @@
-"""The floor of a simulated board: the walls and things of a world as lines, where there are not too many."""
+"""The floor under a simulated board: the walls and things of a world, met by the sensors of its robot.
+
+Nothing gives way there: the board has no gripper and pushes nothing.
+"""
 
 from __future__ import annotations
 
-from itertools import pairwise
-from math import hypot, radians
-from typing import TYPE_CHECKING
+from math import degrees, isfinite, radians
 
-from devices.firmware_double.surroundings import OpenFloor, Place, Segment, Surroundings, Walls
-from devices.ports.robot import STEP, Pose
+from devices.firmware_double.surroundings import Place, Switch
+from devices.ports.robot import STEP, Bearing, Pose
+from devices.serial_robot.config import RobotConfig
+from sim.geometry import overlapping, placed
+from sim.ground import Ground
+from sim.motion import Mover
+from sim.scene import Scene
+from sim.sensors import Spot
 
-if TYPE_CHECKING:
-    from sim.scene import Scene
+TOUCH = 0.003
+"""Metres before a thing at which a bumper is pressed."""
 
-MOST_LINES = 400
-"""The board looks at each of them many times a second."""
+_SONARS = RobotConfig().sonars
+"""Where the sonars of the original board look, whatever the driver is told about them."""
+
+_PRESSED_BY = {
+    0: (Switch.NE, Switch.NW),
+    45: (Switch.NW,),
+    -45: (Switch.NE,),
+    135: (Switch.SW,),
+    -135: (Switch.SE,),
+    180: (Switch.SE, Switch.SW),
+}
+"""The bumpers that are pressed by something in that direction, degrees to the left of the robot's front."""
 
 
-def floor_of(scene: Scene, start: Pose) -> Surroundings | None:
-    """What the board's sonars and bumpers meet; None if the world has more than a board can look at."""
-    from sim.picture import drawings
+class SceneFloor:
+    """What a board on the place of the world's first robot meets."""
 
-    me, walls, radius = scene.robots[0], list[Segment](), 0.0
-    for drawing in drawings(scene):
-        if drawing.thing is not None and drawing.thing.index == me:
-            radius = max(hypot(x - start.x, y - start.y) * STEP for line in drawing.outlines for x, y in line)
-        else:
-            walls += (segment for line in drawing.outlines for segment in _segments(line))
-        if len(walls) > MOST_LINES:
+    def __init__(self, scene: Scene) -> None:
+        self._mover = Mover(Ground(scene), scene.robots[0])
+
+    def centimetres(self, place: Place, sonar: int, head: int) -> float | None:
+        """Of the nearest thing in the sonar's cone; None where none is in reach, or none looks there."""
+        bearing, turned = _looks(sonar, head)
+        if bearing is None:
             return None
-    return Walls(walls, radius) if walls else OpenFloor()
+        spot, around = _spot(place), self._mover.around
+        metres = min(
+            (each.metres(around, spot, turned) for each in self._mover.senses.at(bearing)), default=None
+        )
+        return None if metres is None or not isfinite(metres) else metres * 100
+
+    def touched(self, place: Place) -> frozenset[Switch]:
+        """The bumpers that something is close to."""
+        spot = _spot(place)
+        return frozenset(
+            switch
+            for left, switches in _PRESSED_BY.items()
+            if self._mover.contact(spot, spot.yaw + left, TOUCH).metres < TOUCH
+            for switch in switches
+        )
+
+    def is_free(self, place: Place) -> bool:
+        """Whether the robot's body overlaps nothing solid there."""
+        spot, body = _spot(place), self._mover.body
+        mine = tuple(placed(points, spot.x, spot.y, spot.yaw) for points in body.polygons)
+        close = self._mover.around.near(spot.x, spot.y, body.radius)
+        return not any(part.solid and overlapping(points, part.points) for part in close for points in mine)
 
 
 def place_of(start: Pose) -> Place:
@@ -36,7 +73,12 @@ def place_of(start: Pose) -> Place:
     return Place(start.x * STEP, start.y * STEP, radians(90.0 - start.heading))
 
 
-def _segments(outline: tuple[tuple[float, float], ...]) -> list[Segment]:
-    """Its edges, closed, in metres."""
-    metres = [(x * STEP, y * STEP) for x, y in outline]
-    return [(*one, *other) for one, other in pairwise([*metres, metres[0]])]
+def _looks(sonar: int, head: int) -> tuple[Bearing | None, float]:
+    """The bearing of a sonar of the body, or of the one on the head, and how far that is turned left."""
+    if sonar < len(_SONARS):
+        return _SONARS[sonar], 0.0
+    return Bearing.FRONT, 90.0 - head
+
+
+def _spot(place: Place) -> Spot:
+    return Spot(place.x, place.y, degrees(place.yaw))

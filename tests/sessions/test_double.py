@@ -1,0 +1,176 @@
+"""A program that moves does the same on the simulator and on the simulated board of the real robot.
+
+What is compared: the events in their order, with what was asked and done of each movement and why it ended,
+what was said, the mistakes, the outcome, the variables. The tolerance: times are the robots' own; a value
+that was read, and a number that was said or kept, may be one off, because wheels count and sonars tell whole
+centimetres; the last pose may be off by a quarter of a step and by one degree.
+"""
+
+from __future__ import annotations
+
+import io
+import json
+import re
+from pathlib import Path
+from typing import Any
+
+import pytest
+
+from donnie_tui.bootstrap import assemble
+from donnie_tui.settings import Settings
+from tests.programs.test_conformance import runner  # noqa: F401 -- a fixture
+
+PATIENCE = 60
+STEPS, DEGREES, READING = 0.25, 1.0, 1
+LONGEST = 7.0
+"""Seconds of robot time: the board takes its time to be simulated."""
+
+OWN = Path(__file__).parent.parent / "programs"
+PROGRAMS = [
+    "FW 3 TR 90 BW 2",
+    "TL 45 FW 2 SPEAK POS x SPEAK POS y",
+    "FW -3 TR -30 TR 0",
+    "FW 5 FW 5",
+    "BW 4 STATE",
+    "VAR n = DISTANCE F FW n SPEAK n",
+    "FOR VAR i = 1; i <= 2; i = i + 1 DO FW i TR 90 END FOR",
+    "FW 1 SPEAK q",
+    "BELT ON FW 2 VIBRATE F",
+    "WAIT 2 FW 1 QUIT",
+]
+NEAR = ("red", 0.0, 6.5)
+"""A thing before the robot, so that it meets something."""
+
+
+def world(folder: Path) -> str:
+    from tests import floor
+
+    text = (
+        floor._FLOOR
+        + f'thing( name "thing" pose [ {NEAR[1] * 0.05} {NEAR[2] * 0.05} 0 0 ] color "{NEAR[0]}" )'
+    )
+    file = folder / "near.world"
+    file.write_text(text, encoding="utf-8")
+    return str(file)
+
+
+def events(text: str, world: str, robot: str, language: str = "en") -> list[dict[str, Any]]:
+    """What ``donnie run --events -`` writes of the program, from its first event on."""
+    out = io.StringIO()
+    settings = Settings(
+        world=world, robot=robot, language=language, speed=None, speech="off", sound=False, events="-"
+    )
+    donnie = assemble(settings, terminal=False, out=out)
+    try:
+        run = donnie.session.start(text, "test.gd", fresh=True, hooked=False)
+        assert run.wait(PATIENCE)
+    finally:
+        donnie.close()
+    told = [json.loads(line) for line in out.getvalue().split("\n") if line]
+    began = next(number for number, each in enumerate(told) if each["event"] == "run_started")
+    return told[began:]
+
+
+def told_of(event: dict[str, Any]) -> tuple[str, list[float]]:
+    """What must be equal of an event, with its numbers taken out, and these, which may be one off."""
+    exact = {
+        name: value
+        for name, value in event.items()
+        if name not in ("seq", "t", "pose", "seconds", "version", "levels", "steps", "value", "variables")
+    }
+    said = str(event.get("text", "")) if event["event"] == "spoke" else ""
+    if said:
+        exact["text"] = re.sub(r"-?\d+", "#", said)
+    numbers = [float(each) for each in re.findall(r"-?\d+", said)]
+    if "value" in event:
+        numbers.append(float(event["value"]))
+    numbers += [float(value) for _, value in sorted(event.get("variables", {}).items())]
+    return json.dumps(exact, sort_keys=True), numbers
+
+
+def differences(simulated: list[dict[str, Any]], double: list[dict[str, Any]]) -> list[str]:
+    ours, theirs = map(told_of, _comparable(simulated)), map(told_of, _comparable(double))
+    found = [] if len(_comparable(simulated)) == len(_comparable(double)) else ["another number of events"]
+    for (one, numbers), (other, others) in zip(ours, theirs, strict=False):
+        if one != other or any(abs(a - b) > READING for a, b in zip(numbers, others, strict=True)):
+            found.append(f"{one} {numbers} became {other} {others}")
+    here, there = simulated[-1]["pose"], double[-1]["pose"]
+    turned = (here["heading"] - there["heading"] + 180) % 360 - 180
+    if abs(here["x"] - there["x"]) > STEPS or abs(here["y"] - there["y"]) > STEPS or abs(turned) > DEGREES:
+        found.append(f"{here} became {there}")
+    return found
+
+
+def _comparable(told: list[dict[str, Any]]) -> list[dict[str, Any]]:
+    """The belt and its cue follow what the sensors tell a step earlier or later."""
+    return [
+        each
+        for each in told
+        if each["event"] != "belt" and (each["event"], each.get("name")) != ("cue", "belt")
+    ]
+
+
+@pytest.mark.parametrize("program", PROGRAMS, ids=lambda each: each[:20])
+def test_a_program_does_the_same_on_the_simulated_board(program: str, tmp_path: Path) -> None:
+    there = world(tmp_path)
+
+    assert differences(events(program, there, "sim"), events(program, there, "double")) == []
+
+
+def test_our_own_programs_do_the_same_on_the_simulated_board() -> None:
+    found, compared = {}, 0
+    for program in sorted(OWN.glob("*/*.gd")):
+        text, language = program.read_text(encoding="utf-8"), program.parent.name
+        where = re.match(r"-- world: (\w+)", text)
+        place, spoken = where[1] if where else "open_floor", language if language in ("pt", "es") else "en"
+        simulated = events(text, place, "sim", spoken)
+        if _is_short_and_moves(simulated) and not _needs_a_camera(simulated):
+            compared += 1
+            differs = differences(simulated, events(text, place, "double", spoken))
+            found |= {program.stem: differs} if differs else {}
+
+    assert compared >= 3
+    assert found == {}
+
+
+def test_something_in_the_way_ends_a_walk_alike(tmp_path: Path) -> None:
+    told = events("FW 20", world(tmp_path), "double")
+
+    moved = next(each for each in told if each["event"] == "moved")
+    assert (moved["walked"], moved["stopped_by"]) == (5, "obstacle")
+
+
+DECIDED_BY_A_READING = {"063_s10_for_obstacle"}
+"""One step more or less of what the sonar tells changes what they do."""
+
+
+def test_the_corpus_moves_the_simulated_board_as_it_moves_the_simulator(
+    runner: Any,  # noqa: F811 -- the fixture
+    shared: Path,
+    tmp_path: Path,
+) -> None:
+    found, compared = {}, 0
+    for program in sorted((shared / "corpus").glob("*.gd")):
+        want = runner.read_expected(program.with_suffix(".expected"))
+        if want["mode"] == "terminal" or program.stem in DECIDED_BY_A_READING:
+            continue
+        file = tmp_path / f"{program.stem}.world"
+        file.write_text(runner.world_text(want), encoding="utf-8")
+        text = program.read_bytes().decode("utf-8-sig")
+        simulated = events(text, str(file), "sim", want["lang"])
+        if _is_short_and_moves(simulated) and not _needs_a_camera(simulated):
+            compared += 1
+            differs = differences(simulated, events(text, str(file), "double", want["lang"]))
+            found |= {program.stem: differs} if differs else {}
+
+    assert compared > 20
+    assert found == {}
+
+
+def _is_short_and_moves(told: list[dict[str, Any]]) -> bool:
+    moves = any(each["event"] in ("moved", "turned") for each in told)
+    return moves and 0 < told[-1]["seconds"] <= LONGEST
+
+
+def _needs_a_camera(told: list[dict[str, Any]]) -> bool:
+    return any(each["event"] == "scanned" or each.get("sensor") == "colour" for each in told)
