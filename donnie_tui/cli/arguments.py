@@ -29,8 +29,20 @@ COMMON = (
 )
 """The options that mean the same everywhere; their values are read in ``settings``."""
 
-TO_COME = ("challenge", "replay", "serve")
-COMMANDS = ("run", "check", "format", "worlds", "world", "doctor", "devices", "stop", "calibrate", *TO_COME)
+TO_COME = ("challenge", "serve")
+COMMANDS = (
+    "run",
+    "check",
+    "format",
+    "worlds",
+    "world",
+    "replay",
+    "doctor",
+    "devices",
+    "stop",
+    "calibrate",
+    *TO_COME,
+)
 
 _PLACEHOLDERS = {
     "world": "NAME_OR_FILE",
@@ -196,6 +208,15 @@ def _add_world(parser: argparse._ArgumentGroup, words: Words) -> None:
     form.add_argument("--brf", metavar="FILE", help=words("option-brf"))
 
 
+def _add_replay(parser: argparse._ArgumentGroup, words: Words) -> None:
+    parser.add_argument("file", metavar="FILE", help=words("option-recording"))
+    parser.add_argument("--backwards", action="store_true", help=words("option-backwards"))
+    parser.add_argument("--from", dest="start", type=int, metavar="N", help=words("option-from"))
+    parser.add_argument("--step", action="store_true", help=words("option-step"))
+    parser.add_argument("--map", action="store_true", help=words("option-replay-map"))
+    parser.add_argument("--check", action="store_true", help=words("option-recheck"))
+
+
 def _add_devices(parser: argparse._ArgumentGroup, words: Words) -> None:
     parser.add_argument("port", nargs="*", metavar="PORT", help=words("option-ports"))
 
@@ -207,6 +228,7 @@ def _add_port(parser: argparse._ArgumentGroup, words: Words) -> None:
 _ADD: dict[str, Callable[[argparse._ArgumentGroup, Words], None]] = {
     "": _add_front_end,
     "run": _add_run,
+    "replay": _add_replay,
     "devices": _add_devices,
     "stop": _add_port,
     "calibrate": _add_nothing,

@@ -78,6 +78,8 @@ def _handler(order: Order) -> Callable[[Order], int]:
     match order.invocation.command:
         case "run":
             from donnie_tui.cli.running import run as command
+        case "replay":
+            from donnie_tui.cli.replaying import replay as command
         case "check":
             from donnie_tui.cli.checking import check as command
         case "format":

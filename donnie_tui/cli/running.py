@@ -6,37 +6,28 @@ A signal stops every robot at once; each run then ends as it always does, with i
 from __future__ import annotations
 
 import os
-import signal
 import threading
-from collections.abc import Callable, Iterator, Mapping, Sequence
-from contextlib import contextmanager
-from types import FrameType
+from collections.abc import Callable, Mapping, Sequence
 from typing import TextIO, cast
 
 from donnie_tui.bootstrap import Donnie, assemble
 from donnie_tui.cli import codes
 from donnie_tui.cli.assigning import assign, read_programs
+from donnie_tui.cli.ending import let_speak, stopped_by_signals
 from donnie_tui.cli.order import Order
 from donnie_tui.cli.output import Guarded, Output
 from donnie_tui.core.events import Answered, Outcome, Stamped
 from donnie_tui.core.runner import Run
-from donnie_tui.core.team import Assigned, Team
+from donnie_tui.core.team import Assigned
 from donnie_tui.core.transcript import told_lines
 from donnie_tui.settings import Settings
 from donnie_tui.settings import Source as Origin
 
-_SIGNALS = ("SIGINT", "SIGTERM", "SIGHUP")
 _GLANCE = 0.5
 """Seconds between two looks for a signal where waiting can't be interrupted by one."""
 
 _LAST_WORDS = 1.0
 """Seconds for a stopped run to end; it needs a few thousandths unless its output is stuck."""
-
-_MOMENT = 0.05
-"""Seconds within which a signal ends the voice too."""
-
-_LONGEST_SPEECH = 2400
-"""Moments that the voice may take behind the end of a program: two minutes."""
 
 _CODE_OF = {
     Outcome.COMPLETED: codes.DONE,
@@ -74,11 +65,11 @@ def _run(order: Order, files: Sequence[str], *, trace: bool) -> int:
 def _run_to_the_end(donnie: Donnie, programs: Mapping[str, Assigned], output: Output, trace: bool) -> int:
     """The worst exit code of all."""
     output.on_broken = donnie.team.stop
-    with _stopped_by_signals(donnie.team) as stopped:
+    with stopped_by_signals(donnie.team.stop) as stopped:
         started = donnie.team.start_together(programs, trace=trace, hooked=False)
         for each in started:
             _await_end(each, stopped)
-        _let_speak(donnie, stopped)
+        let_speak(donnie.is_quiet_within, stopped)
     return max(codes.FAILED if each.outcome is None else _CODE_OF[each.outcome] for each in started)
 
 
@@ -108,28 +99,3 @@ def _tell_notices(settings: Settings, donnie: Donnie, output: Output) -> None:
     asked_for = settings.source_of("speech") is not Origin.DEFAULT
     for notice in donnie.notices if asked_for else donnie.about_devices:
         output.complaint(notice)
-
-
-def _let_speak(donnie: Donnie, stopped: threading.Event) -> None:
-    """A program is done before its words are said: the voice gets its time, until somebody stops it."""
-    for _ in range(_LONGEST_SPEECH):
-        if stopped.is_set() or donnie.is_quiet_within(_MOMENT):
-            return
-
-
-@contextmanager
-def _stopped_by_signals(team: Team) -> Iterator[threading.Event]:
-    """Any of them, any number of times, stops all programs and robots, and sets the event."""
-    stopped = threading.Event()
-
-    def stop(_number: int, _frame: FrameType | None) -> None:
-        stopped.set()
-        team.stop()
-
-    numbers = [getattr(signal, name) for name in _SIGNALS if hasattr(signal, name)]
-    before = {number: signal.signal(number, stop) for number in numbers}
-    try:
-        yield stopped
-    finally:
-        for number, handler in before.items():
-            signal.signal(number, handler)

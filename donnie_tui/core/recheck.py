@@ -175,7 +175,9 @@ class _Checking:
                 for robot, (started, how) in hows.items()
                 if how is not None
             }
-            return self._team.start_together(programs, trace=first.trace, hooked=False)
+            return self._team.start_together(
+                programs, trace=first.trace, hooked=False, terminal=first.terminal
+            )
         (robot, (started, how)) = next(iter(hows.items()))
         assert how is not None  # it is the first
         session = self._team.session(robot or self._team.names[0])

@@ -90,8 +90,10 @@ class Recording:
         return _Events(self._file, self._places, self._lines)
 
     def line_of(self, index: int) -> int:
-        """The number of the line in which an event stands, from 1."""
-        return self._lines[index]
+        """The number of the line in which an event stands, from 1; of one more, the line behind the last."""
+        if index < len(self._lines):
+            return self._lines[index]
+        return self._lines[-1] + 1 if self._lines else 1
 
     def _look_through(self) -> None:
         place, is_first = 0, True

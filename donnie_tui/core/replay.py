@@ -11,12 +11,16 @@ from collections.abc import Callable, Iterable
 from typing import TYPE_CHECKING
 
 from donnie_tui.core.events import RunEnded, RunStarted, Stamped
+from donnie_tui.core.map_grid import Cell
 from donnie_tui.core.map_scene import MapScene
 from donnie_tui.core.timeline import Timeline
 from language.control import ExecutionControl
 
 if TYPE_CHECKING:
     from sim.picture import Picture
+
+WIDEST, HIGHEST = 78, 22
+"""Squares of a map: what a terminal of 80 by 24 shows at once."""
 
 LONGEST_PAUSE = 5.0
 """Seconds of real time that a replay is silent at most: nobody waits for a WAIT 1000 again."""
@@ -97,3 +101,18 @@ def map_at(timeline: Timeline, picture: Picture, robot: str | None) -> MapScene 
         if other is not None and other != robot and pose_of_other is not None:
             scene.move_other(other, pose_of_other)
     return scene
+
+
+def rows_of(scene: MapScene) -> tuple[str, ...]:
+    """The map, or of a large one the part around the robot; the northern row first."""
+    bounds, robot = scene.bounds, scene.robot
+    left, right = _part(bounds.left, bounds.right, robot.x, WIDEST)
+    bottom, top = _part(bounds.bottom, bounds.top, robot.y, HIGHEST)
+    return tuple(
+        "".join(scene.letter(Cell(x, y)) for x in range(left, right + 1)) for y in range(top, bottom - 1, -1)
+    )
+
+
+def _part(first: int, last: int, middle: int, most: int) -> tuple[int, int]:
+    begin = max(first, min(middle - most // 2, last - most + 1))
+    return begin, min(last, begin + most - 1)

@@ -90,7 +90,12 @@ class Team:
     # --- what
 
     def start_together(
-        self, programs: Mapping[str, Assigned], *, trace: bool = False, hooked: bool = True
+        self,
+        programs: Mapping[str, Assigned],
+        *,
+        trace: bool = False,
+        hooked: bool = True,
+        terminal: bool | None = None,
     ) -> tuple[Run, ...]:
         """Each robot runs its program from its start, all from the same moment on, in the order of the world.
 
@@ -109,6 +114,7 @@ class Team:
                     fresh=True,
                     trace=trace,
                     hooked=hooked,
+                    terminal=terminal,
                     together=names if len(names) > 1 else (),
                 )
                 claimed.append((session, run))

@@ -1,0 +1,186 @@
+"""Going through a recording by typed words: a step on, a step back, where, the map, on to the end.
+
+An empty line is a step on. Words in three languages, declared once; HELP lists them. Works with lines from a
+file too; on a terminal there is a prompt, and Ctrl+C ends what goes on, or the whole.
+"""
+
+from __future__ import annotations
+
+import sys
+from collections.abc import Callable
+from dataclasses import dataclass
+from typing import TYPE_CHECKING
+
+from donnie_tui.cli import codes
+from donnie_tui.cli.ending import stopped_by_signals
+from donnie_tui.cli.output import Output
+from donnie_tui.core import numbers
+from donnie_tui.core.events import Answered, Stamped
+from donnie_tui.core.hub import Hub, Stream
+from donnie_tui.core.replay import Replay, map_at, rows_of
+from donnie_tui.core.retelling import told_back
+from donnie_tui.core.telling import facing
+from donnie_tui.i18n.words import Words
+from language.control import ExecutionControl
+from language.source import fold_name
+
+if TYPE_CHECKING:
+    from sim.picture import Picture
+
+LONGEST_LINE = 200
+SPEEDS: tuple[float | None, ...] = (1.0, 2.0, 5.0, 10.0, 20.0, 50.0, None)
+
+
+@dataclass(frozen=True, slots=True)
+class Word:
+    """One word; what it is for is ``replay-word-NAME``."""
+
+    name: str
+    en: str
+    pt: str
+    es: str
+
+
+WORDS = (
+    Word("next", "NEXT", "PRÓXIMO", "SIGUIENTE"),
+    Word("back", "BACK", "VOLTAR", "VOLVER"),
+    Word("go", "GO", "SEGUIR", "SEGUIR"),
+    Word("faster", "FASTER", "MAIS RÁPIDO", "MÁS RÁPIDO"),
+    Word("slower", "SLOWER", "MAIS DEVAGAR", "MÁS LENTO"),
+    Word("where", "WHERE", "ONDE", "DÓNDE"),
+    Word("map", "MAP", "MAPA", "MAPA"),
+    Word("first", "START", "COMEÇO", "COMIENZO"),
+    Word("last", "END", "FIM", "FIN"),
+    Word("help", "HELP", "AJUDA", "AYUDA"),
+    Word("quit", "QUIT", "SAIR", "SALIR"),
+)
+_BY_WORD = {fold_name(word): each.name for each in WORDS for word in (each.en, each.pt, each.es)}
+
+
+class ReplayDesk:
+    """One conversation about a recording."""
+
+    def __init__(
+        self, replay: Replay, hub: Hub, stream: Stream, words: Words, picture: Picture | None
+    ) -> None:
+        self._replay = replay
+        self._timeline = replay.timeline
+        self._hub = hub
+        self._stream = stream
+        self._words = words
+        self._picture = picture
+        self._robot: str | None = None
+        """Of whom something was told last."""
+        self._leaving = False
+
+    def talk(self, output: Output) -> int:
+        """Until somebody leaves, or nothing more is typed."""
+        is_asked = sys.stdin is not None and sys.stdin.isatty()
+        self._answer("replay-steps", events=len(self._timeline))
+        try:
+            while not self._leaving and not output.is_broken:
+                if is_asked:
+                    output.text("> ")
+                typed = sys.stdin.readline(LONGEST_LINE) if sys.stdin is not None else ""
+                if not typed:
+                    break
+                self._do(typed.strip(), output)
+        except KeyboardInterrupt:
+            return codes.STOPPED
+        return codes.DONE
+
+    def _do(self, typed: str, output: Output) -> None:
+        name = _BY_WORD.get(fold_name(" ".join(typed.split()))) if typed else "next"
+        if typed.isascii() and typed.isdecimal():
+            self._go_to(int(typed[:9]))
+        elif name is None:
+            self._answer("replay-unknown-word")
+        else:
+            self._doings(output)[name]()
+
+    def _doings(self, output: Output) -> dict[str, Callable[[], None]]:
+        return {
+            "next": self._next,
+            "back": self._back,
+            "go": self._go,
+            "faster": lambda: self._change_speed(+1),
+            "slower": lambda: self._change_speed(-1),
+            "where": self._where,
+            "map": lambda: self._map(output),
+            "first": lambda: self._go_to(0),
+            "last": lambda: self._go_to(len(self._timeline)),
+            "help": self._help,
+            "quit": self._quit,
+        }
+
+    # --- what the words do
+
+    def _next(self) -> None:
+        step = self._timeline.step()
+        if not step:
+            self._answer("replay-end")
+        for stamped in step:
+            self._show(stamped)
+
+    def _back(self) -> None:
+        undone = self._timeline.step_back()
+        if undone:
+            self._robot = undone[0].robot
+        self._tell(told_back(undone, self._timeline, self._words))
+
+    def _go(self) -> None:
+        """On to the end, until Ctrl+C."""
+        self._replay.control = ExecutionControl()
+        with stopped_by_signals(self._replay.control.stop):
+            if self._replay.forwards(self._show):
+                self._answer("replay-end")
+
+    def _show(self, stamped: Stamped) -> None:
+        self._robot = stamped.robot
+        self._stream.pass_on(stamped)
+
+    def _change_speed(self, by: int) -> None:
+        at = SPEEDS.index(self._replay.speed) if self._replay.speed in SPEEDS else len(SPEEDS) - 1
+        self._replay.speed = SPEEDS[max(0, min(len(SPEEDS) - 1, at + by))]
+        speed = self._replay.speed
+        shown = self._words("speed-max") if speed is None else f"{speed:g}"
+        self._answer("replay-speed", speed=shown)
+
+    def _where(self) -> None:
+        self._answer("replay-at", at=self._timeline.at, events=len(self._timeline))
+        for robot in self._timeline.robots:
+            pose = self._timeline.pose(robot)
+            if pose is not None:
+                place = self._words(
+                    "position",
+                    facing=facing(pose, self._words),
+                    x=numbers.whole(pose.x),
+                    y=numbers.whole(pose.y),
+                )
+                self._tell(place if robot is None else self._words("robot-says", robot=robot, text=place))
+
+    def _map(self, output: Output) -> None:
+        scene = map_at(self._timeline, self._picture, self._robot) if self._picture is not None else None
+        if scene is None:
+            self._answer("replay-no-map")
+            return
+        for row in rows_of(scene):
+            output.line(row)
+
+    def _go_to(self, at: int) -> None:
+        self._timeline.go_to(at)
+        self._where()
+
+    def _help(self) -> None:
+        for word in WORDS:
+            typed = {"en": word.en, "pt": word.pt, "es": word.es}[self._words.language]
+            self._tell(f"{typed}: {self._words(f'replay-word-{word.name}')}")
+
+    def _quit(self) -> None:
+        self._leaving = True
+
+    def _answer(self, code: str, **values: object) -> None:
+        self._tell(self._words(code, **values))
+
+    def _tell(self, sentence: str) -> None:
+        self._hub.publish(Answered(sentence))

@@ -1,0 +1,149 @@
+"""``donnie replay FILE``: a recorded run told and shown again.
+
+Told through the same listeners as the run itself, so that it is printed, spoken and sounded alike.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from contextlib import ExitStack
+from dataclasses import dataclass
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+from donnie_tui.audible import make_audible
+from donnie_tui.cli import codes
+from donnie_tui.cli.ending import let_speak, stopped_by_signals
+from donnie_tui.cli.order import Order
+from donnie_tui.cli.output import Output
+from donnie_tui.cli.replay_desk import ReplayDesk
+from donnie_tui.core.events import Answered, Moved, Stamped, Turned
+from donnie_tui.core.hub import Hub, Stream
+from donnie_tui.core.recording import NoRecordingError, Recording
+from donnie_tui.core.replay import Replay, map_at, rows_of
+from donnie_tui.core.retelling import told_back
+from donnie_tui.core.timeline import Timeline
+from donnie_tui.core.transcript import told_lines
+from donnie_tui.i18n.words import Words
+from donnie_tui.recorded_world import unpacked
+from donnie_tui.unusable import Unusable
+from language.control import ExecutionControl
+
+if TYPE_CHECKING:
+    from sim.picture import Picture
+
+
+@dataclass(frozen=True, slots=True)
+class _Audience:
+    """Whoever listens to the replay."""
+
+    hub: Hub
+
+
+def replay(order: Order) -> int:
+    """``donnie replay``."""
+    arguments, words = order.invocation.arguments, order.words
+    with ExitStack() as closing:
+        recording = _opened(arguments.file, words, closing)
+        for damage in recording.damages:
+            order.output.complaint(words(f"damaged-{damage.code}", line=damage.line, count=damage.last))
+        if arguments.check:
+            from donnie_tui.cli.rechecking import run_again
+
+            return run_again(order, recording)
+        return _Telling(order, recording, closing).tell()
+
+
+def _opened(name: str, words: Words, closing: ExitStack) -> Recording:
+    try:
+        return Recording(closing.enter_context(Path(name).open("rb")))
+    except NoRecordingError:
+        raise Unusable(words("no-recording", path=name)) from None
+    except (OSError, ValueError) as problem:
+        reason = getattr(problem, "strerror", None) or str(problem)
+        raise Unusable(words("file-unreadable", path=name, reason=reason)) from None
+
+
+# --- telling
+
+
+class _Telling:
+    """One replay, from the first word to the last."""
+
+    def __init__(self, order: Order, recording: Recording, closing: ExitStack) -> None:
+        self._order = order
+        self._words = order.words
+        self._stream = Stream()
+        self._hub = Hub(lambda: 0.0, None, self._stream)
+        self._timeline = Timeline(recording.events)
+        self._control = ExecutionControl()
+        self._picture = self._picture_of(recording, closing)
+        self._stream.subscribe(_printer(order.output, order.words))
+        self._audible = make_audible(order.settings, _Audience(self._hub), order.words, closing)
+        self._replay = Replay(self._timeline, self._control, order.settings.speed)
+
+    def tell(self) -> int:
+        arguments = self._order.invocation.arguments
+        self._begin_at(arguments.start, arguments.backwards)
+        self._order.output.on_broken = self._control.stop
+        if arguments.step:
+            return ReplayDesk(self._replay, self._hub, self._stream, self._words, self._picture).talk(
+                self._order.output
+            )
+        with stopped_by_signals(self._control.stop) as stopped:
+            to_the_end = self._play_backwards() if arguments.backwards else self._replay.forwards(self._show)
+            let_speak(self._audible.is_quiet_within, stopped)
+        return codes.DONE if to_the_end else codes.STOPPED
+
+    def _begin_at(self, seq: int | None, backwards: bool) -> None:
+        """Just before the event of that number; backwards, behind it."""
+        events = self._timeline.events
+        if seq is None:
+            self._timeline.go_to(len(events) if backwards else 0)
+            return
+        last = events[len(events) - 1].seq if events else 0
+        if not 1 <= seq <= last:
+            raise Unusable(self._words("replay-no-such-event", number=seq, last=last))
+        index = next(index for index, each in enumerate(events) if each.seq >= seq)
+        self._timeline.go_to(index + backwards)
+
+    def _show(self, stamped: Stamped) -> None:
+        self._stream.pass_on(stamped)
+        if self._picture is not None and isinstance(stamped.event, Moved | Turned):
+            self._show_map(stamped.robot)
+
+    def _play_backwards(self) -> bool:
+        return self._replay.backwards(self._show_back)
+
+    def _show_back(self, undone: tuple[Stamped, ...]) -> None:
+        self._hub.publish(Answered(told_back(undone, self._timeline, self._words)))
+        if self._picture is not None and any(isinstance(each.event, Moved | Turned) for each in undone):
+            self._show_map(undone[0].robot)
+
+    def _show_map(self, robot: str | None) -> None:
+        assert self._picture is not None
+        scene = map_at(self._timeline, self._picture, robot)
+        if scene is not None:
+            for row in rows_of(scene):
+                self._order.output.line(row)
+
+    def _picture_of(self, recording: Recording, closing: ExitStack) -> Picture | None:
+        """The floor, where somebody wants to see it, and the recording still has it."""
+        arguments = self._order.invocation.arguments
+        if not (arguments.map or arguments.step) or recording.header is None:
+            return None
+        from sim.picture import picture
+
+        try:
+            return picture(closing.enter_context(unpacked(recording.header, self._words)).scene)
+        except Unusable as unusable:
+            self._order.output.complaint(unusable.sentence)
+            return None
+
+
+def _printer(output: Output, words: Words) -> Callable[[Stamped], None]:
+    def tell(stamped: Stamped) -> None:
+        for line in told_lines(stamped, words):
+            output.line(line)
+
+    return tell

@@ -1,0 +1,309 @@
+"""``donnie replay``: a recording tells the run again, both ways; running it again gives the same events."""
+
+from __future__ import annotations
+
+import io
+import json
+import os
+import signal
+import sys
+from collections.abc import Sequence
+from dataclasses import dataclass
+from pathlib import Path
+
+import pytest
+
+from donnie_tui.cli.main import main
+from donnie_tui.core.recording import NoRecordingError, Recording
+from tests.sessions.command import PATIENCE, QUIET, donnie, start
+
+PROGRAM = """VAR n = 2
+REPEAT n TIMES
+FW n TR 90
+END REPEAT
+SPEAK "olá"
+STATE
+SCAN
+WAIT 1
+SPEAK DISTANCE F
+"""
+
+
+@dataclass(slots=True)
+class Done:
+    returncode: int
+    out: list[str]
+    err: list[str]
+
+
+class Here:
+    """A folder in which commands run in this process, which is faster than in one of their own."""
+
+    def __init__(
+        self, capsys: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch, folder: Path
+    ) -> None:
+        self._capsys, self._monkeypatch, self.folder = capsys, monkeypatch, folder
+
+    def donnie(self, *arguments: str, typed: str = "") -> Done:
+        self._monkeypatch.setattr(sys, "stdin", io.StringIO(typed))
+        code = main([*arguments, *QUIET])
+        out, err = self._capsys.readouterr()
+        return Done(code, out.splitlines(), err.splitlines())
+
+    def record(self, program: str = PROGRAM, *more: str, code: int = 0) -> list[str]:
+        """Record a run into ``a.rec``; what it printed."""
+        (self.folder / "a.gd").write_text(program, encoding="utf-8")
+        done = self.donnie("run", "a.gd", "--record", "a.rec", *more)
+        assert (done.returncode, done.err) == (code, [])
+        return done.out
+
+    def replay(self, *arguments: str, typed: str = "", code: int = 0, err: Sequence[str] = ()) -> list[str]:
+        done = self.donnie("replay", "a.rec", *arguments, typed=typed)
+        assert (done.returncode, done.err) == (code, [*err])
+        return done.out
+
+    def spoil(self, change: dict[int, bytes | None]) -> None:
+        """Other bytes for some lines (from 1) of the recording, none for None."""
+        lines = (self.folder / "a.rec").read_bytes().splitlines(keepends=True)
+        kept = [change.get(number, line) for number, line in enumerate(lines, 1)]
+        (self.folder / "a.rec").write_bytes(b"".join(line for line in kept if line is not None))
+
+
+@pytest.fixture
+def here(capsys: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch, tmp_path: Path) -> Here:
+    for name in [each for each in os.environ if each.startswith(("DONNIE_", "LC_", "LANG"))]:
+        monkeypatch.delenv(name)
+    monkeypatch.setenv("XDG_CONFIG_HOME", str(tmp_path / "config"))
+    monkeypatch.chdir(tmp_path)
+    return Here(capsys, monkeypatch, tmp_path)
+
+
+# --- telling
+
+
+def test_a_replay_prints_what_the_run_printed(here: Here) -> None:
+    printed = here.record()
+
+    assert here.replay() == printed
+
+
+def test_backwards_each_step_is_told_with_the_place_that_it_leads_to(here: Here) -> None:
+    here.record("FW 2\nTR 90\nFW 3")
+
+    assert here.replay("--backwards") == [
+        "Back: end of the program. Position 3, 2.",
+        "Back: FW 3. Position 0, 2.",
+        "Back: TR 90. Facing north.",
+        "Back: FW 2. Position 0, 0.",
+        "Back: start of a.gd.",
+    ]
+
+
+def test_a_replay_may_begin_in_the_middle(here: Here) -> None:
+    here.record("SPEAK 1\nSPEAK 2\nSPEAK 3")
+
+    assert here.replay("--from", "3") == ["2", "3"]
+    assert here.replay("--from", "3", "--backwards") == ["Back: 2.", "Back: 1.", "Back: start of a.gd."]
+
+
+def test_step_by_step_one_goes_both_ways_by_typed_words(here: Here) -> None:
+    here.record("FW 2\nTR 90")
+
+    typed = "\nNEXT\nPRÓXIMO\nback\nDÓNDE\nMAP\nnonsense\nGO\nNEXT\nQUIT\n"
+    told = here.replay("--step", typed=typed)
+
+    assert told[1:5] == [
+        "I walked 2 steps forward.",
+        "I turned 90 degrees to the right.",
+        "Back: TR 90. Facing north.",
+        "Event 5 of 18.",
+    ]
+    assert told[5] == "Position 0, 2. Facing north."
+    assert any("^" in line for line in told[6:])
+    assert told[-4:] == [
+        "I do not know that word. HELP lists them.",
+        "I turned 90 degrees to the right.",
+        "This is the end.",
+        "This is the end.",
+    ]
+
+
+def test_the_map_is_drawn_as_it_goes(here: Here) -> None:
+    here.record("FW 2\nTR 90", "--world", "living_room")
+
+    told = here.replay("--map")
+
+    assert sum("^" in line for line in told) == 1
+    assert sum(">" in line for line in told) == 1
+
+
+def test_a_replay_at_a_speed_keeps_the_order_and_stops_at_a_signal(here: Here) -> None:
+    here.record('SPEAK "begun" WAIT 1000')
+    running = start(here.folder, "replay", "a.rec", *QUIET, "--speed", "1")
+    assert running.stdout is not None
+    assert running.stdout.readline() == b"begun\n"
+
+    running.send_signal(signal.SIGINT)
+
+    running.communicate(timeout=PATIENCE)
+    assert running.returncode == 130
+
+
+# --- running it again
+
+
+@pytest.mark.parametrize("world", ["open_floor", "living_room", "two_robots"])
+def test_running_it_again_gives_the_same_events(here: Here, world: str) -> None:
+    here.record(PROGRAM, "--world", world, "--lang", "pt")
+
+    assert here.replay("--check")[0].startswith("Run again: ")
+    assert here.replay("--check")[0].endswith("events alike.")
+
+
+def test_several_robots_are_run_again_together(here: Here) -> None:
+    (here.folder / "a.gd").write_text(PROGRAM)
+    (here.folder / "b.gd").write_text("WAIT 1 FW 20 SPEAK 1 / 0")
+    done = here.donnie("run", "alice=a.gd", "bob=b.gd", "--world", "two_robots", "--record", "a.rec")
+
+    assert done.returncode == 1
+    assert here.replay("--check")[0].endswith("events alike.")
+    assert here.replay() == done.out
+
+
+def test_a_recording_needs_nothing_but_itself(here: Here) -> None:
+    (here.folder / "sub").mkdir()
+    (here.folder / "sub" / "own.inc").write_text(
+        'include "donnie.inc"\ndefine box model ( size [ 0.2 0.2 0.2 ] )\n'
+    )
+    (here.folder / "own.world").write_text(
+        'include "sub/own.inc"\nbox( pose [ 0 0.5 0 0 ] color "red" )\ndonnie( pose [ 0 0 0 90 ] )\n'
+    )
+    here.record("FW 30 SCAN", "--world", "own.world")
+    for file in ("own.world", "sub/own.inc", "a.gd"):
+        (here.folder / file).unlink()
+
+    assert here.replay("--check")[0].endswith("events alike.")
+
+
+def test_the_first_event_that_differs_is_told(here: Here) -> None:
+    here.record("FW 2\nSPEAK 5")
+    lines = (here.folder / "a.rec").read_bytes().splitlines(keepends=True)
+    number = next(number for number, line in enumerate(lines, 1) if b'"spoke"' in line)
+    here.spoil({number: lines[number - 1].replace(b'"5"', b'"6"')})
+
+    told = here.replay("--check", code=1)
+
+    assert told[0] == f"Run again: line {number} differs."
+    assert '"text":"6"' in told[1]
+    assert '"text":"5"' in told[2]
+
+
+def test_what_somebody_stopped_is_compared_up_to_there(here: Here) -> None:
+    (here.folder / "a.gd").write_text("FW 3 SPEAK 1 FW 1000")
+    running = start(here.folder, "run", "a.gd", *QUIET, "--speed", "50", "--record", "a.rec")
+    assert running.stdout is not None
+    while running.stdout.readline() != b"1\n":
+        pass
+    running.send_signal(signal.SIGTERM)
+    running.communicate(timeout=PATIENCE)
+
+    told = here.replay("--check")
+
+    assert told[0].endswith("where it was stopped.")
+
+
+def test_typed_lines_are_recorded_and_run_again_too(here: Here) -> None:
+    typed = "VAR a = 2\nFW a\n\nSPEAK a\nRUN\nRESET\nONDE\nFW 1\nRUN\n"
+    donnie(here.folder, "--linear", *QUIET, "--speed", "max", "--record", "a.rec", typed=typed)
+
+    assert here.replay("--check")[0].endswith("events alike.")
+    assert "2" in here.replay()
+
+
+# --- damage
+
+
+def test_a_damaged_line_is_told_and_the_rest_is_replayed(here: Here) -> None:
+    here.record("SPEAK 1\nSPEAK 2\nSPEAK 3")
+    here.spoil({4: b'{"seq":3,"t":0,"eve\n'})
+
+    assert here.replay(err=["Line 4 is damaged. The rest is told."]) == ["1", "3"]
+
+
+def test_a_line_that_is_gone_is_missed(here: Here) -> None:
+    here.record("SPEAK 1\nSPEAK 2\nSPEAK 3")
+    here.spoil({4: None})
+
+    assert here.replay(err=["Before line 4, 1 event is missing."]) == ["1", "3"]
+
+
+def test_without_its_beginning_a_recording_is_told_all_the_same(here: Here) -> None:
+    here.record("SPEAK 1")
+    here.spoil({1: b"\xff\xfe{nonsense\n"})
+    damage = "Line 1, the beginning, is damaged: there is no map."
+
+    assert here.replay("--map", err=[damage]) == ["1"]
+    here.replay("--check", code=2, err=[damage, "The recording is damaged and can't be run again."])
+
+
+def test_a_recording_cut_anywhere_has_all_that_is_whole(here: Here) -> None:
+    here.record("SPEAK 1\nSPEAK 2")
+    whole = (here.folder / "a.rec").read_bytes()
+    first_event = whole.index(b"\n") + 1
+    lines = whole[first_event:].splitlines(keepends=True)
+
+    for length in range(first_event, len(whole)):
+        recording = Recording(io.BytesIO(whole[:length]))
+        cut = whole[first_event:length]
+        rest = cut.rpartition(b"\n")[2]
+        is_whole = rest in (line.rstrip(b"\n") for line in lines)
+        assert len(recording.events) == cut.count(b"\n") + is_whole
+        assert len(recording.damages) == (1 if rest and not is_whole else 0)
+
+
+@pytest.mark.parametrize(
+    "content",
+    [b"", b"FW 3\n", b"\x00" * 1000, b"{}\n", b"[" * 200_000, b'{"donnie_recording":1}\n', b'{"a":' * 90_000],
+    ids=["nothing", "a program", "zeros", "an object", "deep", "a bare header", "deep objects"],
+)
+def test_what_is_no_recording_is_refused(content: bytes) -> None:
+    with pytest.raises(NoRecordingError):
+        Recording(io.BytesIO(content))
+
+
+def test_what_is_no_recording_is_told_in_one_sentence(here: Here) -> None:
+    (here.folder / "a.rec").write_bytes(b"FW 3\n")
+
+    assert here.replay(code=2, err=["a.rec is no recording."]) == []
+
+
+@pytest.mark.parametrize(
+    "name", ["0/../../evil", "/etc/evil", "0//../evil", "evil", "0/a\\..\\evil", "00x/evil"]
+)
+def test_a_recording_writes_nowhere_else(here: Here, name: str) -> None:
+    here.record("SPEAK 1")
+    lines = (here.folder / "a.rec").read_text(encoding="utf-8").splitlines(keepends=True)
+    header = json.loads(lines[0])
+    header["world"]["files"].append({"name": name, "text": "evil"})
+    (here.folder / "a.rec").write_text(json.dumps(header) + "\n" + "".join(lines[1:]), encoding="utf-8")
+
+    here.replay("--check", code=2, err=["The world in the recording is damaged."])
+    assert not (here.folder.parent / "evil").exists()
+
+
+def test_a_full_disk_ends_the_recording_and_not_the_run(here: Here) -> None:
+    if not Path("/dev/full").exists():
+        pytest.skip("needs a device that is always full")
+    (here.folder / "a.gd").write_text("SPEAK 1")
+
+    done = here.donnie("run", "a.gd", "--record", "/dev/full")
+
+    assert done.returncode == 2
+    assert done.err == ["I can't write /dev/full: No space left on device."]
+
+
+def test_no_such_event_or_file_is_one_sentence(here: Here) -> None:
+    here.record("SPEAK 1")
+
+    here.replay("--from", "0", code=2, err=["There is no event 0. The last one is 4."])
+    assert here.donnie("replay", "b.rec").err[0].startswith("I can't read b.rec: ")
