@@ -49,6 +49,8 @@ FRONT_END_SPEED = 5.0
 
 SLOWEST, FASTEST = 0.1, 1000.0
 LARGEST_SEED = 2**63 - 1
+LONGEST_PROGRESS = 3600
+"""Seconds between two signs of life of a long run."""
 
 LANGUAGES = ("en", "pt", "es")
 SPEECH = ("auto", "off", "text", "ssip", "tts", "robot")
@@ -124,6 +126,15 @@ class Settings:
     """Whether the editor offers the words that may follow."""
     keys: str = ""
     """Other keys of the full screen: ``run f9, step f10``."""
+    page: str = "rest"
+    """This and what follows, to ``free``: how the linear mode behaves, see ``linear.habits``."""
+    prompt: str = "short"
+    hold: str = "off"
+    editor: str = "own"
+    enter: str = "waits"
+    progress: str = "10"
+    clock: str = "off"
+    free: str = "dot"
     log: bool = False
     """Whether what is told goes to a numbered file too, as with the original's ``-l``."""
     notices: tuple[Notice, ...] = ()
@@ -271,6 +282,19 @@ def _one_of(words: tuple[str, ...]) -> Callable[[str], str]:
     return read
 
 
+def _read_progress(text: str) -> str:
+    if not 0 <= int(text) <= LONGEST_PROGRESS:
+        raise ValueError(text)
+    return str(int(text))
+
+
+def _read_free(text: str) -> str:
+    """A letter of a braille alphabet, or ``dot``."""
+    if text != "dot" and not (len(text) == 1 and text.isascii() and text.isalpha()):
+        raise ValueError(text)
+    return text
+
+
 def _read_text(text: str) -> str:
     if not text or "\0" in text:
         raise ValueError(text)
@@ -318,6 +342,14 @@ KEYS = (
     Key("sonars", "sonars", read_sonars, SONARS_WANTED),
     Key("bumpers", "bumpers", read_bumpers, BUMPERS_WANTED),
     Key("linear", "linear", read_switch, "on, off"),
+    Key("page", "page", _one_of(("rest", "ask", "off")), "rest, ask, off"),
+    Key("prompt", "prompt", _one_of(("short", "none", "word", "answer")), "short, none, word, answer"),
+    Key("hold", "hold", _one_of(("off", "on")), "off, on"),
+    Key("editor", "editor", _one_of(("own", "plain")), "own, plain"),
+    Key("enter", "enter", _one_of(("waits", "runs")), "waits, runs"),
+    Key("progress", "progress", _read_progress, "0-3600"),
+    Key("clock", "clock", _one_of(("off", "on")), "off, on"),
+    Key("free", "free", _read_free, "dot, a-z"),
     Key("theme", "theme", _one_of(THEMES), ", ".join(THEMES)),
     Key("plain", "plain", read_switch, "on, off"),
     Key("mouse", "mouse", read_switch, "on, off"),

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from pathlib import Path
 
-from donnie_tui.bootstrap import SwitchMode
+from donnie_tui.bootstrap import Donnie, SwitchMode
 from donnie_tui.cli.mode import cause_of_linear, surroundings
 from donnie_tui.cli.order import Order
 from donnie_tui.settings import Settings
@@ -17,23 +17,27 @@ def start(order: Order) -> int:
     cause = cause_of_linear(option, order.settings.linear, surroundings(order.environment))
     file = Path(arguments.file) if arguments.file else None
     text: str | None = None
+    donnie: Donnie | None = None
     while True:
         try:
-            return _work(order.settings, file, cause, text)
+            return _work(order.settings, file, cause, text, donnie)
         except SwitchMode as switch:
             cause = None if cause else "word"
             file, text = Path(switch.name) if switch.name else None, switch.text
+            donnie = switch.donnie
 
 
-def _work(settings: Settings, file: Path | None, cause: str | None, text: str | None) -> int:
-    """``text`` is what the other mode left; None to read ``file``."""
+def _work(
+    settings: Settings, file: Path | None, cause: str | None, text: str | None, donnie: Donnie | None
+) -> int:
+    """``text`` and ``donnie`` are what the other mode left; without them ``file`` is read."""
     if cause is None:
         from donnie_tui.tui.terminal import prepare
 
         prepare(settings)
         from donnie_tui.tui.app import run_full_screen
 
-        return run_full_screen(settings, file, text=text)
+        return run_full_screen(settings, file, text=text, donnie=donnie)
     from donnie_tui.linear.app import run_linear
 
-    return run_linear(settings, file, cause, text=text)
+    return run_linear(settings, file, cause, text=text, donnie=donnie)

@@ -111,7 +111,7 @@ class ProgramText:
 def line_in_words(line: ProgramLine, before: ProgramLine | None, wording: Wording) -> str:
     """The line; its level when it is another one than ``before`` (always at full, never at brief)."""
     detail = wording.detail
-    changed = before is None or before.level != line.level
+    changed = line.level != (before.level if before else 0)
     with_level = detail == "full" or (detail == "normal" and changed)
     text = line.text or wording("line-empty")
     if line.closes:

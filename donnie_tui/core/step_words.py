@@ -63,7 +63,7 @@ class StepWords:
         self._reads: list[int] = []
         self._rounds: list[_Round] = []
         self._before: Statement | None = None
-        self._level = -1
+        self._level = 0
 
     def heard(self, event: Read) -> None:
         """A sensor said something."""

@@ -4,8 +4,9 @@ from __future__ import annotations
 
 from collections import deque
 
+from devices.ports.robot import Pose
 from donnie_tui.core import numbers
-from donnie_tui.core.events import Moved, Stamped, Turned
+from donnie_tui.core.events import Moved, RunEnded, RunStarted, Stamped, Turned
 from donnie_tui.core.telling import facing
 from donnie_tui.core.wording import Wording
 
@@ -18,11 +19,18 @@ class Trail:
 
     def __init__(self) -> None:
         self._moves: deque[Moved | Turned] = deque(maxlen=KEPT)
+        self.last_pose: Pose | None = None
+        """Where the robot last stood; None before anything ran."""
 
     def hear(self, stamped: Stamped) -> None:
         """In any thread."""
-        if isinstance(stamped.event, Moved | Turned):
-            self._moves.append(stamped.event)
+        event = stamped.event
+        if isinstance(event, Moved | Turned):
+            self._moves.append(event)
+        if isinstance(event, Moved | Turned | RunEnded):
+            self.last_pose = event.pose
+        elif isinstance(event, RunStarted) and event.how is not None:
+            self.last_pose = event.how.pose
 
     def in_words(self, count: int, wording: Wording) -> tuple[str, ...]:
         """The last ``count`` moves, a sentence each."""

@@ -17,13 +17,15 @@ from donnie_tui.core.typed_program import ProgramTooLong
 from donnie_tui.core.use_cases import When
 from donnie_tui.folders import state_folder
 from donnie_tui.i18n.first_words import PROMPT
-from donnie_tui.linear import choices, commands, files, greeting
+from donnie_tui.linear import choices, commands, files, greeting, modes
 from donnie_tui.linear.console import Console
 from donnie_tui.linear.desk import Desk, Ends
+from donnie_tui.linear.habits import Habits, Prompt, of_settings
+from donnie_tui.linear.holding import Goes, Wish
 from donnie_tui.linear.output import Output
-from donnie_tui.linear.reader import EditingReader, How, PlainReader, Reader, Typed
+from donnie_tui.linear.reader import EditingReader, How, PlainReader, Typed
 from donnie_tui.linear.recall import Past
-from donnie_tui.linear.runs import Hold, Runs
+from donnie_tui.linear.runs import Runs
 from donnie_tui.linear.terminal import Terminal
 from donnie_tui.linear.told import Told
 from donnie_tui.settings import Settings
@@ -31,21 +33,47 @@ from language import keywords
 
 INTERRUPTED = 130
 
+_GOES = {"step": Goes.STEP, "step_over": Goes.OVER, "continue_": Goes.ON, "stop": Goes.STOP}
+"""How a held program goes on by a word."""
+_LIVE = ("stop", "pause", "slower", "faster", "speed")
+"""What is done at once while a program runs."""
 
-def run_linear(settings: Settings, file: Path | None, cause: str, *, text: str | None = None) -> int:
+
+def run_linear(
+    settings: Settings,
+    file: Path | None,
+    cause: str,
+    *,
+    text: str | None = None,
+    donnie: Donnie | None = None,
+) -> int:
     """Talk until the learner leaves; the exit code. ``cause``: see ``i18n.first_words``.
 
-    ``text`` is the program that the other mode left, where it did; ``file`` is then only its name.
-    Raises ``SwitchMode`` for the full screen, and ``Unusable`` for a world that can't be used.
+    ``text`` is the program that the other mode left, where it did, ``file`` is then only its name, and
+    ``donnie`` the session that it left. Raises ``SwitchMode``, with the session, for the full screen, and
+    ``Unusable`` for a world that can't be used.
     """
-    greeting.greet(settings.language, cause, os.environ, prompt=file is None and not text)
+    habits = of_settings(settings)
+    has_prompt = file is None and not text and donnie is None and habits.prompt is Prompt.SHORT
+    greeting.greet(
+        donnie.words.language if donnie else settings.language, cause, os.environ, prompt=has_prompt
+    )
     terminal = greeting.DONE.terminal
     console = Console(terminal if isinstance(terminal, Terminal) else None)
     with contextlib.ExitStack() as closing:
         closing.callback(greeting.forget)
         closing.callback(console.close)
-        donnie = closing.enter_context(contextlib.closing(_assembled(settings)))
-        return LinearMode(donnie, console, Path(state_folder(os.environ))).talk(file, text)
+        ours = contextlib.ExitStack()
+        closing.push(ours)
+        donnie = donnie or _assembled(settings)
+        ours.callback(donnie.close)
+        mode = LinearMode(donnie, console, Path(state_folder(os.environ)), habits)
+        closing.callback(mode.close)
+        try:
+            return mode.talk(file, text, offers_to_remember=cause == "word" and settings.linear is not True)
+        except SwitchMode:
+            ours.pop_all()
+            raise
 
 
 def _assembled(settings: Settings) -> Donnie:
@@ -59,24 +87,36 @@ def _assembled(settings: Settings) -> Donnie:
 class LinearMode:
     """One conversation, from the first prompt to the goodbye."""
 
-    def __init__(self, donnie: Donnie, console: Console, folder: Path) -> None:
+    def __init__(self, donnie: Donnie, console: Console, folder: Path, habits: Habits) -> None:
         """``folder`` keeps what was typed before and what could not be saved."""
         told = Told(console.nudge)
         edits, attended = greeting.DONE.terminal is not None, os.isatty(0)
         self._past = Past(folder / "history" if edits else None)
-        reader: Reader = EditingReader(console, self._past) if edits else PlainReader(console)
+        self._editing = EditingReader(console, self._past, self._candidates) if edits else None
         output = Output(console, paced=os.isatty(1))
-        self._desk = Desk(donnie, Ends(console, reader, output, told, attended), Copies(folder / "unsaved"))
-        self._runs = Runs(self._desk, told, self._wish_of)
+        ends = Ends(console, self._editing, PlainReader(console), output, told, attended, os.isatty(1))
+        self._desk = Desk(donnie, ends, Copies(folder / "unsaved"), habits)
+        self._desk.past = self._past.lines
+        self._desk.take_again = self._take_again
+        self._runs = Runs(self._desk, told, self._wish_of, self._live)
         self._console = console
         self._quit_was_refused = False
+        self._desk.apply_habits()
+
+    def close(self) -> None:
+        """Hear no more of the session."""
+        self._runs.close()
+        self._desk.close()
 
     # --- the conversation
 
-    def talk(self, file: Path | None, text: str | None = None) -> int:
-        """Read and answer until something ends it. The exit code."""
+    def talk(self, file: Path | None, text: str | None = None, *, offers_to_remember: bool = False) -> int:
+        """Read and answer until something ends it. The exit code.
+
+        ``offers_to_remember``: somebody came here by a word and may want to begin here the next time.
+        """
         try:
-            return self._talk(file, text)
+            return self._talk(file, text, offers_to_remember)
         except SwitchMode:
             raise
         except OSError:  # the terminal is gone, or nobody reads any more
@@ -88,7 +128,7 @@ class LinearMode:
         finally:
             self._past.trim()
 
-    def _talk(self, file: Path | None, text: str | None) -> int:
+    def _talk(self, file: Path | None, text: str | None, offers_to_remember: bool) -> int:
         desk = self._desk
         is_shown = greeting.DONE.has_prompt
         greeting.DONE.has_prompt = False
@@ -97,6 +137,8 @@ class LinearMode:
         elif file is not None:
             files.open_file(desk, file)
         self._tell_notices()
+        if offers_to_remember:
+            modes.offer_to_remember(desk, linear=True)
         while desk.leaving is None:
             self._take(desk.read(self._prompt(), shown=is_shown))
             is_shown = False
@@ -121,7 +163,19 @@ class LinearMode:
     def _prompt(self) -> str:
         in_program = self._desk.is_attended and not self._desk.next_line
         depth = self._desk.program.depth if in_program else 0
-        return f"{depth}{PROMPT}" if depth else PROMPT
+        match self._desk.habits.prompt:
+            case Prompt.NONE:
+                return ""
+            case Prompt.WORD:
+                return f"Donnie {depth}{PROMPT}" if depth else f"Donnie{PROMPT}"
+            case _:
+                return f"{depth}{PROMPT}" if depth else PROMPT
+
+    def _candidates(self, before: str) -> tuple[str, ...]:
+        """For Tab. Loaded when somebody presses it."""
+        from donnie_tui.linear.completion import candidates
+
+        return candidates(self._desk, before)
 
     # --- one line
 
@@ -153,8 +207,8 @@ class LinearMode:
         then, self._desk.next_line = self._desk.next_line, None
         words = line.split()
         first = keywords.canonical(words[0]) if words else None
-        if then:
-            then(line)
+        if then and then(line):
+            pass
         elif not words:
             self._run_unless_open()
         elif first == "RUN" and len(words) == 1:
@@ -176,7 +230,14 @@ class LinearMode:
         except ProgramTooLong:
             self._desk.answer("linear-too-long")
             return False
+        if self._desk.habits.enter and not self._desk.program.open_block:
+            self._run()
         return True
+
+    def _take_again(self, line: str) -> None:
+        """A line that was typed before, chosen by its number."""
+        self._past.remember(line)
+        self._take_line(line)
 
     # --- running
 
@@ -192,22 +253,48 @@ class LinearMode:
         elif program.is_waiting:
             self._run()
 
-    def _wish_of(self, typed: Typed) -> Hold | None:
+    def _wish_of(self, typed: Typed) -> Wish | None:
         """What a line means to a program that is held between two steps."""
         line = typed.text.strip()
         found = commands.find(line)
         canonical = keywords.canonical(line)
         if typed.how in (How.INTERRUPTED, How.CLOSED) or canonical in ("QUIT", "EXIT"):
-            return Hold.STOP
+            return Wish(Goes.STOP)
         if typed.how is How.ESCAPE or canonical == "RUN":
-            return Hold.REST
-        if not line or (found and found[0].name in ("step", "stop")):
-            return Hold.STOP if found and found[0].name == "stop" else Hold.NEXT
-        if found and found[0].when is not When.IDLE:
-            commands.do(*found, self._desk, self._runs)
+            return Wish(Goes.ON)
+        if not line:
+            return Wish(Goes.STEP)
+        if found is None:
+            self._refuse_while_held(line)
+            return None
+        case, rest = found
+        if case.name in _GOES and not rest:
+            return Wish(_GOES[case.name])
+        if case.name == "run_to" and rest.isdecimal() and len(rest) < 9:
+            return Wish(Goes.UNTIL, int(rest))
+        if case.when is When.IDLE:
+            self._refuse_while_held(line)
+            return None
+        commands.do(case, rest, self._desk, self._runs)
+        return None
+
+    def _refuse_while_held(self, line: str) -> None:
+        words = line.split()
+        if keywords.canonical(words[0]) == "HELP":
+            choices.say_help(self._desk, " ".join(words[1:]), commands.listed())
         else:
             self._desk.answer("linear-stepping")
-        return None
+
+    def _live(self) -> bool:
+        """Do a line that was typed for the running program, if there is one. Whether it was."""
+        line = self._editing.look_ahead() if self._editing and self._desk.hears_live else None
+        found = commands.find(line) if line else None
+        if self._editing is None or line is None or found is None or found[0].name not in _LIVE:
+            return False
+        self._editing.take_ahead()
+        self._past.remember(line)
+        commands.do(*found, self._desk, self._runs)
+        return True
 
     # --- leaving
 

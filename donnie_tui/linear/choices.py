@@ -1,13 +1,18 @@
-"""The words about how Donnie works and what it says: SPEED, LANGUAGE, DETAIL, LAST, ERRORS, HELP."""
+"""The words about how Donnie works and what it says: LANGUAGE, DETAIL, SET, HELP."""
 
 from __future__ import annotations
 
+import os
+
 from donnie_tui.core import use_cases
-from donnie_tui.core.speeds import speed_words
-from donnie_tui.core.transcript import lines_of
+from donnie_tui.core.documents import DocumentError
 from donnie_tui.core.use_cases import UseCase
+from donnie_tui.i18n.sentence import LANGUAGES
+from donnie_tui.linear import habits
+from donnie_tui.linear.arguments import Handler
 from donnie_tui.linear.desk import Desk
-from donnie_tui.settings import read_speed
+from donnie_tui.linear.runs import Runs
+from donnie_tui.settings_file import remember
 from language.source import fold_name
 
 _LANGUAGES = {
@@ -21,26 +26,11 @@ _DETAILS = {
     "full": ("full", "long", "completo", "cheio"),
 }
 _KEYS = ("keys", "teclas")
-_KEY_LINES = ("enter", "run", "stop", "past", "line", "word", "clear", "leave")
+_KEY_LINES = ("enter", "run", "stop", "past", "line", "word", "clear", "tab", "leave")
 
 
-def set_speed(desk: Desk, typed: str) -> bool:
-    """Change the speed, where one is given, and say it. False if it is none."""
-    if typed:
-        try:
-            desk.session.speed = read_speed(fold_name(typed))
-        except ValueError:
-            return False
-    say_speed(desk)
-    return True
-
-
-def say_speed(desk: Desk) -> None:
-    desk.answer("answer-speed", speed=speed_words(desk.session.speed, desk.say))
-
-
-def set_language(desk: Desk, typed: str) -> bool:
-    """Talk another language from now on. False if it is unknown."""
+def _language(desk: Desk, _: Runs, typed: str) -> bool:
+    """Talk another language from now on."""
     language = _chosen(_LANGUAGES, typed)
     if typed and language is None:
         return False
@@ -49,8 +39,8 @@ def set_language(desk: Desk, typed: str) -> bool:
     return True
 
 
-def set_detail(desk: Desk, typed: str) -> bool:
-    """Say more or less from now on. False if the level is unknown."""
+def _detail(desk: Desk, _: Runs, typed: str) -> bool:
+    """Say more or less from now on."""
     detail = _chosen(_DETAILS, typed)
     if typed and detail is None:
         return False
@@ -59,21 +49,55 @@ def set_detail(desk: Desk, typed: str) -> bool:
     return True
 
 
-def say_again(desk: Desk, which: int) -> None:
-    """The answer before this one, or the ``which``-th last."""
-    if 1 <= which <= len(desk.answers):
-        desk.is_repeating = True
-        desk.tell(*desk.answers[-which])
-    else:
-        desk.answer("linear-nothing-said")
+def _chosen(table: dict[str, tuple[str, ...]], typed: str) -> str | None:
+    folded = fold_name(typed)
+    return next((name for name, spellings in table.items() if folded in spellings), None)
 
 
-def say_errors(desk: Desk) -> None:
-    """What was wrong with the last run."""
-    if not desk.errors:
-        desk.answer("linear-no-errors")
-    for error in desk.errors:
-        desk.tell(*lines_of(error, desk.say))
+# --- habits
+
+
+def _set(desk: Desk, _: Runs, rest: str) -> bool:
+    """SET alone says all, SET name one with its choices, SET name value changes it and keeps it."""
+    name, _blank, value = rest.partition(" ")
+    if not name:
+        for each in habits.SPELLINGS:
+            _say_habit(desk, each)
+        return True
+    field = habits.find(name)
+    if field is None:
+        return False
+    return _change(desk, field, value.strip()) if value else _say_choices(desk, field)
+
+
+def _change(desk: Desk, field: str, typed: str) -> bool:
+    try:
+        value = habits.read(field, typed)
+    except ValueError:
+        return _say_choices(desk, field)
+    setattr(desk.habits, field, value)
+    desk.apply_habits()
+    try:
+        remember(field, habits.kept_as(field, value), os.environ)
+    except DocumentError as error:
+        desk.answer(error.code, path=error.path, reason=error.reason)
+    _say_habit(desk, field)
+    return True
+
+
+def _say_habit(desk: Desk, field: str) -> None:
+    at = LANGUAGES.index(desk.say.language)
+    value = habits.spelled(field, getattr(desk.habits, field), at)
+    desk.answer(f"habit-{field}", name=habits.SPELLINGS[field][0][at], value=value)
+
+
+def _say_choices(desk: Desk, field: str) -> bool:
+    _say_habit(desk, field)
+    desk.answer("habit-choices", choices=habits.choices(field, LANGUAGES.index(desk.say.language)))
+    return True
+
+
+# --- help
 
 
 def say_help(desk: Desk, topic: str, own: tuple[UseCase, ...]) -> None:
@@ -100,6 +124,8 @@ def _say_list(desk: Desk, own: tuple[UseCase, ...]) -> None:
     desk.answer("linear-help-keys")
 
 
-def _chosen(table: dict[str, tuple[str, ...]], typed: str) -> str | None:
-    folded = fold_name(typed)
-    return next((name for name, spellings in table.items() if folded in spellings), None)
+HANDLERS: dict[str, Handler] = {
+    "language": _language,
+    "detail": _detail,
+    "set": _set,
+}

@@ -42,6 +42,13 @@ class Console:
         if terminal:
             terminal.take()
 
+    def edit(self, on: bool) -> None:
+        """Whether lines are edited key by key, or by the terminal itself."""
+        if self._terminal and on:
+            self._terminal.take()
+        elif self._terminal:
+            self._terminal.give_back()
+
     # --- waiting
 
     def now(self) -> float:

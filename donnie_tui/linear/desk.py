@@ -6,28 +6,31 @@ Rule: an answer goes through the hub like everything else that is told, so that 
 from __future__ import annotations
 
 import contextlib
-from collections import deque
 from collections.abc import Callable
 from dataclasses import dataclass
 
 from donnie_tui.bootstrap import Donnie
+from donnie_tui.core.answer_log import LONGEST_ANSWER, AnswerLog
 from donnie_tui.core.documents import DocumentError
-from donnie_tui.core.events import Answered, Error, RunStarted, Stamped
+from donnie_tui.core.events import TRANSIENT, Answered, Error, RunStarted, Stamped
 from donnie_tui.core.filing import Copies
-from donnie_tui.core.transcript import lines_of
+from donnie_tui.core.session import Session
+from donnie_tui.core.timeline import Timeline
+from donnie_tui.core.trail import Trail
+from donnie_tui.core.transcript import told_lines
 from donnie_tui.core.typed_program import TypedProgram
+from donnie_tui.i18n.first_words import PROMPT
 from donnie_tui.linear.console import Console
+from donnie_tui.linear.habits import Habits, Page, Prompt
 from donnie_tui.linear.output import Output
 from donnie_tui.linear.reader import How, Reader, Typed
 from donnie_tui.linear.told import Told
-
-REMEMBERED = 1000
-"""Answers that LAST can reach."""
-LONGEST_ANSWER = 200
-"""Lines of one answer that are remembered, its last ones."""
+from language.source import fold_name
 
 _YES = ("y", "yes", "s", "sim", "si", "sí")
 _NO = ("", "n", "no", "não", "nao")
+_ENOUGH = ("q", "quit", "s", "sair", "salir", "n", "no", "nao")
+"""What ends an answer that is told page by page."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -35,47 +38,98 @@ class Ends:
     """Both ends of the conversation."""
 
     console: Console
-    reader: Reader
+    editing: Reader | None
+    """Edits lines key by key; None where that is impossible."""
+    plain: Reader
     output: Output
     told: Told
     prompts: bool
     """Whether somebody types: prompts are printed, and questions asked."""
+    is_terminal: bool
+    """Whether somebody reads, and needs rests."""
 
 
 class Desk:
     """One conversation."""
 
-    def __init__(self, donnie: Donnie, ends: Ends, copies: Copies) -> None:
+    def __init__(self, donnie: Donnie, ends: Ends, copies: Copies, habits: Habits) -> None:
         """``copies`` keep a program which can't be kept otherwise."""
-        self.session = donnie.session
         self.say = donnie.words
         self.donnie = donnie
         self.console = ends.console
         self.program = TypedProgram()
         self.copies = copies
+        self.habits = habits
         self.errors: list[Error] = []
         """Those of the last run."""
-        self.answers: deque[tuple[str, ...]] = deque(maxlen=REMEMBERED)
+        self.error_at: int | None = None
+        """Which of them was told last, from 0."""
+        self.answers = AnswerLog()
+        self.trail = Trail()
+        self.place = 0
+        """The line of the program that was read last, 0 before any."""
+        self.watched: list[str] = []
+        """Variables, folded."""
+        self.breakpoints: set[int] = set()
         self.is_repeating = False
         """Whether what is told now was said before, and is not remembered again."""
         self.leaving: int | None = None
         """The exit code, once we are to leave."""
-        self.next_line: Callable[[str], None] | None = None
-        """Who takes the next line in place of the program."""
+        self.next_line: Callable[[str], bool] | None = None
+        """Who takes the next line in place of the program; False if it does not want it."""
         self.offered = ""
         """The text that is offered for editing."""
+        self.past: list[str] = []
+        """The lines typed so far, this one included."""
+        self.take_again: Callable[[str], None] = _nothing
+        """Does a line as if it had been typed."""
+        self.timeline: Timeline | None = None
+        """Where STEP BACK has come to; None once something new has happened."""
+        self.tour_page = 1
+        """Where TOUR goes on."""
         self._ends = ends
-        self.session.hub.subscribe(self._hear)
+        self._shown_prompt: str | None = None
+        self._unsubscribe = [self.session.hub.subscribe(each) for each in (self._hear, self.trail.hear)]
+
+    def close(self) -> None:
+        """Hear no more: somebody else goes on with the session."""
+        for leave in self._unsubscribe:
+            leave()
+
+    @property
+    def session(self) -> Session:
+        """That of the robot which is talked to."""
+        return self.donnie.session
+
+    @property
+    def has_terminal(self) -> bool:
+        return self._ends.editing is not None
 
     @property
     def can_edit(self) -> bool:
         """Whether a text can be offered for editing."""
-        return self._ends.reader.holds_newline
+        return self._reader.holds_newline
+
+    @property
+    def hears_live(self) -> bool:
+        """Whether lines may be typed for a program that runs: by somebody who edits them here."""
+        return self.is_attended and self.can_edit
+
+    def apply_habits(self) -> None:
+        """Let the terminal and the printing be as it was chosen."""
+        if self.has_terminal:
+            self.console.edit(self.habits.editor)
+        self._ends.output.paced = self._ends.is_terminal and self.habits.page is Page.REST
 
     @property
     def is_attended(self) -> bool:
         """Whether there is somebody to be asked."""
         return self._ends.prompts
+
+    @property
+    def _reader(self) -> Reader:
+        editing = self._ends.editing
+        return editing if editing is not None and self.habits.editor else self._ends.plain
 
     # --- answering
 
@@ -89,39 +143,91 @@ class Desk:
     def _hear(self, stamped: Stamped) -> None:
         """Any thread's: what the event says will be printed."""
         event = stamped.event
+        if not isinstance(event, TRANSIENT):
+            self.timeline = None
         if isinstance(event, RunStarted):
-            self.errors = []
+            self.errors, self.error_at = [], None
         elif isinstance(event, Error):
             self.errors = [*self.errors[-LONGEST_ANSWER:], event]
-        self._ends.told.put(lines_of(event, self.say))
+        self._ends.told.put(told_lines(stamped, self.say))
 
     def show_told(self, prompt: str = "") -> int:
         """Print what was told, then the prompt. How many lines were left out because of Ctrl+C."""
         lines = self._ends.told.take()
-        if lines and not self.is_repeating:
-            self.answers.append(tuple(lines[-LONGEST_ANSWER:]))
+        if not self.is_repeating:
+            self.answers.add(lines)
         self.is_repeating = False
-        return self._ends.output.show(lines, prompt if self._ends.prompts else "")
+        if not self._ends.prompts:
+            return self._ends.output.show(lines)
+        return self._show_pages(lines, prompt)
+
+    def _show_pages(self, lines: list[str], prompt: str) -> int:
+        """As ``show_told``; where somebody wants to be asked, page by page."""
+        size = self._page_size()
+        while size and len(lines) > size:
+            wants_more, lines = self._show_page(lines[:size], len(lines) - size), lines[size:]
+            if self.console.interrupted:
+                return len(lines)
+            if not wants_more:
+                lines = []
+        if self.habits.prompt is Prompt.ANSWER and prompt.endswith(PROMPT) and lines:
+            prompt = self._shown_prompt = f"{lines.pop()} "
+        return self._ends.output.show(lines, prompt)
+
+    def _page_size(self) -> int:
+        """Lines that come before somebody is asked for more; 0 if nobody is."""
+        if self.habits.hold:
+            return 1
+        return self._ends.output.block_size if self.habits.page is Page.ASK else 0
+
+    def _show_page(self, lines: list[str], left: int) -> bool:
+        """Show a page and wait for Enter. Whether more is wanted."""
+        question = f"{lines.pop()} " if self.habits.hold else f"{self.say('linear-more', lines=left)} "
+        self._ends.output.show(lines, question)
+        typed = self._reader.read(question)
+        self._after(typed)
+        self.console.interrupted |= typed.how is How.INTERRUPTED
+        return typed.how in (How.ENTER, How.ESCAPE) and fold_name(typed.text) not in _ENOUGH
 
     # --- asking
 
     def read(self, prompt: str, *, shown: bool = False) -> Typed:
         """Print what was told and the prompt, unless it is ``shown`` already, and read a line."""
+        while True:
+            typed = self._read(prompt, shown=shown)
+            if typed.how is not How.CHOICES:
+                return typed
+            self._tell_choices(typed)
+            shown = False
+
+    def _read(self, prompt: str, *, shown: bool) -> Typed:
         offered, self.offered = self.offered if self.can_edit else "", ""
+        self._shown_prompt = None
         if not shown:
-            self._show_whole(prompt + offered)
-        typed = self._ends.reader.read(prompt, offered)
-        if self.can_edit or typed.how is not How.ENTER:
-            self.hold_newline()
+            self._show_whole(prompt, offered)
+        typed = self._reader.read(prompt if self._shown_prompt is None else self._shown_prompt, offered)
+        self._after(typed)
         return typed
 
-    def _show_whole(self, prompt: str) -> None:
+    def _tell_choices(self, typed: Typed) -> None:
+        """Tab found several words: how many, and each on a line; the typed line is offered again."""
+        self.answer("linear-choices", count=len(typed.choices))
+        self.tell(*typed.choices)
+        self.is_repeating = True
+        self.offered = typed.text
+
+    def _after(self, typed: Typed) -> None:
+        """Where the terminal has not shown Enter's new line, it is held back until there is an answer."""
+        if self.can_edit or typed.how is not How.ENTER:
+            self.hold_newline()
+
+    def _show_whole(self, prompt: str, offered: str) -> None:
         """Print what was told and the prompt; after Ctrl+C, how much was left out and the prompt."""
-        left_out = self.show_told(prompt)
+        left_out = self.show_told(prompt + offered)
         if left_out:
             self.console.take_interrupt()
             self.answer("answer-left-out", lines=left_out)
-            self.show_told(prompt)
+            self.show_told(prompt + offered)
 
     def hold_newline(self) -> None:
         if self._ends.prompts:
@@ -130,7 +236,7 @@ class Desk:
     def ask(self, code: str, **values: object) -> str:
         """The answer to a question; empty if there is none."""
         self.answer(code, **values)
-        typed = self.read("> ")
+        typed = self.read(PROMPT)
         return typed.text.strip() if typed.how in (How.ENTER, How.ESCAPE) else ""
 
     def ask_yes(self, code: str, **values: object) -> bool:
@@ -153,3 +259,7 @@ class Desk:
         if not self.program.saved and self.program.lines:
             with contextlib.suppress(DocumentError, OSError):
                 self.copies.keep(self.program.text)
+
+
+def _nothing(_: str) -> None:
+    return

@@ -19,8 +19,11 @@ class EditLine:
     """The clusters and the cursor. Every method gives back what is to be written."""
 
     def __init__(self, prompt_width: int, columns: Callable[[], int], text: str = "") -> None:
-        """The prompt and ``text`` stand on the terminal already, the cursor behind them."""
-        self._start = prompt_width
+        """The prompt and ``text`` stand on the terminal already, the cursor behind them.
+
+        Of a prompt that is longer than a row the last row counts.
+        """
+        self._start = prompt_width % max(2, columns())
         self._columns = columns
         self._text = clusters(text)
         self._cursor = len(self._text)
@@ -57,6 +60,18 @@ class EditLine:
                 return self._cut(self._word_start(), self._cursor)
             case _:
                 return ""
+
+    @property
+    def text_before(self) -> str:
+        """What stands before the cursor."""
+        return "".join(self._text[: self._cursor])
+
+    def complete(self, typed: str, word: str) -> str:
+        """``typed``, which stands before the cursor, becomes ``word``."""
+        if word.startswith(typed):
+            return self.type(word[len(typed) :]) if len(word) > len(typed) else ""
+        first, added = self._cursor - len(clusters(typed)), clusters(word)
+        return self._put(first, self._cursor, added, first + len(added))
 
     def type(self, text: str) -> str:
         """Insert ``text`` at the cursor. Beyond ``LONGEST`` nothing more is taken."""

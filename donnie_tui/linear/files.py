@@ -1,4 +1,4 @@
-"""The words about files: OPEN, SAVE, NEW, RECOVER."""
+"""The words about files: OPEN, SAVE, SAVE AS, NEW, RECOVER."""
 
 from __future__ import annotations
 
@@ -11,7 +11,9 @@ from donnie_tui.core.documents import (
     read_program,
     write_program,
 )
+from donnie_tui.linear.arguments import Handler, alone
 from donnie_tui.linear.desk import Desk
+from donnie_tui.linear.runs import Runs
 
 
 def open_named(desk: Desk, name: str) -> None:
@@ -96,7 +98,7 @@ def _save(desk: Desk, path: Path) -> bool:
     if not desk.program.lines:
         desk.answer("linear-nothing-to-save")
         return False
-    if not _may_replace(desk, path):
+    if not may_replace(desk, path):
         desk.answer("answer-unchanged")
         return False
     write_program(path, desk.program.text)
@@ -105,8 +107,27 @@ def _save(desk: Desk, path: Path) -> bool:
     return True
 
 
-def _may_replace(desk: Desk, path: Path) -> bool:
+def may_replace(desk: Desk, path: Path) -> bool:
     """A file that is not the program's own is replaced only by somebody who wants it."""
     if str(path) == desk.program.name or not desk.is_attended or not path.exists():
         return True
     return desk.ask_yes("linear-ask-replace", name=path.name)
+
+
+def _open(desk: Desk, _: Runs, rest: str) -> bool:
+    if rest:
+        open_named(desk, rest)
+    return bool(rest)
+
+
+def _save_word(desk: Desk, _: Runs, rest: str) -> None:
+    save_named(desk, rest)
+
+
+HANDLERS: dict[str, Handler] = {
+    "open": _open,
+    "save": _save_word,
+    "save_as": _save_word,
+    "new": alone(new_program),
+    "recover": alone(recover),
+}

@@ -37,6 +37,8 @@ class Act(Enum):
     KILL_AFTER = auto()
     KILL_BEFORE = auto()
     KILL_WORD = auto()
+    COMPLETE = auto()
+    """Tab, where it is a key and not a part of a pasted text."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -96,6 +98,8 @@ class KeyDecoder:
         """The keys that are complete now."""
         text = self._pending + self._decode(data)
         self._pending = ""
+        if text == "\t":
+            return [Key(Act.COMPLETE)]
         keys: list[Key] = []
         at = 0
         while at < len(text):

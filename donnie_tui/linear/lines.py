@@ -1,12 +1,15 @@
-"""The words about the lines of the program: LIST, CHANGE, INSERT, DELETE. They answer with the line."""
+"""The words about the lines of the program: LIST, CHANGE, INSERT, DELETE, MOVE, UNDO. All answer with it."""
 
 from __future__ import annotations
 
 from collections.abc import Callable
+from functools import partial
 
 from donnie_tui.core.typed_program import ProgramTooLong
+from donnie_tui.linear.arguments import Handler, alone, number_and_text, numbers_in, pair
 from donnie_tui.linear.desk import Desk
 from donnie_tui.linear.output import LARGEST_BLOCK
+from donnie_tui.linear.runs import Runs
 
 
 def list_lines(desk: Desk, first: int | None, last: int | None) -> None:
@@ -65,9 +68,49 @@ def delete_lines(desk: Desk, first: int | None, last: int | None) -> None:
     _warn_of_waiting(desk, waiting)
 
 
+def move_lines(desk: Desk, first: int, last: int, to: int) -> None:
+    """Lines ``first`` to ``last`` stand before line ``to`` from now on."""
+    waiting = desk.program.waiting
+    try:
+        at = desk.program.move(first, last, to)
+    except IndexError:
+        count = len(desk.program.lines)
+        wrong = next((each for each in (first, last, to) if not 1 <= each <= count), None)
+        if wrong is None:
+            desk.answer("answer-unchanged")
+        else:
+            _no_such_line(desk, wrong)
+        return
+    for number in range(at, at + last - first + 1):
+        _say_line(desk, number)
+    _warn_of_waiting(desk, waiting)
+
+
+def undo(desk: Desk) -> None:
+    """The last change is taken back; the first line that is another one now."""
+    changed = desk.program.undo()
+    if changed is None:
+        desk.answer("answer-unchanged")
+    elif changed <= len(desk.program.lines):
+        _say_line(desk, changed)
+    else:
+        desk.answer("linear-lines", lines=len(desk.program.lines))
+
+
+def _say_line(desk: Desk, number: int) -> None:
+    text = desk.program.lines[number - 1].strip()
+    desk.place = number
+    desk.answer("answer-line", line=number, text=text or desk.say("line-empty"))
+
+
 def _ask_for_line(desk: Desk, number: int, code: str, then: Callable[[str], None]) -> None:
     desk.answer(code if desk.can_edit else "linear-type-line", line=number)
-    desk.next_line = then
+    desk.next_line = partial(_take, then)
+
+
+def _take(then: Callable[[str], None], typed: str) -> bool:
+    then(typed)
+    return True
 
 
 def _change(desk: Desk, number: int, text: str) -> None:
@@ -91,7 +134,7 @@ def _edit(desk: Desk, number: int, text: str, edit: Callable[[int, str], None]) 
     except ProgramTooLong:
         desk.answer("linear-too-long")
         return
-    desk.answer("answer-line", line=number, text=text.strip())
+    _say_line(desk, number)
     _warn_of_waiting(desk, waiting)
 
 
@@ -104,3 +147,54 @@ def _warn_of_waiting(desk: Desk, before: int) -> None:
 
 def _no_such_line(desk: Desk, number: int) -> None:
     desk.answer("answer-no-line", line=number, last=len(desk.program.lines))
+
+
+# --- the words
+
+
+def _list(desk: Desk, _: Runs, rest: str) -> bool:
+    given = numbers_in(rest, most=2)
+    if given is not None:
+        list_lines(desk, *pair(given))
+    return given is not None
+
+
+def _delete(desk: Desk, _: Runs, rest: str) -> bool:
+    given = numbers_in(rest, most=2)
+    if given is not None:
+        delete_lines(desk, *pair(given))
+    return given is not None
+
+
+def _change_word(desk: Desk, _: Runs, rest: str) -> bool:
+    number, text = number_and_text(rest)
+    if number is not None:
+        change_line(desk, number, text)
+    return number is not None
+
+
+def _insert_word(desk: Desk, _: Runs, rest: str) -> bool:
+    number, text = number_and_text(rest)
+    if number is not None:
+        insert_line(desk, number, text)
+    return number is not None
+
+
+def _move(desk: Desk, _: Runs, rest: str) -> bool:
+    """MOVE 5 2: line 5 before line 2. MOVE 5 7 2: lines 5 to 7."""
+    given = numbers_in(rest, most=3)
+    if given is None or len(given) < 2:
+        return False
+    move_lines(desk, given[0], given[-2], given[-1])
+    return True
+
+
+HANDLERS: dict[str, Handler] = {
+    "list": _list,
+    "show_program": alone(lambda desk: list_lines(desk, None, None)),
+    "change": _change_word,
+    "insert": _insert_word,
+    "delete": _delete,
+    "move": _move,
+    "undo": alone(undo),
+}

@@ -33,7 +33,8 @@ class Output:
 
     def __init__(self, paper: Paper, *, paced: bool) -> None:
         self._paper = paper
-        self._paced = paced
+        self.paced = paced
+        """Whether there are rests; may be changed at any time."""
         self._held = ""
         self._room = 0
         self._rested_at = float("-inf")
@@ -58,7 +59,7 @@ class Output:
 
     def _next_block(self, lines: list[str]) -> tuple[list[str], list[str]]:
         """What may be printed now, after a rest if one is due, and what comes after it."""
-        if not self._paced:
+        if not self.paced:
             return lines, []
         self._make_room(bool(lines))
         block, rest = lines[: self._room], lines[self._room :]
@@ -68,10 +69,10 @@ class Output:
     def _make_room(self, wanted: bool) -> None:
         now = self._paper.now()
         if now - self._rested_at >= REST:
-            self._room = self._block_size()
+            self._room = self.block_size
         elif wanted and self._room <= 0:
             self._rest(self._rested_at + REST)
-            self._room = self._block_size()
+            self._room = self.block_size
 
     def _rest(self, until: float) -> None:
         while not self._paper.interrupted and (left := until - self._paper.now()) > 0:
@@ -84,5 +85,7 @@ class Output:
             self._paper.write(text)
             self._rested_at = self._paper.now()
 
-    def _block_size(self) -> int:
+    @property
+    def block_size(self) -> int:
+        """Lines that are printed at once."""
         return max(1, min(self._paper.rows() - 6, LARGEST_BLOCK))

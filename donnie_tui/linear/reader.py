@@ -6,8 +6,10 @@ Both give the same values. What is typed while a program runs stays with the sys
 from __future__ import annotations
 
 from collections import deque
+from collections.abc import Callable
 from dataclasses import dataclass
 from enum import Enum, auto
+from itertools import takewhile
 from typing import Protocol
 
 from donnie_tui.linear.console import Console
@@ -29,12 +31,15 @@ class How(Enum):
     """Ctrl+C: it does not count."""
     CLOSED = auto()
     """Nothing more will come: Ctrl+D, the end of the input, or a signal to leave."""
+    CHOICES = auto()
+    """Tab was pressed, and there are several words to choose from."""
 
 
 @dataclass(frozen=True, slots=True)
 class Typed:
     text: str
     how: How
+    choices: tuple[str, ...] = ()
 
 
 class Reader(Protocol):
@@ -52,9 +57,11 @@ class EditingReader:
 
     holds_newline = True
 
-    def __init__(self, console: Console, past: Past) -> None:
+    def __init__(self, console: Console, past: Past, complete: Callable[[str], tuple[str, ...]]) -> None:
+        """``complete`` knows the words that the last one of a text may become."""
         self._console = console
         self._past = past
+        self._complete = complete
         self._decoder = KeyDecoder()
         self._keys: deque[Key] = deque()
 
@@ -94,8 +101,46 @@ class EditingReader:
                 return Typed(line.text, How.INTERRUPTED), echo + line.finish()
             if key.act is Act.CLOSE and not line.text:
                 return Typed("", How.CLOSED), echo
+            if key.act is Act.COMPLETE:
+                choices, completed = self._completed(line)
+                if choices:
+                    return Typed(line.text, How.CHOICES, choices), echo + line.finish()
+                echo += completed
+                continue
             echo += _changed(line, recall, key)
         return None, echo
+
+    def _completed(self, line: EditLine) -> tuple[tuple[str, ...], str]:
+        """The words to choose from, none if there is but one; and what typing their common part writes."""
+        typed = line.text_before.rpartition(" ")[2]
+        found = self._complete(line.text_before)
+        common = _common(found)
+        if len(common) > len(typed) or len(found) == 1:
+            return (), line.complete(typed, common + (" " if len(found) == 1 else ""))
+        return found, ""
+
+    # --- while a program runs
+
+    def look_ahead(self) -> str | None:
+        """The line that was typed meanwhile and is not read yet, None if there is no whole one."""
+        if self._console.wait(0, reading=True):
+            self._keys += self._decoder.feed(self._console.read())
+        text = ""
+        for key in self._keys:
+            if key.act is Act.ENTER:
+                return text
+            if key.act is Act.BACKSPACE:
+                text = text[:-1]
+            elif key.act is Act.TEXT:
+                text += key.text
+            else:
+                return None
+        return None
+
+    def take_ahead(self) -> None:
+        """That line was heeded: it will not be read again."""
+        while self._keys and self._keys.popleft().act is not Act.ENTER:
+            pass
 
     def _more_keys(self) -> bool:
         """Wait for keys or a signal. False once nothing more will come."""
@@ -122,6 +167,13 @@ def _changed(line: EditLine, recall: Recall, key: Key) -> str:
             return "" if found is None else line.replace(found)
         case act:
             return line.do(act)
+
+
+def _common(words: tuple[str, ...]) -> str:
+    """What all of them begin with."""
+    letters = zip(*words, strict=False)
+    same = takewhile(lambda each: len(set(each)) == 1, letters)
+    return "".join(each[0] for each in same)
 
 
 class PlainReader:

@@ -1,89 +1,103 @@
 """Running what is typed, and watching it: lines are printed as they come, Ctrl+C stops the robot first.
 
-Rules: the program's thread never prints; keys that are pressed meanwhile wait; a run that has said nothing
-for a while says that it is still there.
+Rules: the program's thread never prints; keys that are pressed meanwhile wait, but for a whole line that is
+meant for the running program (PAUSE, STOP, SLOWER, FASTER, SPEED); a run that has said nothing for a while
+says that it is still there.
 """
 
 from __future__ import annotations
 
 from collections.abc import Callable
-from enum import Enum, auto
+from functools import partial
 from pathlib import Path
 
 from donnie_tui.core.events import Outcome, RunEnded, Stamped
 from donnie_tui.core.runner import Run
 from donnie_tui.linear.desk import Desk
+from donnie_tui.linear.holding import Goes, Holding, Wish
 from donnie_tui.linear.output import LARGEST_BLOCK
+from donnie_tui.linear.progress import sign_of_life
 from donnie_tui.linear.reader import Typed
 from donnie_tui.linear.told import Told
-from language.control import ControlState, ExecutionControl
+from language.control import ExecutionControl
 
 GRACE = 0.025
 """Seconds that a line waits for the ones after it, so that an answer and the prompt go out together."""
-FIRST_SIGN, NEXT_SIGN = 3.0, 10.0
-"""Seconds without a line after which a run says that it is still there, at first and from then on."""
+FIRST_SIGN = 3.0
+"""Seconds without a line after which a run first says that it is still there; later ones can be chosen."""
 HEARTBEAT = 1.0
+NEVER = 1e9
 MOST_HINTS = 3
 LONGEST_STOP = 2.0
 """Seconds that we wait for a program to end before we leave without it."""
 
 
-class Hold(Enum):
-    """What somebody wants who steps through a program."""
-
-    NEXT = auto()
-    REST = auto()
-    STOP = auto()
-
-
 class Runs:
     """Runs programs at a desk, one after the other."""
 
-    def __init__(self, desk: Desk, told: Told, wish_of: Callable[[Typed], Hold | None]) -> None:
-        """``wish_of`` tells what a line means to a program that is held, and does what else it asks for."""
+    def __init__(
+        self, desk: Desk, told: Told, wish_of: Callable[[Typed], Wish | None], live: Callable[[], bool]
+    ) -> None:
+        """``wish_of`` tells what a line means to a program that is held, and does what else it asks for.
+
+        ``live`` looks for a line that was typed for the running program, and does it.
+        """
         self._desk = desk
         self._console = desk.console
         self._told = told
-        self._wish_of = wish_of
+        self._live = live
+        self._holding = Holding(desk, wish_of)
         self._ended = False
-        self._held = False
         self._stopping = False
         self._stopped_at: int | None = None
         self._left_out = 0
         self._told_before = 0
         self._sign_due = 0.0
-        desk.session.hub.subscribe(self._hear)
+        self._unsubscribe = [desk.session.hub.subscribe(each) for each in (self._hear, self._holding.hear)]
+
+    def close(self) -> None:
+        for leave in self._unsubscribe:
+            leave()
 
     # --- what to run
 
-    def run_waiting(self, last: str | None = None, *, stepping: bool = False) -> None:
+    def run_waiting(
+        self, last: str | None = None, *, begin: Callable[[ExecutionControl], None] | None = None
+    ) -> None:
         """Run the lines that wait, and ``last``, which is no part of the program."""
         program = self._desk.program
         if not program.is_waiting and last is None:
             self._desk.answer("answer-nothing-to-run")
             return
         batch = program.take_batch(last)
-        run = self._run(batch.text, batch.first_line, stepping=stepping)
+        run = self._run(batch.text, batch.first_line, begin=begin)
         if not run.was_refused:
             program.batch_ran()
             self._tell_hints(batch.text)
         elif program.batch_was_refused():
             self._desk.answer("linear-kept", line=self._desk.errors[0].line if self._desk.errors else 1)
 
-    def run_all(self) -> None:
+    def run_all(self, *, begin: Callable[[ExecutionControl], None] | None = None) -> None:
         """Run the whole program from the start of the world."""
         program = self._desk.program
         program.rewind()
         if not program.is_waiting:
             self._desk.answer("answer-nothing-to-run")
             return
-        run = self._run(program.text, 1, fresh=True)
+        run = self._run(program.text, 1, fresh=True, begin=begin)
         if not run.was_refused:
             program.batch_ran()
             self._tell_hints(program.text)
 
-    def _run(self, text: str, first_line: int, *, fresh: bool = False, stepping: bool = False) -> Run:
-        self._ended = self._held = self._stopping = False
+    def _run(
+        self,
+        text: str,
+        first_line: int,
+        *,
+        fresh: bool = False,
+        begin: Callable[[ExecutionControl], None] | None = None,
+    ) -> Run:
+        self._ended = self._stopping = False
         self._stopped_at, self._left_out = None, 0
         self._told_before = self._told.count
         self._told.hold_back()
@@ -92,9 +106,9 @@ class Runs:
                 text,
                 self._name(),
                 fresh=fresh,
-                hooked=stepping,
+                hooked=self._desk.is_attended or begin is not None or bool(self._desk.breakpoints),
                 first_line=first_line,
-                prepare=self._hold_at_start if stepping else None,
+                prepare=partial(self._holding.prepare, text, first_line, begin),
             )
             self._watch(run)
         finally:
@@ -131,14 +145,14 @@ class Runs:
         self._expect_sign(FIRST_SIGN)
         while not self._is_over(run):
             if self._console.leaving is not None:
-                self._stop()
+                self.stop()
                 run.wait(LONGEST_STOP)
                 break
             if self._console.take_interrupt() and not self._stopping:
                 self._left_out += self._told.trim(LARGEST_BLOCK)
                 self._begin_new_line()
-                self._stop()
-            elif self._held:
+                self.stop()
+            elif self._holding.is_held and not self._stopping:
                 self._while_held(run)
             else:
                 self._print_what_comes()
@@ -154,11 +168,14 @@ class Runs:
             self._wait_for_more()
             if not self._ended:
                 self._left_out += self._desk.show_told()
-                self._expect_sign(NEXT_SIGN)
+                self._expect_next_sign()
         elif self._console.now() >= self._sign_due:
             self._give_sign()
+        elif self._live():
+            self._desk.show_told()
         else:
-            self._console.wait(min(HEARTBEAT, self._sign_due - self._console.now()))
+            left = min(HEARTBEAT, self._sign_due - self._console.now())
+            self._console.wait(left, reading=self._desk.can_edit and self._desk.hears_live)
 
     def _wait_for_more(self) -> None:
         until = self._console.now() + GRACE
@@ -171,38 +188,28 @@ class Runs:
     # --- a sign of life
 
     def _expect_sign(self, seconds: float) -> None:
-        self._sign_due = self._console.now() + seconds
+        self._sign_due = self._console.now() + (seconds if self._desk.habits.progress else NEVER)
+
+    def _expect_next_sign(self) -> None:
+        self._expect_sign(max(FIRST_SIGN, self._desk.habits.progress))
 
     def _give_sign(self) -> None:
-        line = self._line()
-        text = self._text_of(line)
-        if line is None or not text:
-            self._desk.answer("linear-still-running")
-        else:
-            self._desk.answer("linear-still-at", line=line, text=text)
+        sign_of_life(self._desk)
         self._desk.show_told()
-        self._expect_sign(NEXT_SIGN)
+        self._expect_next_sign()
 
-    def _line(self) -> int | None:
-        """Where the program is."""
-        frames = self._desk.session.frames
-        return frames[0].line if frames else None
-
-    def _text_of(self, line: int | None) -> str:
-        lines = self._desk.program.lines
-        return lines[line - 1].strip() if line is not None and 0 < line <= len(lines) else ""
-
-    # --- stopping
+    # --- stopping and pausing
 
     def _stop_at_once(self) -> None:
         """From a signal, while the terminal takes nothing."""
         if not self._stopping:
-            self._stop()
+            self.stop()
 
-    def _stop(self) -> None:
+    def stop(self) -> None:
         """Remember where, and stop; whatever the program still tells must not wait for us."""
         self._stopping = True
-        self._stopped_at = self._line()
+        frames = self._desk.session.frames
+        self._stopped_at = frames[0].line if frames else None
         self._desk.session.stop()
         self._told.let_pass()
 
@@ -219,34 +226,18 @@ class Runs:
         else:
             self._desk.answer("answer-stopped-at", line=self._stopped_at)
 
-    # --- stepping
-
-    def _hold_at_start(self, control: ExecutionControl) -> None:
-        control.observe(self._state_changed)
-        control.pause()
-
-    def _state_changed(self, state: ControlState) -> None:
-        if state is ControlState.PAUSED:
-            self._held = True
-            self._console.nudge()
-
     def _while_held(self, run: Run) -> None:
         """Say where the program is, and do what is asked."""
-        line = self._line()
-        self._desk.answer("answer-line", line=line or 0, text=self._text_of(line))
-        wish = self._ask_how_to_go_on()
-        self._held = False
-        match wish:
-            case Hold.NEXT:
+        wish = self._holding.ask()
+        match wish.goes:
+            case Goes.STEP:
                 run.control.step()
-            case Hold.REST:
+            case Goes.OVER:
+                run.control.step_over()
+            case Goes.UNTIL:
+                run.control.run_to(wish.line)
+            case Goes.ON:
                 run.control.resume()
-            case Hold.STOP:
-                self._stop()
+            case Goes.STOP:
+                self.stop()
         self._expect_sign(FIRST_SIGN)
-
-    def _ask_how_to_go_on(self) -> Hold:
-        while True:
-            wish = self._wish_of(self._desk.read("> "))
-            if wish is not None:
-                return wish

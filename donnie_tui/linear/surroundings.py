@@ -1,24 +1,80 @@
-"""The words about the world: WORLD, MAP and MAP PICTURE. The picture is printed only when it is asked for."""
+"""The words about the robot and its world: WHERE, AROUND, MAP, TRAIL, WORLD. All sentences are the core's."""
 
 from __future__ import annotations
 
-from donnie_tui.core import numbers
-from donnie_tui.core.describe import name_of, things_in_words
-from donnie_tui.core.map_grid import FREE, START, WALL, Bounds, Cell, MapGrid
+from donnie_tui.core import map_words, numbers
+from donnie_tui.core.around import around_in_words
+from donnie_tui.core.map_grid import FREE, MapGrid
+from donnie_tui.linear.arguments import Handler, alone, counted, numbers_in
 from donnie_tui.linear.desk import Desk
+from donnie_tui.linear.runs import Runs
+from language.source import fold_name
 
-WIDEST, HIGHEST = 40, 18
-"""Squares of the picture: what a braille display shows of a line, and what a screen reader takes at once."""
+_COMPASS = ("north", "norte")
+_DEFAULT_TRAIL = 5
 
 
-def say_where(desk: Desk) -> None:
-    """Where the robot is."""
+def _grid(desk: Desk) -> MapGrid:
+    return MapGrid(desk.donnie.picture(), desk.session.pose)
+
+
+def _where(desk: Desk) -> None:
+    """Where the robot is; at full its last move too."""
     pose = desk.session.pose
     facing = desk.session.teller.facing(pose)
     desk.answer("position", facing=facing, x=numbers.whole(pose.x), y=numbers.whole(pose.y))
+    if desk.say.detail == "full":
+        desk.tell(*desk.trail.in_words(1, desk.say))
 
 
-def say_world(desk: Desk) -> None:
+def _around(desk: Desk, _: Runs, rest: str) -> bool:
+    if rest and fold_name(rest) not in _COMPASS:
+        return False
+    clock = desk.habits.clock and not rest
+    desk.tell(*around_in_words(_grid(desk), desk.session.pose, desk.say, absolute=bool(rest), clock=clock))
+    return True
+
+
+def _map(desk: Desk, _: Runs, rest: str) -> bool:
+    """The whole, or the square at x, y."""
+    given = numbers_in(rest, most=2)
+    if given is None or len(given) == 1:
+        return False
+    if given:
+        x, y = given
+        desk.tell(map_words.square_in_words(_grid(desk), x, y, desk.session.pose, desk.say))
+    else:
+        say_map(desk)
+    return True
+
+
+def say_map(desk: Desk) -> None:
+    desk.tell(*map_words.map_in_words(desk.donnie.picture(), desk.session.pose, desk.say))
+
+
+def _row(desk: Desk, _: Runs, rest: str) -> bool:
+    given = numbers_in(rest, most=1)
+    if given:
+        desk.tell(*map_words.row_in_words(_grid(desk), given[0], desk.say))
+    return bool(given)
+
+
+def _column(desk: Desk, _: Runs, rest: str) -> bool:
+    given = numbers_in(rest, most=1)
+    if given:
+        desk.tell(*map_words.column_in_words(_grid(desk), given[0], desk.say))
+    return bool(given)
+
+
+def _picture(desk: Desk) -> None:
+    desk.tell(*map_words.picture_in_letters(_grid(desk), desk.say, desk.habits.free or FREE))
+
+
+def _trail(desk: Desk, count: int) -> None:
+    desk.tell(*desk.trail.in_words(count, desk.say))
+
+
+def _world(desk: Desk) -> None:
     """What its author says of the world, what stands in it, and what to try there."""
     about = desk.donnie.world.about(desk.say.language)
     if about is not None:
@@ -29,40 +85,14 @@ def say_world(desk: Desk) -> None:
         desk.answer("world-task", task=about.task)
 
 
-def say_map(desk: Desk) -> None:
-    """How many things there are and where each is, seen from the robot, the nearest first."""
-    things = things_in_words(desk.donnie.picture(), desk.session.pose, desk.say)
-    desk.answer("world-things" if things else "world-bare", count=len(things))
-    desk.tell(*things)
-
-
-def draw_map(desk: Desk) -> None:
-    """What the letters mean, then the squares around the robot, the northern row first."""
-    grid = MapGrid(desk.donnie.picture(), desk.session.pose)
-    window = _window(grid)
-    rows = [
-        "".join(grid.letter(Cell(x, y)) for x in range(window.left, window.right + 1))
-        for y in range(window.top, window.bottom - 1, -1)
-    ]
-    shown = set("".join(rows))
-    desk.answer("linear-picture", robot=grid.letter(grid.robot), width=window.width, height=window.height)
-    for letter, code in ((WALL, "linear-picture-wall"), (FREE, "linear-picture-free")):
-        if letter in shown:
-            desk.answer(code, letter=letter)
-    meant = {thing.letter: name_of(thing, desk.say) for thing in grid.picture.things}
-    for letter in sorted(shown & meant.keys()):
-        desk.answer("linear-picture-thing", letter=letter, name=meant[letter])
-    desk.tell(*(row.replace(START, FREE) for row in rows))
-
-
-def _window(grid: MapGrid) -> Bounds:
-    """At most so many squares, with the robot in them."""
-    bounds = grid.bounds
-    left, right = _part(bounds.left, bounds.right, grid.robot.x, WIDEST)
-    bottom, top = _part(bounds.bottom, bounds.top, grid.robot.y, HIGHEST)
-    return Bounds(left, bottom, right, top)
-
-
-def _part(first: int, last: int, middle: int, most: int) -> tuple[int, int]:
-    begin = max(first, min(middle - most // 2, last - most + 1))
-    return begin, min(last, begin + most - 1)
+HANDLERS: dict[str, Handler] = {
+    "where": alone(_where),
+    "around": _around,
+    "map": _map,
+    "show_map": alone(say_map),
+    "map_row": _row,
+    "map_column": _column,
+    "map_picture": alone(_picture),
+    "trail": counted(_trail, _DEFAULT_TRAIL),
+    "world": alone(_world),
+}

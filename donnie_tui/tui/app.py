@@ -346,24 +346,29 @@ class DonnieApp(App[int], inherit_bindings=False):
             self.work.close()
 
 
-def run_full_screen(settings: Settings, file: Path | None, *, text: str | None = None) -> int:
+def run_full_screen(
+    settings: Settings, file: Path | None, *, text: str | None = None, donnie: Donnie | None = None
+) -> int:
     """Work at the screen until the learner leaves; the exit code.
 
-    ``text`` is the program that the other mode left, where it did. Raises ``SwitchMode`` if the learner goes
+    ``text`` is the program that the other mode left, where it did, ``donnie`` its session. Raises ``SwitchMode`` if the learner goes
     to the linear mode, ``Unusable`` if the world or a device can't be used.
     """
     sys.setswitchinterval(0.001)  # a program that computes must not starve the screen
-    app = DonnieApp(settings, file, text=text, assemble=lambda: _assembled(settings))
+    app = DonnieApp(settings, file, text=text, assemble=lambda: donnie or _assembled(settings))
     try:
         code = app.run(mouse=wants_mouse(settings))
-    finally:
+    except BaseException:
         app.close_session()
+        raise
+    has_failed = app.trouble is not None or app.return_code == CRASHED
+    if app.left_for_linear and not has_failed:
+        _switch(app)
+    app.close_session()
     if app.trouble is not None:
         raise app.trouble
     if app.return_code == CRASHED:
         return CRASHED
-    if app.left_for_linear:
-        _switch(app)
     return code or 0
 
 
@@ -377,4 +382,5 @@ def _switch(app: DonnieApp) -> None:
     from donnie_tui.bootstrap import SwitchMode
 
     path = app.work.files.document.path if app.work is not None else None
-    raise SwitchMode(app.workplace.editor.text, str(path) if path else None)
+    donnie = app.work.hand_over() if app.work is not None else None
+    raise SwitchMode(app.workplace.editor.text, str(path) if path else None, donnie)

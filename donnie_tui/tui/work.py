@@ -31,6 +31,8 @@ from donnie_tui.tui.screens.workplace import Workplace
 from language.control import ControlState
 from language.keywords import canonical
 
+_LAST_WORDS = 1.0
+"""Seconds that a stopped program may take to be gone."""
 COPY_AFTER = 1.0
 """Seconds after an edit within which it is written down."""
 
@@ -84,7 +86,7 @@ class Work:
         self._deeds = Deeds(self)
         self._watching: Timer | None = None
         self._copying: Timer | None = None
-        session.hub.subscribe(bridge)
+        self._hear_no_more = session.hub.subscribe(bridge)
 
     def begin(self, file: Path | None, text: str | None) -> None:
         """Open what was asked for. ``text``: what the other mode left, unsaved changes included."""
@@ -259,6 +261,15 @@ class Work:
 
     def halt(self) -> None:
         self._donnie.session.stop()
+
+    def hand_over(self) -> Donnie:
+        """To the other mode: the session goes on there, what runs here ends."""
+        self._hear_no_more()
+        self._donnie.team.stop()
+        for session in self._donnie.team.sessions:
+            if session.run is not None:
+                session.run.wait(_LAST_WORDS)
+        return self._donnie
 
     def close(self) -> None:
         """After the screen is gone: nothing is left running."""

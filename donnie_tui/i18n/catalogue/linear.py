@@ -54,7 +54,6 @@ _RUNNING = {
 }
 
 _PROGRAM = {
-    "linear-line-empty": Sentence("Line {line}: empty.", "Linha {line}: vazia.", "Línea {line}: vacía."),
     "linear-listed": Sentence("{line}: {text}", "{line}: {text}", "{line}: {text}"),
     "linear-lines": Sentence(
         "{lines} {lines:line|lines}.", "{lines} {lines:linha|linhas}.", "{lines} {lines:línea|líneas}."
@@ -120,8 +119,6 @@ _SETTINGS = {
         brief=("Detail: brief.", "Detalhe: breve.", "Detalle: breve."),
         full=("Detail: full.", "Detalhe: completo.", "Detalle: completo."),
     ),
-    "linear-nothing-said": Sentence("Nothing was said yet.", "Nada foi dito ainda.", "Nada se dijo todavía."),
-    "linear-no-errors": Sentence("No errors.", "Nenhum erro.", "Ningún error."),
     "linear-no-screen": Sentence(
         "The full screen needs a terminal.",
         "A tela cheia precisa de um terminal.",
@@ -130,17 +127,6 @@ _SETTINGS = {
     "linear-linear": Sentence(
         "This is the linear mode already.", "Este já é o modo linear.", "Este ya es el modo lineal."
     ),
-}
-
-_MAP = {
-    "linear-picture": Sentence(
-        "Picture, {width} by {height}. The robot is {robot}",
-        "Imagem, {width} por {height}. O robô é {robot}",
-        "Imagen, {width} por {height}. El robot es {robot}",
-    ),
-    "linear-picture-wall": Sentence("Wall: {letter}", "Parede: {letter}", "Pared: {letter}"),
-    "linear-picture-free": Sentence("Free: {letter}", "Livre: {letter}", "Libre: {letter}"),
-    "linear-picture-thing": Sentence("{name}: {letter}", "{name}: {letter}", "{name}: {letter}"),
 }
 
 _HELP = {
@@ -179,9 +165,100 @@ _HELP = {
     "linear-keys-clear": Sentence(
         "Ctrl+U: clears the line.", "Ctrl+U: apaga a linha.", "Ctrl+U: borra la línea."
     ),
+    "linear-keys-tab": Sentence(
+        "Tab: completes a word.", "Tab: completa uma palavra.", "Tab: completa una palabra."
+    ),
     "linear-keys-leave": Sentence(
         "Ctrl+D: leaves Donnie.", "Ctrl+D: sai do Donnie.", "Ctrl+D: sale de Donnie."
     ),
 }
 
-SENTENCES: dict[str, Sentence] = _GREETING | _RUNNING | _PROGRAM | _FILES | _SETTINGS | _MAP | _HELP
+_PAGES = {
+    "linear-more": Sentence(
+        "More, {lines} {lines:line|lines}. Enter goes on, Q stops.",
+        "Mais {lines} {lines:linha|linhas}. Enter segue, S para.",
+        "Más, {lines} {lines:línea|líneas}. Enter sigue, S para.",
+        brief=(
+            "{lines} more. Enter, or Q to stop.",
+            "Mais {lines}. Enter, ou S para parar.",
+            "{lines} más. Enter, o S para parar.",
+        ),
+    ),
+    "linear-choices": Sentence(
+        "{count} words.",
+        "{count} palavras.",
+        "{count} palabras.",
+    ),
+    "linear-nothing-typed": Sentence(
+        "Nothing was typed yet.", "Nada foi digitado ainda.", "Nada se escribió todavía."
+    ),
+    "linear-type-number": Sentence(
+        "Type a number to do it again.", "Digite um número para repetir.", "Escribe un número para repetir."
+    ),
+}
+
+_HABITS = {
+    "habit-page": Sentence(
+        "Long answers, {name}: {value}.",
+        "Respostas longas, {name}: {value}.",
+        "Respuestas largas, {name}: {value}.",
+    ),
+    "habit-prompt": Sentence(
+        "Before the line, {name}: {value}.",
+        "Antes da linha, {name}: {value}.",
+        "Antes de la línea, {name}: {value}.",
+    ),
+    "habit-hold": Sentence(
+        "Wait at each line, {name}: {value}.",
+        "Esperar a cada linha, {name}: {value}.",
+        "Esperar en cada línea, {name}: {value}.",
+    ),
+    "habit-editor": Sentence(
+        "Typing, {name}: {value}.", "Digitação, {name}: {value}.", "Escritura, {name}: {value}."
+    ),
+    "habit-enter": Sentence(
+        "Enter key, {name}: {value}.", "Tecla Enter, {name}: {value}.", "Tecla Enter, {name}: {value}."
+    ),
+    "habit-progress": Sentence(
+        "Signs of life, {name}: {value} seconds.",
+        "Sinais de vida, {name}: {value} segundos.",
+        "Señales, {name}: {value} segundos.",
+    ),
+    "habit-clock": Sentence(
+        "Clock face, {name}: {value}.", "Como relógio, {name}: {value}.", "Como reloj, {name}: {value}."
+    ),
+    "habit-free": Sentence(
+        "Free squares, {name}: {value}.",
+        "Casas livres, {name}: {value}.",
+        "Casillas libres, {name}: {value}.",
+    ),
+    "habit-choices": Sentence("Choose: {choices}.", "Escolha: {choices}.", "Elige: {choices}."),
+}
+
+_MODES = {
+    "mode-ask-linear": Sentence(
+        "Always begin in linear mode, y or n? Enter means no.",
+        "Começar sempre no modo linear, s ou n? Enter é não.",
+        "¿Empezar siempre en modo lineal, s o n? Enter es no.",
+        brief=(
+            "Always linear, y or n? Enter means no.",
+            "Sempre linear, s ou n? Enter é não.",
+            "¿Siempre lineal, s o n? Enter es no.",
+        ),
+    ),
+    "mode-ask-visual": Sentence(
+        "Always begin in the full screen, y or n? Enter means no.",
+        "Começar sempre na tela cheia, s ou n? Enter é não.",
+        "¿Empezar siempre en pantalla completa, s o n? Enter es no.",
+        brief=(
+            "Always full screen, y or n? Enter: no.",
+            "Sempre tela cheia, s ou n? Enter: não.",
+            "¿Siempre pantalla, s o n? Enter: no.",
+        ),
+    ),
+    "mode-remembered": Sentence("I will remember it.", "Vou lembrar disso.", "Lo voy a recordar."),
+}
+
+SENTENCES: dict[str, Sentence] = (
+    _GREETING | _RUNNING | _PROGRAM | _FILES | _SETTINGS | _HELP | _PAGES | _HABITS | _MODES
+)

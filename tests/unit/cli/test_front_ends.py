@@ -15,6 +15,9 @@ from donnie_tui.linear import app as linear
 from donnie_tui.settings import Settings
 from donnie_tui.tui import app as screen
 
+LIVING = object()
+"""Stands for the session that goes along."""
+
 
 def order(file: str | None = None, *, option_linear: bool = False) -> Order:
     arguments = Namespace(file=file, linear=option_linear, visual=False)
@@ -29,26 +32,28 @@ def visits(monkeypatch: pytest.MonkeyPatch) -> list[tuple[object, ...]]:
     def visit(*visited: object) -> int:
         made.append(visited)
         if len(made) < 3:
-            raise SwitchMode(f"FW {len(made)}", "a.gd" if len(made) == 1 else None)
+            raise SwitchMode(f"FW {len(made)}", "a.gd" if len(made) == 1 else None, LIVING)
         return 0
 
     monkeypatch.setattr(
         linear,
         "run_linear",
-        lambda settings, file, cause, text=None: visit("linear", file, cause, text),
+        lambda settings, file, cause, text=None, donnie=None: visit("linear", file, cause, text, donnie),
     )
     monkeypatch.setattr(
-        screen, "run_full_screen", lambda settings, file, text=None: visit("screen", file, text)
+        screen,
+        "run_full_screen",
+        lambda settings, file, text=None, donnie=None: visit("screen", file, text, donnie),
     )
     return made
 
 
-def test_the_program_and_its_name_go_along(visits: list[tuple[object, ...]]) -> None:
+def test_the_program_its_name_and_the_living_session_go_along(visits: list[tuple[object, ...]]) -> None:
     assert front_ends.start(order("b.gd", option_linear=True)) == 0
     assert visits == [
-        ("linear", Path("b.gd"), "option", None),
-        ("screen", Path("a.gd"), "FW 1"),
-        ("linear", None, "word", "FW 2"),
+        ("linear", Path("b.gd"), "option", None, None),
+        ("screen", Path("a.gd"), "FW 1", LIVING),
+        ("linear", None, "word", "FW 2", LIVING),
     ]
 
 
@@ -58,4 +63,4 @@ def test_what_no_terminal_offers_is_not_asked_of_it(
     """Under the tests there is no terminal."""
     front_ends.start(order())
 
-    assert visits[0] == ("linear", None, "no-terminal", None)
+    assert visits[0] == ("linear", None, "no-terminal", None, None)

@@ -103,7 +103,7 @@ def test_the_level_is_told_when_it_changes() -> None:
     lines = told("FW 1\nREPEAT 1 TIMES\nFW 2\nFW 3\nEND REPEAT", detail="normal")
 
     assert [line for line in lines if line.startswith("Line")] == [
-        "Line 1, level 0: FW 1",
+        "Line 1: FW 1",
         "Line 2: REPEAT 1 TIMES",
         "Line 3, level 1: FW 2",
         "Line 4: FW 3",

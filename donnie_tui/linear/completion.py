@@ -1,0 +1,47 @@
+"""What Tab may make of the last word that was typed: words of ours and of GoDonnie, variables, files."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+from donnie_tui.core.use_cases import USE_CASES
+from donnie_tui.linear.desk import Desk
+from language import keywords
+from language.source import fold_name
+
+_FILES = ("OPEN", "SAVE", "ABRIR", "SALVAR", "GUARDAR")
+MOST = 100
+"""Words to choose from; nobody listens to more."""
+
+
+def candidates(desk: Desk, before: str) -> tuple[str, ...]:
+    """The words that the last one of ``before`` may become, as it was typed in small or capital letters."""
+    first, blank, _ = before.lstrip().partition(" ")
+    last = before.rpartition(" ")[2]
+    if blank and first.upper() in _FILES:
+        return _files(last)
+    if not last:
+        return ()
+    known = [*keywords.all_words(desk.say.language), *desk.session.variables]
+    if not blank:
+        known += [each.word(desk.say.language) for each in USE_CASES]
+    folded = fold_name(last)
+    found = sorted({_as_typed(each, last) for each in known if fold_name(each).startswith(folded)})
+    return tuple(found[:MOST])
+
+
+def _as_typed(word: str, typed: str) -> str:
+    return word.lower() if typed.islower() else word
+
+
+def _files(typed: str) -> tuple[str, ...]:
+    folder, _, name = typed.rpartition("/")
+    try:
+        found = sorted(Path(folder or ("/" if typed.startswith("/") else ".")).iterdir())
+    except OSError:
+        return ()
+    before = f"{folder}/" if "/" in typed else ""
+    names = [f"{each.name}/" if each.is_dir() else each.name for each in found]
+    return tuple(
+        before + each for each in names if each.startswith(name) and (name or not each.startswith("."))
+    )[:MOST]

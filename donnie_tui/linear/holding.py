@@ -1,0 +1,104 @@
+"""A program that is held between two statements: what is told then, and what somebody wants next."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import dataclass
+from enum import Enum, auto
+
+from donnie_tui.core.events import Read, Stamped
+from donnie_tui.core.step_words import StepWords, changes
+from donnie_tui.i18n.first_words import PROMPT
+from donnie_tui.linear.desk import Desk
+from donnie_tui.linear.reader import Typed
+from language.control import ControlState, ExecutionControl
+from language.source import fold_name
+
+
+class Goes(Enum):
+    """How a held program goes on."""
+
+    STEP = auto()
+    OVER = auto()
+    UNTIL = auto()
+    ON = auto()
+    STOP = auto()
+
+
+@dataclass(frozen=True, slots=True)
+class Wish:
+    """What somebody wants of a held program."""
+
+    goes: Goes
+    line: int = 0
+    """For ``UNTIL``."""
+
+
+class Holding:
+    """Tells each hold of one run after the other."""
+
+    def __init__(self, desk: Desk, wish_of: Callable[[Typed], Wish | None]) -> None:
+        self._desk = desk
+        self._wish_of = wish_of
+        self._words: StepWords | None = None
+        self._control: ExecutionControl | None = None
+        self._variables: dict[str, int] = {}
+        self._text, self._first_line = "", 1
+        self.is_held = False
+
+    def prepare(
+        self,
+        text: str,
+        first_line: int,
+        begin: Callable[[ExecutionControl], None] | None,
+        control: ExecutionControl,
+    ) -> None:
+        """A run is about to begin."""
+        self.is_held, self._control = False, control
+        self._words, self._text, self._first_line = None, text, first_line
+        self._variables = {}
+        control.observe(self._changed)
+        if self._desk.breakpoints:
+            control.break_at(frozenset(self._desk.breakpoints))
+        if begin is not None:
+            begin(control)
+
+    def _changed(self, state: ControlState) -> None:
+        """In any thread."""
+        self.is_held = state is ControlState.PAUSED
+        if self.is_held:
+            self._desk.console.nudge()
+
+    def hear(self, stamped: Stamped) -> None:
+        """In the program's thread: what its sensors say."""
+        if isinstance(stamped.event, Read) and self._words is not None:
+            self._words.heard(stamped.event)
+
+    def ask(self) -> Wish:
+        """Say where the program is, and ask until it is clear how to go on."""
+        self._tell()
+        while True:
+            wish = self._wish_of(self._desk.read(PROMPT))
+            if wish is not None:
+                self._go(wish)
+                return wish
+
+    def _tell(self) -> None:
+        frames = self._desk.session.frames
+        if self._words is None:
+            program = self._desk.session.parse(self._text, self._first_line).program
+            self._words = StepWords(program, self._desk.program.lines, self._desk.say)
+        line, column = self._control.held_at if self._control else (0, 0)
+        now = dict(frames[0].variables) if frames else {}
+        folded = {fold_name(name): value for name, value in now.items()}
+        self._desk.tell(*changes(self._desk.watched, self._variables, folded, self._desk.say))
+        self._variables = folded
+        if frames and (line, column) != (0, 0) and frames[0].line == line:
+            self._desk.tell(*self._words.held(line, column, frames))
+        else:  # held in the middle of a movement or a wait
+            self._desk.answer("answer-paused-at", line=frames[0].line if frames else 0)
+
+    def _go(self, wish: Wish) -> None:
+        self.is_held = False
+        if wish.goes is not Goes.STEP and self._words is not None:
+            self._words.lose_count()

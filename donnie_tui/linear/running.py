@@ -1,0 +1,176 @@
+"""The words about running: AGAIN, STOP, PAUSE, STEP, OVER, STEP BACK, UNTIL, BREAK, WATCH, SPEED, RESET."""
+
+from __future__ import annotations
+
+from donnie_tui.core import speeds
+from donnie_tui.core.retelling import told_back
+from donnie_tui.core.session import Busy
+from donnie_tui.linear.arguments import Handler, alone, numbers_in
+from donnie_tui.linear.desk import Desk
+from donnie_tui.linear.runs import Runs
+from donnie_tui.settings import read_speed
+from language.control import ExecutionControl
+from language.source import fold_name
+
+
+def _again(_: Desk, runs: Runs, rest: str) -> bool:
+    if not rest:
+        runs.run_all()
+    return not rest
+
+
+def _step(_: Desk, runs: Runs, rest: str) -> bool:
+    """Where a program is held already, whoever holds it takes the word."""
+    if not rest:
+        runs.run_waiting(begin=ExecutionControl.step)
+    return not rest
+
+
+def _until(desk: Desk, runs: Runs, rest: str) -> bool:
+    given = numbers_in(rest, most=1)
+    if not given:
+        return False
+    lines = len(desk.program.lines)
+    if 1 <= given[0] <= lines:
+        runs.run_waiting(begin=lambda control: control.run_to(given[0]))
+    else:
+        desk.answer("answer-no-line", line=given[0], last=lines)
+    return True
+
+
+def _stop(desk: Desk, runs: Runs, rest: str) -> bool:
+    if not rest and desk.session.run is None:
+        desk.answer("answer-nothing-runs")
+    elif not rest:
+        runs.stop()
+    return not rest
+
+
+def _pause(desk: Desk) -> None:
+    run = desk.session.run
+    if run is None:
+        desk.answer("answer-nothing-runs")
+    else:
+        run.control.pause()
+
+
+def _continue(desk: Desk) -> None:
+    """A held program goes on where it is held; here nothing is."""
+    desk.answer("answer-nothing-runs")
+
+
+def _step_back(desk: Desk) -> None:
+    """What happened last, undone in words; once more goes further back."""
+    if desk.timeline is None:
+        desk.timeline = desk.donnie.chronicle.timeline()
+    undone = desk.timeline.step_back()
+    desk.tell(told_back(undone, desk.timeline, desk.say))
+
+
+def _break(desk: Desk, _: Runs, rest: str) -> bool:
+    """A breakpoint there or none any more; alone: where there are any."""
+    given = numbers_in(rest, most=1)
+    if given is None:
+        return False
+    if given and not 1 <= given[0] <= len(desk.program.lines):
+        desk.answer("answer-no-line", line=given[0], last=len(desk.program.lines))
+    elif given:
+        _toggle_breakpoint(desk, given[0])
+    elif desk.breakpoints:
+        desk.answer("break-lines", lines=", ".join(map(str, sorted(desk.breakpoints))))
+    else:
+        desk.answer("break-none")
+    return True
+
+
+def _toggle_breakpoint(desk: Desk, line: int) -> None:
+    desk.breakpoints ^= {line}
+    desk.answer("break-set" if line in desk.breakpoints else "break-gone", line=line)
+    run = desk.session.run
+    if run is not None:
+        run.control.break_at(frozenset(desk.breakpoints))
+
+
+def _watch(desk: Desk, _: Runs, rest: str) -> bool:
+    name = fold_name(rest)
+    if len(rest.split()) > 1:
+        return False
+    if name in desk.watched:
+        desk.watched.remove(name)
+        desk.answer("watch-gone", name=rest)
+    elif name:
+        desk.watched.append(name)
+        desk.answer("watch-set", name=rest)
+    elif desk.watched:
+        for each in desk.watched:
+            desk.answer("watch-set", name=each)
+    else:
+        desk.answer("watch-none")
+    return True
+
+
+def _variables(desk: Desk) -> None:
+    """The calls, innermost first, and the variables of the innermost; after a run what it left."""
+    frames = desk.session.frames
+    for frame in frames:
+        if frame.procedure:
+            desk.answer("call-at", name=frame.procedure, line=frame.line)
+    variables = dict(frames[0].variables) if frames else desk.session.variables
+    for name, value in variables.items():
+        desk.answer("variable-is", name=name, value=value)
+    if not variables:
+        desk.answer("variables-none")
+
+
+def _speed(desk: Desk, _: Runs, rest: str) -> bool:
+    """Change the speed, where one is given, and say it."""
+    try:
+        if rest:
+            desk.session.speed = read_speed(fold_name(rest))
+    except ValueError:
+        return False
+    _say_speed(desk)
+    return True
+
+
+def _faster(desk: Desk) -> None:
+    desk.session.speed = speeds.faster(desk.session.speed)
+    _say_speed(desk)
+
+
+def _slower(desk: Desk) -> None:
+    desk.session.speed = speeds.slower(desk.session.speed)
+    _say_speed(desk)
+
+
+def _say_speed(desk: Desk) -> None:
+    desk.answer("answer-speed", speed=speeds.speed_words(desk.session.speed, desk.say))
+
+
+def _reset(desk: Desk, _: Runs, rest: str) -> bool:
+    if not rest:
+        try:
+            desk.session.reset()
+        except Busy:
+            return False
+        desk.answer("answer-reset")
+    return not rest
+
+
+HANDLERS: dict[str, Handler] = {
+    "again": _again,
+    "stop": _stop,
+    "pause": alone(_pause),
+    "continue_": alone(_continue),
+    "step": _step,
+    "step_over": _step,
+    "step_back": alone(_step_back),
+    "run_to": _until,
+    "break_": _break,
+    "watch": _watch,
+    "show_variables": alone(_variables),
+    "slower": alone(_slower),
+    "faster": alone(_faster),
+    "speed": _speed,
+    "reset": _reset,
+}

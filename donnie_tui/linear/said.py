@@ -1,0 +1,149 @@
+"""The words about what was said and typed: LAST, SPELL, FIND, TYPED, ERROR, EXPLAIN, SAVE LOG, SHOW LOG."""
+
+from __future__ import annotations
+
+from donnie_tui.core.answer_log import spelled
+from donnie_tui.core.transcript import lines_of
+from donnie_tui.i18n.catalogue.signs import CODE_OF
+from donnie_tui.linear.arguments import Handler, alone, counted
+from donnie_tui.linear.desk import Desk
+from donnie_tui.linear.reading import go_to
+
+SHOWN = 10
+"""Answers that SHOW LOG says again."""
+LONGEST_SPELLED = 200
+"""Characters of an answer that are spelled."""
+_TYPED_AT_ONCE = 10
+
+
+def _last(desk: Desk, which: int) -> None:
+    """The answer before this one, or the ``which``-th last."""
+    answer = desk.answers.last(which)
+    if answer:
+        desk.is_repeating = True
+        desk.tell(*answer)
+    else:
+        desk.answer("answer-nothing-said")
+
+
+def _spell(desk: Desk, which: int) -> None:
+    """Of the answer its last line, where what counts mostly stands alone."""
+    answer = desk.answers.last(which)
+    _say_spelled(desk, answer[-1] if answer else "")
+
+
+def _last_word(desk: Desk) -> None:
+    answer = desk.answers.last()
+    words = answer[-1].rstrip(".,:;!?").split() if answer else []
+    _say_spelled(desk, words[-1] if words else "")
+
+
+def _say_spelled(desk: Desk, text: str) -> None:
+    if text:
+        desk.is_repeating = True
+        desk.tell(*spelled(text[:LONGEST_SPELLED], CODE_OF, desk.say))
+    else:
+        desk.answer("answer-nothing-said")
+
+
+def _find(desk: Desk, word: str) -> bool:
+    if not word:
+        return False
+    found = desk.answers.found(word)
+    if not found:
+        desk.answer("find-none", word=word[:40])
+        return True
+    desk.is_repeating = True
+    desk.answer("find-count", count=len(found))
+    desk.tell(*found)
+    return True
+
+
+def _show_log(desk: Desk) -> None:
+    """The last answers again, the newest last."""
+    answers = [desk.answers.last(which) for which in range(min(SHOWN, len(desk.answers)), 0, -1)]
+    if not answers:
+        desk.answer("answer-nothing-said")
+    desk.is_repeating = bool(answers)
+    for answer in answers:
+        desk.tell(*answer)
+
+
+def _typed(desk: Desk, count: int) -> None:
+    """The lines typed last, numbered; the number of one, typed next, does it again."""
+    lines = desk.past[:-1]  # without this one
+    first = max(0, len(lines) - count)
+    if not lines:
+        desk.answer("linear-nothing-typed")
+        return
+    for number, line in enumerate(lines[first:], first + 1):
+        desk.answer("linear-listed", line=number, text=line)
+    desk.answer("linear-type-number")
+    desk.next_line = lambda chosen: _do_again(desk, lines, chosen)
+
+
+def _do_again(desk: Desk, lines: list[str], chosen: str) -> bool:
+    """Shown first, so that it is clear what is done; any other line is none of this."""
+    if not chosen.strip().isdecimal() or len(chosen) > 8:
+        return False
+    number = int(chosen)
+    if 1 <= number <= len(lines):
+        desk.answer("linear-listed", line=number, text=lines[number - 1])
+        desk.take_again(lines[number - 1])
+    else:
+        desk.answer("answer-no-line", line=number, last=len(lines))
+    return True
+
+
+# --- mistakes
+
+
+def _error(desk: Desk, move: int = 0) -> None:
+    """The error told last, or one before or after it; the reading place goes along."""
+    if not desk.errors:
+        desk.answer("answer-no-errors")
+        return
+    now = len(desk.errors) - 1 if desk.error_at is None else desk.error_at
+    wanted = now + move
+    if desk.error_at is None and move > 0:
+        wanted = 0
+    if not 0 <= wanted < len(desk.errors):
+        desk.answer("answer-no-more-errors", number=now + 1, count=len(desk.errors))
+        return
+    desk.error_at = wanted
+    desk.place = desk.errors[wanted].line
+    desk.tell(*lines_of(desk.errors[wanted], desk.say))
+
+
+def _errors(desk: Desk) -> None:
+    if not desk.errors:
+        desk.answer("answer-no-errors")
+    for error in desk.errors:
+        desk.tell(*lines_of(error, desk.say))
+
+
+def _explain(desk: Desk) -> None:
+    """The error again in plain words, and what to do, with an example."""
+    if not desk.errors:
+        desk.answer("answer-no-errors")
+        return
+    error = desk.errors[-1 if desk.error_at is None else desk.error_at]
+    desk.answer(f"explain-{error.kind}")
+    desk.answer(f"mend-{error.kind}")
+    if 1 <= error.line <= len(desk.program.lines):
+        go_to(desk, error.line)
+
+
+HANDLERS: dict[str, Handler] = {
+    "last": counted(_last, 1),
+    "last_word": alone(_last_word),
+    "spell": counted(_spell, 1),
+    "find": lambda desk, _, rest: _find(desk, rest),
+    "show_log": alone(_show_log),
+    "typed": counted(_typed, _TYPED_AT_ONCE),
+    "error": alone(_error),
+    "error_next": alone(lambda desk: _error(desk, 1)),
+    "error_previous": alone(lambda desk: _error(desk, -1)),
+    "errors": alone(_errors),
+    "explain": alone(_explain),
+}

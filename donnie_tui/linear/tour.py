@@ -1,0 +1,39 @@
+"""TOUR: Donnie in five minutes, told page by page; between two pages one tries things or goes on."""
+
+from __future__ import annotations
+
+from functools import partial
+
+from donnie_tui.linear.arguments import Handler, alone
+from donnie_tui.linear.desk import Desk
+
+PAGES = 9
+"""Of the catalogue: ``tour-1-1`` is the first line of the first page."""
+MOST_LINES = 6
+
+
+def _tour(desk: Desk) -> None:
+    """From where it was left."""
+    _page(desk, desk.tour_page)
+
+
+def _page(desk: Desk, number: int) -> None:
+    """One page; an empty line goes on to the next one, anything else is done and the tour waits."""
+    codes = [f"tour-{number}-{line}" for line in range(1, MOST_LINES + 1)]
+    for code in filter(desk.say.knows, codes):
+        desk.answer(code)
+    desk.tour_page = number if number < PAGES else 1
+    if number < PAGES:
+        desk.answer("tour-on", page=number, pages=PAGES)
+        desk.next_line = partial(_go_on, desk, number + 1)
+
+
+def _go_on(desk: Desk, number: int, typed: str) -> bool:
+    if not typed.strip() and not desk.program.is_waiting:
+        _page(desk, number)
+        return True
+    desk.next_line = partial(_go_on, desk, number)
+    return False
+
+
+HANDLERS: dict[str, Handler] = {"tour": alone(_tour)}
