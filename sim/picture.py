@@ -46,7 +46,7 @@ class Thing:
     depth: float
     """Steps from south to north."""
     is_robot: bool = False
-    """Another robot, with its own name."""
+    """Another robot that can be programmed; of Stage's ``position`` models not all are."""
     heading: float = 0.0
     """Compass degrees; what a robot looks at."""
     index: int = field(default=0, compare=False)
@@ -117,20 +117,25 @@ def picture(scene: Scene, robot: str | None = None) -> Picture:
     for shape in sorted(shapes, key=lambda shape: not shape.is_wall):
         letter = "#" if shape.is_wall else _sized(letters[_kind(shape.model)], shape)
         grid.draw(shape, letter)
-    things = tuple(_thing(shape, letters) for shape in shapes if not shape.is_wall)
+    robots = frozenset(scene.robots)
+    things = tuple(_thing(shape, letters, robots) for shape in shapes if not shape.is_wall)
     has_walls = any(shape.is_wall for shape in shapes)
     return Picture(left, bottom, width, height, cell, grid.rows(), things, has_walls)
 
 
 def drawings(scene: Scene) -> tuple[Drawing, ...]:
     """Everything that stands in the scene, robots too; things have the letters that ``picture`` gives."""
-    me = _me(scene, None)
+    me, robots = _me(scene, None), frozenset(scene.robots)
     shapes = tuple(_shapes(scene, None, walls_around=me))
     letters = _letters(shape for shape in shapes if not shape.is_wall and shape.model is not me)
     if me is not None:
         letters.setdefault(_kind(me), "x")
     return tuple(
-        Drawing(shape.outlines, None if shape.is_wall else _thing(shape, letters), bool(shape.model.bitmap))
+        Drawing(
+            shape.outlines,
+            None if shape.is_wall else _thing(shape, letters, robots),
+            bool(shape.model.bitmap),
+        )
         for shape in shapes
     )
 
@@ -243,9 +248,9 @@ def _sized(letter: str, shape: _Shape) -> str:
     return letter.upper() if shape.length >= LARGE else letter
 
 
-def _thing(shape: _Shape, letters: dict[str, str]) -> Thing:
+def _thing(shape: _Shape, letters: dict[str, str], robots: frozenset[int]) -> Thing:
     model = shape.model
-    is_robot = model.type == "position"
+    is_robot = model.index in robots
     return Thing(
         name=_called(model),
         kind=model.kind,

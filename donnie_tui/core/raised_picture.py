@@ -79,7 +79,7 @@ def raised_picture(
             *(_shape(each, sheet) for each in drawings),
             *(_nose(each, sheet) for each in chart.robots),
             "</g>",
-            *_written(braille(title, wording.language), MARGIN, MARGIN),
+            *_written(braille(title, wording.language)[: _cells(sheet.width)], MARGIN, MARGIN),
             *_labels(chart, drawings, sheet),
             *_legend_block(legend, sheet, wording),
             "</svg>\n",
@@ -94,10 +94,15 @@ def _laid_out(
     box = _extent(picture, drawings)
     sheets = []
     for width, height in (A4, A4[::-1]):
-        legend = _legend(chart, int((width - 2 * MARGIN) / CELL), wording)
+        legend = _legend(chart, _cells(width), wording)
         room = height - 2 * MARGIN - ROW * (len(legend) + 4)
         sheets.append((_fitted(box, width, height, room), legend))
     return max(sheets, key=lambda each: each[0].scale)
+
+
+def _cells(width: float) -> int:
+    """Braille cells in a line of a sheet."""
+    return int((width - 2 * MARGIN) / CELL)
 
 
 def _extent(picture: Picture, drawings: Sequence[Drawing]) -> _Box:

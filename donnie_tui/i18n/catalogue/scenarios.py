@@ -74,9 +74,7 @@ SENTENCES: dict[str, Sentence] = {
         "una celda mide {width} por {height} pasos",
     ),
     "paper-scale": Sentence(
-        "the line below is {steps} steps",
-        "a linha abaixo mede {steps} passos",
-        "la línea de abajo mide {steps} pasos",
+        "the line is {steps} steps", "a linha mede {steps} passos", "la línea mide {steps} pasos"
     ),
     "paper-legend-wall": Sentence("wall", "parede", "pared"),
     "paper-legend-robot": Sentence(

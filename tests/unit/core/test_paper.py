@@ -196,8 +196,9 @@ def test_a_maze_on_a_braille_page_can_still_be_gone_through() -> None:
 
 
 @pytest.mark.parametrize("name", worlds.names())
-def test_a_picture_is_a_sheet_of_a4_and_everything_black_is_on_it(name: str) -> None:
-    root = sheet(name)
+@pytest.mark.parametrize("language", ["en", "pt", "es"])
+def test_a_picture_is_a_sheet_of_a4_and_everything_black_is_on_it(name: str, language: str) -> None:
+    root = sheet(name, language)
     width, height = (float(each) for each in (root.get("viewBox") or "").split()[2:])
 
     assert (width, height) in (A4, A4[::-1])
@@ -235,10 +236,11 @@ def test_names_that_xml_may_not_hold_are_no_harm() -> None:
     plan = chart(floor, Pose(3, 3, 0), "\x07<", Words())
 
     root = ElementTree.fromstring(
-        raised_picture("<&\x00", plan, floor, [Drawing((square,), bad, False)], Words())
+        raised_picture(f"<&\x00{'x' * 99}", plan, floor, [Drawing((square,), bad, False)], Words())
     )
 
-    assert root.findtext(f"{SVG}title") == "Map of <& "
+    assert root.findtext(f"{SVG}title") == f"Map of <& {'x' * 99}"
+    assert max(float(each.get("cx") or 0) for each in root.iter(f"{SVG}circle")) < A4[1]
     assert isinstance(plan.robots[0], Robot)
 
 

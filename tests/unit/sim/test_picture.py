@@ -1,10 +1,12 @@
 """The scene as a grid of letters and a list of things."""
 
 from math import hypot
+from pathlib import Path
 
 import pytest
 
-from sim.picture import Thing, picture
+from sim.picture import Thing, drawings, picture
+from sim.worldfile import load_text
 from tests.unit.sim.floors import IDEAL, scene
 
 ROBOT = IDEAL + 'ideal( name "donnie" pose [ 0 0 0 90 ] )'
@@ -96,3 +98,46 @@ def test_a_world_without_a_robot_and_without_anything_has_a_picture() -> None:
     it = picture(scene(""))
 
     assert (it.width, it.height) == (60, 60)
+
+
+def test_a_robot_among_the_things_is_known_as_one_and_a_position_model_without_senses_is_not() -> None:
+    it = load_text(
+        """
+        define seeing position ( size [ 0.1 0.1 0.1 ] ranger( sensor( ) ) )
+        seeing( name "me" )
+        seeing( name "other" pose [ 1 0 0 -45 ] )
+        position( name "sofa" pose [ 0 1 0 0 ] )
+        """,
+        Path("room.world"),
+    )
+
+    assert [(each.name, each.is_robot, each.heading) for each in picture(it).things] == [
+        ("other", True, 135.0),
+        ("sofa", False, 0.0),
+    ]
+
+
+def test_a_drawing_has_the_outlines_of_walls_things_and_all_robots() -> None:
+    it = load_text(
+        """
+        define seeing position ( size [ 0.1 0.1 0.1 ] ranger( sensor( ) ) )
+        define wall model ( size [ 1 0.05 0.2 ] )
+        seeing( name "me" )
+        wall( pose [ 0 1 0 0 ] )
+        model( name "crate" size [ 0.1 0.2 0.2 ] pose [ 1 1 0 0 ] )
+        """,
+        Path("room.world"),
+    )
+
+    me, wall, crate = drawings(it)
+    assert me.thing is not None
+    assert (me.thing.name, me.thing.is_robot) == ("me", True)
+    assert wall.thing is None
+    assert crate.thing is not None
+    assert crate.thing == picture(it).things[0]
+    assert {(round(x, 6), round(y, 6)) for x, y in crate.outlines[0]} == {
+        (19, 18),
+        (21, 18),
+        (21, 22),
+        (19, 22),
+    }
