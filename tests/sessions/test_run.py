@@ -224,10 +224,10 @@ def test_several_robots_run_each_its_own_program_and_say_who_they_are(tmp_path: 
     done = donnie(tmp_path, "run", "alice=alice.gd", "bob=bob.gd", *world)
 
     assert done.returncode == 0
-    assert sorted(done.stdout.decode().splitlines()) == [
-        "alice: I walked 2 steps forward.",
+    assert done.stdout.decode().splitlines() == [
         "bob: Waiting 1 second.",
         "bob: olá",
+        "alice: I walked 2 steps forward.",
     ]
 
 

@@ -76,6 +76,15 @@ def test_robots_that_start_together_write_the_same_bytes_every_time_at_any_speed
     assert len(streams) == 1
 
 
+def test_the_one_with_less_time_behind_it_acts_first_and_of_equals_the_first_of_the_world() -> None:
+    hall = Hall()
+
+    hall.run('SPEAK "a" FW 2 SPEAK "c"', 'SPEAK "b" WAIT 3 SPEAK "d"')
+
+    spoken = [line for line in hall.told if line.endswith(("a", "b", "c", "d")) and len(line) < 10]
+    assert spoken == ["alice: a", "Bob: b", "alice: c", "Bob: d"]
+
+
 def test_every_event_and_sentence_says_whose_it_is() -> None:
     hall = Hall()
 
@@ -96,6 +105,18 @@ def test_help_is_no_robots() -> None:
 
     assert hall.told
     assert not any(line.startswith("alice") for line in hall.told)
+
+
+def test_robots_see_each_other_and_do_not_pass_through_each_other() -> None:
+    hall = Hall()
+
+    hall.run("FW 30", "FW 30")
+
+    walked = {each.robot: each.event for each in hall.heard if isinstance(each.event, Moved)}
+    alice, bob = walked["alice"], walked["Bob"]
+    assert isinstance(alice, Moved) and isinstance(bob, Moved)
+    assert alice.stopped_by is not None and bob.stopped_by is not None
+    assert 14 <= alice.walked + bob.walked <= 18
 
 
 def test_a_stop_of_the_team_stops_all() -> None:
