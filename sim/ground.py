@@ -22,6 +22,9 @@ from sim.scene import Scene
 _FINENESS = 1.1
 """Guard distances are rounded up to powers of this, so that many kinds of robots share a few layers."""
 
+MOST_ROOM = 5.0
+"""Metres: no more room than that is looked for."""
+
 
 class Ground:
     """The parts of a scene. ``root`` is always the index of a top-level model."""
@@ -38,6 +41,8 @@ class Ground:
         for part in self._at_start:
             if part.root in self._ranks:
                 self._ranks[part.root].append(part.rank)
+        self._changes = 0
+        self._own_changes: dict[int, int] = {}
         self.fastest = 0.0
         """Metres a second: no point of anything that moves in its turn is faster."""
         self.jumps = 0
@@ -68,6 +73,8 @@ class Ground:
         """Put a movable root there."""
         with self._lock:
             self._now[root] = now
+            self._changes += 1
+            self._own_changes[root] = self._own_changes.get(root, 0) + 1
             for kept in self._layers.values():
                 kept.stale.add(root)
 
@@ -94,6 +101,7 @@ class Ground:
         with self._lock:
             self._groups[root] = 0 if robot is None else robot + 1
             self.jumps += 1
+            self._changes += 1
             for kept in self._layers.values():
                 kept.layer.group(root, self._groups[root])
 
@@ -148,6 +156,17 @@ class Ground:
             self._bring_up(kept, asker)
             wanted = pymunk.ShapeFilter(group=asker + 1)
             return _asked(kept.layer, x, y, (end,), wanted, but)[0][1]
+
+    def room(self, asker: int, x: float, y: float, guard: float) -> float:
+        """How far round a place nothing comes nearer than ``guard``, some metres at most; below 0: none."""
+        with self._lock:
+            kept = self._layers[guard]
+            self._bring_up(kept, asker)
+            return kept.layer.room(x, y, MOST_ROOM, pymunk.ShapeFilter(group=asker + 1))
+
+    def changes_for(self, asker: int) -> int:
+        """Another number whenever something was moved that is not the asker itself."""
+        return self._changes - self._own_changes.get(asker, 0)
 
     def guarded(self, guard: float) -> float:
         """Prepare for ``free_way`` with that distance (metres). Answers the one that is really kept."""

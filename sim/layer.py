@@ -59,6 +59,11 @@ class Layer:
         alpha, rank = min((hit for hit in ranked if hit[1] not in but), default=(1.0, None))
         return rank, alpha
 
+    def room(self, x: float, y: float, most: float, wanted: pymunk.ShapeFilter) -> float:
+        """Metres from a place to the nearest part, at most ``most``; below 0 inside of one."""
+        nearest = self._space.point_query_nearest((x, y), most, wanted)
+        return most if nearest is None else nearest.distance
+
     def move(self, root: int, now: Placement) -> None:
         """Put a movable root there."""
         start, body = self._start[root], self._bodies[root]

@@ -177,6 +177,8 @@ class Mover:
 
     def _free_steps(self, here: Spot, angle: float, steps: int) -> int:
         there = here.ahead(steps * STEP, angle)
+        if self.around.has_room(here.x, here.y, there.x, there.y):
+            return steps
         part = self.around.free_way(here.x, here.y, there.x, there.y)
         return steps if part >= 1.0 else floor(part * steps)
 

@@ -6,6 +6,7 @@ A part inside which its centre stands from the start, such as a floor drawn as a
 from __future__ import annotations
 
 from collections.abc import Sequence
+from dataclasses import dataclass
 
 from sim.geometry import Point
 from sim.ground import Ground
@@ -13,6 +14,27 @@ from sim.parts import Part
 from sim.rays import Hit
 
 __all__ = ["OtherRobots", "Part", "Surroundings"]
+
+
+SAFE = 1e-6
+"""Metres by which a circle of free room is taken smaller."""
+
+
+@dataclass(frozen=True, slots=True)
+class _Room:
+    """A circle in which nothing comes near, as long as nothing has changed."""
+
+    x: float
+    y: float
+    radius2: float
+    changes: int
+
+    def holds(self, x: float, y: float) -> bool:
+        dx, dy = x - self.x, y - self.y
+        return dx * dx + dy * dy < self.radius2
+
+
+_NO_ROOM = _Room(0.0, 0.0, -1.0, -1)
 
 
 class OtherRobots:
@@ -44,6 +66,7 @@ class Surroundings:
         self.ground = ground
         self.root = root
         self._guard = 0.0
+        self._room = _NO_ROOM
         inside = ground.around_start(root)
         self._absent = ignored | frozenset(part.rank for part in inside)
         self.stands_in = tuple(dict.fromkeys(part.root for part in inside))
@@ -57,6 +80,7 @@ class Surroundings:
     def keep(self, guard: float) -> None:
         """Have ``free_way`` keep that distance (metres) from everything."""
         self._guard = self.ground.guarded(guard)
+        self._room = _NO_ROOM
 
     @property
     def has_company(self) -> bool:
@@ -84,6 +108,20 @@ class Surroundings:
         ``ranging``: as a ranger sees, to which some things are invisible.
         """
         return self.ground.first_hits(self.root, x, y, ends, ranging, self._absent)
+
+    def has_room(self, x: float, y: float, to_x: float, to_y: float) -> bool:
+        """Whether a way is known to keep the guard distance; False says nothing.
+
+        It is known of all ways within a circle, which is looked for where a way leaves the last one.
+        """
+        left, right, changes = self._room.holds(x, y), self._room.holds(to_x, to_y), self._room.changes
+        if left and right and changes == self.ground.changes_for(self.root):
+            return True
+        if self._absent or (left and changes == self.ground.changes_for(self.root)):
+            return False
+        radius = max(0.0, self.ground.room(self.root, x, y, self._guard) - SAFE)
+        self._room = _Room(x, y, radius * radius, self.ground.changes_for(self.root))
+        return self._room.holds(to_x, to_y)
 
     def free_way(self, x: float, y: float, to_x: float, to_y: float) -> float:
         """The part of the way, from 0 to 1, on which nothing comes nearer than the guard distance."""

@@ -8,6 +8,7 @@ from __future__ import annotations
 from random import Random
 
 from devices.ports.robot import (
+    STEP,
     Bearing,
     Gripped,
     Motion,
@@ -178,7 +179,10 @@ class SimulatedRobot:
     def _walk(self, motion: Motion, steps: int, rate: float) -> Moved:
         if steps < 0:
             raise ValueError("a walk has no negative steps")
-        walked, stopped_by = self._run(Walk(self._vehicle, motion, steps, moving(rate)))
+        metres, turned = steps * STEP, 180.0 if motion is Motion.BACKWARD else 0.0
+        if self._vehicle.leap(metres, turned, metres / STEP / moving(rate)):
+            return Moved(steps, steps, None, self.pose())
+        walked, stopped_by = self._run(Walk(self._vehicle, motion, steps, rate))
         return Moved(steps, walked, stopped_by, self.pose())
 
     def _run(self, movement: Movement) -> Going:

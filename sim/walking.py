@@ -25,6 +25,7 @@ class Walk(Sweeping):
         """Steps, with fractions."""
         self._must_push = False
         self._is_clear = False
+        self._changes = -1
         self._ticks_a_step = ceil(1.0 / (rate * TICK) - NEARLY)
 
     def _room(self) -> int:
@@ -74,9 +75,13 @@ class Walk(Sweeping):
         return way.metres
 
     def _is_barred(self) -> bool:
-        mover, here = self._vehicle.mover, self._vehicle.here.truth
+        """Sensors are looked at before every step, and within it when something else has moved meanwhile."""
+        mover, here, changes = self._vehicle.mover, self._vehicle.here.truth, self._vehicle.changes_around
         if self._is_whole:
+            self._changes = changes
             return mover.is_blocked(here, self._bearing)
+        if changes == self._changes:
+            return False
         return mover.is_met(here, self._bearing, self._whole + 1 - self._done)
 
     def _go(self, following: float, length: float, free: float) -> None:
