@@ -248,11 +248,6 @@ SENTENCES: dict[str, Sentence] = {
         "{width} por {height} passos, com as paredes.",
         "{width} por {height} pasos, con las paredes.",
     ),
-    "world-start": Sentence(
-        "The robot starts at {x}, {y}, facing {facing}.",
-        "O robô começa em {x}, {y}, virado para {facing}.",
-        "El robot empieza en {x}, {y}, mirando al {facing}.",
-    ),
     "world-bare": Sentence("There are no things.", "Não há objetos.", "No hay objetos."),
     "world-things": Sentence(
         "{count} {count:thing|things}, the nearest first.",
