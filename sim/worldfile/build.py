@@ -41,6 +41,8 @@ class Builder:
         self._trace = trace
         self._points = 0
         self._samples = 0
+        self._sensors_made: dict[tuple[int, ...], RangeSensor] = {}
+        """By the properties of the file that made them."""
         self._sees_any_height = reader.number(world, "ignore_zloc", 1)
 
     def build(self, entities: Iterable[Entity]) -> None:
@@ -146,11 +148,18 @@ class Builder:
     def _sensors(self, entity: Entity) -> Iterable[RangeSensor]:
         for child in entity.children:
             if child.type == "sensor" and entity.type == "ranger":
-                self._reader.check(child.settings)
-                sensor = equipment.range_sensor(self._reader, child.settings)
+                sensor = self._sensor(child)
                 self._samples += sensor.samples
                 self._bound(entity, self._samples, equipment.MOST_SAMPLES_OF_ALL)
                 yield sensor
+
+    def _sensor(self, entity: Entity) -> RangeSensor:
+        """A thousand robots of one macro share their sensors."""
+        key = tuple(id(setting.property) for setting in entity.settings.values())
+        if key not in self._sensors_made:
+            self._reader.check(entity.settings)
+            self._sensors_made[key] = equipment.range_sensor(self._reader, entity.settings)
+        return self._sensors_made[key]
 
     def _remark(self, code: str, entity: Entity, kind: NoteKind = NoteKind.IGNORED, **details: str) -> None:
         self._reader.remark(Note(kind, code, entity.file, entity.line, entity.column, details))

@@ -37,6 +37,7 @@ class ValueReader:
         self.degrees = 1.0
         self.notes: list[Note] = []
         self._noted: set[tuple[str, str, int, int]] = set()
+        self._checked: set[int] = set()
 
     def use_units(self, settings: Mapping[str, Setting]) -> None:
         self.metres = _UNITS[self.choice(settings, "unit_length", "m", tuple(_UNITS))]
@@ -187,6 +188,9 @@ class ValueReader:
     def check(self, settings: Mapping[str, Setting], quiet: bool = False) -> None:
         """The type of every known property; a remark for every one without effect."""
         for name, setting in settings.items():
+            if id(setting.property) in self._checked:  # a macro is replayed often; its tree stays alive
+                continue
+            self._checked.add(id(setting.property))
             self._check(_INDEXED.sub(r"\1", name) if name.endswith("]") else name, setting, quiet)
 
     def _check(self, name: str, setting: Setting, quiet: bool) -> None:
