@@ -218,7 +218,7 @@ class SerialRobot:
         self._need_the_line()
         sonar = self._senses.sonar_at(bearing)
         if sonar is None:
-            raise RobotProblem("no-sensor", sensor=bearing.name.lower().replace("_", " "))
+            raise RobotProblem("no-sensor", bearing=bearing.name.lower().replace("_", " "))
         return steps_told(self._measured(sonar))
 
     def scan(self) -> tuple[Sighting, ...]:

@@ -186,5 +186,6 @@ SENTENCES: dict[str, Sentence] = _movements() | {
     "colour-yellow": Sentence("yellow", "amarelo", "amarillo"),
     "colour-orange": Sentence("orange", "laranja", "naranja"),
     "colour-pink": Sentence("pink", "rosa", "rosa"),
+    "colour-": Sentence("unknown", "desconhecida", "desconocido"),  # what a robot without a camera meets
     "colour-gray": Sentence("gray", "cinza", "gris"),
 }

@@ -418,7 +418,7 @@ def test_a_sensor_that_is_not_fitted_is_told_to_be_missing() -> None:
 
     with pytest.raises(RobotProblem) as told:
         real.robot.distance(Bearing.BACK)
-    assert (told.value.code, told.value.values) == ("no-sensor", {"sensor": "back"})
+    assert (told.value.code, told.value.values) == ("no-sensor", {"bearing": "back"})
 
 
 def test_a_scan_tells_what_the_sonar_on_the_head_meets_and_no_colour() -> None:
