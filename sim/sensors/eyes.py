@@ -8,7 +8,7 @@ from itertools import pairwise
 
 from sim.colours import FAMILIES, Colour
 from sim.geometry import angle_of, at_radius, direction, edges, nearest_in_wedge, normal, seen_from
-from sim.physics import Part
+from sim.parts import Part
 from sim.sensors.sight import Around, Height, at_height, first_hits
 from sim.sensors.spot import Spot
 

@@ -7,7 +7,7 @@ from math import hypot
 
 from sim.fittings import FiducialFinder
 from sim.geometry import angle_of, seen_from
-from sim.physics import Part
+from sim.parts import Part
 from sim.sensors.sight import Around, Height, at_height, first_hits
 from sim.sensors.spot import Spot
 

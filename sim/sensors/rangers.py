@@ -10,7 +10,7 @@ from random import Random
 from devices.ports.robot import STEP
 from sim.fittings import RangeNoise
 from sim.geometry import Point, contains, direction, edges, nearest_in_wedge, seen_from
-from sim.physics import Part
+from sim.parts import Part
 from sim.sensors.sight import Around, Height, at_height, first_hits
 from sim.sensors.spot import Spot
 

@@ -11,7 +11,7 @@ from math import inf
 from typing import Protocol
 
 from sim.geometry import Point, along
-from sim.physics import Part
+from sim.parts import Part
 from sim.rays import Hit
 
 Height = float | None

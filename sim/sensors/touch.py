@@ -8,7 +8,7 @@ from math import inf
 
 from sim.fittings import Gripper
 from sim.geometry import Edge, along, contains, edges_apart
-from sim.physics import Part
+from sim.parts import Part
 from sim.sensors.sight import Around
 from sim.sensors.spot import Spot
 
