@@ -21,6 +21,8 @@ SKIN = 1e-4
 """Metres that a robot keeps from what it bumped into, so that it can turn and leave."""
 WIDEST_SKIN = 0.005
 """Metres that it keeps along its way from what it would only graze."""
+TOUCHING = 1e-9
+"""Metres that don't count: a way that is shorter is none, one that lacks less is whole."""
 STEPS_A_QUESTION = 100
 """Steps that need a closer look, between two questions whether to go on: some hundredths of a second."""
 
@@ -98,7 +100,7 @@ class Mover:
             if self.is_blocked(here, bearing):
                 return Walk(done * STEP, done, StoppedBy.OBSTACLE)
             contact = self.contact(here, angle, STEP)
-            if contact.metres < STEP:
+            if contact.metres < STEP - TOUCHING:
                 return Walk(done * STEP + contact.metres, done, self._stopped_by(contact))
             done += 1
         return Walk(steps * STEP, steps, None)

@@ -67,6 +67,8 @@ class Surroundings:
         self.root = root
         self._guard = 0.0
         self._room = _NO_ROOM
+        self.has_company = len(ground.movable) > 1
+        """Whether anything else on the ground may move."""
         inside = ground.around_start(root)
         self._absent = ignored | frozenset(part.rank for part in inside)
         self.stands_in = tuple(dict.fromkeys(part.root for part in inside))
@@ -81,11 +83,6 @@ class Surroundings:
         """Have ``free_way`` keep that distance (metres) from everything."""
         self._guard = self.ground.guarded(guard)
         self._room = _NO_ROOM
-
-    @property
-    def has_company(self) -> bool:
-        """Whether anything else on the ground may move."""
-        return len(self.ground.movable) > 1
 
     @property
     def parts(self) -> tuple[Part, ...]:
@@ -114,11 +111,10 @@ class Surroundings:
 
         It is known of all ways within a circle, which is looked for where a way leaves the last one.
         """
-        left, right, changes = self._room.holds(x, y), self._room.holds(to_x, to_y), self._room.changes
-        if left and right and changes == self.ground.changes_for(self.root):
-            return True
-        if self._absent or (left and changes == self.ground.changes_for(self.root)):
-            return False
+        room = self._room
+        is_inside = room.holds(x, y) and room.changes == self.ground.changes_for(self.root)
+        if is_inside or self._absent:
+            return is_inside and room.holds(to_x, to_y)
         radius = max(0.0, self.ground.room(self.root, x, y, self._guard) - SAFE)
         self._room = _Room(x, y, radius * radius, self.ground.changes_for(self.root))
         return self._room.holds(to_x, to_y)

@@ -16,8 +16,6 @@ from sim.sensors import Spot
 
 MOST = 20
 """Things that one robot can push at a time; one more is like a wall."""
-TOUCHING = 1e-9
-"""Metres: a way that is shorter is none."""
 
 
 @dataclass(frozen=True, slots=True)

@@ -5,6 +5,7 @@ from __future__ import annotations
 from math import ceil, radians, sin
 
 from devices.ports.robot import STEP, Bearing, Motion, StoppedBy
+from sim.motion import TOUCHING
 from sim.movement import NEARLY, Movement, Sweeping
 from sim.vehicle import TICK, Vehicle, Whereabouts
 
@@ -86,7 +87,7 @@ class Bend(Movement):
         way = vehicle.way(angle, self._length)
         there = vehicle.ahead(vehicle.here, self._length, self._sign * 0.5)
         turned = self._sign if self._piece == self._pieces - 1 else 0
-        if way.metres < self._length or vehicle.mover.turn(there.truth, turned) != turned:
+        if way.metres < self._length - TOUCHING or vehicle.mover.turn(there.truth, turned) != turned:
             return False
         if really:
             vehicle.take_along(way, angle)

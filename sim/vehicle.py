@@ -45,12 +45,14 @@ class Vehicle:
         self._jumps = -1
         self.quicken()
         self.odometry = Odometry()
+        self._leaps = False
         self.here = self._at_start()
 
     def begin_anew(self, odometry: Odometry) -> None:
         """To the start, with empty hands. What was held stays where it is."""
         self.hand.let_go()
         self.odometry = odometry
+        self._leaps = odometry.is_exact and self.watcher is None
         self._shown = self._clear_until = -inf
         self.go_to(self._at_start())
 
@@ -106,7 +108,7 @@ class Vehicle:
 
         The same as a walk, found and played; this is the quick way for most of the commands of most programs.
         """
-        if self.watcher is not None or not self.odometry.is_exact:
+        if not self._leaps:
             return False
         here = self.here.truth
         there = here.ahead(metres, here.yaw + turned)

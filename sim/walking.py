@@ -5,12 +5,9 @@ from __future__ import annotations
 from math import ceil, floor
 
 from devices.ports.robot import STEP, Bearing, Motion, StoppedBy
+from sim.motion import TOUCHING
 from sim.movement import NEARLY, Sweeping
-from sim.pushing import TOUCHING
 from sim.vehicle import TICK, Vehicle, Whereabouts
-
-AS_GOOD_AS = 1.0 - 1e-9
-"""The part of a way that is the whole way."""
 
 
 class Walk(Sweeping):
@@ -88,7 +85,7 @@ class Walk(Sweeping):
         """As far as was free before this robot's turn came, and still is."""
         vehicle = self._vehicle
         metres = free if self._is_clear and vehicle.is_clear() else self._push(free)
-        has_come = metres >= AS_GOOD_AS * length
+        has_come = metres >= length - TOUCHING
         self._done = following if has_come else self._done + metres / STEP
         vehicle.go_to(self._at(self._done))
         vehicle.show()

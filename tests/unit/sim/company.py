@@ -30,8 +30,7 @@ class Company:
     def run(self, programs: Mapping[str, Program], paces: Mapping[str, Pace] | None = None) -> list[object]:
         robots = {name: self.robot(name, (paces or {}).get(name)) for name in programs}
         threads = [
-            threading.Thread(target=self._run, args=(robot, programs[name]))
-            for name, robot in robots.items()
+            threading.Thread(target=self._run, args=(robot, programs[name])) for name, robot in robots.items()
         ]
         self.world.expect(programs)
         for thread in reversed(threads):

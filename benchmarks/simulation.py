@@ -1,0 +1,247 @@
+"""How fast the simulator is: one command of one robot, commands of a program, and 1 to 1000 robots.
+
+One command is measured against one ray through the same world by pymunk's ``segment_query_first``,
+interleaved; medians, with the quarters as the spread. For many robots there is nothing here to measure
+against (Stage is not installed): steps a second are told, and how time and memory grow. Processor time, so
+that what else the machine does matters little.
+"""
+
+from __future__ import annotations
+
+import argparse
+import random
+import statistics
+import subprocess
+import sys
+import threading
+import time
+import tracemalloc
+from collections.abc import Callable
+from pathlib import Path
+
+import pymunk
+
+sys.path.insert(0, str(Path(__file__).resolve().parent.parent))
+
+from devices.ports.robot import Bearing, Motion, Pose
+from language.compiler import compile_program
+from language.control import ExecutionControl
+from language.parser import parse
+from language.runtime import Actions, Memory
+from sim.robot import SimulatedRobot
+from sim.scene import Scene
+from sim.world import World
+from sim.worldfile import load_text
+
+ROUNDS = 31
+COMMANDS = 400
+COUNTS = (1, 10, 100, 1000)
+STACK = 256 * 1024
+"""Bytes of stack of each of a thousand programs' threads."""
+
+ROBOT = (
+    """
+define sonar sensor ( range [ 0.02 3.0 ] fov 15 )
+define tester position ( size [ 0.128 0.128 0.12 ] ranger(
+"""
+    + "".join(f"  sonar( pose [ 0 0 0 {45 * i} ] )\n" for i in range(8))
+    + ") )\ndefine box model ( size [ 0.4 0.4 0.4 ] )\n"
+)
+
+
+class Freely:
+    """A pace that never waits."""
+
+    def sleep(self, seconds: float) -> bool:  # noqa: ARG002 -- the port gives it
+        return True
+
+
+class Listening:
+    """A watcher that hears all and does nothing."""
+
+    def progressed(self, motion: Motion, pose: Pose) -> None: ...
+
+    def passing(self, pose: Pose) -> None: ...
+
+
+def main() -> None:
+    """Measure and print."""
+    options = argparse.ArgumentParser(description=__doc__)
+    options.add_argument("--robots", type=int, help="measure so many robots only, in this process")
+    options.add_argument("--programs", type=int, help="run so many programs together only, in this process")
+    asked = options.parse_args()
+    if asked.robots:
+        _many(asked.robots)
+    elif asked.programs:
+        _programs(asked.programs)
+    else:
+        _commands()
+        for option in ("--robots", "--programs"):
+            for count in COUNTS:
+                subprocess.run([sys.executable, __file__, option, str(count)], check=True)
+
+
+# --- one command
+
+
+def _commands() -> None:
+    scene = _floor(1, boxes=200)
+    quiet = World(scene).robot(pace=Freely())
+    watched = World(scene).robot(pace=Freely(), watcher=Listening())
+    together = _program(World(scene).robot(pace=Freely()))
+    ray = _ray(scene)
+    print("one command, against one ray that hits (public method):")
+    _compare("FW 5", ray, lambda: _to_and_fro(quiet))
+    _compare("FW 5, told step by step", ray, lambda: _to_and_fro(watched))
+    _compare("language and simulator, FW 5", ray, together)
+
+
+def _to_and_fro(robot: SimulatedRobot) -> None:
+    for _ in range(COMMANDS // 2):
+        robot.forward(5)
+        robot.backward(5)
+
+
+def _program(robot: SimulatedRobot) -> Callable[[], None]:
+    """The same as a program: it runs in the language, with nothing but the robot behind the commands."""
+    text = f"FOR VAR k = 1; k <= {COMMANDS // 2}; k = k + 1 DO FW 5 BW 5 END FOR"
+    parsed = parse(text)
+    if parsed.program is None:
+        raise SystemExit(f"the program is wrong: {parsed.diagnostics}")
+    runnable, actions = compile_program(parsed.program, terminal=False, hooked=False), _Commands(robot)
+    return lambda: runnable.run(actions, ExecutionControl(), Memory())
+
+
+class _Commands(Actions):
+    """Commands that go straight to the robot."""
+
+    def __init__(self, robot: SimulatedRobot) -> None:
+        self._robot = robot
+
+    def forward(self, steps: int, command: str) -> None:  # noqa: ARG002 -- for the history
+        self._robot.forward(steps)
+
+    def backward(self, steps: int, command: str) -> None:  # noqa: ARG002 -- for the history
+        self._robot.backward(steps)
+
+
+def _ray(scene: Scene) -> Callable[[], None]:
+    space, everything = pymunk.Space(), pymunk.ShapeFilter()
+    for model in scene.models:
+        if model.kind == "box":
+            space.add(*(pymunk.Poly(space.static_body, points) for points in model.outlines()))
+    start, end = (0.0, 0.0), _an_end_that_is_hit(space)
+
+    def ask() -> None:
+        for _ in range(COMMANDS):
+            space.segment_query_first(start, end, 0.0, everything)
+
+    return ask
+
+
+def _an_end_that_is_hit(space: pymunk.Space) -> tuple[float, float]:
+    ends = ((x, y) for x in (5.0, 4.0, 3.0, -3.0, -4.0, -5.0) for y in (5.0, 3.0, -3.0, -5.0))
+    return next(end for end in ends if space.segment_query_first((0, 0), end, 0.0, pymunk.ShapeFilter()))
+
+
+def _compare(what: str, base: Callable[[], None], work: Callable[[], None]) -> None:
+    ratios, times, rays = [], [], []
+    for _ in range(ROUNDS):
+        rays.append(_seconds(base))
+        times.append(_seconds(work))
+        ratios.append(times[-1] / rays[-1])
+    low, middle, high = statistics.quantiles(ratios, n=4)
+    ray, command = (statistics.median(each) / COMMANDS * 1e6 for each in (rays, times))
+    print(f"  {what}: {middle:.2f} ({low:.2f} to {high:.2f}); {command:.1f} us, a ray {ray:.1f} us")
+
+
+def _seconds(work: Callable[[], None]) -> float:
+    began = time.process_time()
+    work()
+    return time.process_time() - began
+
+
+# --- many robots
+
+
+def _many(count: int) -> None:
+    """Steps of the world: in each, every robot walks a step and all its 8 rangers are read."""
+    tracemalloc.start()
+    scene = _floor(count, boxes=count + 60)
+    world = World(scene)
+    robots = [world.robot(name, pace=Freely()) for name in _names(scene)]
+    kilobytes = tracemalloc.get_traced_memory()[0] / 1024
+    tracemalloc.stop()
+    steps = max(2, 2000 // count)
+    began = time.process_time()
+    for i in range(steps):
+        for robot in robots:
+            _act(robot, i)
+    took = time.process_time() - began
+    print(
+        f"{count} robots: {steps / took:.1f} steps of all a second,"
+        f" {took / steps / count * 1e6:.0f} us a robot and step,"
+        f" {kilobytes / count:.0f} kB of Python's memory a robot"
+    )
+
+
+def _programs(count: int) -> None:
+    """The same robots, each with a program in a thread of its own, in the world's order."""
+    scene = _floor(count, boxes=count + 60)
+    world = World(scene)
+    robots = [world.robot(name, pace=Freely()) for name in _names(scene)]
+    threading.stack_size(STACK)
+    threads = [threading.Thread(target=_run, args=(robot,)) for robot in robots]
+    world.expect(_names(scene))
+    began, began_cpu = time.perf_counter(), time.process_time()
+    for thread in threads:
+        thread.start()
+    for thread in threads:
+        thread.join()
+    took, cpu = time.perf_counter() - began, time.process_time() - began_cpu
+    seconds = max(robot.time() for robot in robots)
+    print(
+        f"{count} programs: {seconds:.0f} s of robot time in {took:.2f} s, {cpu:.2f} s of processor time:"
+        f" {cpu / seconds / count * 1e6:.0f} us a robot and second"
+    )
+
+
+def _run(robot: SimulatedRobot) -> None:
+    robot.join()
+    try:
+        for i in range(5):
+            _act(robot, i)
+    finally:
+        robot.leave()
+
+
+def _act(robot: SimulatedRobot, i: int) -> None:
+    if robot.forward(1).walked == 0:
+        robot.turn(45 + 45 * (i % 2))
+    for bearing in Bearing:
+        robot.distance(bearing)
+
+
+# --- worlds
+
+
+def _names(scene: Scene) -> list[str]:
+    return [scene.models[index].name for index in scene.robots]
+
+
+def _floor(robots: int, boxes: int) -> Scene:
+    """Robots and boxes in the cells of a grid with a metre of room each, the robots in every other one."""
+    chance = random.Random(1)
+    side = int((robots + boxes) ** 0.5) + 1
+    lines = []
+    for cell in range(robots + boxes):
+        x, y = cell % side - side // 2, cell // side - side // 2
+        if cell < 2 * min(robots, boxes) and cell % 2 == 0:
+            lines.append(f'tester( name "r{len(lines)}" pose [ {x} {y} 0 {chance.randrange(360)} ] )')
+        else:
+            lines.append(f"box( pose [ {x + chance.uniform(-0.2, 0.2):.3f} {y} 0 {chance.randrange(90)} ] )")
+    return load_text(ROBOT + "\n".join(lines), Path("floor.world"))
+
+
+if __name__ == "__main__":
+    main()
