@@ -145,6 +145,18 @@ def test_an_echo_that_is_there_once_and_not_twice_is_no_obstacle() -> None:
     assert (moved.walked, moved.stopped_by) == (6, None)
 
 
+def test_a_false_echo_before_the_first_step_is_waited_for_and_not_believed() -> None:
+    sonars = Sonars(far=150.0)
+    real = Real(sonars)
+    real.robot.wait(1.0)
+    echoes = iter([4.0])
+    sonars.far[1] = lambda place: next(echoes, 150.0)
+    while real.line.telemetry.ranges[-1].centimetres[1] != 4:
+        real.line.advance(0.02)
+
+    assert real.robot.forward(2).stopped_by is None
+
+
 def test_what_nothing_is_known_about_is_no_obstacle() -> None:
     real = Real(Sonars(far=256.0))
 
