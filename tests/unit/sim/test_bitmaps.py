@@ -9,7 +9,7 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from sim.bitmap import BadPicture, Picture, Rectangle, read_picture, rectangles
+from sim.bitmap import BadPicture, Picture, Rectangle, count_outlines, read_picture, rectangles
 from sim.bitmap.pixels import MOST_PIXELS
 from sim.geometry import signed_area
 from sim.world import World
@@ -209,3 +209,29 @@ def test_a_photograph_is_read() -> None:
     Image.new("RGB", (8, 8), (10, 200, 200)).save(out, "JPEG")
 
     assert read_picture(out.getvalue()) == Picture(8, 8, (b"\1" * 8,) * 8)
+
+
+@pytest.mark.parametrize(
+    ("rows", "count"),
+    [
+        (("...",), 0),
+        (("###", "###"), 1),
+        (("#.#", "#.#"), 2),
+        (("###", "#.#", "###"), 2),
+        (("#.", ".#"), 2),
+        ((".#", "#."), 1),
+        (("#####", "#.#.#", "#####"), 3),
+        (("###", "#.#", "##.", "..#"), 2),
+    ],
+)
+def test_stage_follows_the_border_of_every_dark_patch_and_hole(rows: tuple[str, ...], count: int) -> None:
+    """Patches that touch at a corner are one or two, as their borders are sorted."""
+    picture = Picture(len(rows[0]), len(rows), tuple(bytes(pixel == "#" for pixel in row) for row in rows))
+
+    assert count_outlines(picture) == count
+
+
+def test_of_a_picture_full_of_dots_nobody_counts_the_borders() -> None:
+    row = b"\1\0" * 300
+
+    assert count_outlines(Picture(600, 400, (row, bytes(600)) * 200)) is None
