@@ -72,8 +72,8 @@ def test_a_gripper_is_stages_unless_told_otherwise() -> None:
     assert other.gripper == Gripper(0.5, 0.2, 0.3, closed=True, lifted=True, autosnatch=True)
     assert sorted({round(y, 9) for _, y in usual.polygons[1].points}) == [-0.15, -0.12]
     base, right, left = other.polygons
-    assert (base.bottom, base.top) == (0, pytest.approx(0.2))
-    assert (right.bottom, right.top) == (pytest.approx(0.14), pytest.approx(0.2))
+    assert (base.bottom, base.top) == pytest.approx((0, 0.2))
+    assert (right.bottom, right.top) == pytest.approx((0.14, 0.2))
     assert max(y for _, y in right.points) == pytest.approx(min(y for _, y in left.points))  # they meet
 
 
