@@ -13,7 +13,7 @@ from importlib.util import find_spec
 from pathlib import Path
 
 from devices.speech.choose import Facts
-from devices.ssip.address import Address, find_address, is_reachable
+from devices.speech.dispatcher import Address, find_address, is_reachable
 
 _READERS = frozenset({"orca", "fenrir", "yasr", "tdsr", "emacspeak", "speakup"})
 """Readers that speak. BRLTTY alone does not."""

@@ -16,9 +16,9 @@ from functools import partial
 from devices.audio_worker.notices import AudioNotice, NoticeCode
 from devices.audio_worker.watch import Failures
 from devices.ports.audio import Utterance
+from devices.speech.dispatcher import Address
 from devices.speech.policy import Offer
 from devices.speech.voices import VoiceSettings
-from devices.ssip.address import Address
 from devices.ssip.conversation import Conversation, Lost
 from devices.ssip.mailbox import Mailbox
 from devices.ssip.protocol import NotSsip

@@ -12,7 +12,7 @@ import shutil
 import subprocess
 import sys
 import time
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from contextlib import ExitStack, suppress
 from pathlib import Path
 
@@ -27,6 +27,10 @@ SILENCE = 0.6
 """Seconds without a byte and without a word: the answer is over."""
 
 PATIENCE = 20.0
+
+EACH_LINE = {"DONNIE_ENTER": "runs"}
+"""Every complete line is a lesson's command, as in a terminal."""
+
 _ABOUT_ITSELF = ("pychant is not installed", "Start Fenrir")
 """What Fenrir says at its start, of itself."""
 
@@ -35,10 +39,12 @@ _SYSTEM_PYTHON = "/usr/bin/python3"
 
 
 class Listener:
-    """One session under a reader. ``readings`` are the phases of the lesson."""
+    """One session under a reader, with options and variables for Donnie."""
 
-    def __init__(self, reader: str, folder: Path, options: Sequence[str] = ()) -> None:
-        self._folder, self._options = folder, options
+    def __init__(
+        self, reader: str, folder: Path, options: Sequence[str], variables: Mapping[str, str]
+    ) -> None:
+        self._folder, self._options, self._variables = folder, options, variables
         self._log = folder / "heard.jsonl"
         self._log.touch()
         self._closing = ExitStack()
@@ -52,7 +58,8 @@ class Listener:
 
     def take_lesson(self, commands: Sequence[str]) -> list[tuple[str, tuple[str, ...]]]:
         """What was heard, or shown, after each command, the greeting first."""
-        greeting = self._answer()
+        self._settle(first=PATIENCE, until_words=True)
+        greeting = self._new_words()
         return [("", greeting), *((command, self._after(command)) for command in commands)]
 
     def close(self) -> None:
@@ -72,14 +79,17 @@ class Listener:
         self._settle(first=PATIENCE)
         return self._new_words()
 
-    def _settle(self, first: float = 0.0) -> None:
-        """Wait until something has come (``first`` seconds at most), and then until it is silent."""
+    def _settle(self, first: float = 0.0, *, until_words: bool = False) -> None:
+        """Wait until something has come (``first`` seconds at most), and then until it is silent.
+
+        ``until_words``: until something was heard; a reader takes its time to start.
+        """
         began = last = time.monotonic()
         size, has_come = self._log.stat().st_size, False
         while time.monotonic() - began < PATIENCE:
             with suppress(pexpect.TIMEOUT):
                 self.child.read_nonblocking(65_536, timeout=0.05)
-                last, has_come = time.monotonic(), True
+                last, has_come = time.monotonic(), has_come or not until_words
             if self._log.stat().st_size != size:
                 size, last, has_come = self._log.stat().st_size, time.monotonic(), True
             quiet = time.monotonic() - last
@@ -147,13 +157,14 @@ class Listener:
     # --- the program
 
     def _write_program(self) -> Path:
+        variables = "".join(f"export {name}={value}\n" for name, value in self._variables.items())
         options = " ".join(
             ("--linear", "--speech", "off", "--sound", "off", "--speed", "max", *self._options)
         )
         return self._script(
             "program.sh",
             f'export PYTHONPATH="{ROOT}" XDG_STATE_HOME="{self._folder}/state" '
-            f'XDG_CONFIG_HOME="{self._folder}/config"\n'
+            f'XDG_CONFIG_HOME="{self._folder}/config"\n{variables}'
             f'exec "{sys.executable}" -m donnie_tui {options}',
         )
 
@@ -208,12 +219,13 @@ def is_installed(reader: str) -> bool:
 
 
 def printed_by(
-    commands: Sequence[str], folder: Path, options: Sequence[str] = ()
+    commands: Sequence[str], folder: Path, options: Sequence[str], variables: Mapping[str, str]
 ) -> list[tuple[tuple[str, ...], str]]:
     """The lines that answer each command, and the prompt behind them, the greeting first: with no reader."""
     folder.mkdir(exist_ok=True)
     plain = Listener.__new__(Listener)
-    plain._folder, plain._options, plain._log = folder, options, folder / "heard.jsonl"
+    plain._folder, plain._options, plain._variables = folder, options, variables
+    plain._log = folder / "heard.jsonl"
     program = plain._write_program()
     child: pexpect.spawn[bytes] = pexpect.spawn(
         str(program), env=plain._environment(), dimensions=(24, 400), timeout=PATIENCE, echo=False
@@ -231,12 +243,18 @@ def printed_by(
     return answers
 
 
-def phases_of(reader: str, commands: Sequence[str], folder: Path, options: Sequence[str] = ()) -> list[Phase]:
+def phases_of(
+    reader: str,
+    commands: Sequence[str],
+    folder: Path,
+    options: Sequence[str] = (),
+    variables: Mapping[str, str] = EACH_LINE,
+) -> list[Phase]:
     """The lesson under a reader, against what it prints."""
-    printed = printed_by(commands, folder / "plain", options)
+    printed = printed_by(commands, folder / "plain", options, {**variables, "DONNIE_PROMPT": "short"})
     work = folder / reader
     work.mkdir()
-    listener = Listener(reader, work, options)
+    listener = Listener(reader, work, options, variables)
     try:
         heard = listener.take_lesson(commands)
     finally:

@@ -8,8 +8,8 @@ from pathlib import Path
 import pytest
 
 from devices.speech.choose import Channel, ChannelReason, Choice, Facts, SpeakPlace, choose_channel
+from devices.speech.dispatcher import Address
 from devices.speech.probe import find_screen_reader, has_sound_device, look_around, ssip_address
-from devices.ssip.address import Address
 
 ALL_WELL = Facts(
     stdout_is_terminal=True, over_ssh=False, screen_reader=None, has_voice=True, has_sound_device=True

@@ -7,7 +7,7 @@ import threading
 from contextlib import suppress
 from pathlib import Path
 
-from devices.ssip.address import Address
+from devices.speech.dispatcher import Address
 
 
 class Server:

@@ -13,9 +13,9 @@ from hypothesis import strategies as st
 
 from devices.audio_worker.notices import AudioNotice, NoticeCode
 from devices.ports.audio import Urgency, Utterance
+from devices.speech.dispatcher import Address, find_address, is_reachable, parse_address
 from devices.speech.voices import VoiceSettings
 from devices.ssip import conversation
-from devices.ssip.address import Address, find_address, is_reachable, parse_address
 from devices.ssip.protocol import Event, EventKind, NotSsip, Reader, Reply, message_of, text
 from devices.ssip.speaker import SsipSpeaker, ssip_settings
 from tests.unit.ssip.server import Server
