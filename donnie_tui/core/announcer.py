@@ -15,13 +15,13 @@ from donnie_tui.core.events import (
     BeltShown,
     CueSounded,
     Error,
-    Gripped,
+    GripperUsed,
     Link,
     Moved,
     Outcome,
     Passing,
+    Pointed,
     Read,
-    Released,
     Reset,
     RunEnded,
     RunStarted,
@@ -64,10 +64,9 @@ class Announcer:
                 self._scanned(groups)
             case SoundSwitched(on=on):
                 self._teller.announce("sound", "sound-on" if on else "sound-off")
-            case Gripped(thing=thing):
-                self._teller.announce("gripper", "gripped" if thing else "gripped-nothing", thing=thing)
-            case Released(thing=thing):
-                self._teller.announce("gripper", "released" if thing else "released-nothing", thing=thing)
+            case GripperUsed(outcome=outcome, thing=thing):
+                named = "" if thing else "-something"
+                self._teller.announce("gripper", f"gripper-{outcome.value}{named}", thing=thing)
             case Link(state=state, reason=reason):
                 self._teller.announce("link", f"link-{state}", reason=reason)
             case Error():
@@ -88,6 +87,7 @@ class Announcer:
                 | Reset()
                 | Passing()
                 | Answered()
+                | Pointed()
             ):
                 pass
             case never:

@@ -13,7 +13,7 @@ from dataclasses import dataclass, field
 from enum import Enum
 from typing import ClassVar, TypeAlias
 
-from devices.ports.robot import Pose, StoppedBy
+from devices.ports.robot import Grip, Pose, StoppedBy
 
 
 class Outcome(Enum):
@@ -43,6 +43,8 @@ class HowStarted:
     """Whether the world has several robots, so that events say whose they are."""
     together: tuple[str, ...] = ()
     """The robots that started at the same moment, this one among them; empty for one alone."""
+    deed: str = ""
+    """What the gripper did in place of a program, ``GRIP`` or ``RELEASE``; else empty."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -150,16 +152,11 @@ class BeltShown:
 
 
 @dataclass(frozen=True, slots=True)
-class Gripped:
-    """The gripper closed; ``thing`` is the name of what it holds now, empty for nothing."""
+class GripperUsed:
+    """The gripper closed or opened; ``thing`` is the name of what it took or let go, where that has one."""
 
-    thing: str
-
-
-@dataclass(frozen=True, slots=True)
-class Released:
-    """The gripper opened; ``thing`` is the name of what it held, empty for nothing."""
-
+    EVENT: ClassVar[str] = "gripper"
+    outcome: Grip
     thing: str
 
 
@@ -238,7 +235,14 @@ class Answered:
     text: str
 
 
-TRANSIENT = (Passing, Answered)
+@dataclass(frozen=True, slots=True)
+class Pointed:
+    """What is where somebody points on the map; shown in the status line and spoken, not kept; transient."""
+
+    text: str
+
+
+TRANSIENT = (Passing, Answered, Pointed)
 
 Event: TypeAlias = (
     RunStarted
@@ -252,8 +256,7 @@ Event: TypeAlias = (
     | Waited
     | CueSounded
     | BeltShown
-    | Gripped
-    | Released
+    | GripperUsed
     | ThingsMoved
     | Reset
     | SoundSwitched
@@ -262,6 +265,7 @@ Event: TypeAlias = (
     | RunEnded
     | Passing
     | Answered
+    | Pointed
 )
 
 

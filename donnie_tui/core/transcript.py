@@ -8,7 +8,7 @@ from __future__ import annotations
 
 from unicodedata import category
 
-from donnie_tui.core.events import Announced, Answered, Error, Event, Spoke, Stamped
+from donnie_tui.core.events import Announced, Answered, Error, Event, Pointed, Spoke, Stamped
 from donnie_tui.core.wording import Wording
 
 LONGEST_SOURCE = 60
@@ -35,7 +35,7 @@ def told_lines(stamped: Stamped, wording: Wording) -> tuple[str, ...]:
 def lines_of(event: Event, wording: Wording) -> tuple[str, ...]:
     """The lines that tell the event, none if it is not told in words."""
     match event:
-        case Spoke(text=text) | Announced(text=text) | Answered(text=text):
+        case Spoke(text=text) | Announced(text=text) | Answered(text=text) | Pointed(text=text):
             return tuple(printable(line) for line in text.splitlines()) or ("",)
         case Error():
             return tuple(printable(line) for line in _lines_of_error(event, wording))

@@ -148,13 +148,13 @@ BY_NAME = {each.name: each for each in reversed(USE_CASES)}
 """By name; where there are two words, the one that is listed."""
 
 
-def find(line: str) -> tuple[UseCase, str] | None:
+def find(line: str, cases: tuple[UseCase, ...] = USE_CASES) -> tuple[UseCase, str] | None:
     """What a typed line asks for, in any language, and what follows the word; None if it is GoDonnie.
 
     ``speed = 3`` and ``open [2]`` are GoDonnie's: a learner may call a variable or procedure as we call
-    something. Of two words that begin alike the longer one counts.
+    something. Of two words that begin alike the longer one counts. ``cases`` are those to look among.
     """
-    words, by_word = line[: 4 * LONGEST_WORD].split(), _by_word()
+    words, by_word = line[: 4 * LONGEST_WORD].split(), _by_word(cases)
     for length in range(min(3, len(words)), 0, -1):
         found = by_word.get(_folded(" ".join(words[:length])))
         if found is not None:
@@ -177,8 +177,8 @@ def help_line(case: UseCase, wording: Wording, keys: str = "") -> str:
 
 
 @cache
-def _by_word() -> dict[str, UseCase]:
-    return {_folded(each.word(language)): each for each in reversed(USE_CASES) for language in LANGUAGES}
+def _by_word(cases: tuple[UseCase, ...]) -> dict[str, UseCase]:
+    return {_folded(each.word(language)): each for each in reversed(cases) for language in LANGUAGES}
 
 
 def _folded(word: str) -> str:

@@ -11,33 +11,98 @@ from dataclasses import dataclass
 
 from donnie_tui.core import use_cases
 from donnie_tui.core.use_cases import USE_CASES, UseCase
+from donnie_tui.tui.view_cases import VIEW_CASES
+
+MENU = "ctrl+k"
+"""Before a letter: the key of what has none of its own. It lists those letters."""
 
 KEYS: dict[str, tuple[str, ...]] = {
     "run": ("f5", "escape"),
+    "again": (),
     "stop": ("f8",),
     "pause": ("f6",),
     "continue_": (),
     "step": ("f7",),
     "step_over": ("f9",),
+    "step_back": ("ctrl+k k",),
     "run_to": ("f10",),
+    "break_": ("ctrl+b",),
     "slower": ("f11",),
     "faster": ("f12",),
     "speed": (),
     "reset": ("ctrl+r",),
-    "where": (),
     "connect": (),
     "feel": (),
     "open": ("ctrl+o", "f3"),
     "save": ("ctrl+s", "f2"),
-    "save_as": (),
+    "save_as": ("ctrl+k s",),
     "new": ("ctrl+n",),
     "recover": (),
-    "show_program": (),
-    "show_map": (),
-    "show_log": (),
+    "recent": ("ctrl+k e",),
+    "programs": ("ctrl+k b",),
+    "save_log": ("ctrl+k v",),
+    "open_log": ("ctrl+k g",),
+    "undo": (),
+    "read": (),
+    "next": (),
+    "back": (),
+    "first": (),
+    "last_line": (),
+    "place": (),
+    "up": ("ctrl+k u",),
+    "down": ("ctrl+k d",),
+    "next_same": (),
+    "back_same": (),
+    "outline": ("ctrl+k o",),
+    "complete": ("ctrl+space", "ctrl+at"),
+    "fix": ("ctrl+t",),
+    "search": ("ctrl+f",),
+    "search_again": ("ctrl+k f3",),
+    "replace": ("ctrl+k r",),
+    "go_to": ("ctrl+g",),
+    "format": ("ctrl+k m",),
+    "translate": ("ctrl+k x",),
+    "error": (),
+    "error_next": ("ctrl+k right_square_bracket",),
+    "error_previous": ("ctrl+k left_square_bracket",),
+    "errors": (),
+    "explain": ("ctrl+k question_mark",),
+    "last": (),
+    "last_word": (),
+    "spell": (),
+    "find": (),
+    "where": ("ctrl+k i",),
+    "around": ("ctrl+k j",),
+    "map": (),
+    "map_row": (),
+    "map_column": (),
+    "map_picture": (),
+    "trail": (),
+    "world": (),
+    "zoom_in": ("ctrl+k plus",),
+    "zoom_out": ("ctrl+k minus",),
+    "whole_map": ("ctrl+k a",),
+    "names": ("ctrl+k t",),
+    "coordinates": ("ctrl+k c",),
+    "legend": ("ctrl+k l",),
+    "next_thing": ("ctrl+k n",),
+    "previous_thing": ("ctrl+k p",),
+    "to_robot": ("ctrl+k h",),
+    "from_here": ("ctrl+k f",),
+    "to_there": ("ctrl+k w",),
+    "show_program": ("ctrl+k 1",),
+    "show_map": ("ctrl+k 2",),
+    "show_log": ("ctrl+k 3",),
     "show_variables": ("f4",),
+    "language": (),
+    "detail": (),
+    "theme": ("ctrl+k y",),
+    "plain": ("ctrl+k z",),
+    "settings": ("ctrl+k comma",),
     "help": ("f1",),
-    "linear": (),
+    "manual": ("ctrl+k f1",),
+    "linear": ("ctrl+k q",),
+    "visual": (),
     "quit": ("ctrl+q",),
 }
 """Of each use case that the screen does, its keys as Textual names them; the first is shown."""
@@ -77,16 +142,16 @@ class Action:
         return self.case.word(language)
 
 
-ACTIONS = tuple(
-    Action(each, () if each.hidden else KEYS[each.name]) for each in USE_CASES if each.name in KEYS
-)
+CASES = USE_CASES + VIEW_CASES
+
+ACTIONS = tuple(Action(each, () if each.hidden else KEYS[each.name]) for each in CASES if each.name in KEYS)
 BY_NAME = {each.name: each for each in reversed(ACTIONS)}
 _BY_CASE = {each.case: each for each in ACTIONS}
 
 
 def find(typed: str) -> tuple[Action, str] | None:
     """The action that a typed line asks for, in any language, and its argument; None if it is no action."""
-    found = use_cases.find(typed)
+    found = use_cases.find(typed, CASES)
     if found is None:
         return None
     case, argument = found
@@ -96,6 +161,35 @@ def find(typed: str) -> tuple[Action, str] | None:
     return _BY_CASE[case], argument
 
 
+def with_keys(chosen: str) -> dict[str, tuple[str, ...]]:
+    """The keys of each action, those of the setting ``run f9, step ctrl+k 5`` in the place of ours.
+
+    What names no action is passed over; a key that another action had is that one's no more.
+    """
+    keys = {each.name: each.keys for each in ACTIONS if not each.hidden}
+    for entry in chosen.split(","):
+        name, _, key = entry.strip().lower().partition(" ")
+        if name in keys and key.strip():
+            wanted = key.strip()
+            keys = {other: tuple(each for each in have if each != wanted) for other, have in keys.items()}
+            keys[name] = (wanted, *keys[name])
+    return keys
+
+
+_SIGNS = {
+    "plus": "+",
+    "minus": "-",
+    "comma": ",",
+    "left_square_bracket": "[",
+    "right_square_bracket": "]",
+    "question_mark": "?",
+}
+
+
 def key_label(key: str) -> str:
-    """The key as it is told: ``F5``, ``Ctrl+S``, ``Esc``."""
-    return key.replace("escape", "Esc").replace("ctrl+", "Ctrl+").title().replace("Ctrl+", "Ctrl+")
+    """The key as it is told: ``F5``, ``Ctrl+S``, ``Esc``, ``Ctrl+K A``."""
+    return " ".join("+".join(map(_part_label, each.split("+"))) for each in key.split())
+
+
+def _part_label(part: str) -> str:
+    return "Esc" if part == "escape" else _SIGNS.get(part, part.title())

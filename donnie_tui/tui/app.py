@@ -15,12 +15,12 @@ import traceback
 from collections.abc import Awaitable, Callable, Sequence
 from contextlib import suppress
 from pathlib import Path
-from typing import TYPE_CHECKING, ClassVar
+from typing import TYPE_CHECKING
 
 from rich.text import Text
 from textual import events
-from textual.app import App
-from textual.binding import Binding, BindingType
+from textual.app import App, SuspendNotSupported
+from textual.binding import Binding, BindingsMap
 from textual.geometry import Offset
 from textual.screen import Screen
 from textual.timer import Timer
@@ -29,7 +29,8 @@ from donnie_tui.folders import state_folder
 from donnie_tui.i18n import first_screen
 from donnie_tui.settings import LANGUAGES, Settings
 from donnie_tui.tui import themes
-from donnie_tui.tui.actions import ACTIONS, BY_NAME
+from donnie_tui.tui.actions import BY_NAME, MENU, with_keys
+from donnie_tui.tui.outside import leave_behind
 from donnie_tui.tui.printable import Printable
 from donnie_tui.tui.screens.workplace import Workplace
 from donnie_tui.tui.terminal import is_plain, wants_mouse
@@ -56,16 +57,6 @@ class DonnieApp(App[int], inherit_bindings=False):
 
     CSS_PATH = "styles/donnie.tcss"
     TITLE = "Donnie"
-    BINDINGS: ClassVar[list[BindingType]] = [
-        *(
-            Binding(",".join(each.keys), f"do('{each.name}')", each.en, priority=True, show=False)
-            for each in ACTIONS
-            if each.keys
-        ),
-        Binding("ctrl+c", "do('stop', True)", show=False, priority=True),
-        Binding("tab", "app.focus_next", show=False),
-        Binding("shift+tab", "app.focus_previous", show=False),
-    ]
 
     def __init__(
         self,
@@ -84,6 +75,8 @@ class DonnieApp(App[int], inherit_bindings=False):
         self.theme = themes.TERMINAL if self.no_color else themes.name_of(settings.theme)
         self._filters.append(Printable())
         self.workplace = Workplace(plain=is_plain(settings))
+        self._keys: dict[str, tuple[str, ...]] = {}
+        self._bind(settings.keys)
         self._turns = Turns(self, super().on_event)
         self.work: Work | None = None
         """None until it is loaded."""
@@ -91,10 +84,31 @@ class DonnieApp(App[int], inherit_bindings=False):
         """What kept it from being loaded."""
         self.left_for_linear = False
         self._wants_linear = False
+        self._settings = settings
         self._language = LANGUAGES.index(settings.language)
         self._file, self._text = file, text
         self._assemble = assemble
         self._folder = Path(folder or state_folder(os.environ)) / "unsaved"
+
+    def _bind(self, chosen: str) -> None:
+        """The keys of the table, with those that somebody chose in their place."""
+        self._keys = with_keys(chosen)
+        own = [
+            Binding(key, f"do('{name}')", show=False, priority=True)
+            for name, keys in self._keys.items()
+            for key in keys
+            if " " not in key
+        ]
+        self._bindings = BindingsMap(
+            [
+                *own,
+                Binding(MENU, "key_menu", show=False, priority=True),
+                Binding(self.COMMAND_PALETTE_BINDING, "command_palette", show=False, priority=True),
+                Binding("ctrl+c", "do('stop', True)", show=False, priority=True),
+                Binding("tab", "app.focus_next", show=False),
+                Binding("shift+tab", "app.focus_previous", show=False),
+            ]
+        )
 
     # --- beginning
 
@@ -132,7 +146,7 @@ class DonnieApp(App[int], inherit_bindings=False):
         try:
             from donnie_tui.tui.work import Work
 
-            self.work = Work(self, self._assemble(), self._folder)
+            self.work = Work(self, self._assemble(), self._folder, self._settings)
             self.work.begin(self._file, self._text)
             if self._wants_linear:
                 self.work.switch_to_linear()
@@ -229,7 +243,45 @@ class DonnieApp(App[int], inherit_bindings=False):
             if asking is not None:
                 await asking
 
+    def action_key_menu(self) -> None:
+        """The keys behind a key: a list of them, and the next letter."""
+        if self.work is not None and self.screen is self.workplace:
+            self._await(self._choose_by_key(self.work))
+
+    async def _choose_by_key(self, work: Work) -> None:
+        from donnie_tui.tui.screens.key_menu import KeyMenu
+
+        chosen = await self.push_screen_wait(KeyMenu(self._keys, work.words))
+        if chosen:
+            asking = work.do(chosen)
+            if asking is not None:
+                await asking
+
     # --- what the work asks of the application
+
+    def wear(self, settings: Settings) -> None:
+        """The look, the layout and the keys that somebody chose."""
+        if not self.no_color:
+            self.theme = themes.name_of(settings.theme)
+        if settings.plain is not None:
+            self.workplace.set_plain(settings.plain)
+        self._language = LANGUAGES.index(settings.language)
+        self._bind(settings.keys)
+
+    async def choose_word(self, words: Sequence[str], below: Offset) -> tuple[str, str]:
+        from donnie_tui.tui.screens.completions import Completions
+
+        return await self.push_screen_wait(Completions(words, below))
+
+    def show_outside(self, text: str) -> bool:
+        """In the terminal's pager. False where there is none, or no terminal."""
+        from donnie_tui.tui.outside import show_in_pager
+
+        try:
+            with self.suspend():
+                return show_in_pager(text)
+        except SuspendNotSupported:
+            return False
 
     def later(self, seconds: float, do: Callable[[], None]) -> Timer:
         return self.set_timer(seconds, do)
@@ -285,6 +337,10 @@ class DonnieApp(App[int], inherit_bindings=False):
             self._wants_linear = True
         else:
             self.work.linear_typed()
+
+    def on_map_view_explored(self) -> None:
+        if self.work is not None:
+            self.work.explored()
 
     def on_workplace_looked(self) -> None:
         if self.work is not None:
@@ -351,8 +407,9 @@ def run_full_screen(
 ) -> int:
     """Work at the screen until the learner leaves; the exit code.
 
-    ``text`` is the program that the other mode left, where it did, ``donnie`` its session. Raises ``SwitchMode`` if the learner goes
-    to the linear mode, ``Unusable`` if the world or a device can't be used.
+    ``text`` is the program that the other mode left, where it did, ``donnie`` its session. Raises
+    ``SwitchMode`` if the learner goes to the linear mode, ``Unusable`` if the world or a device can't be
+    used.
     """
     sys.setswitchinterval(0.001)  # a program that computes must not starve the screen
     app = DonnieApp(settings, file, text=text, assemble=lambda: donnie or _assembled(settings))
@@ -367,6 +424,7 @@ def run_full_screen(
     app.close_session()
     if app.trouble is not None:
         raise app.trouble
+    leave_behind(app.workplace.log_rows.lines)
     if app.return_code == CRASHED:
         return CRASHED
     return code or 0

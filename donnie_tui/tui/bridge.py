@@ -25,19 +25,25 @@ from donnie_tui.core.events import (
     Moved,
     Outcome,
     Passing,
+    PlacedThing,
+    Pointed,
     Read,
+    Reset,
     RunEnded,
     RunStarted,
+    Scanned,
     Spoke,
     Stamped,
+    ThingsMoved,
     Turned,
 )
-from donnie_tui.core.transcript import lines_of
+from donnie_tui.core.transcript import told_lines
 from donnie_tui.core.wording import Wording
 
 MOST_LINES = 100_000
 """Lines that wait for the screen at most: as many as the log keeps, so that it misses none it could show."""
 MOST_POSES = 5_000
+MOST_LOOKS = 50
 
 
 class LogLine(NamedTuple):
@@ -58,6 +64,12 @@ class Mail:
     readings: tuple[Read, ...]
     """The last reading of each sensor that was read."""
     belt: tuple[int, ...] | None
+    looks: tuple[Read | Scanned, ...] = ()
+    """What sensors looked along since the robot moved last."""
+    others: tuple[tuple[str, Pose], ...] = ()
+    """Where the other robots are now."""
+    things: tuple[PlacedThing, ...] | None = None
+    """What is elsewhere than at the start of the world; None if nothing was moved since."""
 
 
 class Happened(Message):
@@ -93,44 +105,80 @@ class Ended(Message):
 class Bridge:
     """A listener of the hub. ``post`` may be called from any thread."""
 
-    def __init__(self, post: Callable[[Message], object], wording: Wording, pose: Callable[[], Pose]) -> None:
+    def __init__(
+        self,
+        post: Callable[[Message], object],
+        wording: Wording,
+        pose: Callable[[], Pose],
+        own: Callable[[], str] = str,
+    ) -> None:
+        """``pose`` and ``own`` tell where the robot is that is talked to, and its name."""
         self._post = post
         self._wording = wording
         self._pose = pose
+        self._own = own
         self._lock = threading.Lock()
         self._lines: deque[LogLine] = deque(maxlen=MOST_LINES)
         self._missed = 0
         self._poses: deque[Pose] = deque(maxlen=MOST_POSES)
         self._readings: dict[tuple[str, str], Read] = {}
         self._belt: tuple[int, ...] | None = None
+        self._looks: deque[Read | Scanned] = deque(maxlen=MOST_LOOKS)
+        self._others: dict[str, Pose] = {}
+        self._things: tuple[PlacedThing, ...] | None = None
         self._errors: deque[Error] = deque(maxlen=100)
         self._stopped_by: StoppedBy | None = None
         self._awake = False
 
     def __call__(self, stamped: Stamped) -> None:
-        """Told by the hub, in the thread that published."""
+        """Told by the stream, in the thread that published."""
         event = stamped.event
-        self._remember(event)
-        lines = tuple(LogLine(text, self._kind(event)) for text in lines_of(event, self._wording))
+        if isinstance(event, Pointed):
+            return
+        is_own = stamped.robot is None or stamped.robot == self._own()
+        self._remember(event) if is_own else self._remember_other(stamped.robot or "", event)
+        lines = tuple(LogLine(text, self._kind(event)) for text in told_lines(stamped, self._wording))
         with self._lock:
             self._missed += max(0, len(self._lines) + len(lines) - MOST_LINES)
             self._lines.extend(lines)
-        self._wake(event)
+        self._wake(event, is_own)
 
     def _remember(self, event: Event) -> None:
         with self._lock:
             match event:
                 case Passing(pose=pose):
-                    self._poses.append(pose)
+                    self._go_to(pose)
                 case Moved(pose=pose, stopped_by=reason) | Turned(pose=pose, stopped_by=reason):
-                    self._poses.append(pose)
+                    self._go_to(pose)
                     self._stopped_by = reason
                 case Read(sensor=sensor, argument=argument):
                     self._readings[sensor, argument] = event
+                    self._looks.append(event)
+                case Scanned():
+                    self._looks.append(event)
                 case BeltShown(levels=levels):
                     self._belt = levels
+                case ThingsMoved(places=places):
+                    self._things = places
                 case Error():
                     self._errors.append(event)
+                case _:
+                    pass
+
+    def _go_to(self, pose: Pose) -> None:
+        """What was looked along before is not shown from there."""
+        self._poses.append(pose)
+        self._looks.clear()
+
+    def _remember_other(self, name: str, event: Event) -> None:
+        with self._lock:
+            match event:
+                case Passing(pose=pose) | Moved(pose=pose) | Turned(pose=pose) | RunEnded(pose=pose):
+                    self._others[name] = pose
+                case Reset(pose=pose):
+                    self._others[name] = pose
+                case ThingsMoved(places=places):
+                    self._things = places
                 case _:
                     pass
 
@@ -149,21 +197,26 @@ class Bridge:
             case _:
                 return ""
 
-    def _wake(self, event: Event) -> None:
+    def _wake(self, event: Event, is_own: bool) -> None:
         match event:
-            case RunStarted(program=program):
+            case RunStarted(program=program) if is_own:
                 self._post(Began(program, self._pose()))
-            case RunEnded():
+            case RunEnded() if is_own:
                 self._post(Ended(event, self._taken_errors()))
             case _:
                 self._call()
 
     def _call(self) -> None:
         with self._lock:
-            if self._awake or not (self._lines or self._poses or self._readings):
+            if self._awake or not self._has_mail:
                 return
             self._awake = True
         self._post(Happened())
+
+    @property
+    def _has_mail(self) -> bool:
+        moved = self._poses or self._others or self._things is not None
+        return bool(self._lines or moved or self._readings or self._looks)
 
     def _taken_errors(self) -> tuple[Error, ...]:
         with self._lock:
@@ -175,9 +228,21 @@ class Bridge:
         """Empty the mailbox: for the screen, in its thread."""
         with self._lock:
             readings = tuple(self._readings.values())
-            mail = Mail(tuple(self._lines), self._missed, tuple(self._poses), readings, self._belt)
+            mail = Mail(
+                tuple(self._lines),
+                self._missed,
+                tuple(self._poses),
+                readings,
+                self._belt,
+                tuple(self._looks),
+                tuple(self._others.items()),
+                self._things,
+            )
             self._lines.clear()
             self._poses.clear()
             self._readings.clear()
+            self._looks.clear()
+            self._others.clear()
+            self._things = None
             self._missed, self._belt, self._awake = 0, None, False
         return mail

@@ -5,58 +5,30 @@ after its word, empty where it came from a key.
 from __future__ import annotations
 
 from collections.abc import Awaitable
-from typing import Protocol
+from typing import TYPE_CHECKING
 
 from donnie_tui.core.speeds import speed_words
-from donnie_tui.core.wording import Wording
-from donnie_tui.tui.files import Files
-from donnie_tui.tui.running import Answer, Doing, Running
-from donnie_tui.tui.screens.workplace import Workplace
+from donnie_tui.tui.deeds_around import AroundDeeds
+from donnie_tui.tui.deeds_map import MapDeeds
+from donnie_tui.tui.deeds_telling import TellingDeeds
+from donnie_tui.tui.deeds_text import TextDeeds
+from donnie_tui.tui.running import Answer, Doing
 
-
-class Host(Protocol):
-    """The work, as far as actions need it."""
-
-    @property
-    def words(self) -> Wording: ...
-
-    @property
-    def files(self) -> Files: ...
-
-    @property
-    def running(self) -> Running: ...
-
-    @property
-    def workplace(self) -> Workplace: ...
-
-    def tell(self, answer: Answer | None) -> None: ...
-
-    def look(self) -> None: ...
-
-    def show_pose(self) -> None: ...
-
-    def tell_position(self) -> None: ...
-
-    def connect(self, argument: str) -> Awaitable[None]: ...
-
-    def feel(self, argument: str) -> None: ...
-
-    def show_help(self) -> None: ...
-
-    def switch_to_linear(self) -> None: ...
-
-    def leave(self) -> None: ...
+if TYPE_CHECKING:
+    from donnie_tui.tui.work import Work
 
 
 class Deeds:
     """Does them. Those that ask something are coroutines."""
 
-    def __init__(self, host: Host) -> None:
+    def __init__(self, host: Work) -> None:
         self._host = host
+        self._parts = (self, MapDeeds(host), TellingDeeds(host), TextDeeds(host), AroundDeeds(host))
 
     def do(self, name: str, argument: str) -> Awaitable[None] | None:
         """Do the action. Raises ``AttributeError`` for a name that is not in the table."""
-        done: Awaitable[None] | None = getattr(self, name)(argument)
+        part = next((each for each in self._parts if hasattr(each, name)), self)
+        done: Awaitable[None] | None = getattr(part, name)(argument)
         self._host.look()
         return done
 
@@ -68,6 +40,9 @@ class Deeds:
 
     def run(self, _argument: str) -> None:
         self._host.tell(self._host.running.run(*self._program))
+
+    def again(self, argument: str) -> None:
+        self.run(argument)
 
     def stop(self, _argument: str) -> None:
         self._host.tell(self._host.running.stop())
@@ -83,6 +58,9 @@ class Deeds:
 
     def step_over(self, _argument: str) -> None:
         self._host.tell(self._host.running.step_over(*self._program))
+
+    def step_back(self, _argument: str) -> None:
+        self._host.step_back()
 
     def run_to(self, argument: str) -> None:
         editor = self._host.workplace.editor
@@ -117,6 +95,14 @@ class Deeds:
         speed = speed_words(self._host.running.speed, self._host.words)
         self._host.tell(Answer("answer-speed", {"speed": speed}))
 
+    # --- the robot and the belt
+
+    def connect(self, argument: str) -> Awaitable[None] | None:
+        return self._host.connect(argument) if self._is_idle() else None
+
+    def feel(self, argument: str) -> None:
+        self._host.feel(argument)
+
     # --- files
 
     def open(self, argument: str) -> Awaitable[None] | None:
@@ -143,15 +129,6 @@ class Deeds:
 
     # --- looking
 
-    def where(self, _argument: str) -> None:
-        self._host.tell_position()
-
-    def connect(self, argument: str) -> Awaitable[None] | None:
-        return self._host.connect(argument) if self._is_idle() else None
-
-    def feel(self, argument: str) -> None:
-        self._host.feel(argument)
-
     def show_program(self, _argument: str) -> None:
         self._host.workplace.go_to(self._host.workplace.program_pane)
 
@@ -169,9 +146,12 @@ class Deeds:
 
     # --- leaving
 
+    def visual(self, _argument: str) -> None:
+        self._host.tell(Answer("screen-is-visual"))
+
     def linear(self, _argument: str) -> None:
         self._host.switch_to_linear()
 
     async def quit(self, _argument: str) -> None:
-        if await self._host.files.is_safe_to_leave():
+        if await self._host.files.are_safe_to_leave():
             self._host.leave()

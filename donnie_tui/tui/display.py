@@ -10,14 +10,16 @@ from collections.abc import Iterable
 from devices.ports.robot import Pose
 from donnie_tui.bootstrap import Donnie
 from donnie_tui.core.events import Read
-from donnie_tui.core.map_grid import MapGrid, floor_size
+from donnie_tui.core.map_grid import floor_size
+from donnie_tui.core.map_scene import MapScene
+from donnie_tui.core.timeline import Timeline
 from donnie_tui.i18n.catalogue import SENTENCES
 from donnie_tui.tui.actions import BY_NAME, key_label
 from donnie_tui.tui.bridge import Mail
 from donnie_tui.tui.files import Files
 from donnie_tui.tui.running import Doing, Running
 from donnie_tui.tui.screens.workplace import Workplace
-from donnie_tui.tui.situation import cell_sentence, doing_sentences, inspector_lines, robot_sentence
+from donnie_tui.tui.situation import doing_sentences, inspector_lines, robot_sentence
 from language.runtime import Frame
 
 _OFFERED = {
@@ -46,7 +48,12 @@ class Display:
 
     def _show_world(self) -> None:
         picture = self._donnie.picture()
-        self._place.show_map(MapGrid(picture, self._pose))
+        self.scene = MapScene(picture, self._pose)
+        self._place.show_map(self.scene)
+        self._entitle_map()
+
+    def _entitle_map(self) -> None:
+        picture = self.scene.picture
         about = self._donnie.world.about(self._words.language)
         width, height = floor_size(picture)
         title = about.title if about else self._donnie.world.name
@@ -58,20 +65,54 @@ class Display:
         """A run begins with the robot here; a fresh one has no trail and no readings."""
         self._pose = pose
         if fresh:
-            self._place.map.begin(pose)
+            self.scene.begin(pose)
+            self._place.map.restart()
             self._readings.clear()
 
     def move(self, poses: tuple[Pose, ...]) -> None:
         """The robot went through these places."""
         if poses:
             self._pose = poses[-1]
-            self._place.map.move(poses)
+            self._place.map.update_cells(frozenset().union(*map(self.scene.move, poses)))
 
     def receive(self, mail: Mail) -> None:
         """What happened since the last look, but for the words."""
+        if mail.things is not None:
+            self._place.map.update_cells(self.scene.place_things(mail.things))
         self.move(mail.poses)
+        for name, pose in mail.others:
+            self._place.map.update_cells(self.scene.move_other(name, pose))
+        for look in mail.looks:
+            self._place.map.update_cells(self.scene.look_along(look))
         self._readings.update({(each.sensor, each.argument): each for each in mail.readings})
         self._belt = mail.belt or self._belt
+
+    def show_past(self, timeline: Timeline) -> None:
+        """The map as it was at that position, or is at the end."""
+        robot = self._donnie.session.name if self._donnie.team.has_several else None
+        walked = timeline.trail(robot)
+        if walked:
+            self.scene.begin(walked[0])
+            for pose in walked:
+                self.scene.move(pose)
+            self._pose = walked[-1]
+        self.scene.place_things(timeline.things)
+        for other in timeline.robots:
+            place = timeline.pose(other)
+            if other is not None and other != robot and place is not None:
+                self.scene.move_other(other, place)
+        self._place.map.restart()
+        self.look()
+
+    # --- the language
+
+    def relabel(self) -> None:
+        """Everything again, in another language."""
+        self._kinds.clear()
+        self._entitle_map()
+        self._place.log_pane.entitle(self._words("pane-log"))
+        self._place.inspector_pane.entitle(self._words("pane-inspector"))
+        self.look()
 
     # --- the log
 
@@ -134,8 +175,8 @@ class Display:
 
     def _focus_sentence(self) -> str:
         place, words = self._place, self._words
-        if place.map.has_focus and place.map.grid is not None and place.map.is_exploring:
-            return cell_sentence(place.map.grid, place.map.cell, words)
+        if place.map.has_focus and place.map.pointer is not None and place.map.is_exploring:
+            return words("status-map-cell", what=place.map.pointer.words(words))
         if place.map.has_focus:
             return words("status-map")
         if place.log_rows.has_focus:
@@ -144,7 +185,13 @@ class Display:
             return words("status-inspector")
         if place.command_line.has_focus:
             return words("status-command")
-        return words("status-program", line=self._program_line(), lines=place.editor.line_count)
+        line, lines = self._program_line(), place.editor.line_count
+        mistake = place.editor.mistake
+        if mistake is not None and self._running.doing is Doing.READY:
+            code = "status-mistake-meant" if mistake.meant else "status-mistake"
+            key = key_label(BY_NAME["fix"].keys[0])
+            return words(code, line=line, lines=lines, message=mistake.message, meant=mistake.meant, key=key)
+        return words("status-program", line=line, lines=lines)
 
     def _program_line(self) -> int:
         """The line being run, or the one of the cursor."""

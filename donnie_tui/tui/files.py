@@ -7,12 +7,14 @@ know no screen; this asks the person and tells the outcome.
 from __future__ import annotations
 
 from collections.abc import Awaitable, Callable, Mapping
+from dataclasses import dataclass
 from pathlib import Path
 from typing import Protocol
 
 from donnie_tui.core.documents import DocumentError
 from donnie_tui.core.filing import Copies, Document
 from donnie_tui.core.wording import Wording
+from donnie_tui.tui.recent import Recent
 from donnie_tui.tui.running import Answer
 from language.source import fold_name
 
@@ -32,16 +34,32 @@ class Desk(Protocol):
     ) -> Awaitable[str | None]: ...
 
 
+@dataclass(slots=True)
+class _Program:
+    """One of the open programs; ``text`` is up to date while it is not in the editor."""
+
+    document: Document
+    copies: Copies
+    text: str = ""
+
+
 class Files:
     """The file actions."""
 
-    def __init__(self, desk: Desk, words: Wording, copies: Copies) -> None:
+    def __init__(
+        self, desk: Desk, words: Wording, make_copies: Callable[[], Copies], recent: Recent | None = None
+    ) -> None:
+        """``make_copies`` gives each program a keeper of its own."""
         self._desk = desk
         self._words = words
-        self._copies = copies
-        self._offered = copies.offered()
+        self._make_copies = make_copies
+        self._copies = make_copies()
+        self._offered = self._copies.offered()
         self._copying_failed = False
+        self._recent = recent
         self.document = Document()
+        self._programs = [_Program(self.document, self._copies)]
+        self._at = 0
 
     @property
     def name(self) -> str:
@@ -55,6 +73,48 @@ class Files:
     @property
     def offers_recovery(self) -> bool:
         return self._offered is not None
+
+    @property
+    def recent(self) -> tuple[Path, ...]:
+        """What was opened and saved lately, the newest first."""
+        return self._recent.paths() if self._recent else ()
+
+    # --- several programs
+
+    @property
+    def open_programs(self) -> tuple[tuple[str, bool], ...]:
+        """The title of each, and whether it is the one in the editor."""
+        self._programs[self._at].text = self._desk.text
+        return tuple((self._title(each), at == self._at) for at, each in enumerate(self._programs))
+
+    def _title(self, program: _Program) -> str:
+        path = program.document.path
+        name = path.name if path else self._words("new-program")
+        code = "program-changed" if program.document.is_changed(program.text) else "program-kept"
+        return self._words(code, name=name, lines=program.text.count("\n") + 1)
+
+    def turn_to(self, which: int | None) -> None:
+        """Another one of the open programs, or one more, which is empty. No text is lost by it."""
+        self.keep_copy()
+        self._programs[self._at].text = self._desk.text
+        if which is None:
+            self._programs.append(_Program(Document(), self._make_copies()))
+            which = len(self._programs) - 1
+        self._at = which
+        program = self._programs[which]
+        self.document, self._copies = program.document, program.copies
+        self._desk.load(program.text)
+        self._desk.tell(Answer("screen-turned-to", {"name": self.name}))
+
+    async def are_safe_to_leave(self) -> bool:
+        """Whether every open program may go."""
+        self._programs[self._at].text = self._desk.text
+        for at, program in enumerate(self._programs):
+            if at != self._at and program.document.is_changed(program.text) and program.text.strip():
+                self.turn_to(at)
+                if not await self.is_safe_to_leave():
+                    return False
+        return await self.is_safe_to_leave()
 
     # --- opening
 
@@ -105,6 +165,10 @@ class Files:
         self._copies.forget()
         self._desk.load(text)
         self.document.become(path, self._desk.text)
+
+    def _remember(self, path: Path) -> None:
+        if self._recent is not None:
+            self._recent.add(path)
 
     # --- saving
 
@@ -181,7 +245,8 @@ class Files:
 
     def give_up(self) -> None:
         """Leaving on purpose: no copy is needed."""
-        self._copies.forget()
+        for program in self._programs:
+            program.copies.forget()
 
     async def recover(self) -> None:
         """Bring back what an earlier start left unsaved."""

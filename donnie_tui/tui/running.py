@@ -50,6 +50,7 @@ class Running:
         self._told = told
         self._run: Run | None = None
         self._stopped_line = 0
+        self._breakpoints: frozenset[int] = frozenset()
         self.is_program = False
         """Whether what runs, or ran last, is the text of the editor."""
 
@@ -99,6 +100,8 @@ class Running:
 
         def prepare(control: ExecutionControl) -> None:
             control.observe(self._told)
+            if program:
+                control.break_at(self._breakpoints)
             if begin:
                 begin(control)
 
@@ -175,6 +178,12 @@ class Running:
             return self.run(text, name, begin=lambda control: control.run_to(line))
         self._run.control.run_to(line)
         return None
+
+    def break_at(self, lines: frozenset[int]) -> None:
+        """Hold before these lines of the program, of the one that runs too."""
+        self._breakpoints = lines
+        if self._run is not None and self.is_program:
+            self._run.control.break_at(lines)
 
     # --- speed
 

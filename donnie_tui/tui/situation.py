@@ -11,8 +11,6 @@ from devices.ports.robot import Pose
 from donnie_tui.core import numbers
 from donnie_tui.core.belt import COLUMNS
 from donnie_tui.core.events import Read
-from donnie_tui.core.map_grid import Cell, MapGrid
-from donnie_tui.core.map_words import square_content
 from donnie_tui.core.speeds import speed_words
 from donnie_tui.core.telling import Teller
 from donnie_tui.core.wording import Wording
@@ -33,12 +31,6 @@ def doing_sentences(doing: Doing, speed: float | None, words: Wording) -> tuple[
         words(f"status-{doing.value}-speed", speed=speed_words(speed, words)),
         words(f"status-{doing.value}"),
     )
-
-
-def cell_sentence(grid: MapGrid, cell: Cell, words: Wording) -> str:
-    """Where the explored cell is, and what it shows."""
-    x, y = grid.place(cell)
-    return words("status-map-cell", x=x, y=y, what=square_content(grid, cell, words))
 
 
 def inspector_lines(

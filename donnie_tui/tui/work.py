@@ -7,32 +7,50 @@ bridge's mailbox; nothing here waits for them.
 from __future__ import annotations
 
 import asyncio
-from collections.abc import Awaitable, Callable
+import os
+from collections.abc import Awaitable, Callable, Sequence
 from pathlib import Path
 from typing import Protocol
 
+from textual.geometry import Offset
 from textual.message import Message
 from textual.timer import Timer
 
+from devices.ports.robot import Pose
 from donnie_tui import robot_words
 from donnie_tui.bootstrap import Donnie
-from donnie_tui.core.events import Answered, Outcome
+from donnie_tui.core.answer_log import AnswerLog
+from donnie_tui.core.completion import Completion, completion
+from donnie_tui.core.documents import DocumentError, write_program
+from donnie_tui.core.events import Answered, Error, Outcome, Pointed, SoundSwitched
 from donnie_tui.core.filing import Copies
+from donnie_tui.core.retelling import told_back
+from donnie_tui.core.timeline import Timeline
+from donnie_tui.core.trail import Trail
 from donnie_tui.i18n.words import Words
+from donnie_tui.settings import Settings
 from donnie_tui.tui.actions import find
-from donnie_tui.tui.bridge import Began, Bridge, Ended
+from donnie_tui.tui.bridge import Began, Bridge, Ended, LogLine
 from donnie_tui.tui.deeds import Deeds
 from donnie_tui.tui.display import Display
 from donnie_tui.tui.files import Files
 from donnie_tui.tui.intake import FLUSH, Intake
+from donnie_tui.tui.mistakes import LARGEST, mistakes
+from donnie_tui.tui.preferences import Preferences
+from donnie_tui.tui.recent import Recent
 from donnie_tui.tui.running import Answer, Doing, Running
+from donnie_tui.tui.screens.chooser import Choice
 from donnie_tui.tui.screens.help import help_text
+from donnie_tui.tui.screens.manual import manual
 from donnie_tui.tui.screens.workplace import Workplace
 from language.control import ControlState
 from language.keywords import canonical
 
 _LAST_WORDS = 1.0
 """Seconds that a stopped program may take to be gone."""
+CHECK_AFTER = 0.4
+"""Seconds without typing after which mistakes are marked."""
+
 COPY_AFTER = 1.0
 """Seconds after an edit within which it is written down."""
 
@@ -57,7 +75,17 @@ class Host(Protocol):
         self, asked: str, keys: str, value: str, accepts: Callable[[str], str | None] | None
     ) -> Awaitable[str | None]: ...
 
+    def choose(
+        self, title: str, keys: str, nothing: str, choices: Sequence[Choice]
+    ) -> Awaitable[str | None]: ...
+
+    def choose_word(self, words: Sequence[str], below: Offset) -> Awaitable[tuple[str, str]]: ...
+
     def show_help(self, title: str, lines: tuple[str, ...]) -> None: ...
+
+    def show_outside(self, text: str) -> bool: ...
+
+    def wear(self, settings: Settings) -> None: ...
 
     def leave(self, code: int = 0, *, for_linear: bool = False) -> None: ...
 
@@ -65,28 +93,36 @@ class Host(Protocol):
 class Work:
     """Everything that the keys and words reach."""
 
-    def __init__(self, host: Host, donnie: Donnie, folder: Path) -> None:
+    def __init__(self, host: Host, donnie: Donnie, folder: Path, settings: Settings | None = None) -> None:
         """``folder`` holds the copies of what is not saved."""
         self._host = host
         self._donnie = donnie
         self.words: Words = donnie.words
         self.workplace = host.workplace
         self.running = Running(donnie.session, self._paused)
-        self.files = Files(self, self.words, Copies(folder))
+        self.preferences = Preferences(settings or Settings(), os.environ)
+        self.files = Files(self, self.words, lambda: Copies(folder), Recent(folder.parent / "recent.txt"))
         self.display = Display(self.workplace, donnie, self.running, self.files)
-        session = donnie.session
-        bridge = Bridge(host.post_message, self.words, lambda: session.pose)
+        bridge = Bridge(
+            host.post_message, self.words, lambda: donnie.session.pose, lambda: donnie.session.name
+        )
         self._intake = Intake(
             bridge,
             self.words,
             set_timer=host.later,
             receive=self.display.receive,
-            write=self.display.write,
+            write=self._write,
         )
+        self.answers = AnswerLog()
+        self.trail = Trail()
+        self.errors: tuple[Error, ...] = ()
+        """The mistakes of the last run."""
+        self._timeline: Timeline | None = None
+        self._checking: Timer | None = None
         self._deeds = Deeds(self)
         self._watching: Timer | None = None
         self._copying: Timer | None = None
-        self._hear_no_more = session.hub.subscribe(bridge)
+        self._hear_no_more = donnie.team.stream.subscribe(bridge)
 
     def begin(self, file: Path | None, text: str | None) -> None:
         """Open what was asked for. ``text``: what the other mode left, unsaved changes included."""
@@ -148,6 +184,138 @@ class Work:
     ) -> str | None:
         return await self._host.ask(asked, self.words("ask-keys"), value, accepts)
 
+    async def choose(self, title: str, choices: Sequence[Choice]) -> str | None:
+        return await self._host.choose(
+            title, self.words("chooser-keys"), self.words("palette-nothing"), choices
+        )
+
+    async def choose_word(self, words: Sequence[str], below: Offset) -> tuple[str, str]:
+        return await self._host.choose_word(words, below)
+
+    def tell_sentences(self, *sentences: str) -> None:
+        """Answers that are sentences already."""
+        for sentence in sentences:
+            self._donnie.session.hub.publish(Answered(sentence))
+
+    @property
+    def pose(self) -> Pose:
+        return self._donnie.session.pose
+
+    def tell_world(self) -> None:
+        """What its author says of it, and what stands in it."""
+        about = self._donnie.world.about(self.words.language)
+        if about is not None:
+            self.tell(Answer("world-title", {"name": self._donnie.world.name, "title": about.title}))
+            self.tell_sentences(*about.description.replace(". ", ".\n").splitlines())
+        self.do("map")
+        if about is not None:
+            self.tell(Answer("world-task", {"task": about.task}))
+
+    def explored(self) -> None:
+        """Another square of the map: said too, and shown in the status line."""
+        pointer = self.workplace.map.pointer
+        if pointer is not None and pointer.cell is not None:
+            self._donnie.session.hub.publish(Pointed(pointer.words(self.words)))
+        self.display.say_status()
+
+    def step_back(self) -> None:
+        """Show what was before: where everything was, and what is undone, in words."""
+        if self.running.doing not in (Doing.READY, Doing.PAUSED):
+            self.tell(Answer("screen-busy"))
+            return
+        timeline = self._timeline = self._timeline or self._donnie.chronicle.timeline()
+        undone = timeline.step_back()
+        self.display.show_past(timeline)
+        self.tell_sentences(told_back(undone, timeline, self.words))
+
+    def _to_present(self) -> None:
+        """Whatever is done now is done from where the robot really is."""
+        if self._timeline is not None:
+            self._timeline.go_to(len(self._timeline))
+            self.display.show_past(self._timeline)
+            self._timeline = None
+
+    # --- the text while somebody types
+
+    def completion(self, text: str, at: int) -> Completion:
+        return completion(text, at, self.words.language, self._donnie.session.colours)
+
+    def _offer_words(self) -> None:
+        self.workplace.editor.complete = self.completion if self.preferences.settings.completion else None
+
+    def check_now(self) -> None:
+        """Mark the mistakes of the text as it is."""
+        self._checking = None
+        text = self.text
+        found = self._donnie.session.check(text) if 0 < len(text) <= LARGEST and text.strip() else ()
+        self.workplace.editor.note(mistakes(found, self.words))
+        self.display.say_status()
+
+    # --- settings, log and lists
+
+    def prefer(self, key: str, typed: object) -> None:
+        """Choose a setting from now on, and keep it."""
+        value = ("on" if typed else "off") if isinstance(typed, bool) else str(typed)
+        try:
+            self.preferences.choose(key, value)
+        except ValueError:
+            self.tell(Answer(f"setting-{key}-wanted"))
+            return
+        self._apply(key)
+        problem = self.preferences.keep(key)
+        told = next(each for each in self.preferences.all if each.key == key).told(self.words)
+        self.tell(Answer("setting-row", {"name": self.words(f"setting-{key}"), "value": told}))
+        if problem is not None:
+            self.tell(Answer(problem.code, {"path": problem.path, "reason": problem.reason}))
+
+    def _apply(self, key: str) -> None:
+        settings = self.preferences.settings
+        if key == "lang":
+            self.words.language = settings.language
+            self.display.relabel()
+            self.check_now()
+        elif key == "verbosity":
+            self.words.detail = settings.verbosity
+        elif key == "speed":
+            self._donnie.session.speed = settings.speed
+        elif key == "sound":
+            self._donnie.session.hub.publish(SoundSwitched(settings.sound is not False))
+        elif key == "completion":
+            self._offer_words()
+        self._host.wear(settings)
+
+    def _write(self, lines: Sequence[LogLine]) -> None:
+        """Into the log, and into what can be said again."""
+        for line in lines:
+            self.answers.add((line.text,))
+        self.display.write(lines)
+
+    def save_log(self, name: str) -> None:
+        """All that was told, as plain text."""
+        try:
+            write_program(Path(name).expanduser(), self.log_text)
+        except DocumentError as problem:
+            self.tell(Answer(problem.code, {"path": problem.path, "reason": problem.reason}))
+        except (OSError, ValueError, RuntimeError) as problem:
+            self.tell(Answer("file-unwritable", {"path": name, "reason": str(problem)}))
+        else:
+            self.tell(Answer("answer-saved", {"name": name, "lines": len(self.workplace.log_rows.lines)}))
+
+    @property
+    def log_text(self) -> str:
+        return "".join(f"{line}\n" for line in self.workplace.log_rows.lines)
+
+    def open_log(self) -> None:
+        """Outside the full screen, in the pager: there the terminal's own ways of reading work."""
+        if not self._host.show_outside(self.log_text):
+            self.tell(Answer("screen-no-pager"))
+
+    def show_lines(self, title: str, lines: Sequence[str]) -> None:
+        self._host.show_help(self.words("lines-title", title=title), tuple(lines))
+
+    def show_manual(self) -> None:
+        self._host.show_help(self.words("manual-title"), manual(self.words))
+
     async def connect(self, argument: str) -> None:
         """Another robot. It takes some seconds, in which the screen goes on."""
         await asyncio.to_thread(robot_words.connect, self._donnie, argument)
@@ -195,6 +363,7 @@ class Work:
 
     def began(self, event: Began) -> None:
         """What waits in the mailbox is this run's: the end of the last one took everything."""
+        self._to_present()
         self.display.begin(event.pose, fresh=self.running.is_program)
         if self._watching is None:
             self._watching = self._host.every(FLUSH, self.look)
@@ -221,6 +390,7 @@ class Work:
 
     def ended(self, event: Ended) -> None:
         self.running.ended()
+        self.errors = event.errors
         self._intake.take()
         self.display.move((event.event.pose,))
         if self._watching is not None:
@@ -245,6 +415,9 @@ class Work:
     def edited(self) -> None:
         """The text changed: write it down soon."""
         self.display.show_titles()
+        if self._checking is not None:
+            self._checking.stop()
+        self._checking = self._host.later(CHECK_AFTER, self.check_now)
         if self._copying is None:
             self._copying = self._host.later(COPY_AFTER, self._keep_copy)
 

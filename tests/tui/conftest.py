@@ -111,8 +111,11 @@ def work(tmp_path: Path):
         speed: float | None = None,
         world: str = "open_floor",
         language: str = "en",
+        plain: bool = False,
     ) -> AsyncIterator[Desk]:
-        settings = Settings(world=world, speed=speed, speech="off", sound=False, language=language)
+        settings = Settings(
+            world=world, speed=speed, speech="off", sound=False, language=language, plain=plain
+        )
         app = DonnieApp(
             settings, file, text=text, assemble=lambda: assemble(settings, terminal=True), folder=tmp_path
         )

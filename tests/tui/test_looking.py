@@ -107,12 +107,12 @@ async def test_exploring_names_the_cell_and_home_goes_back_to_the_robot(work):
 async def test_things_are_named_when_they_are_explored(work):
     async with work(world="living_room", size=(120, 40)) as desk:
         thing = desk.place.map.grid.picture.things[0]
-        desk.place.map._explored = desk.place.map.grid.cell_of(Pose(round(thing.x), round(thing.y), 0.0))
+        desk.place.map.pointer.cell = desk.place.map.grid.cell_of(Pose(round(thing.x), round(thing.y), 0.0))
         desk.place.map.focus()
         await desk.press("left", "right")
         await desk.pilot.pause()
 
-        assert f"{thing.name}." in desk.status
+        assert f": {thing.name}, {thing.colour}. " in desk.status
 
 
 @pytest.mark.parametrize("size", SIZES)
@@ -138,7 +138,7 @@ async def test_the_size_may_change_while_a_program_is_paused_and_the_focus_stays
         await desk.press("f7")
         await desk.told("Line 2: FW 2")
 
-        assert ">2  FW 2" in desk.screen
+        assert "> 2  FW 2" in desk.screen
 
 
 async def test_forty_columns_show_one_pane_at_a_time(work):

@@ -31,9 +31,7 @@ _STATUS = {
         "Programa, línea {line} de {lines}.",
     ),
     "status-map": Sentence("Map.", "Mapa.", "Mapa."),
-    "status-map-cell": Sentence(
-        "Map, {x}, {y}: {what}.", "Mapa, {x}, {y}: {what}.", "Mapa, {x}, {y}: {what}."
-    ),
+    "status-map-cell": Sentence("Map, {what}", "Mapa, {what}", "Mapa, {what}"),
     "status-log": Sentence(
         "Log, line {line} of {lines}.",
         "Registro, linha {line} de {lines}.",

@@ -25,7 +25,7 @@ from donnie_tui.tui.widgets.pane import Pane
 from donnie_tui.tui.widgets.text_rows import TextRows
 
 if TYPE_CHECKING:
-    from donnie_tui.core.map_grid import MapGrid
+    from donnie_tui.core.map_scene import MapScene
 
 WIDE, NARROW, LOW = 110, 60, 18
 """From WIDE columns on there is room for the inspector too; below NARROW or LOW for one pane only."""
@@ -148,9 +148,9 @@ class Workplace(Screen[None]):
 
     # --- what is told to it
 
-    def show_map(self, grid: MapGrid) -> None:
+    def show_map(self, scene: MapScene) -> None:
         """A floor; its pane takes what the floor needs, as far as the program keeps its room."""
-        self.map.show(grid)
+        self.map.show(scene)
         self._give_room()
 
     def _give_room(self) -> None:

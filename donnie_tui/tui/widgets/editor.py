@@ -1,17 +1,21 @@
 """The program being written: Textual's own editor, with GoDonnie's looks and marks beside the line numbers.
 
-Esc and Tab are left to the screen: Esc runs, Tab goes on to the next pane. ``>`` marks the line that is
-being run, ``*`` the lines that called it.
+Esc and Tab are left to the screen: Esc runs, Tab goes on to the next pane. Two columns before the numbers
+are for marks: ``>`` the line that is being run, ``*`` the lines that called it; ``B`` a breakpoint, ``!`` a
+mistake and ``?`` a hint, whose sentence stands behind the line where there is room.
 """
 
 from __future__ import annotations
 
-from typing import ClassVar
+from collections.abc import Callable, Mapping
+from typing import TYPE_CHECKING, ClassVar
 
 from rich.segment import Segment
 from rich.style import Style
 from textual import events
 from textual.binding import Binding, BindingType
+from textual.document._document import EditResult
+from textual.document._edit import Edit
 from textual.geometry import Offset, Region
 from textual.message import Message
 from textual.strip import Strip
@@ -22,13 +26,26 @@ from donnie_tui.i18n.sentence import LANGUAGES
 from donnie_tui.tui import themes
 from donnie_tui.tui.actions import BY_NAME
 
-HERE, CALLER = ">", "*"
+if TYPE_CHECKING:
+    from donnie_tui.core.completion import Completion
+    from donnie_tui.tui.mistakes import Mistake
+
+HERE, CALLER, BREAK, MISTAKE, HINT = ">", "*", "B", "!", "?"
+MARKS = 2
+"""Columns for marks."""
+
+LEAST_TYPED = 2
+"""Letters before a word is offered."""
+LEAST_NOTE = 12
+"""Columns that the sentence of a mistake needs."""
 
 LINEAR_WORDS = frozenset(BY_NAME["linear"].word(each).casefold() for each in LANGUAGES)
 
 
 class Editor(TextArea):
     """The text and its marks."""
+
+    COMPONENT_CLASSES: ClassVar[set[str]] = {"editor--note"}
 
     BINDINGS: ClassVar[list[BindingType]] = [Binding("ctrl+a", "select_all", show=False)]
 
@@ -41,6 +58,11 @@ class Editor(TextArea):
         self.is_nobodys = True
         """Whether the text is no file's: only there LINEAR and Enter is no text."""
         self._marks: dict[int, str] = {}
+        self._notes: dict[int, Mistake] = {}
+        self.breakpoints: frozenset[int] = frozenset()
+        """Lines, from 1; they go with the text."""
+        self.complete: Callable[[str, int], Completion] | None = None
+        """What may stand at an offset of the text; None where nothing is to be offered."""
 
     def on_mount(self) -> None:
         self.app.theme_changed_signal.subscribe(self, lambda _: self._wear())
@@ -80,9 +102,77 @@ class Editor(TextArea):
         self._marks = marks
         self.refresh(*(self._gutter_of(each) for each in changed if each <= self.document.line_count))
 
+    def note(self, mistakes: Mapping[int, Mistake]) -> None:
+        """The mistakes of the text as it is now, by line."""
+        if self._notes != mistakes:
+            self._notes = dict(mistakes)
+            self.refresh()
+
+    @property
+    def mistake(self) -> Mistake | None:
+        """What is wrong in the line of the cursor."""
+        return self._notes.get(self.line)
+
+    @property
+    def next_mistake(self) -> Mistake | None:
+        """The one of this line, or the next one below, or the first."""
+        after = [line for line in sorted(self._notes) if line >= self.line] or sorted(self._notes)
+        return self._notes[after[0]] if after else None
+
+    def toggle_breakpoint(self, line: int) -> bool:
+        """Set it, or take it away; whether it is set now."""
+        self.breakpoints ^= {line}
+        self.refresh(self._gutter_of(line))
+        return line in self.breakpoints
+
+    def edit(self, edit: Edit) -> EditResult:
+        """Breakpoints go with their lines."""
+        top, bottom = sorted((edit.from_location[0], edit.to_location[0]))
+        before = self.document.line_count
+        result = super().edit(edit)
+        added = self.document.line_count - before
+        if added and self.breakpoints:
+            kept = (each for each in self.breakpoints if not top + 1 < each <= bottom + 1)
+            self.breakpoints = frozenset(each + added if each > bottom + 1 else each for each in kept)
+        return result
+
     def _gutter_of(self, line: int) -> Region:
         place = self.wrapped_document.location_to_offset((line - 1, 0))
-        return Region(0, place.y - self.scroll_offset.y, 1, 1)
+        return Region(0, place.y - self.scroll_offset.y, MARKS, 1)
+
+    # --- completing
+
+    @property
+    def offset_of_cursor(self) -> int:
+        """Characters before the cursor."""
+        return self.offset_of(self.cursor_location)
+
+    def offset_of(self, location: tuple[int, int]) -> int:
+        row, column = location
+        return sum(len(line) + 1 for line in self.document.lines[:row]) + column
+
+    def location_of(self, offset: int) -> tuple[int, int]:
+        """Row and column of an offset, as near as there is text."""
+        for row, line in enumerate(self.document.lines):
+            if offset <= len(line):
+                return row, offset
+            offset -= len(line) + 1
+        return self.document.end
+
+    def update_suggestion(self) -> None:
+        """What would most likely come next, faintly behind the cursor; the right arrow takes it."""
+        self.suggestion = ""
+        row, column = self.cursor_location
+        if self.complete is None or column < len(self.document.get_line(row)):
+            return
+        found = self.complete(self.text, self.offset_of_cursor)
+        if found.words and len(found.typed) >= LEAST_TYPED:
+            self.suggestion = found.words[0][len(found.typed) :]
+
+    def put_in_place_of(self, typed: str, word: str) -> None:
+        """The chosen word instead of the letters before the cursor."""
+        row, column = self.cursor_location
+        self.replace(word, (row, column - len(typed)), (row, column), maintain_selection_offset=False)
 
     def go_to(self, line: int, column: int = 1) -> None:
         """Put the cursor there, both from 1, as near as there is text."""
@@ -102,23 +192,46 @@ class Editor(TextArea):
 
     @property
     def gutter_width(self) -> int:
-        """One column more than Textual's, for the marks."""
-        return super().gutter_width + 1
+        """More than Textual's, for the marks."""
+        return super().gutter_width + MARKS
 
     def render_line(self, y: int) -> Strip:
         strip = super().render_line(y)
-        mark = self._mark_at(y)
-        if not mark:
+        line, is_first, is_last = self._line_at(y)
+        if line and is_last and line in self._notes:
+            strip = self._with_note(strip, self._notes[line])
+        marks = self._marks_of(line) if line and is_first else ""
+        if not marks.strip():
             return strip
         style = next(iter(strip)).style or Style()
-        return Strip.join([Strip([Segment(mark, style + Style(bold=True))]), strip.crop(1)])
+        return Strip.join([Strip([Segment(marks, style + Style(bold=True))]), strip.crop(MARKS)])
 
-    def _mark_at(self, y: int) -> str:
+    def _marks_of(self, line: int) -> str:
+        note = self._notes.get(line)
+        second = BREAK if line in self.breakpoints else (HINT if note.is_hint else MISTAKE) if note else " "
+        return self._marks.get(line, " ") + second
+
+    def _line_at(self, y: int) -> tuple[int, bool, bool]:
+        """The line from 1 of a row of the window, whether the row is its first and its last; 0: none."""
         row = y + self.scroll_offset.y
-        if not self._marks or row >= self.wrapped_document.height:
-            return ""
-        line, column = self.wrapped_document.offset_to_location(Offset(0, row))
-        return self._marks.get(line + 1, "") if column == 0 else ""
+        wrapped = self.wrapped_document
+        if not (self._marks or self._notes or self.breakpoints) or row >= wrapped.height:
+            return 0, False, False
+        line, column = wrapped.offset_to_location(Offset(0, row))
+        is_last = row + 1 >= wrapped.height or wrapped.offset_to_location(Offset(0, row + 1))[0] != line
+        return line + 1, column == 0, is_last
+
+    def _with_note(self, strip: Strip, note: Mistake) -> Strip:
+        """The sentence behind the line, as far as there is room for more than a word of it."""
+        used = len(strip.text.rstrip()) + 2
+        room = strip.cell_length - used
+        if room < LEAST_NOTE or not strip.text.isascii():
+            return strip
+        words = f"{HINT if note.is_hint else MISTAKE} {note.message}"
+        shown = words if len(words) <= room else f"{words[: room - 3]}..."
+        style = self.get_component_rich_style("editor--note")
+        segment = Segment(shown.ljust(room), style)
+        return Strip.join([strip.crop(0, used), Strip([segment])])
 
     def _build_highlight_map(self) -> None:
         """Textual fills ``_highlights`` from tree-sitter here; a test guards both names."""

@@ -1,11 +1,13 @@
-"""The map: a window on the floor that follows the robot, and repaints only what changed.
+"""The map: a window on the floor that follows the robot or shows all of it, and repaints only what changed.
 
-The terminal's own cursor stands on the robot, or on the cell that is being explored, while the map has the
-focus. A step is two columns wide where the world fits so, because cells are twice as high as wide.
+The terminal's own cursor stands on the robot, or on the square that is being explored, while the map has the
+focus. A step is two columns wide where the world fits so, because cells are twice as high as wide. What is
+where, and what it is called, the core knows; here it is painted.
 """
 
 from __future__ import annotations
 
+from collections.abc import Callable, Iterable
 from typing import TYPE_CHECKING, ClassVar
 
 from rich.segment import Segment
@@ -16,134 +18,219 @@ from textual.message import Message
 from textual.scroll_view import ScrollView
 from textual.strip import Strip
 
+from donnie_tui.core.map_grid import Bounds
+
 if TYPE_CHECKING:
-    from devices.ports.robot import Pose
     from donnie_tui.core.map_grid import Cell, MapGrid
+    from donnie_tui.core.map_scale import MapScale
+    from donnie_tui.core.map_scene import MapScene
+    from donnie_tui.core.pointing import Pointer
 
 _MARGIN = 3
 """Cells that stay visible between the robot and the border, where there is more floor beyond."""
 
-_KINDS = ("robot", "start", "trail", "wall", "free", "thing")
+_COLOURS = ("red", "green", "blue", "yellow", "orange", "pink", "gray")
+_KINDS = ("robot", "other", "start", "trail", "wall", "ray", "free", "name", "ruler")
 """As ``map_grid.Kind`` has them; it is loaded later than this."""
-_SOLID = ("wall", "thing")
+RULER = 4
+"""Columns of the numbers at the left; at the top they take one row."""
+_EVERY = 5
+"""Steps between two numbers."""
 
 
 class MapView(ScrollView, can_focus=True):
-    """Shows a ``MapGrid``. Empty until it is given one."""
+    """Shows a ``MapScene``. Empty until it is given one."""
 
-    COMPONENT_CLASSES: ClassVar[set[str]] = {f"map-view--{kind}" for kind in _KINDS}
+    COMPONENT_CLASSES: ClassVar[set[str]] = {
+        *(f"map-view--{kind}" for kind in _KINDS),
+        *(f"map-view--thing-{colour}" for colour in _COLOURS),
+    }
 
     BINDINGS: ClassVar[list[BindingType]] = [
         Binding("up", "explore(0, 1)", show=False),
         Binding("down", "explore(0, -1)", show=False),
         Binding("left", "explore(-1, 0)", show=False),
         Binding("right", "explore(1, 0)", show=False),
-        Binding("home", "robot", show=False),
+        Binding("home", "app.do('to_robot')", show=False),
+        Binding("n", "app.do('next_thing')", show=False),
+        Binding("p", "app.do('previous_thing')", show=False),
+        Binding("plus,equals_sign", "app.do('zoom_in')", show=False),
+        Binding("minus", "app.do('zoom_out')", show=False),
+        Binding("a", "app.do('whole_map')", show=False),
+        Binding("t", "app.do('names')", show=False),
+        Binding("c", "app.do('coordinates')", show=False),
+        Binding("l", "app.do('legend')", show=False),
+        Binding("f", "app.do('from_here')", show=False),
+        Binding("w", "app.do('to_there')", show=False),
     ]
 
     class Explored(Message):
-        """Another cell is being explored."""
+        """Another square is being explored."""
 
     def __init__(self, *, id: str) -> None:  # noqa: A002 -- Textual's own name
         super().__init__(id=id)
-        self._grid: MapGrid | None = None
+        self.scale: MapScale | None = None
+        self.pointer: Pointer | None = None
+        self.shows_all = False
+        self.has_rulers = False
+        self._labels: Callable[[MapScale, int], dict[Cell, str]] | None = None
+        self._written: dict[Cell, str] = {}
+        self._zoom = 0
         self._columns = 1
-        self._explored: Cell | None = None
+        self._bounds = Bounds(0, 0, 0, 0)
         self._looks: dict[str, Style] = {}
 
     # --- what is shown
 
-    def show(self, grid: MapGrid) -> None:
+    def show(self, scene: MapScene) -> None:
         """Another floor."""
-        self._grid = grid
-        self._explored = None
+        from donnie_tui.core.map_scale import MapScale
+        from donnie_tui.core.pointing import Pointer
+
+        self.scale, self.pointer = MapScale(scene), Pointer(scene)
+        self._zoom, self.shows_all = 0, False
         self._fit()
 
-    def begin(self, pose: Pose) -> None:
-        """A run begins here: the trail is gone."""
-        if self._grid:
-            self._grid.begin(pose)
-            self._fit()
+    def restart(self) -> None:
+        """Everything may look different."""
+        self._fit()
 
-    def move(self, poses: tuple[Pose, ...]) -> None:
-        """The robot went through these places, one after the other."""
-        if self._grid is None:
+    def update_cells(self, cells: Iterable[Cell]) -> None:
+        """These cells look different; the robot may be elsewhere."""
+        if self.scale is None:
             return
-        bounds = self._grid.bounds
-        changed = set().union(*map(self._grid.move, poses))
-        if self._grid.bounds != bounds:
+        squares = self.scale.squares_of(cells)
+        if self._bounds != self.scale.bounds:
             self._fit()
-        elif changed:
-            self.refresh(*map(self._region_of, changed))
-            self._follow(self._grid.robot)
-
-    @property
-    def cell(self) -> Cell:
-        """The cell under the cursor: the robot's, unless another one is being explored."""
-        assert self._grid is not None
-        return self._explored or self._grid.robot
+        elif squares:
+            self.refresh(*map(self._region_of, squares))
+            self._write_names(squares)
+            if not self.is_exploring:
+                self._follow(self.scale.robot)
 
     @property
     def grid(self) -> MapGrid | None:
-        return self._grid
+        return self.scale.scene.grid if self.scale else None
 
     @property
     def is_exploring(self) -> bool:
-        return self._explored is not None
+        return self.pointer is not None and self.pointer.cell is not None
+
+    # --- how it is shown
+
+    @property
+    def zoom(self) -> int:
+        """Above 0 nearer, below 0 further away than a square a step."""
+        return self._zoom
+
+    def set_zoom(self, zoom: int) -> None:
+        self._zoom = max(-5, min(2, zoom))
+        self.shows_all = False
+        self._fit()
+
+    def show_all(self, whole: bool) -> None:
+        """The whole floor, or as near as before, following the robot."""
+        self.shows_all = whole
+        self._fit()
+
+    def show_names(self, labels: Callable[[MapScale, int], dict[Cell, str]] | None) -> None:
+        """Names beside the things, as ``labels`` places them; None: no names."""
+        self._labels = labels
+        self._fit()
+
+    @property
+    def has_names(self) -> bool:
+        return self._labels is not None
+
+    def show_rulers(self, shown: bool) -> None:
+        """Numbers at the left and at the top: steps to the north and to the east."""
+        self.has_rulers = shown
+        self._fit()
 
     # --- size and place
 
     def on_resize(self) -> None:
         self._fit()
 
+    @property
+    def _rulers(self) -> Offset:
+        """What the numbers take."""
+        return Offset(RULER, 1) if self.has_rulers else Offset(0, 0)
+
     def _fit(self) -> None:
-        if self._grid is None:
+        if self.scale is None:
             return
-        bounds = self._grid.bounds
-        self._columns = 2 if 2 * bounds.width <= self.size.width else 1
-        self.virtual_size = Size(self._columns * bounds.width, bounds.height)
-        self._follow(self.cell, centre=True)
+        room = Size(max(1, self.size.width - self._rulers.x), max(1, self.size.height - self._rulers.y))
+        self._choose_factor(room)
+        bounds = self._bounds = self.scale.bounds
+        wide = 2 * bounds.width <= room.width or self._zoom > 0
+        self._columns = 4 if self._zoom > 1 else 2 if wide else 1
+        floor = Size(self._columns * bounds.width, bounds.height)
+        self.virtual_size = Size(floor.width + self._rulers.x, floor.height + self._rulers.y)
+        self._written = self._labels(self.scale, self._columns) if self._labels else {}
+        self._follow(self._square, centre=True)
         self.refresh()
 
-    def _follow(self, cell: Cell, *, centre: bool = False) -> None:
+    def _choose_factor(self, room: Size) -> None:
+        from donnie_tui.core.map_scale import factor_for
+
+        assert self.scale is not None
+        if self.shows_all:
+            self.scale.factor = factor_for(self.scale.scene.bounds, room.width, room.height)
+        else:
+            self.scale.factor = 2 ** max(0, -self._zoom)
+
+    def _write_names(self, squares: frozenset[Cell]) -> None:
+        """A name beside a thing that moved goes with it."""
+        if self._labels is None or self.scale is None:
+            return
+        written = self._labels(self.scale, self._columns)
+        changed = {each for each, _ in written.items() ^ self._written.items()}
+        self._written = written
+        if changed - squares:
+            self.refresh(*map(self._region_of, changed - squares))
+
+    @property
+    def _square(self) -> Cell:
+        """The square under the cursor: the robot's, unless another one is being explored."""
+        assert self.scale is not None and self.pointer is not None
+        return self.scale.square_of(self.pointer.here)
+
+    def _follow(self, square: Cell, *, centre: bool = False) -> None:
         """Scroll no further than needed while it moves; on a new floor, put it into the middle."""
-        place = self._region_of(cell, scrolled=False)
+        place = self._region_of(square, scrolled=False)
         if not centre:
             place = place.grow((_MARGIN,) * 4)
         self.scroll_to_region(place, animate=False, force=True, center=centre, immediate=True)
 
-    def _region_of(self, cell: Cell, *, scrolled: bool = True) -> Region:
-        assert self._grid is not None
-        bounds = self._grid.bounds
-        place = Offset((cell.x - bounds.left) * self._columns, bounds.top - cell.y)
+    def _region_of(self, square: Cell, *, scrolled: bool = True) -> Region:
+        bounds = self._bounds
+        place = Offset((square.x - bounds.left) * self._columns, bounds.top - square.y) + self._rulers
         return Region.from_offset(place - self.scroll_offset if scrolled else place, Size(self._columns, 1))
 
     @property
     def cursor_screen_offset(self) -> Offset:
         """Braille displays and console readers look where the terminal's cursor is: here."""
-        if self._grid is None:
+        if self.scale is None:
             return self.content_region.offset
-        return self.content_region.offset + self._region_of(self.cell).offset
+        return self.content_region.offset + self._region_of(self._square).offset
 
     # --- exploring
 
     def action_explore(self, east: int, north: int) -> None:
-        if self._grid is None:
+        """One square further, whatever a square is."""
+        if self.pointer is not None and self.scale is not None:
+            factor = self.scale.factor
+            self.explore(lambda pointer: pointer.move(east * factor, north * factor))
+
+    def explore(self, change: Callable[[Pointer], object]) -> None:
+        """Move the finger."""
+        if self.pointer is None:
             return
-        bounds, cell = self._grid.bounds, self.cell
-        x = min(max(cell.x + east, bounds.left), bounds.right)
-        y = min(max(cell.y + north, bounds.bottom), bounds.top)
-        self._explore(cell._replace(x=x, y=y))
-
-    def action_robot(self) -> None:
-        if self._grid is not None:
-            self._explore(None)
-
-    def _explore(self, cell: Cell | None) -> None:
-        before = self.cell
-        self._explored = cell
-        self.refresh(self._region_of(before), self._region_of(self.cell))
-        self._follow(self.cell)
+        before = self._square
+        change(self.pointer)
+        self.refresh(self._region_of(before), self._region_of(self._square))
+        self._follow(self._square)
         self.post_message(self.Explored())
 
     # --- painting
@@ -155,38 +242,72 @@ class MapView(ScrollView, can_focus=True):
     def render_line(self, y: int) -> Strip:
         """One row of the window, equal neighbours joined into one segment."""
         base = self.rich_style
-        if self._grid is None:
+        if self.scale is None:
             return Strip.blank(self.size.width, base)
-        bounds = self._grid.bounds
-        north = bounds.top - y - self.scroll_offset.y
-        if north < bounds.bottom:
-            return Strip.blank(self.size.width, base)
+        ruler_x, ruler_y = self._rulers
+        if y < ruler_y:
+            return self._top_ruler()
+        north = self._bounds.top - (y - ruler_y) - self.scroll_offset.y
+        floor = self._floor_row(north).crop_extend(0, self.size.width - ruler_x, base)
+        return Strip.join([self._left_ruler(north), floor]) if ruler_x else floor
+
+    def _floor_row(self, north: int) -> Strip:
+        assert self.scale is not None
+        if north < self._bounds.bottom:
+            return Strip.blank(self.size.width, self.rich_style)
         first, last = self._visible_columns()
-        segments = [self._segment(self._grid.robot._replace(x=x, y=north)) for x in range(first, last)]
+        segments = [self._segment(self.scale.robot._replace(x=x, y=north)) for x in range(first, last)]
         strip = Strip(Segment.simplify(segments))
-        cut = self.scroll_offset.x - (first - bounds.left) * self._columns
-        return strip.crop_extend(cut, cut + self.size.width, base)
+        cut = self.scroll_offset.x - (first - self._bounds.left) * self._columns
+        return strip.crop_extend(cut, cut + self.size.width, self.rich_style)
 
     def _visible_columns(self) -> tuple[int, int]:
-        assert self._grid is not None
-        bounds = self._grid.bounds
-        first = bounds.left + self.scroll_offset.x // self._columns
-        return first, min(bounds.right + 1, first + self.size.width // self._columns + 2)
+        first = self._bounds.left + self.scroll_offset.x // self._columns
+        return first, min(self._bounds.right + 1, first + self.size.width // self._columns + 2)
 
-    def _segment(self, cell: Cell) -> Segment:
-        assert self._grid is not None
-        kind = self._grid.kind(cell).value
-        look = self._look(kind)
-        if cell == self._explored and self.has_focus:
+    def _segment(self, square: Cell) -> Segment:
+        assert self.scale is not None
+        letter, kind = self.scale.shown(square)
+        label = self._written.get(square) if kind in ("free", "trail") else None
+        look = self._look("name" if label else kind)
+        if self.has_focus and self.is_exploring and square == self._square:
             look += Style(reverse=True)
-        letter = self._grid.letter(cell)
-        return Segment(letter + self._filling(kind, letter) if self._columns == 2 else letter, look)
+        return Segment(label or self._filled(kind, letter), look)
 
-    def _filling(self, kind: str, letter: str) -> str:
-        """The second column of a wide cell: walls and things are solid, all else is a letter and a blank."""
-        return letter if kind in _SOLID else " "
+    def _filled(self, kind: str, letter: str) -> str:
+        """The other columns of a wide square: walls and things are solid, else a letter and blanks."""
+        is_solid = kind == "wall" or kind.startswith("thing")
+        return letter * self._columns if is_solid else letter.ljust(self._columns)
 
     def _look(self, kind: str) -> Style:
         if kind not in self._looks:
-            self._looks[kind] = self.get_component_rich_style(f"map-view--{kind}")
+            known = kind if kind in _KINDS or kind[6:] in _COLOURS else "thing-gray"
+            self._looks[kind] = self.get_component_rich_style(f"map-view--{known}")
         return self._looks[kind]
+
+    # --- numbers
+
+    def _left_ruler(self, north: int) -> Strip:
+        place = self._place(self._bounds.left, north)[1]
+        words = (
+            f"{place:>{RULER - 1}} " if place % _EVERY == 0 and north >= self._bounds.bottom else " " * RULER
+        )
+        return Strip([Segment(words[-RULER:], self._look("ruler"))])
+
+    def _top_ruler(self) -> Strip:
+        first, last = self._visible_columns()
+        line = [" "] * (self.size.width + RULER)
+        for x in range(first, last):
+            place = self._place(x, self._bounds.bottom)[0]
+            at = (x - self._bounds.left) * self._columns - self.scroll_offset.x + RULER
+            if place % (_EVERY if self._columns > 1 else 2 * _EVERY) == 0 and at >= RULER:
+                for index, letter in enumerate(str(place)):
+                    if at + index < self.size.width:
+                        line[at + index] = letter
+        return Strip([Segment("".join(line)[: self.size.width], self._look("ruler"))])
+
+    def _place(self, x: int, y: int) -> tuple[int, int]:
+        assert self.scale is not None
+        return self.scale.scene.place(
+            self.scale.robot._replace(x=x * self.scale.factor, y=y * self.scale.factor)
+        )

@@ -205,6 +205,16 @@ class TextRows(ScrollView, can_focus=True):
         self.refresh()
         self.post_message(self.Read())
 
+    def search(self, wanted: str) -> bool:
+        """Read the nearest older line that has the text, else the newest that has; False if none has."""
+        folded = wanted.casefold()
+        hits = [at for at, line in enumerate(self._lines) if folded in line.casefold()]
+        if not hits:
+            return False
+        older = [at for at in hits if at < self.line]
+        self.read_line((older or hits)[-1])
+        return True
+
     # --- painting
 
     def render_line(self, y: int) -> Strip:

@@ -1,0 +1,100 @@
+"""A finger on the map: which square it is on, what is there in words, and where the next thing is.
+
+The same words as MAP and AROUND. Places are told as the robot sees them; from one square to another, from
+the first one as if the robot stood there.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, replace
+from math import hypot
+
+from donnie_tui.core.describe import name_of, place_of
+from donnie_tui.core.map_grid import Cell, Kind
+from donnie_tui.core.map_scene import MapScene
+from donnie_tui.core.wording import Wording
+
+
+@dataclass(slots=True)
+class Pointer:
+    """Where the finger is. ``cell`` None: on the robot, wherever that goes."""
+
+    scene: MapScene
+    cell: Cell | None = None
+    marked: Cell | None = None
+    """From here to there: where *here* is."""
+
+    @property
+    def here(self) -> Cell:
+        return self.cell or self.scene.robot
+
+    def move(self, east: int, north: int) -> None:
+        """To another cell, no further than the floor goes."""
+        bounds, cell = self.scene.bounds, self.here
+        x = min(max(cell.x + east, bounds.left), bounds.right)
+        y = min(max(cell.y + north, bounds.bottom), bounds.top)
+        self.cell = Cell(x, y)
+
+    def to_robot(self) -> None:
+        self.cell = None
+
+    def to_next_thing(self, forward: bool) -> bool:
+        """To the next thing by its distance from the robot; False if there is none."""
+        order = self._things_by_distance()
+        if not order:
+            return False
+        index = order.index(self.here) if self.here in order else (-1 if forward else 0)
+        self.cell = order[(index + (1 if forward else -1)) % len(order)]
+        return True
+
+    def _things_by_distance(self) -> list[Cell]:
+        scene, pose = self.scene, self.scene.pose
+        cells = [scene.cell_at(each.x, each.y) for each in scene.things]
+        cells += scene.others.values()
+        distances = {
+            cell: hypot(scene.place(cell)[0] - pose.x, scene.place(cell)[1] - pose.y) for cell in cells
+        }
+        return sorted(distances, key=lambda cell: (distances[cell], cell))
+
+    def mark(self) -> None:
+        self.marked = self.here
+
+    # --- in words
+
+    def words(self, wording: Wording) -> str:
+        """What is under the finger and where that is from the robot."""
+        x, y = self.scene.place(self.here)
+        place = place_of(x, y, self.scene.pose, wording)
+        return wording("map-square", x=x, y=y, what=content(self.scene, self.here, wording), place=place)
+
+    def way(self, wording: Wording) -> str:
+        """From the marked square to this one; the robot's own where none is marked."""
+        from_x, from_y = self.scene.place(self.marked or self.scene.robot)
+        x, y = self.scene.place(self.here)
+        pose = replace(self.scene.pose, x=float(from_x), y=float(from_y))
+        place = place_of(x, y, pose, wording)
+        return wording("map-way", from_x=from_x, from_y=from_y, x=x, y=y, place=place)
+
+
+def content(scene: MapScene, cell: Cell, wording: Wording) -> str:
+    """What a square shows, a thing with its colour and a robot with its name."""
+    kind, thing = scene.kind(cell), scene.thing(cell)
+    if kind is Kind.OTHER:
+        return scene.robot_at(cell) or wording("cell-other")
+    if kind is not Kind.THING:
+        return wording(f"cell-{kind.value}")
+    if thing is None:
+        return scene.letter(cell)
+    return wording("cell-thing", name=name_of(thing, wording), colour=wording(f"colour-{thing.colour}"))
+
+
+def legend(scene: MapScene, wording: Wording) -> tuple[str, ...]:
+    """What the letters of the map mean, those of the things of this floor last."""
+    letters: dict[str, str] = {}
+    for thing in scene.things:
+        letters.setdefault(thing.letter, name_of(thing, wording))
+    fixed = ("robot", "start", "trail", "wall", "ray", "free")
+    return (
+        *(wording(f"legend-{each}") for each in fixed),
+        *(wording("map-legend", letter=letter, name=name) for letter, name in sorted(letters.items())),
+    )

@@ -1,0 +1,336 @@
+"""What the full screen says beyond running and files: the map, the editor, settings, lists.
+
+``action-NAME`` is the purpose of an action of the screen alone, ``setting-KEY`` the name of a setting and
+``value-KEY-VALUE`` one of its values.
+"""
+
+from donnie_tui.i18n.sentence import Sentence
+
+_MAP = {
+    "cell-other": Sentence("another robot", "outro robô", "otro robot"),
+    "cell-ray": Sentence(
+        "free, seen by a sensor", "livre, visto por um sensor", "libre, visto por un sensor"
+    ),
+    "cell-thing": Sentence("{name}, {colour}", "{name}, {colour}", "{name}, {colour}"),
+    "map-way": Sentence(
+        "From {from_x}, {from_y} to {x}, {y}: {place}.",
+        "De {from_x}, {from_y} até {x}, {y}: {place}.",
+        "De {from_x}, {from_y} a {x}, {y}: {place}.",
+    ),
+    "map-marked": Sentence("From {x}, {y}.", "De {x}, {y}.", "De {x}, {y}."),
+    "map-shows-all": Sentence(
+        "All of the map, {steps} {steps:step|steps} a square.",
+        "O mapa inteiro, {steps} {steps:passo|passos} por quadrado.",
+        "Todo el mapa, {steps} {steps:paso|pasos} por cuadro.",
+    ),
+    "map-follows": Sentence(
+        "The map follows Donnie, {steps} {steps:step|steps} a square.",
+        "O mapa segue o Donnie, {steps} {steps:passo|passos} por quadrado.",
+        "El mapa sigue a Donnie, {steps} {steps:paso|pasos} por cuadro.",
+    ),
+    "legend-title": Sentence("Legend", "Legenda", "Leyenda"),
+    "legend-robot": Sentence(
+        "^ > v < is Donnie, looking north, east, south, west; / and \\ between them.",
+        "^ > v < é o Donnie, virado para norte, leste, sul, oeste; / e \\ entre eles.",
+        "^ > v < es Donnie, mirando al norte, este, sur, oeste; / y \\ entre ellos.",
+    ),
+    "legend-start": Sentence("A is the start.", "A é o início.", "A es el inicio."),
+    "legend-trail": Sentence("o is the trail.", "o é o rastro.", "o es el rastro."),
+    "legend-wall": Sentence("# is wall.", "# é parede.", "# es pared."),
+    "legend-ray": Sentence(
+        "' is where a sensor looked last.",
+        "' é por onde um sensor olhou por último.",
+        "' es por donde miró un sensor por último.",
+    ),
+    "legend-free": Sentence(". is free floor.", ". é chão livre.", ". es suelo libre."),
+    "screen-names-on": Sentence("Names on the map.", "Nomes no mapa.", "Nombres en el mapa."),
+    "screen-names-off": Sentence("No names on the map.", "Sem nomes no mapa.", "Sin nombres en el mapa."),
+    "screen-coordinates-on": Sentence(
+        "Coordinates beside the map.", "Coordenadas ao lado do mapa.", "Coordenadas junto al mapa."
+    ),
+    "screen-coordinates-off": Sentence("No coordinates.", "Sem coordenadas.", "Sin coordenadas."),
+}
+
+_EDITOR = {
+    "status-mistake": Sentence(
+        "Program, line {line} of {lines}: {message}",
+        "Programa, linha {line} de {lines}: {message}",
+        "Programa, línea {line} de {lines}: {message}",
+    ),
+    "status-mistake-meant": Sentence(
+        "Program, line {line} of {lines}: {message} {key} puts {meant}.",
+        "Programa, linha {line} de {lines}: {message} {key} põe {meant}.",
+        "Programa, línea {line} de {lines}: {message} {key} pone {meant}.",
+    ),
+    "screen-nothing-to-complete": Sentence(
+        "No word begins like this.", "Nenhuma palavra começa assim.", "Ninguna palabra empieza así."
+    ),
+    "screen-nothing-to-fix": Sentence(
+        "No mistakes were found.", "Nenhum erro foi encontrado.", "No se encontró ningún error."
+    ),
+    "screen-no-fix": Sentence(
+        "I don't know what was meant.", "Não sei o que se queria dizer.", "No sé qué se quería decir."
+    ),
+    "screen-fixed": Sentence(
+        "Line {line}: {word} now.", "Linha {line}: agora {word}.", "Línea {line}: ahora {word}."
+    ),
+    "screen-break-on": Sentence(
+        "Line {line} has a breakpoint.",
+        "A linha {line} tem um ponto de parada.",
+        "La línea {line} tiene un punto de parada.",
+    ),
+    "screen-break-off": Sentence(
+        "Line {line} has no breakpoint now.",
+        "A linha {line} não tem mais ponto de parada.",
+        "La línea {line} ya no tiene punto de parada.",
+    ),
+    "screen-not-found": Sentence(
+        "{word} is not in the program.", "{word} não está no programa.", "{word} no está en el programa."
+    ),
+    "screen-replaced": Sentence(
+        "{count} {count:time|times} replaced.",
+        "{count} {count:vez substituída|vezes substituídas}.",
+        "{count} {count:vez reemplazada|veces reemplazadas}.",
+    ),
+    "screen-formatted": Sentence("Laid out anew.", "Formatado de novo.", "Formateado de nuevo."),
+    "screen-not-formatted": Sentence(
+        "There is a mistake in line {line}; it must be mended first.",
+        "Há um erro na linha {line}; é preciso corrigi-lo antes.",
+        "Hay un error en la línea {line}; hay que corregirlo antes.",
+    ),
+    "screen-no-way": Sentence(
+        "There is no such line from here.", "Daqui não há essa linha.", "Desde aquí no hay esa línea."
+    ),
+    "screen-no-recent": Sentence(
+        "No program was opened yet.", "Nenhum programa foi aberto ainda.", "Todavía no se abrió un programa."
+    ),
+    "screen-turned-to": Sentence("Now {name}.", "Agora {name}.", "Ahora {name}."),
+    "screen-no-pager": Sentence(
+        "There is no pager here; SAVE LOG writes the log into a file.",
+        "Não há um paginador aqui; SALVAR REGISTRO grava o registro num arquivo.",
+        "No hay un paginador aquí; GUARDAR REGISTRO escribe el registro en un archivo.",
+    ),
+    "screen-is-visual": Sentence(
+        "This is the full screen.", "Esta é a tela cheia.", "Esta es la pantalla completa."
+    ),
+    "program-changed": Sentence(
+        "{name}, {lines} {lines:line|lines}, changed",
+        "{name}, {lines} {lines:linha|linhas}, alterado",
+        "{name}, {lines} {lines:línea|líneas}, cambiado",
+    ),
+    "program-kept": Sentence(
+        "{name}, {lines} {lines:line|lines}",
+        "{name}, {lines} {lines:linha|linhas}",
+        "{name}, {lines} {lines:línea|líneas}",
+    ),
+    "another-program": Sentence("another, empty program", "outro programa, vazio", "otro programa, vacío"),
+}
+
+_QUESTIONS = {
+    "ask-search": Sentence("Search for:", "Procurar:", "Buscar:"),
+    "ask-replace-by": Sentence(
+        "Instead of {word}, everywhere:",
+        "No lugar de {word}, em todo lugar:",
+        "En lugar de {word}, en todas partes:",
+    ),
+    "ask-translate": Sentence(
+        "Keywords in which language", "Palavras-chave em que idioma", "Palabras clave en qué idioma"
+    ),
+    "ask-line": Sentence("Line:", "Linha:", "Línea:"),
+    "ask-recent": Sentence("Recent programs", "Programas recentes", "Programas recientes"),
+    "ask-programs": Sentence("Open programs", "Programas abertos", "Programas abiertos"),
+    "ask-save-log": Sentence(
+        "Write the log into the file:", "Gravar o registro no arquivo:", "Escribir el registro en el archivo:"
+    ),
+    "settings-title": Sentence("Settings", "Configurações", "Configuración"),
+    "lines-title": Sentence("{title}. Esc goes back", "{title}. Esc volta", "{title}. Esc vuelve"),
+    "manual-title": Sentence(
+        "GoDonnie, the manual. Esc goes back",
+        "GoDonnie, o manual. Esc volta",
+        "GoDonnie, el manual. Esc vuelve",
+    ),
+    "menu-title": Sentence(
+        "Now one of these keys. Esc goes back",
+        "Agora uma destas teclas. Esc volta",
+        "Ahora una de estas teclas. Esc vuelve",
+    ),
+    "help-typed-theme": Sentence("light", "claro", "claro"),
+    "help-menu": Sentence(
+        "Ctrl+K: lists the keys that come behind it.",
+        "Ctrl+K: lista as teclas que vêm depois dela.",
+        "Ctrl+K: lista las teclas que vienen detrás.",
+    ),
+}
+
+_ON_OFF = (("on", "on", "ligado", "sí"), ("off", "off", "desligado", "no"))
+
+_VALUES = {
+    "theme": (
+        ("dark", "dark", "escuro", "oscuro"),
+        ("light", "light", "claro", "claro"),
+        ("contrast", "high contrast", "alto contraste", "alto contraste"),
+        ("terminal", "the terminal's own", "o do terminal", "el del terminal"),
+    ),
+    "lang": (
+        ("en", "English", "inglês", "inglés"),
+        ("pt", "Portuguese", "português", "portugués"),
+        ("es", "Spanish", "espanhol", "español"),
+    ),
+    "verbosity": (
+        ("brief", "brief", "breve", "breve"),
+        ("normal", "normal", "normal", "normal"),
+        ("full", "full", "completo", "completo"),
+    ),
+    "speech": (
+        ("auto", "automatic", "automática", "automática"),
+        ("off", "off", "desligada", "no"),
+        ("tts", "own voice", "voz própria", "voz propia"),
+        ("text", "text only", "só texto", "solo texto"),
+        ("ssip", "speech-dispatcher", "speech-dispatcher", "speech-dispatcher"),
+        ("robot", "at the robot", "no robô", "en el robot"),
+    ),
+    "motion": (("full", "full", "completo", "completo"), ("reduced", "reduced", "reduzido", "reducido")),
+    "sound": _ON_OFF,
+    "plain": _ON_OFF,
+    "mouse": _ON_OFF,
+    "completion": _ON_OFF,
+}
+
+_SETTINGS = {
+    "setting-row": Sentence("{name}: {value}.", "{name}: {value}.", "{name}: {value}."),
+    "setting-theme": Sentence("Look", "Aparência", "Aspecto"),
+    "setting-lang": Sentence("Language", "Idioma", "Idioma"),
+    "setting-verbosity": Sentence("Detail", "Detalhe", "Detalle"),
+    "setting-speed": Sentence("Speed", "Velocidade", "Velocidad"),
+    "setting-speech": Sentence("Voice", "Voz", "Voz"),
+    "setting-sound": Sentence("Sound", "Som", "Sonido"),
+    "setting-plain": Sentence("Plain layout", "Tela simples", "Pantalla sencilla"),
+    "setting-motion": Sentence("Motion", "Movimento", "Movimiento"),
+    "setting-mouse": Sentence("Mouse", "Mouse", "Ratón"),
+    "setting-completion": Sentence("Completion", "Completar palavras", "Completar palabras"),
+    "setting-keys": Sentence("Keys", "Teclas", "Teclas"),
+    "setting-speed-wanted": Sentence(
+        "A number from 0.1 to 1000, or max:",
+        "Um número de 0.1 a 1000, ou max:",
+        "Un número de 0.1 a 1000, o max:",
+    ),
+    "setting-keys-wanted": Sentence(
+        "Actions and keys, such as run f9, step f10:",
+        "Ações e teclas, como run f9, step f10:",
+        "Acciones y teclas, como run f9, step f10:",
+    ),
+    **{
+        f"value-{key}-{value}": Sentence(en, pt, es)
+        for key, values in _VALUES.items()
+        for value, en, pt, es in values
+    },
+}
+
+_ACTIONS = {
+    f"action-{name}": Sentence(en, pt, es)
+    for name, en, pt, es in (
+        ("zoom_in", "Shows the map nearer.", "Mostra o mapa mais de perto.", "Muestra el mapa más de cerca."),
+        ("zoom_out", "Shows more of the map.", "Mostra mais do mapa.", "Muestra más del mapa."),
+        (
+            "whole_map",
+            "Shows all, or follows Donnie.",
+            "Mostra tudo, ou segue o Donnie.",
+            "Muestra todo, o sigue a Donnie.",
+        ),
+        (
+            "names",
+            "Writes names on the map, or not.",
+            "Escreve nomes no mapa, ou não.",
+            "Escribe nombres en el mapa, o no.",
+        ),
+        (
+            "coordinates",
+            "Shows coordinates, or not.",
+            "Mostra coordenadas, ou não.",
+            "Muestra coordenadas, o no.",
+        ),
+        (
+            "legend",
+            "Tells what the letters mean.",
+            "Diz o que as letras significam.",
+            "Dice qué significan las letras.",
+        ),
+        ("next_thing", "Goes to the next thing.", "Vai para a próxima coisa.", "Va a la cosa siguiente."),
+        (
+            "previous_thing",
+            "Goes to the thing before.",
+            "Vai para a coisa anterior.",
+            "Va a la cosa anterior.",
+        ),
+        (
+            "to_robot",
+            "Goes back to Donnie on the map.",
+            "Volta ao Donnie no mapa.",
+            "Vuelve a Donnie en el mapa.",
+        ),
+        (
+            "from_here",
+            "Marks this square of the map.",
+            "Marca este quadrado do mapa.",
+            "Marca este cuadro del mapa.",
+        ),
+        (
+            "to_there",
+            "Tells the way from the mark.",
+            "Diz o caminho desde a marca.",
+            "Dice el camino desde la marca.",
+        ),
+        (
+            "complete",
+            "Lists words that may follow.",
+            "Lista palavras que cabem aqui.",
+            "Lista palabras que caben aquí.",
+        ),
+        (
+            "fix",
+            "Puts what was probably meant.",
+            "Põe o que se queria dizer.",
+            "Pone lo que se quería decir.",
+        ),
+        ("search", "Searches in the program.", "Procura no programa.", "Busca en el programa."),
+        (
+            "search_again",
+            "Searches for the same again.",
+            "Procura o mesmo outra vez.",
+            "Busca lo mismo otra vez.",
+        ),
+        (
+            "replace",
+            "Replaces words of the program.",
+            "Substitui palavras do programa.",
+            "Reemplaza palabras del programa.",
+        ),
+        ("go_to", "Goes to a line.", "Vai para uma linha.", "Va a una línea."),
+        ("format", "Lays the program out.", "Formata o programa.", "Formatea el programa."),
+        ("translate", "Translates the keywords.", "Traduz as palavras-chave.", "Traduce las palabras clave."),
+        ("recent", "Lists recent programs.", "Lista programas recentes.", "Lista programas recientes."),
+        (
+            "programs",
+            "Lists the open programs.",
+            "Lista os programas abertos.",
+            "Lista los programas abiertos.",
+        ),
+        ("theme", "Chooses the look.", "Escolhe a aparência.", "Elige el aspecto."),
+        (
+            "plain",
+            "One column, or all panes.",
+            "Uma coluna, ou todos os painéis.",
+            "Una columna, o todos los paneles.",
+        ),
+        ("settings", "Lists all settings.", "Lista as configurações.", "Lista la configuración."),
+        ("manual", "Shows the manual.", "Mostra o manual.", "Muestra el manual."),
+        (
+            "open_log",
+            "Shows the log in the pager.",
+            "Mostra o registro no paginador.",
+            "Muestra el registro en el paginador.",
+        ),
+    )
+}
+
+SENTENCES = _MAP | _EDITOR | _QUESTIONS | _SETTINGS | _ACTIONS

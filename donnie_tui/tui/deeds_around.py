@@ -1,0 +1,113 @@
+"""What the actions about the screen itself do: the look, the layout, settings, the lists, the manual."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+from donnie_tui.settings import THEMES
+from donnie_tui.tui.running import Answer
+from donnie_tui.tui.screens.chooser import Choice
+from language.source import fold_name
+
+if TYPE_CHECKING:
+    from donnie_tui.tui.work import Work
+
+
+class AroundDeeds:
+    """One method an action. Those that ask something are coroutines."""
+
+    def __init__(self, host: Work) -> None:
+        self._host = host
+
+    async def theme(self, argument: str) -> None:
+        await self._choose("theme", THEMES, argument)
+
+    async def language(self, argument: str) -> None:
+        await self._choose("lang", ("en", "pt", "es"), argument)
+
+    async def detail(self, argument: str) -> None:
+        await self._choose("verbosity", ("brief", "normal", "full"), argument)
+
+    async def _choose(self, key: str, values: tuple[str, ...], typed: str) -> None:
+        """One of a few values, typed in any language or chosen from a list."""
+        words = self._host.words
+        names = {value: words(f"value-{key}-{value}") for value in values}
+        meant = {fold_name(each): value for value, name in names.items() for each in (value, name)}
+        chosen = meant.get(fold_name(typed)) if typed else None
+        if chosen is None:
+            current = self._host.preferences.value(key)
+            rows = [Choice(value, name, value == current) for value, name in names.items()]
+            chosen = await self._host.choose(words(f"setting-{key}"), rows)
+        if chosen is not None:
+            self._host.prefer(key, chosen)
+
+    def plain(self, _argument: str) -> None:
+        self._host.prefer("plain", not self._host.workplace.is_plain)
+
+    async def settings(self, _argument: str) -> None:
+        """One setting after the other, until somebody goes back."""
+        words = self._host.words
+        chosen: str | None = ""
+        while chosen is not None:
+            rows = [
+                Choice(
+                    each.key, words("setting-row", name=words(f"setting-{each.key}"), value=each.told(words))
+                )
+                for each in self._host.preferences.all
+            ]
+            at = next((index for index, row in enumerate(rows) if row.value == chosen), 0)
+            rows[at] = Choice(rows[at].value, rows[at].text, True)
+            chosen = await self._host.choose(words("settings-title"), rows)
+            if chosen is not None:
+                await self._change(chosen)
+
+    async def _change(self, key: str) -> None:
+        values = self._host.preferences.values(key)
+        if values:
+            await self._choose(key, values, "")
+            return
+        words, preferences = self._host.words, self._host.preferences
+
+        def wrong(typed: str) -> str | None:
+            return None if preferences.understands(key, typed) else words(f"setting-{key}-wanted")
+
+        asked = words(f"setting-{key}-wanted")
+        typed = await self._host.ask(asked, value=str(preferences.value(key) or ""), accepts=wrong)
+        if typed is not None:
+            self._host.prefer(key, typed)
+
+    async def manual(self, argument: str) -> None:
+        """The language, chapter by chapter; with a word, what is said of it."""
+        if argument:
+            self._host.show_lines(argument, self._host.words.help(argument))
+        else:
+            self._host.show_manual()
+
+    async def recent(self, _argument: str) -> None:
+        paths = self._host.files.recent
+        if not paths:
+            self._host.tell(Answer("screen-no-recent"))
+            return
+        rows = [Choice(str(path), f"{path.name}, {path.parent}") for path in paths]
+        chosen = await self._host.choose(self._host.words("ask-recent"), rows)
+        if chosen:
+            await self._host.files.open(chosen)
+
+    async def programs(self, _argument: str) -> None:
+        """The open programs; another one may be begun without closing any."""
+        files, words = self._host.files, self._host.words
+        rows = [
+            Choice(str(at), name, is_current) for at, (name, is_current) in enumerate(files.open_programs)
+        ]
+        rows.append(Choice("new", words("another-program")))
+        chosen = await self._host.choose(words("ask-programs"), rows)
+        if chosen is not None:
+            files.turn_to(None if chosen == "new" else int(chosen))
+
+    def open_log(self, _argument: str) -> None:
+        self._host.open_log()
+
+    async def save_log(self, argument: str) -> None:
+        name = argument or await self._host.ask(self._host.words("ask-save-log"), value="log.txt")
+        if name:
+            self._host.save_log(name)

@@ -1,0 +1,143 @@
+"""What the actions that tell something do: the surroundings, the map in words, what was said, mistakes.
+
+The sentences are the core's, the same as in the linear mode.
+"""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+from donnie_tui.core import map_words
+from donnie_tui.core.answer_log import spelled
+from donnie_tui.core.around import around_in_words
+from donnie_tui.core.map_grid import MapGrid
+from donnie_tui.core.transcript import lines_of
+from donnie_tui.i18n.catalogue.signs import CODE_OF
+from donnie_tui.tui.running import Answer
+
+if TYPE_CHECKING:
+    from donnie_tui.tui.work import Work
+
+_TRAIL = 5
+"""Moves that TRAIL tells without a number."""
+_FARTHEST = 10**7
+
+
+def numbers_in(typed: str) -> tuple[int, ...]:
+    """The whole numbers at the beginning of what was typed."""
+    found = []
+    for word in typed.replace(",", " ").split():
+        if not (word.lstrip("-").isdecimal() and len(word) < 9):
+            break
+        found.append(max(-_FARTHEST, min(_FARTHEST, int(word))))
+    return tuple(found)
+
+
+class TellingDeeds:
+    """One method an action."""
+
+    def __init__(self, host: Work) -> None:
+        self._host = host
+        self._error = 0
+
+    # --- where things are
+
+    @property
+    def _grid(self) -> MapGrid:
+        return self._host.display.scene.grid
+
+    def where(self, _argument: str) -> None:
+        self._host.tell_position()
+
+    def around(self, argument: str) -> None:
+        pose = self._host.pose
+        self._tell(*around_in_words(self._grid, pose, self._host.words, absolute=bool(argument)))
+
+    def map(self, argument: str) -> None:
+        place, words, pose = numbers_in(argument), self._host.words, self._host.pose
+        if len(place) == 2:
+            self._tell(map_words.square_in_words(self._grid, *place, pose, words))
+        else:
+            self._tell(*map_words.map_in_words(self._grid.picture, pose, words))
+
+    def map_row(self, argument: str) -> None:
+        for number in numbers_in(argument)[:1]:
+            self._tell(*map_words.row_in_words(self._grid, number, self._host.words))
+
+    def map_column(self, argument: str) -> None:
+        for number in numbers_in(argument)[:1]:
+            self._tell(*map_words.column_in_words(self._grid, number, self._host.words))
+
+    def map_picture(self, _argument: str) -> None:
+        lines = map_words.picture_in_letters(self._grid, self._host.words)
+        self._host.show_lines(self._host.words("key-show_map"), lines)
+
+    def trail(self, argument: str) -> None:
+        count = next(iter(numbers_in(argument)), _TRAIL)
+        self._tell(*self._host.trail.in_words(max(1, count), self._host.words))
+
+    # --- what was said
+
+    def last(self, argument: str) -> None:
+        which = next(iter(numbers_in(argument)), 1)
+        self._tell(*(self._host.answers.last(which) or (self._host.words("answer-nothing-said"),)))
+
+    def last_word(self, _argument: str) -> None:
+        line = next(iter(self._host.answers.last()[-1:]), "")
+        word = next(iter(line.split()[-1:]), "").strip(".,:;!?")
+        self._tell(word or self._host.words("answer-nothing-said"))
+
+    def spell(self, argument: str) -> None:
+        which = next(iter(numbers_in(argument)), 1)
+        line = next(iter(self._host.answers.last(which)[-1:]), "")
+        self._tell(*spelled(line, CODE_OF, self._host.words))
+
+    def find(self, argument: str) -> None:
+        found = self._host.answers.found(argument)
+        self._tell(*(found or (self._host.words("find-none", word=argument[:40]),)))
+        self._host.workplace.log_rows.search(argument)
+
+    # --- mistakes
+
+    def errors(self, _argument: str) -> None:
+        errors = self._host.errors
+        if not errors:
+            self._host.tell(Answer("answer-no-errors"))
+        for error in errors:
+            self._tell(*lines_of(error, self._host.words))
+
+    def error(self, _argument: str) -> None:
+        self._tell_error(self._error)
+
+    def error_next(self, _argument: str) -> None:
+        self._tell_error(self._error + 1)
+
+    def error_previous(self, _argument: str) -> None:
+        self._tell_error(self._error - 1)
+
+    def _tell_error(self, which: int) -> None:
+        errors = self._host.errors
+        if not errors:
+            self._host.tell(Answer("answer-no-errors"))
+            return
+        self._error = min(max(0, which), len(errors) - 1)
+        error = errors[self._error]
+        self._host.workplace.editor.go_to(error.line, error.column)
+        self._tell(*lines_of(error, self._host.words))
+
+    def _tell(self, *sentences: str) -> None:
+        self._host.tell_sentences(*sentences)
+
+    def explain(self, _argument: str) -> None:
+        """The last mistake in plain words, and what to do."""
+        errors = self._host.errors
+        if not errors:
+            self._host.tell(Answer("answer-no-errors"))
+            return
+        error = errors[min(self._error, len(errors) - 1)]
+        self._host.workplace.editor.go_to(error.line, error.column)
+        self._tell(self._host.words(f"explain-{error.kind}"), self._host.words(f"mend-{error.kind}"))
+
+    def world(self, _argument: str) -> None:
+        """The world in words."""
+        self._host.tell_world()

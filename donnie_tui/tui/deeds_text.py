@@ -1,0 +1,216 @@
+"""What the actions about the text do: completing, mending, searching, moving in it, laying it out."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from typing import TYPE_CHECKING
+
+from donnie_tui.core.documents import lines_in
+from donnie_tui.core.reading import ProgramText, line_in_words, place_in_words
+from donnie_tui.core.transcript import printable
+from donnie_tui.tui.deeds_telling import numbers_in
+from donnie_tui.tui.mistakes import mended
+from donnie_tui.tui.running import Answer
+from donnie_tui.tui.screens.chooser import Choice
+from language.formatter import formatted
+
+if TYPE_CHECKING:
+    from donnie_tui.tui.work import Work
+
+LANGUAGES = ("en", "pt", "es")
+
+
+class TextDeeds:
+    """One method an action. Those that ask something are coroutines."""
+
+    def __init__(self, host: Work) -> None:
+        self._host = host
+        self._editor = host.workplace.editor
+        self._searched = ""
+
+    # --- words and mistakes
+
+    async def complete(self, _argument: str) -> None:
+        editor = self._editor
+        editor.focus()
+        found = self._host.completion(editor.text, editor.offset_of_cursor)
+        if not found.words:
+            self._host.tell(Answer("screen-nothing-to-complete"))
+            return
+        word, letter = await self._host.choose_word(found.words, editor.cursor_screen_offset)
+        if word:
+            editor.put_in_place_of(found.typed, word)
+        elif letter:
+            editor.insert(letter)
+
+    def fix(self, _argument: str) -> None:
+        """What was probably meant, in the place of what stands there."""
+        self._host.check_now()
+        mistake = self._editor.next_mistake
+        if mistake is None or not mistake.meant:
+            self._host.tell(Answer("screen-nothing-to-fix" if mistake is None else "screen-no-fix"))
+            return
+        text = mended(self._editor.text, mistake)
+        self._put(text, mistake.start + len(mistake.meant))
+        self._host.tell(Answer("screen-fixed", {"line": mistake.line, "word": mistake.meant}))
+        self._host.check_now()
+
+    def break_(self, argument: str) -> None:
+        line = next(iter(numbers_in(argument)), self._editor.line)
+        if not 1 <= line <= self._editor.line_count:
+            self._host.tell(Answer("answer-no-line", {"line": line}))
+            return
+        is_set = self._editor.toggle_breakpoint(line)
+        self._host.running.break_at(self._editor.breakpoints)
+        self._host.tell(Answer("screen-break-on" if is_set else "screen-break-off", {"line": line}))
+
+    # --- searching
+
+    async def search(self, argument: str) -> None:
+        wanted = argument or await self._host.ask(self._host.words("ask-search"), value=self._searched)
+        if wanted:
+            self._searched = wanted
+            self._search(wanted)
+
+    def search_again(self, _argument: str) -> None:
+        if self._searched:
+            self._search(self._searched)
+
+    def _search(self, wanted: str) -> None:
+        """From the cursor on, and once round; accents and size of letters don't matter."""
+        at = self._found(wanted, self._editor.offset_of_cursor)
+        if at is None:
+            self._host.tell(Answer("screen-not-found", {"word": printable(wanted[:40])}))
+            return
+        row, column = self._editor.location_of(at)
+        self._editor.focus()
+        self._editor.selection = type(self._editor.selection)((row, column), (row, column + len(wanted)))
+        self._host.tell(Answer("answer-line", {"line": row + 1, "text": self._line(row)}))
+
+    def _found(self, wanted: str, start: int) -> int | None:
+        text, folded = self._editor.text.casefold(), wanted.casefold()
+        at = text.find(folded, start)
+        at = text.find(folded) if at < 0 else at
+        return None if at < 0 else at
+
+    async def replace(self, argument: str) -> None:
+        wanted = argument or await self._host.ask(self._host.words("ask-search"), value=self._searched)
+        if not wanted:
+            return
+        instead = await self._host.ask(self._host.words("ask-replace-by", word=wanted))
+        if instead is None:
+            return
+        count = self._editor.text.count(wanted)
+        if count:
+            self._put(self._editor.text.replace(wanted, instead), self._editor.offset_of_cursor)
+        self._host.tell(Answer("screen-replaced", {"count": count}))
+
+    def undo(self, _argument: str) -> None:
+        self._editor.undo()
+
+    # --- layout
+
+    def format(self, _argument: str) -> None:
+        self._lay_out(None)
+
+    async def translate(self, argument: str) -> None:
+        words = self._host.words
+        chosen = argument.strip().lower()[:2]
+        if chosen not in LANGUAGES:
+            rows = [Choice(each, words(f"language-{each}")) for each in LANGUAGES]
+            chosen = await self._host.choose(words("ask-translate"), rows) or ""
+        if chosen:
+            self._lay_out(chosen)
+
+    def _lay_out(self, language: str | None) -> None:
+        result = formatted(self._editor.text, language)
+        if result.text is None:
+            first = result.diagnostics[0]
+            self._host.tell(Answer("screen-not-formatted", {"line": first.span.line}))
+            return
+        line = self._editor.line
+        self._put(result.text.removesuffix("\n"), 0)
+        self._editor.go_to(line)
+        self._host.tell(Answer("screen-formatted"))
+
+    def _put(self, text: str, at: int) -> None:
+        """Another text as one edit, which can be undone."""
+        self._editor.replace(text, (0, 0), self._editor.document.end)
+        self._editor.move_cursor(self._editor.location_of(at))
+
+    # --- moving
+
+    async def go_to(self, argument: str) -> None:
+        typed = argument or await self._host.ask(self._host.words("ask-line"))
+        for line in numbers_in(typed or "")[:1]:
+            self._go_to(min(max(1, line), self._editor.line_count))
+
+    async def outline(self, _argument: str) -> None:
+        lines = self._text.outline_lines
+        words = self._host.words
+        if not lines:
+            self._host.tell(Answer("outline-none"))
+            return
+        rows = [
+            Choice(
+                str(each.number), words("answer-line", line=each.number, text="  " * each.level + each.text)
+            )
+            for each in lines
+        ]
+        chosen = await self._host.choose(words("outline-count", count=len(lines)), rows)
+        if chosen:
+            self._go_to(int(chosen))
+
+    @property
+    def _text(self) -> ProgramText:
+        return ProgramText(lines_in(self._editor.text))
+
+    def _line(self, row: int) -> str:
+        return printable(self._editor.document.get_line(row).strip())
+
+    def _go_to(self, line: int | None) -> None:
+        """To a line, telling it as the linear mode does; or that there is none to go to."""
+        text = self._text
+        if line is None or not 1 <= line <= len(text):
+            self._host.tell(Answer("screen-no-way"))
+            return
+        before = text.line(min(self._editor.line, len(text)))
+        self._editor.go_to(line)
+        self._editor.focus()
+        self._host.tell_sentences(line_in_words(text.line(line), before, self._host.words))
+
+    def read(self, argument: str) -> None:
+        self._go_to(next(iter(numbers_in(argument)), self._editor.line))
+
+    def next(self, _argument: str) -> None:
+        self._go_to(self._editor.line + 1)
+
+    def back(self, _argument: str) -> None:
+        self._go_to(self._editor.line - 1)
+
+    def first(self, _argument: str) -> None:
+        self._go_to(1)
+
+    def last_line(self, _argument: str) -> None:
+        self._go_to(len(self._text))
+
+    def up(self, _argument: str) -> None:
+        self._go_to(self._move(ProgramText.up))
+
+    def down(self, _argument: str) -> None:
+        self._go_to(self._move(ProgramText.down))
+
+    def next_same(self, _argument: str) -> None:
+        self._go_to(self._move(ProgramText.next_same))
+
+    def back_same(self, _argument: str) -> None:
+        self._go_to(self._move(ProgramText.back_same))
+
+    def _move(self, way: Callable[[ProgramText, int], int | None]) -> int | None:
+        text = self._text
+        return way(text, self._editor.line) if 1 <= self._editor.line <= len(text) else None
+
+    def place(self, _argument: str) -> None:
+        text = self._text
+        if 1 <= self._editor.line <= len(text):
+            self._host.tell_sentences(*place_in_words(text, self._editor.line, self._host.words))

@@ -1,0 +1,48 @@
+"""Outside the full screen: the log in the pager, and its last lines on the normal screen at the end."""
+
+from __future__ import annotations
+
+import os
+import shlex
+import shutil
+import subprocess
+import sys
+import tempfile
+from collections.abc import Mapping, Sequence
+from pathlib import Path
+
+LEFT_BEHIND = 20
+"""Lines of the log that stay on the normal screen."""
+
+
+def leave_behind(lines: Sequence[str]) -> None:
+    """What was told last, where the shell goes on: it can be read again there."""
+    from donnie_tui.core.transcript import printable
+
+    try:
+        for line in lines[-LEFT_BEHIND:]:
+            sys.stdout.write(f"{printable(line)}\n")
+        sys.stdout.flush()
+    except (OSError, ValueError):
+        return
+
+
+def pager(environment: Mapping[str, str]) -> list[str] | None:
+    """The command that shows a text: what the person chose, else less or more; None where there is none."""
+    try:
+        wanted = [shlex.split(environment.get("PAGER", "")), ["less"], ["more"]]
+    except ValueError:
+        wanted = [["less"], ["more"]]
+    return next((each for each in wanted if each and shutil.which(each[0])), None)
+
+
+def show_in_pager(text: str) -> bool:
+    """Wait until it was read. False where there is no pager."""
+    command = pager(os.environ)
+    if command is None:
+        return False
+    with tempfile.TemporaryDirectory() as folder:
+        file = Path(folder) / "log.txt"
+        file.write_text(text, encoding="utf-8", errors="replace")
+        subprocess.run([*command, str(file)], check=False)
+    return True

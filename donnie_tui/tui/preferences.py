@@ -1,0 +1,98 @@
+"""What can be chosen while the screen is there: the values, how they are told, and keeping them.
+
+Pure but for the settings file. Whoever applies a choice to the screen asks here for its value.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass, replace
+from typing import Any
+
+from donnie_tui import settings_file
+from donnie_tui.core.documents import DocumentError
+from donnie_tui.core.wording import Wording
+from donnie_tui.settings import KEYS, LANGUAGES, MOTION, THEMES, VERBOSITY, Settings
+
+_SWITCH = ("on", "off")
+
+CHOICES: dict[str, tuple[str, ...]] = {
+    "theme": THEMES,
+    "lang": LANGUAGES,
+    "verbosity": VERBOSITY,
+    "speed": (),
+    "speech": ("auto", "off", "tts"),
+    "sound": _SWITCH,
+    "plain": _SWITCH,
+    "motion": MOTION,
+    "mouse": _SWITCH,
+    "completion": _SWITCH,
+    "keys": (),
+}
+"""What each can be; an empty one is typed."""
+
+_KEY = {each.key: each for each in KEYS}
+
+
+@dataclass(frozen=True, slots=True)
+class Preference:
+    """One setting and what it is now."""
+
+    key: str
+    value: object
+
+    def told(self, words: Wording) -> str:
+        if CHOICES[self.key]:
+            return words(f"value-{self.key}-{_as_value(self.value)}")
+        if self.key == "speed" and self.value is None:
+            return words("speed-max")
+        return f"{self.value:g}" if isinstance(self.value, float) else str(self.value or "-")
+
+
+class Preferences:
+    """The settings of this start, changed as somebody chooses."""
+
+    def __init__(self, settings: Settings, environment: Mapping[str, str]) -> None:
+        self.settings = settings
+        self._environment = environment
+
+    @property
+    def all(self) -> tuple[Preference, ...]:
+        return tuple(Preference(key, getattr(self.settings, _KEY[key].name)) for key in CHOICES)
+
+    def value(self, key: str) -> str:
+        """As it is written in the settings file."""
+        return _as_value(getattr(self.settings, _KEY[key].name))
+
+    def values(self, key: str) -> tuple[str, ...]:
+        return CHOICES[key]
+
+    def understands(self, key: str, typed: str) -> bool:
+        try:
+            _KEY[key].read(typed)
+        except ValueError:
+            return False
+        return True
+
+    def choose(self, key: str, typed: str) -> object:
+        """From now on; the value. Raises ``ValueError``."""
+        value = _KEY[key].read(typed)
+        changed: dict[str, Any] = {_KEY[key].name: value}  # read as its field is
+        self.settings = replace(self.settings, **changed)
+        return value
+
+    def keep(self, key: str) -> DocumentError | None:
+        """Write it into the settings file; what kept it from being written."""
+        value = getattr(self.settings, _KEY[key].name)
+        written = value if isinstance(value, bool | float) else _as_value(value)
+        try:
+            settings_file.remember(key, written, self._environment)
+        except DocumentError as problem:
+            return problem
+        return None
+
+
+def _as_value(value: object) -> str:
+    if isinstance(value, bool) or value is None:
+        return "on" if value else "off"
+    return f"{value:g}" if isinstance(value, float) else str(value)

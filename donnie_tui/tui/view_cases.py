@@ -1,0 +1,43 @@
+"""What can be asked for that is about the screen alone: how the map is shown, the look, the lists.
+
+Declared like the use cases of the core, and never with a word of theirs. The linear mode has no need of them:
+it tells the same in words.
+"""
+
+from __future__ import annotations
+
+from donnie_tui.core.use_cases import UseCase, When
+
+_ALWAYS = When.ALWAYS
+
+VIEW_CASES = (
+    # --- the map
+    UseCase("zoom_in", "ZOOM IN", "APROXIMAR", "ACERCAR", _ALWAYS),
+    UseCase("zoom_out", "ZOOM OUT", "AFASTAR", "ALEJAR", _ALWAYS),
+    UseCase("whole_map", "WHOLE MAP", "MAPA INTEIRO", "MAPA ENTERO", _ALWAYS),
+    UseCase("names", "NAMES", "NOMES", "NOMBRES", _ALWAYS),
+    UseCase("coordinates", "COORDINATES", "COORDENADAS", "COORDENADAS", _ALWAYS),
+    UseCase("legend", "LEGEND", "LEGENDA", "LEYENDA", _ALWAYS),
+    UseCase("next_thing", "NEXT THING", "PRÓXIMA COISA", "COSA SIGUIENTE", _ALWAYS),
+    UseCase("previous_thing", "PREVIOUS THING", "COISA ANTERIOR", "COSA ANTERIOR", _ALWAYS),
+    UseCase("to_robot", "TO ROBOT", "AO ROBÔ", "AL ROBOT", _ALWAYS),
+    UseCase("from_here", "FROM HERE", "DAQUI", "DESDE AQUÍ", _ALWAYS),
+    UseCase("to_there", "TO THERE", "ATÉ ALI", "HASTA ALLÍ", _ALWAYS),
+    # --- the editor
+    UseCase("complete", "COMPLETE", "COMPLETAR", "COMPLETAR", _ALWAYS),
+    UseCase("fix", "FIX", "CORRIGIR", "CORREGIR", _ALWAYS),
+    UseCase("search", "SEARCH", "PROCURAR", "LOCALIZAR", _ALWAYS, "word"),
+    UseCase("search_again", "SEARCH AGAIN", "PROCURAR DE NOVO", "LOCALIZAR OTRA VEZ", _ALWAYS),
+    UseCase("replace", "REPLACE", "SUBSTITUIR", "REEMPLAZAR", _ALWAYS, "word"),
+    UseCase("go_to", "GO TO", "IR PARA", "IR A", _ALWAYS, "line"),
+    UseCase("format", "FORMAT", "FORMATAR", "FORMATEAR", _ALWAYS),
+    UseCase("translate", "TRANSLATE", "TRADUZIR", "TRADUCIR", _ALWAYS, "language"),
+    UseCase("recent", "RECENT", "RECENTES", "RECIENTES"),
+    UseCase("programs", "PROGRAMS", "PROGRAMAS", "PROGRAMAS"),
+    # --- around
+    UseCase("theme", "THEME", "TEMA", "TEMA", _ALWAYS, "theme"),
+    UseCase("plain", "PLAIN", "SIMPLES", "SENCILLO", _ALWAYS),
+    UseCase("settings", "SETTINGS", "CONFIGURAÇÕES", "CONFIGURACIÓN", _ALWAYS),
+    UseCase("manual", "MANUAL", "MANUAL", "MANUAL", _ALWAYS, "word"),
+    UseCase("open_log", "LOG", "REGISTRO", "REGISTRO", _ALWAYS),
+)

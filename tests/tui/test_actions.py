@@ -1,0 +1,139 @@
+"""Every action, done by its word, by the palette and by its key."""
+
+import pytest
+
+from donnie_tui.core.use_cases import USE_CASES, find
+from donnie_tui.i18n.catalogue import SENTENCES
+from donnie_tui.i18n.sentence import LANGUAGES
+from donnie_tui.tui.actions import ACTIONS, BY_NAME, CASES, MENU, key_label, with_keys
+from donnie_tui.tui.view_cases import VIEW_CASES
+from language.keywords import canonical
+
+ARGUMENTS = {
+    "run_to": "2",
+    "break_": "1",
+    "speed": "7",
+    "read": "2",
+    "go_to": "2",
+    "search": "FW",
+    "find": "Donnie",
+    "map": "0 0",
+    "map_row": "0",
+    "map_column": "0",
+    "theme": "light",
+    "language": "en",
+    "detail": "full",
+    "translate": "pt",
+    "manual": "FW",
+    "save_log": "told.txt",
+    "save": "kept.gd",
+    "save_as": "other.gd",
+    "open": "kept.gd",
+    "last": "1",
+}
+LEAVING = ("quit", "linear")
+PROGRAM = "VAR a = 3\nREPEAT 2 TIMES\nFW a TR 90\nEND REPEAT\nFWD 1"
+
+
+@pytest.fixture(autouse=True)
+def own_folders(tmp_path, monkeypatch):
+    """Settings and files of a test stay its own."""
+    monkeypatch.setenv("XDG_CONFIG_HOME", str(tmp_path / "config"))
+    monkeypatch.chdir(tmp_path)
+
+
+async def back_to_the_workplace(desk) -> None:
+    while desk.app.screen is not desk.place:
+        await desk.press("escape")
+        await desk.pilot.pause()
+
+
+async def test_every_word_does_something_that_is_seen_or_told(work):
+    async with work(PROGRAM, world="living_room") as desk:
+        silent = []
+        for action in ACTIONS:
+            if action.name in LEAVING or action.hidden:
+                continue
+            desk.app.work.load(PROGRAM)
+            await desk.pilot.pause()
+            desk.place.command_line.focus()
+            await desk.pilot.pause()
+            before = (desk.screen, len(desk.log))
+            typed = f"{action.word('en')} {ARGUMENTS.get(action.name, '')}".strip()
+            desk.app.on_command_line_typed(type(desk.place.command_line).Typed(typed))
+            for _ in range(50):
+                await desk.pilot.pause(0.02)
+                if (
+                    desk.app.screen is not desk.place
+                    or desk.screen != before[0]
+                    or len(desk.log) > before[1] + 1
+                ):
+                    break
+            else:
+                silent.append(action.name)
+            await back_to_the_workplace(desk)
+            await desk.idle()
+
+        assert silent == []
+
+
+@pytest.mark.parametrize("language", LANGUAGES)
+def test_words_of_the_screen_alone_are_nobody_else_s(language):
+    for case in VIEW_CASES:
+        assert canonical(case.word(language)) is None
+        assert find(case.word(language)) is None or find(case.word(language))[1]
+
+
+def test_every_action_has_a_purpose_and_is_reached_by_key_or_palette_and_word():
+    for action in ACTIONS:
+        assert f"action-{action.name}" in SENTENCES
+        assert all(action.word(language) for language in LANGUAGES)
+    assert {each.name for each in CASES} >= set(BY_NAME)
+
+
+def test_no_key_does_two_things():
+    keys = [key for action in ACTIONS for key in action.keys]
+
+    assert sorted(keys) == sorted(set(keys))
+
+
+def test_a_key_may_be_given_to_another_action():
+    keys = with_keys("step f5, nonsense f6, run ctrl+k 9")
+
+    assert keys["step"][0] == "f5"
+    assert "f5" not in keys["run"]
+    assert keys["run"][0] == "ctrl+k 9"
+    assert keys["pause"] == ("f6",)
+
+
+def test_keys_are_told_as_they_are_on_the_keyboard():
+    assert key_label("ctrl+k left_square_bracket") == "Ctrl+K ["
+    assert key_label("escape") == "Esc"
+    assert key_label("ctrl+s") == "Ctrl+S"
+
+
+@pytest.mark.parametrize("name", [each.name for each in ACTIONS if any(MENU in key for key in each.keys)])
+async def test_a_letter_behind_the_menu_key_does_its_action(work, name, monkeypatch):
+    done = []
+    async with work("FW 1") as desk:
+        monkeypatch.setattr(desk.app.work, "do", lambda name, argument="": done.append(name))
+        key = next(key for key in BY_NAME[name].keys if MENU in key)
+        await desk.press(*key.split())
+        await desk.until(lambda: done, name)
+
+    assert done == [name]
+
+
+async def test_the_menu_key_lists_its_letters_and_esc_goes_back(work):
+    async with work() as desk:
+        await desk.press(MENU)
+        await desk.until(lambda: "Ctrl+K" not in desk.screen and "Esc goes back" in desk.screen, "the menu")
+        assert "A: WHOLE MAP: Shows all, or follows Donnie." in desk.screen
+        await desk.press("escape")
+        await desk.until(lambda: desk.app.screen is desk.place, "the workplace")
+
+
+async def test_every_use_case_of_the_core_is_known_to_the_screen_or_told_to_be_missing(work):
+    from tests.unit.core.test_use_cases import NOT_YET_ON_THE_SCREEN
+
+    assert {each.name for each in USE_CASES} - set(BY_NAME) == NOT_YET_ON_THE_SCREEN
