@@ -98,7 +98,7 @@ class AudioService:
             return self._conductor.languages
 
     def wait_until_ready(self, seconds: float) -> bool:
-        """Wait until the worker is ready or never will be, ``seconds`` at most; False if that was not enough."""
+        """Wait until the worker is ready or never will be, ``seconds`` at most; False if not in time."""
         settled = (State.READY, State.SILENT, State.GIVEN_UP, State.CLOSED)
         with self._changed:
             return self._changed.wait_for(lambda: self._conductor.state in settled, seconds)
