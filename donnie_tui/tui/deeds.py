@@ -15,13 +15,13 @@ from donnie_tui.tui.deeds_text import TextDeeds
 from donnie_tui.tui.running import Answer, Doing
 
 if TYPE_CHECKING:
-    from donnie_tui.tui.work import Work
+    from donnie_tui.tui.host import WorkHost
 
 
 class Deeds:
     """Does them. Those that ask something are coroutines."""
 
-    def __init__(self, host: Work) -> None:
+    def __init__(self, host: WorkHost) -> None:
         self._host = host
         self._parts = (self, MapDeeds(host), TellingDeeds(host), TextDeeds(host), AroundDeeds(host))
 

@@ -10,13 +10,13 @@ from donnie_tui.tui.screens.chooser import Choice
 from language.source import fold_name
 
 if TYPE_CHECKING:
-    from donnie_tui.tui.work import Work
+    from donnie_tui.tui.host import WorkHost
 
 
 class AroundDeeds:
     """One method an action. Those that ask something are coroutines."""
 
-    def __init__(self, host: Work) -> None:
+    def __init__(self, host: WorkHost) -> None:
         self._host = host
 
     async def theme(self, argument: str) -> None:

@@ -11,13 +11,13 @@ from donnie_tui.core.pointing import Pointer, legend
 from donnie_tui.tui.running import Answer
 
 if TYPE_CHECKING:
-    from donnie_tui.tui.work import Work
+    from donnie_tui.tui.host import WorkHost
 
 
 class MapDeeds:
     """One method an action."""
 
-    def __init__(self, host: Work) -> None:
+    def __init__(self, host: WorkHost) -> None:
         self._host = host
         self._map = host.workplace.map
 

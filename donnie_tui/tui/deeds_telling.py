@@ -16,7 +16,7 @@ from donnie_tui.i18n.catalogue.signs import CODE_OF
 from donnie_tui.tui.running import Answer
 
 if TYPE_CHECKING:
-    from donnie_tui.tui.work import Work
+    from donnie_tui.tui.host import WorkHost
 
 _TRAIL = 5
 """Moves that TRAIL tells without a number."""
@@ -36,7 +36,7 @@ def numbers_in(typed: str) -> tuple[int, ...]:
 class TellingDeeds:
     """One method an action."""
 
-    def __init__(self, host: Work) -> None:
+    def __init__(self, host: WorkHost) -> None:
         self._host = host
         self._error = 0
 

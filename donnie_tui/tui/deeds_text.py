@@ -15,7 +15,7 @@ from donnie_tui.tui.screens.chooser import Choice
 from language.formatter import formatted
 
 if TYPE_CHECKING:
-    from donnie_tui.tui.work import Work
+    from donnie_tui.tui.host import WorkHost
 
 LANGUAGES = ("en", "pt", "es")
 
@@ -23,7 +23,7 @@ LANGUAGES = ("en", "pt", "es")
 class TextDeeds:
     """One method an action. Those that ask something are coroutines."""
 
-    def __init__(self, host: Work) -> None:
+    def __init__(self, host: WorkHost) -> None:
         self._host = host
         self._editor = host.workplace.editor
         self._searched = ""

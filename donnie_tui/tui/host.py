@@ -1,0 +1,92 @@
+"""The work, as far as actions need it: what they may ask for, and whom they may tell."""
+
+from __future__ import annotations
+
+from collections.abc import Awaitable, Callable, Sequence
+from typing import Protocol
+
+from textual.geometry import Offset
+
+from devices.ports.robot import Pose
+from donnie_tui.core.answer_log import AnswerLog
+from donnie_tui.core.completion import Completion
+from donnie_tui.core.events import Error
+from donnie_tui.core.trail import Trail
+from donnie_tui.i18n.words import Words
+from donnie_tui.tui.display import Display
+from donnie_tui.tui.files import Files
+from donnie_tui.tui.preferences import Preferences
+from donnie_tui.tui.running import Answer, Running
+from donnie_tui.tui.screens.chooser import Choice
+from donnie_tui.tui.screens.workplace import Workplace
+
+
+class WorkHost(Protocol):
+    """What ``Work`` is to the deeds."""
+
+    words: Words
+    workplace: Workplace
+    running: Running
+    files: Files
+    display: Display
+    preferences: Preferences
+    answers: AnswerLog
+    trail: Trail
+    errors: tuple[Error, ...]
+
+    @property
+    def pose(self) -> Pose: ...
+
+    # --- telling and asking
+
+    def tell(self, answer: Answer | None) -> None: ...
+
+    def tell_sentences(self, *sentences: str) -> None: ...
+
+    def tell_position(self) -> None: ...
+
+    def tell_world(self) -> None: ...
+
+    def show_lines(self, title: str, lines: Sequence[str]) -> None: ...
+
+    def show_manual(self) -> None: ...
+
+    def show_help(self) -> None: ...
+
+    def ask(
+        self, asked: str, value: str = "", accepts: Callable[[str], str | None] | None = None
+    ) -> Awaitable[str | None]: ...
+
+    def choose(self, title: str, choices: Sequence[Choice]) -> Awaitable[str | None]: ...
+
+    def choose_word(self, words: Sequence[str], below: Offset) -> Awaitable[tuple[str, str]]: ...
+
+    # --- the text, the settings, the log
+
+    def completion(self, text: str, at: int) -> Completion: ...
+
+    def check_now(self) -> None: ...
+
+    def prefer(self, key: str, typed: object) -> None: ...
+
+    def open_log(self) -> None: ...
+
+    def save_log(self, name: str) -> None: ...
+
+    # --- the robot
+
+    def show_pose(self) -> None: ...
+
+    def step_back(self) -> None: ...
+
+    def connect(self, argument: str) -> Awaitable[None]: ...
+
+    def feel(self, argument: str) -> None: ...
+
+    # --- the screen
+
+    def look(self) -> None: ...
+
+    def switch_to_linear(self) -> None: ...
+
+    def leave(self) -> None: ...
