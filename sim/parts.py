@@ -2,8 +2,9 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
+from math import dist
 
 from sim.colours import Colour
 from sim.geometry import Edge, Point, edges, placed, seen_from
@@ -28,6 +29,10 @@ class Part:
     top: float
     points: tuple[Point, ...]
     outline: tuple[Edge, ...]
+    middle: Point
+    """Of a circle around all of it."""
+    reach: float
+    """That circle's radius."""
     solid: bool
     seen: bool
     """Whether rangers see it."""
@@ -48,6 +53,7 @@ class Part:
             self.top,
             tuple(points),
             edges(points),
+            *_circle(points),
             self.solid,
             self.seen,
             self.colour,
@@ -68,6 +74,7 @@ def parts_of(scene: Scene) -> Iterator[Part]:
 def _part(
     model: Model, rank: int, points: tuple[Point, ...], bottom: float, top: float, is_robot: bool
 ) -> Part:
+    middle, reach = _circle(points)
     return Part(
         rank=rank,
         root=model.root,
@@ -77,8 +84,17 @@ def _part(
         top=top,
         points=points,
         outline=edges(points),
+        middle=middle,
+        reach=reach,
         solid=model.solid or is_robot,
         seen=model.seen,
         colour=model.colour,
         blob=model.blob_return != 0,
     )
+
+
+def _circle(points: Sequence[Point]) -> tuple[Point, float]:
+    """A circle around a polygon, not the smallest one."""
+    xs, ys = zip(*points, strict=True)
+    middle = (min(xs) + max(xs)) / 2, (min(ys) + max(ys)) / 2
+    return middle, max(dist(middle, point) for point in points)

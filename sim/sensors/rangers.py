@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 from dataclasses import dataclass
-from math import ceil, cos, inf, radians
+from math import ceil, cos, dist, inf, radians
 from random import Random
 
 from devices.ports.robot import STEP
@@ -36,6 +36,8 @@ class Cone:
         place = spot.mounted(self.x, self.y, self.yaw + turned)
         nearest = inf
         for part in self._candidates(around, place):
+            if part.reach + min(nearest, self.maximum) < dist(part.middle, (place.x, place.y)):
+                continue
             if contains(part.points, place.x, place.y):
                 return 0.0
             for yaw, half_angle in self._wedges(place.yaw):
@@ -61,7 +63,21 @@ class Cone:
 
     def _candidates(self, around: Around, place: Spot) -> Iterator[Part]:
         parts = around.within(*_box(place, self.half_angle, self.maximum))
-        return (part for part in parts if part.seen and at_height(part, self.height))
+        ahead, aside = direction(place.yaw), direction(self.half_angle)
+        return (
+            part
+            for part in parts
+            if part.seen and at_height(part, self.height) and self._may_reach(part, place, ahead, aside)
+        )
+
+    def _may_reach(self, part: Part, place: Spot, ahead: Point, aside: Point) -> bool:
+        """Whether the circle round the part comes into a narrow cone: a quick look before the exact one."""
+        if self.half_angle > 45.0:
+            return True
+        dx, dy = part.middle[0] - place.x, part.middle[1] - place.y
+        along = dx * ahead[0] + dy * ahead[1]
+        across = abs(dy * ahead[0] - dx * ahead[1])
+        return across * aside[0] - along * aside[1] <= part.reach + 1e-9 and along >= -part.reach
 
 
 def _box(place: Spot, half_angle: float, maximum: float) -> tuple[float, float, float, float]:
