@@ -21,6 +21,7 @@ from donnie_tui.core.team import Team
 from donnie_tui.core.until_said import UntilSaid
 from donnie_tui.device_settings import SERIAL, SIMULATED
 from donnie_tui.i18n.words import Words
+from donnie_tui.moved_things import ThingWatch
 from donnie_tui.settings import Settings, Source
 from donnie_tui.tangible import belt_settings, connect_belt
 from donnie_tui.unusable import Unusable
@@ -187,6 +188,7 @@ def make_team(
     from sim.world import World
 
     shared, stream = World(world.scene, seed=settings.seed), Stream()
+    moved_things = ThingWatch(shared)
     names = tuple(dict.fromkeys(world.scene.models[index].name for index in world.scene.robots))
 
     def make_session(name: str) -> Session:
@@ -201,6 +203,7 @@ def make_team(
             belt=belt_settings(settings),
             name=shown_as,
             stream=stream,
+            moved_things=moved_things,
             until_said=until_said,
         )
 

@@ -23,6 +23,7 @@ from donnie_tui.core.events import (
     Turned,
     Waited,
 )
+from donnie_tui.core.handling import Handling, MovedThings
 from donnie_tui.core.history import History
 from donnie_tui.core.hub import Hub
 from donnie_tui.core.telling import Teller
@@ -71,6 +72,7 @@ class RobotActions:
         *,
         goes_on: Callable[[], bool],
         until_said: UntilSaid | None = None,
+        moved_things: MovedThings = lambda: None,
     ) -> None:
         """``goes_on`` is asked in the midst of what may take long: False ends it."""
         self._robot = robot
@@ -79,6 +81,7 @@ class RobotActions:
         self._tell = teller
         self.past = History()
         self._belt = belt
+        self.handling = Handling(robot, hub, teller, moved_things)
         self._said = until_said or UntilSaid()
 
     def forget(self) -> None:
@@ -144,6 +147,7 @@ class RobotActions:
         event = Moved(command, steps, done.walked, done.stopped_by, done.pose, forward)
         self.past.remember(event)
         self._hub.publish(event)
+        self.handling.tell_things()
         self._feel(done.stopped_by, Bearing.FRONT if forward else Bearing.BACK)
 
     def _turn(self, degrees: int, command: str, *, right: bool) -> None:
@@ -156,6 +160,7 @@ class RobotActions:
         event = Turned(command, degrees, turned, done.stopped_by, done.pose, right)
         self.past.remember(event)
         self._hub.publish(event)
+        self.handling.tell_things()
         to_the_right = right == (degrees >= 0)
         self._feel(done.stopped_by, Bearing.FRONT_RIGHT if to_the_right else Bearing.FRONT_LEFT)
 
@@ -184,9 +189,6 @@ class RobotActions:
         return self._read("position", axis.value, value[axis])
 
     def colour(self, colour: str) -> int:
-        """A robot that tells no colours apart says so: none seen would be invented."""
-        if not self._robot.colours:
-            raise _refused(RobotProblem("no-camera"))
         seen = sum(each.colour == colour for each in self._look())
         return self._read("colour", colour, seen)
 

@@ -20,7 +20,6 @@ from donnie_tui.core.events import (
     Moved,
     Outcome,
     Passing,
-    Pointed,
     Read,
     Reset,
     RunEnded,
@@ -87,7 +86,6 @@ class Announcer:
                 | Reset()
                 | Passing()
                 | Answered()
-                | Pointed()
             ):
                 pass
             case never:

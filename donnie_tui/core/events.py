@@ -235,14 +235,7 @@ class Answered:
     text: str
 
 
-@dataclass(frozen=True, slots=True)
-class Pointed:
-    """What is where somebody points on the map; shown in the status line and spoken, not kept; transient."""
-
-    text: str
-
-
-TRANSIENT = (Passing, Answered, Pointed)
+TRANSIENT = (Passing, Answered)
 
 Event: TypeAlias = (
     RunStarted
@@ -265,7 +258,6 @@ Event: TypeAlias = (
     | RunEnded
     | Passing
     | Answered
-    | Pointed
 )
 
 

@@ -26,8 +26,11 @@ from donnie_tui.core.events import (
     Waited,
     as_record,
 )
+from donnie_tui.core.handling import Deed
 from donnie_tui.core.runner import Run
 from donnie_tui.core.team import Assigned, Team
+
+_DEEDS = {each.value: each for each in Deed}
 
 
 class Tone(Protocol):
@@ -181,6 +184,8 @@ class _Checking:
         (robot, (started, how)) = next(iter(hows.items()))
         assert how is not None  # it is the first
         session = self._team.session(robot or self._team.names[0])
+        if how.deed in _DEEDS:
+            return (session.use_gripper(_DEEDS[how.deed]),)
         run = session.start(
             how.text,
             started.program,

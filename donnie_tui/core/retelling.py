@@ -10,10 +10,14 @@ from donnie_tui.core.events import (
     Announced,
     Error,
     Event,
+    GripperUsed,
+    Link,
     Moved,
     Reset,
     RunEnded,
     RunStarted,
+    Scanned,
+    SoundSwitched,
     Spoke,
     Stamped,
     Turned,
@@ -34,9 +38,10 @@ def told_back(undone: Iterable[Stamped], timeline: Timeline, wording: Wording) -
 
     ``undone`` is what ``Timeline.step_back`` gave; at the start of everything it is empty.
     """
-    done = next((each for each in undone if is_deed(each.event)), None)
-    if done is None:
+    events = tuple(undone)
+    if not events:
         return wording("undone-start")
+    done = next((each for each in events if is_deed(each.event)), events[-1])
     sentence = wording("undone", what=_what(done.event, wording))
     place = _place(done.event, timeline.pose(done.robot), wording)
     text = f"{sentence} {place}" if place else sentence
@@ -51,12 +56,16 @@ def _what(event: Event, wording: Wording) -> str:
             return _quoted(text)
         case Waited(seconds=seconds):
             return wording("undone-waited", seconds=seconds)
+        case GripperUsed(outcome=outcome):
+            return wording(f"undone-gripper-{outcome.value}")
         case Error(line=line):
             return wording("undone-error", line=line)
         case RunStarted(program=program):
             return wording("undone-run-started", program=_quoted(program))
-        case _:
+        case RunEnded() | Scanned() | SoundSwitched() | Link() | Reset():
             return wording(f"undone-{event_name(event).replace('_', '-')}")
+        case _:
+            return wording("undone-something")
 
 
 def _place(event: Event, pose: Pose | None, wording: Wording) -> str:

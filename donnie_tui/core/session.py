@@ -18,6 +18,7 @@ from donnie_tui.core.belt import BeltSettings
 from donnie_tui.core.belt_feeling import BeltFeeling
 from donnie_tui.core.documents import lines_in
 from donnie_tui.core.events import HowStarted, Outcome, Reset, RunStarted
+from donnie_tui.core.handling import Deed, DeedRun, MovedThings
 from donnie_tui.core.hub import Hub, Stream
 from donnie_tui.core.runner import Readable, Run, Stage, TakesTurns
 from donnie_tui.core.telling import Teller
@@ -76,10 +77,12 @@ class Session:
         name: str | None = None,
         stream: Stream | None = None,
         until_said: UntilSaid | None = None,
+        moved_things: MovedThings = lambda: None,
     ) -> None:
         """``terminal``: QUIT is allowed, and a name may be declared again by a later batch.
 
         ``name``: the robot's, where its world has several; ``stream``: the one that it shares with these.
+        ``moved_things`` tells where the things of the world are.
         """
         self._pace = _CurrentPace()
         self._began = 0.0
@@ -88,6 +91,7 @@ class Session:
         self.teller = Teller(self.hub, wording)
         self._belt_settings = belt or BeltSettings()
         self._own_robot, self._until_said = make_robot, until_said
+        self._moved_things = moved_things
         self._take(make_robot)
         self._announcer = Announcer(self.hub, self.teller, wording)
         self._memory = Memory()
@@ -106,6 +110,7 @@ class Session:
             self._belt,
             goes_on=self._pace.goes_on,
             until_said=self._until_said,
+            moved_things=self._moved_things,
         )
 
     # --- programs
@@ -155,8 +160,12 @@ class Session:
         first_line: int = 1,
         terminal: bool | None = None,
         together: tuple[str, ...] = (),
+        deed: Deed | None = None,
     ) -> Run:
-        """As ``start``, but the run waits for ``begin``: for robots that start ``together``."""
+        """As ``start``, but the run waits for ``begin``: for robots that start ``together``.
+
+        ``deed``: what the gripper does in place of a program.
+        """
         terminal = self._terminal if terminal is None else terminal
         with self._lock:
             if self._run is not None:
@@ -175,10 +184,17 @@ class Session:
                 self.wording.detail,
                 self.hub.robot is not None,
                 together,
+                "" if deed is None else deed.value,
             )
-            self._run = self._new_run(name, how, hooked or trace)
+            self._run = self._new_run(name, how, hooked or trace, deed)
             self._pace.control = self._run.control
             return self._run
+
+    def use_gripper(self, deed: Deed) -> Run:
+        """Close or open the robot's gripper, as a run of its own. Raises ``Busy`` while a program runs."""
+        run = self.claim("", deed.value, deed=deed)
+        self.begin(run)
+        return run
 
     def begin(self, run: Run) -> None:
         """Let a run go that was claimed."""
@@ -190,10 +206,12 @@ class Session:
         if isinstance(self._robot, TakesTurns):
             self._robot.leave()
 
-    def _new_run(self, name: str, how: HowStarted, hooked: bool) -> Run:
+    def _new_run(self, name: str, how: HowStarted, hooked: bool, deed: Deed | None) -> Run:
         control = ExecutionControl()
 
         def read() -> Readable:
+            if deed is not None:
+                return DeedRun(deed, self._actions.handling)
             parsed = self.parse(how.text, how.first_line)
             if parsed.program is None:
                 return parsed.diagnostics

@@ -30,8 +30,8 @@ from donnie_tui.core.events import (
 
 _TOLD_OF_A_DEED = ("moved", "turned", "scan", "sound", "link", "gripper")
 """Announcements that follow an event of their own; all others are what happened themselves."""
-_OF_PROGRESS = ("step-forward", "step-back", "turn-right", "turn-left")
-"""Cues that come before the movement that they are about has ended."""
+_OF_PROGRESS = ("step-forward", "step-back", "turn-right", "turn-left", "waiting")
+"""Cues that come before what they are about has ended."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -140,6 +140,8 @@ class Timeline:
             self._places.setdefault(stamped.robot, []).append(_Place(self.at, pose, begins))
         if isinstance(event, ThingsMoved):
             self._things.append((self.at, event.places))
+        elif self._things and isinstance(event, RunStarted) and _is_fresh(event) and stamped.robot is None:
+            self._things.append((self.at, ()))
 
     def _is_between_steps(self) -> bool:
         """Whether a step ended just before this position."""

@@ -165,7 +165,11 @@ SENTENCES: dict[str, Sentence] = {
     "undone-scanned": Sentence("looked around", "olhei em volta", "miré alrededor"),
     "undone-sound": Sentence("sound switched", "som mudado", "sonido cambiado"),
     "undone-link": Sentence("news of the line", "notícia da ligação", "noticia de la conexión"),
-    "undone-gripped": Sentence("gripper closed", "garra fechada", "pinza cerrada"),
-    "undone-released": Sentence("gripper opened", "garra aberta", "pinza abierta"),
+    "undone-gripper-gripped": Sentence("gripped", "peguei", "agarré"),
+    "undone-gripper-released": Sentence("let go", "soltei", "solté"),
+    "undone-gripper-nothing-there": Sentence("nothing gripped", "nada pego", "nada agarrado"),
+    "undone-gripper-holds-already": Sentence("nothing gripped", "nada pego", "nada agarrado"),
+    "undone-gripper-holds-nothing": Sentence("nothing let go", "nada solto", "nada soltado"),
+    "undone-something": Sentence("a moment", "um momento", "un momento"),
     "undone-reset": Sentence("back to the start", "volta ao começo", "vuelta al comienzo"),
 }

@@ -63,12 +63,22 @@ SENTENCES: dict[str, Sentence] = _cut_short() | {
         "No robot is connected.", "Nenhum robô está conectado.", "Ningún robot está conectado."
     ),
     # --- the gripper
-    "gripped": Sentence("I hold {thing}.", "Estou segurando {thing}.", "Tengo {thing}."),
-    "gripped-nothing": Sentence(
+    "gripper-gripped": Sentence("I hold {thing}.", "Estou segurando {thing}.", "Tengo {thing}."),
+    "gripper-gripped-something": Sentence("I hold it.", "Peguei.", "Lo tengo."),
+    "gripper-released": Sentence("I let go of {thing}.", "Soltei {thing}.", "Solté {thing}."),
+    "gripper-released-something": Sentence("I let go.", "Soltei.", "Solté."),
+    "gripper-nothing-there-something": Sentence(
         "There is nothing to grip.", "Não há nada para pegar.", "No hay nada para agarrar."
     ),
-    "released": Sentence("I let go of {thing}.", "Soltei {thing}.", "Solté {thing}."),
-    "released-nothing": Sentence("I hold nothing.", "Não estou segurando nada.", "No tengo nada."),
+    "gripper-holds-already": Sentence(
+        "I hold {thing} already.", "Já estou segurando {thing}.", "Ya tengo {thing}."
+    ),
+    "gripper-holds-already-something": Sentence(
+        "I hold something already.", "Já estou segurando algo.", "Ya tengo algo."
+    ),
+    "gripper-holds-nothing-something": Sentence(
+        "I hold nothing.", "Não estou segurando nada.", "No tengo nada."
+    ),
     # --- several at once
     "robot-unknown": Sentence(
         "There is no robot {name} here. There is {names}.",
@@ -91,6 +101,16 @@ SENTENCES: dict[str, Sentence] = _cut_short() | {
         "Solo un robot puede leer su programa de la entrada estándar.",
     ),
     "robot-chosen": Sentence("You talk to {name}.", "Você fala com {name}.", "Hablas con {name}."),
+    "robot-now-idle": Sentence(
+        "No robot runs anything.", "Nenhum robô está em ação.", "Ningún robot está en marcha."
+    ),
+    "robot-all-stopped": Sentence("All stopped.", "Todos parados.", "Todos detenidos."),
+    "robot-no-programs": Sentence(
+        "No robot has a program yet. START gives it one.",
+        "Nenhum robô tem programa. INICIAR dá um.",
+        "Ningún robot tiene programa. INICIAR da uno.",
+    ),
+    "robot-started": Sentence("{name} begins.", "{name} começa.", "{name} empieza."),
     "robot-busy": Sentence("{name} is busy.", "{name} está ocupado.", "{name} está ocupado."),
     "robot-listed": Sentence(
         "{name}: {x}, {y}, facing {facing}.",

@@ -7,7 +7,7 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from devices.ports.robot import StoppedBy
+from devices.ports.robot import Grip, StoppedBy
 from donnie_tui.core.event_stream import as_line
 from donnie_tui.core.events import (
     TRANSIENT,
@@ -16,14 +16,13 @@ from donnie_tui.core.events import (
     CueSounded,
     Error,
     Event,
-    Gripped,
+    GripperUsed,
     HowStarted,
     Link,
     Moved,
     Outcome,
     PlacedThing,
     Read,
-    Released,
     Reset,
     RunEnded,
     RunStarted,
@@ -40,7 +39,7 @@ from donnie_tui.core.events import (
 from donnie_tui.core.recorded_events import DamagedLineError, event_of, parse_line
 from tests.unit.core.values import HERE
 
-HOW = HowStarted("FW 1\n", 1, True, False, False, HERE, "pt", "brief", True, ("alice", "bob"))
+HOW = HowStarted("FW 1\n", 1, True, False, False, HERE, "pt", "brief", True, ("alice", "bob"), "")
 EVENTS: tuple[Event, ...] = (
     RunStarted("a.gd", "two", "alice", 3, "0.1", HOW),
     Statement(1, 2, 3),
@@ -53,8 +52,7 @@ EVENTS: tuple[Event, ...] = (
     Waited(2),
     CueSounded("found", -30.0, None),
     BeltShown((0,) * 14),
-    Gripped("box"),
-    Released(""),
+    GripperUsed(Grip.GRIPPED, "box"),
     ThingsMoved((PlacedThing("box", HERE, 7),)),
     Reset(HERE),
     SoundSwitched(False),

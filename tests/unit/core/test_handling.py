@@ -1,0 +1,127 @@
+"""Things that robots grip and push: told, and where they are now."""
+
+from functools import partial
+from pathlib import Path
+
+from donnie_tui.core.events import TRANSIENT, GripperUsed, RunEnded, RunStarted, Stamped, ThingsMoved
+from donnie_tui.core.handling import Deed
+from donnie_tui.core.session import Busy, Session
+from donnie_tui.core.timeline import Timeline
+from donnie_tui.core.transcript import told_lines
+from donnie_tui.i18n.words import Words
+from donnie_tui.moved_things import ThingWatch
+from sim.world import World
+from sim.worldfile import load_text
+from tests.floor import PATIENCE, Floor
+
+WORLD = """
+define box model ( size [ 0.05 0.05 0.2 ] gripper_return 1 )
+define hand position ( size [ 0.1 0.1 0.1 ] gripper( size [ 0.1 0.1 0.1 ] pose [ 0.1 0 0 0 ] ) )
+hand( name "hand" pose [ 0 0 0 90 ] )
+box( name "red box" pose [ 0 0.2 0 0 ] color "red" )
+"""
+
+
+class Room:
+    """A robot with a gripper, and a box four steps before it."""
+
+    def __init__(self) -> None:
+        world = World(load_text(WORLD, Path("room.world")))
+        self.words = Words()
+        self.session = Session(
+            lambda pace, watcher: partial(world.robot, pace=pace, watcher=watcher)(),
+            self.words,
+            world="room",
+            seed=0,
+            terminal=True,
+            moved_things=ThingWatch(world),
+        )
+        self.heard: list[Stamped] = []
+        self.session.hub.subscribe(self.heard.append)
+
+    def use(self, deed: Deed) -> None:
+        assert self.session.use_gripper(deed).wait(PATIENCE)
+
+    def run(self, text: str, *, fresh: bool = False) -> None:
+        assert self.session.start(text, "a.gd", fresh=fresh).wait(PATIENCE)
+
+    @property
+    def told(self) -> list[str]:
+        return [line for each in self.heard for line in told_lines(each, self.words)]
+
+    @property
+    def places(self) -> list[tuple[float, float]]:
+        """Where the box was told to be, each time."""
+        events = [each.event for each in self.heard if isinstance(each.event, ThingsMoved)]
+        return [(round(each.pose.x, 1), round(each.pose.y, 1)) for event in events for each in event.places]
+
+
+def test_without_a_gripper_that_is_told_and_nothing_is_an_event_of_it() -> None:
+    floor = Floor()
+
+    assert floor.session.use_gripper(Deed.GRIP).wait(PATIENCE)
+
+    assert floor.told == ["I have no gripper."]
+    assert isinstance(floor.events[0], RunStarted)
+    assert isinstance(floor.events[-1], RunEnded)
+
+
+def test_where_nothing_is_in_reach_nothing_is_held() -> None:
+    room = Room()
+
+    room.run("TR 180")
+    room.use(Deed.GRIP)
+    room.use(Deed.RELEASE)
+
+    assert room.told[-2:] == ["There is nothing to grip.", "I hold nothing."]
+
+
+def test_what_is_held_moves_along_and_where_it_is_is_told() -> None:
+    room = Room()
+
+    room.run("FW 1")
+    room.use(Deed.GRIP)
+    room.run("BW 5")
+    room.use(Deed.RELEASE)
+    room.run("BW 1")
+
+    assert "I hold red box." in room.told
+    assert "I let go of red box." in room.told
+    assert [each.event.outcome.value for each in room.heard if isinstance(each.event, GripperUsed)] == [
+        "gripped",
+        "released",
+    ]
+    assert room.places
+    x, y = room.places[-1]
+    assert x == 0.0
+    assert y < 4.0
+
+
+def test_a_gripper_can_not_be_used_while_a_program_runs() -> None:
+    floor = Floor(speed=50.0)
+    run = floor.session.start("WAIT 1000", "a.gd")
+
+    try:
+        floor.session.use_gripper(Deed.GRIP)
+    except Busy:
+        refused = True
+    floor.session.stop()
+
+    assert refused
+    assert run.wait(PATIENCE)
+
+
+def test_a_fresh_run_puts_everything_back_and_a_timeline_knows_it() -> None:
+    room = Room()
+    room.run("FW 1")
+    room.use(Deed.GRIP)
+    room.run("BW 5")
+    timeline = Timeline([each for each in room.heard if not isinstance(each.event, TRANSIENT)])
+    timeline.go_to(len(timeline))
+    assert timeline.things
+
+    room.run("FW 1", fresh=True)
+    timeline = Timeline([each for each in room.heard if not isinstance(each.event, TRANSIENT)])
+    timeline.go_to(len(timeline))
+
+    assert timeline.things == ()
