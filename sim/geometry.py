@@ -90,15 +90,29 @@ def nearest_on_edge(edge: Edge) -> Point:
     return ax + t * dx, ay + t * dy
 
 
-def in_wedge(edge: Edge, half_angle: float) -> Edge | None:
-    """The part of the edge within ``half_angle`` (at most 90) of the positive x axis, from the origin."""
+def nearest_in_wedge(outline: Iterable[Edge], half_angle: float) -> float:
+    """The distance from the origin to the nearest point of the edges within a wedge, or infinity.
+
+    The wedge reaches ``half_angle`` degrees (at most 90) to either side of the positive x axis.
+    """
     c, s = direction(half_angle)
+    nearest = inf
+    for edge in outline:
+        part = _in_wedge(edge, c, s)
+        if part is not None:
+            nearest = min(nearest, hypot(*nearest_on_edge(part)))
+    return nearest
+
+
+def _in_wedge(edge: Edge, c: float, s: float) -> Edge | None:
+    """The part of the edge within the wedge whose half angle has that cosine and sine."""
     ax, ay, bx, by = edge
+    left_a, left_b = s * ax - c * ay, s * bx - c * by
+    right_a, right_b = s * ax + c * ay, s * bx + c * by
+    if (left_a < 0.0 and left_b < 0.0) or (right_a < 0.0 and right_b < 0.0) or (ax < 0.0 and bx < 0.0):
+        return None
     start, end = 0.0, 1.0
-    for nx, ny in ((s, -c), (s, c), (1.0, 0.0)):
-        a, b = nx * ax + ny * ay, nx * bx + ny * by
-        if a < 0.0 and b < 0.0:
-            return None
+    for a, b in ((left_a, left_b), (right_a, right_b), (ax, bx)):
         if a < 0.0:
             start = max(start, a / (a - b))
         elif b < 0.0:
@@ -106,16 +120,6 @@ def in_wedge(edge: Edge, half_angle: float) -> Edge | None:
     if start > end:
         return None
     return ax + start * (bx - ax), ay + start * (by - ay), ax + end * (bx - ax), ay + end * (by - ay)
-
-
-def nearest_in_wedge(outline: Iterable[Edge], half_angle: float) -> float:
-    """The distance from the origin to the nearest point of the edges within the wedge, or infinity."""
-    nearest = inf
-    for edge in outline:
-        part = in_wedge(edge, half_angle)
-        if part is not None:
-            nearest = min(nearest, hypot(*nearest_on_edge(part)))
-    return nearest
 
 
 def disc_contact(radius: float, edge: Edge) -> float:
