@@ -92,6 +92,8 @@ class Connection:
         self._drive, self._until, self._lease_ends = Drive.STOP, 0.0, inf
         self._news: list[News] = []
         self._was_up = self._is_told_lost = self._is_told_low = False
+        self._has_restarted = False
+        """While the line was lost, and by itself: that is what is told when it is back."""
         self._heard_at = 0.0
         self._deadline = inf
         self._greets = self._is_greeted = False
@@ -109,6 +111,7 @@ class Connection:
         self._outbox.clear()
         self._instruments.rebase()
         self._await_answer(now)
+        self._has_restarted = False
         self._happens(Happening.OPENED, now)
 
     def failed(self, now: float, reason: str) -> None:
@@ -241,6 +244,7 @@ class Connection:
         self._instruments.rebase()
         if self.state is LinkState.STREAMING:
             self._news.append((LinkNews.RESTARTED, ""))
+        self._has_restarted = self._has_restarted or self.state is LinkState.LOST
         if self.state is not LinkState.WAITING:
             self._happens(Happening.RESTARTED, now)
         self._await_answer(now)
@@ -266,8 +270,8 @@ class Connection:
         if not self._was_up:
             self._news.append((LinkNews.CONNECTED, ""))
         elif self._is_told_lost:
-            self._news.append((LinkNews.RESTORED, ""))
-        self._was_up, self._is_told_lost = True, False
+            self._news.append((LinkNews.RESTARTED if self._has_restarted else LinkNews.RESTORED, ""))
+        self._was_up, self._is_told_lost, self._has_restarted = True, False, False
 
     def _lose(self, how: Happening, now: float, reason: str) -> None:
         self._void(now)
