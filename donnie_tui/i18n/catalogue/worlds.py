@@ -40,9 +40,9 @@ SENTENCES: dict[str, Sentence] = {
         "{path} includes itself.", "{path} inclui a si mesmo.", "{path} se incluye a sí mismo."
     ),
     "world-include-outside": Sentence(
-        "{path} lies outside the folder of the world.",
-        "{path} fica fora da pasta do mundo.",
-        "{path} está fuera de la carpeta del mundo.",
+        "{path} lies outside the folder of the world. DONNIE_WORLDS can allow more folders.",
+        "{path} fica fora da pasta do mundo. DONNIE_WORLDS pode permitir mais pastas.",
+        "{path} está fuera de la carpeta del mundo. DONNIE_WORLDS puede permitir más carpetas.",
     ),
     "world-include-too-deep": Sentence(
         "Too many includes in each other, at most {limit}.",
@@ -63,9 +63,9 @@ SENTENCES: dict[str, Sentence] = {
         "There is no picture {path}.", "Não existe a imagem {path}.", "No existe la imagen {path}."
     ),
     "world-bitmap-outside": Sentence(
-        "The picture {path} lies outside the folder of the world.",
-        "A imagem {path} fica fora da pasta do mundo.",
-        "La imagen {path} está fuera de la carpeta del mundo.",
+        "The picture {path} lies outside the folder of the world. DONNIE_WORLDS can allow more folders.",
+        "A imagem {path} fica fora da pasta do mundo. DONNIE_WORLDS pode permitir mais pastas.",
+        "La imagen {path} está fuera de la carpeta del mundo. DONNIE_WORLDS puede permitir más carpetas.",
     ),
     "world-bitmap-unreadable": Sentence(
         "I can't read the picture {path}.",
