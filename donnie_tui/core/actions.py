@@ -189,6 +189,9 @@ class RobotActions:
         return self._read("position", axis.value, value[axis])
 
     def colour(self, colour: str) -> int:
+        """A robot that tells no colours apart says so: none seen would be invented."""
+        if not self._robot.colours:
+            raise _refused(RobotProblem("no-camera"))
         seen = sum(each.colour == colour for each in self._look())
         return self._read("colour", colour, seen)
 

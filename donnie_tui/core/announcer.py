@@ -20,6 +20,7 @@ from donnie_tui.core.events import (
     Moved,
     Outcome,
     Passing,
+    Pointed,
     Read,
     Reset,
     RunEnded,
@@ -86,6 +87,7 @@ class Announcer:
                 | Reset()
                 | Passing()
                 | Answered()
+                | Pointed()
             ):
                 pass
             case never:

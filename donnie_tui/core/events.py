@@ -235,7 +235,14 @@ class Answered:
     text: str
 
 
-TRANSIENT = (Passing, Answered)
+@dataclass(frozen=True, slots=True)
+class Pointed:
+    """What is where somebody points on the map; shown in the status line and spoken, not kept; transient."""
+
+    text: str
+
+
+TRANSIENT = (Passing, Answered, Pointed)
 
 Event: TypeAlias = (
     RunStarted
@@ -258,6 +265,7 @@ Event: TypeAlias = (
     | RunEnded
     | Passing
     | Answered
+    | Pointed
 )
 
 
