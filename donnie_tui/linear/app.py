@@ -154,9 +154,13 @@ class LinearMode:
             self._desk.answer("linear-lines", lines=len(program.lines))
 
     def _tell_notices(self) -> None:
-        """What had to be done without. Where the prompt stands already, they come with the first answer."""
+        """What had to be done without. Where the prompt stands already, it comes with the first answer.
+
+        What is about the robot and the belt comes at once: whoever types must know which robot will move.
+        """
         desk = self._desk
         desk.tell(*desk.donnie.notices)
+        self._console.has_news = bool(desk.donnie.about_devices)
         if desk.is_attended and desk.copies.offered():
             desk.answer("answer-rescued")
 

@@ -27,6 +27,8 @@ class Console:
         """``terminal`` is there where lines are edited key by key."""
         self.interrupted = False
         """Ctrl+C was pressed and nobody has answered yet."""
+        self.has_news = False
+        """Something was told that can't wait until the line is finished."""
         self.leaving: int | None = None
         """The signal that wants us to leave."""
         self.stop_at_once: Callable[[], None] = _nothing
@@ -79,6 +81,11 @@ class Console:
         """Whether Ctrl+C was pressed since the last time."""
         interrupted, self.interrupted = self.interrupted, False
         return interrupted
+
+    def take_news(self) -> bool:
+        """Whether there is something that can't wait, since the last time."""
+        has_news, self.has_news = self.has_news, False
+        return has_news
 
     def _take_signals(self) -> None:
         with contextlib.suppress(BlockingIOError):

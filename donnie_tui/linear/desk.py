@@ -12,7 +12,7 @@ from dataclasses import dataclass
 from donnie_tui.bootstrap import Donnie
 from donnie_tui.core.answer_log import LONGEST_ANSWER, AnswerLog
 from donnie_tui.core.documents import DocumentError
-from donnie_tui.core.events import TRANSIENT, Answered, Error, RunStarted, Stamped
+from donnie_tui.core.events import TRANSIENT, Announced, Answered, Error, RunStarted, Stamped
 from donnie_tui.core.filing import Copies
 from donnie_tui.core.session import Session
 from donnie_tui.core.timeline import Timeline
@@ -26,6 +26,9 @@ from donnie_tui.linear.output import Output
 from donnie_tui.linear.reader import How, Reader, Typed
 from donnie_tui.linear.told import Told
 from language.source import fold_name
+
+CANNOT_WAIT = ("link",)
+"""Codes of announcements that are told in the middle of a line that is being typed."""
 
 _YES = ("y", "yes", "s", "sim", "si", "sí")
 _NO = ("", "n", "no", "não", "nao")
@@ -71,6 +74,8 @@ class Desk:
         self.watched: list[str] = []
         """Variables, folded."""
         self.breakpoints: set[int] = set()
+        self.is_pausing = False
+        """Whether PAUSE was said to the running program."""
         self.is_repeating = False
         """Whether what is told now was said before, and is not remembered again."""
         self.leaving: int | None = None
@@ -89,6 +94,8 @@ class Desk:
         """Where TOUR goes on."""
         self._ends = ends
         self._shown_prompt: str | None = None
+        self._typed_early: Typed | None = None
+        """A line that was typed where an answer waited for Enter."""
         self._unsubscribe = [self.session.hub.subscribe(each) for each in (self._hear, self.trail.hear)]
 
     def close(self) -> None:
@@ -150,6 +157,9 @@ class Desk:
         elif isinstance(event, Error):
             self.errors = [*self.errors[-LONGEST_ANSWER:], event]
         self._ends.told.put(told_lines(stamped, self.say))
+        if isinstance(event, Announced) and event.code in CANNOT_WAIT:
+            self.console.has_news = True
+            self.console.nudge()
 
     def show_told(self, prompt: str = "") -> int:
         """Print what was told, then the prompt. How many lines were left out because of Ctrl+C."""
@@ -170,6 +180,8 @@ class Desk:
                 return len(lines)
             if not wants_more:
                 lines = []
+            if self._typed_early is not None:
+                return 0
         if self.habits.prompt is Prompt.ANSWER and prompt.endswith(PROMPT) and lines:
             prompt = self._shown_prompt = f"{lines.pop()} "
         return self._ends.output.show(lines, prompt)
@@ -181,13 +193,15 @@ class Desk:
         return self._ends.output.block_size if self.habits.page is Page.ASK else 0
 
     def _show_page(self, lines: list[str], left: int) -> bool:
-        """Show a page and wait for Enter. Whether more is wanted."""
+        """Show a page and wait for Enter. Whether more is wanted; whoever types a line wants that instead."""
         question = f"{lines.pop()} " if self.habits.hold else f"{self.say('linear-more', lines=left)} "
         self._ends.output.show(lines, question)
         typed = self._reader.read(question)
         self._after(typed)
         self.console.interrupted |= typed.how is How.INTERRUPTED
-        return typed.how in (How.ENTER, How.ESCAPE) and fold_name(typed.text) not in _ENOUGH
+        if typed.text.strip() and fold_name(typed.text) not in _ENOUGH:
+            self._typed_early = typed
+        return typed.how in (How.ENTER, How.ESCAPE) and not typed.text.strip()
 
     # --- asking
 
@@ -195,16 +209,22 @@ class Desk:
         """Print what was told and the prompt, unless it is ``shown`` already, and read a line."""
         while True:
             typed = self._read(prompt, shown=shown)
-            if typed.how is not How.CHOICES:
+            if typed.how not in (How.CHOICES, How.NEWS):
                 return typed
-            self._tell_choices(typed)
+            if typed.how is How.CHOICES:
+                self._tell_choices(typed)
+            self.offered = typed.text
             shown = False
 
     def _read(self, prompt: str, *, shown: bool) -> Typed:
         offered, self.offered = self.offered if self.can_edit else "", ""
         self._shown_prompt = None
         if not shown:
+            self.console.has_news = False
             self._show_whole(prompt, offered)
+        early, self._typed_early = self._typed_early, None
+        if early is not None:
+            return early
         typed = self._reader.read(prompt if self._shown_prompt is None else self._shown_prompt, offered)
         self._after(typed)
         return typed
@@ -214,7 +234,6 @@ class Desk:
         self.answer("linear-choices", count=len(typed.choices))
         self.tell(*typed.choices)
         self.is_repeating = True
-        self.offered = typed.text
 
     def _after(self, typed: Typed) -> None:
         """Where the terminal has not shown Enter's new line, it is held back until there is an answer."""

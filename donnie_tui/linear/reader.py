@@ -31,6 +31,8 @@ class How(Enum):
     """Ctrl+C: it does not count."""
     CLOSED = auto()
     """Nothing more will come: Ctrl+D, the end of the input, or a signal to leave."""
+    NEWS = auto()
+    """It goes on once the news are told."""
     CHOICES = auto()
     """Tab was pressed, and there are several words to choose from."""
 
@@ -88,6 +90,9 @@ class EditingReader:
             if self._console.take_interrupt():
                 self._forget_keys()
                 return Typed(line.text, How.INTERRUPTED)
+            if not self._keys and self._console.take_news():
+                self._console.write(line.finish())
+                return Typed(line.text, How.NEWS)
 
     def _do_keys(self, line: EditLine, recall: Recall) -> tuple[Typed | None, str]:
         """Do the keys that wait, up to one that ends the line; what that writes goes out at once."""
@@ -198,6 +203,8 @@ class PlainReader:
                 self._take(self._console.read())
             elif self._console.take_interrupt():
                 return Typed("", How.INTERRUPTED)
+            elif self._console.take_news():
+                return Typed("", How.NEWS)
 
     def _take(self, data: bytes) -> None:
         self._pending += data

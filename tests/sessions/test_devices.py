@@ -22,6 +22,7 @@ from donnie_tui.bootstrap import Donnie, assemble
 from donnie_tui.core.events import CueSounded, Moved, Outcome, RunEnded, Stamped
 from donnie_tui.settings import Settings
 from tests.sessions.command import PATIENCE, QUIET, donnie, start
+from tests.sessions.learner import Learner
 
 LONG_WALK = "FW 100\n"
 
@@ -297,3 +298,34 @@ def test_the_pose_of_a_real_robot_begins_where_its_world_says(robot: DoubleOnPty
 
     ended = [each.event.pose for each in heard if isinstance(each.event, RunEnded)]
     assert ended == [Pose(began.x, began.y, began.heading)]
+
+
+# --- told at once
+
+
+def test_what_happens_to_the_robot_is_told_in_the_middle_of_a_typed_line(
+    tmp_path: Path, robot: DoubleOnPty
+) -> None:
+    learner = Learner(tmp_path, *serial(robot))
+    learner.sees("Robot connected.")
+    learner.sees_prompt()
+    learner.types("WHE")
+    learner.sees("WHE")
+    robot.unplug()
+    learner.sees("Robot lost. If it drives, switch it off.\r\n> WHE")
+    robot.plug()
+    learner.sees("Robot is back.\r\n> WHE")
+    learner.types("RE\r")
+    learner.sees("Facing north.")
+    robot.board.millivolts = 6800
+    learner.sees("The robot's battery is low.\r\n> ")
+    learner.types("QUIT\r")
+
+    assert learner.leaves() == 0
+
+
+def test_a_robot_that_is_missing_is_told_before_anything_is_typed(tmp_path: Path) -> None:
+    learner = Learner(tmp_path, "--robot", "serial:/dev/nothing")
+
+    learner.sees("Nothing is plugged in at /dev/nothing.\r\n")
+    learner.sees("I use the simulator instead. CONNECT tries again.\r\n> ")

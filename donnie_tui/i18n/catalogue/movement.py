@@ -178,7 +178,11 @@ SENTENCES: dict[str, Sentence] = _movements() | {
         "{name} ya existía. Ahora es nuevo.",
     ),
     "link-connected": Sentence("Robot connected.", "Robô conectado.", "Robot conectado."),
-    "link-lost": Sentence("Robot lost. {reason}", "Perdi o robô. {reason}", "Perdí el robot. {reason}"),
+    "link-lost": Sentence(
+        "Robot lost. If it drives, switch it off.",
+        "Perdi o robô. Se ele andar, desligue-o.",
+        "Perdí el robot. Si se mueve, apágalo.",
+    ),
     "link-restored": Sentence("Robot is back.", "O robô voltou.", "El robot volvió."),
     "colour-red": Sentence("red", "vermelho", "rojo"),
     "colour-green": Sentence("green", "verde", "verde"),

@@ -135,7 +135,9 @@ def test_a_run_that_ends_otherwise_has_none(program: str) -> None:
         (SoundSwitched(True), "Sound on."),
         (SoundSwitched(False), "Sound off."),
         (Link("connected", ""), "Robot connected."),
-        (Link("lost", "The cable is out."), "Robot lost. The cable is out."),
+        (Link("lost", "The cable is out."), "Robot lost. If it drives, switch it off."),
+        (Link("restarted", ""), "The robot restarted. It stands."),
+        (Link("battery-low", "7.0 V"), "The robot's battery is low."),
         (Link("restored", ""), "Robot is back."),
     ],
 )
