@@ -6,6 +6,7 @@ from collections.abc import Callable
 import pytest
 
 from devices.ports.robot import Bearing, StoppedBy
+from language.control import ControlState, ExecutionControl
 from sim.robot import SimulatedRobot
 from sim.world import World
 from tests.unit.sim.company import PATIENCE, Company
@@ -232,3 +233,61 @@ def test_a_name_that_no_robot_has_is_refused() -> None:
         world.robot("eve", pace=Unpaced())
     with pytest.raises(KeyError):
         world.expect(["eve"])
+
+
+def test_a_paused_program_holds_the_world_and_another_can_still_be_stopped() -> None:
+    world, controls = World(scene(APART)), {"alice": ExecutionControl(), "bob": ExecutionControl()}
+    robots = {name: world.robot(name, pace=control, speed=50.0) for name, control in controls.items()}
+    paused, ends = threading.Event(), dict[str, object]()
+    controls["alice"].observe(lambda state: paused.set() if state is ControlState.PAUSED else None)
+    world.expect(robots)
+
+    def run(name: str, steps: int) -> None:
+        robots[name].join()
+        ends[name] = robots[name].forward(steps).stopped_by
+        robots[name].leave()
+
+    threads = {
+        name: threading.Thread(target=run, args=(name, steps))
+        for name, steps in (("alice", 40), ("bob", 99999))
+    }
+    for thread in threads.values():
+        thread.start()
+    controls["alice"].pause()
+    assert paused.wait(PATIENCE)
+    held_at = robots["bob"].time()
+    controls["bob"].stop()
+    robots["bob"].halt()
+    threads["bob"].join(PATIENCE)
+
+    assert ends == {"bob": StoppedBy.USER}
+    assert robots["bob"].time() - held_at < 0.1
+    controls["alice"].resume()
+    threads["alice"].join(PATIENCE)
+    assert ends["alice"] is None
+
+
+def test_who_is_stopped_leaves_and_the_others_go_on() -> None:
+    company, ends = Company(scene(APART), speed=1.0), dict[str, object]()
+
+    def walks(robot: SimulatedRobot) -> None:
+        ends[robot.name] = robot.forward(8).stopped_by
+
+    company.run({"alice": walks, "bob": walks}, {"alice": Unpaced(stop_after=1.0), "bob": Unpaced()})
+
+    assert ends == {"alice": StoppedBy.USER, "bob": None}
+
+
+def test_sixty_robots_with_sixty_programs_go_their_ways() -> None:
+    names = [f"r{i}" for i in range(60)]
+    robots = "".join(
+        f'blind( name "{name}" pose [ {i % 8} {i // 8} 0 {i * 37} ] )' for i, name in enumerate(names)
+    )
+    company, walked = Company(scene(BOX_ROBOT + robots)), dict[str, int]()
+
+    def walks(robot: SimulatedRobot) -> None:
+        walked[robot.name] = robot.forward(4).walked
+
+    company.run(dict.fromkeys(names, walks))
+
+    assert walked == dict.fromkeys(names, 4)
