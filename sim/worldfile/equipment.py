@@ -24,7 +24,7 @@ from sim.worldfile.mistakes import Code
 from sim.worldfile.values import ValueReader, mistake
 
 MOST_BUMPERS = 1000
-MOST_SAMPLES = 100_000
+MOST_SAMPLES = 10_000
 """Of one sensor."""
 MOST_SAMPLES_OF_ALL = 2_000_000
 _SHORTEST_PADDLE, _LONGEST_PADDLE = 0.01, 0.99

@@ -135,7 +135,7 @@ def wide_macro() -> str:
         ("model ( pose " + "[ " * 1000, "nested-too-deep"),
         ("model ( block ( points 1e9 ) )", "too-few-points"),
         ("position ( ranger ( sensor ( samples 1e9 ) ) )", "out-of-range"),
-        ("position ( ranger ( " + "sensor ( samples 100000 ) " * 50 + ") )", "too-much"),
+        ("position ( ranger ( " + "sensor ( samples 10000 ) " * 250 + ") )", "too-much"),
         ("position ( bumper ( bcount 1e9 ) )", "out-of-range"),
         ("model ( size [ 1e12 1 1 ] )", "out-of-range"),
         ("model ( pose [ 1e6 0 0 0 ] )", "out-of-range"),
