@@ -18,6 +18,8 @@ from language.diagnostics import Stopped
 LONGEST_WAIT = 3600.0
 """Seconds that one wait of the condition variable may take; longer sleeps wait several times."""
 
+_NOWHERE = (0, 0)
+
 FOREVER = 1e12
 """Seconds beyond which a sleep's length makes no difference to anybody."""
 
@@ -81,7 +83,7 @@ class ExecutionControl:
         self._state = ControlState.RUNNING
         self._line = 0
         self._breakpoints: frozenset[int] = frozenset()
-        self._held_at = (0, 0)
+        self._held_at = _NOWHERE
         self._held_depth = inf
         self._over_depth = inf
         self._observers: list[Callable[[ControlState], None]] = []
@@ -127,7 +129,7 @@ class ExecutionControl:
 
     @property
     def held_at(self) -> tuple[int, int]:
-        """Line and column of the statement before which the program held last; 0, 0 if it never did."""
+        """Line and column of the statement before which the program holds; 0, 0 in the middle of one."""
         return self._held_at
 
     def restart(self) -> None:
@@ -150,7 +152,7 @@ class ExecutionControl:
         """Wait. False as soon as the program must stop. The time in which it is paused does not count."""
         remaining = float(min(seconds, FOREVER))
         while True:
-            self._hold_if(lambda: self._state is ControlState.PAUSING, inf)
+            self._hold_if(lambda: self._state is ControlState.PAUSING, inf, _NOWHERE)
             with self._changed:
                 if self._state in (ControlState.STOPPING, ControlState.ENDED):
                     return False
@@ -165,8 +167,7 @@ class ExecutionControl:
     def reached(self, line: int, depth: int, column: int = 0) -> None:
         """A statement on ``line``, inside ``depth`` calls, is next: hold if wanted; raises Stopped."""
         if self._holds_at(line, depth):  # asked again under the lock; most statements are not to be held at
-            self._held_at = line, column
-            self._hold_if(lambda: self._holds_at(line, depth), depth)
+            self._hold_if(lambda: self._holds_at(line, depth), depth, (line, column))
         if self._state is ControlState.STOPPING:
             raise Stopped
 
@@ -207,12 +208,12 @@ class ExecutionControl:
             case _:
                 return False
 
-    def _hold_if(self, wanted: Callable[[], bool], depth: float) -> None:
-        """If ``wanted``, be paused, tell it, and wait for the next request."""
+    def _hold_if(self, wanted: Callable[[], bool], depth: float, place: tuple[int, int]) -> None:
+        """If ``wanted``, be paused at ``place``, tell it, and wait for the next request."""
         with self._changed:
             holding = wanted()
             if holding:
-                self._held_depth = depth
+                self._held_depth, self._held_at = depth, place
                 self._apply(Request.HOLD)
         if holding:
             self._tell(ControlState.PAUSED)

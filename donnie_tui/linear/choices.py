@@ -23,7 +23,7 @@ _LANGUAGES = {
 _DETAILS = {
     "brief": ("brief", "short", "breve", "curto", "corto"),
     "normal": ("normal",),
-    "full": ("full", "long", "completo", "cheio"),
+    "full": ("full", "long", "completo", "cheio", "largo"),
 }
 _KEYS = ("keys", "teclas")
 _KEY_LINES = ("enter", "run", "stop", "past", "line", "word", "clear", "tab", "leave")

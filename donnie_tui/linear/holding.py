@@ -54,7 +54,7 @@ class Holding:
         control: ExecutionControl,
     ) -> None:
         """A run is about to begin."""
-        self.is_held, self._control = False, control
+        self.is_held, self._control, self._desk.is_pausing = False, control, False
         self._words, self._text, self._first_line = None, text, first_line
         self._variables = {}
         control.observe(self._changed)
@@ -93,10 +93,11 @@ class Holding:
         folded = {fold_name(name): value for name, value in now.items()}
         self._desk.tell(*changes(self._desk.watched, self._variables, folded, self._desk.say))
         self._variables = folded
-        if frames and (line, column) != (0, 0) and frames[0].line == line:
+        if self._desk.is_pausing or not line:
+            self._desk.answer("answer-paused-at", line=frames[0].line if frames else 1)
+        if line:  # else in the middle of a movement or a wait
             self._desk.tell(*self._words.held(line, column, frames))
-        else:  # held in the middle of a movement or a wait
-            self._desk.answer("answer-paused-at", line=frames[0].line if frames else 0)
+        self._desk.is_pausing = False
 
     def _go(self, wish: Wish) -> None:
         self.is_held = False

@@ -51,6 +51,7 @@ def _pause(desk: Desk) -> None:
     if run is None:
         desk.answer("answer-nothing-runs")
     else:
+        desk.is_pausing = True
         run.control.pause()
 
 

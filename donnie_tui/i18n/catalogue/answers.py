@@ -61,6 +61,7 @@ _PROGRAM = {
         "What you type can't be kept safe: {reason}.",
         "O que você digita não pode ser guardado: {reason}.",
         "Lo que escribes no se puede resguardar: {reason}.",
+        brief=("Not kept safe: {reason}.", "Não guardado: {reason}.", "Sin guardar: {reason}."),
     ),
 }
 

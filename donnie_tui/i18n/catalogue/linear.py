@@ -19,6 +19,11 @@ _RUNNING = {
         "Nothing ran. CHANGE {line} mends line {line}.",
         "Nada foi executado. MUDAR {line} corrige a linha {line}.",
         "No se ejecutó nada. CAMBIAR {line} corrige la línea {line}.",
+        brief=(
+            "Nothing ran. CHANGE {line} mends it.",
+            "Nada feito. MUDAR {line} corrige.",
+            "Nada hecho. CAMBIAR {line} corrige.",
+        ),
     ),
     "linear-still-at": Sentence(
         "Still at line {line}: {text}", "Ainda na linha {line}: {text}", "Todavía en la línea {line}: {text}"
@@ -40,16 +45,31 @@ _RUNNING = {
         "{lines} {lines:line|lines} did not run. RUN was missing.",
         "{lines} {lines:linha não foi executada|linhas não foram executadas}. Faltou EXECUTAR.",
         "{lines} {lines:línea no se ejecutó|líneas no se ejecutaron}. Faltó EJECUTAR.",
+        brief=(
+            "{lines} {lines:line|lines} did not run.",
+            "{lines} {lines:linha não executada|linhas não executadas}.",
+            "{lines} {lines:línea|líneas} sin ejecutar.",
+        ),
     ),
     "linear-stepping": Sentence(
         "Enter goes on. RUN runs the rest. STOP ends.",
         "Enter continua. EXECUTAR faz o resto. PARAR termina.",
         "Enter sigue. EJECUTAR hace el resto. DETENER termina.",
+        brief=(
+            "Enter: next. RUN: rest. STOP: ends.",
+            "Enter: segue. EXECUTAR: resto. PARAR.",
+            "Enter: sigue. EJECUTAR: resto. DETENER.",
+        ),
     ),
     "linear-too-long": Sentence(
         "The program is too long. That line is lost.",
         "O programa é longo demais. Essa linha se perdeu.",
         "El programa es demasiado largo. Esa línea se perdió.",
+        brief=(
+            "Program too long. That line is lost.",
+            "Programa longo demais. Linha perdida.",
+            "Programa muy largo. Línea perdida.",
+        ),
     ),
 }
 
@@ -91,21 +111,37 @@ _FILES = {
         "{name} exists. Replace it, y or n? Enter means no.",
         "{name} já existe. Substituir, s ou n? Enter é não.",
         "{name} ya existe. ¿Reemplazar, s o n? Enter es no.",
+        brief=(
+            "Replace {name}, y or n? Enter: no.",
+            "Trocar {name}, s ou n? Enter: não.",
+            "¿Cambiar {name}, s o n? Enter: no.",
+        ),
     ),
     "linear-ask-lose": Sentence(
         "{lines} {lines:line is|lines are} not saved. Lose them, y or n? Enter means no.",
         "{lines} {lines:linha não foi salva|linhas não foram salvas}. Perder, s ou n? Enter é não.",
         "{lines} {lines:línea no se guardó|líneas no se guardaron}. ¿Perder, s o n? Enter es no.",
+        brief=(
+            "Lose {lines} {lines:line|lines}, y or n? Enter: no.",
+            "Perder {lines} {lines:linha|linhas}, s ou n? Enter: não.",
+            "¿Perder {lines} {lines:línea|líneas}, s o n? Enter: no.",
+        ),
     ),
     "linear-ask-save": Sentence(
         "{lines} {lines:line is|lines are} not saved. Save first, y or n? Enter means no.",
         "{lines} {lines:linha não foi salva|linhas não foram salvas}. Salvar, s ou n? Enter é não.",
         "{lines} {lines:línea no se guardó|líneas no se guardaron}. ¿Guardar, s o n? Enter es no.",
+        brief=(
+            "Save {lines} {lines:line|lines}, y or n? Enter: no.",
+            "Salvar {lines} {lines:linha|linhas}, s ou n? Enter: não.",
+            "¿Guardar {lines} {lines:línea|líneas}, s o n? Enter: no.",
+        ),
     ),
     "linear-ask-name": Sentence(
         "Which file name? Enter means none.",
         "Qual nome de arquivo? Enter é nenhum.",
         "¿Qué nombre de archivo? Enter es ninguno.",
+        brief=("Which file name? Enter: none.", "Qual nome? Enter: nenhum.", "¿Qué nombre? Enter: ninguno."),
     ),
     "linear-yes-or-no": Sentence("Type y or n.", "Digite s ou n.", "Escribe s o n."),
 }
@@ -123,6 +159,11 @@ _SETTINGS = {
         "The full screen needs a terminal.",
         "A tela cheia precisa de um terminal.",
         "La pantalla completa necesita un terminal.",
+        brief=(
+            "The full screen needs a terminal.",
+            "A tela cheia precisa de um terminal.",
+            "La pantalla necesita un terminal.",
+        ),
     ),
     "linear-linear": Sentence(
         "This is the linear mode already.", "Este já é o modo linear.", "Este ya es el modo lineal."

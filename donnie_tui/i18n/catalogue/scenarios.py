@@ -44,6 +44,7 @@ SENTENCES: dict[str, Sentence] = {
         "{name}, {colour}, {width} by {depth}: {place}.",
         "{name}, {colour}, {width} por {depth}: {place}.",
         "{name}, {colour}, {width} por {depth}: {place}.",
+        brief=("{name}: {place}.", "{name}: {place}.", "{name}: {place}."),
     ),
     "world-more-things": Sentence(
         "{count} more {count:thing is|things are} farther away.",

@@ -13,8 +13,8 @@ _PAGES: tuple[tuple[tuple[str, str, str], ...], ...] = (
             "Hola. Donnie es un robot en un piso.",
         ),
         (
-            "You write what it does, a line at a time.",
-            "Você escreve o que ele faz, linha a linha.",
+            "You write what it does, line by line.",
+            "Você escreve o que ele faz, por linhas.",
             "Tú escribes qué hace, línea por línea.",
         ),
         (
@@ -71,8 +71,8 @@ _PAGES: tuple[tuple[tuple[str, str, str], ...], ...] = (
         ),
         (
             "SPEAK DISTANCE F: how far to a wall.",
-            "FALAR DISTÂNCIA F: quanto até a parede.",
-            "HABLAR DISTANCIA F: cuánto hasta la pared.",
+            "FALAR DISTÂNCIA F: até a parede.",
+            "HABLAR DISTANCIA F: hasta la pared.",
         ),
     ),
     (

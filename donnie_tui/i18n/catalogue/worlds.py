@@ -255,11 +255,29 @@ SENTENCES: dict[str, Sentence] = {
         "{count} {count:objeto|objetos}, el más cercano primero.",
     ),
     "world-thing": Sentence(
-        "{name}, {colour}: {place}.", "{name}, {colour}: {place}.", "{name}, {colour}: {place}."
+        "{name}, {colour}: {place}.",
+        "{name}, {colour}: {place}.",
+        "{name}, {colour}: {place}.",
+        brief=("{name}: {place}.", "{name}: {place}.", "{name}: {place}."),
     ),
-    "place-left": Sentence("{steps} left", "{steps} à esquerda", "{steps} a la izquierda"),
-    "place-right": Sentence("{steps} right", "{steps} à direita", "{steps} a la derecha"),
-    "place-ahead": Sentence("{steps} ahead", "{steps} à frente", "{steps} al frente"),
+    "place-left": Sentence(
+        "{steps} left",
+        "{steps} à esquerda",
+        "{steps} a la izquierda",
+        brief=("{steps} left", "{steps} esquerda", "{steps} izquierda"),
+    ),
+    "place-right": Sentence(
+        "{steps} right",
+        "{steps} à direita",
+        "{steps} a la derecha",
+        brief=("{steps} right", "{steps} direita", "{steps} derecha"),
+    ),
+    "place-ahead": Sentence(
+        "{steps} ahead",
+        "{steps} à frente",
+        "{steps} al frente",
+        brief=("{steps} ahead", "{steps} frente", "{steps} frente"),
+    ),
     "place-behind": Sentence("{steps} behind", "{steps} atrás", "{steps} detrás"),
     "place-here": Sentence("here", "aqui", "aquí"),
     "map-legend": Sentence("{letter} is {name}.", "{letter} é {name}.", "{letter} es {name}."),

@@ -13,11 +13,17 @@ from donnie_tui.i18n.catalogue import (
     SENTENCES,
     TOPICS,
     answers,
+    explain,
+    files,
     help,  # noqa: A004 -- the module's own name
     linear,
     mistakes,
     movement,
     signs,
+    stepping,
+    surroundings,
+    tour,
+    use_cases,
 )
 from donnie_tui.i18n.catalogue.signs import CODE_OF
 from donnie_tui.i18n.first_words import CAUSES
@@ -56,7 +62,7 @@ SAMPLES: dict[str, object] = {
 }
 """Ordinary values; a place without one is filled with an ordinary word."""
 
-LESSON = (movement, mistakes, help, signs, linear, answers)
+LESSON = (movement, mistakes, help, signs, linear, answers, explain, files, stepping, surroundings, tour)
 """What is heard while somebody programs."""
 
 OF_THE_MANUAL = re.compile(r"(walked|turned)-.*-obstacle|scan-(left|right|ahead)|(no-)?movement.*")
@@ -134,14 +140,11 @@ def test_no_line_of_a_lesson_is_longer_than_eighty_characters() -> None:
     assert [text for text, length in told.items() if length > 80] == []
 
 
-def test_at_detail_brief_what_the_robot_does_fits_forty_cells() -> None:
-    texts = [
-        with_samples(each.text(language, "brief"))
-        for each in movement.SENTENCES.values()
-        for language in LANGUAGES
-    ]
+def test_at_detail_brief_every_line_of_a_lesson_fits_forty_cells() -> None:
+    """L8, B1."""
+    lengths = whole_sentences((*LESSON, use_cases), "brief")
 
-    assert [text for text in texts if len(text) > 40] == []
+    assert {text: length for text, length in lengths.items() if length > 40} == {}
 
 
 def test_the_number_one_has_the_singular_in_every_language() -> None:

@@ -1,0 +1,163 @@
+"""Every word of the linear mode in one session: what is printed is plain text, whatever is asked for."""
+
+from __future__ import annotations
+
+import os
+import re
+import subprocess
+import sys
+import unicodedata
+from pathlib import Path
+
+import pexpect
+import pytest
+
+from donnie_tui.core.use_cases import USE_CASES, typed_form
+from donnie_tui.i18n.words import Words
+from tests.sessions.learner import PATIENCE
+
+LANGUAGES = ("en", "pt", "es")
+PROGRAMS = {
+    "en": "VAR x = 2\nREPEAT 2 TIMES\nFW x\nTR 90\nEND REPEAT\nSCAN\nSPEAK DISTANCE F",
+    "pt": "CRIAR x = 2\nREPITA 2 VEZES\nPF x\nGD 90\nFIM REPITA\nESPIAR\nFALAR DISTÂNCIA F",
+    "es": "CREAR x = 2\nREPETIR 2 VECES\nAV x\nGD 90\nFIN REPETIR\nMIRAR\nHABLAR DISTANCIA F",
+}
+ELSEWHERE = {"quit", "visual", "connect"}
+"""They leave, or look for devices."""
+DRAWN = {"map_picture"}
+"""A picture is asked for, and is not text."""
+
+
+def quiet(language: str, *options: str) -> list[str]:
+    always = ["--linear", "--speech", "off", "--sound", "off", "--speed", "max", "--lang", language]
+    return [sys.executable, "-m", "donnie_tui", *always, "--world", "living_room", *options]
+
+
+def environment(folder: Path, **more: str) -> dict[str, str]:
+    plain = {name: value for name, value in os.environ.items() if not name.startswith("DONNIE_")}
+    homes = {"XDG_STATE_HOME": str(folder / "state"), "XDG_CONFIG_HOME": str(folder / "config")}
+    return plain | homes | {"LC_ALL": "C.UTF-8", "TERM": "xterm"} | more
+
+
+def every_word(language: str, *, without: set[str] = ELSEWHERE) -> list[str]:
+    """A program, a run, a mistake, then each word as its help says it, in an order that changes nothing."""
+    words = Words(language)
+    cases = [each for each in USE_CASES if each.name not in without]
+    setting = {"en": "SET page off", "pt": "AJUSTAR página nada", "es": "AJUSTAR página nada"}[language]
+    lines = [*PROGRAMS[language].split("\n"), "", "FWD 3", ""]
+    for case in cases:
+        form = typed_form(case, words)
+        lines.append(setting if case.name == "set" else form)
+        if case.name in ("step", "step_over", "run_to"):
+            lines.append(words_of("continue_", language))
+    return lines
+
+
+def words_of(name: str, language: str) -> str:
+    return next(each for each in USE_CASES if each.name == name).word(language)
+
+
+def printed_by(folder: Path, language: str, lines: list[str], *options: str) -> list[str]:
+    """What a session says that is read from a file."""
+    done = subprocess.run(
+        quiet(language, *options),
+        input="\n".join([*lines, ""]).encode(),
+        capture_output=True,
+        cwd=folder,
+        env=environment(folder),
+        timeout=60,
+        check=False,
+    )
+    assert done.returncode == 0, done.stderr.decode()
+    assert done.stderr == b""
+    return done.stdout.decode().split("\n")
+
+
+@pytest.mark.parametrize("language", LANGUAGES)
+def test_every_word_in_a_file_of_typed_lines_answers_in_plain_text(tmp_path: Path, language: str) -> None:
+    """L5, L6, L11, L12: printable, no empty line, no blanks at the ends, nothing typed is printed again."""
+    lines = every_word(language, without=ELSEWHERE | DRAWN | {"language"})
+    told = printed_by(tmp_path, language, lines)
+
+    assert told.pop() == ""
+    assert [line for line in told if not line or line != line.strip()] == []
+    assert [line for line in told if not line.isprintable()] == []
+    assert [line for line in told if re.search(r"([^\w\s])\1\1", line)] == []
+    assert [line for line in told if line in {each for each in lines if each}] == []
+    assert [line for line in told if "Donnie failed" in line or "inside Donnie" in line] == []
+
+
+@pytest.mark.parametrize("language", LANGUAGES)
+def test_every_word_is_understood(tmp_path: Path, language: str) -> None:
+    """Each is said as its help says it; none is answered by how it would be said."""
+    told = printed_by(tmp_path, language, every_word(language, without=ELSEWHERE | {"language"}))
+    not_understood = Words(language)("linear-like-this", example="").split(".")[0]
+
+    assert [line for line in told if line.startswith(not_understood)] == []
+
+
+@pytest.mark.parametrize("language", LANGUAGES)
+def test_at_detail_brief_no_answer_to_a_word_is_wider_than_a_braille_display(
+    tmp_path: Path, language: str
+) -> None:
+    """L8, B1; quoted lines of the learner's own and the author's words about a world apart."""
+    lines = every_word(language, without=ELSEWHERE | {"language", "detail", "world", "report", "recover"})
+    told = printed_by(tmp_path, language, lines, "--verbosity", "brief")
+
+    assert [line for line in told if len(line) > 40 and not line.startswith(("Error", "Erro"))] == []
+
+
+def test_with_the_plain_editor_a_terminal_gets_nothing_but_text(tmp_path: Path) -> None:
+    """L5, L16: no escape, no carriage return but that of the terminal's own line ends, no bell."""
+    command = quiet("en")
+    child: pexpect.spawn[bytes] = pexpect.spawn(
+        command[0],
+        command[1:],
+        env=environment(tmp_path, DONNIE_EDITOR="plain"),
+        cwd=str(tmp_path),
+        dimensions=(24, 80),
+        timeout=PATIENCE,
+    )
+    child.delaybeforesend = None
+    raw = b""
+    for line in [*every_word("en"), "QUIT"]:
+        child.expect(rb"(?:\A|\n)(?:[0-9]+)?> $")
+        raw += child.before + child.match[0]
+        child.send(line.encode() + b"\n")
+    child.expect([pexpect.EOF, b"Enter means no"])
+    raw += child.before
+    child.close(force=True)
+
+    assert b"\x1b" not in raw and b"\a" not in raw and b"\b" not in raw
+    text = raw.replace(b"\r\n", b"\n").decode()
+    assert [each for each in text if each != "\n" and unicodedata.category(each) == "Cc"] == []
+    assert "\n\n" not in text.replace("> \n", "> typed\n")
+
+
+@pytest.mark.parametrize("columns", [20, 40, 80])
+def test_at_every_width_a_line_that_wraps_is_typed_and_taken_whole(tmp_path: Path, columns: int) -> None:
+    """Nothing is cut, repainted or lost: the terminal wraps what is too long for it."""
+    command = quiet("en")
+    child: pexpect.spawn[bytes] = pexpect.spawn(
+        command[0],
+        command[1:],
+        env=environment(tmp_path),
+        cwd=str(tmp_path),
+        dimensions=(24, columns),
+        timeout=PATIENCE,
+    )
+    child.delaybeforesend = None
+    long = 'SPEAK "one two three four five six seven eight nine ten eleven twelve thirteen fourteen"'
+    child.expect_exact("> ")
+    child.send(long + "\r")
+    child.expect_exact("> ")
+    child.send("\r")
+    child.expect_exact("thirteen fourteen\r\n> ")
+    assert child.before.decode().strip() == long[7:-19].strip()
+    child.send("AROUND\r")
+    child.expect_exact("> ")
+    told = child.before.decode().split("\r\n")[1:-1]
+    child.close(force=True)
+
+    assert told[0] == "No things within 10 steps."
+    assert len(told) == 5
