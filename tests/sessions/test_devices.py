@@ -5,15 +5,19 @@ Whatever ends the program, the board is told to stop.
 
 from __future__ import annotations
 
+import contextlib
 import json
+import os
 import signal
 import subprocess
 import time
+import tty
 from collections.abc import Callable, Iterator
 from pathlib import Path
 
 import pytest
 
+from devices.belt.board import BeltBoard
 from devices.firmware_double.board import SimulatedBoard
 from devices.firmware_double.on_pty import DoubleOnPty
 from devices.ports.robot import Pose
@@ -23,6 +27,7 @@ from donnie_tui.core.events import CueSounded, Moved, Outcome, RunEnded, Stamped
 from donnie_tui.settings import Settings
 from tests.sessions.command import PATIENCE, QUIET, donnie, start
 from tests.sessions.learner import Learner
+from tests.sessions.test_double import world as near_world
 
 LONG_WALK = "FW 100\n"
 
@@ -284,6 +289,31 @@ def test_robot_and_belt_may_not_have_the_same_port(tmp_path: Path, robot: Double
 
     assert done.stderr.decode() == f"Robot and belt can't both be at {robot.path}.\n"
     assert done.returncode == 2
+
+
+def test_the_belt_is_felt_during_a_run_and_dark_after_it(tmp_path: Path) -> None:
+    ours, theirs = os.openpty()
+    tty.setraw(ours)
+    os.set_blocking(ours, False)
+    program(tmp_path, "BELT ON\nWAIT 1\n")
+    options = ("--world", near_world(tmp_path), "--belt", os.ttyname(theirs), "--speed", "5", *QUIET)
+    process = start(tmp_path, "run", "program.gd", *options)
+    board, felt = BeltBoard(), list[tuple[str, ...]]()
+
+    def is_over() -> bool:
+        has_ended = process.poll() is not None
+        with contextlib.suppress(BlockingIOError):
+            os.write(ours, board.feed(os.read(ours, 1000), 0.0))
+            felt.append(board.motors(0.0))
+            return False
+        return has_ended
+
+    assert until(is_over)
+    os.close(ours)
+    os.close(theirs)
+    assert {"".join(motors) for motors in felt} >= {"PPPBPPP" * 2}
+    assert felt[-1] == ("P",) * 14
+    assert process.returncode == 0
 
 
 def test_the_pose_of_a_real_robot_begins_where_its_world_says(robot: DoubleOnPty) -> None:
