@@ -1,0 +1,267 @@
+"""donnie devices and donnie stop with made-up ports; which robot is meant; how settings write one down."""
+
+from __future__ import annotations
+
+import io
+from argparse import Namespace
+from pathlib import Path
+
+import pytest
+
+from devices.port_listing import FoundPort
+from devices.port_talk.asking import Answer, Found
+from devices.port_talk.halting import Halted
+from devices.ports.robot import Bearing
+from devices.serial_port import PortFault, PortProblem
+from donnie_tui.cli.arguments import Invocation
+from donnie_tui.cli.devices import list_devices
+from donnie_tui.cli.order import Order
+from donnie_tui.cli.output import Output
+from donnie_tui.cli.stopping import stop
+from donnie_tui.connecting import robot_config
+from donnie_tui.i18n.words import Words
+from donnie_tui.robot_choice import choices, find_port
+from donnie_tui.settings import BadOption, Settings, resolve
+from donnie_tui.tangible import belt_settings, refuse_shared_port
+from donnie_tui.unusable import Unusable
+
+ROBOT = FoundPort("/dev/ttyACM0", "/dev/serial/by-id/robot", is_board=True)
+BELT = FoundPort("/dev/ttyACM1", "/dev/serial/by-id/belt", is_board=True)
+OTHER = FoundPort("/dev/ttyS0", "/dev/ttyS0", is_board=False)
+
+
+def order(port: object, settings: Settings | None = None, language: str = "en") -> tuple[Order, io.StringIO]:
+    out = io.StringIO()
+    invocation = Invocation("devices", {}, Namespace(port=port))
+    made = Order(invocation, settings or Settings(), Words(language), Output(out, io.StringIO()), {})
+    return made, out
+
+
+def answers(port: str) -> Found:
+    match port:
+        case ROBOT.stable:
+            return Found(Answer.ROBOT, 8000)
+        case BELT.stable:
+            return Found(Answer.BELT)
+        case "low":
+            return Found(Answer.ROBOT, 7000)
+        case "new":
+            return Found(Answer.ROBOT, None)
+        case "mute":
+            return Found(Answer.NOTHING)
+        case "forbidden":
+            raise PortProblem(port, PortFault.FORBIDDEN, "Permission denied")
+        case "busy":
+            raise PortProblem(port, PortFault.BUSY, "busy")
+        case _:
+            raise PortProblem(port, PortFault.UNUSABLE, "Inappropriate ioctl for device")
+
+
+# --- donnie devices
+
+
+def test_boards_are_asked_and_other_ports_are_only_named() -> None:
+    made, out = order([])
+
+    assert list_devices(made, lambda: (ROBOT, BELT, OTHER), answers) == 0
+    assert out.getvalue().splitlines() == [
+        "I ask 2 ports. A board on USB restarts by that.",
+        "/dev/serial/by-id/robot: robot, original firmware, battery 8.0 volts.",
+        "Drive it: donnie --robot serial:/dev/serial/by-id/robot",
+        "/dev/serial/by-id/belt: belt.",
+        "/dev/ttyS0: no Arduino, not asked.",
+    ]
+
+
+@pytest.mark.parametrize(
+    ("port", "lines"),
+    [
+        (
+            "low",
+            ["low: robot, original firmware, battery low, 7.0 volts.", "Drive it: donnie --robot serial:low"],
+        ),
+        ("new", ["new: robot, original firmware, battery unknown.", "Drive it: donnie --robot serial:new"]),
+        ("mute", ["mute: nothing answers."]),
+    ],
+)
+def test_what_answers_is_told(port: str, lines: list[str]) -> None:
+    made, out = order([port])
+
+    assert list_devices(made, tuple, answers) == 0
+    assert out.getvalue().splitlines()[1:] == lines
+
+
+@pytest.mark.parametrize(
+    ("port", "lines"),
+    [
+        (
+            "forbidden",
+            [
+                "I may not use forbidden.",
+                "Join the group dialout: sudo usermod -aG dialout $USER. Then log in again.",
+            ],
+        ),
+        ("busy", ["Another program uses busy.", "Perhaps another Donnie runs. Leave it first."]),
+        ("file", ["I can't use file: Inappropriate ioctl for device."]),
+    ],
+)
+def test_a_port_that_can_not_be_used_is_told_with_its_remedy(port: str, lines: list[str]) -> None:
+    made, out = order([port])
+
+    assert list_devices(made, tuple, answers) == 2
+    assert out.getvalue().splitlines()[1:] == lines
+
+
+def test_a_plugged_port_that_can_not_be_used_is_no_failure_of_the_list() -> None:
+    made, _ = order([])
+
+    assert list_devices(made, lambda: (FoundPort("x", "busy", is_board=True),), answers) == 0
+
+
+@pytest.mark.parametrize(
+    ("language", "sentence"),
+    [
+        ("en", "No devices are plugged in. The simulator needs none."),
+        ("pt", "Não há dispositivos ligados. O simulador não precisa."),
+        ("es", "No hay dispositivos conectados. El simulador no los necesita."),
+    ],
+)
+def test_no_devices_is_a_sentence(language: str, sentence: str) -> None:
+    made, out = order([], language=language)
+
+    assert list_devices(made, tuple, answers) == 0
+    assert out.getvalue() == f"{sentence}\n"
+
+
+# --- donnie stop
+
+
+@pytest.mark.parametrize(
+    ("halted", "code", "sentence"),
+    [
+        (Halted.STANDS, 0, "The robot stands. Port here."),
+        (
+            Halted.UNCONFIRMED,
+            1,
+            "I said stop, but nothing answers at here. Switch the robot off if it drives.",
+        ),
+        (
+            Halted.IN_USE,
+            1,
+            "I said stop, but another program has here and may go on. Stop it there.",
+        ),
+    ],
+)
+def test_only_a_robot_that_is_known_to_stand_is_a_success(halted: Halted, code: int, sentence: str) -> None:
+    made, out = order("here")
+
+    assert stop(made, lambda _: halted) == code
+    assert out.getvalue() == f"{sentence}\n"
+
+
+def test_without_a_port_the_robot_of_the_settings_is_stopped() -> None:
+    made, out = order(None, Settings(robot="serial:/dev/mine"))
+
+    assert stop(made, lambda _: Halted.STANDS) == 0
+    assert out.getvalue() == "The robot stands. Port /dev/mine.\n"
+
+
+def test_a_port_that_can_not_be_used_can_not_be_stopped() -> None:
+    made, _ = order("gone")
+
+    with pytest.raises(Unusable, match="I can't use gone"):
+        stop(made, answers)  # type: ignore[arg-type] # it raises before it answers
+
+
+# --- which robot
+
+
+def test_the_one_board_that_is_no_belt_is_the_robot() -> None:
+    settings = Settings(robot="serial", belt=BELT.device)
+
+    assert find_port(settings, Words(), lambda: (ROBOT, BELT, OTHER)) == ROBOT.stable
+
+
+def test_no_board_and_several_boards_are_told() -> None:
+    with pytest.raises(Unusable, match="I find no robot"):
+        find_port(Settings(robot="serial"), Words(), lambda: (OTHER,))
+    with pytest.raises(Unusable, match=r"There are several: .*robot, .*belt\. Choose one\."):
+        find_port(Settings(robot="serial"), Words(), lambda: (ROBOT, BELT))
+
+
+def test_the_choices_are_the_simulator_the_boards_and_the_port_of_the_settings() -> None:
+    offered = choices(Settings(robot="serial:/dev/rfcomm0"), Words(), lambda: (ROBOT, OTHER))
+
+    assert [each.robot for each in offered] == [
+        "sim",
+        "serial:/dev/serial/by-id/robot",
+        "serial:/dev/rfcomm0",
+        "double",
+    ]
+
+
+def test_robot_and_belt_at_one_device_are_refused_by_whatever_names(tmp_path: Path) -> None:
+    link = tmp_path / "robot"
+    link.symlink_to("/dev/null")
+
+    with pytest.raises(Unusable, match="can't both be at"):
+        refuse_shared_port(Settings(robot=f"serial:{link}", belt="/dev/null"), Words())
+    refuse_shared_port(Settings(robot=f"serial:{link}", belt="/dev/zero"), Words())
+    refuse_shared_port(Settings(robot="sim", belt="/dev/null"), Words())
+
+
+# --- settings
+
+
+def test_a_robot_and_a_belt_can_be_written_down() -> None:
+    settings, notices = resolve(
+        {"belt": "/dev/belt", "robot": "SERIAL:/dev/Robot"},
+        {"DONNIE_WHEEL_RADIUS": "0,0205"},
+        {
+            "axle_length": 0.07,
+            "belt_steps": "4 8 16",
+            "belt_columns": "front 2 3 4, back 0",
+            "sonars": "front-right front front-left back-right back back-left",
+            "bumpers": "front front front back back back",
+        },
+    )
+
+    assert notices == ()
+    assert (settings.belt, settings.robot) == ("/dev/belt", "serial:/dev/Robot")
+    config = robot_config(settings)
+    assert (config.wheel_radius, config.axle_length) == (0.0205, 0.07)
+    assert config.sonars[3] is Bearing.BACK_RIGHT
+    assert (config.front_bumpers, config.back_bumpers) == ({0, 1, 2}, {3, 4, 5})
+    belt = belt_settings(settings)
+    assert [belt.level(steps) for steps in (4, 8, 16, 17)] == [3, 2, 1, 0]
+    assert belt.columns[Bearing.FRONT] == (2, 3, 4)
+    assert belt.columns[Bearing.FRONT_LEFT] == (2,)
+
+
+@pytest.mark.parametrize(
+    ("key", "value"),
+    [
+        ("robot", "serial:"),
+        ("robot", "sim:x"),
+        ("robot", "robot"),
+        ("robot", "player://host"),
+        ("belt", ""),
+        ("belt_steps", "5 10"),
+        ("belt_steps", "10 5 20"),
+        ("belt_steps", "a b c"),
+        ("belt_columns", "front 7"),
+        ("belt_columns", "up 3"),
+        ("wheel_radius", "0"),
+        ("axle_length", "nan"),
+        ("sonars", "front front"),
+        ("sonars", "front front front front front up"),
+        ("bumpers", "front back"),
+    ],
+)
+def test_what_can_not_be_understood_is_an_error_or_a_notice(key: str, value: str) -> None:
+    with pytest.raises(BadOption):
+        resolve({key: value}, {}, {})
+
+    settings, notices = resolve({}, {}, {key: value})
+    assert settings == Settings()
+    assert [notice.code for notice in notices] == ["setting-not-understood"]
