@@ -17,7 +17,7 @@ from sim.layer import RANGED, SIGHT, Layer
 from sim.parts import Part, parts_of
 from sim.placement import Placement
 from sim.rays import Hit
-from sim.scene import Scene
+from sim.scene import Model, Scene
 
 _FINENESS = 1.1
 """Guard distances are rounded up to powers of this, so that many kinds of robots share a few layers."""
@@ -31,9 +31,14 @@ class Ground:
 
     def __init__(self, scene: Scene) -> None:
         self.scene = scene
+        self.pushable = frozenset(model.index for model in _things(scene) if model.pushable)
+        """The roots of things that give way to a robot."""
+        self.grippable = frozenset(model.index for model in _things(scene) if model.grippable)
+        """The roots of things that a gripper can take."""
         self._lock = threading.Lock()
         self._at_start = tuple(parts_of(scene))
-        self._start = {root: scene.models[root].pose for root in _movable(scene)}
+        movable = sorted({*scene.robots, *self.pushable, *self.grippable})
+        self._start = {root: scene.models[root].pose for root in movable}
         self._now = dict(self._start)
         self._groups: dict[int, int] = {root: root + 1 for root in scene.robots}
         self._parts = list(self._at_start)
@@ -235,11 +240,7 @@ def _asked(
     return [layer.first_hit_but(x, y, end, wanted, but) for end in ends]
 
 
-def _movable(scene: Scene) -> list[int]:
-    """Robots, and whatever stands for itself and can be pushed or gripped."""
+def _things(scene: Scene) -> list[Model]:
+    """What stands for itself and is no robot."""
     robots = frozenset(scene.robots)
-    return [
-        model.index
-        for model in scene.models
-        if model.parent is None and (model.index in robots or model.pushable or model.grippable)
-    ]
+    return [model for model in scene.models if model.parent is None and model.index not in robots]

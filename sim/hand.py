@@ -80,9 +80,7 @@ class Hand:
         return min(reached, default=(0.0, None))[1]
 
     def _is_free(self, part: Part) -> bool:
-        ground = self._ground
-        is_thing = part.root in ground.movable and part.root not in ground.scene.robots
-        return is_thing and ground.scene.models[part.root].grippable and not ground.is_attached(part.root)
+        return part.root in self._ground.grippable and not self._ground.is_attached(part.root)
 
     def _take(self, root: int, spot: Spot) -> None:
         place = self._ground.place(root)

@@ -64,18 +64,12 @@ class Mover:
         self._bare = self.body
         self.around = Surroundings(ground, robot)
         self._keep_guard()
-        gives_way = frozenset(root for root in ground.movable if self.gives_way(root))
-        self._barring = self.around.without(gives_way) if gives_way else self.around
+        self._barring = self._without_what_gives_way(ground)
         self._others = OtherRobots(self.around)
         self._guards = {
             bearing: tuple(_short_sighted(ranger) for ranger in self.senses.at(bearing))
             for bearing in (Bearing.FRONT, Bearing.BACK)
         }
-
-    def gives_way(self, root: int) -> bool:
-        """Whether the robot walks up to it although its sensors see it: what it can push or grip."""
-        model = self.around.ground.scene.models[root]
-        return model.pushable or (model.grippable and self.senses.beams is not None)
 
     def hold(self, outlines: tuple[Outline, ...]) -> None:
         """From now on these polygons, in the robot's frame, are part of its body; earlier ones are not."""
@@ -156,7 +150,8 @@ class Mover:
 
     def _stopped_by(self, contact: Contact) -> StoppedBy | None:
         part = contact.part
-        return None if part is not None and part.model.pushable else StoppedBy.COLLISION
+        is_to_push = part is not None and part.root in self.around.ground.pushable
+        return None if is_to_push else StoppedBy.COLLISION
 
     def _contact_with(self, part: Part, spot: Spot, angle: float) -> float:
         obstacle = edges(seen_from(part.points, spot.x, spot.y, angle))
@@ -186,6 +181,11 @@ class Mover:
             return steps
         part = self.around.free_way(here.x, here.y, there.x, there.y)
         return steps if part >= 1.0 else floor(part * steps)
+
+    def _without_what_gives_way(self, ground: Ground) -> Surroundings:
+        """What bars the way of a robot that walks up to all that it can push or grip, seen or not."""
+        gives_way = ground.pushable if self.senses.beams is None else ground.pushable | ground.grippable
+        return self.around.without(gives_way) if gives_way else self.around
 
     def _keep_guard(self) -> None:
         self._guard = guard_distance(self.body, self.senses.rangers)

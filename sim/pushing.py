@@ -58,8 +58,7 @@ class Pushing:
             self._ground.put(root, replace(place, x=place.x + metres * dx, y=place.y + metres * dy))
 
     def _gives_way(self, part: Part) -> bool:
-        model = self._ground.scene.models[part.root]
-        return model.pushable and not self._ground.is_attached(part.root)
+        return part.root in self._ground.pushable and not self._ground.is_attached(part.root)
 
     def _contact(
         self, spot: Spot, angle: float, done: float, length: float, joined: dict[int, float]

@@ -195,3 +195,22 @@ def test_what_one_holds_another_cannot_take_nor_push() -> None:
     assert met.stopped_by is StoppedBy.COLLISION
     assert bob.grip().outcome is Grip.NOTHING_THERE
     assert things(world) == []
+
+
+def test_a_robot_is_never_pushed_whatever_its_file_says() -> None:
+    world = World(scene(PUSHER + 'blind( name "bob" pose [ 0.6 0 0 0 ] pushable 1 gripper_return 1 )'))
+    bob = world.robot("bob", pace=Unpaced())
+
+    assert world.robot(pace=Unpaced()).forward(20).stopped_by is StoppedBy.COLLISION
+    assert world.moved_things() == {}
+    assert bob.forward(2).walked == 2
+
+
+def test_a_thing_on_a_thing_goes_with_it() -> None:
+    box = "model( size [ 0.1 0.1 0.2 ] pose [ 0.3 0 0 0 ] pushable 1 model( size [ 0.2 0.05 0.1 ] ) )"
+    world = World(scene(PUSHER + box + WALL.format(0.6)))
+
+    moved = world.robot(pace=Unpaced()).forward(20)
+
+    assert moved.stopped_by is StoppedBy.COLLISION
+    assert things(world) == [(0.45, 0)]
