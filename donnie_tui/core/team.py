@@ -44,6 +44,8 @@ class Team:
         self._sessions: dict[str, Session] = {}
         self._lock = threading.Lock()
         self._chosen = self.names[0]
+        self.given: dict[str, Assigned] = {}
+        """The programs that robots were given last, by name."""
 
     # --- who
 
@@ -67,6 +69,10 @@ class Team:
         if typed in self.names:
             return typed
         return next((name for name in self.names if fold_name(name) == fold_name(typed)), None)
+
+    def give(self, name: str, program: Assigned) -> None:
+        """What that robot runs when all start together."""
+        self.given[name] = program
 
     def session(self, name: str) -> Session:
         """Raises ``KeyError`` if there is no such robot."""

@@ -11,6 +11,7 @@ import os
 import signal
 from pathlib import Path
 
+from donnie_tui import team_words
 from donnie_tui.bootstrap import Donnie, SwitchMode, Unusable, assemble
 from donnie_tui.core.filing import Copies
 from donnie_tui.core.typed_program import ProgramTooLong
@@ -35,7 +36,7 @@ INTERRUPTED = 130
 
 _GOES = {"step": Goes.STEP, "step_over": Goes.OVER, "continue_": Goes.ON, "stop": Goes.STOP}
 """How a held program goes on by a word."""
-_LIVE = ("stop", "pause", "slower", "faster", "speed")
+_LIVE = ("stop", "stop_all", "robots", "pause", "slower", "faster", "speed")
 """What is done at once while a program runs."""
 
 
@@ -332,14 +333,16 @@ class LinearMode:
 
     def _leave(self, code: int) -> None:
         """Leave, once a program that would be missed is saved or given up."""
-        desk, program = self._desk, self._desk.program
+        desk = self._desk
         desk.leaving = code
-        would_be_missed = desk.is_attended and program.is_worth_saving
-        if would_be_missed and desk.ask_yes("linear-ask-save", lines=len(program.lines)):
-            files.save_named(desk, "")
+        for program in desk.all_programs():
+            would_be_missed = desk.is_attended and program.is_worth_saving
+            if would_be_missed and desk.ask_yes("linear-ask-save", lines=len(program.lines)):
+                desk.program = program
+                files.save_named(desk, "")
 
     def _leave_by_signal(self, number: int) -> None:
-        self._desk.session.stop()
+        self._desk.donnie.team.stop()
         self._desk.keep_for_later()
         self._desk.leaving = 128 + number
 
@@ -347,7 +350,9 @@ class LinearMode:
         """Ctrl+C where nothing runs: it clears the line. A script is ended by it."""
         desk = self._desk
         desk.next_line = None
-        if not desk.is_attended:
+        if desk.donnie.team.running:
+            team_words.stop_all(desk.donnie)
+        elif not desk.is_attended:
             desk.leaving = INTERRUPTED
         elif line:
             desk.answer("linear-cleared")

@@ -61,6 +61,8 @@ class Desk:
         self.donnie = donnie
         self.console = ends.console
         self.program = TypedProgram()
+        self.programs: dict[str, TypedProgram] = {}
+        """Those of the robots that were talked to, by name; this one's is not up to date."""
         self.copies = copies
         self.habits = habits
         self.errors: list[Error] = []
@@ -96,7 +98,7 @@ class Desk:
         self._shown_prompt: str | None = None
         self._typed_early: Typed | None = None
         """A line that was typed where an answer waited for Enter."""
-        self._unsubscribe = [self.session.hub.subscribe(each) for each in (self._hear, self.trail.hear)]
+        self._unsubscribe = [self.session.hub.subscribe(self._hear)]
 
     def close(self) -> None:
         """Hear no more: somebody else goes on with the session."""
@@ -152,14 +154,23 @@ class Desk:
         event = stamped.event
         if not isinstance(event, TRANSIENT):
             self.timeline = None
-        if isinstance(event, RunStarted):
-            self.errors, self.error_at = [], None
-        elif isinstance(event, Error):
-            self.errors = [*self.errors[-LONGEST_ANSWER:], event]
+        if stamped.robot == self.session.hub.robot:
+            self._hear_own(stamped)
         self._ends.told.put(told_lines(stamped, self.say))
         if isinstance(event, Announced) and event.code in CANNOT_WAIT:
             self.console.has_news = True
             self.console.nudge()
+
+    def _hear_own(self, stamped: Stamped) -> None:
+        """What the robot does that is talked to."""
+        self.trail.hear(stamped)
+        match stamped.event:
+            case RunStarted():
+                self.errors, self.error_at = [], None
+            case Error() as error:
+                self.errors = [*self.errors[-LONGEST_ANSWER:], error]
+            case _:
+                pass
 
     def show_told(self, prompt: str = "") -> int:
         """Print what was told, then the prompt. How many lines were left out because of Ctrl+C."""
@@ -275,9 +286,15 @@ class Desk:
 
     def keep_for_later(self) -> None:
         """Save what is not saved beside everything else; quietly, since nobody may be there to hear."""
-        if not self.program.saved and self.program.lines:
+        unsaved = [each.text for each in self.all_programs() if not each.saved and each.lines]
+        if unsaved:
             with contextlib.suppress(DocumentError, OSError):
-                self.copies.keep(self.program.text)
+                self.copies.keep("\n".join(unsaved))
+
+    def all_programs(self) -> tuple[TypedProgram, ...]:
+        """Of all robots, the one that is talked to first."""
+        others = (each for name, each in self.programs.items() if name != self.session.name)
+        return (self.program, *others)
 
 
 def _nothing(_: str) -> None:

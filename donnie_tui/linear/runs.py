@@ -48,6 +48,8 @@ class Runs:
         self._live = live
         self._holding = Holding(desk, wish_of)
         self._ended = False
+        self._robot: str | None = None
+        """Whose run is watched; None where the world has but one robot."""
         self._stopping = False
         self._stopped_at: int | None = None
         self._left_out = 0
@@ -69,6 +71,8 @@ class Runs:
         if not program.is_waiting and last is None:
             self._desk.answer("answer-nothing-to-run")
             return
+        if not self._is_free(to_leave=last is not None):
+            return
         batch = program.take_batch(last)
         run = self._run(batch.text, batch.first_line, begin=begin)
         if not run.was_refused:
@@ -80,6 +84,8 @@ class Runs:
     def run_all(self, *, begin: Callable[[ExecutionControl], None] | None = None) -> None:
         """Run the whole program from the start of the world."""
         program = self._desk.program
+        if not self._is_free(to_leave=False):
+            return
         program.rewind()
         if not program.is_waiting:
             self._desk.answer("answer-nothing-to-run")
@@ -97,10 +103,7 @@ class Runs:
         fresh: bool = False,
         begin: Callable[[ExecutionControl], None] | None = None,
     ) -> Run:
-        self._ended = self._stopping = False
-        self._stopped_at, self._left_out = None, 0
-        self._told_before = self._told.count
-        self._told.hold_back()
+        self._prepare()
         try:
             run = self._desk.session.start(
                 text,
@@ -116,6 +119,40 @@ class Runs:
         if run.outcome is Outcome.QUIT:
             self._desk.leaving = 0
         return run
+
+    def _prepare(self) -> None:
+        self._ended = self._stopping = False
+        self._robot = self._desk.session.hub.robot
+        self._stopped_at, self._left_out = None, 0
+        self._told_before = self._told.count
+        self._told.hold_back()
+
+    def watch_together(self, start: Callable[[], tuple[tuple[str, Run], ...]]) -> None:
+        """Start several robots and watch until the last of them is done; Ctrl+C stops all."""
+        self._prepare()
+        try:
+            for name, run in start():
+                self._robot, self._ended = name, run.is_over
+                self._watch(run)
+        finally:
+            self._told.let_pass()
+
+    def watch_deed(self, start: Callable[[], Run | None]) -> None:
+        """Something that takes a moment: what it says belongs to its answer."""
+        run = start()
+        if run is not None:
+            run.wait(LONGEST_STOP)
+
+    def _is_free(self, *, to_leave: bool) -> bool:
+        """Whether the robot can run something; who wants to leave waits for nobody."""
+        session = self._desk.session
+        busy = session.run
+        if busy is not None and to_leave:
+            session.stop()
+            busy.wait(LONGEST_STOP)
+        elif busy is not None:
+            self._desk.answer("robot-busy", name=session.name)
+        return session.run is None
 
     def _tell_hints(self, text: str) -> None:
         """What has no effect and what was probably meant; where nothing was told at all, that it is done."""
@@ -135,7 +172,7 @@ class Runs:
 
     def _hear(self, stamped: Stamped) -> None:
         """In the program's thread."""
-        if isinstance(stamped.event, RunEnded):
+        if isinstance(stamped.event, RunEnded) and stamped.robot == self._robot:
             self._ended = True
             self._console.nudge()
 
@@ -151,6 +188,7 @@ class Runs:
             if self._console.take_interrupt() and not self._stopping:
                 self._left_out += self._told.trim(LARGEST_BLOCK)
                 self._begin_new_line()
+                self._desk.donnie.team.stop()
                 self.stop()
             elif self._holding.is_held and not self._stopping:
                 self._while_held(run)

@@ -122,6 +122,16 @@ SENTENCES: dict[str, Sentence] = _cut_short() | {
         "{name} em ação: {x}, {y}, virado para {facing}.",
         "{name} en marcha: {x}, {y}, mirando al {facing}.",
     ),
+    "robots-more": Sentence("And {count} more.", "E mais {count}.", "Y {count} más."),
+    # --- what the words are for
+    "help-typed-robot": Sentence("bob", "bob", "bob"),
+    "action-robots": Sentence("Who is here.", "Quem está aqui.", "Quién está aquí."),
+    "action-robot": Sentence("Talks to bob from now on.", "Fala agora com o bob.", "Habla ahora con bob."),
+    "action-start": Sentence("Runs; you can type on.", "Executa sem esperar.", "Ejecuta sin esperar."),
+    "action-together": Sentence("All robots run.", "Todos os robôs andam.", "Andan todos los robots."),
+    "action-stop_all": Sentence("Stops all robots.", "Para todos os robôs.", "Detiene a todos."),
+    "action-grip": Sentence("Closes the gripper.", "Fecha a garra.", "Cierra la pinza."),
+    "action-release": Sentence("Opens the gripper.", "Abre a garra.", "Abre la pinza."),
     "robots-only-one": Sentence(
         "There is one robot, {name}.", "Há um robô só, {name}.", "Hay un solo robot, {name}."
     ),

@@ -1,0 +1,106 @@
+"""What the words about several robots and the gripper do, for both front ends. Answers go to the hub.
+
+ROBOTS and ROBOT name, START (a run that nobody waits for), TOGETHER, STOP ALL, GRIP and RELEASE.
+"""
+
+from __future__ import annotations
+
+from donnie_tui.bootstrap import Donnie
+from donnie_tui.core import numbers
+from donnie_tui.core.events import Answered
+from donnie_tui.core.handling import Deed
+from donnie_tui.core.runner import Run
+from donnie_tui.core.session import Busy, Session
+from donnie_tui.core.team import Assigned
+from donnie_tui.core.telling import facing
+
+MOST_ROBOTS = 30
+"""Robots that are told of one by one."""
+
+
+def tell_robots(donnie: Donnie) -> None:
+    """Who is there and where; the one that is talked to first."""
+    team = donnie.team
+    if not team.has_several:
+        _say(donnie, "robots-only-one", name=team.chosen.name)
+        return
+    _say(donnie, "robot-chosen", name=team.chosen.name)
+    for name in team.names[:MOST_ROBOTS]:
+        _tell_place(donnie, team.session(name))
+    if len(team.names) > MOST_ROBOTS:
+        _say(donnie, "robots-more", count=len(team.names) - MOST_ROBOTS)
+
+
+def choose_robot(donnie: Donnie, typed: str) -> bool:
+    """Talk to that robot from now on. False if there is none of that name."""
+    team = donnie.team
+    name = team.called(typed)
+    if name is None:
+        shown = ", ".join(team.names[:MOST_ROBOTS])
+        _say(donnie, "robot-unknown", name=typed[:40], names=shown)
+        return False
+    team.choose(name)
+    _say(donnie, "robot-chosen", name=name)
+    return True
+
+
+def start(donnie: Donnie, text: str, name: str) -> Run | None:
+    """Run a whole program from the robot's start, and wait for nothing. None if the robot is busy."""
+    session = donnie.session
+    donnie.team.give(session.name, Assigned(text, name))
+    try:
+        run = session.start(text, name, fresh=True, hooked=False, terminal=False)
+    except Busy:
+        _say(donnie, "robot-busy", name=session.name)
+        return None
+    _say(donnie, "robot-started", name=session.name)
+    return run
+
+
+def start_together(donnie: Donnie) -> tuple[tuple[str, Run], ...]:
+    """All robots that were given programs begin at the same moment. The runs by name, none if one is busy."""
+    team = donnie.team
+    programs = {name: each for name, each in team.given.items() if each.text.strip()}
+    busy = [session.name for session in team.running if session.name in programs]
+    if not programs:
+        _say(donnie, "robot-no-programs")
+    elif busy:
+        _say(donnie, "robot-busy", name=busy[0])
+    else:
+        names = tuple(name for name in team.names if name in programs)
+        return tuple(zip(names, team.start_together(programs, terminal=False), strict=True))
+    return ()
+
+
+def stop_all(donnie: Donnie) -> None:
+    """All robots, whoever is talked to."""
+    if donnie.team.running:
+        donnie.team.stop()
+        _say(donnie, "robot-all-stopped")
+    else:
+        _say(donnie, "robot-now-idle")
+
+
+def use_gripper(donnie: Donnie, deed: Deed) -> Run | None:
+    """Close or open it; None if the robot is busy."""
+    try:
+        return donnie.session.use_gripper(deed)
+    except Busy:
+        _say(donnie, "robot-busy", name=donnie.session.name)
+        return None
+
+
+def _tell_place(donnie: Donnie, session: Session) -> None:
+    pose = session.pose
+    _say(
+        donnie,
+        "robot-listed" if session.run is None else "robot-listed-running",
+        name=session.name,
+        x=numbers.whole(pose.x),
+        y=numbers.whole(pose.y),
+        facing=facing(pose, donnie.words),
+    )
+
+
+def _say(donnie: Donnie, code: str, **values: object) -> None:
+    donnie.session.hub.publish(Answered(donnie.words(code, **values)))
