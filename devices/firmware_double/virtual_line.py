@@ -43,6 +43,8 @@ class VirtualLine:
         """A fault while it is False: the port is gone."""
         self.is_blocked = False
         """A fault: the system takes nothing more to be written."""
+        self.look = LOOK
+        """Seconds between two looks at the line; longer is cheaper."""
         self.written: list[tuple[float, bytes]] | None = None
         """When what was written, if somebody sets it to a list."""
         self._config = config or LinkConfig()
@@ -105,7 +107,7 @@ class VirtualLine:
         """Let time go by, on the line and on the board."""
         ends = self._now + seconds
         while self._now < ends - 1e-9:
-            self._look(min(LOOK, ends - self._now))
+            self._look(min(self.look, ends - self._now))
 
     def _is_in(self, state: LinkState) -> bool:
         return self.state is state

@@ -14,7 +14,7 @@ from collections.abc import Callable
 
 from devices.ports.robot import LinkNews, RobotProblem
 from devices.serial_link.port import OpenPort
-from devices.serial_port import PortProblem
+from devices.serial_port import GONE, PortProblem
 from devices.wire.commands import STOP, Drive
 from devices.wire.connection import Connection, Need, Write
 from devices.wire.link_config import LinkConfig
@@ -150,7 +150,7 @@ class SerialLink:
         """Take in what came, and do what is due."""
         try:
             data = self._port.read() if self._port is not None else b""
-        except OSError as error:
+        except GONE as error:
             self._lost(error)
             return
         with self._lock:
@@ -171,7 +171,7 @@ class SerialLink:
                         self._port.pull_reset(self._closing.wait)
                 case Need.REOPEN:
                     self._reopen()
-        except OSError as error:
+        except GONE as error:
             self._lost(error)
 
     def _write(self, data: bytes) -> None:
@@ -190,7 +190,7 @@ class SerialLink:
         with self._lock:
             self._connection.opened(self.now())
 
-    def _lost(self, error: OSError) -> None:
+    def _lost(self, error: Exception) -> None:
         self._drop_port()
         with self._lock:
             self._connection.failed(self.now(), str(error))
@@ -231,5 +231,5 @@ class SerialLink:
     def _part(self, port: OpenPort) -> None:
         try:
             port.write(STOP)
-        except OSError as error:
+        except GONE as error:
             _LOG.info("%s: gone before the last stop: %s", self.name, error)

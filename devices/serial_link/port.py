@@ -1,6 +1,6 @@
 """One open serial port with a robot's board: read without waiting, written whole, reset by its wire.
 
-Whatever happens to a line that is gone is an ``OSError`` here; pyserial's own errors are ones as well.
+What a line that is gone raises is one of ``GONE``.
 """
 
 from __future__ import annotations
@@ -21,7 +21,7 @@ _LOG = logging.getLogger(__name__)
 
 
 class OpenPort:
-    """A port that is ours alone. ``OSError`` from any method means that it is gone."""
+    """A port that is ours alone. One of ``GONE`` from any method means that it is."""
 
     def __init__(self, url: str) -> None:
         """Open it. Raises ``PortProblem``. Opening resets a board on USB, and so stops it."""
@@ -48,5 +48,5 @@ class OpenPort:
             pause(RESET_PULSE)
 
     def close(self) -> None:
-        with suppress(OSError):
+        with suppress(*GONE):
             self._port.close()

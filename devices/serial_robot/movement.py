@@ -128,7 +128,7 @@ class Movement:
     def _allow_more(self, telemetry: Telemetry) -> bool | None:
         """Allow the next stride if it is time to, and free. False if it is known not to be."""
         left = self._allowed - self.units
-        if self._allowed >= self._aim.amount or left > RENEW_BEFORE * self._aim.stride:
+        if self._allowed and (self._allowed >= self._aim.amount or left > RENEW_BEFORE * self._aim.stride):
             return True
         answer = self._may_begin(telemetry, left)
         if answer:

@@ -35,6 +35,8 @@ from devices.wire.telemetry import REMEMBERED, Telemetry
 DEGREES_A_REPORT = 10
 SLICE = 0.05
 """Seconds between two looks of a wait."""
+MOST_CARRIED = 100.0
+"""Counts that the next movement makes up for; more than that, and the robot has been somewhere else."""
 PICTURE = 0.05
 """Seconds between two places that are told for a moving picture."""
 
@@ -132,7 +134,7 @@ class SerialRobot:
             report=report,
         )
         done = self._run(movement, report, asked)
-        self._turned_too_far = sense * (movement.counts - done * unit) if movement.stopped_by is None else 0.0
+        self._turned_too_far = sense * _too_far(movement, done * unit)
         return Turned(degrees, sense * done, self._end_of(movement), self.pose())
 
     def halt(self) -> None:
@@ -158,8 +160,7 @@ class SerialRobot:
             report=report,
         )
         done = self._run(movement, report, steps)
-        is_whole = movement.stopped_by in (None, StoppedBy.OBSTACLE)
-        self._walked_too_far = sense * (movement.counts - done * unit) if is_whole else 0.0
+        self._walked_too_far = sense * _too_far(movement, done * unit)
         return Moved(steps, done, self._end_of(movement), self.pose())
 
     def _movement(
@@ -258,6 +259,13 @@ class SerialRobot:
         if self._watcher is not None and self._line.now() - self._pictured_at >= PICTURE:
             self._pictured_at = self._line.now()
             self._watcher.passing(pose)
+
+
+def _too_far(movement: Movement, counts: float) -> float:
+    """By how much it went beyond what it is told to have done: little, if it ended by its own will."""
+    too_far = movement.counts - counts
+    is_its_own = movement.stopped_by in (None, StoppedBy.OBSTACLE) and abs(too_far) <= MOST_CARRIED
+    return too_far if is_its_own else 0.0
 
 
 _VERDICT = {Ahead.FREE: True, Ahead.DOUBTFUL: None, Ahead.BLOCKED: False}

@@ -27,6 +27,8 @@ class LinkConfig:
     """A drive that nobody renews for that long ends."""
     still: float = 0.1
     """The wheels stand once they have not counted for that long."""
+    stop_again: float = 0.1
+    """A stop is said again that often until they stand."""
     runaway: float = 0.5
     """Wheels that count that long after a stop are stopped by force."""
     reopen: float = 0.5

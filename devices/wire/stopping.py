@@ -7,6 +7,7 @@ over only once the wheels are seen to stand.
 from __future__ import annotations
 
 from enum import Enum, auto
+from math import inf
 
 from devices.wire.link_config import LinkConfig
 from devices.wire.outbox import Outbox
@@ -26,7 +27,7 @@ class Stopping:
         self._config = config
         self._outbox = outbox
         self._stage = _Stage.STANDING
-        self._since = 0.0
+        self._since = self._again_at = 0.0
 
     @property
     def is_over(self) -> bool:
@@ -36,7 +37,7 @@ class Stopping:
         """Stop. Only a robot that was driving is watched, so that a pushed one is not reset."""
         self._outbox.stop()
         if was_driving and self.is_over:
-            self._stage, self._since = _Stage.ASKED, now
+            self._stage, self._since, self._again_at = _Stage.ASKED, now, now + self._config.stop_again
 
     def forget(self) -> None:
         """The robot drives again, or its board is known to have begun anew."""
@@ -47,6 +48,9 @@ class Stopping:
         if self.is_over or self._stands(now, heard_at, moved_at):
             self._stage = _Stage.STANDING
             return False
+        if now >= self._again_at:
+            self._again_at = now + self._config.stop_again
+            self._outbox.hurry(now)
         if self._stage is _Stage.FORCED or now - self._since < self._config.runaway:
             return False
         self._since = now
@@ -57,9 +61,10 @@ class Stopping:
 
     def next_at(self) -> float | None:
         """When to look again, at the latest."""
-        if self._stage in (_Stage.STANDING, _Stage.FORCED):
+        if self.is_over:
             return None
-        return self._since + self._config.runaway
+        runaway = inf if self._stage is _Stage.FORCED else self._since + self._config.runaway
+        return min(self._again_at, runaway)
 
     def _stands(self, now: float, heard_at: float, moved_at: float) -> bool:
         """Frames that came after the stop, and no count for a while."""

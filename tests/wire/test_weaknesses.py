@@ -373,6 +373,20 @@ def test_stop_is_repeated_until_the_wheels_are_still_then_zeros_then_force() -> 
     assert (bench.board.resets, bench.board.is_driving) == (resets + 1, False)
 
 
+def test_stop_that_was_lost_twice_is_said_again_within_a_tenth_of_a_second() -> None:
+    bench = Bench()
+    bench.drive(0.3)
+    bench.line.wire.cut = 1.0
+    bench.line.stop()
+    bench.line.advance(0.05)
+    bench.line.wire.cut = 0.0
+    bench.board.receive(bytes(10))
+
+    bench.line.advance(0.15)
+
+    assert not bench.board.is_driving
+
+
 def test_stop_after_half_a_frame_needs_no_more_than_the_zeros() -> None:
     bench = Bench()
     bench.drive(0.3)

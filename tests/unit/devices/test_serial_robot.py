@@ -75,6 +75,22 @@ def test_what_one_movement_goes_too_far_the_next_one_makes_up_for() -> None:
     assert (real.robot.pose().heading + 180) % 360 == pytest.approx(180, abs=3)
 
 
+@pytest.mark.parametrize("back", [True, False])
+def test_after_a_walk_that_a_lost_stop_made_too_long_the_next_one_is_whole(back: bool) -> None:
+    """The way back was once waited for without end, the way on was once shorter by what was too far."""
+    real = Real()
+    wire = real.line.wire
+    real.pace.due = [(0.9, lambda: setattr(wire, "cut", 1.0)), (1.6, lambda: setattr(wire, "cut", 0.0))]
+    real.robot.forward(1)
+    before = real.board.wheels.place.y / STEP
+    assert before > 1.5
+
+    moved = real.robot.backward(2) if back else real.robot.forward(2)
+
+    assert (moved.walked, moved.stopped_by) == (2, None)
+    assert abs(real.board.wheels.place.y / STEP - before) == pytest.approx(2, abs=NEAR)
+
+
 def test_nothing_is_driven_for_nothing() -> None:
     real = Real()
     before = real.robot.time()
