@@ -42,6 +42,7 @@ class Turns:
             if not seat.takes_part:
                 return
             seat.takes_part = False
+            seat.wake()
             if self.holder is seat:
                 self.holder = None
             else:
@@ -60,7 +61,7 @@ class Turns:
         holder = self.holder
         assert holder is not None
         _, _, self.holder = heapreplace(self.queue, (holder.time, holder.rank, holder))
-        self.holder.wake.notify()
+        self.holder.wake()
 
     def _admit(self, seat: Seat) -> None:
         if not seat.takes_part:
@@ -71,7 +72,7 @@ class Turns:
     def _appoint(self) -> None:
         if self.holder is None and self.queue:
             _, _, self.holder = heappop(self.queue)
-            self.holder.wake.notify()
+            self.holder.wake()
 
 
 class Seat:
@@ -83,22 +84,20 @@ class Seat:
         self.rank = rank
         self.time = 0.0
         self.takes_part = False
-        self.wake = threading.Condition(turns.lock)
+        self._gate = threading.Lock()
+        """Shut while there is nothing to look at. A condition would cost twice as much."""
+        self._gate.acquire()
 
     def take(self, time: float, halted: Callable[[], bool]) -> bool:
         """Wait until it is this one's turn at ``time``. False if ``halted`` first; ``nudge`` has it asked."""
-        turns = self.turns
-        with turns.lock:
-            self.time = time
-            while self.takes_part:
-                if turns.holder is self:
-                    if not self._is_overtaken():
-                        return True
-                    turns.hand_over()
+        self.time = time
+        while True:
+            with self.turns.lock:
+                if not self.takes_part or self._has_the_turn():
+                    return True
                 if halted():
                     return False
-                self.wake.wait()
-            return True
+            self._gate.acquire()
 
     def is_next(self, time: float) -> bool:
         """Whether it would have the turn at ``time`` without any wait."""
@@ -120,7 +119,18 @@ class Seat:
     def nudge(self) -> None:
         """Let a ``take`` that goes on ask whether it was halted. Any thread."""
         with self.turns.lock:
-            self.wake.notify()
+            self.wake()
+
+    def wake(self) -> None:
+        """Let a ``take`` that waits look again. Under the lock."""
+        if self._gate.locked():
+            self._gate.release()
+
+    def _has_the_turn(self) -> bool:
+        """Whether it is this one's turn; who holds it too early passes it on."""
+        if self.turns.holder is self and self._is_overtaken():
+            self.turns.hand_over()
+        return self.turns.holder is self
 
     def _is_overtaken(self) -> bool:
         queue = self.turns.queue
