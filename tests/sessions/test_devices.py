@@ -10,11 +10,14 @@ import json
 import os
 import signal
 import subprocess
+import sys
+import threading
 import time
 import tty
 from collections.abc import Callable, Iterator
 from pathlib import Path
 
+import pexpect
 import pytest
 
 from devices.belt.board import BeltBoard
@@ -25,7 +28,7 @@ from devices.wire.commands import STOP
 from donnie_tui.bootstrap import Donnie, assemble
 from donnie_tui.core.events import CueSounded, Moved, Outcome, RunEnded, Stamped
 from donnie_tui.settings import Settings
-from tests.sessions.command import PATIENCE, QUIET, donnie, start
+from tests.sessions.command import COMMAND, PATIENCE, QUIET, donnie, environment, start
 from tests.sessions.learner import Learner
 from tests.sessions.test_double import world as near_world
 
@@ -82,6 +85,32 @@ def test_a_signal_stops_the_robot(tmp_path: Path, robot: DoubleOnPty, number: si
 
     assert until(lambda: not robot.board.is_driving)
     assert process.wait(PATIENCE) == 130
+    assert robot.heard.endswith(STOP)
+
+
+@pytest.mark.parametrize("number", [signal.SIGTERM, signal.SIGHUP], ids=lambda each: each.name)
+@pytest.mark.parametrize("mode", ["--linear", "--visual"])
+def test_a_signal_to_a_front_end_stops_the_robot(
+    tmp_path: Path, robot: DoubleOnPty, mode: str, number: signal.Signals
+) -> None:
+    front_end = pexpect.spawn(
+        sys.executable,
+        [*COMMAND[1:], mode, *serial(robot), *QUIET, program(tmp_path, LONG_WALK)],
+        env=environment(tmp_path, {"TERM": "xterm-256color"}),
+        cwd=str(tmp_path),
+        dimensions=(24, 80),
+        timeout=PATIENCE,
+    )
+    drained = threading.Thread(target=front_end.expect, args=(pexpect.EOF,), daemon=True)
+    assert until(lambda: robot.board.is_configured)
+    front_end.expect("onnected")
+    front_end.send("\x1b[15~" if mode == "--visual" else "RUN\r")
+    drained.start()
+    assert until(lambda: robot.board.is_driving)
+    front_end.kill(number)
+
+    assert until(lambda: not robot.board.is_driving)
+    drained.join(PATIENCE)
     assert robot.heard.endswith(STOP)
 
 
@@ -253,8 +282,6 @@ def test_where_nothing_is_measured_nothing_changes(tmp_path: Path, typed: str) -
 
 
 def test_a_signal_in_the_middle_of_a_calibration_stops_the_robot(tmp_path: Path, robot: DoubleOnPty) -> None:
-    from tests.sessions.command import COMMAND, environment
-
     process = subprocess.Popen(
         [*COMMAND, "calibrate", *serial(robot)],
         stdin=subprocess.PIPE,
