@@ -18,18 +18,26 @@ def labels(scale: MapScale, columns: int, wording: Wording) -> dict[Cell, str]:
     named = [(name_of(each, wording), scene.cell_at(each.x, each.y)) for each in scene.things[:MOST]]
     named += list(scene.others.items())
     for name, cell in named:
-        _write(f" {name}", scale, scale.square_of(cell), columns, written)
+        _write(f" {name} ", scale, scale.square_of(cell), columns, written)
     return written
 
 
 def _write(name: str, scale: MapScale, square: Cell, columns: int, written: dict[Cell, str]) -> None:
-    east = Cell(square.x + 1, square.y)
-    while _kind(scale, east) in (Kind.THING, Kind.OTHER) and east.x <= scale.bounds.right:
-        east = Cell(east.x + 1, east.y)
+    """To the east of it, else to the west."""
     pieces = [name[at : at + columns].ljust(columns) for at in range(0, len(name), columns)]
-    squares = [Cell(east.x + index, east.y) for index in range(len(pieces))]
-    if all(_is_free(scale, each) and each not in written for each in squares):
-        written.update(zip(squares, pieces, strict=True))
+    for first in (_beyond(scale, square, 1), _beyond(scale, square, -1) - len(pieces) + 1):
+        squares = [Cell(first + index, square.y) for index in range(len(pieces))]
+        if all(_is_free(scale, each) and each not in written for each in squares):
+            written.update(zip(squares, pieces, strict=True))
+            return
+
+
+def _beyond(scale: MapScale, square: Cell, step: int) -> int:
+    """The first column beside what stands there."""
+    x = square.x + step
+    while _kind(scale, Cell(x, square.y)) in (Kind.THING, Kind.OTHER):
+        x += step
+    return x
 
 
 def _kind(scale: MapScale, square: Cell) -> Kind:
@@ -37,4 +45,7 @@ def _kind(scale: MapScale, square: Cell) -> Kind:
 
 
 def _is_free(scale: MapScale, square: Cell) -> bool:
-    return square.x <= scale.bounds.right and _kind(scale, square) in (Kind.FREE, Kind.TRAIL)
+    return scale.bounds.left <= square.x <= scale.bounds.right and _kind(scale, square) in (
+        Kind.FREE,
+        Kind.TRAIL,
+    )

@@ -202,11 +202,11 @@ def _by_cell(grid: MapGrid, things: Iterable[Thing]) -> dict[Cell, Thing]:
 def _cells_in_box(grid: MapGrid, thing: Thing, margin: int = 0) -> Iterable[Cell]:
     """The cells that a thing fills well, one at least; with ``margin`` those beside it too."""
     picture = grid.picture
-    low = grid.cell_of(Pose(thing.x - thing.width / 2 + 0.3, thing.y - thing.depth / 2 + 0.3, 0.0))
-    high = grid.cell_of(Pose(thing.x + thing.width / 2 - 0.3, thing.y + thing.depth / 2 - 0.3, 0.0))
-    middle = grid.cell_of(Pose(thing.x, thing.y, 0.0))
-    left, right = min(low.x, middle.x) - margin, max(high.x, middle.x) + margin
-    bottom, top = min(low.y, middle.y) - margin, max(high.y, middle.y) + margin
+    across, up = max(1, round(thing.width / picture.cell)), max(1, round(thing.depth / picture.cell))
+    half = picture.cell / 2
+    low = grid.cell_of(Pose(thing.x - across * half + half, thing.y - up * half + half, 0.0))
+    left, right = low.x - margin, low.x + across - 1 + margin
+    bottom, top = low.y - margin, low.y + up - 1 + margin
     for x in range(max(left, -1), min(right, picture.width) + 1):
         for y in range(max(bottom, -1), min(top, picture.height) + 1):
             yield Cell(x, y)

@@ -31,6 +31,13 @@ KEYS: dict[str, tuple[str, ...]] = {
     "faster": ("f12",),
     "speed": (),
     "reset": ("ctrl+r",),
+    "robots": (),
+    "robot": (),
+    "start": (),
+    "together": (),
+    "stop_all": ("ctrl+k full_stop",),
+    "grip": (),
+    "release": (),
     "connect": (),
     "feel": (),
     "open": ("ctrl+o", "f3"),
@@ -177,6 +184,7 @@ def with_keys(chosen: str) -> dict[str, tuple[str, ...]]:
 
 
 _SIGNS = {
+    "full_stop": ".",
     "plus": "+",
     "minus": "-",
     "comma": ",",

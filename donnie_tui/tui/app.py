@@ -41,6 +41,7 @@ if TYPE_CHECKING:
     from donnie_tui.bootstrap import Donnie
     from donnie_tui.tui.bridge import Began, Ended
     from donnie_tui.tui.screens.chooser import Choice
+    from donnie_tui.tui.screens.key_menu import KeyMenu
     from donnie_tui.tui.work import Work
 
 SHOW_CURSOR = "\x1b[?25h"
@@ -76,6 +77,8 @@ class DonnieApp(App[int], inherit_bindings=False):
         self._filters.append(Printable())
         self.workplace = Workplace(plain=is_plain(settings))
         self._keys: dict[str, tuple[str, ...]] = {}
+        self._menu: KeyMenu | None = None
+        """The list of the keys behind a key, while one of them is waited for."""
         self._bind(settings.keys)
         self._turns = Turns(self, super().on_event)
         self.work: Work | None = None
@@ -189,6 +192,8 @@ class DonnieApp(App[int], inherit_bindings=False):
 
     async def on_event(self, event: events.Event) -> None:
         is_typed = isinstance(event, (events.Key, events.Paste)) and not event.is_forwarded
+        if is_typed and isinstance(event, events.Key) and self._did_by_menu(event.key):
+            return
         if is_typed and self._turns.is_holding and not self._is_stop(event):
             self._turns.hold(event)
         else:
@@ -246,16 +251,22 @@ class DonnieApp(App[int], inherit_bindings=False):
     def action_key_menu(self) -> None:
         """The keys behind a key: a list of them, and the next letter."""
         if self.work is not None and self.screen is self.workplace:
-            self._await(self._choose_by_key(self.work))
+            from donnie_tui.tui.screens.key_menu import KeyMenu
 
-    async def _choose_by_key(self, work: Work) -> None:
-        from donnie_tui.tui.screens.key_menu import KeyMenu
+            self._menu = KeyMenu(self._keys, self.work.words)
+            self.push_screen(self._menu, self._menu_is_gone)
 
-        chosen = await self.push_screen_wait(KeyMenu(self._keys, work.words))
-        if chosen:
-            asking = work.do(chosen)
-            if asking is not None:
-                await asking
+    def _menu_is_gone(self, _answer: None) -> None:
+        self._menu = None
+
+    def _did_by_menu(self, key: str) -> bool:
+        """The letter behind the menu key counts at once, whether its list is seen yet or not."""
+        if self._menu is None or (name := self._menu.names.get(key)) is None:
+            return False
+        menu, self._menu = self._menu, None
+        menu.leave()
+        self._turns.do(lambda: self._do_in_turn(name))
+        return True
 
     # --- what the work asks of the application
 

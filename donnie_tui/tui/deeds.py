@@ -10,6 +10,7 @@ from typing import TYPE_CHECKING
 from donnie_tui.core.speeds import speed_words
 from donnie_tui.tui.deeds_around import AroundDeeds
 from donnie_tui.tui.deeds_map import MapDeeds
+from donnie_tui.tui.deeds_robots import RobotDeeds
 from donnie_tui.tui.deeds_telling import TellingDeeds
 from donnie_tui.tui.deeds_text import TextDeeds
 from donnie_tui.tui.running import Answer, Doing
@@ -23,7 +24,14 @@ class Deeds:
 
     def __init__(self, host: WorkHost) -> None:
         self._host = host
-        self._parts = (self, MapDeeds(host), TellingDeeds(host), TextDeeds(host), AroundDeeds(host))
+        self._parts = (
+            self,
+            MapDeeds(host),
+            TellingDeeds(host),
+            TextDeeds(host),
+            AroundDeeds(host),
+            RobotDeeds(host),
+        )
 
     def do(self, name: str, argument: str) -> Awaitable[None] | None:
         """Do the action. Raises ``AttributeError`` for a name that is not in the table."""

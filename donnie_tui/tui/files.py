@@ -109,12 +109,15 @@ class Files:
     async def are_safe_to_leave(self) -> bool:
         """Whether every open program may go."""
         self._programs[self._at].text = self._desk.text
-        for at, program in enumerate(self._programs):
-            if at != self._at and program.document.is_changed(program.text) and program.text.strip():
-                self.turn_to(at)
+        others = (at for at in range(len(self._programs)) if at != self._at)
+        for at in (self._at, *others):
+            program = self._programs[at]
+            if program.document.is_changed(program.text) and program.text.strip():
+                if at != self._at:
+                    self.turn_to(at)
                 if not await self.is_safe_to_leave():
                     return False
-        return await self.is_safe_to_leave()
+        return True
 
     # --- opening
 
@@ -132,6 +135,7 @@ class Files:
             self._desk.tell(_told(error))
             return False
         self._become(path, text)
+        self._remember(path)
         self._desk.tell(Answer("answer-opened", {"name": path.name, "lines": text.count("\n") + 1}))
         return True
 
@@ -200,6 +204,7 @@ class Files:
             self._desk.tell(_told(error))
             return False
         self._copies.forget()
+        self._remember(path)
         self._desk.tell(Answer("answer-saved", {"name": path.name, "lines": self._desk.text.count("\n") + 1}))
         return True
 

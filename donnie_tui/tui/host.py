@@ -8,6 +8,7 @@ from typing import Protocol
 from textual.geometry import Offset
 
 from devices.ports.robot import Pose
+from donnie_tui.bootstrap import Donnie
 from donnie_tui.core.answer_log import AnswerLog
 from donnie_tui.core.completion import Completion
 from donnie_tui.core.events import Error
@@ -36,6 +37,11 @@ class WorkHost(Protocol):
 
     @property
     def pose(self) -> Pose: ...
+
+    @property
+    def donnie(self) -> Donnie: ...
+
+    def robot_chosen(self) -> None: ...
 
     # --- telling and asking
 

@@ -42,17 +42,54 @@ _NOTHING_RUNS = Answer("answer-nothing-runs")
 _BUSY = Answer("screen-busy")
 
 
-class Running:
-    """The session's programs, one at a time. ``told`` hears, in any thread, that a pause began or ended."""
+@dataclass(slots=True)
+class _Own:
+    """What is known of one robot's programs."""
 
-    def __init__(self, session: Session, told: Callable[[ControlState], None]) -> None:
-        self._session = session
+    run: Run | None = None
+    stopped_line: int = 0
+    is_program: bool = False
+
+
+class Running:
+    """The programs of the robot that is talked to, one at a time; those of others go on by themselves.
+
+    ``told`` hears, in any thread, that a pause began or ended.
+    """
+
+    def __init__(self, chosen: Callable[[], Session], told: Callable[[ControlState], None]) -> None:
+        self._chosen = chosen
         self._told = told
-        self._run: Run | None = None
-        self._stopped_line = 0
+        self._owns: dict[str, _Own] = {}
         self._breakpoints: frozenset[int] = frozenset()
-        self.is_program = False
+
+    @property
+    def _session(self) -> Session:
+        return self._chosen()
+
+    @property
+    def _own(self) -> _Own:
+        return self._owns.setdefault(self._session.name, _Own())
+
+    @property
+    def _run(self) -> Run | None:
+        return self._own.run
+
+    @property
+    def is_program(self) -> bool:
         """Whether what runs, or ran last, is the text of the editor."""
+        return self._own.is_program
+
+    def adopt(self, runs: Mapping[str, Run]) -> None:
+        """Programs that were started together, by the names of their robots."""
+        for name, run in runs.items():
+            self._owns[name] = _Own(run, is_program=True)
+            run.control.observe(self._told)
+
+    def look_again(self) -> None:
+        """Another robot was chosen: its program may have ended while nobody looked."""
+        if self._own.run is not None and self._own.run.is_over:
+            self._own.run = None
 
     # --- what it does
 
@@ -106,33 +143,30 @@ class Running:
                 begin(control)
 
         try:
-            self._run = self._session.start(text, name, fresh=program, terminal=not program, prepare=prepare)
+            run = self._session.start(text, name, fresh=program, terminal=not program, prepare=prepare)
         except Busy:
             return _BUSY
-        self.is_program = program
-        self._stopped_line = 0
+        self._owns[self._session.name] = _Own(run, is_program=program)
         return None
 
     def ended(self) -> None:
         """The run has told its end; once this returns another one may start."""
-        if self._run is not None:
-            self._run.wait(_LAST_WORDS)
-            self._run = None
+        if self._run is not None and self._run.wait(_LAST_WORDS):
+            self._own.run = None
 
     def stop(self) -> Answer | None:
         if self._run is None:
             return _NOTHING_RUNS
         frames = self.frames
-        self._stopped_line = frames[0].line if frames else 0
+        self._own.stopped_line = frames[0].line if frames else 0
         self._session.stop()
         return None
 
     @property
     def stopped(self) -> Answer:
         """Where the program was when it was stopped."""
-        if not self._stopped_line:
-            return Answer("answer-stopped")
-        return Answer("answer-stopped-at", {"line": self._stopped_line})
+        line = self._own.stopped_line
+        return Answer("answer-stopped-at", {"line": line}) if line else Answer("answer-stopped")
 
     def reset(self) -> Answer:
         try:

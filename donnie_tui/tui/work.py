@@ -99,7 +99,7 @@ class Work:
         self._donnie = donnie
         self.words: Words = donnie.words
         self.workplace = host.workplace
-        self.running = Running(donnie.session, self._paused)
+        self.running = Running(lambda: donnie.session, self._paused)
         self.preferences = Preferences(settings or Settings(), os.environ)
         self.files = Files(self, self.words, lambda: Copies(folder), Recent(folder.parent / "recent.txt"))
         self.display = Display(self.workplace, donnie, self.running, self.files)
@@ -123,6 +123,8 @@ class Work:
         self._watching: Timer | None = None
         self._copying: Timer | None = None
         self._hear_no_more = donnie.team.stream.subscribe(bridge)
+        self._follow_no_more = donnie.team.stream.subscribe(self.trail.hear)
+        self._offer_words()
 
     def begin(self, file: Path | None, text: str | None) -> None:
         """Open what was asked for. ``text``: what the other mode left, unsaved changes included."""
@@ -325,6 +327,17 @@ class Work:
         """The belt in words."""
         robot_words.feel(self._donnie, argument)
 
+    @property
+    def donnie(self) -> Donnie:
+        """The robots and their world."""
+        return self._donnie
+
+    def robot_chosen(self) -> None:
+        """Another robot is talked to: the map shows its way."""
+        self.running.look_again()
+        self.display.show_past(self._donnie.chronicle.timeline())
+        self.look()
+
     def tell_position(self) -> None:
         self._donnie.session.teller.position(self._donnie.session.pose)
 
@@ -433,11 +446,12 @@ class Work:
     # --- ending
 
     def halt(self) -> None:
-        self._donnie.session.stop()
+        self._donnie.team.stop()
 
     def hand_over(self) -> Donnie:
         """To the other mode: the session goes on there, what runs here ends."""
         self._hear_no_more()
+        self._follow_no_more()
         self._donnie.team.stop()
         for session in self._donnie.team.sessions:
             if session.run is not None:

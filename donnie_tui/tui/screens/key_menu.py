@@ -5,7 +5,6 @@ from __future__ import annotations
 from collections.abc import Mapping
 from typing import ClassVar
 
-from textual import events
 from textual.app import ComposeResult
 from textual.binding import Binding, BindingType
 from textual.screen import ModalScreen
@@ -16,15 +15,15 @@ from donnie_tui.tui.actions import BY_NAME, MENU, key_label
 from donnie_tui.tui.widgets.text_rows import TextRows
 
 
-class KeyMenu(ModalScreen[str | None]):
-    """Answers the name of the action."""
+class KeyMenu(ModalScreen[None]):
+    """Lists ``names``, the actions by their keys. The application does what is chosen."""
 
     BINDINGS: ClassVar[list[BindingType]] = [Binding("escape", "leave", show=False, priority=True)]
     AUTO_FOCUS = "#key-rows"
 
     def __init__(self, keys: Mapping[str, tuple[str, ...]], words: Wording) -> None:
         super().__init__()
-        self._names = {
+        self.names = {
             key.partition(" ")[2]: name
             for name, each in keys.items()
             for key in each
@@ -38,17 +37,15 @@ class KeyMenu(ModalScreen[str | None]):
         yield self.rows
 
     def on_mount(self) -> None:
-        self.rows.show([self._row(key, name) for key, name in sorted(self._names.items())])
+        self.rows.show([self._row(key, name) for key, name in sorted(self.names.items())])
 
     def _row(self, key: str, name: str) -> str:
         word = BY_NAME[name].word(self._words.language)
         return f"{key_label(key)}: {word}: {self._words(f'action-{name}')}"
 
-    def on_key(self, event: events.Key) -> None:
-        name = self._names.get(event.key) or self._names.get(event.key.lower())
-        if name is not None:
-            event.stop()
-            self.dismiss(name)
+    def leave(self) -> None:
+        """Go, as soon as it is there."""
+        self.call_later(self.action_leave)
 
     def action_leave(self) -> None:
         self.dismiss(None)

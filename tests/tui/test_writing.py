@@ -1,0 +1,294 @@
+"""The editor beside the typing: completion, mistakes, breakpoints, programs; stepping back; settings."""
+
+import tomllib
+
+import pytest
+
+from donnie_tui.core.session import Session
+from donnie_tui.tui.running import Doing
+from donnie_tui.tui.screens.completions import Completions
+
+
+@pytest.fixture(autouse=True)
+def own_settings(tmp_path, monkeypatch):
+    monkeypatch.setenv("XDG_CONFIG_HOME", str(tmp_path / "config"))
+
+
+def kept(tmp_path) -> dict:
+    return tomllib.loads((tmp_path / "config" / "donnie" / "settings.toml").read_text())
+
+
+# --- words
+
+
+async def test_ctrl_space_lists_the_words_and_enter_takes_one(work):
+    async with work() as desk:
+        await desk.press(*"REP", "ctrl+at")
+        await desk.until(lambda: isinstance(desk.app.screen, Completions), "the list")
+        assert "REPEAT" in desk.screen
+        await desk.press("enter")
+        await desk.until(lambda: desk.app.work.text == "REPEAT", desk.app.work.text)
+
+
+async def test_the_cursor_of_the_terminal_stands_on_the_chosen_word(work):
+    async with work("FW 1 ") as desk:
+        desk.place.editor.move_cursor((0, 5))
+        await desk.press("ctrl+at")
+        await desk.until(lambda: isinstance(desk.app.screen, Completions), "the list")
+        await desk.press("down", "down")
+        await desk.pilot.pause()
+        x, y = desk.app.cursor_position
+        option = desk.app.screen.list.get_option_at_index(2)
+
+        assert desk.screen.splitlines()[y][x:].startswith(str(option.prompt))
+
+
+async def test_a_letter_goes_on_typing_and_leaves_the_list(work):
+    async with work() as desk:
+        await desk.press(*"RE", "ctrl+at")
+        await desk.until(lambda: isinstance(desk.app.screen, Completions), "the list")
+        await desk.press("P")
+        await desk.until(lambda: desk.app.work.text == "REP", "the letter")
+
+
+async def test_the_likely_word_is_shown_behind_the_cursor_and_taken_with_the_right_arrow(work):
+    async with work() as desk:
+        await desk.press(*"REPE")
+        await desk.pilot.pause()
+        assert desk.place.editor.suggestion == "AT"
+        await desk.press("right")
+
+        assert desk.app.work.text == "REPEAT"
+
+
+async def test_completion_can_be_switched_off_and_that_is_kept(work, tmp_path):
+    async with work() as desk:
+        desk.app.work.prefer("completion", "off")
+        await desk.press(*"REPE")
+        await desk.pilot.pause()
+
+        assert desk.place.editor.suggestion == ""
+        assert kept(tmp_path)["completion"] is False
+
+
+# --- mistakes
+
+
+async def test_a_mistake_is_marked_while_somebody_types_with_its_sentence(work):
+    async with work(size=(120, 40)) as desk:
+        await desk.press(*"FWD 3")
+        await desk.until(lambda: "!1  FWD 3  ! I do not know FWD." in desk.screen, "the mark")
+
+        assert "Ctrl+T puts FW." in desk.status
+
+
+async def test_one_key_puts_what_was_meant(work):
+    async with work("FW 1\nREPEAT 2 TIMS FW 1 END REPEAT") as desk:
+        await desk.press("ctrl+t")
+        await desk.told("Line 2: TIMES now.")
+
+        assert desk.app.work.text == "FW 1\nREPEAT 2 TIMES FW 1 END REPEAT"
+        assert desk.place.editor.next_mistake is None
+        await desk.press("ctrl+z")
+        assert "TIMS" in desk.app.work.text
+
+
+async def test_what_nobody_can_guess_is_told(work):
+    async with work('SPEAK "x') as desk:
+        await desk.press("ctrl+t")
+        await desk.told("I don't know what was meant.")
+
+
+# --- breakpoints and going back
+
+
+async def test_a_program_holds_at_its_breakpoints(work):
+    async with work('FW 1\nSPEAK "two"\nFW 1\nSPEAK "four"') as desk:
+        for line in (2, 4):
+            desk.place.editor.go_to(line)
+            await desk.press("ctrl+b")
+        await desk.told("Line 4 has a breakpoint.")
+        await desk.press("f5")
+        await desk.told('Line 2: SPEAK "two"')
+        assert ">B2" in desk.screen
+        await desk.press("f6")
+        await desk.told('Line 4: SPEAK "four"')
+        assert not any(line == "four" for line in desk.log)
+        desk.place.editor.go_to(4)
+        await desk.press("ctrl+b", "f6")
+        await desk.told("The program is done.")
+
+
+async def test_a_breakpoint_goes_with_its_line(work):
+    async with work("FW 1\nFW 2\nFW 3") as desk:
+        desk.place.editor.toggle_breakpoint(2)
+        desk.place.editor.toggle_breakpoint(3)
+        desk.place.editor.move_cursor((0, 4))
+        await desk.press("enter")
+        assert desk.place.editor.breakpoints == {3, 4}
+        await desk.press("ctrl+a", "delete")
+        assert desk.place.editor.breakpoints <= {1}
+
+
+async def test_stepping_back_shows_where_the_robot_was_and_a_run_goes_on_from_where_it_is(work):
+    async with work("FW 3\nTR 90\nFW 2") as desk:
+        await desk.press("f5")
+        await desk.told("The program is done.")
+        assert desk.app.work.display.scene.robot == desk.app.work.display.scene.cell_at(2, 3)
+        for _ in range(8):
+            await desk.press("ctrl+k", "k")
+            await desk.pilot.pause()
+        await desk.told("Back: FW 3.")
+        assert desk.app.work.display.scene.robot == desk.app.work.display.scene.cell_at(0, 0)
+        await desk.type_line("FW 1")
+        await desk.told("I walked 1 step forward.")
+        await desk.idle()
+
+        assert desk.app.work.display.scene.robot == desk.app.work.display.scene.cell_at(3, 3)
+
+
+# --- the text as a whole
+
+
+async def test_search_goes_to_the_next_place_and_round(work):
+    async with work("FW 1\nTR 90\nfw 2") as desk:
+        desk.place.editor.move_cursor((0, 1))
+        await desk.type_line("SEARCH fw")
+        await desk.until(lambda: desk.place.editor.line == 3, "the third line")
+        await desk.type_line("SEARCH AGAIN")
+        await desk.until(lambda: desk.place.editor.line == 1, "the first line")
+        await desk.type_line("SEARCH XYZ")
+        await desk.told("XYZ is not in the program.")
+
+
+async def test_replace_counts_and_is_one_thing_to_undo(work):
+    async with work("FW 1 FW 2") as desk:
+        await desk.type_line("REPLACE FW")
+        await desk.answer("BW")
+        await desk.told("2 times replaced.")
+        assert desk.app.work.text == "BW 1 BW 2"
+        await desk.type_line("UNDO")
+
+        await desk.until(lambda: desk.app.work.text == "FW 1 FW 2", "the text before")
+
+
+async def test_format_and_translate_change_the_text(work):
+    async with work("repeat 2 times fw 1 end repeat") as desk:
+        await desk.type_line("FORMAT")
+        await desk.told("Laid out anew.")
+        assert desk.app.work.text == "REPEAT 2 TIMES\n  FW 1\nEND REPEAT"
+        await desk.type_line("TRANSLATE pt")
+        await desk.until(lambda: "REPITA" in desk.app.work.text, "the keywords")
+        desk.app.work.load("FW FW")
+        await desk.type_line("FORMAT")
+        await desk.told("There is a mistake in line 1")
+
+
+async def test_several_programs_keep_their_texts_and_files(work, tmp_path):
+    (tmp_path / "one.gd").write_text("FW 1\n")
+    async with work(file=tmp_path / "one.gd") as desk:
+        files = desk.app.work.files
+        files.turn_to(None)
+        await desk.press(*"FW 2")
+        assert [name for name, _ in files.open_programs] == ["one.gd, 1 line", "new program, 1 line, changed"]
+        files.turn_to(0)
+        assert desk.app.work.text == "FW 1"
+        files.turn_to(1)
+
+        assert desk.app.work.text == "FW 2"
+        assert files.document.path is None
+
+
+async def test_leaving_asks_for_each_program_that_is_not_saved(work):
+    async with work() as desk:
+        await desk.press(*"FW 1")
+        desk.app.work.files.turn_to(None)
+        await desk.press("ctrl+q")
+        await desk.answer("no")
+        await desk.until(lambda: not desk.app.is_running or desk.app._exit, "the end")
+
+
+async def test_what_was_opened_lately_is_offered(work, tmp_path):
+    (tmp_path / "one.gd").write_text("FW 1\n")
+    async with work() as desk:
+        await desk.type_line(f"OPEN {tmp_path / 'one.gd'}")
+        await desk.told("one.gd")
+        await desk.type_line("RECENT")
+        await desk.until(lambda: "Recent programs" in desk.screen, "the list")
+
+        assert ">one.gd," in desk.screen
+
+
+# --- settings
+
+
+async def test_the_look_is_chosen_by_word_and_kept(work, tmp_path):
+    async with work() as desk:
+        await desk.type_line("THEME light")
+        await desk.told("Look: light.")
+
+        assert desk.app.theme == "donnie-light"
+        assert kept(tmp_path)["theme"] == "light"
+
+
+async def test_the_language_changes_everything_at_once(work):
+    async with work() as desk:
+        await desk.type_line("LANGUAGE pt")
+        await desk.told("Idioma: português.")
+        await desk.until(lambda: "Mapa:" in desk.screen and "Registro" in desk.screen, "the titles")
+
+        assert "Executar" in desk.screen
+        assert "Pronto" in desk.status
+
+
+async def test_the_settings_list_changes_one_and_comes_back(work, tmp_path):
+    async with work() as desk:
+        await desk.press("ctrl+k", "comma")
+        await desk.until(lambda: "Settings" in desk.screen and "Look: dark." in desk.screen, "the settings")
+        await desk.press(*"detail", "enter")
+        await desk.until(lambda: "normal" in desk.screen and "brief" in desk.screen, "the values")
+        await desk.press(*"brief", "enter")
+        await desk.until(lambda: "Detail: brief." in desk.screen, "the settings again")
+        await desk.press("escape")
+
+        assert kept(tmp_path)["verbosity"] == "brief"
+
+
+async def test_another_key_works_at_once(work):
+    async with work('SPEAK "by another key"') as desk:
+        desk.app.work.prefer("keys", "run f9")
+        await desk.press("f9")
+        await desk.told("by another key")
+
+
+async def test_the_plain_layout_is_one_column_with_the_command_line_first(work):
+    async with work("FW 1", plain=True) as desk:
+        assert desk.app.focused is desk.place.command_line
+        assert "Map:" not in desk.screen
+        assert not set("│─┌┐└┘▔▁") & set(desk.screen)
+        order = []
+        for _ in range(5):
+            order.append(desk.app.focused.id)
+            await desk.press("tab")
+            await desk.pilot.pause()
+
+        assert order == ["command", "editor", "log", "map", "inspector"]
+
+
+async def test_the_map_has_the_plain_screen_to_itself(work):
+    async with work("FW 1", plain=True, world="living_room") as desk:
+        await desk.type_line("SHOW MAP")
+        await desk.until(lambda: "####" in desk.screen, "the map")
+
+        assert desk.place.map.size.width == 80
+        assert "FW 1" not in desk.screen
+
+
+async def test_a_look_into_the_past_needs_nothing_to_run(work):
+    async with work("WAIT 1000", speed=1.0) as desk:
+        await desk.press("f5")
+        await desk.doing(Doing.RUNNING)
+        await desk.type_line("STEP BACK")
+        await desk.told("A program is running.")
+        assert isinstance(desk.app.work._donnie.session, Session)
+        await desk.press("f8")

@@ -1,0 +1,54 @@
+"""Which words may stand where somebody types."""
+
+import pytest
+from hypothesis import given
+from hypothesis import strategies as st
+
+from donnie_tui.core.completion import completion
+
+
+def words(text: str, language: str = "en", colours: tuple[str, ...] | None = None) -> tuple[str, ...]:
+    """For the place of the bar in the text, or its end."""
+    at = text.find("|")
+    return completion(text.replace("|", ""), at if at >= 0 else len(text), language, colours).words
+
+
+@pytest.mark.parametrize(
+    ("text", "language", "first"),
+    [
+        ("REP", "en", "REPEAT"),
+        ("rep", "en", "repeat"),
+        ("VAR distance_left = 3\ndistance_l", "en", "distance_left"),
+        ("REPI", "pt", "REPITA"),
+        ("HABL", "es", "HABLAR"),
+        ("COLOR r", "en", "RED"),
+        ("PROCEDURE Square: n DO END PROCEDURE\nSq", "en", "Square"),
+    ],
+)
+def test_the_likely_word_comes_first(text: str, language: str, first: str) -> None:
+    assert words(text, language)[0] == first
+
+
+def test_behind_a_keyword_only_what_it_takes_is_offered() -> None:
+    assert set(words("BELT ")) == {"ON", "OFF"}
+    assert "FW" not in words("SPEAK DISTANCE ")
+
+
+def test_colours_that_the_robot_can_t_see_are_not_offered() -> None:
+    assert words("COLOR ", colours=("red", "green")) == ("RED", "GREEN")
+
+
+@pytest.mark.parametrize("text", ['SPEAK "re', "-- re", "FW 1 -- re"])
+def test_nothing_is_offered_inside_texts_and_comments(text: str) -> None:
+    assert words(text) == ()
+
+
+def test_the_word_that_stands_there_already_is_not_offered() -> None:
+    assert "FW" not in words("FW")
+
+
+@given(st.text(alphabet='FW rep"\n-[]:=é1', max_size=60), st.integers(0, 60))
+def test_any_text_has_an_answer(text: str, at: int) -> None:
+    found = completion(text, min(at, len(text)), "en")
+
+    assert all(isinstance(each, str) and each for each in found.words)

@@ -1,0 +1,159 @@
+"""The map with everything on it: rays, robots, moved things, large squares, names, a finger."""
+
+import pytest
+
+from devices.ports.robot import Pose
+from donnie_tui.core.events import PlacedThing, Read, Scanned, SeenGroup
+from donnie_tui.core.map_grid import Bounds, Cell, Kind
+from donnie_tui.core.map_labels import labels
+from donnie_tui.core.map_scale import MapScale, factor_for
+from donnie_tui.core.map_scene import RAY, MapScene
+from donnie_tui.core.pointing import Pointer, legend
+from donnie_tui.i18n.words import Words
+from sim.picture import Picture, Thing
+
+CHAIR = Thing("old chair", "chair", "c", "red", 2, 6, 2, 1, index=3)
+ROWS = (
+    "##########",
+    "#........#",
+    "#........#",
+    "#..cc....#",
+    "#........#",
+    "#........#",
+    "#........#",
+    "#........#",
+    "#........#",
+    "##########",
+)
+
+
+def scene() -> MapScene:
+    """10 by 10 cells, the corner at -1, 0; the robot at 0, 1 facing north."""
+    picture = Picture(-1, 0, 10, 10, 1, ROWS, (CHAIR,), has_walls=True)
+    return MapScene(picture, Pose(0, 1, 0))
+
+
+def shown(it: MapScene) -> list[str]:
+    bounds = it.bounds
+    return [
+        "".join(it.letter(Cell(x, y)) for x in range(bounds.left, bounds.right + 1))
+        for y in range(bounds.top, bounds.bottom - 1, -1)
+    ]
+
+
+def test_a_distance_is_a_ray_to_what_was_found_and_gone_when_the_robot_moves() -> None:
+    it = scene()
+    changed = it.look_along(Read("distance", "front", 4))
+
+    assert [it.letter(Cell(1, y)) for y in range(2, 6)] == [RAY, RAY, RAY, "."]
+    assert changed == {Cell(1, 1), Cell(1, 2), Cell(1, 3), Cell(1, 4)}
+    assert {Cell(1, 2), Cell(1, 3)} <= it.move(Pose(0, 2, 0))
+    assert RAY not in "".join(shown(it))
+
+
+def test_a_scan_shows_each_angle() -> None:
+    it = scene()
+    it.look_along(Scanned((SeenGroup("right", 45, 3, ("red",)), SeenGroup("left", 0, 5, ("blue",)))))
+
+    assert it.kind(Cell(2, 2)) is Kind.RAY
+    assert it.kind(Cell(1, 5)) is Kind.RAY
+
+
+def test_a_position_or_a_colour_is_no_ray() -> None:
+    it = scene()
+
+    assert it.look_along(Read("position", "x", 5)) == frozenset()
+
+
+def test_a_pushed_thing_is_shown_where_it_is_and_its_old_place_is_free() -> None:
+    it = scene()
+    changed = it.place_things((PlacedThing("old chair", Pose(4, 3, 0), 3),))
+
+    assert shown(it)[3] == "#........#"
+    assert shown(it)[6].count("c") == 2
+    assert Cell(3, 6) in changed
+    assert it.thing(Cell(3, 6)) is None
+    assert it.things[0].x == 4
+    it.begin(Pose(0, 1, 0))
+    assert shown(it)[3] == "#..cc....#"
+
+
+def test_another_robot_is_an_arrow_with_its_name() -> None:
+    it = scene()
+    it.move_other("bob", Pose(5, 4, 90))
+    changed = it.move_other("bob", Pose(6, 4, 90))
+
+    assert it.letter(Cell(7, 4)) == ">"
+    assert it.kind(Cell(7, 4)) is Kind.OTHER
+    assert it.robot_at(Cell(7, 4)) == "bob"
+    assert changed == {Cell(6, 4), Cell(7, 4)}
+    assert it.move_other("bob", Pose(6, 4, 90)) == frozenset()
+
+
+def test_things_have_their_colour_and_nothing_else_has() -> None:
+    it = scene()
+
+    assert it.colour(Cell(3, 6)) == "red"
+    assert it.colour(Cell(0, 0)) == it.colour(Cell(1, 1)) == ""
+
+
+@pytest.mark.parametrize(
+    ("columns", "rows", "factor"), [(10, 10, 1), (9, 10, 2), (5, 5, 2), (3, 9, 4), (1, 1, 10)]
+)
+def test_the_whole_floor_fits_with_the_smallest_square(columns: int, rows: int, factor: int) -> None:
+    assert factor_for(Bounds(0, 0, 9, 9), columns, rows) == factor
+
+
+def test_a_large_square_shows_what_matters_most_in_it() -> None:
+    scale = MapScale(scene(), 5)
+
+    assert [[scale.shown(Cell(x, y))[0] for x in (0, 1)] for y in (1, 0)] == [["c", "#"], ["^", "#"]]
+    assert scale.robot == Cell(0, 0)
+    assert scale.squares_of([Cell(4, 4), Cell(5, 5)]) == {Cell(0, 0), Cell(1, 1)}
+
+
+def test_a_name_is_written_beside_its_thing_on_free_floor_only() -> None:
+    written = labels(MapScale(scene()), 1, Words("en"))
+    wide = labels(MapScale(scene()), 2, Words("en"))
+
+    assert written == {}
+    assert "".join(wide[each] for each in sorted(wide)).strip() in ("chair", "")
+
+
+@pytest.mark.parametrize(
+    ("language", "words"),
+    [
+        ("en", "2, 6: chair, red. 2 right, 5 ahead."),
+        ("pt", "2, 6: cadeira, vermelho. 2 à direita, 5 à frente."),
+    ],
+)
+def test_the_finger_tells_what_is_there_and_where_that_is_from_the_robot(language: str, words: str) -> None:
+    pointer = Pointer(scene())
+    assert pointer.to_next_thing(True)
+
+    assert pointer.words(Words(language)) == words
+
+
+def test_the_finger_stays_on_the_floor_and_goes_back_to_the_robot() -> None:
+    pointer = Pointer(scene())
+    pointer.move(-50, 50)
+    assert pointer.here == Cell(0, 9)
+    pointer.to_robot()
+
+    assert pointer.here == Cell(1, 1)
+
+
+def test_from_here_to_there_is_told_in_words() -> None:
+    pointer = Pointer(scene())
+    pointer.move(1, 0)
+    pointer.mark()
+    pointer.move(2, 3)
+
+    assert pointer.way(Words("en")) == "From 1, 1 to 3, 4: 2 right, 3 ahead."
+
+
+def test_the_legend_tells_every_letter_of_the_floor() -> None:
+    lines = legend(scene(), Words("en"))
+
+    assert lines[-1] == "c is chair."
+    assert any(line.startswith("# ") for line in lines)
