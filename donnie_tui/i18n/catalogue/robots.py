@@ -125,6 +125,13 @@ SENTENCES: dict[str, Sentence] = _cut_short() | {
     "robots-more": Sentence("And {count} more.", "E mais {count}.", "Y {count} más."),
     # --- what the words are for
     "help-typed-robot": Sentence("bob", "bob", "bob"),
+    "key-robots": Sentence("Robots", "Robôs", "Robots"),
+    "key-robot": Sentence("Talk to", "Falar com", "Hablar con"),
+    "key-start": Sentence("Start", "Iniciar", "Iniciar"),
+    "key-together": Sentence("Together", "Juntos", "Juntos"),
+    "key-stop_all": Sentence("Stop all", "Parar tudo", "Detener todo"),
+    "key-grip": Sentence("Grip", "Pegar", "Agarrar"),
+    "key-release": Sentence("Release", "Soltar", "Soltar"),
     "action-robots": Sentence("Who is here.", "Quem está aqui.", "Quién está aquí."),
     "action-robot": Sentence("Talks to bob from now on.", "Fala agora com o bob.", "Habla ahora con bob."),
     "action-start": Sentence("Runs; you can type on.", "Executa sem esperar.", "Ejecuta sin esperar."),

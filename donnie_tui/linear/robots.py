@@ -1,0 +1,79 @@
+"""ROBOTS, ROBOT name, START, TOGETHER, STOP ALL, GRIP, RELEASE.
+
+Each robot has a program of its own: who talks to another one finds that one's lines. What runs beside the
+conversation is printed with the next answer; TOGETHER is watched like a run.
+"""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+from donnie_tui import team_words
+from donnie_tui.core.handling import Deed
+from donnie_tui.core.team import Assigned
+from donnie_tui.core.typed_program import TypedProgram
+from donnie_tui.linear.arguments import Handler, alone
+from donnie_tui.linear.desk import Desk
+from donnie_tui.linear.runs import Runs
+
+
+def _robots(desk: Desk) -> None:
+    team_words.tell_robots(desk.donnie)
+
+
+def _robot(desk: Desk, _: Runs, rest: str) -> bool:
+    before = desk.session.name
+    if rest and team_words.choose_robot(desk.donnie, rest):
+        desk.programs[before] = desk.program
+        desk.program = desk.programs.setdefault(desk.session.name, TypedProgram())
+        if desk.program.lines:
+            desk.answer("linear-lines", lines=len(desk.program.lines))
+    return bool(rest)
+
+
+def _start(desk: Desk, _: Runs, rest: str) -> bool:
+    if rest:
+        return False
+    if desk.program.text.strip():
+        team_words.start(desk.donnie, desk.program.text, _name(desk.program))
+    else:
+        desk.answer("answer-nothing-to-run")
+    return True
+
+
+def _together(desk: Desk, runs: Runs, rest: str) -> bool:
+    if rest:
+        return False
+    desk.programs[desk.session.name] = desk.program
+    for name, program in desk.programs.items():
+        desk.donnie.team.give(name, Assigned(program.text, _name(program)))
+    runs.watch_together(lambda: team_words.start_together(desk.donnie))
+    return True
+
+
+def _stop_all(desk: Desk) -> None:
+    team_words.stop_all(desk.donnie)
+
+
+def _use(deed: Deed) -> Handler:
+    def use(desk: Desk, runs: Runs, rest: str) -> bool:
+        if not rest:
+            runs.watch_deed(lambda: team_words.use_gripper(desk.donnie, deed))
+        return not rest
+
+    return use
+
+
+def _name(program: TypedProgram) -> str:
+    return Path(program.name).name if program.name else "typed"
+
+
+HANDLERS: dict[str, Handler] = {
+    "robots": alone(_robots),
+    "robot": _robot,
+    "start": _start,
+    "together": _together,
+    "stop_all": alone(_stop_all),
+    "grip": _use(Deed.GRIP),
+    "release": _use(Deed.RELEASE),
+}

@@ -1,0 +1,66 @@
+"""What the actions about several robots and the gripper do. RUN, STOP and the keys go to the chosen robot.
+
+The text of the editor is nobody's own: RUN gives it to whoever is talked to, and TOGETHER starts all that
+were given one.
+"""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+from donnie_tui import team_words
+from donnie_tui.core.handling import Deed
+from donnie_tui.core.team import Assigned
+
+if TYPE_CHECKING:
+    from donnie_tui.tui.host import WorkHost
+
+
+class RobotDeeds:
+    """One method an action."""
+
+    def __init__(self, host: WorkHost) -> None:
+        self._host = host
+
+    def robots(self, _argument: str) -> None:
+        team_words.tell_robots(self._host.donnie)
+
+    def robot(self, argument: str) -> None:
+        """Talk to that one; without a name, tell who is there."""
+        if not argument:
+            self.robots("")
+            return
+        self._give_text()
+        if team_words.choose_robot(self._host.donnie, argument):
+            self._host.robot_chosen()
+
+    def start(self, _argument: str) -> None:
+        """On the screen nobody waits for a run anyway."""
+        self._give_text()
+        self._host.tell(self._host.running.run(self._host.workplace.editor.text, self._host.files.name))
+
+    def together(self, _argument: str) -> None:
+        self._give_text()
+        runs = dict(team_words.start_together(self._host.donnie))
+        self._host.running.adopt(runs)
+
+    def stop_all(self, _argument: str) -> None:
+        others = [each for each in self._host.donnie.team.running if each is not self._host.donnie.session]
+        answer = self._host.running.stop()
+        if others:
+            team_words.stop_all(self._host.donnie)
+        else:
+            self._host.tell(answer)
+
+    def grip(self, _argument: str) -> None:
+        team_words.use_gripper(self._host.donnie, Deed.GRIP)
+
+    def release(self, _argument: str) -> None:
+        team_words.use_gripper(self._host.donnie, Deed.RELEASE)
+
+    def _give_text(self) -> None:
+        """The text is the chosen robot's from now on, if there is any."""
+        text = self._host.workplace.editor.text
+        if text.strip():
+            donnie = self._host.donnie
+            donnie.team.give(donnie.session.name, Assigned(text, self._host.files.name))
