@@ -267,6 +267,7 @@ class Runs:
     def _while_held(self, run: Run) -> None:
         """Say where the program is, and do what is asked."""
         wish = self._holding.ask()
+        self._told_before = self._told.count
         match wish.goes:
             case Goes.STEP:
                 run.control.step()

@@ -1,0 +1,239 @@
+"""The linear mode as somebody uses it who pauses, steps, reads page by page, completes words."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import pytest
+
+from tests.sessions.learner import Learner
+
+TAB, SHIFT_TAB = "\t", "\x1b[Z"
+SQUARE = ("REPEAT 2 TIMES", "FW 2", "TR 90", "END REPEAT")
+
+
+@pytest.fixture
+def learner(tmp_path: Path) -> Learner:
+    return Learner(tmp_path)
+
+
+def settled(learner: Learner, *lines: str) -> None:
+    """Enter the lines, then wait for the prompt."""
+    learner.enters(*lines)
+    learner.sees_prompt()
+
+
+# --- while a program runs
+
+
+def test_a_running_program_pauses_goes_on_and_stops_by_typed_words(tmp_path: Path) -> None:
+    learner = Learner(tmp_path, speed="1")
+    learner.enters("FW 100", "")
+    learner.types("PAUSE\r")
+    learner.sees("Paused at line 1.")
+    learner.types("WHERE\r")
+    learner.sees("Facing north.\r\n> ")
+    learner.types("CONTINUE\r")
+    learner.types("STOP\r")
+    learner.sees("I was stopped.\r\nStopped at line 1.\r\n> ")
+
+
+def test_the_speed_of_a_running_program_changes_at_once(tmp_path: Path) -> None:
+    learner = Learner(tmp_path, speed="0.1")
+    learner.enters("FW 9", "")
+    learner.types("FASTER\r")
+    learner.sees("Speed 1.")
+    learner.types("SPEED max\r")
+    learner.sees("Speed max.")
+    learner.sees("I walked 9 steps forward.\r\n> ")
+
+
+def test_what_is_no_word_for_a_running_program_waits_until_it_is_over(tmp_path: Path) -> None:
+    learner = Learner(tmp_path, speed="20")
+    learner.enters("FW 20", "")
+    learner.types("WHERE\r")
+    learner.sees("I walked 20 steps forward.\r\n> WHERE\r\nPosition 0, 20. Facing north.\r\n> ")
+
+
+# --- stepping
+
+
+def test_steps_tell_levels_rounds_and_what_changed(learner: Learner) -> None:
+    learner.enters("VAR x = 1", *SQUARE[:2], "x = x + 1", "END REPEAT", "WATCH x", "STEP")
+    learner.sees("Line 1: VAR x = 1\r\n> ")
+    learner.types("\r")
+    learner.sees("x is 1.\r\nLine 2: REPEAT 2 TIMES\r\n> ")
+    learner.types("\r")
+    learner.sees("Round 1 of 2.\r\nLine 3, level 1: FW 2\r\n> ")
+    learner.types("\r")
+    learner.sees("I walked 2 steps forward.\r\nLine 4: x = x + 1\r\n> ")
+    learner.types("STEP BACK\r")
+    learner.sees("Back: FW 2. Position 0, 0.\r\n> ")
+    learner.types("UNTIL 4\r")
+    learner.sees("x is 2.\r\nLine 4: x = x + 1\r\n> ")
+    learner.types("RUN\r")
+    learner.sees("Done.\r\n> ")
+    learner.types("SHOW VARIABLES\r")
+    learner.sees("x is 3.\r\n> ")
+
+
+def test_a_program_holds_at_its_breakpoints_and_procedures_are_stepped_over(learner: Learner) -> None:
+    learner.enters("PROCEDURE P DO", "FW 1", "END PROCEDURE", "P []", "TR 90")
+    settled(learner, "BREAK 4")
+    learner.types("AGAIN\r")
+    learner.sees("Line 4: P []\r\n> ")
+    learner.types("OVER\r")
+    learner.sees("I walked 1 step forward.\r\nLine 5: TR 90\r\n> ")
+    learner.types("STOP\r")
+    learner.sees("Stopped at line 5.\r\n> ")
+
+
+def test_a_condition_tells_what_was_compared(learner: Learner) -> None:
+    learner.enters("VAR x = 3", "IF x > 2 THEN", "FW 1", "END IF", "STEP")
+    learner.sees("Line 1: VAR x = 3\r\n> ")
+    learner.types("\r")
+    learner.sees("Line 2: IF x > 2 THEN\r\n> ")
+    learner.types("\r")
+    learner.sees("Condition true: 3 greater than 2.\r\nLine 3, level 1: FW 1\r\n> ")
+
+
+# --- typing
+
+
+def test_tab_completes_a_word_silently_and_lists_the_others(learner: Learner) -> None:
+    learner.sees_prompt()
+    learner.types("whe")
+    learner.sees("whe")
+    learner.types(TAB)
+    learner.sees("re ")
+    learner.types("\r")
+    learner.sees("Position 0, 0. Facing north.\r\n> ")
+    learner.types("EXP" + TAB[:0])
+    learner.types(TAB)
+    learner.sees("LAIN ")
+    learner.types("\r")
+    learner.sees("No errors.\r\n> ")
+    learner.types("MAP")
+    learner.sees("MAP")
+    learner.types(TAB)
+    learner.sees("4 words.\r\nMAP\r\nMAP COLUMN\r\nMAP PICTURE\r\nMAP ROW\r\n> MAP")
+    learner.types(" 1 1\r")
+    learner.sees("1, 1: free. 1 right, 1 ahead.\r\n> ")
+
+
+def test_tab_inside_a_pasted_line_is_a_blank(learner: Learner) -> None:
+    learner.sees_prompt()
+    learner.types("FW\t3\r\r")
+    learner.sees("I walked 3 steps forward.\r\n> ")
+
+
+def test_a_line_typed_before_is_done_again_by_its_number(learner: Learner) -> None:
+    learner.enters("FW 3", "", "WHERE", "TYPED 2")
+    learner.sees("1: FW 3\r\n2: WHERE\r\nType a number to do it again.\r\n> ")
+    learner.types("2\r")
+    learner.sees("2: WHERE\r\nPosition 0, 3. Facing north.\r\n> ")
+
+
+def test_enter_runs_each_complete_line_where_that_is_wanted(learner: Learner) -> None:
+    settled(learner, "SET enter runs")
+    learner.types("FW 3\r")
+    learner.sees("I walked 3 steps forward.\r\n> ")
+    learner.types("REPEAT 2 TIMES\r")
+    learner.sees("1> ")
+    learner.types("TR 45\r")
+    learner.sees("1> ")
+    learner.types("END REPEAT\r")
+    learner.sees("I turned 45 degrees to the right.\r\nI turned 45 degrees to the right.\r\n> ")
+
+
+# --- what is printed
+
+
+def test_the_last_line_of_an_answer_is_the_prompt_where_that_is_wanted(learner: Learner) -> None:
+    """B2: the cursor of a braille display stays on it."""
+    learner.enters("SET prompt answer")
+    learner.sees("Before the line, prompt: answer. ")
+    learner.types("FW 3\r")
+    learner.sees("\r\n> ")
+    learner.types("\r")
+    learner.sees("I walked 3 steps forward. ")
+    learner.types("WHERE\r")
+    learner.sees("WHERE\r\nPosition 0, 3. Facing north. ")
+
+
+@pytest.mark.parametrize(("prompt", "shown"), [("none", "\r\n"), ("word", "Donnie> ")])
+def test_the_prompt_can_be_another_one_or_none(tmp_path: Path, prompt: str, shown: str) -> None:
+    learner = Learner(tmp_path)
+    learner.enters(f"SET prompt {prompt}")
+    learner.sees(f"prompt: {prompt}.\r\n{shown.strip()}")
+    learner.types("WHERE\r")
+    learner.sees("Position 0, 0. Facing north.\r\n")
+
+
+def test_each_line_waits_for_enter_where_that_is_wanted(learner: Learner) -> None:
+    """B3."""
+    settled(learner, "SET hold on")
+    learner.types("AROUND\r")
+    learner.sees("No things within 10 steps. ")
+    learner.types("\r")
+    learner.sees("Ahead: free, 10 steps. ")
+    learner.types("WHERE\r")
+    learner.sees("Position 0, 0. Facing north.\r\n> ")
+
+
+def test_a_long_answer_comes_page_by_page_where_that_is_wanted(learner: Learner) -> None:
+    settled(learner, "SET page ask")
+    learner.types("HELP\r")
+    learner.sees("Enter goes on, Q stops. ")
+    assert len([line for line in learner.lines if ": " in line]) > 15
+    learner.types("\r")
+    learner.sees("Enter goes on, Q stops. ")
+    learner.types("q\r")
+    learner.sees("\r\n> ")
+
+
+def test_settings_are_kept_for_the_next_session(tmp_path: Path) -> None:
+    first = Learner(tmp_path)
+    first.enters("SET prompt word")
+    first.sees("Donnie> ")
+    first.types("QUIT\r")
+    assert first.leaves() == 0
+
+    second = Learner(tmp_path)
+    second.sees("Donnie> ")
+
+
+def test_the_terminal_edits_the_line_where_the_plain_editor_is_wanted(learner: Learner) -> None:
+    settled(learner, "SET editor plain")
+    learner.types("WHERE\n")
+    learner.sees("WHERE\r\nPosition 0, 0. Facing north.\r\n> ")
+
+
+# --- the other mode
+
+
+def test_the_change_of_mode_takes_the_robot_the_variables_and_the_program_along(tmp_path: Path) -> None:
+    learner = Learner(tmp_path)
+    settled(learner, "VAR x = 5", "FW x", "SPEED 20", "RUN")
+    learner.types("VISUAL\r")
+    learner.sees("Always begin in the full screen, y or n? Enter means no.")
+    learner.types("\r")
+    learner.sees("Donnie at 0, 5")
+    learner.types(SHIFT_TAB)
+    learner.sees("Command line.")
+    learner.types("LINEAR\r")
+    learner.sees("Linear mode, from the word.")
+    learner.sees("Always begin in linear mode, y or n? Enter means no.")
+    learner.types("y\r")
+    learner.sees("I will remember it.")
+    learner.types("WHERE\r")
+    learner.sees("Position 0, 5. Facing north.\r\n> ")
+    learner.types("SHOW VARIABLES\r")
+    learner.sees("x is 5.\r\n> ")
+    learner.types("SPEED\r")
+    learner.sees("Speed 20.\r\n> ")
+    learner.types("LIST\r")
+    learner.sees("1: VAR x = 5\r\n2: FW x\r\n> ")
+    learner.types("QUIT\r")
+    assert learner.leaves() == 0
+    assert "linear = true" in (tmp_path / "config/donnie/settings.toml").read_text()

@@ -1,0 +1,49 @@
+"""The last moves in words and as a table."""
+
+from devices.ports.robot import Pose, StoppedBy
+from donnie_tui.core.events import Moved, Outcome, RunEnded, Stamped, Turned
+from donnie_tui.core.trail import KEPT, Trail
+from donnie_tui.i18n.words import Words
+
+WALK = Moved("FW 3", 3, 3, None, Pose(0, 3, 0), True)
+TURN = Turned("TR 90", 90, 90, None, Pose(0, 3, 90), True)
+BLOCKED = Moved("FW 9", 9, 2, StoppedBy.OBSTACLE, Pose(2, 3, 90), True)
+
+
+def trail(*events: object) -> Trail:
+    made = Trail()
+    for number, event in enumerate(events, 1):
+        made.hear(Stamped(number, 0.0, event))  # type: ignore[arg-type] # events
+    return made
+
+
+def test_moves_are_told_oldest_first_with_where_they_led() -> None:
+    assert trail(WALK, TURN, BLOCKED).in_words(5, Words()) == (
+        "FW 3: 3 steps, to 0, 3.",
+        "TR 90: now facing east.",
+        "FW 9: blocked after 2, at 2, 3.",
+    )
+    assert trail(WALK, TURN, BLOCKED).in_words(1, Words("pt")) == ("FW 9: bloqueado após 2, em 2, 3.",)
+
+
+def test_without_moves_it_says_so() -> None:
+    assert trail().in_words(5, Words("es")) == ("Donnie aún no se movió.",)
+
+
+def test_the_table_has_a_row_a_move() -> None:
+    assert trail(WALK, TURN, BLOCKED).rows() == (
+        ("FW 3", 3, 0, 3, 0, False),
+        ("TR 90", 90, 0, 3, 90, False),
+        ("FW 9", 2, 2, 3, 90, True),
+    )
+
+
+def test_where_it_last_stood_is_known_also_without_a_move() -> None:
+    ended = RunEnded(Outcome.COMPLETED, Pose(7, 7, 0), {}, 1.0)
+
+    assert trail(WALK, ended).last_pose == Pose(7, 7, 0)
+    assert trail().last_pose is None
+
+
+def test_the_oldest_moves_are_forgotten() -> None:
+    assert len(trail(*[WALK] * (KEPT + 10)).rows()) == KEPT
