@@ -1,6 +1,6 @@
 """An hour on a bad line, in virtual time: a learner's robot at work, and something goes wrong all the time.
 
-The faults and the commands are random and seeded. The board makes 50 passes a second instead of 750, and
+The faults and the commands are random and seeded. The board makes 30 passes a second instead of 750, and
 reads as many bytes, and the line is looked at 50 times instead of 100: that is all that is simplified.
 """
 
@@ -18,7 +18,7 @@ from devices.wire.link_state import LinkState
 from tests.unit.devices.robots import Real, Sonars
 
 HOUR = 3600.0
-PASSES = 50
+PASSES = 30
 LOOK = 0.02
 LOSS = [LinkNews.LOST, LinkNews.RESTORED]
 RESTART = [LinkNews.LOST, LinkNews.RESTARTED]
