@@ -1,4 +1,4 @@
-"""How the linear mode behaves: every choice has its words in three languages and is kept by its English one."""
+"""How the linear mode behaves: every choice has its words in three languages; its English one is kept."""
 
 from dataclasses import fields
 
