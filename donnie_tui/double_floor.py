@@ -6,15 +6,16 @@ Nothing gives way there: the board has no gripper and pushes nothing.
 from __future__ import annotations
 
 from math import degrees, isfinite, radians
+from typing import TYPE_CHECKING
 
 from devices.firmware_double.surroundings import Place, Switch
 from devices.ports.robot import STEP, Bearing, Pose
 from devices.serial_robot.config import RobotConfig
 from sim.geometry import overlapping, placed
-from sim.ground import Ground
-from sim.motion import Mover
-from sim.scene import Scene
 from sim.sensors import Spot
+
+if TYPE_CHECKING:
+    from sim.scene import Scene
 
 TOUCH = 0.003
 """Metres before a thing at which a bumper is pressed."""
@@ -37,6 +38,9 @@ class SceneFloor:
     """What a board on the place of the world's first robot meets."""
 
     def __init__(self, scene: Scene) -> None:
+        from sim.ground import Ground
+        from sim.motion import Mover
+
         self._mover = Mover(Ground(scene), scene.robots[0])
 
     def centimetres(self, place: Place, sonar: int, head: int) -> float | None:
