@@ -106,6 +106,8 @@ class Clock:
 
     def elapse(self, seconds: float) -> bool:
         """Let ``seconds`` go by in which others act. False if it was cut short."""
+        if not self.goes_on():
+            return False
         if not self._seat.takes_part:
             return self.spend(seconds, ()) >= seconds
         began = self.seconds

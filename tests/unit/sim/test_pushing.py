@@ -214,3 +214,22 @@ def test_a_thing_on_a_thing_goes_with_it() -> None:
 
     assert moved.stopped_by is StoppedBy.COLLISION
     assert things(world) == [(0.45, 0)]
+
+
+@pytest.mark.parametrize("joined", [False, True])
+def test_pushing_something_for_ever_can_be_stopped(joined: bool) -> None:
+    class Refusing(Unpaced):
+        asked = 0
+
+        def sleep(self, seconds: float) -> bool:
+            self.asked += 1
+            return self.asked < 300
+
+    robot = World(scene(PUSHER + BOX.format(0.3, 0))).robot(pace=Refusing())
+    if joined:
+        robot.join()
+
+    moved = robot.forward(1_000_000_000)
+
+    assert moved.stopped_by is StoppedBy.USER
+    assert 5 < moved.walked < 300
