@@ -136,13 +136,6 @@ class LinkNews(Enum):
     BATTERY_LOW = "battery-low"
 
 
-class LinkWatcher(Protocol):
-    """Told what happens to the line, each thing once, from a thread of the line's own."""
-
-    def told(self, news: LinkNews, reason: str) -> None:
-        """``reason``: a port, a voltage or the words of the operating system; for a log."""
-
-
 class Watcher(Protocol):
     """Told by a robot, in the program's thread, how far it has come."""
 

@@ -94,7 +94,7 @@ def test_a_robot_on_a_port_walks_a_step(double: DoubleOnPty) -> None:
     assert until(lambda: not double.board.is_driving)
 
 
-def test_a_second_program_cannot_have_the_port(double: DoubleOnPty, link: SerialLink) -> None:
+def test_open_a_second_program_cannot_have_the_port(double: DoubleOnPty, link: SerialLink) -> None:
     with pytest.raises(RobotProblem) as told:
         SerialLink(double.path).connect()
 
@@ -117,7 +117,7 @@ def test_a_port_where_nobody_answers_is_let_go_of() -> None:
     assert (told.value.code, link.state) == ("no-answer", LinkState.CLOSED)
 
 
-def test_an_unplugged_robot_is_told_and_found_again_where_its_name_leads(double: DoubleOnPty) -> None:
+def test_unplug_is_told_and_found_again_where_its_name_leads(double: DoubleOnPty) -> None:
     news = News()
     link = SerialLink(double.path, LinkConfig(reopen=0.1), news)
     link.connect()
@@ -146,7 +146,7 @@ def test_a_walk_ends_when_the_robot_is_unplugged(double: DoubleOnPty) -> None:
     robot.close()
 
 
-def test_closing_leaves_two_stops_as_the_last_words(double: DoubleOnPty) -> None:
+def test_shutdown_leaves_two_stops_as_the_last_words(double: DoubleOnPty) -> None:
     link = SerialLink(double.path)
     link.connect()
     link.drive(link.permit(), Drive.FORWARD, FAR)
@@ -190,7 +190,7 @@ def test_a_stop_from_any_thread_reaches_the_wire(double: DoubleOnPty, link: Seri
     assert until(lambda: not double.board.is_driving)
 
 
-def test_the_hang_up_flag_of_the_port_is_left_alone(double: DoubleOnPty) -> None:
+def test_process_killed_the_hang_up_flag_of_the_port_is_left_alone(double: DoubleOnPty) -> None:
     """With it, the system drops DTR when a program is killed, which resets the next board that is opened."""
     fd = os.open(double.path, os.O_RDWR | os.O_NOCTTY)
     settings = termios.tcgetattr(fd)
@@ -204,7 +204,7 @@ def test_the_hang_up_flag_of_the_port_is_left_alone(double: DoubleOnPty) -> None
     assert flags & termios.HUPCL
 
 
-def test_a_port_without_a_reset_line_tolerates_its_being_pulled(double: DoubleOnPty) -> None:
+def test_dtr_a_port_without_that_line_tolerates_its_being_pulled(double: DoubleOnPty) -> None:
     port = OpenPort(double.path)
     port.pull_reset(lambda seconds: None)
 
@@ -248,7 +248,7 @@ def test_a_program_that_ends_in_the_middle_of_a_drive_stops_the_robot(double: Do
     assert until(lambda: not double.board.is_driving)
 
 
-def test_a_program_that_was_killed_leaves_a_robot_that_the_next_one_stops(double: DoubleOnPty) -> None:
+def test_process_killed_it_leaves_a_robot_that_the_next_one_stops(double: DoubleOnPty) -> None:
     program = driver(double, "pass")
     assert until(lambda: double.board.is_driving)
     program.send_signal(signal.SIGKILL)

@@ -149,7 +149,7 @@ def test_the_back_sensor_stops_the_way_back() -> None:
     assert (real.robot.backward(9).walked, real.robot.forward(1).stopped_by) == (3, None)
 
 
-def test_an_echo_that_is_there_once_and_not_twice_is_no_obstacle() -> None:
+def test_ranges_an_echo_that_is_there_once_and_not_twice_is_no_obstacle() -> None:
     """What is 2.6 metres away looks near, once in a while."""
     sonars = Sonars(far=150.0)
     real = Real(sonars)
@@ -161,7 +161,7 @@ def test_an_echo_that_is_there_once_and_not_twice_is_no_obstacle() -> None:
     assert (moved.walked, moved.stopped_by) == (6, None)
 
 
-def test_a_false_echo_before_the_first_step_is_waited_for_and_not_believed() -> None:
+def test_ranges_a_false_echo_before_the_first_step_is_waited_for_and_not_believed() -> None:
     sonars = Sonars(far=150.0)
     real = Real(sonars)
     real.robot.wait(1.0)
@@ -173,7 +173,7 @@ def test_a_false_echo_before_the_first_step_is_waited_for_and_not_believed() -> 
     assert real.robot.forward(2).stopped_by is None
 
 
-def test_what_nothing_is_known_about_is_no_obstacle() -> None:
+def test_ranges_what_nothing_is_known_about_is_no_obstacle() -> None:
     real = Real(Sonars(far=256.0))
 
     assert real.line.telemetry.ranges == () or real.line.telemetry.ranges[-1].centimetres[1] == 0
@@ -233,7 +233,7 @@ def test_bumpers_are_where_the_configuration_says() -> None:
 
 
 @pytest.mark.parametrize("is_walk", [True, False])
-def test_wheels_that_do_not_turn_are_a_stall(is_walk: bool) -> None:
+def test_host_watchdog_wheels_that_do_not_turn_are_a_stall(is_walk: bool) -> None:
     real = Real()
     real.board.wheels.is_stuck = True
 
@@ -431,7 +431,9 @@ def test_the_order_of_the_sonars_is_configuration() -> None:
 
 
 @pytest.mark.parametrize("far", [None, 201.0, 255.0, 256.0])
-def test_what_is_far_or_gives_no_echo_or_is_unknown_is_as_far_as_sensors_tell(far: float | None) -> None:
+def test_ranges_what_is_far_or_gives_no_echo_or_is_unknown_is_as_far_as_sensors_tell(
+    far: float | None,
+) -> None:
     real = Real(Sonars(far))
 
     assert real.robot.distance(Bearing.FRONT) == 60
