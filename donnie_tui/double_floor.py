@@ -12,10 +12,10 @@ from devices.firmware_double.surroundings import Place, Switch
 from devices.ports.robot import STEP, Bearing, Pose
 from devices.serial_robot.config import RobotConfig
 from sim.geometry import overlapping, placed
-from sim.sensors import Spot
 
 if TYPE_CHECKING:
     from sim.scene import Scene
+    from sim.sensors import Spot
 
 TOUCH = 0.003
 """Metres before a thing at which a bumper is pressed."""
@@ -85,4 +85,6 @@ def _looks(sonar: int, head: int) -> tuple[Bearing | None, float]:
 
 
 def _spot(place: Place) -> Spot:
+    from sim.sensors import Spot
+
     return Spot(place.x, place.y, degrees(place.yaw))
