@@ -10,10 +10,8 @@ import threading
 from collections.abc import Mapping, Sequence
 from math import ceil, log
 
-import pymunk
-
 from sim.geometry import Point, contains
-from sim.layer import RANGED, SIGHT, Layer
+from sim.layer import RANGED, SIGHT, Layer, Wanted
 from sim.parts import Part, parts_of
 from sim.placement import Placement
 from sim.rays import Hit
@@ -143,7 +141,7 @@ class Ground:
         self, asker: int, x: float, y: float, ends: Sequence[Point], ranging: bool, but: frozenset[int]
     ) -> list[Hit[Part]]:
         """What looks from one place to each of ``ends`` meet first, and where on the way."""
-        wanted = pymunk.ShapeFilter(group=asker + 1, mask=RANGED if ranging else SIGHT)
+        wanted = Wanted(asker + 1, RANGED if ranging else SIGHT)
         with self._lock:
             self._bring_up(self._bare, asker)
             hits = _asked(self._bare.layer, x, y, ends, wanted, but)
@@ -159,7 +157,7 @@ class Ground:
         with self._lock:
             kept = self._layers[guard]
             self._bring_up(kept, asker)
-            wanted = pymunk.ShapeFilter(group=asker + 1)
+            wanted = Wanted(asker + 1)
             return _asked(kept.layer, x, y, (end,), wanted, but)[0][1]
 
     def room(self, asker: int, x: float, y: float, guard: float) -> float:
@@ -167,7 +165,7 @@ class Ground:
         with self._lock:
             kept = self._layers[guard]
             self._bring_up(kept, asker)
-            return kept.layer.room(x, y, MOST_ROOM, pymunk.ShapeFilter(group=asker + 1))
+            return kept.layer.room(x, y, MOST_ROOM, Wanted(asker + 1))
 
     def changes_for(self, asker: int) -> int:
         """Another number whenever something was moved that is not the asker itself."""
@@ -232,7 +230,7 @@ def _asked(
     x: float,
     y: float,
     ends: Sequence[Point],
-    wanted: pymunk.ShapeFilter,
+    wanted: Wanted,
     but: frozenset[int],
 ) -> list[Hit[int]]:
     if not but:
