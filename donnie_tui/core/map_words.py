@@ -8,6 +8,7 @@ from __future__ import annotations
 
 from collections.abc import Iterable
 from itertools import groupby
+from string import ascii_lowercase
 from typing import TYPE_CHECKING
 
 from devices.ports.robot import Pose
@@ -20,6 +21,9 @@ if TYPE_CHECKING:
 
 WIDEST, HIGHEST = 40, 18
 """Squares of the picture: what a braille display shows of a line, and what a screen reader takes at once."""
+
+_OF_THE_ROBOT = "ov"
+"""Letters that its trail and its arrow may have."""
 
 _LINE = {"brief": 40, "normal": 60, "full": 80}
 """Characters of a line of runs."""
@@ -93,13 +97,22 @@ def picture_in_letters(grid: MapGrid, wording: Wording, free: str = FREE) -> tup
     ]
     shown = set("".join(rows)) - {TRAIL, START}
     names = names_of_letters(grid.picture, wording)
+    shown_as = _braille_letters(names) | {FREE: free, START: free}
     legend = [
-        wording("picture-letter", name=names[letter][:1].upper() + names[letter][1:], letter=shown_as)
+        wording("picture-letter", name=names[letter][:1].upper() + names[letter][1:], letter=shown_as[letter])
         for letter in sorted(shown & names.keys())
-        if (shown_as := free if letter == FREE else letter)
     ]
     title = wording("picture-title", robot=grid.letter(grid.robot), width=window.width, height=window.height)
-    return (title, *legend, *(row.replace(START, FREE).replace(FREE, free) for row in rows))
+    return (title, *legend, *("".join(shown_as.get(each, each) for each in row) for row in rows))
+
+
+def _braille_letters(names: dict[str, str]) -> dict[str, str]:
+    """What is shown for each letter: six dots know no capitals, so a capital may need another letter."""
+    unused = iter(each for each in ascii_lowercase if each not in names and each not in _OF_THE_ROBOT)
+    return {
+        letter: letter if letter.lower() == letter or letter.lower() not in names else next(unused, letter)
+        for letter in names
+    }
 
 
 def _runs_in_words(

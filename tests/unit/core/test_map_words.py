@@ -171,3 +171,11 @@ def test_two_letters_never_have_the_same_words() -> None:
     picture = Picture(0, 0, 2, 1, 1, ("cC",), (thing("c", 0, 0), thing("C", 1, 0)), False)
 
     assert names_of_letters(picture, Words())["C"] == "chair C"
+
+
+def test_letters_of_the_picture_are_distinct_without_capitals() -> None:
+    """B4: in six dots a capital letter looks like a small one."""
+    picture = Picture(0, 0, 3, 1, 1, ("cC.",), (thing("c", 0, 0), thing("C", 1, 0)), False)
+    told = picture_in_letters(MapGrid(picture, Pose(2, 0, 0)), Words())
+
+    assert told[1:] == ("Chair C: a", "Chair: c", "ca^")
