@@ -21,7 +21,9 @@ from devices.firmware_double.on_pty import DoubleOnPty
 from devices.firmware_double.surroundings import Switch, Walls
 from devices.ports.robot import Bearing, Motion, Pose, Robot, RobotProblem, StoppedBy
 from devices.serial_link import SerialLink
+from devices.serial_robot.config import RobotConfig
 from devices.serial_robot.robot import SerialRobot
+from devices.wire.link_config import LinkConfig
 from sim.world import World
 from tests.unit.devices.robots import Real, Sonars, wall_ahead
 from tests.unit.sim.floors import IDEAL, scene
@@ -71,9 +73,11 @@ def simulator(closing: ExitStack, pace: Pace, progress: Progress) -> Robot:
 
 
 def on_a_device_path(closing: ExitStack, pace: Pace, progress: Progress) -> Robot:
+    """Patient with a busy machine; how impatient it is otherwise is tested in virtual time."""
     wall = wall_ahead(STEPS_TO_THE_WALL)
     double = closing.enter_context(DoubleOnPty(SimulatedBoard(wall, boot_loader=-0.9)))
-    robot = SerialRobot(SerialLink(double.path), pace=pace, watcher=progress)
+    link = SerialLink(double.path, LinkConfig(silence=10.0, lease=5.0, runaway=10.0))
+    robot = SerialRobot(link, RobotConfig(stall=10.0, settle=5.0), pace=pace, watcher=progress)
     robot.connect()
     closing.callback(robot.close)
     return robot

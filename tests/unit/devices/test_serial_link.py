@@ -21,6 +21,7 @@ from devices.firmware_double.on_pty import DoubleOnPty
 from devices.ports.robot import LinkNews, RobotProblem, StoppedBy
 from devices.serial_link import SerialLink
 from devices.serial_link.port import OpenPort
+from devices.serial_robot.config import RobotConfig
 from devices.serial_robot.robot import SerialRobot
 from devices.wire.commands import STOP, Drive, motors
 from devices.wire.link_config import LinkConfig
@@ -83,7 +84,8 @@ def link(double: DoubleOnPty) -> Iterator[SerialLink]:
 
 
 def test_a_robot_on_a_port_walks_a_step(double: DoubleOnPty) -> None:
-    robot = SerialRobot(SerialLink(double.path), pace=RealPace())
+    patient = LinkConfig(silence=10.0, lease=5.0, runaway=10.0)
+    robot = SerialRobot(SerialLink(double.path, patient), RobotConfig(stall=10.0), pace=RealPace())
     robot.connect()
 
     moved = robot.forward(1)
