@@ -1,0 +1,60 @@
+"""Several robots in the linear mode: the learner talks to one, each has its own program, all can run."""
+
+from pathlib import Path
+
+from tests.sessions.command import QUIET, donnie
+
+TYPED = """ROBOTS
+FW 2
+
+ROBÔ bob
+FW 3
+
+robots
+ROBOT carol
+GRIP
+TOGETHER
+WHERE
+ROBOT ALICE
+STATE
+
+STOP ALL
+QUIT
+"""
+
+
+def test_the_learner_chooses_whom_to_talk_to_and_all_run_together(tmp_path: Path) -> None:
+    done = donnie(tmp_path, "--linear", *QUIET, "--speed", "max", "--world", "two_robots", typed=TYPED)
+
+    assert done.returncode == 0
+    assert done.stderr == b""
+    assert done.stdout.decode().splitlines()[2:-1] == [
+        "You talk to alice.",
+        "alice: 0, 0, facing north.",
+        "bob: 0, 30, facing south.",
+        "alice: I walked 2 steps forward.",
+        "You talk to bob.",
+        "bob: I walked 3 steps forward.",
+        "You talk to bob.",
+        "alice: 0, 2, facing north.",
+        "bob: 0, 27, facing south.",
+        "There is no robot carol here. There is alice, bob.",
+        "bob: I have no gripper.",
+        "alice: I walked 2 steps forward.",
+        "bob: I walked 3 steps forward.",
+        "Position 0, 27. Facing south.",
+        "You talk to alice.",
+        "1 line.",
+        "alice: Command 1 was FW 2, walked 2, didn't crash, position [0,2,0].",
+        "No robot runs anything.",
+    ]
+
+
+def test_in_a_world_with_one_robot_nothing_is_named(tmp_path: Path) -> None:
+    done = donnie(tmp_path, "--linear", *QUIET, "--speed", "max", typed="ROBOTS\nFW 1\n\nGRIP\nQUIT\n")
+
+    assert done.stdout.decode().splitlines()[2:-1] == [
+        "There is one robot, donnie.",
+        "I walked 1 step forward.",
+        "I have no gripper.",
+    ]

@@ -1,0 +1,55 @@
+"""Several robots on the screen: keys and typed lines go to the one that was chosen, the others go on."""
+
+from donnie_tui.tui.running import Doing
+from tests.tui.conftest import WAITING
+
+
+async def test_another_robot_can_be_talked_to_while_the_first_one_runs(work):
+    async with work(WAITING, speed=1.0, world="two_robots") as desk:
+        await desk.press("f5")
+        await desk.doing(Doing.RUNNING)
+
+        await desk.type_line("ROBOT bob")
+        await desk.told("You talk to bob.")
+        assert desk.app.work.running.doing is Doing.READY
+        assert [each.name for each in desk.app.work.donnie.team.running] == ["alice"]
+
+        await desk.type_line("SPEAK 7")
+        await desk.told("bob: 7")
+
+        await desk.type_line("ROBOT alice")
+        await desk.told("You talk to alice.")
+        assert desk.app.work.running.doing is Doing.RUNNING
+
+        await desk.type_line("STOP ALL")
+        await desk.doing(Doing.READY)
+
+
+async def test_all_that_were_given_a_program_start_together_and_stop_together(work):
+    async with work(WAITING, speed=1.0, world="two_robots") as desk:
+        await desk.type_line("ROBOT bob")
+        await desk.told("You talk to bob.")
+
+        await desk.type_line("TOGETHER")
+        team = desk.app.work.donnie.team
+        await desk.until(lambda: len(team.running) == 2, "both run")
+        await desk.until(lambda: desk.app.work.running.doing is Doing.RUNNING, "the chosen one is watched")
+
+        await desk.type_line("STOP ALL")
+        await desk.until(lambda: not team.running, "nobody runs")
+        await desk.doing(Doing.READY)
+
+
+async def test_who_has_no_gripper_says_so(work):
+    async with work("") as desk:
+        await desk.type_line("GRIP")
+
+        await desk.told("I have no gripper.")
+
+
+async def test_who_is_unknown_changes_nothing(work):
+    async with work("", world="two_robots") as desk:
+        await desk.type_line("ROBOT carol")
+
+        await desk.told("There is no robot carol here. There is alice, bob.")
+        assert desk.app.work.donnie.session.name == "alice"
