@@ -13,6 +13,7 @@ from donnie_tui.core.events import (
     Announced,
     Answered,
     BeltShown,
+    Chimed,
     CueSounded,
     Error,
     GripperUsed,
@@ -88,6 +89,7 @@ class Announcer:
                 | Passing()
                 | Answered()
                 | Pointed()
+                | Chimed()
             ):
                 pass
             case never:

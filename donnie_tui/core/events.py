@@ -1,7 +1,7 @@
 """The events: everything that happens, as values. Names and fields are a contract (scripts rely on them).
 
 The transient ones are the exception, neither numbered nor recorded: ``Passing``, where the robot is just
-now, for a moving picture, depends on the clock of the machine; ``Answered`` is about the front end.
+now, for a moving picture, depends on the clock of the machine; the others are about the front end.
 """
 
 from __future__ import annotations
@@ -242,7 +242,16 @@ class Pointed:
     text: str
 
 
-TRANSIENT = (Passing, Answered, Pointed)
+@dataclass(frozen=True, slots=True)
+class Chimed:
+    """A cue of a front end's own, such as that a block was opened; fields as of ``CueSounded``; transient."""
+
+    name: str
+    bearing: float = 0.0
+    steps: float | None = None
+
+
+TRANSIENT = (Passing, Answered, Pointed, Chimed)
 
 Event: TypeAlias = (
     RunStarted
@@ -266,6 +275,7 @@ Event: TypeAlias = (
     | Passing
     | Answered
     | Pointed
+    | Chimed
 )
 
 

@@ -12,7 +12,7 @@ from collections import deque
 from collections.abc import Callable
 from typing import Protocol, TypeAlias
 
-from donnie_tui.core.events import TRANSIENT, Answered, Event, Pointed, Stamped
+from donnie_tui.core.events import TRANSIENT, Answered, Chimed, Event, Pointed, Stamped
 
 Listener: TypeAlias = Callable[[Stamped], None]
 Leave: TypeAlias = Callable[[], None]
@@ -131,5 +131,5 @@ class Hub:
 
         What a front end answers is no robot's.
         """
-        robot = None if isinstance(event, (Answered, Pointed)) else self.robot
+        robot = None if isinstance(event, (Answered, Pointed, Chimed)) else self.robot
         self._stream.publish(event, self._clock(), robot, self._own)

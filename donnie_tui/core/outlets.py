@@ -1,4 +1,4 @@
-"""What makes events audible and tangible: the voice, the cues and the belt, each a listener.
+"""What makes events audible: the voice and the cues, each a listener.
 
 SOUND OFF silences voice and cues and never the printed line; the belt has its own switch.
 """
@@ -7,16 +7,15 @@ from __future__ import annotations
 
 from enum import Enum
 
-from devices.ports.audio import Belt, Cue, CuePlayer, Speaker, Urgency, Utterance
-from donnie_tui.core.belt import OFF
+from devices.ports.audio import Cue, CuePlayer, Speaker, Urgency, Utterance
 from donnie_tui.core.events import (
     Announced,
     Answered,
     BeltShown,
+    Chimed,
     CueSounded,
     Error,
     Event,
-    RunEnded,
     SoundSwitched,
     Spoke,
     Stamped,
@@ -40,11 +39,13 @@ class Hears(Enum):
 class Voice:
     """Says what the transcript prints."""
 
-    def __init__(self, speaker: Speaker, wording: Wording, hears: Hears = Hears.ALL) -> None:
+    def __init__(
+        self, speaker: Speaker, wording: Wording, hears: Hears = Hears.ALL, *, is_on: bool = True
+    ) -> None:
         self._speaker = speaker
         self._wording = wording
         self._hears = hears
-        self._on = True
+        self._on = is_on
 
     def __call__(self, stamped: Stamped) -> None:
         if isinstance(stamped.event, SoundSwitched):
@@ -66,11 +67,11 @@ class Voice:
 
 
 class Cues:
-    """Plays what the announcer chose."""
+    """Plays what the announcer or a front end chose."""
 
-    def __init__(self, player: CuePlayer) -> None:
+    def __init__(self, player: CuePlayer, *, is_on: bool = True) -> None:
         self._player = player
-        self._on = True
+        self._on = is_on
 
     def __call__(self, stamped: Stamped) -> None:
         match stamped.event:
@@ -78,23 +79,10 @@ class Cues:
                 self._on = on
                 if not on:
                     self._player.silence()
-            case CueSounded(name=name, bearing=bearing, steps=steps) if self._on:
-                self._player.play(Cue(name, bearing, steps))
+            case CueSounded() | Chimed() as cue if self._on:
+                self._player.play(Cue(cue.name, cue.bearing, cue.steps))
             case _:
                 pass
-
-
-class BeltView:
-    """Shows the levels on a belt, and none once a run is over, whatever happened in it."""
-
-    def __init__(self, belt: Belt) -> None:
-        self._belt = belt
-
-    def __call__(self, stamped: Stamped) -> None:
-        if isinstance(stamped.event, BeltShown):
-            self._belt.show(stamped.event.levels)
-        elif isinstance(stamped.event, RunEnded):
-            self._belt.show(OFF)
 
 
 def _urgency_of(event: Event) -> Urgency:
