@@ -125,8 +125,8 @@ def assemble(settings: Settings, *, terminal: bool, out: TextIO | None = None) -
         audible = make_audible(settings, session, words, closing)
         if settings.wait_for_speech:
             until_said.is_quiet_within = audible.is_quiet_within
-        belt_telling = BeltTelling(session.hub, words)
-        about_belt = connect_belt(settings, session.hub, words, closing)
+        belt_telling = BeltTelling(team, words)
+        about_belt = connect_belt(settings, team, words, closing)
         about_devices = about_belt + _connect_robot(connection, settings, words, world, terminal)
     except BaseException:
         closing.close()

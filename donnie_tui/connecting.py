@@ -115,11 +115,18 @@ class Connection:
         if self._session.run is not None:
             raise Busy
         if self.robot != SIMULATED:
-            self._session.change_robot(None)
-            self._now.drop()
-            self.robot = SIMULATED
+            self._go_back()
         if robot != SIMULATED:
             self._connect(robot)
+
+    def _go_back(self) -> None:
+        """To the simulated robot, at the speed at which the simulated board went."""
+        speed = self._session.speed
+        self._session.change_robot(None)
+        self._now.drop()
+        if self.robot == DOUBLE:
+            self._session.speed = speed
+        self.robot = SIMULATED
 
     def _connect(self, robot: str) -> None:
         make, name = self._maker(robot)
@@ -164,7 +171,7 @@ class Connection:
             robot_config(self._settings),
             pace=pace,
             watcher=watcher,
-            speed=self._settings.speed,
+            speed=self._session.speed,
             place=place_of(start),
             start=start,
             on_event=self._tell,

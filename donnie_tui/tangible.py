@@ -8,9 +8,9 @@ from __future__ import annotations
 from contextlib import ExitStack
 
 from donnie_tui.core.belt import BeltSettings
+from donnie_tui.core.belt_watching import ChosenBelt
 from donnie_tui.core.events import Answered
-from donnie_tui.core.hub import Hub
-from donnie_tui.core.outlets import BeltView
+from donnie_tui.core.team import Team
 from donnie_tui.device_settings import SERIAL
 from donnie_tui.i18n.words import Words
 from donnie_tui.settings import Settings
@@ -33,7 +33,7 @@ def refuse_shared_port(settings: Settings, words: Words) -> None:
         raise Unusable(words("belt-same-port", port=settings.belt))
 
 
-def connect_belt(settings: Settings, hub: Hub, words: Words, closing: ExitStack) -> tuple[str, ...]:
+def connect_belt(settings: Settings, team: Team, words: Words, closing: ExitStack) -> tuple[str, ...]:
     """Let the belt show what the events say. Answers what can't be done, a sentence each."""
     if settings.belt is None:
         return ()
@@ -42,12 +42,12 @@ def connect_belt(settings: Settings, hub: Hub, words: Words, closing: ExitStack)
     from devices.serial_port import PortProblem
 
     def tell(news: BeltNews) -> None:
-        hub.publish(Answered(words(f"belt-{news.value}")))
+        team.chosen.hub.publish(Answered(words(f"belt-{news.value}")))
 
     try:
         belt = SerialBelt(settings.belt, tell)
     except PortProblem as problem:
         return (words("belt-missing", port=settings.belt, reason=problem.reason),)
     closing.callback(belt.close)
-    closing.callback(hub.subscribe(BeltView(belt)))
+    closing.callback(team.stream.subscribe(ChosenBelt(lambda: team.chosen.hub.robot, belt.show)))
     return ()

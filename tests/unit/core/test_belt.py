@@ -4,15 +4,21 @@ from __future__ import annotations
 
 import pytest
 
-from devices.ports.robot import Bearing
+from devices.ports.robot import Bearing, Pose
 from donnie_tui.core import belt
 from donnie_tui.core.belt import OFF, BeltSettings, bump, felt, in_words, presence, pulse, rows
 from donnie_tui.core.belt_telling import BeltTelling
-from donnie_tui.core.events import BeltShown, CueSounded, Moved, RunEnded
+from donnie_tui.core.belt_watching import ChosenBelt
+from donnie_tui.core.events import Answered, BeltShown, CueSounded, Moved, Outcome, RunEnded, Stamped
+from donnie_tui.core.team import Team
 from donnie_tui.i18n.words import Words
 from tests.floor import Floor
 
 FRONT_ROW = (0, 0, 0, 3, 0, 0, 0)
+
+
+def team_of(floor: Floor) -> Team:
+    return Team([""], lambda _: floor.session, floor.session.hub._stream)
 
 
 def shown(floor: Floor) -> list[tuple[int, ...]]:
@@ -140,7 +146,7 @@ def test_the_belt_stays_switched_on_for_the_next_lines_of_a_terminal() -> None:
 
 def test_whoever_wants_it_is_told_what_changes_in_words() -> None:
     floor = Floor(("red", 0, 22))
-    BeltTelling(floor.session.hub, floor.words).is_on = True
+    BeltTelling(team_of(floor), floor.words).is_on = True
     floor.run("BELT ON FW 3 FW 2")
 
     assert [line for line in floor.told if line.startswith("Belt:")] == [
@@ -151,7 +157,7 @@ def test_whoever_wants_it_is_told_what_changes_in_words() -> None:
 
 def test_what_is_felt_now_can_be_asked_for_without_being_told_all_the_time() -> None:
     floor = Floor(("red", 0, 4))
-    telling = BeltTelling(floor.session.hub, floor.words)
+    telling = BeltTelling(team_of(floor), floor.words)
     during = list[str]()
     floor.session.hub.subscribe(
         lambda stamped: during.append(telling.now()) if isinstance(stamped.event, Moved) else None
@@ -161,3 +167,16 @@ def test_what_is_felt_now_can_be_asked_for_without_being_told_all_the_time() -> 
     assert during == ["Belt: front strong."]
     assert telling.now() == "Belt: nothing near."
     assert not [line for line in floor.told if line.startswith("Belt:")]
+
+
+def test_of_several_robots_only_the_chosen_one_is_felt() -> None:
+    chosen, felt = ["alice"], list[tuple[int, ...]]()
+    watching = ChosenBelt(lambda: chosen[0], felt.append)
+    strong, weak = pulse(Bearing.FRONT), (1,) * 14
+    watching(Stamped(1, 0.0, BeltShown(strong), "alice"))
+    watching(Stamped(2, 0.0, BeltShown(weak), "bob"))
+    chosen[0] = "bob"
+    watching(Stamped(3, 0.0, Answered("You talk to bob."), None))
+    watching(Stamped(4, 0.0, RunEnded(Outcome.STOPPED, Pose(0, 0, 0), {}, 1.0), "bob"))
+
+    assert felt == [strong, weak, OFF]
