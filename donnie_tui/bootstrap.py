@@ -65,7 +65,10 @@ class Donnie:
     """What happened lately, to go back through."""
     belt_telling: BeltTelling
     """The belt in words."""
-    _audible: Audible
+    _shared: World
+    audible: Audible
+    """What makes a voice and sounds."""
+    _until_said: UntilSaid
     _written: Written
     _closing: ExitStack
 
@@ -80,19 +83,30 @@ class Donnie:
 
         return picture(self.world.scene)
 
+    def picture_now(self) -> Picture:
+        """The world as the robot that is talked to finds it now: others and things where they are."""
+        from sim.picture import picture
+
+        return picture(self._shared.scene_now(), self.team.chosen_name)
+
     def is_quiet_within(self, seconds: float) -> bool:
         """Wait until everything was said, that long at most; False if that was not enough."""
-        return self._audible.is_quiet_within(seconds)
+        return self.audible.is_quiet_within(seconds)
+
+    def adjust_sound(self, **changed: object) -> None:
+        """Settings of voice and cues from now on, by the names of their fields."""
+        self.audible.adjust(**changed)
+        self._let_programs_wait()
+
+    def _let_programs_wait(self) -> None:
+        """For what they say, where the learner wants that."""
+        waits = self.audible.settings.wait_for_speech
+        self._until_said.is_quiet_within = self.audible.is_quiet_within if waits else None
 
     @property
     def has_lost_output(self) -> bool:
         """Whether something that was asked for could not be written; it was told when that happened."""
         return bool(self._written.lost)
-
-    @property
-    def audible(self) -> Audible:
-        """What makes a voice and sounds."""
-        return self._audible
 
     def close(self) -> None:
         """The robots stop first, whatever else takes its time."""
@@ -100,17 +114,22 @@ class Donnie:
         self._closing.close()
 
 
-def assemble(settings: Settings, *, terminal: bool, out: TextIO | None = None) -> Donnie:
+def assemble(
+    settings: Settings, *, terminal: bool, out: TextIO | None = None, is_linear: bool = True
+) -> Donnie:
     """A session as the settings want it. ``out`` takes the events of ``--events -``. Raises ``Unusable``.
 
-    ``terminal``: QUIT is allowed, and a name may be declared again by a later batch.
+    ``terminal``: QUIT is allowed, and a name may be declared again by a later batch. ``is_linear``: what is
+    told is printed line by line, so that a screen reader reads it.
     """
     words = Words(settings.language, settings.verbosity)
     world = _inhabited_world(settings, words)
     closing = ExitStack()
     try:
-        until_said = UntilSaid()
-        team = make_team(settings, words, world, terminal, until_said)
+        from sim.world import World
+
+        until_said, shared = UntilSaid(), World(world.scene, seed=settings.seed)
+        team = make_team(settings, words, world, terminal, until_said=until_said, shared=shared)
         session = team.chosen
         connection = Connection(settings, words, world, session)
         closing.callback(connection.close)
@@ -122,9 +141,7 @@ def assemble(settings: Settings, *, terminal: bool, out: TextIO | None = None) -
         written.recording(world)
         written.log()
         about_settings = tuple(words(each.code, **each.values) for each in settings.notices)
-        audible = make_audible(settings, session, words, closing)
-        if settings.wait_for_speech:
-            until_said.is_quiet_within = audible.is_quiet_within
+        audible = make_audible(settings, session, words, closing, is_linear=is_linear)
         belt_telling = BeltTelling(team, words)
         about_belt = connect_belt(settings, team, words, closing)
         about_devices = about_belt + _connect_robot(connection, settings, words, world, terminal)
@@ -141,6 +158,7 @@ def assemble(settings: Settings, *, terminal: bool, out: TextIO | None = None) -
         connection,
         chronicle,
         belt_telling,
+        shared,
         audible,
         written,
         closing,
@@ -182,12 +200,15 @@ def make_team(
     words: Words,
     world: ChosenWorld,
     terminal: bool,
+    *,
     until_said: UntilSaid | None = None,
+    shared: World | None = None,
 ) -> Team:
     """The robots of a simulated world. The first one is the learner's until another one is chosen."""
     from sim.world import World
 
-    shared, stream = World(world.scene, seed=settings.seed), Stream()
+    shared = shared or World(world.scene, seed=settings.seed)
+    stream = Stream()
     moved_things = ThingWatch(shared)
     names = tuple(dict.fromkeys(world.scene.models[index].name for index in world.scene.robots))
 

@@ -10,6 +10,7 @@ from collections.abc import Iterable, Mapping
 
 from devices.ports.robot import Pace, Watcher
 from sim.ground import Ground
+from sim.moved import moved
 from sim.placement import Placement
 from sim.robot import SimulatedRobot
 from sim.scene import Scene
@@ -64,6 +65,10 @@ class World:
     def moved_things(self) -> Mapping[int, Placement]:
         """Where things are that were pushed or carried, by the index of their (top-level) model."""
         return {root: now for root, now in self._ground.moved().items() if root not in self._seats}
+
+    def scene_now(self) -> Scene:
+        """The scene with everything where it is now, robots too."""
+        return moved(self.scene, self._ground.moved())
 
     def reset(self) -> None:
         """Everything back to its start. Only while no robot takes part."""

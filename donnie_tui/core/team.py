@@ -54,6 +54,11 @@ class Team:
         return len(self.names) > 1
 
     @property
+    def chosen_name(self) -> str:
+        """Of the robot that is talked to, as its world calls it."""
+        return self._chosen
+
+    @property
     def chosen(self) -> Session:
         """The session of the robot that is talked to."""
         return self.session(self._chosen)

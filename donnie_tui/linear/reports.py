@@ -93,7 +93,7 @@ def _list(desk: Desk) -> Section:
 
 def _map(desk: Desk) -> Section:
     """What stands where; the first lines tell the floor."""
-    pose, picture = desk.session.pose, desk.donnie.picture()
+    pose, picture = desk.session.pose, desk.donnie.picture_now()
     rows = [
         (
             name_of(each, desk.say),

@@ -15,7 +15,7 @@ _DEFAULT_TRAIL = 5
 
 
 def _grid(desk: Desk) -> MapGrid:
-    return MapGrid(desk.donnie.picture(), desk.session.pose)
+    return MapGrid(desk.donnie.picture_now(), desk.session.pose)
 
 
 def _where(desk: Desk) -> None:
@@ -49,7 +49,7 @@ def _map(desk: Desk, _: Runs, rest: str) -> bool:
 
 
 def say_map(desk: Desk) -> None:
-    desk.tell(*map_words.map_in_words(desk.donnie.picture(), desk.session.pose, desk.say))
+    desk.tell(*map_words.map_in_words(desk.donnie.picture_now(), desk.session.pose, desk.say))
 
 
 def _row(desk: Desk, _: Runs, rest: str) -> bool:

@@ -1,0 +1,27 @@
+"""The world as the robot that is talked to finds it now."""
+
+from __future__ import annotations
+
+from donnie_tui.bootstrap import assemble
+from donnie_tui.settings import Settings
+
+
+def test_the_other_robot_is_where_it_went_and_oneself_is_no_thing() -> None:
+    donnie = assemble(Settings(world="two_robots", speech="off", sound=False, speed=None), terminal=True)
+    try:
+        assert donnie.session.start("FW 2", "a.gd").wait(30)
+        donnie.team.choose("bob")
+        robots = {thing.name: (thing.x, thing.y) for thing in donnie.picture_now().things if thing.is_robot}
+    finally:
+        donnie.close()
+    assert list(robots) == ["alice"]
+    x, y = robots["alice"]
+    assert (round(x), round(y)) == (0, 2)
+
+
+def test_a_real_start_is_the_picture_of_the_file() -> None:
+    donnie = assemble(Settings(world="living_room", speech="off", sound=False), terminal=True)
+    try:
+        assert donnie.picture_now() == donnie.picture()
+    finally:
+        donnie.close()

@@ -1,0 +1,32 @@
+"""A scene with things elsewhere than its file has them."""
+
+from __future__ import annotations
+
+import pytest
+
+import worlds
+from sim.moved import moved
+from sim.placement import Placement
+from sim.worldfile import load_world
+
+
+def test_what_is_attached_comes_along_and_the_rest_stays() -> None:
+    scene = load_world(worlds.path("two_robots"))
+    alice = scene.robots[0]
+    before = scene.models[alice].pose
+    there = Placement(before.x + 1.0, before.y, before.z, before.yaw + 90.0)
+    after = moved(scene, {alice: there})
+    for model, now in zip(scene.models, after.models, strict=True):
+        distance_before = (model.pose.x - before.x) ** 2 + (model.pose.y - before.y) ** 2
+        distance_now = (now.pose.x - there.x) ** 2 + (now.pose.y - there.y) ** 2
+        if model.root == alice:
+            assert distance_now == pytest.approx(distance_before)
+            assert now.pose.yaw == pytest.approx(model.pose.yaw + 90.0)
+            assert now.pose.z == pytest.approx(model.pose.z)
+        else:
+            assert now == model
+
+
+def test_nothing_moved_is_the_same_scene() -> None:
+    scene = load_world(worlds.path("living_room"))
+    assert moved(scene, {}) is scene
