@@ -8,13 +8,13 @@ from __future__ import annotations
 
 import os
 from contextlib import ExitStack
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import TYPE_CHECKING, Protocol
 
-from devices.ports.audio import Cue, CuePlayer, Speaker, Urgency, Utterance
+from devices.ports.audio import CuePlayer, Speaker, Urgency, Utterance
 from devices.speech.choose import Channel, ChannelReason, Choice, Facts, SpeakPlace, choose_channel
 from devices.speech.probe import look_around, ssip_address
-from donnie_tui.core.events import Answered
+from donnie_tui.core.events import Answered, SoundSwitched, Stamped
 from donnie_tui.core.hub import HasHub
 from donnie_tui.core.outlets import Cues, Hears, Voice
 from donnie_tui.folders import own_sounds
@@ -35,57 +35,132 @@ NOTICE_FOR = {
 }
 
 
-_PRINT = Choice(Channel.TEXT, ChannelReason.ASKED_FOR)
-
-
-class _Sounding(Protocol):
-    """What can be waited for."""
+class _Voiced(Protocol):
+    """What says sentences: it can be waited for, and be told how to sound."""
 
     def wait_until_quiet(self, seconds: float) -> bool: ...
 
-
-@dataclass(frozen=True, slots=True)
-class Audible:
-    """What came of it. All of it returns at once, but for ``is_quiet_within``."""
-
-    notices: tuple[str, ...] = ()
-    """What is wanted and not possible, a sentence each."""
-    choice: Choice = _PRINT
-    speakers: tuple[Speaker, ...] = ()
-    cue_player: CuePlayer | None = None
-    _sounding: tuple[_Sounding, ...] = ()
-
-    @property
-    def speaks(self) -> bool:
-        """Whether answers are heard, and not only print."""
-        return self.choice.channel is not Channel.TEXT
-
-    def is_quiet_within(self, seconds: float) -> bool:
-        """Wait until everything was said, that many seconds at most; False if that was not enough."""
-        return all(each.wait_until_quiet(seconds) for each in self._sounding)
-
-    def hush(self) -> None:
-        """Nothing said until now is heard any more."""
-        for each in self.speakers:
-            each.silence()
-
-    def echo(self, text: str, language: str) -> None:
-        """Say what was typed."""
-        for each in self.speakers[:1]:
-            each.say(Utterance(text, Urgency.PROGRESS, language))
-
-    def play(self, cue: Cue) -> None:
-        if self.cue_player is not None:
-            self.cue_player.play(cue)
+    def set_voice(self, voice: VoiceSettings) -> None: ...
 
 
 def make_audible(
     settings: Settings, session: HasHub, words: Words, closing: ExitStack, *, is_linear: bool = True
 ) -> Audible:
     """Add the voice and the cues that are wanted and possible. Raises ``Unusable`` where a file can't be."""
-    facts = look_around(is_linear=is_linear, has_real_robot=settings.robot.startswith("serial"))
-    choice = choose_channel(settings.speech, facts, settings.speak)
-    return _Maker(settings, session, words, closing, choice).make(facts)
+    if isinstance(settings.sound, str):
+        from donnie_tui.sound_file import write_cues
+
+        write_cues(settings.sound, session, words, closing)
+    audible = Audible(settings, session, words, is_linear=is_linear)
+    closing.callback(audible.close)
+    return audible
+
+
+class Audible:
+    """Voice and cues of a session, to be changed while it goes on.
+
+    The main thread's, but for ``is_quiet_within``, which may wait; all else returns at once.
+    """
+
+    def __init__(self, settings: Settings, session: HasHub, words: Words, *, is_linear: bool) -> None:
+        self._settings, self._session, self._words = settings, session, words
+        self._is_linear = is_linear
+        self._is_on = True
+        """What SOUND said last."""
+        self._unsubscribe = session.hub.subscribe(self._hear)
+        self._make()
+
+    def _make(self) -> None:
+        self._own = ExitStack()
+        self._facts = look_around(
+            is_linear=self._is_linear, has_real_robot=self._settings.robot.startswith("serial")
+        )
+        self.choice = choose_channel(self._settings.speech, self._facts, self._settings.speak)
+        made = _Maker(self._settings, self._session, self._words, self._own, self.choice, is_on=self._is_on)
+        self._made = made.make(self._facts)
+        notice = NOTICE_FOR.get(self.choice.reason)
+        self.notices: tuple[str, ...] = (self._words(notice),) if notice else ()
+        """What is wanted and not possible, a sentence each."""
+
+    def close(self) -> None:
+        """Be silent for good."""
+        self._unsubscribe()
+        self._own.close()
+
+    @property
+    def settings(self) -> Settings:
+        """As they are now."""
+        return self._settings
+
+    @property
+    def speaks(self) -> bool:
+        """Whether answers are heard, and not only print."""
+        return self.choice.channel is not Channel.TEXT
+
+    @property
+    def has_cues(self) -> bool:
+        """Whether a cue would be heard now."""
+        return self._made.cue_player is not None and self._is_on
+
+    @property
+    def echoes(self) -> bool:
+        """Whether what is typed may be said: by the own voice, and only where no screen reader does."""
+        is_own = self.choice.channel is Channel.TTS and self._facts.screen_reader is None
+        return is_own and self._is_on
+
+    def is_quiet_within(self, seconds: float) -> bool:
+        """Wait until everything was said, that many seconds at most; False if that was not enough."""
+        return all(each.wait_until_quiet(seconds) for each in self._made.voiced)
+
+    def hush(self) -> None:
+        """Nothing said until now is heard any more."""
+        for each in self._made.speakers:
+            each.silence()
+
+    def hush_all(self) -> None:
+        """No sentence and no cue."""
+        self.hush()
+        if self._made.cue_player is not None:
+            self._made.cue_player.silence()
+
+    def echo(self, text: str) -> None:
+        """Say what was typed."""
+        for each in self._made.speakers[:1]:
+            each.say(Utterance(text, Urgency.PROGRESS, self._words.language))
+
+    # --- changing
+
+    def adjust(self, **changed: object) -> None:
+        """Settings from now on, by the names of their fields."""
+        self._settings = replace(self._settings, **changed)  # type: ignore[arg-type] # read as their fields are
+        if changed.keys() & _OF_THE_CHANNEL or self._lacks_cues():
+            self._make_anew()
+        elif changed.keys() & _OF_THE_VOICE:
+            for each in self._made.voiced:
+                each.set_voice(voice_of(self._settings))
+        elif self._made.audio is not None:
+            self._made.audio.set_cue_volumes(cue_volumes(self._settings))
+
+    def move_to(self, *, is_linear: bool) -> None:
+        """The other mode goes on; what suits one need not suit the other."""
+        if is_linear != self._is_linear:
+            self._is_linear = is_linear
+            self._make_anew()
+
+    def _lacks_cues(self) -> bool:
+        return self._made.cue_player is None and wants_cues(self._settings, self._facts)
+
+    def _make_anew(self) -> None:
+        self._own.close()
+        self._make()
+
+    def _hear(self, stamped: Stamped) -> None:
+        if isinstance(stamped.event, SoundSwitched):
+            self._is_on = stamped.event.on
+
+
+_OF_THE_CHANNEL = {"speech", "speak", "sound"}
+_OF_THE_VOICE = {"rate", "pitch", "volume", "punctuation"}
 
 
 def wants_cues(settings: Settings, facts: Facts) -> bool:
@@ -108,26 +183,41 @@ def cue_volumes(settings: Settings) -> dict[str, float]:
     return {name: percent / 100 for name, percent in settings.cues.items()}
 
 
+@dataclass(frozen=True, slots=True)
+class _Made:
+    """What there is of voice and cues."""
+
+    speakers: tuple[Speaker, ...]
+    voiced: tuple[_Voiced, ...]
+    cue_player: CuePlayer | None
+    audio: AudioService | None
+
+
 class _Maker:
     """Connects what was chosen with the stream."""
 
     def __init__(
-        self, settings: Settings, session: HasHub, words: Words, closing: ExitStack, choice: Choice
+        self,
+        settings: Settings,
+        session: HasHub,
+        words: Words,
+        closing: ExitStack,
+        choice: Choice,
+        *,
+        is_on: bool,
     ) -> None:
         self._settings, self._session, self._words = settings, session, words
-        self._closing, self._choice = closing, choice
+        self._closing, self._choice, self._is_on = closing, choice, is_on
         self._speakers: list[Speaker] = []
-        self._sounding: list[_Sounding] = []
+        self._voiced: list[_Voiced] = []
 
-    def make(self, facts: Facts) -> Audible:
+    def make(self, facts: Facts) -> _Made:
         cues = wants_cues(self._settings, facts)
         speaks = self._choice.channel is Channel.TTS or self._choice.speak is not SpeakPlace.HERE
         audio = self._worker() if speaks or cues else None
         self._connect_voices(audio)
-        player = self._cue_player(audio if cues else None)
-        notice = NOTICE_FOR.get(self._choice.reason)
-        notices = (self._words(notice),) if notice else ()
-        return Audible(notices, self._choice, tuple(self._speakers), player, tuple(self._sounding))
+        player = self._cue_player(audio) if audio is not None and cues else None
+        return _Made(tuple(self._speakers), tuple(self._voiced), player, audio)
 
     def _connect_voices(self, audio: AudioService | None) -> None:
         from devices.audio_worker.factory import make_speaker
@@ -143,7 +233,8 @@ class _Maker:
 
     def _voice(self, speaker: Speaker, hears: Hears) -> None:
         self._speakers.append(speaker)
-        self._session.hub.subscribe(Voice(speaker, self._words, hears))
+        voice = Voice(speaker, self._words, hears, is_on=self._is_on)
+        self._closing.callback(self._session.hub.subscribe(voice))
 
     def _worker(self) -> AudioService:
         from devices.audio_worker.factory import make_audio
@@ -154,7 +245,7 @@ class _Maker:
         )
         audio = make_audio(settings, self._tell)
         self._closing.callback(audio.close)
-        self._sounding.append(audio)
+        self._voiced.append(audio)
         return audio
 
     def _ssip(self) -> Speaker:
@@ -166,20 +257,14 @@ class _Maker:
         voice = voice_of(self._settings) if chosen else None
         speaker = SsipSpeaker(address, self._tell, voice, self._settings.punctuation)
         self._closing.callback(speaker.close)
-        self._sounding.append(speaker)
+        self._voiced.append(speaker)
         return speaker
 
-    def _cue_player(self, audio: AudioService | None) -> CuePlayer | None:
-        if isinstance(self._settings.sound, str):
-            from donnie_tui.sound_file import write_cues
-
-            write_cues(self._settings.sound, self._session, self._words, self._closing)
-        if audio is None:
-            return None
+    def _cue_player(self, audio: AudioService) -> CuePlayer:
         from devices.audio_worker.factory import make_cue_player
 
         player = make_cue_player(audio)
-        self._session.hub.subscribe(Cues(player))
+        self._closing.callback(self._session.hub.subscribe(Cues(player, is_on=self._is_on)))
         return player
 
     def _tell(self, notice: AudioNotice) -> None:

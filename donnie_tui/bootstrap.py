@@ -96,10 +96,10 @@ class Donnie:
     def adjust_sound(self, **changed: object) -> None:
         """Settings of voice and cues from now on, by the names of their fields."""
         self.audible.adjust(**changed)
-        self._let_programs_wait()
+        self.let_programs_wait()
 
-    def _let_programs_wait(self) -> None:
-        """For what they say, where the learner wants that."""
+    def let_programs_wait(self) -> None:
+        """Until what they say was heard, where the learner wants that."""
         waits = self.audible.settings.wait_for_speech
         self._until_said.is_quiet_within = self.audible.is_quiet_within if waits else None
 
@@ -149,7 +149,7 @@ def assemble(
         closing.close()
         raise
     notices = about_settings + audible.notices + about_devices
-    return Donnie(
+    donnie = Donnie(
         team,
         words,
         notices,
@@ -160,9 +160,12 @@ def assemble(
         belt_telling,
         shared,
         audible,
+        until_said,
         written,
         closing,
     )
+    donnie.let_programs_wait()
+    return donnie
 
 
 def _connect_robot(

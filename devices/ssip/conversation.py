@@ -38,7 +38,7 @@ class Conversation:
         mailbox: Mailbox,
         now: Callable[[], float],
         on_silence: Callable[[], None],
-        punctuation: str = "some",
+        punctuation: Callable[[], str] = lambda: "some",
     ) -> None:
         """``on_silence`` is told that the end of a sentence never came."""
         self._line, self._mailbox, self._now, self._on_silence = line, mailbox, now, on_silence
@@ -50,12 +50,11 @@ class Conversation:
         self._message: str | None = None
         self._overdue_at = float("inf")
 
-    def go_on(self, settings: dict[str, int], user: str) -> None:
+    def go_on(self, user: str) -> None:
         """Until the mailbox is closed. Raises ``Lost``, ``OSError`` or ``NotSsip``."""
         for command in protocol.greeting(user):
             self._ask(command)
-        for name, value in settings.items():
-            self._ask(protocol.setting(name, value))
+        self._mailbox.connected()
         while not self._mailbox.is_closed:
             self._do_next()
         with suppress(Lost, OSError):
@@ -66,6 +65,9 @@ class Conversation:
         if self._mailbox.take_hush():
             self._ask(protocol.CANCEL)
             self._end_sentence()
+        elif settings := self._mailbox.take_settings():
+            for name, value in settings.items():
+                self._ask(protocol.setting(name, value))
         elif (utterance := self._mailbox.take()) is not None:
             self._speak(utterance)
         elif self._events:
@@ -77,7 +79,7 @@ class Conversation:
             self._listen(None if self._message is None else max(0.0, self._overdue_at - self._now()))
 
     def _speak(self, utterance: Utterance) -> None:
-        words = for_the_ear(utterance.text, utterance.language, self._punctuation)
+        words = for_the_ear(utterance.text, utterance.language, self._punctuation())
         if words and utterance.language != self._language:
             self._ask(protocol.language(utterance.language))
             self._language = utterance.language

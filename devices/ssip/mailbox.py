@@ -16,8 +16,11 @@ from devices.speech.policy import Offer, SpeechQueue, cuts
 class Mailbox:
     """Thread-safe. ``take`` and what follows it are the owner's of the socket, the others anybody's."""
 
-    def __init__(self) -> None:
+    def __init__(self, settings: dict[str, int] | None = None) -> None:
+        """``settings``: how the server is to sound, by its names; its own ways where none are given."""
         self._changed = threading.Condition()
+        self._settings = settings or {}
+        self._owes_settings = False
         self._queue = SpeechQueue()
         self._speaking: Utterance | None = None
         self._hushes = False
@@ -44,6 +47,12 @@ class Mailbox:
         with self._changed:
             self._queue.clear()
             self._hushes = self._hushes or self._speaking is not None
+            self._wake()
+
+    def change(self, settings: dict[str, int]) -> None:
+        """How the server is to sound from now on."""
+        with self._changed:
+            self._settings, self._owes_settings = settings, True
             self._wake()
 
     def close(self) -> None:
@@ -82,6 +91,19 @@ class Mailbox:
             self._here.recv(4_096)
 
     # --- the owner of the socket
+
+    def connected(self) -> None:
+        """A server is there that knows nothing of how to sound."""
+        with self._changed:
+            self._owes_settings = bool(self._settings)
+
+    def take_settings(self) -> dict[str, int]:
+        """What the server has not been told, between two sentences; mostly nothing."""
+        with self._changed:
+            if not self._owes_settings or self._speaking is not None:
+                return {}
+            self._owes_settings = False
+            return self._settings
 
     def take(self) -> Utterance | None:
         """The next sentence, unless one is still being said."""

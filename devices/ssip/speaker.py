@@ -40,9 +40,8 @@ class SsipSpeaker:
     ) -> None:
         """``on_notice`` must not block nor raise; each notice comes once. No ``voice``: the server's."""
         self._address, self._on_notice, self._now = address, on_notice, now
-        self._settings = {} if voice is None else ssip_settings(voice)
         self._punctuation = punctuation
-        self._mailbox = Mailbox()
+        self._mailbox = Mailbox({} if voice is None else ssip_settings(voice))
         self._starting = threading.Lock()
         self._thread: threading.Thread | None = None
         self._told: set[NoticeCode] = set()
@@ -55,6 +54,11 @@ class SsipSpeaker:
 
     def silence(self) -> None:
         self._mailbox.hush()
+
+    def set_voice(self, voice: VoiceSettings) -> None:
+        """Rate, pitch, volume and punctuation of the sentences from now on."""
+        self._punctuation = voice.punctuation
+        self._mailbox.change(ssip_settings(voice))
 
     @property
     def is_speaking(self) -> bool:
@@ -81,7 +85,7 @@ class SsipSpeaker:
         while self._mailbox.wait_for_work():
             try:
                 with self._address.connect(_CONNECT_SECONDS) as line:
-                    self._conversation(line).go_on(self._settings, _user())
+                    self._conversation(line).go_on(_user())
             except (Lost, OSError, NotSsip):
                 self._mailbox.put_back()
                 if failures.add(self._now()):
@@ -90,7 +94,7 @@ class SsipSpeaker:
 
     def _conversation(self, line: socket.socket) -> Conversation:
         told = partial(self._tell, NoticeCode.SSIP_SILENT)
-        return Conversation(line, self._mailbox, self._now, told, self._punctuation)
+        return Conversation(line, self._mailbox, self._now, told, lambda: self._punctuation)
 
     def _tell(self, code: NoticeCode) -> None:
         if code not in self._told:

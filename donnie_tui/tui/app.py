@@ -444,7 +444,7 @@ def run_full_screen(
 def _assembled(settings: Settings) -> Donnie:
     from donnie_tui.bootstrap import assemble
 
-    return assemble(settings, terminal=True)
+    return assemble(settings, terminal=True, is_linear=False)
 
 
 def _switch(app: DonnieApp) -> None:
