@@ -36,9 +36,6 @@ SENTENCES: dict[str, Sentence] = _cut_short() | {
     "problem-no-sensor": Sentence(
         "I have no sensor {where}.", "Não tenho sensor {where}.", "No tengo sensor {where}."
     ),
-    "problem-no-sensors": Sentence(
-        "I have no distance sensors.", "Não tenho sensores de distância.", "No tengo sensores de distancia."
-    ),
     "problem-no-eyes": Sentence(
         "I have no eyes: I see no colors.",
         "Não tenho olhos: não vejo cores.",
@@ -50,7 +47,7 @@ SENTENCES: dict[str, Sentence] = _cut_short() | {
         "No tengo cámara: no veo colores.",
     ),
     "problem-no-gripper": Sentence("I have no gripper.", "Não tenho garra.", "No tengo pinza."),
-    "problem-cannot-move": Sentence("I can't move.", "Não consigo andar.", "No puedo moverme."),
+    "problem-cannot-drive": Sentence("I can't move.", "Não consigo andar.", "No puedo moverme."),
     "problem-cannot-turn": Sentence(
         "I can't turn on the spot.", "Não consigo girar no lugar.", "No puedo girar en el lugar."
     ),
@@ -58,9 +55,6 @@ SENTENCES: dict[str, Sentence] = _cut_short() | {
         "The line to the robot is lost.",
         "A ligação com o robô caiu.",
         "Se perdió la conexión con el robot.",
-    ),
-    "problem-link-not-there": Sentence(
-        "No robot is connected.", "Nenhum robô está conectado.", "Ningún robot está conectado."
     ),
     # --- the gripper
     "gripper-gripped": Sentence("I hold {thing}.", "Estou segurando {thing}.", "Tengo {thing}."),
