@@ -16,6 +16,7 @@ from devices.ports.robot import STEP, Pose
 from donnie_tui.i18n.words import Words
 from donnie_tui.i18n.world_mistakes import world_mistake
 from donnie_tui.unusable import Unusable
+from sim import ready
 
 if TYPE_CHECKING:
     from sim.scene import Scene
@@ -58,7 +59,8 @@ def choose_world(name_or_file: str, words: Words, folders: tuple[Path, ...] = ()
     """
     if name_or_file in worlds.names():
         path = worlds.path(name_or_file)
-        return ChosenWorld(name_or_file, path, _load(path, words, folders), ships=True)
+        scene = ready.read(path) or _load(path, words, folders)
+        return ChosenWorld(name_or_file, path, scene, ships=True)
     path = Path(name_or_file)
     if not _looks_like_a_file(name_or_file) and not path.exists():
         raise Unusable(_unknown_world(name_or_file, words))
