@@ -343,6 +343,23 @@ def test_the_belt_is_felt_during_a_run_and_dark_after_it(tmp_path: Path) -> None
     assert process.returncode == 0
 
 
+@pytest.mark.parametrize(
+    ("language", "typed", "told"),
+    [
+        ("en", "FEEL ON", "Belt: front medium."),
+        ("pt", "SENTIR ligado", "Cinto: frente médio."),
+        ("es", "sentir encendido", "Cinturón: frente medio."),
+    ],
+)
+def test_who_has_no_belt_is_told_what_it_shows(tmp_path: Path, language: str, typed: str, told: str) -> None:
+    options = ("--linear", "--world", near_world(tmp_path), "--lang", language, "--speed", "max", *QUIET)
+    done = donnie(tmp_path, *options, typed=f"{typed}\nBELT ON\nFW 1\nRUN\nQUIT\n")
+
+    lines = done.stdout.decode().splitlines()
+    assert lines.index(told) > 0
+    assert done.returncode == 0
+
+
 def test_the_pose_of_a_real_robot_begins_where_its_world_says(robot: DoubleOnPty) -> None:
     settings = Settings(robot=f"serial:{robot.path}", world="living_room", speech="off", sound=False)
     donnie, heard = assemble(settings, terminal=False), list[Stamped]()
