@@ -15,6 +15,7 @@ from donnie_tui.linear import (
     robots,
     running,
     said,
+    sounding,
     surroundings,
     tour,
 )
@@ -38,6 +39,7 @@ HANDLERS: dict[str, Handler] = {
     **lines.HANDLERS,
     **reading.HANDLERS,
     **said.HANDLERS,
+    **sounding.HANDLERS,
     **surroundings.HANDLERS,
     **robots.HANDLERS,
     "connect": _connect,

@@ -78,6 +78,8 @@ KEYS: dict[str, tuple[str, ...]] = {
     "last_word": (),
     "spell": (),
     "find": (),
+    "quiet": (),
+    "cues": (),
     "where": ("ctrl+k i",),
     "around": ("ctrl+k j",),
     "map": (),
