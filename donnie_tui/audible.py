@@ -67,6 +67,8 @@ class Audible:
         self._is_linear = is_linear
         self._is_on = True
         """What SOUND said last."""
+        self.hushed = 0
+        """How often there was a hush: whoever goes on sounding for a while looks at it."""
         self._unsubscribe = session.hub.subscribe(self._hear)
         self._make()
 
@@ -114,6 +116,7 @@ class Audible:
 
     def hush(self) -> None:
         """Nothing said until now is heard any more."""
+        self.hushed += 1
         for each in self._made.speakers:
             each.silence()
 

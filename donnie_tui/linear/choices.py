@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import os
 
+from donnie_tui import sound_words
 from donnie_tui.core import use_cases
 from donnie_tui.core.documents import DocumentError
 from donnie_tui.core.use_cases import UseCase
@@ -63,6 +64,11 @@ def _set(desk: Desk, _: Runs, rest: str) -> bool:
     if not name:
         for each in habits.SPELLINGS:
             _say_habit(desk, each)
+        sound_words.tell_settings(desk.donnie)
+        return True
+    sound = sound_words.find_setting(name)
+    if sound is not None:
+        sound_words.set_sound(desk.donnie, sound, value.strip())
         return True
     field = habits.find(name)
     if field is None:

@@ -32,6 +32,8 @@ class Console:
         self.leaving: int | None = None
         """The signal that wants us to leave."""
         self.stop_at_once: Callable[[], None] = _nothing
+        self.on_key: Callable[[], None] = _nothing
+        """Called when something was typed, Ctrl+C included, before anybody reads it."""
         self.repaint: Callable[[], str] = str
         """What stands on the current line, to be written again after a suspension."""
         self._terminal = terminal
@@ -73,9 +75,11 @@ class Console:
     def read(self) -> bytes:
         """What was typed; nothing once input has ended. Call it when ``wait`` said so."""
         try:
-            return os.read(0, 4096)
+            data = os.read(0, 4096)
         except OSError:
             return b""
+        self.on_key()
+        return data
 
     def take_interrupt(self) -> bool:
         """Whether Ctrl+C was pressed since the last time."""
@@ -95,6 +99,7 @@ class Console:
     def _act_on(self, number: int) -> None:
         if number == signal.SIGINT:
             self.interrupted = True
+            self.on_key()
         elif number in _LEAVING:
             self.leaving = self.leaving or number
         elif number == signal.SIGTSTP:

@@ -64,6 +64,8 @@ class EditingReader:
         self._console = console
         self._past = past
         self._complete = complete
+        self.on_key: Callable[[Key, str], None] = _nothing
+        """Told of each key before it is done, and of what stands before the cursor."""
         self._decoder = KeyDecoder()
         self._keys: deque[Key] = deque()
 
@@ -99,6 +101,7 @@ class EditingReader:
         echo = ""
         while self._keys:
             key = self._keys.popleft()
+            self.on_key(key, line.text_before)
             if key.act is Act.ENTER or key.act is Act.ESCAPE:
                 how = How.ENTER if key.act is Act.ENTER else How.ESCAPE
                 return Typed(line.text, how), echo + line.finish()
@@ -172,6 +175,10 @@ def _changed(line: EditLine, recall: Recall, key: Key) -> str:
             return "" if found is None else line.replace(found)
         case act:
             return line.do(act)
+
+
+def _nothing(_key: Key, _before: str) -> None:
+    return
 
 
 def _common(words: tuple[str, ...]) -> str:

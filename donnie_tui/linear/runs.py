@@ -202,15 +202,16 @@ class Runs:
         return run.is_over or (self._ended and run.wait(LONGEST_STOP))
 
     def _print_what_comes(self) -> None:
-        if self._told:
+        """A program that talks without end is reached by a word all the same."""
+        if self._live():
+            self._desk.show_told()
+        elif self._told:
             self._wait_for_more()
             if not self._ended:
                 self._left_out += self._desk.show_told()
                 self._expect_next_sign()
         elif self._console.now() >= self._sign_due:
             self._give_sign()
-        elif self._live():
-            self._desk.show_told()
         else:
             left = min(HEARTBEAT, self._sign_due - self._console.now())
             self._console.wait(left, reading=self._desk.can_edit and self._desk.hears_live)

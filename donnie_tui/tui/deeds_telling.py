@@ -5,8 +5,10 @@ The sentences are the core's, the same as in the linear mode.
 
 from __future__ import annotations
 
+import asyncio
 from typing import TYPE_CHECKING
 
+from donnie_tui import sound_words
 from donnie_tui.core import map_words
 from donnie_tui.core.answer_log import spelled
 from donnie_tui.core.around import around_in_words
@@ -96,6 +98,16 @@ class TellingDeeds:
         found = self._host.answers.found(argument)
         self._tell(*(found or (self._host.words("find-none", word=argument[:40]),)))
         self._host.workplace.log_rows.search(argument)
+
+    # --- what sounds
+
+    def quiet(self, _argument: str) -> None:
+        sound_words.quiet(self._host.donnie)
+
+    async def cues(self, argument: str) -> None:
+        """Each with its name; a key ends it."""
+        for seconds in sound_words.play_cues(self._host.donnie, argument):
+            await asyncio.sleep(seconds)
 
     # --- mistakes
 

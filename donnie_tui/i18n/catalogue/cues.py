@@ -17,9 +17,6 @@ SENTENCES: dict[str, Sentence] = {
     "cue-waiting": Sentence("Waiting.", "Esperando.", "Esperando."),
     "cue-block-opened": Sentence("A block begins.", "Um bloco começa.", "Un bloque empieza."),
     "cue-block-closed": Sentence("A block ends.", "Um bloco termina.", "Un bloque termina."),
-    "action-cues": Sentence(
-        "Plays each sound with its name.", "Toca cada som com seu nome.", "Toca cada sonido con su nombre."
-    ),
     "cues-silent": Sentence(
         "Sounds are off here. HELP SOUND tells more.",
         "Os sons estão desligados. Veja AJUDA SOM.",

@@ -1,0 +1,279 @@
+"""What the words about voice and cues do, for both front ends: QUIET, CUES, and their settings for SET.
+
+Answers go to the hub. A cue is always told in words too.
+"""
+
+from __future__ import annotations
+
+import os
+from collections.abc import Iterator, Mapping
+
+from donnie_tui.bootstrap import Donnie
+from donnie_tui.core.documents import DocumentError
+from donnie_tui.core.events import Answered, Chimed
+from donnie_tui.i18n.sentence import LANGUAGES
+from donnie_tui.settings_file import remember
+from donnie_tui.sound_settings import read_percent, read_rate
+from language.source import fold_name
+
+Spelled = tuple[str, str, str]
+
+CUE_WORDS: Mapping[str, Spelled] = {
+    "step-forward": ("forward", "frente", "adelante"),
+    "step-back": ("back", "trás", "atrás"),
+    "turn-right": ("right", "direita", "derecha"),
+    "turn-left": ("left", "esquerda", "izquierda"),
+    "obstacle": ("obstacle", "obstáculo", "obstáculo"),
+    "bump": ("bump", "colisão", "choque"),
+    "scan": ("scan", "olhar", "mirada"),
+    "found": ("found", "achado", "hallado"),
+    "belt": ("belt", "cinto", "cinturón"),
+    "done": ("done", "fim", "fin"),
+    "error": ("error", "erro", "error"),
+    "waiting": ("waiting", "espera", "espera"),
+    "block-opened": ("open", "abre", "abre"),
+    "block-closed": ("close", "fecha", "cierra"),
+}
+"""What each cue is called when it is typed."""
+
+_SWITCH: Mapping[object, Spelled] = {False: ("off", "não", "no"), True: ("on", "sim", "sí")}
+
+SETTINGS: Mapping[str, tuple[Spelled, Mapping[object, Spelled]]] = {
+    "speech": (
+        ("speech", "fala", "voz"),
+        {
+            "auto": ("auto", "auto", "auto"),
+            "off": ("off", "não", "no"),
+            "tts": ("own", "própria", "propia"),
+            "ssip": ("ssip", "ssip", "ssip"),
+            "robot": ("robot", "robô", "robot"),
+        },
+    ),
+    "speak": (
+        ("speak", "falar", "hablar"),
+        {
+            "here": ("here", "aqui", "aquí"),
+            "robot": ("robot", "robô", "robot"),
+            "both": ("both", "ambos", "ambos"),
+        },
+    ),
+    "rate": (("rate", "ritmo", "ritmo"), {}),
+    "pitch": (("pitch", "tom", "tono"), {}),
+    "volume": (("volume", "volume", "volumen"), {}),
+    "punctuation": (
+        ("punctuation", "pontuação", "puntuación"),
+        {
+            "none": ("none", "nenhuma", "ninguna"),
+            "some": ("some", "alguma", "alguna"),
+            "all": ("all", "toda", "toda"),
+        },
+    ),
+    "key_echo": (
+        ("echo", "eco", "eco"),
+        {
+            "none": ("none", "nenhum", "ninguno"),
+            "characters": ("letters", "letras", "letras"),
+            "words": ("words", "palavras", "palabras"),
+        },
+    ),
+    "wait_for_speech": (("wait", "esperar", "esperar"), _SWITCH),
+}
+"""By the field of the settings: how its name and its values are typed; numbers where there are none."""
+
+CUE = ("cue", "sinal", "señal")
+"""SET cue bump 50."""
+
+_READ = {"rate": read_rate, "pitch": read_percent, "volume": read_percent}
+_NUMBERS = {"rate": "80 180 450", "pitch": "0 50 100", "volume": "0 50 100"}
+_KEPT_AS = {True: "on", False: "off"}
+_LOUD, _SILENT = 100, 0
+
+BETWEEN = 0.7
+"""Seconds from the end of a cue, and of its name, to the next one."""
+FOR_READERS = 2.0
+"""Seconds for its name where somebody else says it."""
+_GLANCE = 0.05
+_LONGEST_NAME = 100
+"""Glances."""
+
+
+# --- QUIET
+
+
+def quiet(donnie: Donnie) -> None:
+    """End what is being said; the answer to that is in print alone."""
+    _say(donnie, "quiet")
+    donnie.audible.hush_all()
+
+
+# --- CUES
+
+
+def play_cues(donnie: Donnie, typed: str) -> Iterator[float]:
+    """Tell each cue and let it sound, or the one that was ``typed``. Gives the seconds until the next look.
+
+    Whoever goes through it waits that long, and may leave it at any time; a hush ends it.
+    """
+    hushed = donnie.audible.hushed
+    for seconds in _played(donnie, typed):
+        yield seconds
+        if donnie.audible.hushed != hushed:
+            break
+
+
+def _played(donnie: Donnie, typed: str) -> Iterator[float]:
+    name = find_cue(typed)
+    if typed and name is None:
+        _say(donnie, "cues-unknown", name=typed[:40])
+        return
+    if not donnie.audible.has_cues:
+        _say(donnie, "cues-silent")
+    elif name is None:
+        _say(donnie, "cues-count", count=len(CUE_WORDS))
+        yield from _until_said(donnie)
+    for each in CUE_WORDS if name is None else (name,):
+        yield from _play_cue(donnie, each)
+
+
+def find_cue(typed: str) -> str | None:
+    """The cue that a word of any language means, or its own name."""
+    folded = fold_name(typed)
+    words = ((name, (name, *spelled)) for name, spelled in CUE_WORDS.items())
+    return next((name for name, known in words if folded in map(fold_name, known)), None)
+
+
+def chime_block(donnie: Donnie, before: int, after: int) -> None:
+    """The cue for so many open blocks: the deeper, the higher. Silent if their number is the same."""
+    if before == after or not donnie.audible.has_cues:
+        return
+    from devices.sound.tones import pitch_of_level
+
+    name = "block-opened" if after > before else "block-closed"
+    donnie.session.hub.publish(Chimed(name, steps=pitch_of_level(max(before, after))))
+
+
+def _play_cue(donnie: Donnie, name: str) -> Iterator[float]:
+    """First the sound, then the sentence (a cue never waits for it)."""
+    if donnie.audible.has_cues:
+        donnie.session.hub.publish(Chimed(name))
+    _say(donnie, "cues-line", name=CUE_WORDS[name][_at(donnie)], meaning=donnie.words(f"cue-{name}"))
+    if donnie.audible.has_cues:
+        yield from _until_said(donnie)
+
+
+def _until_said(donnie: Donnie) -> Iterator[float]:
+    if not donnie.audible.speaks:
+        yield FOR_READERS
+        return
+    for _ in range(_LONGEST_NAME):
+        yield _GLANCE
+        if donnie.is_quiet_within(0):
+            break
+    yield BETWEEN
+
+
+# --- SET
+
+
+def find_setting(typed: str) -> str | None:
+    """The field that a name of any language means; ``cues`` for a single cue."""
+    folded = fold_name(typed)
+    if folded in map(fold_name, CUE):
+        return "cues"
+    return next((field for field, (names, _) in SETTINGS.items() if folded in map(fold_name, names)), None)
+
+
+def tell_settings(donnie: Donnie) -> None:
+    for field in SETTINGS:
+        _tell_setting(donnie, field)
+
+
+def set_sound(donnie: Donnie, field: str, typed: str) -> None:
+    """Change a setting, keep it and tell it; without a value that can be understood, tell the choices."""
+    if field == "cues":
+        _set_cue(donnie, typed)
+        return
+    value = _read(field, typed)
+    if value is None:
+        _tell_setting(donnie, field)
+        _say(donnie, "habit-choices", choices=_choices(field, _at(donnie)))
+        return
+    donnie.adjust_sound(**{field: value})
+    _tell_setting(donnie, field)
+    _keep(donnie, field, _KEPT_AS[value] if isinstance(value, bool) else value)
+
+
+def _read(field: str, typed: str) -> str | int | bool | None:
+    folded = fold_name(typed)
+    for value, words in SETTINGS[field][1].items():
+        if folded and folded in map(fold_name, (*words, str(value))):
+            assert isinstance(value, str | bool)
+            return value
+    if field not in _READ or not typed:
+        return None
+    try:
+        return _READ[field](typed)
+    except (ValueError, OverflowError):
+        return None
+
+
+def _tell_setting(donnie: Donnie, field: str) -> None:
+    at, value = _at(donnie), getattr(donnie.audible.settings, field)
+    words = SETTINGS[field][1].get(value)
+    spelled = words[at] if words else str(value)
+    _say(donnie, "sound-setting", name=SETTINGS[field][0][at], value=spelled)
+
+
+def _choices(field: str, at: int) -> str:
+    return _NUMBERS.get(field) or ", ".join(each[at] for each in SETTINGS[field][1].values())
+
+
+def _set_cue(donnie: Donnie, typed: str) -> None:
+    """``bump``, ``bump off`` or ``bump 50``; alone, all of them."""
+    word, _, value = typed.partition(" ")
+    name = find_cue(word)
+    if word and name is None:
+        _say(donnie, "cues-unknown", name=word[:40])
+        return
+    volume = _volume(value) if name and value else None
+    if name and volume is not None:
+        volumes = {**donnie.audible.settings.cues, name: volume}
+        donnie.adjust_sound(cues=volumes)
+        _keep(donnie, "cues", ", ".join(f"{each} {percent}" for each, percent in volumes.items()))
+        donnie.session.hub.publish(Chimed(name))
+    for each in (name,) if name else CUE_WORDS:
+        _tell_cue(donnie, each)
+    if value and volume is None:
+        _say(donnie, "habit-choices", choices=_choices("volume", _at(donnie)))
+
+
+def _volume(typed: str) -> int | None:
+    folded = fold_name(typed)
+    for is_on, words in _SWITCH.items():
+        if folded in map(fold_name, words):
+            return _LOUD if is_on else _SILENT
+    try:
+        return read_percent(typed)
+    except (ValueError, OverflowError):
+        return None
+
+
+def _tell_cue(donnie: Donnie, name: str) -> None:
+    at, percent = _at(donnie), donnie.audible.settings.cues.get(name, _LOUD)
+    value = str(percent) if percent else _SWITCH[False][at]
+    _say(donnie, "sound-setting-cue", name=CUE[at], cue=CUE_WORDS[name][at], value=value)
+
+
+def _keep(donnie: Donnie, key: str, value: str | int) -> None:
+    try:
+        remember(key, value, os.environ)
+    except DocumentError as problem:
+        _say(donnie, problem.code, path=problem.path, reason=problem.reason)
+
+
+def _at(donnie: Donnie) -> int:
+    return LANGUAGES.index(donnie.words.language)
+
+
+def _say(donnie: Donnie, code: str, **values: object) -> None:
+    donnie.session.hub.publish(Answered(donnie.words(code, **values)))
