@@ -184,6 +184,13 @@ class TypedProgram:
         self._touched(min(first, to))
         return at + 1
 
+    def rewrite(self, text: str) -> None:
+        """The whole program is ``text`` from now on, as one change. Raises ``ProgramTooLong``."""
+        self._grow(text)
+        self._keep()
+        self._lines = lines_of(text)
+        self._run = 0
+
     def undo(self) -> int | None:
         """Take the last change back. The first line that is another one now, or None without a change."""
         if not self._before:

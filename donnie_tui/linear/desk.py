@@ -73,6 +73,8 @@ class Desk:
         self.trail = Trail()
         self.place = 0
         """The line of the program that was read last, 0 before any."""
+        self.searched = ""
+        """What SEARCH looked for last."""
         self.watched: list[str] = []
         """Variables, folded."""
         self.breakpoints: set[int] = set()

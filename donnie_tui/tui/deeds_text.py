@@ -6,10 +6,10 @@ from collections.abc import Callable
 from typing import TYPE_CHECKING
 
 from donnie_tui.core.documents import lines_in
+from donnie_tui.core.mistakes import mended
 from donnie_tui.core.reading import ProgramText, line_in_words, place_in_words
 from donnie_tui.core.transcript import printable
 from donnie_tui.tui.deeds_telling import numbers_in
-from donnie_tui.tui.mistakes import mended
 from donnie_tui.tui.running import Answer
 from donnie_tui.tui.screens.chooser import Choice
 from language.formatter import formatted

@@ -25,19 +25,12 @@ VIEW_CASES = (
     UseCase("to_there", "TO THERE", "ATÉ ALI", "HASTA ALLÍ", _ALWAYS),
     # --- the editor
     UseCase("complete", "COMPLETE", "COMPLETAR", "COMPLETAR", _ALWAYS),
-    UseCase("fix", "FIX", "CORRIGIR", "CORREGIR", _ALWAYS),
-    UseCase("search", "SEARCH", "PROCURAR", "LOCALIZAR", _ALWAYS, "word"),
-    UseCase("search_again", "SEARCH AGAIN", "PROCURAR DE NOVO", "LOCALIZAR OTRA VEZ", _ALWAYS),
-    UseCase("replace", "REPLACE", "SUBSTITUIR", "REEMPLAZAR", _ALWAYS, "word"),
     UseCase("go_to", "GO TO", "IR PARA", "IR A", _ALWAYS, "line"),
-    UseCase("format", "FORMAT", "FORMATAR", "FORMATEAR", _ALWAYS),
-    UseCase("translate", "TRANSLATE", "TRADUZIR", "TRADUCIR", _ALWAYS, "language"),
     UseCase("recent", "RECENT", "RECENTES", "RECIENTES"),
     UseCase("programs", "PROGRAMS", "PROGRAMAS", "PROGRAMAS"),
     # --- around
     UseCase("theme", "THEME", "TEMA", "TEMA", _ALWAYS, "theme"),
     UseCase("plain", "PLAIN", "SIMPLES", "SENCILLO", _ALWAYS),
     UseCase("settings", "SETTINGS", "CONFIGURAÇÕES", "CONFIGURACIÓN", _ALWAYS),
-    UseCase("manual", "MANUAL", "MANUAL", "MANUAL", _ALWAYS, "word"),
     UseCase("open_log", "LOG", "REGISTRO", "REGISTRO", _ALWAYS),
 )

@@ -24,9 +24,11 @@ from donnie_tui.core.completion import Completion, completion
 from donnie_tui.core.documents import DocumentError, write_program
 from donnie_tui.core.events import Answered, Error, Outcome, Pointed, SoundSwitched
 from donnie_tui.core.filing import Copies
+from donnie_tui.core.mistakes import LARGEST, mistakes
 from donnie_tui.core.retelling import told_back
 from donnie_tui.core.timeline import Timeline
 from donnie_tui.core.trail import Trail
+from donnie_tui.i18n.manual import manual
 from donnie_tui.i18n.words import Words
 from donnie_tui.settings import Settings
 from donnie_tui.tui.actions import find
@@ -35,13 +37,11 @@ from donnie_tui.tui.deeds import Deeds
 from donnie_tui.tui.display import Display
 from donnie_tui.tui.files import Files
 from donnie_tui.tui.intake import FLUSH, Intake
-from donnie_tui.tui.mistakes import LARGEST, mistakes
 from donnie_tui.tui.preferences import Preferences
 from donnie_tui.tui.recent import Recent
 from donnie_tui.tui.running import Answer, Doing, Running
 from donnie_tui.tui.screens.chooser import Choice
 from donnie_tui.tui.screens.help import help_text
-from donnie_tui.tui.screens.manual import manual
 from donnie_tui.tui.screens.workplace import Workplace
 from language.control import ControlState
 from language.keywords import canonical

@@ -48,6 +48,8 @@ def every_word(language: str, *, without: set[str] = ELSEWHERE) -> list[str]:
     for case in cases:
         form = typed_form(case, words)
         lines.append(setting if case.name == "set" else form)
+        if case.name == "replace":
+            lines.append("x")  # by what
         if case.name in ("step", "step_over", "run_to"):
             lines.append(words_of("continue_", language))
     return lines

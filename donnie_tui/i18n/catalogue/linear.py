@@ -230,6 +230,16 @@ _PAGES = {
         "{count} palavras.",
         "{count} palabras.",
     ),
+    "linear-chapters": Sentence(
+        "{count} chapters. MANUAL 1 reads the first.",
+        "{count} capítulos. MANUAL 1 lê o primeiro.",
+        "{count} capítulos. MANUAL 1 lee el primero.",
+        brief=(
+            "{count} chapters. MANUAL 1 reads one.",
+            "{count} capítulos. MANUAL 1 lê um.",
+            "{count} capítulos. MANUAL 1 lee uno.",
+        ),
+    ),
     "linear-nothing-typed": Sentence(
         "Nothing was typed yet.", "Nada foi digitado ainda.", "Nada se escribió todavía."
     ),

@@ -78,6 +78,11 @@ SENTENCES: dict[str, Sentence] = _cut_short() | {
         "There is no robot {name} here. There is {names}.",
         "Não há robô {name} aqui. Há {names}.",
         "No hay ningún robot {name} aquí. Hay {names}.",
+        brief=(
+            "No robot {name}. There is {names}.",
+            "Não há {name}. Há {names}.",
+            "No hay {name}. Hay {names}.",
+        ),
     ),
     "robot-twice": Sentence(
         "The robot {name} has two programs. One is enough.",
@@ -103,6 +108,11 @@ SENTENCES: dict[str, Sentence] = _cut_short() | {
         "No robot has a program yet. START gives it one.",
         "Nenhum robô tem programa. INICIAR dá um.",
         "Ningún robot tiene programa. INICIAR da uno.",
+        brief=(
+            "No programs yet. START gives one.",
+            "Nenhum programa. INICIAR dá um.",
+            "Ningún programa. INICIAR da uno.",
+        ),
     ),
     "robot-started": Sentence("{name} begins.", "{name} começa.", "{name} empieza."),
     "robot-busy": Sentence("{name} is busy.", "{name} está ocupado.", "{name} está ocupado."),

@@ -28,7 +28,7 @@ from donnie_tui.tui.actions import BY_NAME
 
 if TYPE_CHECKING:
     from donnie_tui.core.completion import Completion
-    from donnie_tui.tui.mistakes import Mistake
+    from donnie_tui.core.mistakes import Mistake
 
 HERE, CALLER, BREAK, MISTAKE, HINT = ">", "*", "B", "!", "?"
 MARKS = 2

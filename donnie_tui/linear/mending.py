@@ -1,0 +1,113 @@
+"""The words about the program as a whole: FIX, SEARCH, REPLACE, FORMAT, TRANSLATE; and MANUAL."""
+
+from __future__ import annotations
+
+from donnie_tui.core.mistakes import mended, mistakes
+from donnie_tui.core.transcript import printable
+from donnie_tui.core.typed_program import ProgramTooLong
+from donnie_tui.i18n.catalogue.manual import CHAPTERS
+from donnie_tui.i18n.sentence import LANGUAGES
+from donnie_tui.linear.arguments import Handler, alone
+from donnie_tui.linear.desk import Desk
+from donnie_tui.linear.reading import go_to
+from donnie_tui.linear.runs import Runs
+from language.formatter import formatted
+from language.source import fold_name
+
+LONGEST_TOLD = 40
+"""Characters of a word that is told not to be there."""
+
+
+def _fix(desk: Desk) -> None:
+    """What was probably meant takes the place of what stands there, at the first mistake that is known."""
+    found = mistakes(desk.session.check(desk.program.text), desk.say)
+    known = [each for _, each in sorted(found.items()) if each.meant]
+    if not known:
+        desk.answer("screen-no-fix" if found else "screen-nothing-to-fix")
+    elif _rewrite(desk, mended(desk.program.text, known[0])):
+        go_to(desk, known[0].line)
+
+
+def _rewrite(desk: Desk, text: str) -> bool:
+    try:
+        desk.program.rewrite(text)
+    except ProgramTooLong:
+        desk.answer("linear-too-long")
+        return False
+    return True
+
+
+def _search(desk: Desk, _: Runs, rest: str) -> bool:
+    """The next line with the word, from the reading place on and once round."""
+    desk.searched = rest or desk.searched
+    if not desk.searched:
+        return False
+    wanted, lines = fold_name(desk.searched), desk.program.lines
+    order = [*range(desk.place + 1, len(lines) + 1), *range(1, min(desk.place, len(lines)) + 1)]
+    found = next((number for number in order if wanted in fold_name(lines[number - 1])), None)
+    if found is None:
+        desk.answer("screen-not-found", word=printable(desk.searched[:LONGEST_TOLD]))
+    else:
+        go_to(desk, found)
+    return True
+
+
+def _search_again(desk: Desk, runs: Runs, rest: str) -> bool:
+    return not rest and _search(desk, runs, "")
+
+
+def _replace(desk: Desk, _: Runs, rest: str) -> bool:
+    """Everywhere in the program, as it is written; asks by what."""
+    if not rest:
+        return False
+    instead = desk.ask("ask-replace-by", word=printable(rest[:LONGEST_TOLD]))
+    count = desk.program.text.count(rest)
+    if count and not _rewrite(desk, desk.program.text.replace(rest, instead)):
+        return True
+    desk.answer("screen-replaced", count=count)
+    return True
+
+
+def _format(desk: Desk) -> None:
+    _lay_out(desk, None)
+
+
+def _translate(desk: Desk, _: Runs, rest: str) -> bool:
+    language = rest.strip().lower()[:2]
+    if language not in LANGUAGES:
+        return False
+    _lay_out(desk, language)
+    return True
+
+
+def _lay_out(desk: Desk, language: str | None) -> None:
+    result = formatted(desk.program.text, language)
+    if result.text is None:
+        desk.answer("screen-not-formatted", line=result.diagnostics[0].span.line)
+    elif _rewrite(desk, result.text):
+        desk.answer("screen-formatted")
+
+
+def _manual(desk: Desk, _: Runs, rest: str) -> bool:
+    """The chapters with their numbers, one of them, or what is said of a word."""
+    if not rest:
+        desk.answer("linear-chapters", count=len(CHAPTERS))
+        for number, chapter in enumerate(CHAPTERS, 1):
+            desk.answer("linear-listed", line=number, text=desk.say(f"manual-{chapter}"))
+    elif rest.isdecimal() and len(rest) < 3 and 1 <= int(rest) <= len(CHAPTERS):
+        text = desk.say(f"manual-{CHAPTERS[int(rest) - 1]}-text")
+        desk.tell(*filter(None, text.split("\n")))
+    else:
+        desk.tell(*desk.say.help(rest))
+    return True
+
+
+HANDLERS: dict[str, Handler] = {
+    "fix": alone(_fix),
+    "search": _search,
+    "search_again": _search_again,
+    "replace": _replace,
+    "format": alone(_format),
+    "translate": _translate,
+    "manual": _manual,
+}

@@ -1,0 +1,122 @@
+"""The program as a whole in the linear mode: mended, searched, replaced, laid out, translated, moved."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+from tests.sessions.test_linear_words import printed_by
+
+
+def told(folder: Path, *lines: str) -> list[str]:
+    """The answers, without the first two lines and the last one."""
+    return printed_by(folder, "en", [*lines, "NEW"])[2:-3]
+
+
+def test_what_was_probably_meant_takes_the_place_of_a_mistake(tmp_path: Path) -> None:
+    assert told(tmp_path, "FW 1", "TRR 90", "RUN", "FIX", "LIST", "UNDO", "FIX", "FIX")[4:] == [
+        "Line 2: TR 90",
+        "1: FW 1",
+        "2: TR 90",
+        "Line 2: TRR 90",
+        "Line 2: TR 90",
+        "No mistakes were found.",
+    ]
+
+
+def test_words_are_found_from_the_reading_place_on_and_once_round(tmp_path: Path) -> None:
+    program = ("FW 1", "TR 90", "fw 2", "RUN")
+    walked = 3
+
+    assert told(tmp_path, *program, "SEARCH FW", "SEARCH AGAIN", "SEARCH AGAIN", "SEARCH xyz")[walked:] == [
+        "Line 1: FW 1",
+        "Line 3: fw 2",
+        "Line 1: FW 1",
+        "xyz is not in the program.",
+    ]
+
+
+def test_a_word_is_replaced_everywhere_and_that_is_one_change(tmp_path: Path) -> None:
+    assert told(tmp_path, "FW 1", "FW 2", "REPLACE FW", "BW", "LIST", "UNDO", "LIST") == [
+        "Instead of FW, everywhere:",
+        "2 times replaced.",
+        "1: BW 1",
+        "2: BW 2",
+        "Line 1: FW 1",
+        "1: FW 1",
+        "2: FW 2",
+    ]
+
+
+def test_a_program_is_laid_out_and_its_words_translated(tmp_path: Path) -> None:
+    assert told(tmp_path, "REPEAT 2 TIMES FW 1", "END REPEAT", "FORMAT", "TRANSLATE pt", "LIST") == [
+        "Laid out anew.",
+        "Laid out anew.",
+        "1: REPITA 2 VEZES",
+        "2: PF 1",
+        "3: FIM REPITA",
+    ]
+
+
+def test_a_program_with_a_mistake_is_not_laid_out(tmp_path: Path) -> None:
+    assert told(tmp_path, "FW 1", "FW", "FORMAT")[:1] == [
+        "There is a mistake in line 2; it must be mended first."
+    ]
+
+
+def test_lines_are_moved_and_told_at_their_new_place(tmp_path: Path) -> None:
+    assert told(tmp_path, "FW 1", "FW 2", "FW 3", "MOVE 2 3 1", "LIST", "MOVE 9 1") == [
+        "Line 1: FW 2",
+        "Line 2: FW 3",
+        "1: FW 2",
+        "2: FW 3",
+        "3: FW 1",
+        "There is no line 9. The last is 3.",
+    ]
+
+
+def test_a_program_of_a_thousand_lines_is_read_and_changed(tmp_path: Path) -> None:
+    (tmp_path / "long.gd").write_text("FW 1\n" * 998 + "REPEAT 2 TIMES\nEND REPEAT\n")
+
+    assert told(tmp_path, "OPEN long", "READ 1000", "UP", "CHANGE 500 TR 90", "PLACE", "OUTLINE")[1:] == [
+        "Line 1000: END REPEAT, closes line 999.",
+        "Line 999: REPEAT 2 TIMES",
+        "Line 500: TR 90",
+        "Line 500 of 1000, level 0.",
+        "1 block.",
+        "Line 999, level 0: REPEAT 2 TIMES",
+    ]
+
+
+def test_the_manual_is_read_chapter_by_chapter(tmp_path: Path) -> None:
+    chapters = told(tmp_path, "MANUAL")
+    first = told(tmp_path, "MANUAL 1")
+
+    assert chapters[0] == f"{len(chapters) - 1} chapters. MANUAL 1 reads the first."
+    assert all(first)
+    assert len(first) > 3
+
+
+def test_errors_are_walked_through_and_explained(tmp_path: Path) -> None:
+    lines = told(
+        tmp_path, "FWD 1", "TR", "RUN", "ERROR NEXT", "ERROR NEXT", "ERROR NEXT", "ERROR PREVIOUS", "EXPLAIN"
+    )
+    start = lines.index("Nothing ran. CHANGE 1 mends line 1.") + 1
+
+    assert [line for line in lines[start:] if not line.startswith(("Line", "Did"))] == [
+        "Error, line 1, column 1: I do not know FWD.",
+        *[line for line in lines[:start] if line.startswith("Error, line 2")],
+        "No more errors. That is 2 of 2.",
+        "Error, line 1, column 1: I do not know FWD.",
+        "Donnie does not know this word.",
+        "Check its letters: FW 3.",
+    ]
+    assert lines[-1] == "Line 1: FWD 1"
+
+
+def test_reports_are_written_as_pages_tables_and_text(tmp_path: Path) -> None:
+    lines = told(tmp_path, "FW 3", "RUN", "REPORT map m", "REPORT trail t.csv", "REPORT help h", "SAVE LOG l")
+
+    assert lines[1:] == ["Wrote m.html.", "Wrote t.csv.", "Wrote h.html.", "Wrote l.txt."]
+    assert "<h2>The map</h2>" in (tmp_path / "m.html").read_text()
+    assert (tmp_path / "t.csv").read_text() == "command,done,x,y,heading,blocked\nFW 3,3,0,3,0,False\n"
+    assert "I walked 3 steps forward." in (tmp_path / "l.txt").read_text()
