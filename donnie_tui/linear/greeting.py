@@ -1,8 +1,9 @@
 """The first lines and the prompt, printed before anything else of Donnie is loaded.
 
 Rules: it imports next to nothing. It greets only where the command line is so plain that nothing else can
-come of it; whatever is not plain is left to the real command line. The terminal is taken at once, so that
-what is typed while the rest is being loaded is neither lost nor shown twice.
+come of it; whatever is not plain is left to the real command line, and so is a robot that has to be looked
+for. The terminal is taken at once, so that what is typed while the rest is being loaded is neither lost nor
+shown twice.
 """
 
 from __future__ import annotations
@@ -22,7 +23,6 @@ _WITH_VALUE = (
     "--sound",
     "--verbosity",
     "--events",
-    "--robot",
 )
 
 

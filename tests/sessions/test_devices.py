@@ -381,6 +381,7 @@ def test_what_happens_to_the_robot_is_told_in_the_middle_of_a_typed_line(
     tmp_path: Path, robot: DoubleOnPty
 ) -> None:
     learner = Learner(tmp_path, *serial(robot))
+    learner.sees("Linear mode, from the option.\r\nI look for the robot, some seconds.\r\n")
     learner.sees("Robot connected.")
     learner.sees_prompt()
     learner.types("WHE")
