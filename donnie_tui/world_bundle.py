@@ -60,13 +60,10 @@ def pack(
     """
     places = [main.resolve().parent, *(each.resolve() for each in folders)]
     packed: dict[str, bytes] = {}
-    for file in (str(main), *files):
-        place = _place(Path(file), places)
-        if place is not None and place not in packed:
-            packed[place] = _read(Path(file), LARGEST - sum(map(len, packed.values())))
-    main_place = _place(main, places)
-    assert main_place is not None  # it lies in its own folder
-    return WorldBundle(name, main_place, tuple(packed.items()), tuple(robots))
+    for file in dict.fromkeys((str(main), *files)):
+        data = _read(Path(file), LARGEST - sum(map(len, packed.values())))
+        packed |= dict.fromkeys(_names_of(Path(file), places), data)
+    return WorldBundle(name, _names_of(main, places)[0], tuple(packed.items()), tuple(robots))
 
 
 def unpack(bundle: WorldBundle, folder: Path) -> tuple[Path, tuple[Path, ...]]:
@@ -126,14 +123,16 @@ def _content(data: bytes) -> dict[str, str]:
         return {"base64": base64.b64encode(data).decode("ascii")}
 
 
-def _place(file: Path, places: Sequence[Path]) -> str | None:
-    """Its name in the bundle; None for what no world could have read."""
-    absolute = Path(os.path.normpath(file.absolute()))
-    for number, place in enumerate(places):
-        for path in (absolute, file.resolve()):
-            if path.is_relative_to(place):
-                return f"{number}/{path.relative_to(place).as_posix()}"
-    return None
+def _names_of(file: Path, places: Sequence[Path]) -> tuple[str, ...]:
+    """Its names in the bundle: in each folder that it lies in, as it may be looked for from any of them."""
+    paths = (Path(os.path.normpath(file.absolute())), file.resolve())
+    found = (
+        f"{number}/{path.relative_to(place).as_posix()}"
+        for number, place in enumerate(places)
+        for path in paths
+        if path.is_relative_to(place)
+    )
+    return tuple(dict.fromkeys(found))
 
 
 def _read(file: Path, room: int) -> bytes:

@@ -1,0 +1,98 @@
+"""A world goes into a recording with all that it reads, and comes out equal, wherever its files lay."""
+
+import json
+from pathlib import Path
+
+import pytest
+
+import worlds
+from donnie_tui.core.recording import Header
+from donnie_tui.i18n.words import Words
+from donnie_tui.recorded_world import unpacked
+from donnie_tui.settings import Settings
+from donnie_tui.world_bundle import BundleError, WorldBundle, from_record, pack, unpack
+from donnie_tui.world_choice import choose_world
+from donnie_tui.written import bundle_of
+
+ROBOT = "position( pose [ 0 0 0 90 ] ranger( sensor() ) )\n"
+
+
+def again(name: str, folders: tuple[Path, ...] = ()) -> bool:
+    """Whether the models of a world are the same after a journey through JSON."""
+    world = choose_world(name, Words(), folders)
+    record = json.loads(json.dumps(bundle_of(world, Settings(world_folders=folders)).as_record()))
+    with unpacked(Header("0", 0, "sim", {}, record), Words()) as there:
+        return there.scene.models == world.scene.models and there.scene.robots == world.scene.robots
+
+
+@pytest.mark.parametrize("name", worlds.names())
+def test_every_world_that_ships_comes_out_equal(name: str) -> None:
+    if not choose_world(name, Words()).scene.robots:
+        pytest.skip("nobody is there whose run could be recorded")
+
+    assert again(name)
+
+
+def test_an_own_world_comes_out_equal_with_its_includes_from_everywhere(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    (tmp_path / "lib" / "deep").mkdir(parents=True)
+    (tmp_path / "own" / "sub").mkdir(parents=True)
+    (tmp_path / "lib" / "deep" / "a.inc").write_text('include "b.inc"\n')
+    (tmp_path / "lib" / "deep" / "b.inc").write_text("define box model ( size [ 0.2 0.2 0.2 ] )\n")
+    (tmp_path / "own" / "sub" / "c.inc").write_text('include "deep/a.inc"\ninclude "donnie.inc"\n')
+    (tmp_path / "own" / "x.world").write_text(
+        f'include "sub/c.inc"\nbox( pose [ 0 1 0 0 ] )\ndonnie( pose [ 1 1 0 0 ] )\n{ROBOT}'
+    )
+    monkeypatch.chdir(tmp_path / "own")
+
+    assert again("x.world", (tmp_path / "lib",))
+    assert again(str(tmp_path / "own" / "x.world"), (tmp_path, tmp_path / "lib"))
+
+
+def test_a_world_may_lie_above_the_folders_that_it_includes_from(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    (tmp_path / "lib").mkdir()
+    (tmp_path / "lib" / "a.inc").write_text("define box model ( size [ 0.2 0.2 0.2 ] )\n")
+    (tmp_path / "x.world").write_text(f'include "a.inc"\nbox( pose [ 0 1 0 0 ] )\n{ROBOT}')
+    monkeypatch.chdir(tmp_path)
+
+    assert again("x.world", (tmp_path / "lib",))
+
+
+def test_what_is_no_text_is_kept_byte_by_byte(tmp_path: Path) -> None:
+    data = bytes(range(256))
+    (tmp_path / "x.world").write_bytes(data)
+    bundle = pack("x", tmp_path / "x.world", (), (), ("donnie",))
+
+    there = from_record(json.loads(json.dumps(bundle.as_record())))
+    main, _ = unpack(there, tmp_path / "out")
+
+    assert main.read_bytes() == data
+
+
+@pytest.mark.parametrize(
+    "record",
+    [
+        {},
+        [],
+        {"name": "x", "main": "0/x", "robots": [], "files": [{"name": "0/x", "base64": "!"}]},
+        {"name": "x", "main": "0/x", "robots": [], "files": [{"name": "0/x"}]},
+        {"name": 1, "main": "0/x", "robots": [], "files": []},
+        {"name": "x", "main": "0/x", "robots": [1], "files": []},
+        {"name": "x", "main": "0/x", "robots": [], "files": [["0/x", "text"]]},
+    ],
+    ids=range(7),
+)
+def test_what_is_no_bundle_is_refused(record: object) -> None:
+    with pytest.raises(BundleError):
+        from_record(record)
+
+
+def test_a_bundle_without_its_world_is_refused_and_nothing_is_written(tmp_path: Path) -> None:
+    bundle = WorldBundle("x", "0/x.world", (("0/y.world", b""),), ("donnie",))
+
+    with pytest.raises(BundleError):
+        unpack(bundle, tmp_path)
+    assert list(tmp_path.iterdir()) == []
