@@ -11,7 +11,7 @@ import os
 import signal
 from pathlib import Path
 
-from donnie_tui import team_words
+from donnie_tui import sound_words, team_words
 from donnie_tui.bootstrap import Donnie, SwitchMode, Unusable, assemble
 from donnie_tui.core.filing import Copies
 from donnie_tui.core.typed_program import ProgramTooLong
@@ -25,6 +25,7 @@ from donnie_tui.linear.console import Console
 from donnie_tui.linear.desk import Desk, Ends
 from donnie_tui.linear.habits import Habits, Prompt, of_settings
 from donnie_tui.linear.holding import Goes, Wish
+from donnie_tui.linear.key_echo import KeyEcho
 from donnie_tui.linear.output import Output
 from donnie_tui.linear.reader import EditingReader, How, PlainReader, Typed
 from donnie_tui.linear.recall import Past
@@ -38,7 +39,7 @@ INTERRUPTED = 130
 
 _GOES = {"step": Goes.STEP, "step_over": Goes.OVER, "continue_": Goes.ON, "stop": Goes.STOP}
 """How a held program goes on by a word."""
-_LIVE = ("stop", "stop_all", "robots", "pause", "slower", "faster", "speed")
+_LIVE = ("stop", "stop_all", "robots", "pause", "slower", "faster", "speed", "quiet")
 """What is done at once while a program runs."""
 
 
@@ -69,6 +70,8 @@ def run_linear(
         closing.callback(console.close)
         ours = contextlib.ExitStack()
         closing.push(ours)
+        if donnie:
+            donnie.audible.move_to(is_linear=True)
         if not is_there:
             console.write(f"{Words(settings.language, settings.verbosity)('connect-trying')}\n")
         donnie = donnie or _assembled(settings)
@@ -106,6 +109,10 @@ class LinearMode:
         self._desk.take_again = self._take_again
         self._runs = Runs(self._desk, told, self._wish_of, self._live)
         self._console = console
+        if attended:
+            console.on_key = donnie.audible.hush
+        if self._editing:
+            self._editing.on_key = KeyEcho(donnie.audible, donnie.words)
         self._quit_was_refused = False
         self._desk.apply_habits()
 
@@ -235,11 +242,15 @@ class LinearMode:
 
     def _add(self, line: str) -> bool:
         self._quit_was_refused = False
+        hears_blocks = self._desk.is_attended and self._desk.donnie.audible.has_cues
+        before = self._desk.program.depth if hears_blocks else 0
         try:
             self._desk.program.add(line)
         except ProgramTooLong:
             self._desk.answer("linear-too-long")
             return False
+        if hears_blocks:
+            sound_words.chime_block(self._desk.donnie, before, self._desk.program.depth)
         if self._desk.habits.enter and not self._desk.program.open_block:
             self._run()
         return True
