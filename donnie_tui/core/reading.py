@@ -39,17 +39,20 @@ class ProgramText:
     """The lines of one text with their levels. Numbers are from 1."""
 
     def __init__(self, lines: Sequence[str]) -> None:
-        self._lines = lines
+        self.lines = tuple(lines)
         self._blocks = outline("\n".join(lines))
+        self._outer = _outer_blocks(self._blocks)
+        self._innermost = _innermost_blocks(self._blocks, len(self.lines))
+        self._opened = {each.line: each for each in reversed(self._blocks)}
 
     def __len__(self) -> int:
-        return len(self._lines)
+        return len(self.lines)
 
     def line(self, number: int) -> ProgramLine:
         """Raises ``IndexError`` for a line that is not there."""
-        if not 1 <= number <= len(self._lines):
+        if not 1 <= number <= len(self.lines):
             raise IndexError(number)
-        text = self._lines[number - 1].strip()
+        text = self.lines[number - 1].strip()
         around = self._around(number)
         ended = [each for each in around if each.end_line == number and each.is_closed]
         if ended and _begins_with_end(text):
@@ -71,13 +74,13 @@ class ProgramText:
 
     def down(self, number: int) -> int | None:
         """To the first line inside the block that opens here."""
-        opened = [each for each in self._blocks if each.line == number < each.end_line]
-        inside = range(number + 1, opened[0].end_line + 1) if opened else range(0)
+        opened = self._opened.get(number)
+        inside = range(number + 1, opened.end_line + 1) if opened else range(0)
         return next((each for each in inside if self.line(each).is_statement), None)
 
     def next_same(self, number: int) -> int | None:
         """To the next statement in the same block."""
-        return self._same(number, range(number + 1, len(self._lines) + 1))
+        return self._same(number, range(number + 1, len(self.lines) + 1))
 
     def back_same(self, number: int) -> int | None:
         return self._same(number, range(number - 1, 0, -1))
@@ -98,11 +101,39 @@ class ProgramText:
         return tuple(self.line(number) for number in sorted({each.line for each in self._blocks}))
 
     def _around(self, number: int) -> list[OutlineItem]:
-        return [
-            each
-            for each in self._blocks
-            if each.line < number and (number <= each.end_line or not each.is_closed)
-        ]
+        """The blocks that the beginning of the line is in, the outermost first."""
+        found: list[OutlineItem] = []
+        at = self._innermost[number]
+        while at is not None:
+            found.append(self._blocks[at])
+            at = self._outer[at]
+        return found[::-1]
+
+
+def _outer_blocks(blocks: Sequence[OutlineItem]) -> list[int | None]:
+    """Of each block the one around it, by number."""
+    found: list[int | None] = []
+    latest: dict[int, int] = {}
+    for at, block in enumerate(blocks):
+        found.append(latest.get(block.depth - 1))
+        latest[block.depth] = at
+    return found
+
+
+def _innermost_blocks(blocks: Sequence[OutlineItem], lines: int) -> list[int | None]:
+    """Of each line (from 1) the innermost block that it begins in."""
+    found: list[int | None] = [None]
+    open_blocks: list[int] = []
+    following = 0
+    for number in range(1, lines + 1):
+        while open_blocks and blocks[open_blocks[-1]].end_line < number:
+            open_blocks.pop()
+        found.append(open_blocks[-1] if open_blocks else None)
+        while following < len(blocks) and blocks[following].line == number:
+            if blocks[following].end_line > number:
+                open_blocks.append(following)
+            following += 1
+    return found
 
 
 # --- words

@@ -14,6 +14,7 @@ from donnie_tui.core.answer_log import LONGEST_ANSWER, AnswerLog
 from donnie_tui.core.documents import DocumentError
 from donnie_tui.core.events import TRANSIENT, Announced, Answered, Error, RunStarted, Stamped
 from donnie_tui.core.filing import Copies
+from donnie_tui.core.reading import ProgramText
 from donnie_tui.core.session import Session
 from donnie_tui.core.timeline import Timeline
 from donnie_tui.core.trail import Trail
@@ -73,6 +74,8 @@ class Desk:
         self.trail = Trail()
         self.place = 0
         """The line of the program that was read last, 0 before any."""
+        self.read_text: ProgramText | None = None
+        """The program as it was read last."""
         self.searched = ""
         """What SEARCH looked for last."""
         self.watched: list[str] = []

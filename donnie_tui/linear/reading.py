@@ -13,9 +13,17 @@ from donnie_tui.linear.desk import Desk
 from donnie_tui.linear.runs import Runs
 
 
+def program_text(desk: Desk) -> ProgramText:
+    """The program with its levels; read anew only where it has changed."""
+    lines = desk.program.lines
+    if desk.read_text is None or desk.read_text.lines != lines:
+        desk.read_text = ProgramText(lines)
+    return desk.read_text
+
+
 def go_to(desk: Desk, number: int) -> None:
     """Read line ``number`` and stay there; the level is told if it is another one than before."""
-    text = ProgramText(desk.program.lines)
+    text = program_text(desk)
     try:
         line = text.line(number)
     except IndexError:
@@ -56,7 +64,7 @@ def _step_to(name: str, where: Callable[[Desk], int]) -> Handler:
 
 def _move(name: str, find: Callable[[ProgramText, int], int | None]) -> Handler:
     def go(desk: Desk) -> None:
-        text = ProgramText(desk.program.lines)
+        text = program_text(desk)
         if not text:
             desk.answer("linear-no-lines")
             return
@@ -70,7 +78,7 @@ def _move(name: str, find: Callable[[ProgramText, int], int | None]) -> Handler:
 
 
 def _place(desk: Desk) -> None:
-    text = ProgramText(desk.program.lines)
+    text = program_text(desk)
     if text:
         desk.tell(*place_in_words(text, min(max(1, desk.place), len(text)), desk.say))
     else:
@@ -78,7 +86,7 @@ def _place(desk: Desk) -> None:
 
 
 def _outline(desk: Desk) -> None:
-    desk.tell(*outline_in_words(ProgramText(desk.program.lines), desk.say))
+    desk.tell(*outline_in_words(program_text(desk), desk.say))
 
 
 HANDLERS: dict[str, Handler] = {
