@@ -49,6 +49,9 @@ SHOW_CURSOR = "\x1b[?25h"
 FAULT = "fault.txt"
 """Beside the copies: what went wrong at last, for whoever mends it."""
 
+_STOPS = ("stop", "stop_all")
+"""What is done at once, whatever was typed before."""
+
 CRASHED = 1
 """Textual's return code after a fault of ours; the text is kept for the next start."""
 
@@ -107,7 +110,7 @@ class DonnieApp(App[int], inherit_bindings=False):
                 *own,
                 Binding(MENU, "key_menu", show=False, priority=True),
                 Binding(self.COMMAND_PALETTE_BINDING, "command_palette", show=False, priority=True),
-                Binding("ctrl+c", "do('stop', True)", show=False, priority=True),
+                Binding("ctrl+c", "do('stop_all', True)", show=False, priority=True),
                 Binding("tab", "app.focus_next", show=False),
                 Binding("shift+tab", "app.focus_previous", show=False),
             ]
@@ -177,21 +180,25 @@ class DonnieApp(App[int], inherit_bindings=False):
         return super().check_action(action, parameters)
 
     def _stops(self, parameters: tuple[object, ...]) -> bool:
-        return self._runs and parameters[0] == "stop"
+        return self._runs and parameters[0] in _STOPS
 
     @property
     def _runs(self) -> bool:
-        return self.work is not None and self.work.running.is_busy
+        """Whether anything could be stopped, of whichever robot."""
+        work = self.work
+        return work is not None and (work.running.is_busy or bool(work.donnie.team.running))
 
     def action_do(self, name: str, _only_while_running: bool = False) -> None:
         """A key was pressed. Stopping comes first, all else after what was typed before it."""
-        if name == "stop":
+        if name in _STOPS:
             self.do(name)
         else:
             self._turns.do(lambda: self._do_in_turn(name))
 
     async def on_event(self, event: events.Event) -> None:
         is_typed = isinstance(event, (events.Key, events.Paste)) and not event.is_forwarded
+        if is_typed and self.work is not None:
+            self.work.donnie.audible.hush()
         if is_typed and isinstance(event, events.Key) and self._did_by_menu(event.key):
             return
         if is_typed and self._turns.is_holding and not self._is_stop(event):
@@ -378,9 +385,9 @@ class DonnieApp(App[int], inherit_bindings=False):
         self.exit(128 + number)
 
     def _interrupt(self, _number: int) -> None:
-        """As the key that stops."""
+        """As the key that stops all."""
         if self._runs:
-            self.do("stop")
+            self.do("stop_all")
 
     def _halt(self, _number: int) -> None:
         if self.work is not None:
@@ -423,6 +430,8 @@ def run_full_screen(
     used.
     """
     sys.setswitchinterval(0.001)  # a program that computes must not starve the screen
+    if donnie:
+        donnie.audible.move_to(is_linear=False)
     app = DonnieApp(settings, file, text=text, assemble=lambda: donnie or _assembled(settings))
     try:
         code = app.run(mouse=wants_mouse(settings))
