@@ -13,6 +13,7 @@ from donnie_tui import settings_file
 from donnie_tui.core.documents import DocumentError
 from donnie_tui.core.wording import Wording
 from donnie_tui.settings import KEYS, LANGUAGES, MOTION, THEMES, VERBOSITY, Settings
+from donnie_tui.sound_settings import PUNCTUATION, SPEAK
 
 _SWITCH = ("on", "off")
 
@@ -23,6 +24,12 @@ CHOICES: dict[str, tuple[str, ...]] = {
     "speed": (),
     "speech": ("auto", "off", "tts"),
     "sound": _SWITCH,
+    "speak": SPEAK,
+    "rate": (),
+    "pitch": (),
+    "volume": (),
+    "punctuation": PUNCTUATION,
+    "wait_for_speech": _SWITCH,
     "plain": _SWITCH,
     "motion": MOTION,
     "mouse": _SWITCH,
@@ -30,6 +37,9 @@ CHOICES: dict[str, tuple[str, ...]] = {
     "keys": (),
 }
 """What each can be; an empty one is typed."""
+
+AUDIBLE = ("speech", "speak", "rate", "pitch", "volume", "punctuation", "wait_for_speech")
+"""Those of voice and cues."""
 
 _KEY = {each.key: each for each in KEYS}
 
