@@ -37,7 +37,7 @@ from donnie_tui.tui.deeds import Deeds
 from donnie_tui.tui.display import Display
 from donnie_tui.tui.files import Files
 from donnie_tui.tui.intake import FLUSH, Intake
-from donnie_tui.tui.preferences import Preferences
+from donnie_tui.tui.preferences import AUDIBLE, Preferences
 from donnie_tui.tui.recent import Recent
 from donnie_tui.tui.running import Answer, Doing, Running
 from donnie_tui.tui.screens.chooser import Choice
@@ -284,6 +284,8 @@ class Work:
             self._donnie.session.hub.publish(SoundSwitched(settings.sound is not False))
         elif key == "completion":
             self._offer_words()
+        elif key in AUDIBLE:
+            self._donnie.adjust_sound(**{key: getattr(settings, key)})
         self._host.wear(settings)
 
     def _write(self, lines: Sequence[LogLine]) -> None:
