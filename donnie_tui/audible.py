@@ -135,7 +135,8 @@ class Audible:
 
     def adjust(self, **changed: object) -> None:
         """Settings from now on, by the names of their fields."""
-        self._settings = replace(self._settings, **changed)  # type: ignore[arg-type] # read as their fields are
+        sources = {**self._settings.sources, **dict.fromkeys(changed, Source.OPTION)}
+        self._settings = replace(self._settings, sources=sources, **changed)  # type: ignore[arg-type] # their types
         if changed.keys() & _OF_THE_CHANNEL or self._lacks_cues():
             self._make_anew()
         elif changed.keys() & _OF_THE_VOICE:

@@ -38,7 +38,7 @@ CHOICES: dict[str, tuple[str, ...]] = {
 }
 """What each can be; an empty one is typed."""
 
-AUDIBLE = ("speech", "speak", "rate", "pitch", "volume", "punctuation", "wait_for_speech")
+AUDIBLE = ("sound", "speech", "speak", "rate", "pitch", "volume", "punctuation", "wait_for_speech")
 """Those of voice and cues."""
 
 _KEY = {each.key: each for each in KEYS}
