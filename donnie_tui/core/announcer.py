@@ -8,7 +8,8 @@ from __future__ import annotations
 
 from typing import assert_never
 
-from devices.ports.robot import StoppedBy
+from devices.ports.robot import Pose, StoppedBy
+from donnie_tui.core import numbers
 from donnie_tui.core.events import (
     Announced,
     Answered,
@@ -100,6 +101,8 @@ class Announcer:
         ahead = 0.0 if moved.forward else 180.0
         self._bumped(moved.stopped_by, ahead)
         self._teller.announce("moved", _with_reason(f"walked-{way}", moved.stopped_by), steps=moved.walked)
+        if moved.walked:
+            self._tell_place("moved", moved.pose)
 
     def _turned(self, turned: Turned) -> None:
         to_the_right = turned.right == (turned.asked >= 0)
@@ -108,6 +111,14 @@ class Announcer:
         self._teller.announce(
             "turned", _with_reason(f"turned-{side}", turned.stopped_by), degrees=abs(turned.turned)
         )
+        if turned.turned:
+            self._tell_place("turned", turned.pose)
+
+    def _tell_place(self, code: str, pose: Pose) -> None:
+        """At full, where a movement led."""
+        if self._say.detail == "full":
+            x, y = numbers.whole(pose.x), numbers.whole(pose.y)
+            self._teller.announce(code, "position", facing=self._teller.facing(pose), x=x, y=y)
 
     def _bumped(self, stopped_by: StoppedBy | None, bearing: float) -> None:
         if stopped_by is StoppedBy.OBSTACLE:

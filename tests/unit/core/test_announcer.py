@@ -155,3 +155,15 @@ def test_every_motion_has_a_cue() -> None:
     from donnie_tui.core.actions import _CUE_OF
 
     assert set(_CUE_OF) == set(Motion)
+
+
+def test_at_full_a_movement_tells_where_it_led_and_none_where_nothing_changed() -> None:
+    """L33."""
+    place = "Position 1, 2. Facing east."
+    told = [
+        [each.text for each in answers_to(event, detail="full") if isinstance(each, Announced)]
+        for event in (walked(3, 3), turned(90, 90), walked(3, 0, OBSTACLE))
+    ]
+
+    assert [lines[1:] for lines in told] == [[place], [place], []]
+    assert len(answers_to(walked(3, 3))) == 1
