@@ -142,7 +142,7 @@ def assemble(
         written.log()
         about_settings = tuple(words(each.code, **each.values) for each in settings.notices)
         audible = make_audible(settings, session, words, closing, is_linear=is_linear)
-        belt_telling = BeltTelling(team, words)
+        belt_telling = BeltTelling(team, words, belt_settings(settings))
         about_belt = connect_belt(settings, team, words, closing)
         about_devices = about_belt + _connect_robot(connection, settings, words, world, terminal)
     except BaseException:

@@ -14,11 +14,6 @@ SENTENCES: dict[str, Sentence] = {
         "A opção {option} ainda não existe.",
         "La opción {option} aún no existe.",
     ),
-    "robot-to-come": Sentence(
-        "The robot {robot} is not there yet. Use sim, the simulator.",
-        "O robô {robot} ainda não existe. Use sim, o simulador.",
-        "El robot {robot} aún no existe. Usa sim, el simulador.",
-    ),
     # --- wrong usage
     "bad-option": Sentence(
         "The option {option} can't be {value}. It takes {wanted}.",

@@ -155,6 +155,12 @@ def test_whoever_wants_it_is_told_what_changes_in_words() -> None:
     ]
 
 
+def test_the_words_follow_the_columns_of_the_settings() -> None:
+    settings = BeltSettings(columns=dict.fromkeys(Bearing, ()) | {Bearing.BACK: (3,)})
+
+    assert in_words(presence({Bearing.BACK: 2}, settings), Words(), settings) == "Belt: back medium."
+
+
 def test_what_is_felt_now_can_be_asked_for_without_being_told_all_the_time() -> None:
     floor = Floor(("red", 0, 4))
     telling = BeltTelling(team_of(floor), floor.words)
