@@ -53,3 +53,18 @@ async def test_who_is_unknown_changes_nothing(work):
 
         await desk.told("There is no robot carol here. There is alice, bob.")
         assert desk.app.work.donnie.session.name == "alice"
+
+
+async def test_ctrl_c_stops_all_robots_the_key_for_stop_the_chosen_one(work):
+    async with work(WAITING, speed=1.0, world="two_robots") as desk:
+        team = desk.app.work.donnie.team
+        await desk.type_line("ROBOT bob")
+        await desk.told("You talk to bob.")
+        await desk.type_line("TOGETHER")
+        await desk.until(lambda: len(team.running) == 2, "both run")
+
+        await desk.press("f8")
+        await desk.until(lambda: [each.name for each in team.running] == ["alice"], "one runs")
+
+        await desk.press("ctrl+c")
+        await desk.until(lambda: not team.running, "nobody runs")
