@@ -11,7 +11,6 @@ from devices.ports.audio import Cue, CuePlayer, Speaker, Urgency, Utterance
 from donnie_tui.core.events import (
     Announced,
     Answered,
-    BeltShown,
     Chimed,
     CueSounded,
     Error,
@@ -54,6 +53,8 @@ class Voice:
             self._say(stamped)
 
     def _is_ours(self, event: Event) -> bool:
+        if isinstance(event, Answered) and event.in_print_only:
+            return False
         return self._hears is Hears.ALL or isinstance(event, Spoke) == (self._hears is Hears.PROGRAM)
 
     def _switch(self, on: bool) -> None:
