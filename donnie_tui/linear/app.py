@@ -18,12 +18,11 @@ from donnie_tui.core.typed_program import ProgramTooLong
 from donnie_tui.core.use_cases import When
 from donnie_tui.device_settings import SIMULATED
 from donnie_tui.folders import state_folder
-from donnie_tui.i18n.first_words import PROMPT
 from donnie_tui.i18n.words import Words
 from donnie_tui.linear import choices, commands, files, greeting, modes
 from donnie_tui.linear.console import Console
 from donnie_tui.linear.desk import Desk, Ends
-from donnie_tui.linear.habits import Habits, Prompt, of_settings
+from donnie_tui.linear.habits import Habits, of_settings
 from donnie_tui.linear.holding import Goes, Wish
 from donnie_tui.linear.key_echo import KeyEcho
 from donnie_tui.linear.output import Output
@@ -59,9 +58,12 @@ def run_linear(
     """
     habits = of_settings(settings)
     is_there = donnie is not None or settings.robot == SIMULATED
-    has_prompt = file is None and not text and is_there and donnie is None and habits.prompt is Prompt.SHORT
+    begins_bare = file is None and not text and is_there and donnie is None
     greeting.greet(
-        donnie.words.language if donnie else settings.language, cause, os.environ, prompt=has_prompt
+        donnie.words.language if donnie else settings.language,
+        cause,
+        os.environ,
+        prompt=habits.prompt_at(0) if begins_bare else None,
     )
     terminal = greeting.DONE.terminal
     console = Console(terminal if isinstance(terminal, Terminal) else None)
@@ -180,13 +182,7 @@ class LinearMode:
     def _prompt(self) -> str:
         in_program = self._desk.is_attended and not self._desk.next_line
         depth = self._desk.program.depth if in_program else 0
-        match self._desk.habits.prompt:
-            case Prompt.NONE:
-                return ""
-            case Prompt.WORD:
-                return f"Donnie {depth}{PROMPT}" if depth else f"Donnie{PROMPT}"
-            case _:
-                return f"{depth}{PROMPT}" if depth else PROMPT
+        return self._desk.habits.prompt_at(depth)
 
     def _candidates(self, before: str) -> tuple[str, ...]:
         """For Tab. Loaded when somebody presses it."""

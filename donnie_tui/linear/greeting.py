@@ -45,14 +45,16 @@ def begin(arguments: list[str], environment: os._Environ[str] | dict[str, str]) 
     options = _plain_options(arguments)
     if options is None or "--linear" not in options or _has_other_settings(environment):
         return False
-    greet(language_of(options, environment), "option", environment, prompt="FILE" not in options)
+    greet(
+        language_of(options, environment), "option", environment, prompt=None if "FILE" in options else PROMPT
+    )
     return True
 
 
 def greet(
-    language: str, cause: str, environment: os._Environ[str] | dict[str, str], *, prompt: bool = True
+    language: str, cause: str, environment: os._Environ[str] | dict[str, str], *, prompt: str | None = PROMPT
 ) -> None:
-    """Print the lines, and the prompt where ``prompt`` and a terminal are. Does nothing the second time.
+    """Print the lines, and ``prompt`` where there is a terminal. Does nothing the second time.
 
     Without a prompt only the first line is printed: the second one will be about the file.
     """
@@ -60,12 +62,12 @@ def greet(
         return
     from donnie_tui.linear.terminal import is_editable
 
-    DONE.was_printed, DONE.has_prompt = True, prompt and os.isatty(0)
+    DONE.was_printed, DONE.has_prompt = True, prompt is not None and os.isatty(0)
     if is_editable(environment):
         _take_terminal()
     at = _LANGUAGES.index(language)
-    lines = CAUSES[cause][at] + "\n" + (HINT[at] + "\n" if prompt else "")
-    os.write(1, (lines + (PROMPT if DONE.has_prompt else "")).encode())
+    lines = CAUSES[cause][at] + "\n" + ("" if prompt is None else HINT[at] + "\n")
+    os.write(1, (lines + (prompt if prompt and DONE.has_prompt else "")).encode())
 
 
 def withdraw() -> None:

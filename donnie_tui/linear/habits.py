@@ -9,6 +9,7 @@ from __future__ import annotations
 from dataclasses import dataclass, fields
 from enum import Enum
 
+from donnie_tui.i18n.first_words import PROMPT
 from donnie_tui.settings import LONGEST_PROGRESS, Settings
 from language.source import fold_name
 
@@ -49,6 +50,17 @@ class Habits:
     """Directions as on a clock face."""
     free: str = ""
     """The letter of a free square in a picture; empty is a full stop."""
+
+    def prompt_at(self, depth: int) -> str:
+        """What stands before a line that is typed inside so many blocks."""
+        level = str(depth) if depth else ""
+        match self.prompt:
+            case Prompt.NONE:
+                return ""
+            case Prompt.WORD:
+                return f"{f'Donnie {level}'.strip()}{PROMPT}"
+            case _:
+                return f"{level}{PROMPT}"
 
 
 SPELLINGS: dict[str, tuple[tuple[str, str, str], dict[object, tuple[str, str, str]]]] = {

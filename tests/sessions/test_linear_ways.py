@@ -200,7 +200,7 @@ def test_settings_are_kept_for_the_next_session(tmp_path: Path) -> None:
     assert first.leaves() == 0
 
     second = Learner(tmp_path)
-    second.sees("Donnie> ")
+    second.sees("HELP lists the commands.\r\nDonnie> ")
 
 
 def test_the_terminal_edits_the_line_where_the_plain_editor_is_wanted(learner: Learner) -> None:
