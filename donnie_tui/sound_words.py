@@ -102,8 +102,8 @@ _LONGEST_NAME = 100
 
 def quiet(donnie: Donnie) -> None:
     """End what is being said; the answer to that is in print alone."""
-    _say(donnie, "quiet")
     donnie.audible.hush_all()
+    donnie.session.hub.publish(Answered(donnie.words("quiet"), in_print_only=True))
 
 
 # --- CUES

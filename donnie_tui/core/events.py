@@ -233,6 +233,8 @@ class Answered:
     """What a front end answers to a word of its own, such as "Saved."; told and spoken; transient."""
 
     text: str
+    in_print_only: bool = False
+    """The answer to QUIET is not said."""
 
 
 @dataclass(frozen=True, slots=True)
