@@ -1,0 +1,69 @@
+"""The voice of the linear mode, heard by a speech-dispatcher that writes down what it is told."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from pathlib import Path
+
+import pytest
+
+from tests.sessions.learner import Learner, until
+from tests.unit.ssip.server import Server
+
+CANCEL = "CANCEL SELF"
+
+
+@pytest.fixture
+def server(monkeypatch: pytest.MonkeyPatch, tmp_path: Path) -> Iterator[Server]:
+    """It never tells an end: what is said lasts until it is silenced."""
+    made = Server(tmp_path, tells_end=False)
+    monkeypatch.setenv("SPEECHD_ADDRESS", f"unix_socket:{made.address.path}")
+    yield made
+    made.close()
+
+
+@pytest.fixture
+def learner(server: Server, tmp_path: Path) -> Learner:
+    return Learner(tmp_path, "--speech", "ssip")
+
+
+def test_any_key_ends_what_is_being_said(server: Server, learner: Learner) -> None:
+    """V3: the answer is heard, and a key that means nothing yet ends it."""
+    learner.enters("WHERE")
+    learner.sees("Facing north.\r\n> ")
+    assert server.wait_for(texts=1)
+    assert CANCEL not in server.commands
+
+    learner.types("x")
+
+    assert server.wait_for(command=CANCEL)
+
+
+def test_quiet_is_answered_in_print_and_last_brings_back_what_it_ended(
+    server: Server, learner: Learner
+) -> None:
+    """V3: what waited behind the silenced line is not heard."""
+    learner.enters("WHERE")
+    learner.sees("Facing north.\r\n> ")
+    assert server.wait_for(texts=1)
+    learner.types("QUIET\r")
+    learner.sees("Quiet. LAST says it again.\r\n> ")
+    assert server.wait_for(command=CANCEL)
+    learner.types("LAST\r")
+    learner.sees("Position 0, 0. Facing north.\r\n> ")
+    assert server.wait_for(texts=2)
+    assert server.texts[:2] == ["Position 0, 0.", "Position 0, 0."]
+
+
+def test_control_c_ends_program_and_voice(server: Server, tmp_path: Path) -> None:
+    """L41, S8: what the program says after a key is said all the same; the stop ends it."""
+    learner = Learner(tmp_path, "--speech", "ssip", speed="1")
+    learner.enters('SPEAK "one" WAIT 1 SPEAK "two" WAIT 1000', "")
+    assert server.wait_for(texts=1)
+    learner.types("x")
+    assert server.wait_for(command=CANCEL)
+    until(lambda: "two" in server.texts)
+    before = server.commands.count(CANCEL)
+    learner.types("\x03")
+    learner.sees("Stopped at line 1.\r\n> ")
+    until(lambda: server.commands.count(CANCEL) > before)
