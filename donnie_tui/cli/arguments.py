@@ -173,6 +173,7 @@ def _add_front_end(parser: argparse._ArgumentGroup, words: Words) -> None:
     mode = parser.add_mutually_exclusive_group()
     mode.add_argument("--linear", "-t", "-T", action="store_true", help=words("option-linear"))
     mode.add_argument("--visual", action="store_true", help=words("option-visual"))
+    parser.add_argument("--plain", action="store_true", help=words("option-plain"))
     parser.add_argument("-f", "-F", metavar="FILE", dest="run", help=words("option-f"))
     parser.add_argument("-m", "-M", action="store_true", dest="mute", help=words("option-m"))
     parser.add_argument("-l", "-L", action="store_true", dest="log", help=words("option-l"))

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
 from pathlib import Path
 
 from donnie_tui.bootstrap import Donnie, SwitchMode
@@ -13,14 +14,15 @@ from donnie_tui.settings import Settings
 def start(order: Order) -> int:
     """Stay until the learner leaves for good; the exit code is the front end's."""
     arguments = order.invocation.arguments
+    settings = replace(order.settings, plain=True) if arguments.plain else order.settings
     option = True if arguments.linear else False if arguments.visual else None
-    cause = cause_of_linear(option, order.settings.linear, surroundings(order.environment))
+    cause = cause_of_linear(option, settings.linear, surroundings(order.environment))
     file = Path(arguments.file) if arguments.file else None
     text: str | None = None
     donnie: Donnie | None = None
     while True:
         try:
-            return _work(order.settings, file, cause, text, donnie)
+            return _work(settings, file, cause, text, donnie)
         except SwitchMode as switch:
             cause = None if cause else "word"
             file, text = Path(switch.name) if switch.name else None, switch.text

@@ -14,6 +14,7 @@ import sys
 import traceback
 from collections.abc import Awaitable, Callable, Sequence
 from contextlib import suppress
+from dataclasses import replace
 from pathlib import Path
 from typing import TYPE_CHECKING
 
@@ -89,6 +90,8 @@ class DonnieApp(App[int], inherit_bindings=False):
         self.trouble: Exception | None = None
         """What kept it from being loaded."""
         self.left_for_linear = False
+        self.next_world = ""
+        """The world in which the screen is to come back."""
         self._wants_linear = False
         self._settings = settings
         self._language = LANGUAGES.index(settings.language)
@@ -286,6 +289,11 @@ class DonnieApp(App[int], inherit_bindings=False):
         self._language = LANGUAGES.index(settings.language)
         self._bind(settings.keys)
 
+    def enter_world(self, name: str) -> None:
+        """The screen is left for a moment, and comes back in that world."""
+        self.next_world = name
+        self.exit(0)
+
     async def choose_word(self, words: Sequence[str], below: Offset) -> tuple[str, str]:
         from donnie_tui.tui.screens.completions import Completions
 
@@ -432,9 +440,21 @@ def run_full_screen(
     sys.setswitchinterval(0.001)  # a program that computes must not starve the screen
     if donnie:
         donnie.audible.move_to(is_linear=False)
+    while True:
+        app = _shown(settings, file, text, donnie)
+        if not app.next_world:
+            break
+        settings, file, text = _in_next_world(app)
+        donnie = None
+    leave_behind(app.workplace.log_rows.lines)
+    return CRASHED if app.return_code == CRASHED else app.return_value or 0
+
+
+def _shown(settings: Settings, file: Path | None, text: str | None, donnie: Donnie | None) -> DonnieApp:
+    """The screen until it is left. Raises as ``run_full_screen`` does."""
     app = DonnieApp(settings, file, text=text, assemble=lambda: donnie or _assembled(settings))
     try:
-        code = app.run(mouse=wants_mouse(settings))
+        app.run(mouse=wants_mouse(settings))
     except BaseException:
         app.close_session()
         raise
@@ -444,10 +464,14 @@ def run_full_screen(
     app.close_session()
     if app.trouble is not None:
         raise app.trouble
-    leave_behind(app.workplace.log_rows.lines)
-    if app.return_code == CRASHED:
-        return CRASHED
-    return code or 0
+    return app
+
+
+def _in_next_world(app: DonnieApp) -> tuple[Settings, Path | None, str]:
+    """The settings as they were chosen, the program's file and its text."""
+    settings = app.work.preferences.settings if app.work is not None else Settings()
+    path = app.work.files.document.path if app.work is not None else None
+    return replace(settings, world=app.next_world), path, app.workplace.editor.text
 
 
 def _assembled(settings: Settings) -> Donnie:

@@ -10,12 +10,12 @@ from __future__ import annotations
 import threading
 from collections import deque
 from collections.abc import Callable
-from dataclasses import dataclass
 from typing import NamedTuple
 
 from textual.message import Message
 
 from devices.ports.robot import Pose, StoppedBy
+from devices.ports.values import frozen
 from donnie_tui.core.events import (
     Announced,
     Answered,
@@ -53,7 +53,7 @@ class LogLine(NamedTuple):
     kind: str
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class Mail:
     """What happened since the last look."""
 

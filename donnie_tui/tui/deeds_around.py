@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
+import worlds
 from donnie_tui.settings import THEMES
 from donnie_tui.tui.running import Answer
 from donnie_tui.tui.screens.chooser import Choice
@@ -103,6 +104,22 @@ class AroundDeeds:
         chosen = await self._host.choose(words("ask-programs"), rows)
         if chosen is not None:
             files.turn_to(None if chosen == "new" else int(chosen))
+
+    async def worlds(self, _argument: str) -> None:
+        """The worlds that ship, with what their authors say of them."""
+        words = self._host.words
+        rows = [
+            Choice(name, words("world-row", name=name, title=about.title, about=about.description), is_here)
+            for name in worlds.names()
+            for about, is_here in ((worlds.about(name, words.language), name == self._host.world_name),)
+        ]
+        chosen = await self._host.choose(words("ask-worlds"), rows)
+        is_elsewhere = chosen is not None and chosen != self._host.world_name
+        if chosen and is_elsewhere and await self._host.files.are_safe_to_leave():
+            self._host.change_world(chosen)
+
+    def tour(self, _argument: str) -> None:
+        self._host.show_tour()
 
     def open_log(self, _argument: str) -> None:
         self._host.open_log()

@@ -12,6 +12,8 @@ from donnie_tui.tui.bridge import Bridge, LogLine, Mail
 
 FRAME = 1 / 20
 """Seconds between two looks into the mailbox: the map moves at most so often."""
+CALM = 1 / 2
+"""The same for those who asked for little motion: whole squares, at most twice a second."""
 FLUSH = 1 / 5
 """Seconds between two writes into the log."""
 
@@ -29,6 +31,7 @@ class Intake:
         write: Callable[[Sequence[LogLine]], None],
     ) -> None:
         """``receive`` is given all mail at once, ``write`` the lines for the log in larger pieces."""
+        self.frame = FRAME
         self._bridge = bridge
         self._words = words
         self._set_timer = set_timer
@@ -41,7 +44,7 @@ class Intake:
 
     def happened(self) -> None:
         """There is mail: take it now, or when it is time again."""
-        due = self._taken_at + FRAME - time.monotonic()
+        due = self._taken_at + self.frame - time.monotonic()
         if due <= 0:
             self.take()
         elif self._taking is None:

@@ -6,9 +6,10 @@ Pure but for the settings file. Whoever applies a choice to the screen asks here
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import dataclass, replace
+from dataclasses import replace
 from typing import Any
 
+from devices.ports.values import frozen
 from donnie_tui import settings_file
 from donnie_tui.core.documents import DocumentError
 from donnie_tui.core.wording import Wording
@@ -44,7 +45,7 @@ AUDIBLE = ("sound", "speech", "speak", "rate", "pitch", "volume", "punctuation",
 _KEY = {each.key: each for each in KEYS}
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class Preference:
     """One setting and what it is now."""
 

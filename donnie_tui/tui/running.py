@@ -10,6 +10,7 @@ from collections.abc import Callable, Mapping
 from dataclasses import dataclass, field
 from enum import Enum
 
+from devices.ports.values import frozen
 from donnie_tui.core import speeds
 from donnie_tui.core.runner import Run
 from donnie_tui.core.session import Busy, Session
@@ -30,7 +31,7 @@ class Doing(Enum):
     STOPPING = "stopping"
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class Answer:
     """A sentence to be told."""
 

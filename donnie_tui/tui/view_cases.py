@@ -29,6 +29,7 @@ VIEW_CASES = (
     UseCase("recent", "RECENT", "RECENTES", "RECIENTES"),
     UseCase("programs", "PROGRAMS", "PROGRAMAS", "PROGRAMAS"),
     # --- around
+    UseCase("worlds", "WORLDS", "MUNDOS", "MUNDOS"),
     UseCase("theme", "THEME", "TEMA", "TEMA", _ALWAYS, "theme"),
     UseCase("plain", "PLAIN", "SIMPLES", "SENCILLO", _ALWAYS),
     UseCase("settings", "SETTINGS", "CONFIGURAÇÕES", "CONFIGURACIÓN", _ALWAYS),

@@ -22,7 +22,7 @@ from donnie_tui.bootstrap import Donnie
 from donnie_tui.core.answer_log import AnswerLog
 from donnie_tui.core.completion import Completion, completion
 from donnie_tui.core.documents import DocumentError, write_program
-from donnie_tui.core.events import Answered, Error, Outcome, Pointed, SoundSwitched
+from donnie_tui.core.events import Answered, Error, Outcome, Pointed
 from donnie_tui.core.filing import Copies
 from donnie_tui.core.mistakes import LARGEST, mistakes
 from donnie_tui.core.retelling import told_back
@@ -36,7 +36,7 @@ from donnie_tui.tui.bridge import Began, Bridge, Ended, LogLine
 from donnie_tui.tui.deeds import Deeds
 from donnie_tui.tui.display import Display
 from donnie_tui.tui.files import Files
-from donnie_tui.tui.intake import FLUSH, Intake
+from donnie_tui.tui.intake import CALM, FLUSH, FRAME, Intake
 from donnie_tui.tui.preferences import AUDIBLE, Preferences
 from donnie_tui.tui.recent import Recent
 from donnie_tui.tui.running import Answer, Doing, Running
@@ -50,6 +50,9 @@ _LAST_WORDS = 1.0
 """Seconds that a stopped program may take to be gone."""
 CHECK_AFTER = 0.4
 """Seconds without typing after which mistakes are marked."""
+
+PAGES, MOST_LINES = 9, 6
+"""Of the tour in the catalogue."""
 
 COPY_AFTER = 1.0
 """Seconds after an edit within which it is written down."""
@@ -86,6 +89,8 @@ class Host(Protocol):
     def show_outside(self, text: str) -> bool: ...
 
     def wear(self, settings: Settings) -> None: ...
+
+    def enter_world(self, name: str) -> None: ...
 
     def leave(self, code: int = 0, *, for_linear: bool = False) -> None: ...
 
@@ -125,6 +130,7 @@ class Work:
         self._hear_no_more = donnie.team.stream.subscribe(bridge)
         self._follow_no_more = donnie.team.stream.subscribe(self.trail.hear)
         self._offer_words()
+        self._pace_motion()
 
     def begin(self, file: Path | None, text: str | None) -> None:
         """Open what was asked for. ``text``: what the other mode left, unsaved changes included."""
@@ -200,6 +206,10 @@ class Work:
             self._donnie.session.hub.publish(Answered(sentence))
 
     @property
+    def world_name(self) -> str:
+        return self._donnie.world.name
+
+    @property
     def pose(self) -> Pose:
         return self._donnie.session.pose
 
@@ -245,6 +255,9 @@ class Work:
     def _offer_words(self) -> None:
         self.workplace.editor.complete = self.completion if self.preferences.settings.completion else None
 
+    def _pace_motion(self) -> None:
+        self._intake.frame = CALM if self.preferences.settings.motion == "reduced" else FRAME
+
     def check_now(self) -> None:
         """Mark the mistakes of the text as it is."""
         self._checking = None
@@ -280,12 +293,12 @@ class Work:
             self.words.detail = settings.verbosity
         elif key == "speed":
             self._donnie.session.speed = settings.speed
-        elif key == "sound":
-            self._donnie.session.hub.publish(SoundSwitched(settings.sound is not False))
-        elif key == "completion":
-            self._offer_words()
         elif key in AUDIBLE:
             self._donnie.adjust_sound(**{key: getattr(settings, key)})
+        elif key == "completion":
+            self._offer_words()
+        elif key == "motion":
+            self._pace_motion()
         self._host.wear(settings)
 
     def _write(self, lines: Sequence[LogLine]) -> None:
@@ -316,6 +329,19 @@ class Work:
 
     def show_lines(self, title: str, lines: Sequence[str]) -> None:
         self._host.show_help(self.words("lines-title", title=title), tuple(lines))
+
+    def show_tour(self) -> None:
+        """Donnie in a few pages, the same as in the linear mode."""
+        pages = range(1, PAGES + 1)
+        codes = [f"tour-{page}-{line}" for page in pages for line in range(1, MOST_LINES + 1)]
+        self.show_lines(
+            self.words("tour-title"), [self.words(each) for each in filter(self.words.knows, codes)]
+        )
+
+    def change_world(self, name: str) -> None:
+        """Another world, with the same program: everything begins anew there."""
+        self._forget_copy()
+        self._host.enter_world(name)
 
     def show_manual(self) -> None:
         self._host.show_help(self.words("manual-title"), manual(self.words))
@@ -350,7 +376,13 @@ class Work:
             self.display.begin(self._donnie.session.pose, fresh=True)
 
     def show_help(self) -> None:
-        self._host.show_help(self.words("help-title"), help_text(self.words))
+        """The word at the cursor of the program first, where it is one of GoDonnie's; then everything."""
+        about = self._about_word() if self.workplace.editor.has_focus else ()
+        self._host.show_help(self.words("help-title"), (*about, *help_text(self.words)))
+
+    def _about_word(self) -> tuple[str, ...]:
+        word = self.workplace.editor.word
+        return self.words.help(word) if word and canonical(word) is not None else ()
 
     def linear_typed(self) -> None:
         """LINEAR was typed into an empty program: that is not meant as its text."""

@@ -132,3 +132,75 @@ async def test_the_terminal_s_own_colours(work, same, monkeypatch):
     async with work(world="living_room") as desk:
         await desk.run(RECTANGLE)
         await same(desk)
+
+
+CONTRAST = "donnie-contrast"
+
+
+@pytest.mark.parametrize("size", [SMALL, LARGE], ids=by_size)
+async def test_high_contrast(work, same, size):
+    async with work(size=size, world="living_room") as desk:
+        desk.app.theme = CONTRAST
+        await desk.run(RECTANGLE)
+        await same(desk)
+
+
+async def opened(desk, *keys: str) -> None:
+    await desk.press(*keys)
+    await desk.until(lambda: desk.app.screen is not desk.place, "another screen")
+    await desk.pilot.pause()
+
+
+SCREENS = {
+    "palette": ("ctrl+p",),
+    "menu": ("ctrl+k",),
+    "settings": ("ctrl+k", "comma"),
+    "manual": ("ctrl+k", "f1"),
+    "words": ("ctrl+at",),
+    "outline": ("ctrl+l",),
+    "legend": ("ctrl+k", "l"),
+}
+
+
+@pytest.mark.parametrize("size", [SMALL, LARGE], ids=by_size)
+@pytest.mark.parametrize("theme", ["donnie-dark", CONTRAST], ids=["dark", "contrast"])
+@pytest.mark.parametrize("name", SCREENS)
+async def test_each_screen(work, same, name, theme, size):
+    async with work(RECTANGLE, size=size, world="living_room") as desk:
+        desk.app.theme = theme
+        desk.place.editor.move_cursor((2, 0))
+        await opened(desk, *SCREENS[name])
+        await same(desk)
+
+
+@pytest.mark.parametrize("size", [SMALL, LARGE], ids=by_size)
+async def test_the_map_with_names_rays_and_coordinates(work, same, size):
+    async with work(size=size, world="living_room") as desk:
+        await desk.run("FW 3 TR 45 SPEAK DISTANCE F")
+        await desk.press("ctrl+k", "c", "ctrl+k", "t", "ctrl+k", "n")
+        await desk.until(lambda: "Map," in desk.status, "the finger")
+        await same(desk)
+
+
+async def test_the_whole_of_a_large_map(work, same):
+    async with work(world="living_room") as desk:
+        await desk.press("ctrl+k", "a")
+        await desk.told("All of the map")
+        await same(desk)
+
+
+@pytest.mark.parametrize("size", [SMALL, (40, 12)], ids=by_size)
+async def test_the_plain_layout(work, same, size):
+    async with work("FW 3", size=size, world="living_room", plain=True) as desk:
+        await desk.press("f5")
+        await desk.told("The program is done.")
+        await same(desk)
+
+
+async def test_mistakes_and_breakpoints_beside_the_program(work, same):
+    async with work("FW 1\nFWD 3\nREPEAT 2 TIMES\nFW 1\nEND REPEAT", size=LARGE, world="living_room") as desk:
+        desk.place.editor.go_to(4)
+        await desk.press("ctrl+b")
+        await desk.until(lambda: "!2" in desk.screen, "the mark")
+        await desk.told("Line 4 has a breakpoint.")
+        await same(desk)

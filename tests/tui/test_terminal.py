@@ -31,7 +31,14 @@ F5, F8, F12, CTRL_Q, CTRL_S, TAB, ENTER = "\x1b[15~", "\x1b[19~", "\x1b[24~", "\
 class Terminal:
     """A program on a pty, and what its screen shows."""
 
-    def __init__(self, arguments: list[str], state: Path, columns: int = 80, rows: int = 24) -> None:
+    def __init__(
+        self,
+        arguments: list[str],
+        state: Path,
+        columns: int = 80,
+        rows: int = 24,
+        more: dict[str, str] | None = None,
+    ) -> None:
         self.screen = pyte.Screen(columns, rows)
         self._stream = pyte.ByteStream(self.screen)
         self.raw = b""
@@ -44,6 +51,7 @@ class Terminal:
             for name, value in os.environ.items()
             if not name.startswith(("TEXTUAL", "DONNIE", "NO_COLOR", "LC_", "LANG", "COLUMNS", "LINES"))
         } | {"TERM": "xterm-256color", "HOME": str(state), "LANG": "C.UTF-8", "DONNIE_PLAIN": "off"}
+        environment |= more or {}
         environment.pop("XDG_STATE_HOME", None)
         environment.pop("XDG_CONFIG_HOME", None)
         self.process = subprocess.Popen(
@@ -102,8 +110,8 @@ class Terminal:
 def terminal(tmp_path: Path) -> Iterator[Callable[..., Terminal]]:
     opened: list[Terminal] = []
 
-    def open_one(*arguments: str, columns: int = 80, rows: int = 24) -> Terminal:
-        opened.append(Terminal(list(arguments), tmp_path, columns, rows))
+    def open_one(*arguments: str, columns: int = 80, rows: int = 24, **environment: str) -> Terminal:
+        opened.append(Terminal(list(arguments), tmp_path, columns, rows, environment))
         opened[-1].shows("Ready, speed")
         return opened[-1]
 
@@ -155,7 +163,7 @@ def test_the_terminal_s_cursor_is_visible_and_stands_at_the_focus(terminal):
     donnie.type("FW 1")
     donnie.shows("1  FW 1")
     donnie.until(
-        lambda: (donnie.screen.cursor.x, donnie.screen.cursor.y) == (8, 1), "the cursor in the program"
+        lambda: (donnie.screen.cursor.x, donnie.screen.cursor.y) == (9, 1), "the cursor in the program"
     )
     donnie.type(TAB)
     donnie.shows(" Map. Donnie")
@@ -234,3 +242,113 @@ def test_the_cursor_stands_right_after_what_is_typed(terminal):
     donnie.shows("yes or no:")
     donnie.type("maybe")
     donnie.until(lambda: under_the_cursor(donnie) == ("maybe", " "), "the cursor after the answer")
+
+
+def test_a_typed_key_costs_few_bytes(terminal):
+    donnie = terminal()
+    donnie.type(TAB * 3)
+    donnie.shows(" Command line.")
+    costs = []
+    for letter in "SPEAK 12345":
+        while donnie.read(0.3):
+            pass
+        donnie.type(letter)
+        costs.append(len(donnie.read(5.0)))
+        while donnie.read(0.2):
+            costs[-1] += 1
+
+    assert max(costs) <= 140
+
+
+@pytest.mark.parametrize("name", ["linux", "screen", "tmux-256color", "vt100"])
+def test_it_works_on_this_kind_of_terminal(terminal, name):
+    donnie = terminal("--world", "living_room", TERM=name)
+    donnie.type('SPEAK "here"' + ENTER)
+    donnie.shows("SPEAK")
+    donnie.type("\x1b[15~" if name != "linux" else "\x1b[[E")
+    donnie.shows("The program is done.")
+    donnie.type(CTRL_Q)
+    donnie.shows("yes or no:")
+    donnie.type("no" + ENTER)
+
+    assert donnie.ended() == 0
+    assert left_as_found(donnie)
+
+
+def test_the_plain_layout_asks_for_no_mouse_and_no_key_reports(terminal):
+    donnie = terminal("--plain", DONNIE_PLAIN="")
+
+    assert not re.search(rb"\x1b\[\?100[0236]h", donnie.raw)
+    assert not _KITTY.search(donnie.raw)
+
+
+def test_the_last_lines_of_the_log_stay_on_the_normal_screen(terminal):
+    donnie = terminal()
+    donnie.type(TAB * 3)
+    donnie.shows(" Command line.")
+    donnie.type('SPEAK "kept for reading"' + ENTER)
+    donnie.until(lambda: "\n".join(donnie.screen.display).count("kept for reading") > 1, "the answer")
+    donnie.type(CTRL_Q)
+
+    assert donnie.ended() == 0
+    after = donnie.raw.split(b"\x1b[?1049l")[-1].decode()
+    assert "kept for reading" in after
+    assert "\x1b[" not in after.split("kept for reading")[-1]
+
+
+def test_mouse_reports_can_be_switched_off(terminal):
+    with_mouse = terminal()
+    without = terminal(DONNIE_MOUSE="off")
+
+    assert re.search(rb"\x1b\[\?100[0236]h", with_mouse.raw)
+    assert not re.search(rb"\x1b\[\?100[0236]h", without.raw)
+
+
+RECTANGLE = (
+    "PROCEDURE RECTANGLE: base, height DO",
+    "REPEAT 2 TIMES",
+    "FW base TR 90",
+    "FW height TR 90",
+    "END REPEAT",
+    "END PROCEDURE",
+    "RECTANGLE [9, 3]",
+)
+CTRL_K, F6, F7 = "\x0b", "\x1b[17~", "\x1b[18~"
+
+
+def test_a_lesson_from_typing_to_leaving(terminal):
+    donnie = terminal("--world", "living_room", "--speed", "2")
+    donnie.type(ENTER.join(RECTANGLE))
+    donnie.shows("7  RECTANGLE [9, 3]")
+    donnie.type(F5)
+    donnie.shows("Running")
+    donnie.type(F6)
+    donnie.shows("Paused")
+    donnie.type(F8)
+    donnie.shows("Stopped at line")
+    donnie.type(F7)
+    donnie.shows("Line 1: PROCEDURE RECTANGLE")
+    donnie.type(F7)
+    donnie.shows("Line 7: RECTANGLE [9, 3]")
+    donnie.type(F7)
+    donnie.shows("Line 2: REPEAT 2 TIMES")
+    donnie.type(F8)
+    donnie.shows("Ready")
+    donnie.type(CTRL_K + "2")
+    donnie.shows("Map. Donnie")
+    donnie.type("\x1b[C")
+    donnie.shows("Map, 1, 0: free. 1 right.")
+    donnie.until(lambda: under_the_cursor(donnie)[1] == ".", "the cursor on the square")
+    donnie.type("n")
+    donnie.shows("Map, -1, 28: small sofa, blue.")
+    donnie.type(TAB + TAB)
+    donnie.shows(" Command line.")
+    donnie.type("LANGUAGE pt" + ENTER)
+    donnie.shows("Idioma: português.")
+    donnie.shows("Linha de comando.")
+    donnie.type("SAIR" + ENTER)
+    donnie.shows("sim ou não:")
+    donnie.type("não" + ENTER)
+
+    assert donnie.ended() == 0
+    assert left_as_found(donnie)

@@ -6,6 +6,14 @@
 
 from donnie_tui.i18n.sentence import Sentence
 
+_OPTIONS = {
+    "option-plain": Sentence(
+        "the full screen in one column, without decoration",
+        "a tela cheia em uma coluna, sem enfeites",
+        "la pantalla completa en una columna, sin adornos",
+    ),
+}
+
 _MAP = {
     "cell-other": Sentence("another robot", "outro robô", "otro robot"),
     "cell-ray": Sentence(
@@ -138,6 +146,9 @@ _QUESTIONS = {
     ),
     "ask-line": Sentence("Line:", "Linha:", "Línea:"),
     "ask-recent": Sentence("Recent programs", "Programas recentes", "Programas recientes"),
+    "ask-worlds": Sentence("Worlds", "Mundos", "Mundos"),
+    "world-row": Sentence("{name}: {title}. {about}", "{name}: {title}. {about}", "{name}: {title}. {about}"),
+    "tour-title": Sentence("Tour", "Passeio", "Paseo"),
     "ask-programs": Sentence("Open programs", "Programas abertos", "Programas abiertos"),
     "ask-save-log": Sentence(
         "Write the log into the file:", "Gravar o registro no arquivo:", "Escribir el registro en el archivo:"
@@ -315,6 +326,7 @@ _ACTIONS = {
             "Lista os programas abertos.",
             "Lista los programas abiertos.",
         ),
+        ("worlds", "Lists the worlds to go to.", "Lista os mundos aonde ir.", "Lista los mundos adonde ir."),
         ("theme", "Chooses the look.", "Escolhe a aparência.", "Elige el aspecto."),
         (
             "plain",
@@ -333,4 +345,4 @@ _ACTIONS = {
     )
 }
 
-SENTENCES = _MAP | _EDITOR | _QUESTIONS | _SETTINGS | _ACTIONS
+SENTENCES = _OPTIONS | _MAP | _EDITOR | _QUESTIONS | _SETTINGS | _ACTIONS

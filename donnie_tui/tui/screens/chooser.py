@@ -7,7 +7,6 @@ row that Enter would choose, and ``>`` before it.
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass
 from typing import ClassVar
 
 from textual.app import ComposeResult
@@ -16,11 +15,12 @@ from textual.geometry import Offset
 from textual.screen import ModalScreen
 from textual.widgets import Input, Static
 
+from devices.ports.values import frozen
 from donnie_tui.tui.widgets.input_line import InputLine
 from donnie_tui.tui.widgets.text_rows import TextRows
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class Choice:
     """One row."""
 

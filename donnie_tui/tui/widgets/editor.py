@@ -7,6 +7,7 @@ mistake and ``?`` a hint, whose sentence stands behind the line where there is r
 
 from __future__ import annotations
 
+import re
 from collections.abc import Callable, Mapping
 from typing import TYPE_CHECKING, ClassVar
 
@@ -178,6 +179,15 @@ class Editor(TextArea):
         """Put the cursor there, both from 1, as near as there is text."""
         row = min(max(line, 1), self.document.line_count) - 1
         self.move_cursor((row, min(max(column, 1) - 1, len(self.document.get_line(row)))))
+
+    @property
+    def word(self) -> str:
+        """The word at the cursor, or right before it."""
+        row, column = self.cursor_location
+        text = self.document.get_line(row)
+        return next(
+            (each[0] for each in re.finditer(r"\w+", text) if each.start() <= column <= each.end()), ""
+        )
 
     @property
     def line(self) -> int:

@@ -1,0 +1,192 @@
+"""The full screen at work: the map's bytes and time, a key to the screen, a log of 100 000 lines.
+
+Ratios of one run on one machine, each measured in turns with what it is measured against (the targets are the
+specification's). Run: ``python benchmarks/screen.py``
+"""
+
+from __future__ import annotations
+
+import asyncio
+import contextlib
+import io
+import os
+import sys
+import tempfile
+import time
+import tracemalloc
+from collections.abc import AsyncIterator, Callable
+from pathlib import Path
+from statistics import median
+
+sys.path.insert(0, str(Path(__file__).resolve().parents[1]))
+os.environ["TEXTUAL_ANIMATIONS"] = "none"
+
+from rich.console import Console  # noqa: E402
+from textual.app import App, ComposeResult  # noqa: E402
+from textual.widgets import RichLog  # noqa: E402
+
+from devices.ports.robot import Pose  # noqa: E402
+from donnie_tui.bootstrap import assemble  # noqa: E402
+from donnie_tui.settings import Settings  # noqa: E402
+from donnie_tui.tui.app import DonnieApp  # noqa: E402
+from donnie_tui.tui.running import Doing  # noqa: E402
+from donnie_tui.tui.widgets.text_rows import TextRows  # noqa: E402
+
+FRAMES = 100
+LINES = 100_000
+THINGS = 1000
+
+
+@contextlib.asynccontextmanager
+async def screen(world: str = "living_room", size: tuple[int, int] = (120, 40)) -> AsyncIterator[DonnieApp]:
+    settings = Settings(world=world, speed=None, speech="off", sound=False, plain=False)
+    with tempfile.TemporaryDirectory() as folder:
+        app = DonnieApp(settings, assemble=lambda: assemble(settings, terminal=True), folder=Path(folder))
+        async with app.run_test(size=size) as pilot:
+            while app.work is None:
+                await pilot.pause(0.01)
+            await pilot.pause()
+            yield app
+        app.close_session()
+
+
+class Bytes:
+    """What the application would write to a terminal."""
+
+    def __init__(self, app: App[int]) -> None:
+        self.console = Console(file=io.StringIO(), force_terminal=True, color_system="truecolor", width=200)
+        self.app = app
+        self.count = 0
+        app._display = self._display  # type: ignore[method-assign]  # where every update passes
+
+    def _display(self, _screen: object, renderable: object) -> None:
+        if renderable is not None and hasattr(renderable, "render_segments"):
+            self.count += len(renderable.render_segments(self.console).encode())
+
+
+async def map_at_work(whole: bool, world: str) -> tuple[float, float]:
+    """Bytes and seconds for the frames of a walk; ``whole``: the map is painted anew each time."""
+    async with screen(world) as app:
+        written = Bytes(app)
+        place = app.workplace
+        began = time.process_time()
+        for frame in range(FRAMES):
+            pose = Pose(float(frame // 4 % 20), float(frame // 80), 90.0)
+            app.work.display.move((pose,))
+            if whole:
+                place.map.refresh()
+            await asyncio.sleep(0)
+            app.screen._on_timer_update()
+        return float(written.count), time.process_time() - began
+
+
+async def key_to_screen(busy: Callable[[DonnieApp], None] | None) -> float:
+    """Seconds from a key to its letter in the command line, the median of many."""
+    async with screen() as app:
+        if busy is not None:
+            busy(app)
+        line = app.workplace.command_line
+        line.focus()
+        taken = []
+        for _ in range(60):
+            before = line.value
+            began = time.perf_counter()
+            app.post_message(_key("x"))
+            while line.value == before or line._painted != (line.value, line.cursor_position):
+                await asyncio.sleep(0)
+            taken.append(time.perf_counter() - began)
+            await asyncio.sleep(0.01)
+        if app.work.running.doing is not Doing.READY:
+            app.work.halt()
+        return median(taken)
+
+
+def _key(letter: str) -> object:
+    from textual.events import Key
+
+    return Key(letter, letter)
+
+
+def walking(app: DonnieApp) -> None:
+    """The robot moves twenty times a second."""
+    poses = iter(range(10**9))
+    app.set_interval(1 / 20, lambda: app.work.display.move((Pose(float(next(poses) % 20), 5.0, 90.0),)))
+
+
+def computing(app: DonnieApp) -> None:
+    sys.setswitchinterval(0.001)
+    app.work.load("VAR x = 0\nWHILE 1 == 1 DO\nx = x + 1\nEND WHILE")
+    app.do("run")
+
+
+class Logs(App[None]):
+    def __init__(self, ours: bool) -> None:
+        super().__init__()
+        self.ours = ours
+
+    def compose(self) -> ComposeResult:
+        yield TextRows(id="log", follows=True) if self.ours else RichLog(wrap=True)
+
+
+async def log_of(ours: bool) -> tuple[float, float]:
+    """Seconds to append, bytes kept."""
+    app = Logs(ours)
+    lines = [f"I walked {number} steps forward." for number in range(LINES)]
+    async with app.run_test(size=(80, 24)) as pilot:
+        widget = app.query_one(TextRows if ours else RichLog)
+        await pilot.pause()
+        tracemalloc.start()
+        before = tracemalloc.get_traced_memory()[0]
+        began = time.perf_counter()
+        if ours:
+            for at in range(0, LINES, 100):
+                widget.append([(line, "moved") for line in lines[at : at + 100]])
+        else:
+            for line in lines:
+                widget.write(line)
+        taken = time.perf_counter() - began
+        kept = tracemalloc.get_traced_memory()[0] - before
+        tracemalloc.stop()
+        return taken, float(kept)
+
+
+def many_things(folder: str) -> str:
+    """A world with a thousand things."""
+    things = "\n".join(
+        f'crate( pose [ {at % 40 * 0.6:g} {at // 40 * 0.6 + 1:g} 0 0 ] name "crate{at}" color "red" )'
+        for at in range(THINGS)
+    )
+    path = Path(folder) / "many.world"
+    path.write_text(
+        "define crate model ( size [ 0.2 0.2 0.5 ] )\ndefine donnie position ( size [ 0.3 0.3 0.3 ] )\n"
+        f'donnie( pose [ 0 0 0 90 ] name "donnie" )\n{things}\n'
+    )
+    return str(path)
+
+
+def told(what: str, ratio: float, target: str) -> None:
+    print(f"{what:52} {ratio:7.3f}   target {target}")
+
+
+async def main() -> None:
+    with tempfile.TemporaryDirectory() as folder:
+        for name, world in (("living room", "living_room"), (f"{THINGS} things", many_things(folder))):
+            pairs = [(await map_at_work(False, world), await map_at_work(True, world)) for _ in range(3)]
+            told(
+                f"map, {name}: bytes to repainting it whole", median(a[0] / b[0] for a, b in pairs), "<= .06"
+            )
+            told(f"map, {name}: CPU to repainting it whole", median(a[1] / b[1] for a, b in pairs), "<= .45")
+            print(f"{'':52} {median(a[0] for a, _ in pairs) / FRAMES * 20 / 1000:7.2f}   kB/s at 20 Hz, <= 5")
+    rounds = [
+        (await key_to_screen(None), await key_to_screen(walking), await key_to_screen(computing))
+        for _ in range(3)
+    ]
+    told("key to screen, map moving, to idle", median(b / a for a, b, _ in rounds), "<= 1.3")
+    told("key to screen, program computing, to idle", median(c / a for a, _, c in rounds), "<= 2.5")
+    logs = [(await log_of(True), await log_of(False)) for _ in range(1)]
+    told("log of 100 000 lines: append to RichLog", median(a[0] / b[0] for a, b in logs), "<= .02")
+    told("log of 100 000 lines: memory to RichLog", median(a[1] / b[1] for a, b in logs), "<= .05")
+
+
+if __name__ == "__main__":
+    asyncio.run(main())
