@@ -121,6 +121,8 @@ USE_CASES = (
     UseCase("spell", "SPELL", "SOLETRAR", "DELETREAR", _ALWAYS, "count"),
     UseCase("find", "FIND", "BUSCAR", "BUSCAR", _ALWAYS, "word", required=True),
     UseCase("typed", "TYPED", "DIGITADO", "ESCRITO", _HELD, "count"),
+    UseCase("quiet", "QUIET", "SILÊNCIO", "SILENCIO", _ALWAYS),
+    UseCase("cues", "CUES", "SINAIS", "SEÑALES", argument="cue"),
     # --- the robot and its world
     UseCase("where", "WHERE", "ONDE", "DÓNDE", _ALWAYS),
     UseCase("around", "AROUND", "AO REDOR", "ALREDEDOR", _ALWAYS, "compass"),

@@ -16,6 +16,7 @@ from donnie_tui.linear import (
     robots,
     running,
     said,
+    sounding,
     surroundings,
     tour,
 )
@@ -40,6 +41,7 @@ HANDLERS: dict[str, Handler] = {
     **mending.HANDLERS,
     **reading.HANDLERS,
     **said.HANDLERS,
+    **sounding.HANDLERS,
     **surroundings.HANDLERS,
     **robots.HANDLERS,
     "connect": _connect,
