@@ -21,16 +21,16 @@ from statistics import median
 sys.path.insert(0, str(Path(__file__).resolve().parents[1]))
 os.environ["TEXTUAL_ANIMATIONS"] = "none"
 
-from rich.console import Console  # noqa: E402
-from textual.app import App, ComposeResult  # noqa: E402
-from textual.widgets import RichLog  # noqa: E402
+from rich.console import Console
+from textual.app import App, ComposeResult
+from textual.widgets import RichLog
 
-from devices.ports.robot import Pose  # noqa: E402
-from donnie_tui.bootstrap import assemble  # noqa: E402
-from donnie_tui.settings import Settings  # noqa: E402
-from donnie_tui.tui.app import DonnieApp  # noqa: E402
-from donnie_tui.tui.running import Doing  # noqa: E402
-from donnie_tui.tui.widgets.text_rows import TextRows  # noqa: E402
+from devices.ports.robot import Pose
+from donnie_tui.bootstrap import assemble
+from donnie_tui.settings import Settings
+from donnie_tui.tui.app import DonnieApp
+from donnie_tui.tui.running import Doing
+from donnie_tui.tui.widgets.text_rows import TextRows
 
 FRAMES = 100
 LINES = 100_000
