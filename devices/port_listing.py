@@ -4,9 +4,10 @@ from __future__ import annotations
 
 import os
 from collections.abc import Callable, Iterable
-from dataclasses import dataclass
 from pathlib import Path
 from typing import Protocol
+
+from devices.ports.values import frozen
 
 _ARDUINO = 0x2341
 _MEGAS = (0x0042, 0x0010)
@@ -23,7 +24,7 @@ class SystemPort(Protocol):
     pid: int | None
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class FoundPort:
     """A serial port that is plugged in."""
 

@@ -8,10 +8,11 @@ from __future__ import annotations
 
 import os
 from contextlib import ExitStack
-from dataclasses import dataclass, replace
+from dataclasses import replace
 from typing import TYPE_CHECKING, Protocol
 
 from devices.ports.audio import CuePlayer, Speaker, Urgency, Utterance
+from devices.ports.values import frozen
 from devices.speech.choose import Channel, ChannelReason, Choice, Facts, SpeakPlace, choose_channel
 from devices.speech.probe import look_around, ssip_address
 from donnie_tui.core.events import Answered, SoundSwitched, Stamped
@@ -187,7 +188,7 @@ def cue_volumes(settings: Settings) -> dict[str, float]:
     return {name: percent / 100 for name, percent in settings.cues.items()}
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class _Made:
     """What there is of voice and cues."""
 

@@ -11,11 +11,12 @@ import os
 import shutil
 import sys
 from collections.abc import Callable, Iterator, Mapping
-from dataclasses import dataclass, field
+from dataclasses import field
 from importlib.metadata import PackageNotFoundError, version
 from pathlib import Path
 from typing import TYPE_CHECKING
 
+from devices.ports.values import frozen
 from devices.sound.own_sounds import load, unknown_names
 from devices.speech.choose import Channel, choose_channel
 from devices.speech.probe import look_around
@@ -51,7 +52,7 @@ _ROOT = Path(__file__).resolve().parent.parent
 _WORKER_SECONDS = 12.0
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class Finding:
     """One line. ``code`` names its sentence, and ``code-remedy`` the one behind it if something is wrong."""
 

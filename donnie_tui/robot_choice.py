@@ -3,10 +3,10 @@
 from __future__ import annotations
 
 from collections.abc import Callable
-from dataclasses import dataclass
 
 from devices.port_listing import FoundPort, list_ports
 from devices.ports.robot import RobotProblem
+from devices.ports.values import frozen
 from devices.serial_port import PortProblem, group_of, is_same_port
 from donnie_tui.device_settings import DOUBLE, SERIAL, SIMULATED
 from donnie_tui.i18n.words import Words
@@ -16,7 +16,7 @@ from donnie_tui.unusable import Unusable
 Lister = Callable[[], tuple[FoundPort, ...]]
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class Choice:
     """One robot that a learner may choose."""
 

@@ -9,10 +9,11 @@ from __future__ import annotations
 import math
 import os
 from collections.abc import Callable, Mapping
-from dataclasses import dataclass, field
+from dataclasses import field
 from enum import Enum
 from pathlib import Path
 
+from devices.ports.values import frozen
 from donnie_tui.device_settings import (
     BUMPERS_WANTED,
     COLUMNS_WANTED,
@@ -68,7 +69,7 @@ class Source(Enum):
     DEFAULT = "default"
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class Notice:
     """Something about the settings that is told once: a code and its values."""
 
@@ -76,7 +77,7 @@ class Notice:
     values: Mapping[str, str]
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class Settings:
     """The choices of one start. ``speed`` None is as fast as possible; ``events`` a file or ``-``."""
 
@@ -156,7 +157,7 @@ class BadOption(Exception):
         self.wanted = wanted
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class Key:
     """One setting: its name on the command line, in the file and (with DONNIE_) in the environment."""
 

@@ -11,8 +11,9 @@ import binascii
 import os
 import re
 from collections.abc import Sequence
-from dataclasses import dataclass
 from pathlib import Path, PurePosixPath
+
+from devices.ports.values import frozen
 
 LARGEST = 32 * 1024 * 1024
 """Bytes of all files together; a world with two large pictures has a tenth of it."""
@@ -29,7 +30,7 @@ class BundleError(Exception):
         self.values = values
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class WorldBundle:
     """A world with everything that it reads."""
 

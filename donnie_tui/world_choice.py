@@ -7,12 +7,12 @@ configuration file chooses its world, the robots that it offers, and the real ro
 from __future__ import annotations
 
 import difflib
-from dataclasses import dataclass
 from pathlib import Path
 from typing import TYPE_CHECKING
 
 import worlds
 from devices.ports.robot import STEP, Pose
+from devices.ports.values import frozen
 from donnie_tui.i18n.words import Words
 from donnie_tui.i18n.world_mistakes import world_mistake
 from donnie_tui.unusable import Unusable
@@ -26,7 +26,7 @@ WITHOUT_WORLD = "open_floor"
 """Where a configuration file asks for a real robot only: something to draw it on."""
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class ChosenWorld:
     """A world that was loaded. ``name`` is what the event stream calls it, whichever folder it came from."""
 

@@ -11,9 +11,10 @@ LanguageError             the family
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import dataclass, field
+from dataclasses import field
 from enum import Enum
 
+from devices.ports.values import frozen
 from language.syntax import Span
 
 MOST_MISTAKES = 100
@@ -54,7 +55,7 @@ class Severity(Enum):
     HINT = "hint"
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class Diagnostic:
     """One mistake, or one hint."""
 
@@ -75,7 +76,7 @@ class Diagnostic:
     severity: Severity = Severity.ERROR
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class CallSite:
     """One level of the call stack of a mistake: the procedure's name as declared, and where it was called."""
 

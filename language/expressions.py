@@ -13,8 +13,8 @@ from __future__ import annotations
 
 import ast
 from collections.abc import Callable
-from dataclasses import dataclass
 
+from devices.ports.values import frozen
 from language.arithmetic import LIMIT, SAFE_BITS
 from language.building import (
     Sites,
@@ -43,7 +43,7 @@ VARIABLE = "v_"
 """What the Python name of a variable begins with."""
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class Bounds:
     """What is known about the variables of a scope, by name."""
 
@@ -51,7 +51,7 @@ class Bounds:
     natural: Callable[[str], bool]
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class _Value:
     """A translated expression."""
 

@@ -8,8 +8,7 @@ second time.
 
 from __future__ import annotations
 
-from dataclasses import dataclass
-
+from devices.ports.values import frozen
 from language.diagnostics import Diagnostic
 from language.layout import laid_out
 from language.lexer import lex
@@ -19,7 +18,7 @@ from language.syntax import walk
 from language.translation import Translation
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class Formatted:
     """The canonical text, or None and why."""
 

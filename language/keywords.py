@@ -9,18 +9,18 @@ and the letters of directions and axes are ordinary names everywhere else.
 from __future__ import annotations
 
 from collections.abc import Iterable, Mapping
-from dataclasses import dataclass
 from functools import cache
 from types import MappingProxyType
 
 from devices.ports.robot import Bearing
+from devices.ports.values import frozen
 from language.source import fold_name
 from language.syntax import Axis
 
 LANGUAGES = ("en", "pt", "es")
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class Word:
     """One form of one keyword: FW and FORWARD are two words of the same terminal."""
 
@@ -34,7 +34,7 @@ class Word:
     """By language; the canonical spelling of the language first."""
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class Argument:
     """A word that means something only behind certain keywords."""
 

@@ -9,10 +9,11 @@ A token is a plain tuple, because a program has many: kind, start, end, line, co
 from __future__ import annotations
 
 import re
-from dataclasses import dataclass, field
+from dataclasses import field
 from functools import cache
 from typing import TypeAlias
 
+from devices.ports.values import frozen
 from language.diagnostics import Diagnostic, Kind
 from language.keywords import END_WORDS, FIRST_OF_SEVERAL, argument
 from language.keywords import TERMINALS as WORD_TERMINALS
@@ -79,7 +80,7 @@ def _pieces(is_ascii: bool) -> re.Pattern[str]:
     return re.compile(_PIECES.format(mark=mark, quotes=_QUOTES), re.DOTALL | (re.ASCII if is_ascii else 0))
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class Comment:
     start: int
     end: int
@@ -88,7 +89,7 @@ class Comment:
     """The index of the token that it stands before; in a keyword of two words, of the one behind it."""
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class Lexed:
     """What a text consists of, white space apart."""
 

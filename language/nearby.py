@@ -9,9 +9,9 @@ from __future__ import annotations
 
 import re
 from collections.abc import Collection, Iterable
-from dataclasses import dataclass
 from functools import cache, lru_cache
 
+from devices.ports.values import frozen
 from language.keywords import TERMINALS as WORD_TERMINALS
 from language.keywords import all_words, argument, folded_word, languages_of
 from language.lexer import TAKES
@@ -22,7 +22,7 @@ LONGEST = 40
 """Letters; nothing of ours is near to a longer word."""
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class Near:
     """The words as they are written, and the terminal that they begin with."""
 

@@ -8,14 +8,14 @@ from __future__ import annotations
 
 from collections import Counter
 from collections.abc import Iterator
-from dataclasses import dataclass
 
+from devices.ports.values import frozen
 from language.blocks import ENDS, OPENERS
 from language.lexer import NAME, Token, lex
 from language.tables import TERMINALS
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class OutlineItem:
     """A block: ``IF``, ``FOR``, ``REPEAT``, ``WHILE`` or ``PROCEDURE``."""
 
@@ -31,7 +31,7 @@ class OutlineItem:
     """Whether it has an END of its own."""
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class _Open:
     kind: str
     index: int

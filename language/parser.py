@@ -8,9 +8,9 @@ Rule: whatever the text, the answer is a program or mistakes, in time and memory
 from __future__ import annotations
 
 from collections.abc import Callable
-from dataclasses import dataclass
 from typing import Any
 
+from devices.ports.values import frozen
 from language.colours import unseen_colours
 from language.diagnostics import Diagnostic, Kind
 from language.lexer import Lexed, Token, lex
@@ -24,7 +24,7 @@ SHALLOW = 200
 _REDUCTION_NAMES = [rule[2] for rule in RULES]
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class Parsed:
     """A program, or None and why."""
 

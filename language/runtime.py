@@ -11,6 +11,7 @@ from dataclasses import dataclass, field
 from typing import Any, Protocol
 
 from devices.ports.robot import Bearing
+from devices.ports.values import frozen
 from language.syntax import Axis
 
 
@@ -65,7 +66,7 @@ class Memory:
     """By folded name; what the compiler made of them, opaque to everybody else."""
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class Frame:
     """One level of a running program, for front ends: the program itself or a procedure."""
 

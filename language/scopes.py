@@ -4,12 +4,12 @@ from __future__ import annotations
 
 from collections import Counter
 from collections.abc import Iterator
-from dataclasses import dataclass
 
+from devices.ports.values import frozen
 from language.syntax import Call, Declare, For, Name, Procedure, Program, Statement, blocks_of
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class Declared:
     """A procedure that was declared, as a later batch finds it in the memory."""
 
@@ -21,7 +21,7 @@ class Declared:
         return self.program.typed(self.procedure.name.span)
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class Scope:
     """A program without its procedures, or one procedure without those that are declared in it."""
 

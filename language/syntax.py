@@ -6,11 +6,11 @@ Names are folded (lower case, no accents); what was typed is ``program.source[sp
 from __future__ import annotations
 
 from collections.abc import Iterator
-from dataclasses import dataclass
 from enum import Enum
 from typing import ClassVar, TypeAlias
 
 from devices.ports.robot import Bearing
+from devices.ports.values import frozen
 
 
 class Node:
@@ -36,7 +36,7 @@ class Node:
         return f"{type(self).__name__}({', '.join(fields)})"
 
 
-@dataclass(frozen=True, slots=True, eq=False, repr=False)
+@frozen
 class Span(Node):
     """A stretch of source text: offsets in characters, line and column of its start from 1."""
 
@@ -67,19 +67,19 @@ class Side(Enum):
 # --- expressions ---------------------------------------------------------------------------------
 
 
-@dataclass(frozen=True, slots=True, eq=False, repr=False)
+@frozen
 class Number(Node):
     span: Span
     value: int
 
 
-@dataclass(frozen=True, slots=True, eq=False, repr=False)
+@frozen
 class Name(Node):
     span: Span
     name: str
 
 
-@dataclass(frozen=True, slots=True, eq=False, repr=False)
+@frozen
 class Negative(Node):
     """One sign before an operand. A plus sign leaves no node."""
 
@@ -87,7 +87,7 @@ class Negative(Node):
     operand: Expression
 
 
-@dataclass(frozen=True, slots=True, eq=False, repr=False)
+@frozen
 class Binary(Node):
     span: Span
     operator: str
@@ -96,19 +96,19 @@ class Binary(Node):
     right: Expression
 
 
-@dataclass(frozen=True, slots=True, eq=False, repr=False)
+@frozen
 class Distance(Node):
     span: Span
     bearing: Bearing
 
 
-@dataclass(frozen=True, slots=True, eq=False, repr=False)
+@frozen
 class Position(Node):
     span: Span
     axis: Axis
 
 
-@dataclass(frozen=True, slots=True, eq=False, repr=False)
+@frozen
 class Colour(Node):
     span: Span
     colour: str
@@ -118,7 +118,7 @@ class Colour(Node):
 Expression: TypeAlias = Number | Name | Negative | Binary | Distance | Position | Colour
 
 
-@dataclass(frozen=True, slots=True, eq=False, repr=False)
+@frozen
 class Condition(Node):
     span: Span
     comparator: str
@@ -127,7 +127,7 @@ class Condition(Node):
     right: Expression
 
 
-@dataclass(frozen=True, slots=True, eq=False, repr=False)
+@frozen
 class Text(Node):
     span: Span
     text: str
@@ -136,7 +136,7 @@ class Text(Node):
 # --- statements ----------------------------------------------------------------------------------
 
 
-@dataclass(frozen=True, slots=True, eq=False, repr=False)
+@frozen
 class Declare(Node):
     """VAR name, VAR name = value. ``value`` is None where none is given: the variable starts at 0."""
 
@@ -145,62 +145,62 @@ class Declare(Node):
     value: Expression | None
 
 
-@dataclass(frozen=True, slots=True, eq=False, repr=False)
+@frozen
 class Assign(Node):
     span: Span
     name: Name
     value: Expression
 
 
-@dataclass(frozen=True, slots=True, eq=False, repr=False)
+@frozen
 class Speak(Node):
     span: Span
     what: Expression | Text
 
 
-@dataclass(frozen=True, slots=True, eq=False, repr=False)
+@frozen
 class Sound(Node):
     span: Span
     on: bool
 
 
-@dataclass(frozen=True, slots=True, eq=False, repr=False)
+@frozen
 class Walk(Node):
     span: Span
     direction: Direction
     steps: Expression
 
 
-@dataclass(frozen=True, slots=True, eq=False, repr=False)
+@frozen
 class Turn(Node):
     span: Span
     side: Side
     degrees: Expression
 
 
-@dataclass(frozen=True, slots=True, eq=False, repr=False)
+@frozen
 class Scan(Node):
     span: Span
 
 
-@dataclass(frozen=True, slots=True, eq=False, repr=False)
+@frozen
 class State(Node):
     span: Span
 
 
-@dataclass(frozen=True, slots=True, eq=False, repr=False)
+@frozen
 class History(Node):
     span: Span
 
 
-@dataclass(frozen=True, slots=True, eq=False, repr=False)
+@frozen
 class TellPosition(Node):
     """POS on a line of its own: says the whole pose."""
 
     span: Span
 
 
-@dataclass(frozen=True, slots=True, eq=False, repr=False)
+@frozen
 class Unused(Node):
     """A sensor on a line of its own: read by nobody, does nothing; the checker hints at SPEAK."""
 
@@ -208,25 +208,25 @@ class Unused(Node):
     value: Distance | Position | Colour
 
 
-@dataclass(frozen=True, slots=True, eq=False, repr=False)
+@frozen
 class Wait(Node):
     span: Span
     seconds: Expression
 
 
-@dataclass(frozen=True, slots=True, eq=False, repr=False)
+@frozen
 class BeltSwitch(Node):
     span: Span
     on: bool
 
 
-@dataclass(frozen=True, slots=True, eq=False, repr=False)
+@frozen
 class Vibrate(Node):
     span: Span
     bearing: Bearing
 
 
-@dataclass(frozen=True, slots=True, eq=False, repr=False)
+@frozen
 class Help(Node):
     """HELP, HELP word. ``topic`` is the word as it was typed, or None."""
 
@@ -234,19 +234,19 @@ class Help(Node):
     topic: str | None
 
 
-@dataclass(frozen=True, slots=True, eq=False, repr=False)
+@frozen
 class Quit(Node):
     span: Span
 
 
-@dataclass(frozen=True, slots=True, eq=False, repr=False)
+@frozen
 class RunTyped(Node):
     """RUN: a word of the terminal, as QUIT is."""
 
     span: Span
 
 
-@dataclass(frozen=True, slots=True, eq=False, repr=False)
+@frozen
 class If(Node):
     span: Span
     condition: Condition
@@ -254,7 +254,7 @@ class If(Node):
     otherwise: tuple[Statement, ...] | None
 
 
-@dataclass(frozen=True, slots=True, eq=False, repr=False)
+@frozen
 class For(Node):
     span: Span
     start: Declare | Assign
@@ -263,21 +263,21 @@ class For(Node):
     body: tuple[Statement, ...]
 
 
-@dataclass(frozen=True, slots=True, eq=False, repr=False)
+@frozen
 class Repeat(Node):
     span: Span
     times: Expression
     body: tuple[Statement, ...]
 
 
-@dataclass(frozen=True, slots=True, eq=False, repr=False)
+@frozen
 class While(Node):
     span: Span
     condition: Condition
     body: tuple[Statement, ...]
 
 
-@dataclass(frozen=True, slots=True, eq=False, repr=False)
+@frozen
 class Procedure(Node):
     span: Span
     name: Name
@@ -285,7 +285,7 @@ class Procedure(Node):
     body: tuple[Statement, ...]
 
 
-@dataclass(frozen=True, slots=True, eq=False, repr=False)
+@frozen
 class Call(Node):
     span: Span
     name: Name
@@ -321,7 +321,7 @@ Statement: TypeAlias = (
 Block: TypeAlias = If | For | Repeat | While | Procedure
 
 
-@dataclass(frozen=True, slots=True, eq=False, repr=False)
+@frozen
 class Program(Node):
     source: str
     body: tuple[Statement, ...]

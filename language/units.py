@@ -2,15 +2,15 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
 from types import CodeType
 
+from devices.ports.values import frozen
 from language.building import Node
 from language.scopes import Declared
 from language.syntax import Procedure, Program, Span
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class Header:
     """The sites at which the variable of a FOR header exists."""
 
@@ -19,7 +19,7 @@ class Header:
     last: int
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class Unit:
     """One compiled scope."""
 

@@ -3,9 +3,9 @@
 from __future__ import annotations
 
 from collections.abc import Iterable
-from dataclasses import dataclass
 from math import hypot
 
+from devices.ports.values import frozen
 from sim.geometry import Edge, Point, contains, edges, nearest_on_edge, placed, seen_from
 from sim.scene import Scene
 
@@ -15,7 +15,7 @@ ROUND = 0.9
 Outline = tuple[Point, ...]
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class Body:
     """Polygons in the robot's own frame."""
 

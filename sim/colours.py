@@ -3,13 +3,14 @@
 from __future__ import annotations
 
 from colorsys import rgb_to_hsv
-from dataclasses import dataclass
+
+from devices.ports.values import frozen
 
 FAMILIES = ("red", "green", "blue", "yellow", "orange", "pink", "gray")
 """The colour words of the language."""
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class Colour:
     """A colour of a model. Components from 0 to 1."""
 

@@ -5,14 +5,15 @@ Metres, kilograms, seconds, and degrees counter-clockwise, each in the frame of 
 
 from __future__ import annotations
 
-from dataclasses import dataclass, field
+from dataclasses import field
 from enum import Enum
 
+from devices.ports.values import frozen
 from sim.colours import Colour
 from sim.placement import Placement
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class RangeNoise:
     """How far off a range sensor may be; without a seed it is never off.
 
@@ -27,7 +28,7 @@ class RangeNoise:
     """Degrees."""
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class RangeSensor:
     """One sensor of a ranger, in the ranger's frame."""
 
@@ -43,7 +44,7 @@ class RangeSensor:
     """Metres up and down; it looks from the middle of that."""
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class Blobfinder:
     """What a blobfinder tells apart, and where it looks."""
 
@@ -56,7 +57,7 @@ class Blobfinder:
     """Pixels, across and down."""
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class FiducialFinder:
     """Finds the models that have a ``fiducial_return`` and the same key."""
 
@@ -67,7 +68,7 @@ class FiducialFinder:
     fov: float = 180.0
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class Bumper:
     """One bumper: a bar of that length across the direction in which its pose looks, touched or not."""
 
@@ -75,7 +76,7 @@ class Bumper:
     length: float
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class Camera:
     """Kept so that its field of view can be drawn; no picture is made."""
 
@@ -87,7 +88,7 @@ class Camera:
     tilt: float = 0.0
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class Gripper:
     """Two paddles that close round a thing, and a lift. Proportions of the model's size, as in Stage."""
 
@@ -117,7 +118,7 @@ Bounds = tuple[float, float]
 """The least and the most."""
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class Limits:
     """Bounds of a velocity (or, a second more, of an acceleration): metres and degrees a second."""
 
@@ -126,7 +127,7 @@ class Limits:
     yaw: Bounds = (-90.0, 90.0)
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class OdometryError:
     """The most that odometry is off, as a part of what is driven or turned.
 
@@ -138,7 +139,7 @@ class OdometryError:
     yaw: float = 0.05
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class Wheels:
     """How a position model drives, and what it knows about where it is."""
 

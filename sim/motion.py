@@ -7,10 +7,11 @@ that needs a closer look. ``careful`` looks at every step; both give the same (a
 from __future__ import annotations
 
 from collections.abc import Callable, Container
-from dataclasses import dataclass, replace
+from dataclasses import replace
 from math import floor, hypot, inf
 
 from devices.ports.robot import STEP, Bearing, StoppedBy
+from devices.ports.values import frozen
 from sim.body import Body, Outline, body_of
 from sim.geometry import disc_contact, edges, outline_contact, overlapping, placed, seen_from, turn_contact
 from sim.ground import Ground
@@ -33,7 +34,7 @@ def _always() -> bool:
     return True
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class Walk:
     """What becomes of a walk."""
 
@@ -43,7 +44,7 @@ class Walk:
     """None with fewer steps than asked: there is something that gives way, and has to be pushed."""
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class Contact:
     """What a body meets first on its way, and after how many metres; infinity if the way is free."""
 

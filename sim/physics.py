@@ -6,8 +6,8 @@ A part inside which its centre stands from the start, such as a floor drawn as a
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass
 
+from devices.ports.values import frozen
 from sim.geometry import Point
 from sim.ground import Ground
 from sim.parts import Part
@@ -20,7 +20,7 @@ SAFE = 1e-6
 """Metres by which a circle of free room is taken smaller."""
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class _Room:
     """A circle in which nothing comes near, as long as nothing has changed."""
 

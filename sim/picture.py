@@ -7,11 +7,12 @@ stands in the middle of a cell. Walls are ``#``, free floor is ``.``, things hav
 from __future__ import annotations
 
 from collections.abc import Iterable, Iterator
-from dataclasses import dataclass, field
+from dataclasses import field
 from math import ceil, floor
 from string import ascii_lowercase
 
 from devices.ports.robot import STEP
+from devices.ports.values import frozen
 from sim.geometry import Point
 from sim.raster import Raster, covered
 from sim.scene import Model, Scene
@@ -27,7 +28,7 @@ _TAKEN = "aov"
 _WALL_KINDS = ("wall", "floorplan", "room", "map")
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class Thing:
     """One thing of the world that is neither wall nor the robot."""
 
@@ -53,7 +54,7 @@ class Thing:
     """Its number among the world's models, by which events tell that it was moved."""
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class Drawing:
     """What stands in the world as lines: each wall, thing and robot with its outlines, in steps."""
 
@@ -64,7 +65,7 @@ class Drawing:
     """Its outlines are the pieces of one shape."""
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class Picture:
     """A grid. The cell in the bottom left corner has its middle at ``left``, ``bottom`` (steps)."""
 
@@ -88,7 +89,7 @@ class Picture:
         return (row, column) if 0 <= row < self.height and 0 <= column < self.width else None
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class _Shape:
     """A top-level model with its outlines, in steps."""
 

@@ -2,12 +2,11 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
-
+from devices.ports.values import frozen
 from sim.geometry import direction
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class Placement:
     """Where something stands and where it looks."""
 

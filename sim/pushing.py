@@ -6,8 +6,9 @@ pushed into a wall, another robot, or what another robot holds. Turning pushes n
 
 from __future__ import annotations
 
-from dataclasses import dataclass, replace
+from dataclasses import replace
 
+from devices.ports.values import frozen
 from sim.geometry import Edge, Point, direction, edges, outline_contact, overlapping, seen_from
 from sim.ground import Ground
 from sim.motion import NO_CONTACT, WIDEST_SKIN, Contact, Mover, less_skin
@@ -18,7 +19,7 @@ MOST = 20
 """Things that one robot can push at a time; one more is like a wall."""
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class Advance:
     """A short way straight on: how many metres of it are free, and what it takes along for how many."""
 

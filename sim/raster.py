@@ -7,15 +7,15 @@ grid's cells, so that touching the rim of a cell does not count.
 from __future__ import annotations
 
 from collections.abc import Iterator
-from dataclasses import dataclass
 from math import ceil, floor
 
+from devices.ports.values import frozen
 from sim.geometry import Edge, Point, edges
 
 _FUZZ = 1e-9
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class Raster:
     """A grid. The middle of its cell 0, 0 is at ``left``, ``bottom``."""
 

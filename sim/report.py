@@ -3,8 +3,10 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import dataclass, field
+from dataclasses import field
 from enum import Enum
+
+from devices.ports.values import frozen
 
 
 class NoteKind(Enum):
@@ -13,7 +15,7 @@ class NoteKind(Enum):
     WARNING = "warning"
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class Note:
     """One remark. Codes: ``unknown-property`` (name, nearest), ``unused-property`` (name), ``not-simulated``
     (type, name), ``second-define`` (name), ``unknown-colour`` (name, nearest), ``lone-sensor`` (name),
@@ -28,7 +30,7 @@ class Note:
     details: Mapping[str, str | int | float] = field(default_factory=dict)
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class LoadReport:
     """What became of a world file: models by type, and everything that is worth telling."""
 

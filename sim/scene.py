@@ -6,8 +6,8 @@ Metres, and degrees counter-clockwise from the x axis, as Stage has them.
 from __future__ import annotations
 
 from collections.abc import Iterator, Mapping
-from dataclasses import dataclass
 
+from devices.ports.values import frozen
 from sim.colours import Colour
 from sim.fittings import Blobfinder, Bumper, Camera, FiducialFinder, Gripper, RangeSensor, Wheels
 from sim.geometry import Point, placed, signed_area
@@ -15,7 +15,7 @@ from sim.placement import Placement
 from sim.report import LoadReport
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class Polygon:
     """A block of a model, in the model's frame."""
 
@@ -24,7 +24,7 @@ class Polygon:
     top: float
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class Model:
     """One thing, or a part of one."""
 
@@ -108,7 +108,7 @@ class Model:
         return self.ranger_return >= 0 and (self.solid or self.size[2] > 0.02)
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class Scene:
     """A whole world. A model's ``index``, ``parent`` and ``root`` count into ``models``."""
 

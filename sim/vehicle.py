@@ -2,10 +2,10 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
 from math import inf, radians
 
 from devices.ports.robot import STEP, Grip, Motion, Watcher
+from devices.ports.values import frozen
 from sim.clock import SLICE, Clock
 from sim.hand import Hand
 from sim.motion import Mover
@@ -21,7 +21,7 @@ CLEARANCE = 0.3
 """Metres: a robot that has that much room more than it needs looks around again only after a while."""
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class Whereabouts:
     """Where a robot is, and where it believes to be."""
 

@@ -6,10 +6,10 @@ acceleration is not simulated. Odometry counts with an error that is drawn once,
 
 from __future__ import annotations
 
-from dataclasses import dataclass
 from random import Random
 
 from devices.ports.robot import STEP, RobotProblem
+from devices.ports.values import frozen
 from sim.fittings import Drive, Limits, Localization, Wheels
 from sim.sensors import Spot
 
@@ -19,7 +19,7 @@ LEAST = 1e-3
 """A velocity below this part of the usual one is none: a command would take for ever."""
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class Rates:
     """How fast a robot is. 0: it can't do that."""
 
@@ -69,7 +69,7 @@ def turning(rate: float) -> float:
     return rate
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class Odometry:
     """How a robot's belief about where it is follows from what it drives. Errors are parts of the whole."""
 

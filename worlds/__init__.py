@@ -7,9 +7,10 @@ worlds of the manual's chapter on world files, step by step.
 from __future__ import annotations
 
 import tomllib
-from dataclasses import dataclass
 from enum import Enum
 from pathlib import Path
+
+from devices.ports.values import frozen
 
 SCENES = Path(__file__).resolve().parent / "scenes"
 """The folder with the world files of the scenarios and what they include."""
@@ -36,7 +37,7 @@ class Difficulty(Enum):
     """A program that decides for itself."""
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class About:
     """What is said of a world in one language."""
 

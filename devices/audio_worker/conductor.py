@@ -39,6 +39,7 @@ from devices.audio_worker.notices import AudioNotice, NoticeCode
 from devices.audio_worker.steps import Kill, Send, Start, Step, Tell
 from devices.audio_worker.watch import ANSWER_LIMIT, HUSH_LIMIT, START_LIMIT, Due, Failures, Watch
 from devices.ports.audio import Cue, Utterance
+from devices.ports.values import frozen
 from devices.sound.cue_policy import NEVER_LEFT_OUT, CuePolicy
 from devices.sound.tones import CUE_NAMES, seconds_of
 from devices.speech.ear import for_the_ear
@@ -91,7 +92,7 @@ class _Sentence:
     tries: int
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class _WaitingCue:
     cue: Cue
     due: float

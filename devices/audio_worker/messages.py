@@ -7,10 +7,12 @@ no sense is left out all the same, since the pipe must never be what brings Donn
 from __future__ import annotations
 
 import json
-from dataclasses import asdict, dataclass
+from dataclasses import asdict
+
+from devices.ports.values import frozen
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class Say:
     """Speak one sentence. Answered by ``Started`` and ``Finished``, or by ``Refused``."""
 
@@ -22,7 +24,7 @@ class Say:
     volume: float
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class PlayCue:
     """Play a cue in ``delay`` seconds. Not answered."""
 
@@ -33,7 +35,7 @@ class PlayCue:
     delay: float
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class Hush:
     """Be silent at once. Answered by ``Hushed``."""
 
@@ -42,28 +44,28 @@ class Hush:
     cues: bool
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class Ping:
     """Are you there? Answered by ``Pong``."""
 
     number: int
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class SoundReady:
     """A player was opened; ``player`` is empty where nothing makes a sound."""
 
     player: str
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class VoiceReady:
     """The voice is loaded for ``languages``; empty where there is none."""
 
     languages: list[str]
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class Started:
     """A sentence of ``seconds`` is being heard."""
 
@@ -71,26 +73,26 @@ class Started:
     seconds: float
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class Finished:
     """A sentence was heard to its end."""
 
     number: int
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class Refused:
     """There is no voice for the sentence's language after all."""
 
     number: int
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class Hushed:
     number: int
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class Pong:
     """``frames`` is the player's heartbeat, -1 if it has none."""
 

@@ -2,8 +2,9 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
 from enum import Enum
+
+from devices.ports.values import frozen
 
 
 class NoticeCode(Enum):
@@ -25,7 +26,7 @@ class NoticeCode(Enum):
     """speech-dispatcher was lost three times in a minute. Everything is in print until the next start."""
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class AudioNotice:
     """One thing to be told."""
 

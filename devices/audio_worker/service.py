@@ -11,7 +11,7 @@ from __future__ import annotations
 import threading
 import time
 from collections.abc import Callable, Mapping
-from dataclasses import dataclass, field
+from dataclasses import field
 from pathlib import Path
 from typing import assert_never
 
@@ -21,6 +21,7 @@ from devices.audio_worker.notices import AudioNotice
 from devices.audio_worker.process import WorkerProcess
 from devices.audio_worker.steps import Kill, Send, Start, Step, Tell
 from devices.ports.audio import Cue, Utterance
+from devices.ports.values import frozen
 from devices.sound.player import AUTO_DEVICE
 from devices.speech.voices import VoiceSettings
 
@@ -30,7 +31,7 @@ _AWAY = 0.5
 _CLOSING_SECONDS = 2.0
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class AudioSettings:
     """How Donnie sounds, and through what."""
 

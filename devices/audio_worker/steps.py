@@ -2,30 +2,29 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
-
 from devices.audio_worker.messages import Order
 from devices.audio_worker.notices import AudioNotice
+from devices.ports.values import frozen
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class Start:
     """Start a worker. ``prefer_bundled_voice`` after one that died loading the system's."""
 
     prefer_bundled_voice: bool
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class Send:
     order: Order
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class Kill:
     """End the worker and everything that it started."""
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class Tell:
     notice: AudioNotice
 

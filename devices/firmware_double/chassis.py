@@ -2,17 +2,17 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
 from math import cos, exp, pi, sin
 
 from devices.firmware_double.surroundings import Place, Surroundings
+from devices.ports.values import frozen
 from devices.wire.commands import Drive
 
 Rates = tuple[float, float]
 """Counts a second of the right wheel and of the left one."""
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class Chassis:
     """A robot's mechanics. Lengths in metres. The speeds are the ones recorded, made equal on both sides: the
     real board gives its wheels 115 and 120 of 255 so that the robot goes straight."""

@@ -6,9 +6,9 @@ After AA it waits for BB for ever, and says so at each byte. A LEN above 50 is f
 
 from __future__ import annotations
 
-from dataclasses import dataclass
 from enum import Enum, auto
 
+from devices.ports.values import frozen
 from devices.wire.checksum import checksum
 from devices.wire.commands import HEADER, LONGEST
 
@@ -21,7 +21,7 @@ class _State(Enum):
     CHECKSUM = auto()
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class Taken:
     """What one byte came to: text that is printed, and a good frame's TYPE and DATA if it was its last."""
 

@@ -3,13 +3,14 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass
 from enum import Enum
 from math import atan2, cos, hypot, pi, radians, sin
 from typing import Protocol
 
+from devices.ports.values import frozen
 
-@dataclass(frozen=True, slots=True)
+
+@frozen
 class Place:
     """Of the middle of the robot's axle."""
 

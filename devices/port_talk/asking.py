@@ -7,12 +7,12 @@ then it tells its battery; that does not move it.
 from __future__ import annotations
 
 from collections.abc import Callable
-from dataclasses import dataclass
 from enum import Enum
 
 from devices.belt.frame import BAUD as BELT_BAUD
 from devices.belt.frame import RESYNC
 from devices.port_talk.line import Line, PortLine, hold
+from devices.ports.values import frozen
 from devices.wire.commands import CONFIGURE
 from devices.wire.decoder import Decoder
 from devices.wire.reports import ConfigWanted, Power, Report
@@ -35,7 +35,7 @@ class Answer(Enum):
     NOTHING = "nothing"
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class Found:
     """What was found out about a port."""
 

@@ -2,9 +2,10 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
 from enum import Enum
 from typing import Protocol
+
+from devices.ports.values import frozen
 
 
 class Urgency(Enum):
@@ -18,7 +19,7 @@ class Urgency(Enum):
     HINT = 4
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class Utterance:
     """One sentence to be spoken, exactly as it was printed."""
 
@@ -28,7 +29,7 @@ class Utterance:
     """``en``, ``pt`` or ``es``."""
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class Cue:
     """A short sound with a direction and, where it has one, a distance."""
 

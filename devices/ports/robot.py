@@ -8,9 +8,10 @@ pace that the robot was made with tells it to.
 
 from __future__ import annotations
 
-from dataclasses import dataclass
 from enum import Enum
 from typing import Protocol
+
+from devices.ports.values import frozen
 
 STEP = 0.05
 """Metres in a step (the manual gives none; fixed by the language specification, section 4)."""
@@ -51,7 +52,7 @@ class Motion(Enum):
     LEFT = "left"
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class Pose:
     """A place and a direction: x steps to the east, y steps to the north, heading in compass degrees."""
 
@@ -60,7 +61,7 @@ class Pose:
     heading: float
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class Moved:
     """A finished walk. ``asked`` and ``walked`` are whole steps, in the direction of the command."""
 
@@ -70,7 +71,7 @@ class Moved:
     pose: Pose
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class Turned:
     """A finished turn. ``asked`` and ``turned`` are whole degrees, positive to the right."""
 
@@ -80,7 +81,7 @@ class Turned:
     pose: Pose
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class Sighting:
     """One thing that the robot sees."""
 
@@ -104,7 +105,7 @@ class Grip(Enum):
     HOLDS_NOTHING = "holds-nothing"
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class Gripped:
     """A finished attempt to grip or to release. ``name``: the thing's, or empty where it has none."""
 

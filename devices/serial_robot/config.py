@@ -2,10 +2,10 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
 from math import pi
 
 from devices.ports.robot import STEP, Bearing
+from devices.ports.values import frozen
 
 _CLOCKWISE_FROM_FRONT_RIGHT = (
     Bearing.FRONT_RIGHT,
@@ -17,7 +17,7 @@ _CLOCKWISE_FROM_FRONT_RIGHT = (
 )
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class RobotConfig:
     """Lengths in metres, angles in degrees, times in seconds. A calibration writes down the first three."""
 

@@ -7,9 +7,9 @@ whether there may be another step, and why a movement ends before its end. All w
 from __future__ import annotations
 
 from collections.abc import Callable
-from dataclasses import dataclass
 
 from devices.ports.robot import Pace, StoppedBy
+from devices.ports.values import frozen
 from devices.serial_robot.config import RobotConfig
 from devices.serial_robot.line import RobotLine
 from devices.wire.commands import Drive
@@ -25,7 +25,7 @@ SETTLED = 0.06
 """Seconds without a count after which a wheel stands."""
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class Aim:
     """What a movement is to come to. ``unit`` is in counts: of a step, or of a degree."""
 

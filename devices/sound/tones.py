@@ -10,11 +10,12 @@ from __future__ import annotations
 import math
 from array import array
 from collections.abc import Mapping
-from dataclasses import dataclass, replace
+from dataclasses import replace
 from functools import lru_cache
 from types import MappingProxyType
 
 from devices.ports.audio import Cue
+from devices.ports.values import frozen
 
 SAMPLE_RATE = 22_050
 """Frames a second, the rate of espeak-ng's voices."""
@@ -37,7 +38,7 @@ _DULLNESS = 0.9
 """Of the low-pass for what is straight behind; 0 would let everything through."""
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class _Tone:
     start: float
     """Hertz; 0 is silence."""
@@ -47,7 +48,7 @@ class _Tone:
     """Strengths of the fundamental and its overtones."""
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class _Recipe:
     tones: tuple[_Tone, ...]
     bearing: float = 0.0

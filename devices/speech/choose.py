@@ -6,8 +6,10 @@ is guessed, but never over what is possible: without a voice or a sound device i
 
 from __future__ import annotations
 
-from dataclasses import dataclass, replace
+from dataclasses import replace
 from enum import Enum
+
+from devices.ports.values import frozen
 
 
 class Channel(Enum):
@@ -60,7 +62,7 @@ class SpeakPlace(Enum):
     BOTH = "both"
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class Facts:
     """What is known about the surroundings before anything is started."""
 
@@ -77,7 +79,7 @@ class Facts:
     has_real_robot: bool = False
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class Choice:
     """A channel, and why."""
 

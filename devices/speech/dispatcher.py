@@ -9,15 +9,16 @@ from __future__ import annotations
 import socket
 from collections.abc import Mapping
 from contextlib import closing
-from dataclasses import dataclass
 from pathlib import Path
+
+from devices.ports.values import frozen
 
 _DEFAULT_PORT = 6560
 _PATIENCE = 0.25
 """Seconds: a socket that does not take us by then is no voice to wait for."""
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class Address:
     """A socket: ``path`` of a Unix one, or ``host`` and ``port``."""
 

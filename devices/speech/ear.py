@@ -10,10 +10,11 @@ from __future__ import annotations
 
 import re
 from collections.abc import Callable
-from dataclasses import dataclass
+
+from devices.ports.values import frozen
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class _Words:
     minus: str
     point: str

@@ -8,7 +8,8 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterable
-from dataclasses import dataclass
+
+from devices.ports.values import frozen
 
 LANGUAGES = ("en", "pt", "es")
 """The languages that Donnie talks in, as ``Utterance.language`` writes them."""
@@ -22,7 +23,7 @@ _PREFERENCES = {
 }
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class Voice:
     """A voice that a synthesiser offers."""
 
@@ -32,7 +33,7 @@ class Voice:
     """Language tags, in any case, such as ``pt-br``."""
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class VoiceSettings:
     """How the voice sounds. Out-of-range values are clamped by ``clamped``, not refused."""
 

@@ -8,8 +8,9 @@ from __future__ import annotations
 
 import re
 from collections.abc import Iterator
-from dataclasses import dataclass
 from enum import Enum
+
+from devices.ports.values import frozen
 
 LONGEST_LINE = 4_096
 """Bytes; a server that sends longer ones is not a speech-dispatcher."""
@@ -29,7 +30,7 @@ class EventKind(Enum):
 _KINDS = {each.value: each for each in EventKind}
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class Reply:
     """The answer to a command; ``lines`` are the texts before the last one."""
 
@@ -41,7 +42,7 @@ class Reply:
         return 200 <= self.code < 300
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class Event:
     """Something happened to the message of that number."""
 

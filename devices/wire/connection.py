@@ -8,12 +8,12 @@ without somebody asking anew. Not thread-safe: its owner holds a lock.
 from __future__ import annotations
 
 from collections.abc import Callable
-from dataclasses import dataclass
 from enum import Enum, auto
 from math import inf
 from typing import TypeAlias, assert_never
 
 from devices.ports.robot import LinkNews
+from devices.ports.values import frozen
 from devices.wire.commands import PING, Drive
 from devices.wire.decoder import Decoder
 from devices.wire.link_config import LinkConfig
@@ -45,7 +45,7 @@ class Need(Enum):
     """Close the port, where it is open, and open it again."""
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class Write:
     """Bytes to be written at once, all of them."""
 

@@ -2,10 +2,10 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from devices.ports.values import frozen
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class LinkConfig:
     """All times in seconds."""
 

@@ -6,9 +6,10 @@
 from __future__ import annotations
 
 import struct
-from dataclasses import dataclass
 from enum import Enum
 from typing import TypeAlias
+
+from devices.ports.values import frozen
 
 
 class ReportKind(Enum):
@@ -28,17 +29,17 @@ SONARS = 7
 BUMPERS = 6
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class ConfigWanted:
     """The board has just started and waits."""
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class Pinged:
     """The board asks whether somebody is there, every two seconds."""
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class Encoders:
     """Counts of the wheels, -32768 to 32767, which go round. (The frame's speeds are no speeds.)"""
 
@@ -46,35 +47,35 @@ class Encoders:
     left: int
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class Ranges:
     """Seven sonars in the board's order, whole centimetres, 0 for unknown; from 256 on they wrap."""
 
     centimetres: tuple[int, ...]
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class Bumpers:
     """Six places in the board's order: NE, N, NW, SE, S, SW."""
 
     pressed: tuple[bool, ...]
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class Power:
     """The battery, in steps of 100 mV; the firmware can tell less than nothing."""
 
     millivolts: int
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class Outputs:
     """Five bits: lamp of the battery, lamp of the connection, vibration right, left, buzzer."""
 
     bits: int
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class Message:
     """Text of the firmware, sent as a frame (after a beep only)."""
 

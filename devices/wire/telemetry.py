@@ -7,8 +7,8 @@ in 256 pass, and the firmware's own counters can be torn.
 from __future__ import annotations
 
 from collections import deque
-from dataclasses import dataclass
 
+from devices.ports.values import frozen
 from devices.wire.link_config import LinkConfig
 from devices.wire.reports import BUMPERS
 
@@ -21,7 +21,7 @@ REMEMBERED = 2 * REFRESH
 _MOST_REMEMBERED = 64
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class RangeSample:
     """What the sonars told once."""
 
@@ -34,7 +34,7 @@ class RangeSample:
     """In the board's order; 0 is unknown."""
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class Telemetry:
     """The board, as it was when the last bytes came in."""
 

@@ -7,12 +7,12 @@ from __future__ import annotations
 
 import sys
 from collections.abc import Mapping
-from dataclasses import dataclass
 
+from devices.ports.values import frozen
 from donnie_tui.settings import read_switch
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class Surroundings:
     """What the process was started in."""
 

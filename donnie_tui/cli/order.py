@@ -3,15 +3,15 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import dataclass
 
+from devices.ports.values import frozen
 from donnie_tui.cli.arguments import Invocation
 from donnie_tui.cli.output import Output
 from donnie_tui.i18n.words import Words
 from donnie_tui.settings import Settings
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class Order:
     invocation: Invocation
     settings: Settings

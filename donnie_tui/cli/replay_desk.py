@@ -8,9 +8,9 @@ from __future__ import annotations
 
 import sys
 from collections.abc import Callable
-from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
+from devices.ports.values import frozen
 from donnie_tui.cli import codes
 from donnie_tui.cli.ending import stopped_by_signals
 from donnie_tui.cli.output import Output
@@ -31,7 +31,7 @@ LONGEST_LINE = 200
 SPEEDS: tuple[float | None, ...] = (1.0, 2.0, 5.0, 10.0, 20.0, 50.0, None)
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class Word:
     """One word; what it is for is ``replay-word-NAME``."""
 

@@ -7,10 +7,10 @@ from __future__ import annotations
 
 from collections.abc import Callable
 from contextlib import ExitStack
-from dataclasses import dataclass
 from pathlib import Path
 from typing import TYPE_CHECKING
 
+from devices.ports.values import frozen
 from donnie_tui.audible import make_audible
 from donnie_tui.cli import codes
 from donnie_tui.cli.ending import let_speak, stopped_by_signals
@@ -33,7 +33,7 @@ if TYPE_CHECKING:
     from sim.picture import Picture
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class _Audience:
     """Whoever listens to the replay."""
 

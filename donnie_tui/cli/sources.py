@@ -3,15 +3,15 @@
 from __future__ import annotations
 
 import sys
-from dataclasses import dataclass
 from pathlib import Path
 
+from devices.ports.values import frozen
 from donnie_tui.core.documents import LARGEST, DocumentError, decode, read_program
 from donnie_tui.i18n.words import Words
 from donnie_tui.unusable import Unusable
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class Source:
     """A program's text, and what it is called."""
 

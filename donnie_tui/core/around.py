@@ -7,11 +7,11 @@ thing nor wall is free. Directions are 4, 8 at detail full, or the 12 hours of a
 from __future__ import annotations
 
 from collections.abc import Iterator
-from dataclasses import dataclass
 from math import atan2, cos, degrees, hypot, radians, sin
 from typing import TYPE_CHECKING
 
 from devices.ports.robot import Pose
+from devices.ports.values import frozen
 from donnie_tui.core.describe import name_of
 from donnie_tui.core.map_grid import WALL, MapGrid
 from donnie_tui.core.wording import Wording
@@ -26,7 +26,7 @@ _RELATIVE = ("front", "front-right", "right", "back-right", "back", "back-left",
 _COMPASS = ("north", "northeast", "east", "southeast", "south", "southwest", "west", "northwest")
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class Face:
     """Into which directions the surroundings are cut, and what these are called."""
 

@@ -8,10 +8,11 @@ upper row of seven comes first. Pure.
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import dataclass, field
+from dataclasses import field
 from types import MappingProxyType
 
 from devices.ports.robot import Bearing
+from devices.ports.values import frozen
 from donnie_tui.core.wording import Wording
 
 COLUMNS = 7
@@ -37,7 +38,7 @@ _COLUMNS_OF: Mapping[Bearing, tuple[int, ...]] = MappingProxyType(
 _WORD_OF_LEVEL = {WEAK: "belt-weak", MEDIUM: "belt-medium", STRONG: "belt-strong"}
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class BeltSettings:
     """How distances become levels, and directions columns."""
 

@@ -7,11 +7,11 @@ is ``.``, a wall ``#``; the northern row is the first.
 from __future__ import annotations
 
 from collections.abc import Iterable, Mapping, Sequence
-from dataclasses import dataclass
 from string import ascii_lowercase
 from typing import TYPE_CHECKING
 
 from devices.ports.robot import Pose
+from devices.ports.values import frozen
 from donnie_tui.core.describe import name_of
 from donnie_tui.core.map_grid import FREE, WALL
 from donnie_tui.core.telling import facing
@@ -26,7 +26,7 @@ MOST_COLOURS = 3
 """Colours that the legend names for a letter."""
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class Robot:
     """A robot where it starts."""
 
@@ -35,7 +35,7 @@ class Robot:
     letter: str = ""
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class Chart:
     """What paper needs to know of a world."""
 

@@ -6,8 +6,8 @@ In one language, as the keywords have them; a name as it was declared. Works on 
 from __future__ import annotations
 
 from collections.abc import Iterable
-from dataclasses import dataclass
 
+from devices.ports.values import frozen
 from language import keywords
 from language.lexer import NAME, STRING, TAKES, lex
 from language.source import fold_name
@@ -18,7 +18,7 @@ LARGEST = 50_000
 """Characters of a text that is looked through."""
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class Completion:
     """What the letters before the cursor may become."""
 

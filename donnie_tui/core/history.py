@@ -2,13 +2,12 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
-
 from devices.ports.robot import Pose, StoppedBy
+from devices.ports.values import frozen
 from donnie_tui.core.events import Moved, Turned
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class Movement:
     """One movement: its number from 1, the command as typed, how far it came, and where that was."""
 

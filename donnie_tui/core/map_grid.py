@@ -9,12 +9,12 @@ from __future__ import annotations
 
 from collections import deque
 from collections.abc import Sequence
-from dataclasses import dataclass
 from enum import Enum
 from math import floor, hypot
 from typing import TYPE_CHECKING, NamedTuple
 
 from devices.ports.robot import Pose
+from devices.ports.values import frozen
 
 if TYPE_CHECKING:
     from sim.picture import Picture, Thing
@@ -50,7 +50,7 @@ class Kind(Enum):
     """What a sensor looked along."""
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class Bounds:
     """The part of the floor that is worth showing, both ends included."""
 

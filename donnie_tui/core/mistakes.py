@@ -3,8 +3,8 @@
 from __future__ import annotations
 
 from collections.abc import Iterable
-from dataclasses import dataclass
 
+from devices.ports.values import frozen
 from donnie_tui.core.wording import Wording
 from language.diagnostics import Diagnostic, Severity
 
@@ -12,7 +12,7 @@ LARGEST = 50_000
 """Characters of a text that is checked at every pause of typing."""
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class Mistake:
     """What is wrong in one line, and what would mend it."""
 

@@ -8,13 +8,13 @@ description that SVG has for screen readers say the same in text.
 from __future__ import annotations
 
 from collections.abc import Iterable, Iterator, Sequence
-from dataclasses import dataclass
 from itertools import islice, pairwise
 from math import cos, hypot, radians, sin
 from textwrap import wrap
 from typing import TYPE_CHECKING
 from xml.sax.saxutils import escape
 
+from devices.ports.values import frozen
 from donnie_tui.core.braille import braille, dots
 from donnie_tui.core.chart import Chart, Robot
 from donnie_tui.core.map_grid import WALL
@@ -44,7 +44,7 @@ _Point = tuple[float, float]
 _Box = tuple[float, float, float, float]
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class _Sheet:
     """Where the map lies on the paper. Millimetres from the top left corner; the world's places in steps."""
 

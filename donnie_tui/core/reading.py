@@ -8,8 +8,8 @@ the block that they belong to. Works on any text, finished or not.
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass
 
+from devices.ports.values import frozen
 from donnie_tui.core.wording import Wording
 from language import keywords
 from language.blocks import ENDS
@@ -18,7 +18,7 @@ from language.outline import OutlineItem, outline
 from language.tables import TERMINALS
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class ProgramLine:
     """One line of a program."""
 

@@ -8,10 +8,10 @@ from __future__ import annotations
 
 import threading
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass
 from enum import Enum
 from typing import Protocol
 
+from devices.ports.values import frozen
 from donnie_tui.core.events import (
     TRANSIENT,
     Announced,
@@ -51,7 +51,7 @@ class Result(Enum):
     """Robots were started by hand at different moments; up to there it is the same."""
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class Verdict:
     """``index`` is the event up to which it is the same; of a difference, what happened in its place."""
 
@@ -73,7 +73,7 @@ def recheck(events: Sequence[Stamped], team: Team, tone: Tone) -> Verdict:
         leave()
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class _Segment:
     """Runs that began together, and all that happened until the last of them ended."""
 

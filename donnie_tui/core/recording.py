@@ -11,9 +11,9 @@ import json
 from array import array
 from collections.abc import Iterator, Mapping, Sequence
 from contextlib import suppress
-from dataclasses import dataclass
 from typing import BinaryIO, TextIO, overload
 
+from devices.ports.values import frozen
 from donnie_tui.core.events import Stamped
 from donnie_tui.core.recorded_events import DamagedLineError, event_of, parse_line
 
@@ -33,7 +33,7 @@ class NoRecordingError(Exception):
     """A file in which nothing of a recording is whole."""
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class Header:
     """What a recording was made with."""
 
@@ -59,7 +59,7 @@ class Header:
         out.flush()
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class Damage:
     """Something that is missing from a recording: ``code`` is ``damaged-CODE`` in the catalogue."""
 

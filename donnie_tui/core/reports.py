@@ -5,11 +5,12 @@ from __future__ import annotations
 import csv
 import io
 from collections.abc import Iterable, Sequence
-from dataclasses import dataclass
 from html import escape
 
+from devices.ports.values import frozen
 
-@dataclass(frozen=True, slots=True)
+
+@frozen
 class Section:
     """A heading with its lines, or with a table whose first row names the columns."""
 

@@ -9,10 +9,10 @@ from __future__ import annotations
 import logging
 import threading
 from collections.abc import Callable
-from dataclasses import dataclass
 from typing import Protocol, TypeAlias, runtime_checkable
 
 from devices.ports.robot import Robot
+from devices.ports.values import frozen
 from donnie_tui.core.events import Announced, Error, Outcome, RunEnded, RunStarted, Statement
 from donnie_tui.core.hub import Hub
 from donnie_tui.core.wording import Wording
@@ -38,7 +38,7 @@ class TakesTurns(Protocol):
     def leave(self) -> None: ...
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class Stage:
     """What every run of a session shares."""
 

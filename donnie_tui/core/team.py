@@ -9,15 +9,15 @@ from __future__ import annotations
 
 import threading
 from collections.abc import Callable, Iterable, Mapping
-from dataclasses import dataclass
 
+from devices.ports.values import frozen
 from donnie_tui.core.hub import Stream
 from donnie_tui.core.runner import Run
 from donnie_tui.core.session import Session
 from language.source import fold_name
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class Assigned:
     """A program for one robot."""
 

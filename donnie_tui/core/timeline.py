@@ -8,9 +8,9 @@ command did, with all that was told about it.
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass
 
 from devices.ports.robot import Pose
+from devices.ports.values import frozen
 from donnie_tui.core.events import (
     Announced,
     BeltShown,
@@ -34,7 +34,7 @@ _OF_PROGRESS = ("step-forward", "step-back", "turn-right", "turn-left", "waiting
 """Cues that come before what they are about has ended."""
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class _Place:
     """A robot was here after so many events."""
 

@@ -9,8 +9,8 @@ mistake of form nothing has run: one line is forgotten (the learner types it aga
 from __future__ import annotations
 
 from collections import deque
-from dataclasses import dataclass
 
+from devices.ports.values import frozen
 from donnie_tui.core.documents import cleaned
 from language.outline import OutlineItem, block_depth, outline
 
@@ -31,7 +31,7 @@ class ProgramTooLong(Exception):
     """What is typed would exceed ``LARGEST``."""
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class Batch:
     """What is to be run now: its text and the number of its first line."""
 

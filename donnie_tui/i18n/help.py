@@ -8,13 +8,13 @@ from __future__ import annotations
 
 import difflib
 import re
-from dataclasses import dataclass
 
+from devices.ports.values import frozen
 from donnie_tui.i18n.phrasing import Phrasing
 from language import keywords
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class Entry:
     """One command: how it is written, and used. ``leaders`` are the words that it may begin with."""
 

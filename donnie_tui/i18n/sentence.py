@@ -5,9 +5,10 @@ Places are ``{name}``; ``{steps:step|steps}`` is the word that agrees with the n
 
 from __future__ import annotations
 
-from dataclasses import dataclass
 from string import Formatter
 from typing import TypeAlias
+
+from devices.ports.values import frozen
 
 LANGUAGES = ("en", "pt", "es")
 DETAILS = ("brief", "normal", "full")
@@ -16,7 +17,7 @@ Texts: TypeAlias = tuple[str, str, str]
 """English, Brazilian Portuguese, Spanish."""
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class Sentence:
     """Equal in all languages; ``brief`` and ``full`` only where they differ from the normal one."""
 

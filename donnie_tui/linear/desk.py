@@ -7,8 +7,8 @@ from __future__ import annotations
 
 import contextlib
 from collections.abc import Callable
-from dataclasses import dataclass
 
+from devices.ports.values import frozen
 from donnie_tui.bootstrap import Donnie
 from donnie_tui.core.answer_log import LONGEST_ANSWER, AnswerLog
 from donnie_tui.core.documents import DocumentError
@@ -37,7 +37,7 @@ _ENOUGH = ("q", "quit", "s", "sair", "salir", "n", "no", "nao")
 """What ends an answer that is told page by page."""
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class Ends:
     """Both ends of the conversation."""
 

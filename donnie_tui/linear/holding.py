@@ -3,9 +3,9 @@
 from __future__ import annotations
 
 from collections.abc import Callable
-from dataclasses import dataclass
 from enum import Enum, auto
 
+from devices.ports.values import frozen
 from donnie_tui.core.events import Read, Stamped
 from donnie_tui.core.step_words import StepWords, changes
 from donnie_tui.i18n.first_words import PROMPT
@@ -25,7 +25,7 @@ class Goes(Enum):
     STOP = auto()
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class Wish:
     """What somebody wants of a held program."""
 

@@ -9,8 +9,9 @@ from __future__ import annotations
 
 import codecs
 import re
-from dataclasses import dataclass
 from enum import Enum, auto
+
+from devices.ports.values import frozen
 
 ESCAPE_DELAY = 0.05
 """Seconds after which ESC is ESC."""
@@ -41,7 +42,7 @@ class Act(Enum):
     """Tab, where it is a key and not a part of a pasted text."""
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class Key:
     """One key. ``text`` is what TEXT types."""
 
@@ -98,8 +99,6 @@ class KeyDecoder:
         """The keys that are complete now."""
         text = self._pending + self._decode(data)
         self._pending = ""
-        if text == "\t":
-            return [Key(Act.COMPLETE)]
         keys: list[Key] = []
         at = 0
         while at < len(text):
@@ -125,8 +124,8 @@ def _next_key(text: str, at: int, keys: list[Key]) -> int:
         return typed.end()
     if text[at] == "\x1b":
         return _escape(text, at, keys)
-    if text[at] == "\t":
-        keys.append(Key(Act.TEXT, " "))
+    if text[at] == "\t":  # in the middle of what came at once it is a part of a pasted text
+        keys.append(Key(Act.TEXT, " ") if at + 1 < len(text) else Key(Act.COMPLETE))
     elif text[at] in _CONTROLS:
         keys.append(Key(_CONTROLS[text[at]]))
     return at + 1

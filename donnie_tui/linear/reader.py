@@ -7,11 +7,11 @@ from __future__ import annotations
 
 from collections import deque
 from collections.abc import Callable
-from dataclasses import dataclass
 from enum import Enum, auto
 from itertools import takewhile
 from typing import Protocol
 
+from devices.ports.values import frozen
 from donnie_tui.linear.console import Console
 from donnie_tui.linear.edit_line import EditLine
 from donnie_tui.linear.keys import ESCAPE_DELAY, Act, Key, KeyDecoder
@@ -37,7 +37,7 @@ class How(Enum):
     """Tab was pressed, and there are several words to choose from."""
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class Typed:
     text: str
     how: How

@@ -5,7 +5,7 @@ Stage's rule: a pixel is solid when its red channel is at most 127; alpha does n
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from devices.ports.values import frozen
 
 MOST_PIXELS = 4_000_000
 DARK = 127
@@ -17,7 +17,7 @@ class BadPicture(Exception):
     """Bytes that are no picture of a kind that is read here, or one that is broken or too large."""
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class Picture:
     width: int
     height: int

@@ -3,9 +3,9 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Iterator
-from dataclasses import dataclass
 from itertools import pairwise
 
+from devices.ports.values import frozen
 from sim.colours import FAMILIES, Colour
 from sim.geometry import angle_of, at_radius, direction, edges, nearest_in_wedge, normal, seen_from
 from sim.parts import Part
@@ -16,7 +16,7 @@ HALF_CIRCLE = 90.0
 """Degrees to either side that a head with a camera turns."""
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class Seen:
     """A thing in view."""
 
@@ -27,7 +27,7 @@ class Seen:
     colour: Colour
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class View:
     """What a camera looks at, in the robot's frame."""
 
@@ -76,7 +76,7 @@ class View:
         return Seen(root, degrees, int(max(0.0, metres - self.offset) * 100 + 0.5), colour)
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class Eyes:
     """All the cameras of a robot."""
 
@@ -100,7 +100,7 @@ class Eyes:
         return tuple(sorted(nearest.values(), key=lambda thing: (-thing.degrees, thing.root)))
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class _Glimpse:
     """A range of directions, in degrees from the middle of the view, in which one part is what is seen."""
 

@@ -2,9 +2,9 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
 from math import hypot
 
+from devices.ports.values import frozen
 from sim.fittings import FiducialFinder
 from sim.geometry import angle_of, seen_from
 from sim.parts import Part
@@ -12,7 +12,7 @@ from sim.sensors.sight import Around, Height, at_height, first_hits
 from sim.sensors.spot import Spot
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class Found:
     """A mark in view."""
 
@@ -26,7 +26,7 @@ class Found:
     """Its ``fiducial_return``; 0 where it is too far off to be told."""
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class MarkFinder:
     """A fiducial finder where it is mounted, in the robot's frame."""
 

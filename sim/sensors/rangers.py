@@ -3,11 +3,11 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
-from dataclasses import dataclass
 from math import ceil, cos, dist, inf, radians
 from random import Random
 
 from devices.ports.robot import STEP
+from devices.ports.values import frozen
 from sim.fittings import RangeNoise
 from sim.geometry import Point, contains, direction, edges, nearest_in_wedge, seen_from
 from sim.parts import Part
@@ -18,7 +18,7 @@ CENTIMETRES_A_STEP = round(STEP * 100)
 NO_NOISE = RangeNoise()
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class Cone:
     """A range sensor where it is mounted, in the robot's frame."""
 
@@ -91,7 +91,7 @@ def _box(place: Spot, half_angle: float, maximum: float) -> tuple[float, float, 
     return min(xs), min(ys), max(xs), max(ys)
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class Fan:
     """Thin rays from one place, in the robot's frame: a laser, or the part of it that looks one way."""
 

@@ -3,11 +3,11 @@
 from __future__ import annotations
 
 from collections.abc import Iterator, Mapping
-from dataclasses import dataclass
 from math import hypot
 from random import Random
 
 from devices.ports.robot import Bearing, RobotProblem
+from devices.ports.values import frozen
 from sim.fittings import RangeSensor
 from sim.geometry import normal, seen_from
 from sim.placement import Placement
@@ -23,7 +23,7 @@ HALF_SECTOR = 22.5
 """Degrees: what looks at most so far off one of the robot's bearings tells distances for it."""
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class Senses:
     """All the sensors of one robot."""
 

@@ -2,12 +2,11 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
-
+from devices.ports.values import frozen
 from sim.geometry import direction, placed
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class Spot:
     """Where a robot, or something on it, is and where it looks."""
 

@@ -3,9 +3,9 @@
 from __future__ import annotations
 
 from collections.abc import Iterable
-from dataclasses import dataclass
 from math import inf
 
+from devices.ports.values import frozen
 from sim.fittings import Gripper
 from sim.geometry import Edge, along, contains, edges_apart
 from sim.parts import Part
@@ -16,7 +16,7 @@ TOUCH = 0.01
 """Metres: what is nearer to a bumper presses it."""
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class Bar:
     """A bumper where it is mounted, in the robot's frame: a bar across the direction in which it looks."""
 
@@ -50,7 +50,7 @@ def _apart(bar: Edge, part: Part) -> float:
     return min((edges_apart(bar, edge) for edge in part.outline), default=inf)
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class Beams:
     """The beams of a gripper where it is mounted, in the robot's frame. They see what can be gripped only."""
 

@@ -3,7 +3,8 @@
 from __future__ import annotations
 
 import re
-from dataclasses import dataclass
+
+from devices.ports.values import frozen
 
 DEFAULT_PORT = 6665
 """Player's."""
@@ -12,7 +13,7 @@ LOCAL = "localhost"
 _INDEX = re.compile(r"[0-9]{1,9}")
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class Address:
     """Under which a device is offered. ``port`` tells robots of one host apart."""
 

@@ -4,10 +4,11 @@ from __future__ import annotations
 
 import re
 from collections.abc import Iterator, Mapping
-from dataclasses import dataclass, replace
+from dataclasses import replace
 from difflib import get_close_matches
 from pathlib import Path
 
+from devices.ports.values import frozen
 from sim.report import LoadReport, Note, NoteKind
 from sim.scene import Scene
 from sim.worldfile.addresses import DEFAULT_PORT, Address, address
@@ -23,7 +24,7 @@ _ON_WHEELS = frozenset({"position2d", "position", "position3d"})
 _SERIAL = re.compile(r"(?i)/dev/\S+|COM[0-9]+|\\\\\.\\COM[0-9]+")
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class Offer:
     """A model of the world that programs may use, and the addresses of what it has."""
 
@@ -44,7 +45,7 @@ class Offer:
         return (each for each in self.addresses if each.interface in _ON_WHEELS)
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class Configuration:
     """What a configuration file chose."""
 

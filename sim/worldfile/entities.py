@@ -7,9 +7,9 @@ children add up, and of two macros of one name the first wins. Unlike in Stage a
 from __future__ import annotations
 
 from collections.abc import Iterable, Mapping
-from dataclasses import dataclass
 from difflib import get_close_matches
 
+from devices.ports.values import frozen
 from sim.report import Note, NoteKind
 from sim.worldfile import tree
 from sim.worldfile.mistakes import Code, WorldError
@@ -26,7 +26,7 @@ MOST_SETTINGS = 1_000_000
 DEEPEST_MODEL = 64
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class Setting:
     """A property and the file in which it stands."""
 
@@ -34,7 +34,7 @@ class Setting:
     property: tree.Property
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class Entity:
     """One model, sensor, block or window, with everything that its macros brought."""
 
@@ -48,7 +48,7 @@ class Entity:
     children: tuple[Entity, ...]
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class _Macro:
     file: str
     define: tree.Define

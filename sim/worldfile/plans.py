@@ -2,9 +2,9 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
 from pathlib import Path
 
+from devices.ports.values import frozen
 from sim.bitmap import BadPicture, Picture, count_outlines, read_picture, rectangles
 from sim.report import NoteKind
 from sim.scene import Polygon
@@ -15,7 +15,7 @@ from sim.worldfile.shapes import rectangle
 from sim.worldfile.values import ValueReader, mistake
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class Plan:
     """The solid part of a picture, in pixels, y upwards; margins are left for the fitting to crop."""
 

@@ -3,9 +3,9 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
-from dataclasses import dataclass
 from pathlib import Path
 
+from devices.ports.values import frozen
 from sim.report import Note, NoteKind
 from sim.worldfile import tree
 from sim.worldfile.mistakes import Code, WorldError
@@ -17,7 +17,7 @@ DEEPEST_INCLUDE = 16
 MOST_FILES = 200
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class Placed:
     """A statement and the file in which it stands."""
 

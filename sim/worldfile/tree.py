@@ -2,25 +2,26 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
 from typing import TypeAlias
 
+from devices.ports.values import frozen
 
-@dataclass(frozen=True, slots=True)
+
+@frozen
 class Number:
     line: int
     column: int
     value: float
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class String:
     line: int
     column: int
     text: str
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class Tuple:
     line: int
     column: int
@@ -30,7 +31,7 @@ class Tuple:
 Value: TypeAlias = Number | String | Tuple
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class Property:
     """``name value``."""
 
@@ -40,7 +41,7 @@ class Property:
     value: Value
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class Instance:
     """``type ( ... )``."""
 
@@ -50,7 +51,7 @@ class Instance:
     body: tuple[Item, ...]
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class Define:
     """``define name base ( ... )``."""
 
@@ -63,7 +64,7 @@ class Define:
     base_column: int
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class Include:
     """``include "path"``; the place is that of the path."""
 

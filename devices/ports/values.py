@@ -1,0 +1,117 @@
+"""How values are made: ``@frozen`` is ``@dataclass(frozen=True, slots=True)``, its methods made when needed.
+
+The standard library writes and compiles six methods for each frozen dataclass as its module is imported, and
+the house has hundreds, most of which a session never makes one of: that was half of the time to start. So a
+class has its slots at once, its constructor with its first value, and the rest, the standard library's own,
+when it is asked for.
+
+Rules: what the class defines or inherits itself is kept; values don't inherit from values.
+"""
+
+from __future__ import annotations
+
+from _thread import RLock
+from collections.abc import Mapping
+from dataclasses import Field, FrozenInstanceError, dataclass, field, fields
+from typing import Any, TypeVar, dataclass_transform
+
+T = TypeVar("T")
+
+_unfinished: dict[type, type] = {}
+"""The class with slots, and the one it was made from, which keeps the defaults."""
+_finishing = RLock()
+
+
+@dataclass_transform(frozen_default=True, field_specifiers=(field,))
+def frozen(written: type[T]) -> type[T]:
+    """The class as a frozen, slotted dataclass. TypeError if it inherits from another one."""
+    if any("__dataclass_fields__" in vars(base) for base in written.__mro__):
+        raise TypeError(f"{written.__name__} must not inherit from a value")
+    names = tuple(name for name, type_ in written.__annotations__.items() if "ClassVar" not in str(type_))
+    body = dict(vars(written))
+    for name in (*names, "__dict__", "__weakref__"):
+        body.pop(name, None)
+    late = {
+        name: each for name, each in _LATE.items() if getattr(written, name) in (None, getattr(object, name))
+    }
+    body |= {**late, **_AT_ONCE, "__slots__": names, "__match_args__": names}
+    slotted = type(written.__name__, written.__bases__, body)
+    _unfinished[slotted] = written
+    return slotted
+
+
+def _first_value(self: Any, *arguments: Any, **values: Any) -> None:
+    """In place of the constructor, which is made when the first value is."""
+    with _finishing:
+        for slotted in type(self).__mro__:
+            if slotted in _unfinished:
+                slotted.__init__ = _constructor(slotted, vars(_unfinished[slotted]))  # type: ignore[misc]
+    self.__init__(*arguments, **values)
+
+
+def _constructor(slotted: Any, written: Mapping[str, Any]) -> Any:
+    """The function that the standard library would write, in a tenth of the time, where no field is odd."""
+    names = slotted.__slots__
+    defaults = tuple(written[name] for name in names if name in written)
+    if any(isinstance(each, Field) for each in defaults):
+        _finish(slotted)
+        return vars(slotted)["__init__"]
+    lines = [f"def __init__(self, {', '.join(names)}):", *(f" put(self, {name!r}, {name})" for name in names)]
+    lines.append(" self.__post_init__()" if hasattr(slotted, "__post_init__") else " return")
+    made: dict[str, Any] = {}
+    exec("\n".join(lines), {"put": object.__setattr__}, made)
+    made["__init__"].__defaults__ = defaults
+    return made["__init__"]
+
+
+def _late(name: str) -> Any:
+    """A method that first has the real ones made, and then is the real one of that name."""
+
+    def method(self: Any, *arguments: Any) -> Any:
+        _finish(type(self))
+        return getattr(self, name)(*arguments)
+
+    return method
+
+
+class _LateFields:
+    """Whoever asks for the fields of a class has it finished first."""
+
+    def __get__(self, _: object, owner: type) -> Any:
+        _finish(owner)
+        return vars(owner)["__dataclass_fields__"]
+
+
+def _finish(kind: type) -> None:
+    with _finishing:
+        for slotted in kind.__mro__:
+            if slotted in _unfinished:
+                made = vars(dataclass(frozen=True)(_unfinished[slotted]))
+                for name in (*_LATE, "__dataclass_fields__", "__dataclass_params__"):
+                    if name in vars(slotted):
+                        setattr(slotted, name, made[name])
+                del _unfinished[slotted]
+
+
+def _refuse(self: object, name: str, *_: object) -> None:
+    raise FrozenInstanceError(f"{type(self).__name__} is a value: {name!r} can't change")
+
+
+def _state(self: Any) -> tuple[object, ...]:
+    return tuple(getattr(self, each.name) for each in fields(self))
+
+
+def _restore(self: Any, state: tuple[object, ...]) -> None:
+    for each, content in zip(fields(self), state, strict=True):
+        object.__setattr__(self, each.name, content)
+
+
+_LATE = {"__init__": _first_value} | {name: _late(name) for name in ("__repr__", "__eq__", "__hash__")}
+_AT_ONCE = {
+    "__dataclass_fields__": _LateFields(),
+    "__dataclass_params__": None,
+    "__setattr__": _refuse,
+    "__delattr__": _refuse,
+    "__getstate__": _state,
+    "__setstate__": _restore,
+}

@@ -1,0 +1,192 @@
+"""A value behaves as a frozen, slotted dataclass does, whichever of its methods is asked for first."""
+
+import copy
+import dataclasses
+import inspect
+import pickle
+import threading
+from collections.abc import Callable
+from dataclasses import FrozenInstanceError, dataclass, field, fields, is_dataclass, replace
+from enum import Enum
+from typing import Any, ClassVar
+
+import pytest
+
+from devices.ports.values import frozen
+
+
+class Shape:
+    KIND: ClassVar[str] = "shape"
+    x: int
+    y: float = 2.5
+    names: tuple[str, ...] = ()
+    seen: dict[str, int] = field(default_factory=dict, compare=False, repr=False)
+
+    @property
+    def double(self) -> int:
+        return 2 * self.x
+
+
+class Plain:
+    x: int
+    y: float = 2.5
+
+
+def made_of(written: type) -> tuple[Any, Any]:
+    """The same class as a value, and as the standard library makes it; nothing was asked of either yet."""
+    twins = (type(written.__name__, (), {**vars(written)}) for _ in range(2))
+    for_us, for_them = twins
+    return frozen(for_us), dataclass(frozen=True, slots=True)(for_them)
+
+
+@frozen
+class Kept:
+    """At the top of a module, so that pickle finds it."""
+
+    x: int
+    names: tuple[str, ...] = ("a",)
+
+
+QUESTIONS: dict[str, Callable[[Any], object]] = {
+    "repr": lambda kind: repr(kind(1)),
+    "equal": lambda kind: (kind(1) == kind(1), kind(1) == kind(2), kind(1) == (1, 2.5), kind(1) != kind(1)),
+    "hash": lambda kind: (hash(kind(1)) == hash(kind(1)), len({kind(1), kind(1), kind(3)})),
+    "by name": lambda kind: (kind(x=4).x, kind(4, y=1.0).y, kind(1).y),
+    "fields": lambda kind: [(each.name, each.type, each.default) for each in fields(kind)],
+    "is a dataclass": lambda kind: (is_dataclass(kind), is_dataclass(kind(1))),
+    "replace": lambda kind: (replace(kind(1), y=0.0).x, replace(kind(1), y=0.0).y),
+    "as a dict": lambda kind: dataclasses.asdict(kind(1)),
+    "match": lambda kind: kind.__match_args__,
+    "slots": lambda kind: (kind.__slots__, hasattr(kind(1), "__dict__")),
+    "copy": lambda kind: (copy.copy(kind(1)) == kind(1), copy.deepcopy(kind(1)) == kind(1)),
+    "notes": lambda kind: (kind.__name__, kind.__module__, list(kind.__annotations__)),
+}
+
+
+@pytest.mark.parametrize("question", QUESTIONS)
+@pytest.mark.parametrize("written", [Shape, Plain])
+def test_a_value_answers_as_the_standard_library_would(written: type, question: str) -> None:
+    ours, theirs = made_of(written)
+
+    assert QUESTIONS[question](ours) == QUESTIONS[question](theirs)
+
+
+def test_a_value_does_not_change() -> None:
+    kept = Kept(1)
+
+    for change in (lambda: setattr(kept, "x", 2), lambda: delattr(kept, "x"), lambda: setattr(kept, "z", 2)):
+        with pytest.raises(FrozenInstanceError):
+            change()
+    assert kept == Kept(1)
+
+
+@pytest.mark.parametrize("arguments", [(), (1, 2.0, 3, 4, 5)])
+def test_too_few_and_too_many_arguments_are_a_type_error(arguments: tuple[object, ...]) -> None:
+    ours, _ = made_of(Plain)
+
+    with pytest.raises(TypeError):
+        ours(*arguments)
+
+
+def test_every_value_has_a_container_of_its_own() -> None:
+    ours, _ = made_of(Shape)
+
+    assert ours(1).seen is not ours(1).seen
+
+
+def test_what_the_class_says_itself_is_kept() -> None:
+    @frozen
+    class Loud:
+        x: int
+
+        def __repr__(self) -> str:
+            return "loud"
+
+        def __eq__(self, other: object) -> bool:
+            return True
+
+        def __hash__(self) -> int:
+            return 7
+
+    assert (repr(Loud(1)), Loud(1) == 5, hash(Loud(1)), fields(Loud)[0].name) == ("loud", True, 7, "x")
+    assert (repr(Loud(1)), Loud(1) == 5, hash(Loud(1))) == ("loud", True, 7)
+
+
+def test_what_a_class_inherits_is_kept() -> None:
+    class Base:
+        __slots__ = ()
+
+        def __eq__(self, other: object) -> bool:
+            return True
+
+        def __hash__(self) -> int:
+            return 7
+
+    @frozen
+    class Child(Base):
+        x: int
+
+    assert fields(Child)[0].name == "x"
+    assert (Child(1) == Child(2), hash(Child(1))) == (True, 7)
+
+
+def test_values_do_not_inherit_from_values() -> None:
+    with pytest.raises(TypeError, match="Child must not inherit"):
+
+        @frozen
+        class Child(Kept):
+            y: int
+
+
+def test_a_value_checks_itself_once_it_is_made() -> None:
+    @frozen
+    class Even:
+        x: int
+
+        def __post_init__(self) -> None:
+            if self.x % 2:
+                raise ValueError
+
+    assert Even(2).x == 2
+    with pytest.raises(ValueError):
+        Even(3)
+
+
+@pytest.mark.parametrize("protocol", range(2, pickle.HIGHEST_PROTOCOL + 1))
+def test_a_value_can_be_sent_and_kept(protocol: int) -> None:
+    assert pickle.loads(pickle.dumps(Kept(3, ("b",)), protocol)) == Kept(3, ("b",))
+
+
+def test_a_value_of_another_shape_is_noticed_as_it_is_read() -> None:
+    with pytest.raises(ValueError):
+        Kept.__new__(Kept).__setstate__((1,))  # type: ignore[attr-defined] # made by the decorator
+
+
+def test_threads_may_make_the_first_values_of_a_class_at_once() -> None:
+    for _ in range(50):
+        ours, _ = made_of(Shape)
+        made: list[Any] = []
+        threads = [threading.Thread(target=lambda to=made, of=ours: to.append(of(1))) for _ in range(4)]
+        for each in threads:
+            each.start()
+        for each in threads:
+            each.join()
+        assert made == [ours(1)] * 4
+
+
+def test_a_class_with_a_value_already_made_knows_its_signature() -> None:
+    ours, theirs = made_of(Plain)
+    ours(1)
+
+    assert list(inspect.signature(ours).parameters) == list(inspect.signature(theirs).parameters)
+
+
+def test_members_of_enums_are_defaults_as_they_are() -> None:
+    class Side(Enum):
+        LEFT = 1
+
+    @frozen
+    class Turned:
+        side: Side = Side.LEFT
+
+    assert Turned().side is Side.LEFT
