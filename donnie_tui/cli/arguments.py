@@ -9,9 +9,9 @@ from __future__ import annotations
 import argparse
 import re
 from collections.abc import Callable, Mapping
-from dataclasses import dataclass
 from typing import NoReturn
 
+from devices.ports.values import frozen
 from donnie_tui.i18n.words import Words
 
 COMMON = (
@@ -68,7 +68,7 @@ class WrongUsage(Exception):
         self.what = what
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class Invocation:
     """What was asked for."""
 

@@ -9,11 +9,12 @@ from __future__ import annotations
 import dataclasses
 import re
 from collections.abc import Mapping
-from dataclasses import dataclass, field
+from dataclasses import field
 from enum import Enum
 from typing import ClassVar, TypeAlias
 
 from devices.ports.robot import Grip, Pose, StoppedBy
+from devices.ports.values import frozen
 
 
 class Outcome(Enum):
@@ -25,7 +26,7 @@ class Outcome(Enum):
     QUIT = "quit"
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class HowStarted:
     """A run as it was asked for: its text, and from where it goes on."""
 
@@ -47,7 +48,7 @@ class HowStarted:
     """What the gripper did in place of a program, ``GRIP`` or ``RELEASE``; else empty."""
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class RunStarted:
     program: str
     world: str
@@ -58,7 +59,7 @@ class RunStarted:
     """What is needed to run it again."""
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class Statement:
     """A statement is about to run; only with ``--trace``."""
 
@@ -67,12 +68,12 @@ class Statement:
     depth: int
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class Spoke:
     text: str
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class Announced:
     """A sentence of Donnie's own. ``code`` says what it is about, ``text`` is in the learner's language."""
 
@@ -80,7 +81,7 @@ class Announced:
     text: str
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class Moved:
     """``asked`` and ``walked`` in steps, forward or backward as ``command`` says."""
 
@@ -92,7 +93,7 @@ class Moved:
     forward: bool = field(metadata={"private": True})
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class Turned:
     """``asked`` and ``turned`` in degrees, in the direction of the command."""
 
@@ -105,7 +106,7 @@ class Turned:
     """Whether the command was a turn to the right."""
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class SeenGroup:
     """Things that SCAN sees at one angle."""
 
@@ -116,12 +117,12 @@ class SeenGroup:
     colours: tuple[str, ...]
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class Scanned:
     objects: tuple[SeenGroup, ...]
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class Read:
     """A sensor was read: ``distance``, ``position`` or ``colour``."""
 
@@ -130,12 +131,12 @@ class Read:
     value: int
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class Waited:
     seconds: int
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class CueSounded:
     EVENT: ClassVar[str] = "cue"
     name: str
@@ -143,7 +144,7 @@ class CueSounded:
     steps: float | None
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class BeltShown:
     """14 levels, 0 off to 3 strong: the upper row of seven, then the lower."""
 
@@ -151,7 +152,7 @@ class BeltShown:
     levels: tuple[int, ...]
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class GripperUsed:
     """The gripper closed or opened; ``thing`` is the name of what it took or let go, where that has one."""
 
@@ -160,7 +161,7 @@ class GripperUsed:
     thing: str
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class PlacedThing:
     """Where a thing of the world is now, with what the world's file calls it."""
 
@@ -170,7 +171,7 @@ class PlacedThing:
     """Its number among the world's models; names may be equal."""
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class ThingsMoved:
     """All things that are elsewhere than at the start of the world: pushed, held, or put down again."""
 
@@ -178,20 +179,20 @@ class ThingsMoved:
     places: tuple[PlacedThing, ...]
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class Reset:
     """The robot was put back to its start, and what it remembered is gone."""
 
     pose: Pose
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class SoundSwitched:
     EVENT: ClassVar[str] = "sound"
     on: bool
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class Link:
     """The line to a real robot: ``connected``, ``lost`` or ``restored``."""
 
@@ -199,7 +200,7 @@ class Link:
     reason: str
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class Error:
     """A mistake in the program. ``source_line`` is the line as typed, for those who print the error."""
 
@@ -213,7 +214,7 @@ class Error:
     """The lines of the calls that led there, innermost first."""
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class RunEnded:
     outcome: Outcome
     pose: Pose
@@ -221,14 +222,14 @@ class RunEnded:
     seconds: float
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class Passing:
     """Where the robot is while it moves; transient."""
 
     pose: Pose
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class Answered:
     """What a front end answers to a word of its own, such as "Saved."; told and spoken; transient."""
 
@@ -237,14 +238,14 @@ class Answered:
     """The answer to QUIET is not said."""
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class Pointed:
     """What is where somebody points on the map; shown in the status line and spoken, not kept; transient."""
 
     text: str
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class Chimed:
     """A cue of a front end's own, such as that a block was opened; fields as of ``CueSounded``; transient."""
 
@@ -281,7 +282,7 @@ Event: TypeAlias = (
 )
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class Stamped:
     """An event with its number (from 1, 0 for a transient one) and its robot time in seconds."""
 

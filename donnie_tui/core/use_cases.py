@@ -9,10 +9,11 @@ This module imports nothing of ours until a line is looked at: the first screen 
 
 from __future__ import annotations
 
-from dataclasses import dataclass
 from enum import Enum
 from functools import cache
 from typing import TYPE_CHECKING
+
+from devices.ports.values import frozen
 
 if TYPE_CHECKING:
     from donnie_tui.core.wording import Wording
@@ -33,7 +34,7 @@ class When(Enum):
     ALWAYS = 2
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class UseCase:
     """One thing that can be asked for."""
 

@@ -7,8 +7,7 @@ command line. Short labels are sentences of the catalogue: ``key-NAME``.
 
 from __future__ import annotations
 
-from dataclasses import dataclass
-
+from devices.ports.values import frozen
 from donnie_tui.core import use_cases
 from donnie_tui.core.use_cases import USE_CASES, UseCase
 from donnie_tui.tui.view_cases import VIEW_CASES
@@ -119,7 +118,7 @@ KEYS: dict[str, tuple[str, ...]] = {
 """Of each use case that the screen does, its keys as Textual names them; the first is shown."""
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class Action:
     """A use case with its keys."""
 
