@@ -20,7 +20,7 @@ LIVING = object()
 
 
 def order(file: str | None = None, *, option_linear: bool = False) -> Order:
-    arguments = Namespace(file=file, linear=option_linear, visual=False)
+    arguments = Namespace(file=file, linear=option_linear, visual=False, plain=False)
     return Order(Invocation("", {}, arguments), Settings(), Words(), Output(), {"TERM": "xterm"})
 
 

@@ -106,3 +106,9 @@ def test_pieces_make_no_difference(pieces: list[bytes]) -> None:
         return [(key.act, letter) for key in keys for letter in key.text or " "]
 
     assert typed(decoded(*pieces)) == typed(decoded(b"".join(pieces)))
+
+
+def test_tab_completes_at_the_end_of_what_was_typed_and_is_a_blank_in_a_paste() -> None:
+    assert KeyDecoder().feed(b"\t") == [Key(Act.COMPLETE)]
+    assert KeyDecoder().feed(b"EXP\t") == [Key(Act.TEXT, "EXP"), Key(Act.COMPLETE)]
+    assert KeyDecoder().feed(b"FW\t3") == [Key(Act.TEXT, "FW"), Key(Act.TEXT, " "), Key(Act.TEXT, "3")]
