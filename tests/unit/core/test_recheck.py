@@ -1,0 +1,139 @@
+"""What was recorded is run again and compared as far as it can be; a replay keeps the times of the run."""
+
+import threading
+
+import pytest
+
+from donnie_tui.core.events import TRANSIENT, Moved, RunStarted, Spoke, Stamped
+from donnie_tui.core.recheck import Result, recheck
+from donnie_tui.core.replay import LONGEST_PAUSE, Replay, moments_of
+from donnie_tui.core.timeline import Timeline
+from donnie_tui.i18n.words import Words
+from language.control import ExecutionControl
+from tests.unit.core.test_team import PATIENCE, Hall
+
+
+def recorded(hall: Hall) -> list[Stamped]:
+    return [each for each in hall.heard if not isinstance(each.event, TRANSIENT)]
+
+
+def run(hall: Hall, robot: str, text: str, *, fresh: bool = False) -> None:
+    assert hall.team.session(robot).start(text, f"{robot}.gd", fresh=fresh).wait(PATIENCE)
+
+
+def test_runs_one_after_the_other_resets_and_questions_are_the_same_again() -> None:
+    hall = Hall()
+    run(hall, "alice", "VAR a = 2 FW a")
+    hall.team.session("alice").teller.position(hall.team.session("alice").pose)
+    run(hall, "alice", "SPEAK a FW a")
+    hall.team.session("alice").reset()
+    run(hall, "Bob", "SPEAK DISTANCE F FWD 3")
+    hall.run("FW 3 SPEAK DISTANCE F", "WAIT 1 FW 2")
+
+    events = recorded(hall)
+    verdict = recheck(events, Hall().team, Words())
+
+    assert (verdict.result, verdict.index) == (Result.SAME, len(events))
+
+
+def test_the_first_event_that_differs_is_found_and_nothing_goes_on_running() -> None:
+    hall = Hall()
+    run(hall, "alice", "FW 2 SPEAK 1 FW 3")
+    events = recorded(hall)
+    index = next(index for index, each in enumerate(events) if isinstance(each.event, Spoke))
+    events[index] = Stamped(events[index].seq, events[index].t, Spoke("2"), "alice")
+    again = Hall()
+
+    verdict = recheck(events, again.team, Words())
+
+    assert (verdict.result, verdict.index) == (Result.DIFFERENT, index)
+    assert verdict.now is not None
+    assert verdict.now.event == Spoke("1")
+    assert again.team.running == ()
+
+
+def test_a_recording_that_says_more_than_happens_now_differs() -> None:
+    hall = Hall()
+    run(hall, "alice", "SPEAK 1")
+    events = recorded(hall)
+    events.insert(2, Stamped(99, 0.0, Spoke("more"), "alice"))
+
+    assert recheck(events, Hall().team, Words()).result is Result.DIFFERENT
+
+
+def test_robots_that_were_started_by_hand_beside_each_other_are_compared_up_to_there() -> None:
+    hall, begun = Hall(speed=50.0), threading.Event()
+    hall.team.stream.subscribe(lambda each: begun.set() if isinstance(each.event, Spoke) else None)
+    alice = hall.team.session("alice").start("SPEAK 1 WAIT 1000", "a.gd")
+    assert begun.wait(PATIENCE)
+    bob = hall.team.session("Bob").start("SPEAK 2", "b.gd")
+    assert bob.wait(PATIENCE)
+    hall.team.stop()
+    assert alice.wait(PATIENCE)
+
+    events = recorded(hall)
+    verdict = recheck(events, Hall().team, Words())
+
+    assert verdict.result is Result.OVERLAPPING
+    started = events[verdict.index]
+    assert (type(started.event), started.robot) == (RunStarted, "Bob")
+
+
+def test_a_recording_that_ends_in_the_middle_of_a_run_is_the_same_up_to_there() -> None:
+    hall = Hall()
+    run(hall, "alice", "FW 2 SPEAK 1 FW 3")
+    events = recorded(hall)
+    cut = next(index for index, each in enumerate(events) if isinstance(each.event, Spoke)) + 1
+
+    assert recheck(events[:cut], Hall().team, Words()).result is Result.STOPPED
+
+
+def test_the_moments_of_runs_follow_each_other_and_those_of_several_robots_lie_beside_each_other() -> None:
+    hall = Hall()
+    run(hall, "alice", "WAIT 2")
+    hall.run("WAIT 3", "WAIT 5")
+
+    events = recorded(hall)
+    moments = moments_of(events)
+
+    assert list(moments) == sorted(moments)
+    assert moments[-1] == pytest.approx(7.0)
+
+
+def test_a_replay_tells_all_in_order_and_waits_no_longer_than_anybody_would() -> None:
+    waits: list[float] = []
+
+    class Patient(ExecutionControl):
+        def sleep(self, seconds: float) -> bool:
+            waits.append(seconds)
+            return True
+
+    hall = Hall()
+    run(hall, "alice", "WAIT 1000 FW 1")
+    events, told = recorded(hall), list[Stamped]()
+    replay = Replay(Timeline(events), Patient(), 2.0)
+
+    assert replay.forwards(told.append)
+    assert told == events
+    assert max(waits) == LONGEST_PAUSE
+    assert waits.count(0.5) == 1
+
+    back: list[tuple[Stamped, ...]] = []
+    assert replay.backwards(back.append)
+    assert [each for step in reversed(back) for each in step] == events
+    assert any(isinstance(each.event, Moved) for step in back for each in step)
+
+
+def test_a_replay_that_is_stopped_stays_where_it_is() -> None:
+    hall = Hall()
+    run(hall, "alice", "FW 5")
+    timeline = Timeline(recorded(hall))
+    control = ExecutionControl()
+    replay = Replay(timeline, control, None)
+
+    def stop(stamped: Stamped) -> None:
+        if stamped.seq == 3:
+            control.stop()
+
+    assert not replay.forwards(stop)
+    assert timeline.at == 3
