@@ -29,7 +29,7 @@ COMMON = (
 )
 """The options that mean the same everywhere; their values are read in ``settings``."""
 
-TO_COME = ("challenge", "serve")
+TO_COME = ("challenge",)
 COMMANDS = (
     "run",
     "check",
@@ -41,6 +41,7 @@ COMMANDS = (
     "devices",
     "stop",
     "calibrate",
+    "serve",
     *TO_COME,
 )
 
@@ -226,6 +227,10 @@ def _add_port(parser: argparse._ArgumentGroup, words: Words) -> None:
     parser.add_argument("port", nargs="?", metavar="PORT", help=words("option-port"))
 
 
+def _add_serve(parser: argparse._ArgumentGroup, words: Words) -> None:
+    parser.add_argument("--port", metavar="PORT", default="8000", help=words("option-serve-port"))
+
+
 _ADD: dict[str, Callable[[argparse._ArgumentGroup, Words], None]] = {
     "": _add_front_end,
     "run": _add_run,
@@ -233,6 +238,7 @@ _ADD: dict[str, Callable[[argparse._ArgumentGroup, Words], None]] = {
     "devices": _add_devices,
     "stop": _add_port,
     "calibrate": _add_nothing,
+    "serve": _add_serve,
     "check": _add_check,
     "format": _add_format,
     "worlds": _add_nothing,

@@ -94,6 +94,8 @@ def _handler(order: Order) -> Callable[[Order], int]:
             from donnie_tui.cli.devices import list_devices as command
         case "calibrate":
             from donnie_tui.cli.calibrating import calibrate as command
+        case "serve":
+            from donnie_tui.cli.serving import serve as command
         case "stop":
             from donnie_tui.cli.stopping import stop as command
         case _ if order.invocation.arguments.run:

@@ -24,7 +24,9 @@ class Surroundings:
 
     @property
     def is_terminal(self) -> bool:
-        return self.stdin_is_terminal and self.stdout_is_terminal and self.stderr_is_terminal
+        """A browser is one too: what paints there is named in TEXTUAL_DRIVER."""
+        is_browser = bool(self.environment.get("TEXTUAL_DRIVER"))
+        return is_browser or (self.stdin_is_terminal and self.stdout_is_terminal and self.stderr_is_terminal)
 
 
 def surroundings(environment: Mapping[str, str]) -> Surroundings:

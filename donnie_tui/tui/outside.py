@@ -19,6 +19,8 @@ def leave_behind(lines: Sequence[str]) -> None:
     """What was told last, where the shell goes on: it can be read again there."""
     from donnie_tui.core.transcript import printable
 
+    if os.environ.get("TEXTUAL_DRIVER"):
+        return  # a browser has no such screen
     try:
         for line in lines[-LEFT_BEHIND:]:
             sys.stdout.write(f"{printable(line)}\n")

@@ -14,6 +14,35 @@ _OPTIONS = {
     ),
 }
 
+_SERVING = {
+    "usage-serve": Sentence(
+        "Show the full screen in a browser on this machine.",
+        "Mostrar a tela cheia num navegador nesta máquina.",
+        "Mostrar la pantalla completa en un navegador en esta máquina.",
+    ),
+    "option-serve-port": Sentence("where it listens", "onde ele escuta", "dónde escucha"),
+    "serve-address": Sentence(
+        "Open http://{host}:{port} in a browser here. Ctrl+C ends it.",
+        "Abra http://{host}:{port} num navegador aqui. Ctrl+C termina.",
+        "Abre http://{host}:{port} en un navegador aquí. Ctrl+C termina.",
+    ),
+    "serve-missing": Sentence(
+        "This needs textual-serve: pip install 'donnie-tui[serve]'.",
+        "Isto precisa de textual-serve: pip install 'donnie-tui[serve]'.",
+        "Esto necesita textual-serve: pip install 'donnie-tui[serve]'.",
+    ),
+    "serve-bad-port": Sentence(
+        "{port} is no port; a port is a number from 1 to 65535.",
+        "{port} não é uma porta; uma porta é um número de 1 a 65535.",
+        "{port} no es un puerto; un puerto es un número de 1 a 65535.",
+    ),
+    "serve-failed": Sentence(
+        "Port {port} can't be used: {reason}.",
+        "A porta {port} não pode ser usada: {reason}.",
+        "El puerto {port} no se puede usar: {reason}.",
+    ),
+}
+
 _MAP = {
     "cell-other": Sentence("another robot", "outro robô", "otro robot"),
     "cell-ray": Sentence(
@@ -345,4 +374,4 @@ _ACTIONS = {
     )
 }
 
-SENTENCES = _OPTIONS | _MAP | _EDITOR | _QUESTIONS | _SETTINGS | _ACTIONS
+SENTENCES = _OPTIONS | _SERVING | _MAP | _EDITOR | _QUESTIONS | _SETTINGS | _ACTIONS
