@@ -81,6 +81,8 @@ class Desk:
         self.watched: list[str] = []
         """Variables, folded."""
         self.breakpoints: set[int] = set()
+        self.is_hurrying = False
+        """Whether a program was just stopped: what is told then asks for nothing."""
         self.is_pausing = False
         """Whether PAUSE was said to the running program."""
         self.is_repeating = False
@@ -204,6 +206,8 @@ class Desk:
 
     def _page_size(self) -> int:
         """Lines that come before somebody is asked for more; 0 if nobody is."""
+        if self.is_hurrying:
+            return 0
         if self.habits.hold:
             return 1
         return self._ends.output.block_size if self.habits.page is Page.ASK else 0
@@ -238,6 +242,7 @@ class Desk:
         if not shown:
             self.console.has_news = False
             self._show_whole(prompt, offered)
+        self.is_hurrying = False
         early, self._typed_early = self._typed_early, None
         if early is not None:
             return early

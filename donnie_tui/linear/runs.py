@@ -246,7 +246,7 @@ class Runs:
 
     def stop(self) -> None:
         """Remember where, and stop; whatever the program still tells must not wait for us."""
-        self._stopping = True
+        self._stopping = self._desk.is_hurrying = True
         frames = self._desk.session.frames
         self._stopped_at = frames[0].line if frames else None
         self._desk.session.stop()

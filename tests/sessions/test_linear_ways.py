@@ -192,6 +192,14 @@ def test_a_long_answer_comes_page_by_page_where_that_is_wanted(learner: Learner)
     learner.sees("\r\n> ")
 
 
+def test_ctrl_c_between_two_pages_stops_the_program_and_asks_for_nothing_more(learner: Learner) -> None:
+    settled(learner, "SET page ask")
+    learner.types("REPEAT 100000 TIMES SPEAK 1 END REPEAT\r\r")
+    learner.sees("Enter goes on, Q stops. ")
+    learner.types("\x03")
+    learner.sees("were left out.\r\nStopped at line 1.\r\n> ")
+
+
 def test_settings_are_kept_for_the_next_session(tmp_path: Path) -> None:
     first = Learner(tmp_path)
     first.enters("SET prompt word")
