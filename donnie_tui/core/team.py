@@ -64,9 +64,10 @@ class Team:
         return self.session(self._chosen)
 
     def choose(self, name: str) -> Session:
-        """Talk to that robot from now on. Raises ``KeyError``."""
-        session = self.session(name)
+        """Talk to that robot from now on, at the speed that was chosen. Raises ``KeyError``."""
+        session, speed = self.session(name), self.chosen.speed
         self._chosen = name
+        session.speed = speed
         return session
 
     def called(self, typed: str) -> str | None:
@@ -137,6 +138,8 @@ class Team:
         return tuple(run for _, run in claimed)
 
     def _begin_together(self, claimed: list[tuple[Session, Run]]) -> None:
+        for session, _ in claimed:
+            session.speed = self.chosen.speed
         if self._expect is not None:
             self._expect(session.name for session, _ in claimed)
         for session, run in claimed:

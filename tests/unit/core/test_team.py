@@ -198,3 +198,14 @@ def test_each_run_has_its_first_and_its_last_event() -> None:
 
     assert sum(isinstance(each.event, RunStarted) for each in hall.heard) == 2
     assert sum(isinstance(each.event, RunEnded) for each in hall.heard) == 2
+
+
+def test_the_speed_that_was_chosen_is_that_of_all_who_are_talked_to_or_start_together() -> None:
+    hall = Hall(speed=5.0)
+    hall.team.session("alice").speed = 500.0
+
+    assert hall.team.choose("Bob").speed == 500.0
+    hall.team.chosen.speed = None
+    hall.run("WAIT 1", "WAIT 1")
+
+    assert [each.speed for each in hall.team.sessions] == [None, None]
