@@ -225,16 +225,19 @@ class _Maker:
         return _Made(tuple(self._speakers), tuple(self._voiced), player, audio)
 
     def _connect_voices(self, audio: AudioService | None) -> None:
-        from devices.audio_worker.factory import make_speaker
-
         match self._choice.channel:
             case Channel.TTS:
-                self._voice(make_speaker(audio), Hears.ALL)
+                self._voice(self._own_voice(audio), Hears.ALL)
             case Channel.SSIP:
                 at_robot_only = self._choice.speak is SpeakPlace.ROBOT
                 self._voice(self._ssip(), Hears.ANSWERS if at_robot_only else Hears.ALL)
         if self._choice.speak is not SpeakPlace.HERE:
-            self._voice(make_speaker(audio), Hears.PROGRAM)
+            self._voice(self._own_voice(audio), Hears.PROGRAM)
+
+    def _own_voice(self, audio: AudioService | None) -> Speaker:
+        from devices.audio_worker.factory import make_speaker
+
+        return make_speaker(audio)
 
     def _voice(self, speaker: Speaker, hears: Hears) -> None:
         self._speakers.append(speaker)

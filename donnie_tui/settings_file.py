@@ -6,7 +6,6 @@ A damaged file never keeps anybody from starting: defaults count, and the file i
 from __future__ import annotations
 
 import re
-import tomllib
 from collections.abc import Mapping
 from pathlib import Path
 
@@ -33,6 +32,8 @@ def read_settings(environment: Mapping[str, str]) -> tuple[dict[str, object], tu
 
 
 def _parsed(text: str) -> tuple[dict[str, object], tuple[Notice, ...]]:
+    import tomllib  # slow to load, and many have no such file
+
     try:
         return tomllib.loads(text), ()
     except (ValueError, RecursionError) as damage:

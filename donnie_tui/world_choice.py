@@ -6,7 +6,6 @@ configuration file chooses its world, the robots that it offers, and the real ro
 
 from __future__ import annotations
 
-import difflib
 from pathlib import Path
 from typing import TYPE_CHECKING
 
@@ -89,6 +88,8 @@ def _looks_like_a_file(name: str) -> bool:
 
 
 def _unknown_world(name: str, words: Words) -> str:
+    import difflib
+
     near = difflib.get_close_matches(name.lower().replace(" ", "_"), worlds.names(), n=1)
     if near:
         return words("world-unknown-near", name=name, near=near[0])

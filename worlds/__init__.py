@@ -6,7 +6,6 @@ worlds of the manual's chapter on world files, step by step.
 
 from __future__ import annotations
 
-import tomllib
 from enum import Enum
 from pathlib import Path
 
@@ -79,6 +78,8 @@ def path(name: str) -> Path:
 
 def about(name: str, language: str) -> About:
     """What to say of a world in ``en``, ``pt`` or ``es``. KeyError if there is no such world or language."""
+    import tomllib  # slow to load, and a start needs no words
+
     told = tomllib.loads(path(name).with_suffix(".toml").read_text(encoding="utf-8"))
     words = told[language]
     return About(words["title"], words["description"].strip(), words["task"], Difficulty(told["difficulty"]))

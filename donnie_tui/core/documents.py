@@ -10,7 +10,6 @@ import contextlib
 import errno
 import os
 import re
-import tempfile
 from pathlib import Path
 
 _LINE_END = re.compile(r"\r\n|\r|\n")
@@ -122,6 +121,8 @@ def write_program(path: Path, text: str) -> None:
 
 
 def _write_beside(target: Path, text: str) -> None:
+    import tempfile  # slow to load, and few sessions write
+
     handle, beside = tempfile.mkstemp(dir=target.parent, prefix=f".{target.name}.")
     try:
         with os.fdopen(handle, "w", encoding="utf-8", newline="\n") as out:

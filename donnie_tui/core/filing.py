@@ -8,7 +8,6 @@ from __future__ import annotations
 
 import contextlib
 import os
-import tempfile
 from pathlib import Path
 
 from donnie_tui.core.documents import (
@@ -108,6 +107,8 @@ class Copies:
             self._own = None
 
     def _new(self) -> Path:
+        import tempfile  # slow to load, and few sessions write
+
         self._folder.mkdir(parents=True, exist_ok=True)
         handle, name = tempfile.mkstemp(dir=self._folder, prefix=f"{_PREFIX}{os.getpid()}-", suffix=_SUFFIX)
         os.close(handle)

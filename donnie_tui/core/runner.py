@@ -6,7 +6,6 @@ robot is halted before that is told. The thread that asked for the run never wai
 
 from __future__ import annotations
 
-import logging
 import threading
 from collections.abc import Callable
 from typing import Protocol, TypeAlias, runtime_checkable
@@ -20,9 +19,6 @@ from language.compiler import Runnable
 from language.control import ExecutionControl
 from language.diagnostics import MOST_MISTAKES, Diagnostic, ProgramError, QuitRequested, Stopped
 from language.runtime import Actions, Frame, Memory
-
-_LOG = logging.getLogger(__name__)
-
 
 Readable: TypeAlias = Runnable | tuple[Diagnostic, ...]
 """A text once it was read: a program, or its mistakes of form."""
@@ -142,8 +138,10 @@ class Run:
             return Outcome.STOPPED
         except QuitRequested:
             return Outcome.QUIT
-        except Exception:  # noqa: BLE001 -- whatever went wrong, the learner must hear of it
-            _LOG.exception("the program's thread failed")
+        except Exception:  # whatever went wrong, the learner must hear of it
+            import logging  # slow to load, and never needed as long as all is well
+
+            logging.getLogger(__name__).exception("the program's thread failed")
             self._publish_failure()
             return Outcome.FAILED
 

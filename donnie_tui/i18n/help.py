@@ -6,7 +6,6 @@ for something else. The tests parse every example in every language.
 
 from __future__ import annotations
 
-import difflib
 import re
 
 from devices.ports.values import frozen
@@ -131,6 +130,8 @@ def _spelled(place: str, words: Phrasing) -> str:
 def _unknown(topic: str, words: Phrasing) -> tuple[str, ...]:
     shown = topic[:30]
     known = {word.lower(): word for word in keywords.all_words()}
+    import difflib
+
     near = difflib.get_close_matches(shown.lower(), known, n=1, cutoff=0.7)
     if near:
         return (words("help-unknown-near", topic=shown, near=known[near[0]]),)
