@@ -7,7 +7,7 @@ import os
 import sys
 
 OBJECTS_BETWEEN_COLLECTIONS = 20_000
-"""Little that is loaded at the start is garbage: looking for it every 700 objects took a tenth of the time."""
+"""Little that is loaded at the start is garbage: looking for it every 700 objects took a tenth of it."""
 
 
 def main() -> int:
