@@ -32,6 +32,8 @@ class Greeting:
     def __init__(self) -> None:
         self.was_printed = False
         self.has_prompt = False
+        self.offered: set[bool] = set()
+        """The modes that somebody was asked about whether to begin in them; nobody is asked twice."""
         self.terminal: object | None = None
         """A ``terminal.Terminal`` once it was taken; its type would have to be imported."""
 

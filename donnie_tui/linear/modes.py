@@ -6,6 +6,7 @@ import os
 
 from donnie_tui.bootstrap import SwitchMode
 from donnie_tui.core.documents import DocumentError
+from donnie_tui.linear import greeting
 from donnie_tui.linear.arguments import Handler, alone
 from donnie_tui.linear.desk import Desk
 from donnie_tui.linear.files import refuse
@@ -26,8 +27,12 @@ def _visual(desk: Desk) -> None:
 
 
 def offer_to_remember(desk: Desk, *, linear: bool) -> None:
-    """Whether Donnie is to begin in this mode from now on."""
-    if not desk.is_attended or not desk.ask_yes("mode-ask-linear" if linear else "mode-ask-visual"):
+    """Ask, once in a session, whether Donnie is to begin in this mode from now on."""
+    was_asked = linear in greeting.DONE.offered
+    greeting.DONE.offered.add(linear)
+    if was_asked or not desk.is_attended:
+        return
+    if not desk.ask_yes("mode-ask-linear" if linear else "mode-ask-visual"):
         return
     try:
         remember("linear", linear, os.environ)

@@ -242,6 +242,12 @@ def test_the_change_of_mode_takes_the_robot_the_variables_and_the_program_along(
     learner.sees("Speed 20.\r\n> ")
     learner.types("LIST\r")
     learner.sees("1: VAR x = 5\r\n2: FW x\r\n> ")
+    learner.types("VISUAL\r")
+    learner.sees("Donnie at 0, 5")
+    learner.types(SHIFT_TAB)
+    learner.sees("Command line.")
+    learner.types("LINEAR\r")
+    learner.sees("Linear mode, from the word.\r\n2 lines.\r\n> ")
     learner.types("QUIT\r")
     assert learner.leaves() == 0
     assert "linear = true" in (tmp_path / "config/donnie/settings.toml").read_text()
