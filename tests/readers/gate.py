@@ -1,6 +1,7 @@
 """Prints what a reader makes of the long lesson: ``python -m tests.readers.gate yasr``.
 
-The numbers are explained in ``hearing.py``; what was heard otherwise than it was printed follows.
+The numbers are explained in ``hearing.py``; what was heard otherwise than it was printed follows. Of BRLTTY
+it tells of how many answers the last line stands on a display of 40 cells.
 """
 
 from __future__ import annotations
@@ -9,21 +10,42 @@ import sys
 import tempfile
 from pathlib import Path
 
-from tests.readers.hearing import score
+from tests.readers.hearing import Phase, is_whole, score, shown
 from tests.readers.lesson import LONG
-from tests.readers.reading import phases_of
+from tests.readers.reading import AS_PROMPT, BRIEF, phases_of
+
+OPTIONS = ("--world", "living_room")
 
 
 def main() -> None:
     reader = sys.argv[1] if len(sys.argv) > 1 else "yasr"
     with tempfile.TemporaryDirectory(prefix="donnie-gate-") as folder:
-        phases = phases_of(reader, LONG, Path(folder), ("--world", "living_room"))
+        if reader == "brltty":
+            tell_shown(phases_of(reader, LONG, Path(folder), (*OPTIONS, *BRIEF), AS_PROMPT)[1:])
+        else:
+            tell_heard(reader, phases_of(reader, LONG, Path(folder), OPTIONS))
+
+
+def tell_heard(reader: str, phases: list[Phase]) -> None:
     print(f"{reader}: {len(LONG)} commands  {score(phases)}")
     for phase in phases:
         if not phase.is_clean:
-            print(f"not clean: {phase.command}")
-            print(f"  printed: {' | '.join(phase.printed)}")
-            print(f"  heard:   {' | '.join(phase.heard)}")
+            tell(phase)
+
+
+def tell_shown(phases: list[Phase]) -> None:
+    answered = [each for each in phases if each.printed]
+    whole = sum(map(is_whole, answered))
+    print(f"brltty: {sum(map(shown, answered))} of {len(answered)} answers shown, {whole} whole")
+    for phase in answered:
+        if not shown(phase):
+            tell(phase)
+
+
+def tell(phase: Phase) -> None:
+    print(f"otherwise: {phase.command}")
+    print(f"  printed: {' | '.join(phase.printed)}")
+    print(f"  heard:   {' | '.join(phase.heard)}")
 
 
 if __name__ == "__main__":

@@ -101,3 +101,21 @@ def score(phases: Sequence[Phase]) -> Score:
         phases=len(phases),
         noise=(heard - in_order) / max(heard, 1),
     )
+
+
+CELLS = 40
+"""Of a braille display."""
+
+
+def shown(phase: Phase) -> bool:
+    """Whether what a braille display shows in the end is of the last line of the answer: what is before
+    the cursor, one blank behind it. A line that leaves no room for the cursor is shown from its 41st cell.
+    """
+    line = phase.printed[-1]
+    begin = (len(line) + 1) // CELLS * CELLS
+    return phase.heard[-1:] == (line[begin:].strip(),)
+
+
+def is_whole(phase: Phase) -> bool:
+    """Whether it is the whole line."""
+    return phase.heard[-1:] == phase.printed[-1:]

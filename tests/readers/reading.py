@@ -31,6 +31,12 @@ PATIENCE = 20.0
 EACH_LINE = {"DONNIE_ENTER": "runs"}
 """Every complete line is a lesson's command, as in a terminal."""
 
+AS_PROMPT = {**EACH_LINE, "DONNIE_PROMPT": "answer"}
+"""The last line of an answer stands before the cursor, where a braille display looks."""
+
+BRIEF = ("--verbosity", "brief")
+"""Answers fit a display of 40 cells."""
+
 _ABOUT_ITSELF = ("pychant is not installed", "Start Fenrir")
 """What Fenrir says at its start, of itself."""
 

@@ -39,7 +39,7 @@ def key_of(folder: str) -> int:
 
 def main() -> None:
     folder, command = sys.argv[1], sys.argv[2:]
-    memory = _LIBC.shmget(key_of(folder), _SIZE, _IPC_CREAT | 0o600)
+    memory = _LIBC.shmget(key_of(folder), _SIZE, _IPC_CREAT | 0o700)
     if memory < 0:
         raise SystemExit(os.strerror(ctypes.get_errno()))
     place = _LIBC.shmat(memory, None, 0)
