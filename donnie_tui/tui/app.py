@@ -370,7 +370,7 @@ class DonnieApp(App[int], inherit_bindings=False):
 
     def on_workplace_looked(self) -> None:
         if self.work is not None:
-            self.work.display.say_status()
+            self.work.display.looked()
 
     def on_text_area_changed(self) -> None:
         if self.work is not None:
@@ -481,7 +481,7 @@ def _assembled(settings: Settings) -> Donnie:
 
 
 def _switch(app: DonnieApp) -> None:
-    from donnie_tui.bootstrap import SwitchMode
+    from donnie_tui.switching import SwitchMode
 
     path = app.work.files.document.path if app.work is not None else None
     donnie = app.work.hand_over() if app.work is not None else None

@@ -44,6 +44,8 @@ class Display:
         self._readings: dict[tuple[str, str], Read] = {}
         self._belt: tuple[int, ...] | None = None
         self._kinds: dict[str, str] = {}
+        self._answer = ""
+        """The last sentence that was told, until somebody looks elsewhere."""
         self._show_world()
 
     def _show_world(self) -> None:
@@ -122,8 +124,13 @@ class Display:
 
     def write(self, lines: Iterable[tuple[str, str]]) -> None:
         """Lines with the codes of their kinds."""
-        self._place.log_lines([(text, self._kind_words(kind)) for text, kind in lines])
+        told = list(lines)
+        self._place.log_lines([(text, self._kind_words(kind)) for text, kind in told])
         self._show_inspector()
+        answers = [text for text, kind in told if kind != "typed"]
+        if answers:
+            self._answer = answers[-1] if answers[-1].endswith((".", "!", "?", ":")) else f"{answers[-1]}."
+            self.say_status()
 
     def _kind_words(self, kind: str) -> str:
         """What the log calls a kind; looked up once each, a flood has few kinds."""
@@ -171,7 +178,14 @@ class Display:
         robot = robot_sentence(self._pose, self._words, self._donnie.session.teller)
         doings = doing_sentences(self._running.doing, self._running.speed, self._words)
         focus = self._focus_sentence()
-        self._place.status.say(*(f" {focus} {robot} {doing}" for doing in doings))
+        whole = [f"{focus} {robot} {doing}" for doing in doings]
+        short = [f"{focus} {doings[1]}", doings[1], ""] if self._answer else []
+        self._place.status.say(*(f" {self._answer} {rest}".replace("  ", " ") for rest in (*whole, *short)))
+
+    def looked(self) -> None:
+        """Somebody looks elsewhere: what was answered before is not said again."""
+        self._answer = ""
+        self.say_status()
 
     def _focus_sentence(self) -> str:
         place, words = self._place, self._words

@@ -228,7 +228,7 @@ class Work:
         pointer = self.workplace.map.pointer
         if pointer is not None and pointer.cell is not None:
             self._donnie.session.hub.publish(Pointed(pointer.words(self.words)))
-        self.display.say_status()
+        self.display.looked()
 
     def step_back(self) -> None:
         """Show what was before: where everything was, and what is undone, in words."""

@@ -129,7 +129,7 @@ async def test_pause_holds_the_program_marks_its_line_and_goes_on(work):
         await desk.doing(Doing.PAUSED)
         await desk.told("Line ")
         line = desk.app.work.running.frames[0].line
-        await desk.until(lambda: f">{line}  " in desk.screen, "the mark")
+        await desk.until(lambda: f"> {line}  " in desk.screen, "the mark")
         assert "Paused" in desk.status
         assert desk.place.editor.line == line
 
@@ -143,7 +143,7 @@ async def test_stepping_stops_before_each_line_and_the_cursor_follows(work):
             await desk.press("f7")
             await desk.told(f"Line {line}: FW {line}")
             assert desk.place.editor.line == line
-            assert f">{line}  FW {line}" in desk.screen
+            assert f"> {line}  FW {line}" in desk.screen
         await desk.press("f7")
         await desk.told("The program is done.")
 
@@ -163,8 +163,8 @@ async def test_a_step_goes_into_a_procedure_and_its_caller_is_marked(work):
         await desk.press("f7")
         await desk.told("Line 2: FW n")
 
-        assert ">2  FW n" in desk.screen
-        assert "*5  HOP [2]" in desk.screen
+        assert "> 2  FW n" in desk.screen
+        assert "* 5  HOP [2]" in desk.screen
 
 
 async def test_stepping_over_runs_a_procedure_as_a_whole(work):
