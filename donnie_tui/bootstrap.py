@@ -32,18 +32,7 @@ if TYPE_CHECKING:
     from sim.picture import Picture
     from sim.world import World
 
-__all__ = ["Donnie", "SwitchMode", "Unusable", "assemble", "colours_of_world"]
-
-
-class SwitchMode(Exception):
-    """Raised by a front end that the user leaves for the other one. What was made goes with it."""
-
-    def __init__(self, text: str, name: str | None, donnie: Donnie | None = None) -> None:
-        """``donnie`` is the session to go on with, its robot where it stands; its taker closes it."""
-        super().__init__("switch")
-        self.text = text
-        self.name = name
-        self.donnie = donnie
+__all__ = ["Donnie", "Unusable", "assemble", "colours_of_world"]
 
 
 @dataclass(slots=True)

@@ -4,11 +4,15 @@ from __future__ import annotations
 
 from dataclasses import replace
 from pathlib import Path
+from typing import TYPE_CHECKING
 
-from donnie_tui.bootstrap import Donnie, SwitchMode
 from donnie_tui.cli.mode import cause_of_linear, surroundings
 from donnie_tui.cli.order import Order
 from donnie_tui.settings import Settings
+from donnie_tui.switching import SwitchMode
+
+if TYPE_CHECKING:
+    from donnie_tui.bootstrap import Donnie
 
 
 def start(order: Order) -> int:

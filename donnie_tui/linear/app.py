@@ -12,7 +12,7 @@ import signal
 from pathlib import Path
 
 from donnie_tui import sound_words, team_words
-from donnie_tui.bootstrap import Donnie, SwitchMode, Unusable, assemble
+from donnie_tui.bootstrap import Donnie, Unusable, assemble
 from donnie_tui.core.filing import Copies
 from donnie_tui.core.typed_program import ProgramTooLong
 from donnie_tui.core.use_cases import When
@@ -32,6 +32,7 @@ from donnie_tui.linear.runs import Runs
 from donnie_tui.linear.terminal import Terminal
 from donnie_tui.linear.told import Told
 from donnie_tui.settings import Settings
+from donnie_tui.switching import SwitchMode
 from language import keywords
 
 INTERRUPTED = 130

@@ -4,13 +4,13 @@ from __future__ import annotations
 
 import os
 
-from donnie_tui.bootstrap import SwitchMode
 from donnie_tui.core.documents import DocumentError
 from donnie_tui.linear import greeting
 from donnie_tui.linear.arguments import Handler, alone
 from donnie_tui.linear.desk import Desk
 from donnie_tui.linear.files import refuse
 from donnie_tui.settings_file import remember
+from donnie_tui.switching import SwitchMode
 
 
 def _linear(desk: Desk) -> None:

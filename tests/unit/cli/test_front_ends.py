@@ -5,7 +5,6 @@ from pathlib import Path
 
 import pytest
 
-from donnie_tui.bootstrap import SwitchMode
 from donnie_tui.cli import front_ends
 from donnie_tui.cli.arguments import Invocation
 from donnie_tui.cli.order import Order
@@ -13,6 +12,7 @@ from donnie_tui.cli.output import Output
 from donnie_tui.i18n.words import Words
 from donnie_tui.linear import app as linear
 from donnie_tui.settings import Settings
+from donnie_tui.switching import SwitchMode
 from donnie_tui.tui import app as screen
 
 LIVING = object()
