@@ -9,11 +9,6 @@ SENTENCES: dict[str, Sentence] = {
         "O comando {command} ainda não existe.",
         "La orden {command} aún no existe.",
     ),
-    "option-to-come": Sentence(
-        "The option {option} is not there yet.",
-        "A opção {option} ainda não existe.",
-        "La opción {option} aún no existe.",
-    ),
     # --- wrong usage
     "bad-option": Sentence(
         "The option {option} can't be {value}. It takes {wanted}.",
