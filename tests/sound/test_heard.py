@@ -4,14 +4,16 @@ from __future__ import annotations
 
 import os
 import shutil
+import signal
 import subprocess
+import time
 from array import array
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 from pathlib import Path
 
 import pytest
 
-from devices.audio_worker.notices import AudioNotice
+from devices.audio_worker.notices import AudioNotice, NoticeCode
 from devices.audio_worker.service import AudioService, AudioSettings
 from devices.ports.audio import Cue, Urgency, Utterance
 
@@ -31,8 +33,9 @@ pytestmark = pytest.mark.skipif(
 class Ear:
     """Hears the sink, in stereo."""
 
-    def __init__(self, recording: subprocess.Popen[bytes]) -> None:
+    def __init__(self, recording: subprocess.Popen[bytes], server: subprocess.Popen[bytes]) -> None:
         self._recording = recording
+        self.server = server
 
     def hear(self) -> array[int]:
         assert self._recording.stdout is not None
@@ -72,7 +75,7 @@ def ear(tmp_path_factory: pytest.TempPathFactory, monkeypatch: pytest.MonkeyPatc
         stderr=subprocess.DEVNULL,
     )  # fmt: skip
     try:
-        made = Ear(recording)
+        made = Ear(recording, server)
         made.hear()  # the sink is there
         yield made
     finally:
@@ -109,3 +112,46 @@ def test_a_cue_is_heard_on_its_side(ear: Ear, audio: AudioService) -> None:
     heard = ear.hears_something()
     assert heard
     assert max(heard[1::2]) > 4 * max(heard[0::2])
+
+
+# --- the sound server hangs, or is gone
+
+LONG = "one two three four five six seven eight nine ten " * 8
+
+
+def eventually(is_so: Callable[[], bool]) -> bool:
+    end = time.monotonic() + 20
+    while not is_so() and time.monotonic() < end:
+        time.sleep(0.01)
+    return is_so()
+
+
+def test_a_server_that_hung_is_heard_again(ear: Ear, audio: AudioService) -> None:
+    """S6: a player that stands still is replaced, and the sentence said again."""
+    audio.say(Utterance(LONG, Urgency.PROGRAM, "en"))
+    assert ear.hears_something()
+    before = audio.worker_pid
+    ear.server.send_signal(signal.SIGSTOP)
+    try:
+        assert eventually(lambda: audio.worker_pid != before)
+    finally:
+        ear.server.send_signal(signal.SIGCONT)
+    assert ear.hears_something()
+
+
+def test_a_device_that_is_gone_is_told_once_and_nobody_waits(ear: Ear) -> None:
+    notices: list[AudioNotice] = []
+    service = AudioService(AudioSettings(), notices.append)
+    try:
+        service.say(Utterance(LONG, Urgency.PROGRAM, "en"))
+        assert ear.hears_something()
+        ear.server.kill()
+
+        assert eventually(lambda: bool(notices))
+        assert service.is_quiet
+        service.say(Utterance(LONG, Urgency.PROGRAM, "en"))
+        assert service.is_quiet
+        assert notices[0].code in (NoticeCode.NO_SOUND_DEVICE, NoticeCode.AUDIO_GAVE_UP)
+        assert len(notices) == 1
+    finally:
+        service.close()

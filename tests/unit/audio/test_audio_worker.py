@@ -371,3 +371,59 @@ def test_a_sentence_is_rendered_to_sound_by_the_voice_of_its_language(bundled: b
     assert facts["twice"][0] == pytest.approx(facts["twice"][1], abs=0.01)
     assert facts["french"]
     assert min(facts["changing"][0::2]) > 1.5 * max(facts["changing"][1::2])
+
+
+def test_whatever_happens_to_the_worker_nobody_waits_and_it_is_heard_again() -> None:
+    """S1, S4, S6: killed, stopped, flooded with a thousand sentences and silenced a hundred times."""
+    with audio() as (service, notices):
+        pid = warm(service)
+        for number in range(1000):
+            say(service, f"{number}.")
+            if number % 10 == 0:
+                make_speaker(service).silence()
+        os.killpg(pid, signal.SIGKILL)
+        assert eventually(lambda: service.worker_pid not in (None, pid))
+        frozen = warm(service)
+        os.kill(frozen, signal.SIGSTOP)
+        say(service, "It is frozen.")
+        assert eventually(lambda: service.is_speaking)
+        make_speaker(service).silence()
+        assert eventually(lambda: service.worker_pid not in (None, frozen))
+
+        say(service, "Heard.")
+        assert service.wait_until_quiet(LIMIT)
+        assert (service.state, notices) == (State.READY, [])
+        assert group_of(pid) == group_of(frozen) == set()
+
+
+GROWTH = """
+import os, sys
+from pathlib import Path
+from devices.speech.renderer import NoVoice, Renderer
+from devices.speech.voices import VoiceSettings
+def resident():
+    return int(Path("/proc/self/statm").read_text().split()[1]) * os.sysconf("SC_PAGE_SIZE")
+try:
+    renderer = Renderer(False)
+except NoVoice:
+    sys.exit("no voice")
+fast = VoiceSettings(450)
+def render(numbers):
+    return sum(len(renderer.render(f"{number}.", "en", fast)) > 0 for number in numbers)
+render(range(30))
+before = resident()
+print(render(range(300)), resident() - before)
+"""
+
+
+def test_speaking_makes_the_worker_grow_by_less_than_ten_megabytes_a_thousand_sentences() -> None:
+    """S4, by three hundred of them."""
+    done = subprocess.run(
+        (sys.executable, "-c", GROWTH), cwd=ROOT, capture_output=True, text=True, timeout=100
+    )
+    if "no voice" in done.stderr:
+        pytest.skip("needs espeak-ng")
+    rendered, grown = map(int, done.stdout.split()[-2:])
+
+    assert rendered == 300
+    assert grown < 3 * 1024 * 1024
