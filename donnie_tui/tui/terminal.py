@@ -7,6 +7,7 @@ from __future__ import annotations
 
 import os
 from collections.abc import MutableMapping
+from functools import cache
 
 from donnie_tui.settings import Settings
 
@@ -15,6 +16,12 @@ def is_plain(settings: Settings) -> bool:
     """As it was chosen; where nothing was, plain if a screen reader runs."""
     if settings.plain is not None:
         return settings.plain
+    return _is_listened_to()
+
+
+@cache
+def _is_listened_to() -> bool:
+    """Looked up once: it is asked three times before the first frame, and all processes are looked at."""
     from devices.speech.probe import find_screen_reader
 
     return find_screen_reader(os.environ) is not None

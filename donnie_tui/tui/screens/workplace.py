@@ -58,10 +58,11 @@ class Workplace(Screen[None]):
         self.inspector_pane = Pane(self.inspector, id="inspector-pane")
         self.log_pane = Pane(self.log_rows, id="log-pane")
         self._shown = self.program_pane
+        self._shown.add_class("-shown")  # before they are mounted: afterwards each class costs a restyling
 
     def compose(self) -> ComposeResult:
         with Vertical(id="panes"):
-            with Horizontal(id="upper"):
+            with Horizontal(id="upper", classes="-shown"):
                 yield self.program_pane
                 yield self.map_pane
                 yield self.inspector_pane
@@ -73,8 +74,8 @@ class Workplace(Screen[None]):
         yield self.keys
 
     def on_mount(self) -> None:
-        self.set_plain(self.is_plain)
         if self.is_plain:
+            self.set_plain(True)
             self.command_line.focus()
 
     # --- panes
