@@ -35,7 +35,7 @@ def test_a_running_program_pauses_goes_on_and_stops_by_typed_words(tmp_path: Pat
     learner.sees("Facing north.\r\n> ")
     learner.types("CONTINUE\r")
     learner.types("STOP\r")
-    learner.sees("I was stopped.\r\nStopped at line 1.\r\n> ")
+    learner.sees("Stopped at line 1.\r\n> ")
 
 
 def test_the_speed_of_a_running_program_changes_at_once(tmp_path: Path) -> None:
