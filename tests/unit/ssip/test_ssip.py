@@ -145,6 +145,23 @@ def test_a_voice_that_was_chosen_is_asked_for_and_else_the_servers_is_left(serve
     assert "SET SELF RATE 100" in server.commands
 
 
+def test_a_voice_that_changes_is_asked_for_between_two_sentences_and_of_the_next_server(
+    tmp_path: Path,
+) -> None:
+    server = Server(tmp_path)
+    speaker = SsipSpeaker(server.address, lambda _: None)
+    speaker.say(say("x=1"))
+    assert speaker.wait_until_quiet(10)
+    assert not any("RATE" in each for each in server.commands)
+    speaker.set_voice(VoiceSettings(words_per_minute=450, punctuation="none"))
+    speaker.say(say("x=2"))
+    assert speaker.wait_until_quiet(10)
+    speaker.close()
+    assert "SET SELF RATE 100" in server.commands
+    assert server.texts == ["x equals 1", "x=2"]
+    server.close()
+
+
 def test_silence_cancels_what_is_said_and_forgets_what_waits(tmp_path: Path) -> None:
     server = Server(tmp_path, tells_end=False)
     speaker = SsipSpeaker(server.address, lambda _: None)
