@@ -16,6 +16,7 @@ import pytest
 from devices.audio_worker.notices import AudioNotice, NoticeCode
 from devices.audio_worker.service import AudioService, AudioSettings
 from devices.ports.audio import Cue, Urgency, Utterance
+from tests.sessions.learner import Learner
 
 RATE = 22_050
 CHUNK = RATE // 20
@@ -112,6 +113,21 @@ def test_a_cue_is_heard_on_its_side(ear: Ear, audio: AudioService) -> None:
     heard = ear.hears_something()
     assert heard
     assert max(heard[1::2]) > 4 * max(heard[0::2])
+
+
+# --- a whole session
+
+
+def test_a_key_at_the_terminal_ends_the_own_voice(ear: Ear, tmp_path: Path) -> None:
+    """V3: and what is asked for next is heard."""
+    learner = Learner(tmp_path, "--speech", "tts")
+    learner.enters(f'SPEAK "{"one two three four five six seven eight nine ten " * 4}"', "")
+    learner.sees_prompt()
+    assert ear.hears_something()
+    learner.types("W")
+    assert ear.chunks_until_silence() < 60
+    learner.types("HERE\r")
+    assert ear.hears_something()
 
 
 # --- the sound server hangs, or is gone
