@@ -7,6 +7,7 @@ on the stream, in print, once.
 from __future__ import annotations
 
 import os
+from collections.abc import Callable
 from contextlib import ExitStack
 from dataclasses import replace
 from typing import TYPE_CHECKING, Protocol
@@ -18,6 +19,7 @@ from devices.speech.probe import look_around, ssip_address
 from donnie_tui.core.events import Answered, SoundSwitched, Stamped
 from donnie_tui.core.hub import HasHub
 from donnie_tui.core.outlets import Cues, Hears, Voice
+from donnie_tui.core.summing_up import Telling, TellingAll
 from donnie_tui.folders import own_sounds
 from donnie_tui.i18n.words import Words
 from donnie_tui.settings import Settings, Source
@@ -70,6 +72,7 @@ class Audible:
         """What SOUND said last."""
         self.hushed = 0
         """How often there was a hush: whoever goes on sounding for a while looks at it."""
+        self._telling: Telling = TellingAll()
         self._unsubscribe = session.hub.subscribe(self._hear)
         self._make()
 
@@ -79,7 +82,15 @@ class Audible:
             is_linear=self._is_linear, has_real_robot=self._settings.robot.startswith("serial")
         )
         self.choice = choose_channel(self._settings.speech, self._facts, self._settings.speak)
-        made = _Maker(self._settings, self._session, self._words, self._own, self.choice, is_on=self._is_on)
+        made = _Maker(
+            self._settings,
+            self._session,
+            self._words,
+            self._own,
+            self.choice,
+            is_on=self._is_on,
+            telling=lambda: self._telling,
+        )
         self._made = made.make(self._facts)
         notice = NOTICE_FOR.get(self.choice.reason)
         self.notices: tuple[str, ...] = (self._words(notice),) if notice else ()
@@ -89,6 +100,15 @@ class Audible:
         """Be silent for good."""
         self._unsubscribe()
         self._own.close()
+
+    def tell_as(self, telling: Telling) -> Callable[[], None]:
+        """Say no more of the stream than what is printed of it. The answer ends that."""
+        self._telling = telling
+        return self.tell_all
+
+    def tell_all(self) -> None:
+        """Say everything that is told."""
+        self._telling = TellingAll()
 
     @property
     def settings(self) -> Settings:
@@ -210,7 +230,9 @@ class _Maker:
         choice: Choice,
         *,
         is_on: bool,
+        telling: Callable[[], Telling],
     ) -> None:
+        self._telling = telling
         self._settings, self._session, self._words = settings, session, words
         self._closing, self._choice, self._is_on = closing, choice, is_on
         self._speakers: list[Speaker] = []
@@ -241,7 +263,7 @@ class _Maker:
 
     def _voice(self, speaker: Speaker, hears: Hears) -> None:
         self._speakers.append(speaker)
-        voice = Voice(speaker, self._words, hears, is_on=self._is_on)
+        voice = Voice(speaker, self._words, hears, is_on=self._is_on, telling=self._telling)
         self._closing.callback(self._session.hub.subscribe(voice))
 
     def _worker(self) -> AudioService:

@@ -5,6 +5,7 @@ SOUND OFF silences voice and cues and never the printed line; the belt has its o
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from enum import Enum
 
 from devices.ports.audio import Cue, CuePlayer, Speaker, Urgency, Utterance
@@ -19,6 +20,7 @@ from donnie_tui.core.events import (
     Spoke,
     Stamped,
 )
+from donnie_tui.core.summing_up import Telling, TellingAll
 from donnie_tui.core.transcript import told_lines
 from donnie_tui.core.wording import Wording
 
@@ -39,9 +41,17 @@ class Voice:
     """Says what the transcript prints."""
 
     def __init__(
-        self, speaker: Speaker, wording: Wording, hears: Hears = Hears.ALL, *, is_on: bool = True
+        self,
+        speaker: Speaker,
+        wording: Wording,
+        hears: Hears = Hears.ALL,
+        *,
+        is_on: bool = True,
+        telling: Callable[[], Telling] = TellingAll,
     ) -> None:
+        """``telling`` is asked at each event for what is printed of it."""
         self._speaker = speaker
+        self._telling = telling
         self._wording = wording
         self._hears = hears
         self._on = is_on
@@ -49,7 +59,16 @@ class Voice:
     def __call__(self, stamped: Stamped) -> None:
         if isinstance(stamped.event, SoundSwitched):
             self._switch(stamped.event.on)
-        elif self._on and self._is_ours(stamped.event):
+        elif self._on:
+            self._tell(stamped)
+
+    def _tell(self, stamped: Stamped) -> None:
+        """What is printed, as far as it is ours."""
+        telling = self._telling()
+        if self._hears is not Hears.PROGRAM:
+            for line in telling.before(stamped):
+                self._speaker.say(Utterance(line, Urgency.ANSWER, self._wording.language))
+        if self._is_ours(stamped.event) and telling.passes(stamped):
             self._say(stamped)
 
     def _is_ours(self, event: Event) -> bool:

@@ -16,6 +16,7 @@ from donnie_tui.core.events import TRANSIENT, Announced, Answered, Error, RunSta
 from donnie_tui.core.filing import Copies
 from donnie_tui.core.reading import ProgramText
 from donnie_tui.core.session import Session
+from donnie_tui.core.summing_up import SummingUp
 from donnie_tui.core.timeline import Timeline
 from donnie_tui.core.trail import Trail
 from donnie_tui.core.transcript import told_lines
@@ -105,7 +106,9 @@ class Desk:
         self._shown_prompt: str | None = None
         self._typed_early: Typed | None = None
         """A line that was typed where an answer waited for Enter."""
-        self._unsubscribe = [self.session.hub.subscribe(self._hear)]
+        self._summing_up = SummingUp(donnie.words, self.console.now, self._has_pace)
+        told_as_printed = donnie.audible.tell_as(self._summing_up)
+        self._unsubscribe = [self.session.hub.subscribe(self._hear), told_as_printed]
 
     def close(self) -> None:
         """Hear no more: somebody else goes on with the session."""
@@ -163,10 +166,20 @@ class Desk:
             self.timeline = None
         if stamped.robot == self.session.hub.robot:
             self._hear_own(stamped)
-        self._ends.told.put(told_lines(stamped, self.say))
+        self._put(stamped)
         if isinstance(event, Announced) and event.code in CANNOT_WAIT:
             self.console.has_news = True
             self.console.nudge()
+
+    def _put(self, stamped: Stamped) -> None:
+        """To be printed: a sum of what was not told before, and what is told; to be remembered: all."""
+        lines, before = told_lines(stamped, self.say), self._summing_up.before(stamped)
+        passes = self._summing_up.passes(stamped)
+        self._ends.told.put((*before, *lines) if passes else before, lines)
+
+    def _has_pace(self) -> bool:
+        """Whether somebody listens to a robot that takes its time."""
+        return self._ends.prompts and self._ends.is_terminal and self.session.speed is not None
 
     def _hear_own(self, stamped: Stamped) -> None:
         """What the robot does that is talked to."""
@@ -181,9 +194,9 @@ class Desk:
 
     def show_told(self, prompt: str = "") -> int:
         """Print what was told, then the prompt. How many lines were left out because of Ctrl+C."""
-        lines = self._ends.told.take()
+        lines, kept = self._ends.told.take(), self._ends.told.take_kept()
         if not self.is_repeating:
-            self.answers.add(lines)
+            self.answers.add(kept)
         self.is_repeating = False
         if not self._ends.prompts:
             return self._ends.output.show(lines)

@@ -7,7 +7,10 @@ tells faster than anybody reads is held back, until it is stopped.
 from __future__ import annotations
 
 import threading
+from collections import deque
 from collections.abc import Callable, Iterable
+
+from donnie_tui.core.answer_log import LONGEST_ANSWER
 
 CAPACITY = 500
 """Lines that may wait before a program is held back."""
@@ -21,19 +24,25 @@ class Told:
         self._nudge = nudge
         self._capacity = capacity
         self._lines: list[str] = []
+        self._kept: deque[str] = deque(maxlen=LONGEST_ANSWER)
         self._changed = threading.Condition()
         self._holds_back = False
         self.count = 0
         """Lines that were ever told."""
 
-    def put(self, lines: Iterable[str]) -> None:
-        """Tell some lines, from any thread. What would print as an empty line is left out."""
+    def put(self, lines: Iterable[str], kept: Iterable[str] | None = None) -> None:
+        """Tell some lines, from any thread. What would print as an empty line is left out.
+
+        ``kept`` is what is remembered of it, where that is not what is printed.
+        """
         said = [line for line in map(printable, lines) if line]
+        kept_lines = said if kept is None else [line for line in map(printable, kept) if line]
         with self._changed:
             self._changed.wait_for(self._has_room)
             was_empty = not self._lines
             self._lines += said
-            self.count += len(said)
+            self._kept += kept_lines
+            self.count += len(said) or len(kept_lines)
         if was_empty and said:
             self._nudge()
 
@@ -42,6 +51,13 @@ class Told:
         with self._changed:
             lines, self._lines = self._lines, []
             self._changed.notify_all()
+        return lines
+
+    def take_kept(self) -> list[str]:
+        """What is to be remembered of what was told since the last time, the newest lines of it."""
+        with self._changed:
+            lines = list(self._kept)
+            self._kept.clear()
         return lines
 
     def trim(self, kept: int) -> int:

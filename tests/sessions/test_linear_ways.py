@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from pathlib import Path
 
 import pytest
@@ -251,3 +252,21 @@ def test_the_change_of_mode_takes_the_robot_the_variables_and_the_program_along(
     learner.types("QUIT\r")
     assert learner.leaves() == 0
     assert "linear = true" in (tmp_path / "config/donnie/settings.toml").read_text()
+
+
+def test_movements_that_come_too_fast_are_summed_up_and_last_tells_them_all(tmp_path: Path) -> None:
+    """L34."""
+    learner = Learner(tmp_path, speed="50")
+    learner.enters("REPEAT 40 TIMES TR 1 END REPEAT", "RUN")
+    learner.sees("more turns.")
+    learner.sees_prompt()
+    printed = learner.raw.decode()
+    single = printed.count("I turned 1 degree")
+    summed = sum(map(int, re.findall(r"(\d+) more turns", printed)))
+
+    assert single + summed == 40
+    assert single < 40
+    learner.types("FIND turned\r")
+    learner.sees("20 lines, the newest last.")
+    learner.sees_prompt()
+    assert learner.raw.decode().count("I turned 1 degree") == single + 20

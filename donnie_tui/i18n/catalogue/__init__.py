@@ -24,6 +24,7 @@ from donnie_tui.i18n.catalogue import (
     signs,
     sounding,
     stepping,
+    summing,
     surroundings,
     things,
     tour,
@@ -60,6 +61,7 @@ TOPICS = (
     answers,
     explain,
     stepping,
+    summing,
     surroundings,
 )
 

@@ -178,9 +178,7 @@ SENTENCES: dict[str, Sentence] = {
     "option-speech": Sentence("who speaks", "quem fala", "quién habla"),
     "option-sound": Sentence("sounds", "sons", "sonidos"),
     "option-verbosity": Sentence("how much is told", "quanto é dito", "cuánto se dice"),
-    "option-record": Sentence(
-        "a file to record into", "um arquivo para gravar", "un archivo para grabar"
-    ),
+    "option-record": Sentence("a file to record into", "um arquivo para gravar", "un archivo para grabar"),
     "option-events": Sentence(
         "what happens, as JSON lines", "o que acontece, em linhas JSON", "lo que pasa, en líneas JSON"
     ),

@@ -21,6 +21,7 @@ from donnie_tui.i18n.catalogue import (
     movement,
     signs,
     stepping,
+    summing,
     surroundings,
     tour,
     use_cases,
@@ -56,13 +57,27 @@ SAMPLES: dict[str, object] = {
     "seconds": 3,
     "speed": 5,
     "steps": 12,
+    "turns": 12,
     "wanted": 2,
     "x": 3,
     "y": 4,
 }
 """Ordinary values; a place without one is filled with an ordinary word."""
 
-LESSON = (movement, mistakes, help, signs, linear, answers, explain, files, stepping, surroundings, tour)
+LESSON = (
+    movement,
+    mistakes,
+    help,
+    signs,
+    linear,
+    answers,
+    explain,
+    files,
+    stepping,
+    summing,
+    surroundings,
+    tour,
+)
 """What is heard while somebody programs."""
 
 OF_THE_MANUAL = re.compile(r"(walked|turned)-.*-obstacle|scan-(left|right|ahead)|(no-)?movement.*")

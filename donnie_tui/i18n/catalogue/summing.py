@@ -1,0 +1,19 @@
+"""What sums up movements that were told too fast, and what a movement ended at."""
+
+from donnie_tui.i18n.sentence import Sentence
+
+_MORE = {
+    "more-steps": Sentence(
+        "{steps} more {steps:step|steps}.",
+        "Mais {steps} {steps:passo|passos}.",
+        "{steps} {steps:paso|pasos} más.",
+    ),
+    "more-turns": Sentence("{turns} more turns.", "Mais {turns} giros.", "{turns} giros más."),
+    "more-moves": Sentence(
+        "{steps} more {steps:step|steps}, {turns} {turns:turn|turns}.",
+        "Mais {steps} {steps:passo|passos}, {turns} {turns:giro|giros}.",
+        "{steps} {steps:paso|pasos} y {turns} {turns:giro|giros} más.",
+    ),
+}
+
+SENTENCES = _MORE
