@@ -13,8 +13,6 @@ from typing import TYPE_CHECKING, Protocol
 
 from devices.port_listing import list_ports
 from devices.ports.robot import LinkNews, Pace, Pose, RobotProblem, Watcher
-from devices.serial_robot.config import RobotConfig
-from devices.wire.telemetry import Telemetry
 from donnie_tui.core.events import Link
 from donnie_tui.core.session import Busy, ResettableRobot, Session
 from donnie_tui.device_settings import DOUBLE, SERIAL, SIMULATED
@@ -26,7 +24,9 @@ from donnie_tui.unusable import Unusable
 from donnie_tui.world_choice import ChosenWorld
 
 if TYPE_CHECKING:
+    from devices.serial_robot.config import RobotConfig
     from devices.serial_robot.robot import SerialRobot
+    from devices.wire.telemetry import Telemetry
 
 
 class Connectable(ResettableRobot, Protocol):
@@ -217,6 +217,8 @@ def _serial_robot(
 
 def robot_config(settings: Settings) -> RobotConfig:
     """A real robot as the settings have it; what is not set is as with the original."""
+    from devices.serial_robot.config import RobotConfig
+
     config = RobotConfig()
     if settings.wheel_radius is not None:
         config = replace(config, wheel_radius=settings.wheel_radius)

@@ -88,6 +88,27 @@ def test_too_few_and_too_many_arguments_are_a_type_error(arguments: tuple[object
         ours(*arguments)
 
 
+def test_fields_that_the_constructor_takes_by_name_or_not_at_all_are_as_usual() -> None:
+    @frozen
+    class Odd:
+        x: int
+        y: int = field(default=1, kw_only=True)
+        z: int = field(default=2, init=False)
+
+    assert (Odd(5, y=3).y, Odd(5).z) == (3, 2)
+    with pytest.raises(TypeError):
+        Odd(5, 3)  # type: ignore[misc] # that is the point
+
+
+def test_a_value_that_was_asked_for_its_fields_first_is_equal_to_one_that_was_not() -> None:
+    for written in (Shape, Plain):
+        ours, _ = made_of(written)
+        one = ours(1)
+        assert [each.name for each in fields(ours)] == list(ours.__match_args__)
+        assert replace(one, x=2) == ours(2)
+        assert (one == ours(1), repr(one) == repr(ours(1))) == (True, True)
+
+
 def test_every_value_has_a_container_of_its_own() -> None:
     ours, _ = made_of(Shape)
 
