@@ -6,12 +6,15 @@ clients read it. With ``ssh -R`` either brings the voice to the learner's machin
 
 from __future__ import annotations
 
-import socket
 from collections.abc import Mapping
 from contextlib import closing
 from pathlib import Path
+from typing import TYPE_CHECKING
 
 from devices.ports.values import frozen
+
+if TYPE_CHECKING:
+    import socket
 
 _DEFAULT_PORT = 6560
 _PATIENCE = 0.25
@@ -28,6 +31,8 @@ class Address:
 
     def connect(self, seconds: float) -> socket.socket:
         """A connected socket with that time-out. Raises ``OSError``."""
+        import socket  # slow to load, and most have no such voice
+
         if not self.path:
             return socket.create_connection((self.host, self.port), timeout=seconds)
         line = socket.socket(socket.AF_UNIX, socket.SOCK_STREAM)
@@ -47,19 +52,25 @@ def find_address(variables: Mapping[str, str]) -> Address | None:
         return parse_address(given)
     runtime = variables.get("XDG_RUNTIME_DIR")
     path = Path(runtime, "speech-dispatcher", "speechd.sock") if runtime else None
-    return Address(path=str(path)) if path and path.exists() and hasattr(socket, "AF_UNIX") else None
+    return Address(path=str(path)) if path and path.exists() and _has_unix_sockets() else None
 
 
 def parse_address(given: str) -> Address | None:
     """The address that ``SPEECHD_ADDRESS`` means; None where it can't be understood."""
     method, _, place = given.partition(":")
-    if method == "unix_socket" and place and hasattr(socket, "AF_UNIX"):
+    if method == "unix_socket" and place and _has_unix_sockets():
         return Address(path=place)
     if method != "inet_socket":
         return None
     host, _, port = place.rpartition(":") if ":" in place else (place, "", str(_DEFAULT_PORT))
     is_port = port.isdecimal() and 0 < int(port) < 65_536
     return Address(host=host or "127.0.0.1", port=int(port)) if is_port else None
+
+
+def _has_unix_sockets() -> bool:
+    import socket
+
+    return hasattr(socket, "AF_UNIX")
 
 
 def is_reachable(address: Address | None) -> bool:
