@@ -17,6 +17,8 @@ from collections.abc import Callable
 from donnie_tui.linear.terminal import Terminal, size
 
 _LEAVING = (signal.SIGTERM, signal.SIGHUP, signal.SIGQUIT)
+MOST_AHEAD = 64 * 1024
+"""Bytes that are taken from the terminal before somebody reads them."""
 _HEARD = (signal.SIGINT, signal.SIGTSTP, *_LEAVING)
 
 
@@ -32,8 +34,10 @@ class Console:
         self.leaving: int | None = None
         """The signal that wants us to leave."""
         self.stop_at_once: Callable[[], None] = _nothing
-        self.on_key: Callable[[], None] = _nothing
-        """Called when something was typed, Ctrl+C included, before anybody reads it."""
+        self.on_key: Callable[[], None] | None = None
+        """Called as soon as something is typed, Ctrl+C included, though nobody may read it for a while."""
+        self._ahead = b""
+        """What was typed where nobody was reading."""
         self.repaint: Callable[[], str] = str
         """What stands on the current line, to be written again after a suspension."""
         self._terminal = terminal
@@ -66,20 +70,38 @@ class Console:
 
     def wait(self, seconds: float | None = None, *, reading: bool = False) -> bool:
         """Wait for a signal, a nudge, or (``reading``) input, at most so long. True if there is input."""
-        watched = [self._reading_end, 0] if reading else [self._reading_end]
-        ready, _, _ = select.select(watched, [], [], seconds)
+        is_watching = reading or (self.on_key is not None and len(self._ahead) < MOST_AHEAD)
+        watched = [self._reading_end, 0] if is_watching else [self._reading_end]
+        ready, _, _ = select.select(watched, [], [], 0 if reading and self._ahead else seconds)
         if self._reading_end in ready:
             self._take_signals()
-        return 0 in ready
+        if 0 in ready and not reading:
+            self._look_ahead()
+        return reading and (0 in ready or bool(self._ahead))
 
     def read(self) -> bytes:
         """What was typed; nothing once input has ended. Call it when ``wait`` said so."""
+        ahead, self._ahead = self._ahead, b""
+        return ahead or self._typed()
+
+    def _look_ahead(self) -> None:
+        """Keys count at once, also while a long answer is printed. The end of the input is found again."""
+        typed = self._typed()
+        self._ahead += typed
+        if not typed:
+            self.on_key = None
+
+    def _typed(self) -> bytes:
         try:
             data = os.read(0, 4096)
         except OSError:
             return b""
-        self.on_key()
+        self._tell_of_key()
         return data
+
+    def _tell_of_key(self) -> None:
+        if self.on_key is not None:
+            self.on_key()
 
     def take_interrupt(self) -> bool:
         """Whether Ctrl+C was pressed since the last time."""
@@ -99,7 +121,7 @@ class Console:
     def _act_on(self, number: int) -> None:
         if number == signal.SIGINT:
             self.interrupted = True
-            self.on_key()
+            self._tell_of_key()
         elif number in _LEAVING:
             self.leaving = self.leaving or number
         elif number == signal.SIGTSTP:

@@ -24,7 +24,7 @@ from donnie_tui.core.typed_program import TypedProgram
 from donnie_tui.i18n.first_words import PROMPT
 from donnie_tui.linear.console import Console
 from donnie_tui.linear.habits import Habits, Page, Prompt
-from donnie_tui.linear.output import Output
+from donnie_tui.linear.output import LARGEST_BLOCK, Output
 from donnie_tui.linear.reader import How, Reader, Typed
 from donnie_tui.linear.told import Told
 from language.source import fold_name
@@ -192,15 +192,25 @@ class Desk:
             case _:
                 pass
 
-    def show_told(self, prompt: str = "") -> int:
-        """Print what was told, then the prompt. How many lines were left out because of Ctrl+C."""
-        lines, kept = self._ends.told.take(), self._ends.told.take_kept()
+    def show_told(self, prompt: str = "", *, most: int | None = None) -> int:
+        """Print what was told (``most`` lines of it), then the prompt.
+
+        How many lines were left out because of Ctrl+C.
+        """
+        lines, kept = self._ends.told.take(most), self._ends.told.take_kept()
         if not self.is_repeating:
             self.answers.add(kept)
         self.is_repeating = False
         if not self._ends.prompts:
             return self._ends.output.show(lines)
         return self._show_pages(lines, prompt)
+
+    def show_block(self) -> int:
+        """As ``show_told``, but a block of it, so that keys are looked for in between.
+
+        All of it where somebody is asked page by page.
+        """
+        return self.show_told(most=None if self._page_size() else LARGEST_BLOCK)
 
     def _show_pages(self, lines: list[str], prompt: str) -> int:
         """As ``show_told``; where somebody wants to be asked, page by page."""

@@ -204,11 +204,13 @@ class Runs:
     def _print_what_comes(self) -> None:
         """A program that talks without end is reached by a word all the same."""
         if self._live():
+            if self._stopping:
+                self._left_out += self._told.trim(LARGEST_BLOCK)
             self._desk.show_told()
         elif self._told:
             self._wait_for_more()
             if not self._ended:
-                self._left_out += self._desk.show_told()
+                self._left_out += self._desk.show_block()
                 self._expect_next_sign()
         elif self._console.now() >= self._sign_due:
             self._give_sign()

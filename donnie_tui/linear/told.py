@@ -46,10 +46,11 @@ class Told:
         if was_empty and said:
             self._nudge()
 
-    def take(self) -> list[str]:
-        """All the lines that wait."""
+    def take(self, most: int | None = None) -> list[str]:
+        """The lines that wait, so many of them at most."""
         with self._changed:
-            lines, self._lines = self._lines, []
+            lines = self._lines[:most]
+            self._lines = self._lines[len(lines) :]
             self._changed.notify_all()
         return lines
 

@@ -67,3 +67,14 @@ def test_control_c_ends_program_and_voice(server: Server, tmp_path: Path) -> Non
     learner.types("\x03")
     learner.sees("Stopped at line 1.\r\n> ")
     until(lambda: server.commands.count(CANCEL) > before)
+
+
+def test_a_key_ends_the_voice_of_a_program_that_talks_without_end(server: Server, tmp_path: Path) -> None:
+    """V3: also while its lines are printed, block by block; and a word reaches it."""
+    learner = Learner(tmp_path, "--speech", "ssip", speed="1")
+    learner.enters('WHILE 1 == 1 DO SPEAK "hello" END WHILE', "")
+    assert server.wait_for(texts=1)
+    learner.types("x")
+    assert server.wait_for(command=CANCEL)
+    learner.types("\x7fSTOP\r")
+    learner.sees("Stopped at line 1.\r\n> ")
