@@ -104,6 +104,14 @@ def nearest_in_wedge(outline: Iterable[Edge], half_angle: float) -> float:
     return nearest
 
 
+def nearest_point_in_wedge(outline: Iterable[Edge], half_angle: float) -> Point | None:
+    """That point itself; None if there is none."""
+    c, s = direction(half_angle)
+    parts = (_in_wedge(edge, c, s) for edge in outline)
+    points = (nearest_on_edge(part) for part in parts if part is not None)
+    return min(points, key=lambda point: hypot(*point), default=None)
+
+
 def _in_wedge(edge: Edge, c: float, s: float) -> Edge | None:
     """The part of the edge within the wedge whose half angle has that cosine and sine."""
     ax, ay, bx, by = edge

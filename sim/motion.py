@@ -131,6 +131,14 @@ class Mover:
                 nearest = Contact(metres, part)
         return nearest
 
+    def barring(self, spot: Spot, reach: float) -> list[Part]:
+        """What can be the obstacle before a sensor, within ``reach`` metres."""
+        return [part for part in self._barring.near(spot.x, spot.y, reach) if part.solid or part.seen]
+
+    def touchable(self, spot: Spot) -> list[Part]:
+        """What the body may touch here."""
+        return self._touchable(spot, self.body.radius + 2 * WIDEST_SKIN)
+
     def is_far(self, spot: Spot, metres: float) -> bool:
         """Whether nothing can stop the next step or turn, even if all that is around came so much nearer."""
         close = self.around.near(spot.x, spot.y, self._guard + metres)

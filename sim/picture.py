@@ -170,6 +170,12 @@ def _shape(model: Model, outlines: tuple[tuple[Point, ...], ...], me: Model | No
     return _Shape(model, outlines, _is_wall(model, box, me), *box)
 
 
+def is_wall(model: Model, me: Model | None) -> bool:
+    """Whether it is told and drawn as a wall, for the robot ``me``."""
+    outlines = tuple(model.outlines())
+    return bool(outlines) and _shape(model, outlines, me).is_wall
+
+
 def _is_wall(model: Model, box: tuple[float, float, float, float], me: Model | None) -> bool:
     """Outlines, pictures used as plans, what is called a wall, and what has the robot in its midst."""
     if model.type != "model":

@@ -22,6 +22,7 @@ from devices.ports.robot import (
 )
 from sim.clock import Clock
 from sim.ground import Ground
+from sim.meeting import Meeting
 from sim.motion import Mover
 from sim.movement import Going, Movement
 from sim.placement import Placement
@@ -53,6 +54,7 @@ class SimulatedRobot:
         self._model = ground.scene.models[robot]
         self._seed = seed
         self._mover = Mover(ground, robot)
+        self._meeting = Meeting(self._mover, ground.scene, robot)
         self._clock = Clock(pace, speed, seat)
         self._vehicle = Vehicle(self._mover, self._clock, rates_of(self._model.wheels), watcher)
         self._begin_anew()
@@ -130,7 +132,8 @@ class SimulatedRobot:
         else:
             movement = Bend(self._vehicle, motion, abs(degrees), rate, sign, rates.bend)
         turned, stopped_by = self._run(movement)
-        return Turned(degrees, -sign * turned, stopped_by, self.pose())
+        met = self._meeting.turning(self._vehicle.here.truth, stopped_by)
+        return Turned(degrees, -sign * turned, stopped_by, self.pose(), met)
 
     def wait(self, seconds: float) -> bool:
         asked = max(0.0, seconds)
@@ -183,7 +186,8 @@ class SimulatedRobot:
         if self._vehicle.leap(metres, turned, metres / STEP / moving(rate)):
             return Moved(steps, steps, None, self.pose())
         walked, stopped_by = self._run(Walk(self._vehicle, motion, steps, rate))
-        return Moved(steps, walked, stopped_by, self.pose())
+        met = self._meeting.walking(self._vehicle.here.truth, turned, stopped_by)
+        return Moved(steps, walked, stopped_by, self.pose(), met)
 
     def _run(self, movement: Movement) -> Going:
         return movement.run() if self._clock.begin() else (0, StoppedBy.USER)

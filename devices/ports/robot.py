@@ -62,6 +62,18 @@ class Pose:
 
 
 @frozen
+class Met:
+    """What an obstacle or a collision was with, where the robot knows."""
+
+    kind: str
+    """What it is in its world, such as ``chair``; ``wall`` for any wall, ``robot`` for another robot."""
+    name: str
+    """Its own name in its world, or an empty string."""
+    degrees: float
+    """Where it is: from the robot's front, positive to the right, above -180 to 180."""
+
+
+@frozen
 class Moved:
     """A finished walk. ``asked`` and ``walked`` are whole steps, in the direction of the command."""
 
@@ -69,6 +81,7 @@ class Moved:
     walked: int
     stopped_by: StoppedBy | None
     pose: Pose
+    met: Met | None = None
 
 
 @frozen
@@ -79,6 +92,7 @@ class Turned:
     turned: int
     stopped_by: StoppedBy | None
     pose: Pose
+    met: Met | None = None
 
 
 @frozen

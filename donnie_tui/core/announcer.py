@@ -8,8 +8,9 @@ from __future__ import annotations
 
 from typing import assert_never
 
-from devices.ports.robot import Pose, StoppedBy
+from devices.ports.robot import Met, Pose, StoppedBy
 from donnie_tui.core import numbers
+from donnie_tui.core.describe import called
 from donnie_tui.core.events import (
     Announced,
     Answered,
@@ -41,6 +42,10 @@ from donnie_tui.core.hub import Hub
 from donnie_tui.core.telling import Teller
 from donnie_tui.core.wording import Wording
 
+_SIDES = ("front", "front-right", "right", "back-right", "back", "back-left", "left", "front-left")
+_OF_NO_WORLD = ("wall", "robot")
+"""Kinds of what was met that are no things of a world."""
+
 
 class Announcer:
     """Makes the sentences and cues that accompany what happens."""
@@ -49,6 +54,8 @@ class Announcer:
         self._hub = hub
         self._teller = teller
         self._say = wording
+        self._is_talking = False
+        """Whether somebody types what runs; a script gets the manual's sentences and no more."""
         hub.subscribe_to_own(self._hear)
 
     def about_to_end(self, outcome: Outcome) -> None:
@@ -58,6 +65,8 @@ class Announcer:
 
     def _hear(self, stamped: Stamped) -> None:
         match stamped.event:
+            case RunStarted(how=how):
+                self._is_talking = how is not None and how.terminal
             case Moved() as moved:
                 self._moved(moved)
             case Turned() as turned:
@@ -76,8 +85,7 @@ class Announcer:
             case Announced(code="waiting"):
                 self._cue("waiting")
             case (
-                RunStarted()
-                | RunEnded()
+                RunEnded()
                 | Statement()
                 | Spoke()
                 | Announced()
@@ -101,6 +109,7 @@ class Announcer:
         ahead = 0.0 if moved.forward else 180.0
         self._bumped(moved.stopped_by, ahead)
         self._teller.announce("moved", _with_reason(f"walked-{way}", moved.stopped_by), steps=moved.walked)
+        self._tell_met("moved", moved.met)
         if moved.walked:
             self._tell_place("moved", moved.pose)
 
@@ -111,8 +120,26 @@ class Announcer:
         self._teller.announce(
             "turned", _with_reason(f"turned-{side}", turned.stopped_by), degrees=abs(turned.turned)
         )
+        self._tell_met("turned", turned.met)
         if turned.turned:
             self._tell_place("turned", turned.pose)
+
+    def _tell_met(self, code: str, met: Met | None) -> None:
+        """With what, and on which side; at full in a script too."""
+        detail = self._say.detail
+        if met is None or detail == "brief" or not (self._is_talking or detail == "full"):
+            return
+        where = self._say(f"around-{_SIDES[round(met.degrees / 45) % 8]}")
+        name = self._name_of(met)
+        self._teller.announce(code, "met", name=name[:1].upper() + name[1:], where=where)
+
+    def _name_of(self, met: Met) -> str:
+        """A robot's own name, a thing's kind."""
+        if met.kind == "robot" and met.name:
+            return met.name
+        if met.kind in _OF_NO_WORLD:
+            return self._say(f"met-{met.kind}")
+        return called(met.kind, met.name, self._say)
 
     def _tell_place(self, code: str, pose: Pose) -> None:
         """At full, where a movement led."""

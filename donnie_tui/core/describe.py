@@ -147,14 +147,19 @@ def name_of(thing: Thing, wording: Wording) -> str:
     """A robot's own name; a thing's kind in the learner's language where it is one of our worlds'."""
     if thing.is_robot and thing.name:
         return thing.name
-    return _kind_of(thing, wording, thing.name or thing.kind)
+    return called(thing.kind, thing.name, wording)
 
 
-def _kind_of(thing: Thing, wording: Wording, otherwise: str | None = None) -> str:
+def called(kind: str, name: str, wording: Wording) -> str:
+    """The kind of a thing in the learner's language, else what its world calls it."""
     try:
-        return wording(f"thing-{thing.kind}")
+        return wording(f"thing-{kind}")
     except KeyError:
-        return otherwise or thing.kind
+        return name or kind
+
+
+def _kind_of(thing: Thing, wording: Wording) -> str:
+    return called(thing.kind, "", wording)
 
 
 def place_of(x: float, y: float, pose: Pose, wording: Wording) -> str:

@@ -13,7 +13,7 @@ from dataclasses import field
 from enum import Enum
 from typing import ClassVar, TypeAlias
 
-from devices.ports.robot import Grip, Pose, StoppedBy
+from devices.ports.robot import Grip, Met, Pose, StoppedBy
 from devices.ports.values import frozen
 
 
@@ -91,6 +91,8 @@ class Moved:
     stopped_by: StoppedBy | None
     pose: Pose
     forward: bool = field(metadata={"private": True})
+    met: Met | None = field(default=None, metadata={"private": True})
+    """What stopped it, where that is known."""
 
 
 @frozen
@@ -104,6 +106,7 @@ class Turned:
     pose: Pose
     right: bool = field(metadata={"private": True})
     """Whether the command was a turn to the right."""
+    met: Met | None = field(default=None, metadata={"private": True})
 
 
 @frozen
@@ -334,7 +337,7 @@ def _plain(value: object, whole: bool) -> object:
             return {key: _plain(each, whole) for key, each in value.items()}
         case tuple():
             return [_plain(each, whole) for each in value]
-        case Pose() | SeenGroup() | PlacedThing() | HowStarted():
+        case Pose() | Met() | SeenGroup() | PlacedThing() | HowStarted():
             return _fields(value, whole)
         case _:
             return value

@@ -16,4 +16,10 @@ _MORE = {
     ),
 }
 
-SENTENCES = _MORE
+_MET = {
+    "met": Sentence("{name}, {where}.", "{name}, {where}.", "{name}, {where}."),
+    "met-wall": Sentence("wall", "parede", "pared"),
+    "met-robot": Sentence("another robot", "outro robô", "otro robot"),
+}
+
+SENTENCES = _MORE | _MET

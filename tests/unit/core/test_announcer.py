@@ -1,16 +1,20 @@
 """What is told about each thing that the robot does, and with which sound."""
 
+from dataclasses import replace
+
 import pytest
 
-from devices.ports.robot import Motion, StoppedBy
+from devices.ports.robot import Met, Motion, StoppedBy
 from donnie_tui.core.announcer import Announcer
 from donnie_tui.core.events import (
     Announced,
     CueSounded,
     Event,
+    HowStarted,
     Link,
     Moved,
     RunEnded,
+    RunStarted,
     Scanned,
     SeenGroup,
     SoundSwitched,
@@ -167,3 +171,55 @@ def test_at_full_a_movement_tells_where_it_led_and_none_where_nothing_changed() 
 
     assert [lines[1:] for lines in told] == [[place], [place], []]
     assert len(answers_to(walked(3, 3))) == 1
+
+
+# --- what was met
+
+
+def met_in_words(
+    event: Event, language: str = "en", detail: str = "normal", *, typed: bool = True
+) -> list[str]:
+    """What is told of a movement after its own sentence."""
+    hub, words, heard = Hub(lambda: 0.0), Words(language, detail), list[Event]()
+    Announcer(hub, Teller(hub, words), words)
+    hub.publish(RunStarted("typed", "w", "r", 0, "0", HowStarted("", 1, False, typed, False, HERE)))
+    hub.subscribe(lambda stamped: heard.append(stamped.event))
+    hub.publish(event)
+    return [each.text for each in heard if isinstance(each, Announced)][1:]
+
+
+def bumped(kind: str, degrees: float, name: str = "") -> Moved:
+    return replace(walked(5, 2, COLLISION), met=Met(kind, name, degrees))
+
+
+@pytest.mark.parametrize(
+    ("event", "language", "told"),
+    [
+        (bumped("wall", 0.0), "en", "Wall, ahead."),
+        (bumped("chair", 50.0, "chair7"), "en", "Chair, ahead right."),
+        (bumped("chair", -88.0, "chair7"), "pt", "Cadeira, à esquerda."),
+        (bumped("wall", 180.0), "es", "Pared, atrás."),
+        (bumped("wall", -179.9), "en", "Wall, behind."),
+        (bumped("robot", 0.0, "bob"), "en", "Bob, ahead."),
+        (bumped("robot", 0.0), "pt", "Outro robô, à frente."),
+        (bumped("crate", 0.0, "crate2"), "en", "Crate2, ahead."),
+        (bumped("crate", 0.0), "en", "Crate, ahead."),
+        (replace(turned(90, 30, COLLISION), met=Met("wall", "", 90.0)), "en", "Wall, right."),
+    ],
+    ids=lambda value: value if isinstance(value, str) else "",
+)
+def test_with_what_and_on_which_side(event: Event, language: str, told: str) -> None:
+    """L33: after the manual's sentence."""
+    assert met_in_words(event, language) == [told]
+
+
+def test_a_collision_with_nothing_known_has_no_second_sentence() -> None:
+    assert met_in_words(walked(5, 2, COLLISION)) == []
+
+
+def test_a_script_hears_the_manual_s_sentence_and_at_full_what_was_met() -> None:
+    event = bumped("wall", 0.0)
+
+    assert met_in_words(event, typed=False) == []
+    assert met_in_words(event, typed=False, detail="full")[0] == "Wall, ahead."
+    assert met_in_words(event, detail="brief") == []

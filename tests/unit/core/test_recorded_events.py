@@ -7,7 +7,7 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from devices.ports.robot import Grip, StoppedBy
+from devices.ports.robot import Grip, Met, StoppedBy
 from donnie_tui.core.event_stream import as_line
 from donnie_tui.core.events import (
     TRANSIENT,
@@ -47,6 +47,7 @@ EVENTS: tuple[Event, ...] = (
     Announced("moved", "Andei."),
     Moved("FW 3", 3, 2, StoppedBy.OBSTACLE, HERE, True),
     Turned("TR 90", 90, 90, None, HERE, False),
+    Turned("TR 90", 90, 30, StoppedBy.COLLISION, HERE, True, Met("chair", "chair7", 45.0)),
     Scanned((SeenGroup("left", 30, 4, ("red", "blue")),)),
     Read("distance", "front", 60),
     Waited(2),

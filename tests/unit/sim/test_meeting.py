@@ -1,0 +1,84 @@
+"""L33: what a movement ended at, and on which side."""
+
+import pytest
+
+from devices.ports.robot import Met, StoppedBy
+from tests.unit.sim.floors import BOX_ROBOT, IDEAL, ideal, robot
+
+DEFINED = "define chair model ( size [ 0.1 0.1 0.5 ] )\n"
+
+
+def test_a_movement_that_went_as_asked_met_nothing() -> None:
+    it = ideal([("red", 9, 9)])
+
+    assert (it.forward(3).met, it.turn(90).met) == (None, None)
+
+
+def test_an_obstacle_is_told_by_its_name_and_where_it_is() -> None:
+    assert ideal([("red", 0, 5)]).forward(9).met == Met("thing", "thing1", 0.0)
+
+
+def test_what_is_behind_is_met_on_the_way_back() -> None:
+    met = ideal([("red", 0, -4)]).backward(5).met
+
+    assert met is not None
+    assert (met.name, abs(met.degrees)) == ("thing1", pytest.approx(180))
+
+
+def test_the_nearest_thing_ahead_is_the_obstacle_and_not_one_beside() -> None:
+    met = ideal([("red", 0, 5), ("green", 1.5, 3.4), ("blue", 0, 7)]).forward(9).met
+
+    assert met is not None
+    assert met.name == "thing1"
+
+
+@pytest.mark.parametrize(("east", "degrees"), [(0.06, 29), (-0.06, -29)])
+def test_what_is_hit_aslant_is_on_that_side(east: float, degrees: int) -> None:
+    """The robot is a decimetre wide and twenty long; it looks to the north."""
+    thing = f'chair( name "c1" pose [ {east} 0.5 0 0 ] size [ 0.02 0.02 1 ] )'
+    it = robot(BOX_ROBOT + DEFINED + f"blind( pose [ 0 0 0 90 ] ) {thing}")
+
+    moved = it.forward(20)
+
+    assert moved.stopped_by is StoppedBy.COLLISION
+    assert moved.met is not None
+    assert (moved.met.kind, moved.met.name) == ("chair", "c1")
+    assert moved.met.degrees == pytest.approx(degrees, abs=5)
+
+
+def test_a_turn_is_ended_by_what_is_beside() -> None:
+    it = robot(BOX_ROBOT + "blind( pose [ 0 0 0 0 ] ) model( size [ 1 0.1 1 ] pose [ 0 0.14 0 0 ] )")
+
+    met = it.turn(-90).met
+
+    assert met is not None
+    assert -90 < met.degrees < 0
+
+
+@pytest.mark.parametrize(
+    "wall",
+    [
+        'model( name "wall3" size [ 2 0.1 1 ] pose [ 0 1 0 0 ] )',
+        'model( name "room" boundary 1 size [ 2 2 1 ] )',
+    ],
+    ids=["by its name", "a boundary"],
+)
+def test_a_wall_is_a_wall_whatever_its_world_calls_it(wall: str) -> None:
+    assert robot(IDEAL + wall + "ideal( pose [ 0 0 0 90 ] )").forward(50).met == Met("wall", "", 0.0)
+
+
+def test_another_robot_is_told_by_its_name() -> None:
+    it = robot(BOX_ROBOT + 'blind( pose [ 0 0 0 0 ] ) blind( name "bob" pose [ 1 0 0 0 ] obstacle_return 0 )')
+
+    assert it.forward(30).met == Met("robot", "bob", 0.0)
+
+
+def test_of_things_that_are_pushed_into_a_wall_the_nearest_is_told() -> None:
+    it = robot(
+        BOX_ROBOT
+        + "blind( pose [ 0 0 0 0 ] )"
+        + 'model( name "box1" size [ 0.1 0.1 1 ] pose [ 0.3 0 0 0 ] pushable 1 )'
+        + 'model( name "wall" size [ 0.1 2 1 ] pose [ 1 0 0 0 ] )'
+    )
+
+    assert it.forward(50).met == Met("model", "box1", 0.0)
