@@ -1,0 +1,49 @@
+"""What a start does not need is not loaded: looked at by name, for time can't be tested."""
+
+import os
+import subprocess
+import sys
+from pathlib import Path
+
+import pytest
+
+from tests.conftest import ROOT
+
+FRONT_END = (
+    "import donnie_tui.cli.main, donnie_tui.cli.front_ends, donnie_tui.tui.terminal, donnie_tui.tui.app"
+)
+LINEAR = "from donnie_tui.cli.main import main; main(['--linear', '--speech', 'off', '--sound', 'off'])"
+
+
+def loaded_by(code: str, folder: Path, typed: str = "") -> set[str]:
+    environment = {**os.environ, "XDG_STATE_HOME": str(folder), "XDG_CONFIG_HOME": str(folder)}
+    told = f"import sys; {code}; print(*sys.modules, file=sys.stderr)"
+    done = subprocess.run(
+        [sys.executable, "-c", told],
+        input=typed,
+        capture_output=True,
+        text=True,
+        cwd=ROOT,
+        env=environment,
+        timeout=60,
+        check=True,
+    )
+    return set(done.stderr.split())
+
+
+@pytest.mark.parametrize("module", ["donnie_tui.bootstrap", "donnie_tui.core.session", "sim.world", "pymunk"])
+def test_the_first_frame_needs_no_session(module: str, tmp_path: Path) -> None:
+    loaded = loaded_by(FRONT_END, tmp_path)
+
+    assert "textual.app" in loaded
+    assert module not in loaded
+
+
+@pytest.mark.parametrize("module", ["lark", "sim.worldfile", "PIL", "tempfile", "tomllib", "textual"])
+def test_a_silent_linear_session_in_a_world_that_ships_loads_none_of_these(
+    module: str, tmp_path: Path
+) -> None:
+    loaded = loaded_by(LINEAR, tmp_path, "FW 1\n\nWHERE\n")
+
+    assert "sim.world" in loaded
+    assert module not in loaded
