@@ -41,6 +41,8 @@ _GOES = {"step": Goes.STEP, "step_over": Goes.OVER, "continue_": Goes.ON, "stop"
 """How a held program goes on by a word."""
 _LIVE = ("stop", "stop_all", "robots", "pause", "slower", "faster", "speed", "quiet")
 """What is done at once while a program runs."""
+_URGENT = ("stop", "pause", "quiet")
+"""Also while it talks without end: they answer nothing through the stream."""
 
 
 def run_linear(
@@ -303,11 +305,16 @@ class LinearMode:
         else:
             self._desk.answer("linear-stepping")
 
-    def _live(self) -> bool:
-        """Do a line that was typed for the running program, if there is one. Whether it was."""
+    def _live(self, urgent: bool) -> bool:
+        """Do a line that was typed for the running program, if there is one. Whether it was.
+
+        ``urgent``: only what ends something. While the program tells more than is printed, an answer of ours
+        would have to wait for its own printing.
+        """
+        words = _URGENT if urgent else _LIVE
         line = self._editing.look_ahead() if self._editing and self._desk.hears_live else None
         found = commands.find(line) if line else None
-        if self._editing is None or line is None or found is None or found[0].name not in _LIVE:
+        if self._editing is None or line is None or found is None or found[0].name not in words:
             return False
         self._editing.take_ahead()
         self._past.remember(line)

@@ -159,6 +159,10 @@ class Desk:
         for line in lines:
             self.session.hub.publish(Answered(line))
 
+    def print_now(self, code: str) -> None:
+        """A sentence in print alone, while a program may tell more than is printed."""
+        self._ends.told.put_now(self.say(code))
+
     def _hear(self, stamped: Stamped) -> None:
         """Any thread's: what the event says will be printed."""
         event = stamped.event

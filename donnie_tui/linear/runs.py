@@ -36,11 +36,12 @@ class Runs:
     """Runs programs at a desk, one after the other."""
 
     def __init__(
-        self, desk: Desk, told: Told, wish_of: Callable[[Typed], Wish | None], live: Callable[[], bool]
+        self, desk: Desk, told: Told, wish_of: Callable[[Typed], Wish | None], live: Callable[[bool], bool]
     ) -> None:
         """``wish_of`` tells what a line means to a program that is held, and does what else it asks for.
 
-        ``live`` looks for a line that was typed for the running program, and does it.
+        ``live`` looks for a line that was typed for the running program, and does it; given True, only if
+        it is urgent.
         """
         self._desk = desk
         self._console = desk.console
@@ -203,10 +204,10 @@ class Runs:
 
     def _print_what_comes(self) -> None:
         """A program that talks without end is reached by a word all the same."""
-        if self._live():
+        if self._live(bool(self._told)):
             if self._stopping:
                 self._left_out += self._told.trim(LARGEST_BLOCK)
-            self._desk.show_told()
+            self._desk.show_block()
         elif self._told:
             self._wait_for_more()
             if not self._ended:

@@ -10,8 +10,12 @@ from donnie_tui.linear.runs import Runs
 
 def _quiet(desk: Desk) -> None:
     """LAST still means what was being said."""
-    sound_words.quiet(desk.donnie)
-    desk.is_repeating = True
+    if desk.session.run is None:
+        sound_words.quiet(desk.donnie)
+        desk.is_repeating = True
+    else:
+        desk.donnie.audible.hush_all()
+        desk.print_now("quiet")
 
 
 def _cues(desk: Desk, _: Runs, rest: str) -> None:

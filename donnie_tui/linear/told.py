@@ -46,6 +46,12 @@ class Told:
         if was_empty and said:
             self._nudge()
 
+    def put_now(self, line: str) -> None:
+        """Tell a line before all that waits, from the thread that prints, which waits for nobody."""
+        with self._changed:
+            self._lines.insert(0, printable(line))
+            self.count += 1
+
     def take(self, most: int | None = None) -> list[str]:
         """The lines that wait, so many of them at most."""
         with self._changed:

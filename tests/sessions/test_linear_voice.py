@@ -76,5 +76,7 @@ def test_a_key_ends_the_voice_of_a_program_that_talks_without_end(server: Server
     assert server.wait_for(texts=1)
     learner.types("x")
     assert server.wait_for(command=CANCEL)
-    learner.types("\x7fSTOP\r")
+    learner.types("\x7fQUIET\r")
+    learner.sees("Quiet. LAST says it again.")
+    learner.types("STOP\r")
     learner.sees("Stopped at line 1.\r\n> ")
