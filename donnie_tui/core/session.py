@@ -133,17 +133,20 @@ class Session:
         first_line: int = 1,
         terminal: bool | None = None,
         prepare: Callable[[ExecutionControl], None] | None = None,
+        each_statement: Callable[[], None] | None = None,
     ) -> Run:
         """Run a program. Raises ``Busy`` while another one runs.
 
         ``fresh`` puts the robot back to its start and forgets variables; ``hooked`` makes the program
         steppable; ``terminal`` is the session's own where it is not given (the program of an editor is no
         terminal, the line below it is); ``prepare`` is given the control before the first statement (to step
-        from the start, say).
+        from the start, say); ``each_statement`` is called before each one, in the program's thread, where
+        the program is ``hooked``.
         """
         run = self.claim(
             text, name, fresh=fresh, hooked=hooked, trace=trace, first_line=first_line, terminal=terminal
         )
+        run.each_statement = each_statement if hooked else None
         if prepare:
             prepare(run.control)
         self.begin(run)

@@ -6,13 +6,13 @@ from collections.abc import Callable
 from enum import Enum, auto
 
 from devices.ports.values import frozen
-from donnie_tui.core.events import Read, Stamped
-from donnie_tui.core.step_words import StepWords, changes
+from donnie_tui.core.events import Read, RunEnded, Stamped
+from donnie_tui.core.step_words import StepWords
+from donnie_tui.core.watching import Watching
 from donnie_tui.i18n.first_words import PROMPT
 from donnie_tui.linear.desk import Desk
 from donnie_tui.linear.reader import Typed
 from language.control import ControlState, ExecutionControl
-from language.source import fold_name
 
 
 class Goes(Enum):
@@ -42,7 +42,7 @@ class Holding:
         self._wish_of = wish_of
         self._words: StepWords | None = None
         self._control: ExecutionControl | None = None
-        self._variables: dict[str, int] = {}
+        self._watching = Watching(desk.watched, desk.say)
         self._text, self._first_line = "", 1
         self.is_held = False
 
@@ -56,7 +56,7 @@ class Holding:
         """A run is about to begin."""
         self.is_held, self._control, self._desk.is_pausing = False, control, False
         self._words, self._text, self._first_line = None, text, first_line
-        self._variables = {}
+        self._watching.begin(self._desk.session.variables.items())
         control.observe(self._changed)
         if self._desk.breakpoints:
             control.break_at(frozenset(self._desk.breakpoints))
@@ -70,9 +70,18 @@ class Holding:
             self._desk.console.nudge()
 
     def hear(self, stamped: Stamped) -> None:
-        """In the program's thread: what its sensors say."""
-        if isinstance(stamped.event, Read) and self._words is not None:
-            self._words.heard(stamped.event)
+        """In the program's thread: what its sensors say, and what it leaves."""
+        match stamped.event:
+            case Read() as read if self._words is not None:
+                self._words.heard(read)
+            case RunEnded(variables=variables) if stamped.robot == self._desk.session.hub.robot:
+                self._desk.tell(*self._watching.look(variables.items()))
+
+    def look(self) -> None:
+        """In the program's thread, before each statement: what has changed of what is watched."""
+        frames = self._desk.session.frames if self._desk.watched else ()
+        if frames:
+            self._desk.tell(*self._watching.look(frames[0].variables))
 
     def ask(self) -> Wish:
         """Say where the program is, and ask until it is clear how to go on."""
@@ -89,10 +98,7 @@ class Holding:
             program = self._desk.session.parse(self._text, self._first_line).program
             self._words = StepWords(program, self._desk.program.lines, self._desk.say)
         line, column = self._control.held_at if self._control else (0, 0)
-        now = dict(frames[0].variables) if frames else {}
-        folded = {fold_name(name): value for name, value in now.items()}
-        self._desk.tell(*changes(self._desk.watched, self._variables, folded, self._desk.say))
-        self._variables = folded
+        self._desk.tell(*self._watching.look(frames[0].variables if frames else ()))
         if self._desk.is_pausing or not line:
             self._desk.answer("answer-paused-at", line=frames[0].line if frames else 1)
         if line:  # else in the middle of a movement or a wait

@@ -105,14 +105,16 @@ class Runs:
         begin: Callable[[ExecutionControl], None] | None = None,
     ) -> Run:
         self._prepare()
+        may_be_watched = bool(begin or self._desk.watched or self._desk.breakpoints)
         try:
             run = self._desk.session.start(
                 text,
                 self._name(),
                 fresh=fresh,
-                hooked=self._desk.is_attended or begin is not None or bool(self._desk.breakpoints),
+                hooked=self._desk.is_attended or may_be_watched,
                 first_line=first_line,
                 prepare=partial(self._holding.prepare, text, first_line, begin),
+                each_statement=self._holding.look if may_be_watched else None,
             )
             self._watch(run)
         finally:

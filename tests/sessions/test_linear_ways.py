@@ -71,9 +71,9 @@ def test_steps_tell_levels_rounds_and_what_changed(learner: Learner) -> None:
     learner.types("STEP BACK\r")
     learner.sees("Back: FW 2. Position 0, 0.\r\n> ")
     learner.types("UNTIL 4\r")
-    learner.sees("x is 2.\r\nLine 4: x = x + 1\r\n> ")
+    learner.sees("x is 2.\r\nI walked 2 steps forward.\r\nLine 4: x = x + 1\r\n> ")
     learner.types("RUN\r")
-    learner.sees("Done.\r\n> ")
+    learner.sees("x is 3.\r\n> ")
     learner.types("SHOW VARIABLES\r")
     learner.sees("x is 3.\r\n> ")
 
@@ -270,3 +270,14 @@ def test_movements_that_come_too_fast_are_summed_up_and_last_tells_them_all(tmp_
     learner.sees("20 lines, the newest last.")
     learner.sees_prompt()
     assert learner.raw.decode().count("I turned 1 degree") == single + 20
+
+
+def test_a_watched_variable_is_told_while_a_program_runs_and_at_its_end(learner: Learner) -> None:
+    """L40."""
+    learner.enters("WATCH n", "VAR n = 1", "REPEAT 2 TIMES", "TR 90", "n = n + 1", "END REPEAT", "")
+    learner.sees("n is 1.\r\nI turned 90 degrees to the right.\r\nn is 2.\r\n")
+    learner.sees("I turned 90 degrees to the right.\r\nn is 3.\r\n> ")
+    learner.types("FW 1\r\r")
+    learner.sees("I walked 1 step forward.\r\n> ")
+    learner.types("n = 3 n = 7\r\r")
+    learner.sees("n = 3 n = 7\r\n> \r\nn is 7.\r\n> ")
