@@ -166,9 +166,7 @@ class Execution:
         elif self._trace is None and state is ControlState.STEPPING_OVER:
             near = int(min(self._control.holds_to_depth(), DEEPEST_CALL))
         looks_away = state is ControlState.RUNNING and not lines
-        self._globals.update(
-            near=near, wanted=_AnyOf(lines), hook=self._trace if looks_away else self._visit
-        )
+        self._globals.update(near=near, wanted=_AnyOf(lines), hook=self._trace if looks_away else self._visit)
 
     def _visit(self, line: int, column: int, depth: int) -> None:
         self._control.reached(line, depth, column)
