@@ -17,6 +17,10 @@ from language.lexer import lex
 from language.outline import OutlineItem, outline
 from language.tables import TERMINALS
 
+WIDEST = 80
+"""Characters of a line of the outline."""
+WIDEST_BRIEF = 40
+
 
 @frozen
 class ProgramLine:
@@ -164,8 +168,15 @@ def outline_in_words(text: ProgramText, wording: Wording) -> tuple[str, ...]:
     lines = text.outline_lines
     if not lines:
         return (wording("outline-none"),)
-    told = (wording("line-level", line=each.number, level=each.level, text=each.text) for each in lines)
+    told = (_opening_in_words(each, wording) for each in lines)
     return (wording("outline-count", count=len(lines)), *told)
+
+
+def _opening_in_words(line: ProgramLine, wording: Wording) -> str:
+    """What is longer than a line of print is cut: READ says all of it."""
+    told = wording("line-level", line=line.number, level=line.level, text=line.text)
+    widest = WIDEST_BRIEF if wording.detail == "brief" else WIDEST
+    return told if len(told) <= widest else f"{told[: widest - 1].rstrip()}…"
 
 
 def _opener_in_words(block: OutlineItem, wording: Wording) -> str:

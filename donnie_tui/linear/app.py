@@ -233,6 +233,8 @@ class LinearMode:
             self._quit(line)
         elif first == "HELP":
             choices.say_help(self._desk, " ".join(words[1:]), commands.listed())
+        elif commands.answer_of_screen(line, self._desk):
+            pass
         elif found := commands.find(line):
             commands.do(*found, self._desk, self._runs)
         else:

@@ -8,12 +8,14 @@ from donnie_tui import sound_words
 from donnie_tui.core import use_cases
 from donnie_tui.core.documents import DocumentError
 from donnie_tui.core.use_cases import UseCase
+from donnie_tui.core.view_cases import PREFERENCES
 from donnie_tui.i18n.sentence import LANGUAGES
 from donnie_tui.linear import habits
 from donnie_tui.linear.arguments import Handler
 from donnie_tui.linear.desk import Desk
 from donnie_tui.linear.runs import Runs
 from donnie_tui.settings_file import remember
+from language import keywords
 from language.source import fold_name
 
 _LANGUAGES = {
@@ -71,9 +73,23 @@ def _set(desk: Desk, _: Runs, rest: str) -> bool:
         sound_words.set_sound(desk.donnie, sound, value.strip())
         return True
     field = habits.find(name)
+    if field is None and fold_name(name) in PREFERENCES:
+        point_to(desk, PREFERENCES[fold_name(name)])
+        return True
     if field is None:
         return False
     return _change(desk, field, value.strip()) if value else _say_choices(desk, field)
+
+
+def point_to(desk: Desk, name: str | None) -> None:
+    """What is typed here for something of the full screen; where there is nothing, where it is."""
+    case = use_cases.BY_NAME.get(name or "")
+    if case:
+        desk.answer("linear-in-words", word=use_cases.typed_form(case, desk.say))
+    elif name:
+        desk.answer("linear-in-words", word=keywords.spelling(name, desk.say.language))
+    else:
+        desk.answer("linear-on-screen")
 
 
 def _change(desk: Desk, field: str, typed: str) -> bool:

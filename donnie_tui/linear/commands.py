@@ -5,6 +5,7 @@ from __future__ import annotations
 from donnie_tui import robot_words
 from donnie_tui.core import use_cases
 from donnie_tui.core.use_cases import UseCase
+from donnie_tui.core.view_cases import IN_WORDS, VIEW_CASES
 from donnie_tui.linear import (
     choices,
     files,
@@ -52,6 +53,9 @@ HANDLERS: dict[str, Handler] = {
 }
 """What each use case does here. RUN, HELP and QUIT are the conversation's own."""
 
+_ALL = (*use_cases.USE_CASES, *VIEW_CASES)
+"""Of two words that begin alike the longer one counts: MAPA INTEIRO is no MAPA."""
+
 OF_CONVERSATION = ("run", "help", "quit")
 
 
@@ -59,6 +63,15 @@ def find(line: str) -> tuple[UseCase, str] | None:
     """What a line asks for, and what stands behind the word; None if the line is GoDonnie."""
     found = use_cases.find(line)
     return found if found and found[0].name in HANDLERS else None
+
+
+def answer_of_screen(line: str, desk: Desk) -> bool:
+    """A word of the full screen is answered: what is typed here in its place. False if it is none."""
+    found = use_cases.find(line, _ALL)
+    is_of_screen = found is not None and found[0] in VIEW_CASES
+    if found is not None and is_of_screen:
+        choices.point_to(desk, IN_WORDS.get(found[0].name))
+    return is_of_screen
 
 
 def do(case: UseCase, rest: str, desk: Desk, runs: Runs) -> None:

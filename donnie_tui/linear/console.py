@@ -36,6 +36,8 @@ class Console:
         self.stop_at_once: Callable[[], None] = _nothing
         self.on_key: Callable[[], None] | None = None
         """Called as soon as something is typed, Ctrl+C included, though nobody may read it for a while."""
+        self.lines_wait: Callable[[], bool] = _nothing_waits
+        """Whether something was told that is printed as soon as no line is being typed."""
         self._ahead = b""
         """What was typed where nobody was reading."""
         self.repaint: Callable[[], str] = str
@@ -102,6 +104,12 @@ class Console:
     def _tell_of_key(self) -> None:
         if self.on_key is not None:
             self.on_key()
+
+    def rest(self, seconds: float) -> None:
+        """Let that time pass, whatever happens."""
+        until = self.now() + seconds
+        while (left := until - self.now()) > 0:
+            self.wait(left)
 
     def take_interrupt(self) -> bool:
         """Whether Ctrl+C was pressed since the last time."""
@@ -170,3 +178,7 @@ class Console:
 
 def _nothing() -> None:
     return
+
+
+def _nothing_waits() -> bool:
+    return False

@@ -32,6 +32,9 @@ from language.source import fold_name
 CANNOT_WAIT = ("link",)
 """Codes of announcements that are told in the middle of a line that is being typed."""
 
+GRACE = 0.025
+"""Seconds that a line waits for the ones after it, so that an answer and the prompt go out together."""
+
 _YES = ("y", "yes", "s", "sim", "si", "sí")
 _NO = ("", "n", "no", "não", "nao")
 _ENOUGH = ("q", "quit", "s", "sair", "salir", "n", "no", "nao")
@@ -103,6 +106,9 @@ class Desk:
         self.tour_page = 1
         """Where TOUR goes on."""
         self._ends = ends
+        self._is_reading = self._told_beside = False
+        """Whether a line is being typed, and a robot that runs beside the conversation told something."""
+        self.console.lines_wait = self._lines_wait
         self._shown_prompt: str | None = None
         self._typed_early: Typed | None = None
         """A line that was typed where an answer waited for Enter."""
@@ -171,6 +177,9 @@ class Desk:
         if stamped.robot == self.session.hub.robot:
             self._hear_own(stamped)
         self._put(stamped)
+        if self._is_reading and not isinstance(event, TRANSIENT):
+            self._told_beside = True
+            self.console.nudge()
         if isinstance(event, Announced) and event.code in CANNOT_WAIT:
             self.console.has_news = True
             self.console.nudge()
@@ -180,6 +189,9 @@ class Desk:
         lines, before = told_lines(stamped, self.say), self._summing_up.before(stamped)
         passes = self._summing_up.passes(stamped)
         self._ends.told.put((*before, *lines) if passes else before, lines)
+
+    def _lines_wait(self) -> bool:
+        return self._told_beside and bool(self._ends.told)
 
     def _has_pace(self) -> bool:
         """Whether somebody listens to a robot that takes its time."""
@@ -260,20 +272,24 @@ class Desk:
                 return typed
             if typed.how is How.CHOICES:
                 self._tell_choices(typed)
+            else:
+                self.console.rest(GRACE)
             self.offered = typed.text
             shown = False
 
     def _read(self, prompt: str, *, shown: bool) -> Typed:
         offered, self.offered = self.offered if self.can_edit else "", ""
-        self._shown_prompt = None
+        self._shown_prompt, self._told_beside, self._is_reading = None, False, True
         if not shown:
             self.console.has_news = False
             self._show_whole(prompt, offered)
         self.is_hurrying = False
         early, self._typed_early = self._typed_early, None
         if early is not None:
+            self._is_reading = False
             return early
         typed = self._reader.read(prompt if self._shown_prompt is None else self._shown_prompt, offered)
+        self._is_reading = False
         self._after(typed)
         return typed
 

@@ -92,9 +92,13 @@ class EditingReader:
             if self._console.take_interrupt():
                 self._forget_keys()
                 return Typed(line.text, How.INTERRUPTED)
-            if not self._keys and self._console.take_news():
+            if not self._keys and self._has_news(line):
                 self._console.write(line.finish())
                 return Typed(line.text, How.NEWS)
+
+    def _has_news(self, line: EditLine) -> bool:
+        """Whether something can't wait, or waits and nothing is typed."""
+        return self._console.take_news() or (not line.text and self._console.lines_wait())
 
     def _do_keys(self, line: EditLine, recall: Recall) -> tuple[Typed | None, str]:
         """Do the keys that wait, up to one that ends the line; what that writes goes out at once."""

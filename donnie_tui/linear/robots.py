@@ -1,7 +1,7 @@
 """ROBOTS, ROBOT name, START, TOGETHER, STOP ALL, GRIP, RELEASE.
 
 Each robot has a program of its own: who talks to another one finds that one's lines. What runs beside the
-conversation is printed with the next answer; TOGETHER is watched like a run.
+conversation is printed as it comes, while no line is being typed; TOGETHER is watched like a run.
 """
 
 from __future__ import annotations

@@ -13,7 +13,7 @@ from pathlib import Path
 
 from donnie_tui.core.events import Outcome, RunEnded, Stamped
 from donnie_tui.core.runner import Run
-from donnie_tui.linear.desk import Desk
+from donnie_tui.linear.desk import GRACE, Desk
 from donnie_tui.linear.holding import Goes, Holding, Wish
 from donnie_tui.linear.output import LARGEST_BLOCK
 from donnie_tui.linear.progress import sign_of_life
@@ -21,8 +21,6 @@ from donnie_tui.linear.reader import Typed
 from donnie_tui.linear.told import Told
 from language.control import ExecutionControl
 
-GRACE = 0.025
-"""Seconds that a line waits for the ones after it, so that an answer and the prompt go out together."""
 FIRST_SIGN = 3.0
 """Seconds without a line after which a run first says that it is still there; later ones can be chosen."""
 HEARTBEAT = 1.0

@@ -10,7 +10,7 @@ from __future__ import annotations
 from devices.ports.values import frozen
 from donnie_tui.core import use_cases
 from donnie_tui.core.use_cases import USE_CASES, UseCase
-from donnie_tui.tui.view_cases import VIEW_CASES
+from donnie_tui.core.view_cases import VIEW_CASES
 
 MENU = "ctrl+k"
 """Before a letter: the key of what has none of its own. It lists those letters."""

@@ -281,3 +281,27 @@ def test_a_watched_variable_is_told_while_a_program_runs_and_at_its_end(learner:
     learner.sees("I walked 1 step forward.\r\n> ")
     learner.types("n = 3 n = 7\r\r")
     learner.sees("n = 3 n = 7\r\n> \r\nn is 7.\r\n> ")
+
+
+def test_words_of_the_full_screen_are_answered_with_those_for_the_same(learner: Learner) -> None:
+    """L4."""
+    settled(learner, "GO TO 3", "theme dark", "SET mouse off", "SET speed", "REGISTRO")
+    answers = [line for line in learner.lines if line and not line.startswith("> ")]
+
+    assert answers[2:] == [
+        "Here you type READ 3.",
+        "Only in the full screen: type VISUAL.",
+        "Only in the full screen: type VISUAL.",
+        "Here you type SPEED 5.",
+        "Here you type SHOW LOG.",
+    ]
+
+
+def test_what_a_robot_tells_beside_the_conversation_comes_at_once(tmp_path: Path) -> None:
+    """As long as nothing is typed; else it waits for the end of the line."""
+    learner = Learner(tmp_path, speed="2")
+    learner.enters("FW 1", "TR 90", "START")
+    learner.sees("I walked 1 step forward.\r\n> ")
+    learner.sees("I turned 90 degrees to the right.\r\n> ")
+    learner.types("WHERE\r")
+    learner.sees("Facing east.")

@@ -121,3 +121,12 @@ def test_half_a_program_can_be_read() -> None:
     assert [text.line(number).level for number in (1, 2, 3)] == [0, 1, 1]
     with pytest.raises(IndexError):
         text.line(4)
+
+
+@pytest.mark.parametrize(("detail", "widest"), [("brief", 40), ("normal", 80), ("full", 80)])
+def test_a_long_line_is_cut_in_the_outline(detail: str, widest: int) -> None:
+    lines = ["REPEAT 2 TIMES " + "FW 1 " * 100, "END REPEAT"]
+    told = outline_in_words(ProgramText(lines), Words("en", detail))
+
+    assert len(told[1]) <= widest
+    assert told[1].startswith("Line 1, level 0: REPEAT 2 TIMES FW")

@@ -3,6 +3,7 @@
 import pytest
 
 from donnie_tui.core.use_cases import BY_NAME, LANGUAGES, LONGEST_WORD, USE_CASES, UseCase, find, help_line
+from donnie_tui.core.view_cases import IN_WORDS, PREFERENCES, VIEW_CASES
 from donnie_tui.i18n.catalogue import SENTENCES
 from donnie_tui.i18n.words import Words
 from donnie_tui.linear.commands import HANDLERS, OF_CONVERSATION
@@ -74,3 +75,26 @@ def test_the_full_screen_does_every_use_case() -> None:
     from donnie_tui.tui.actions import KEYS
 
     assert set(BY_NAME) - set(KEYS) <= NOT_YET_ON_THE_SCREEN
+
+
+def test_every_word_and_setting_of_the_full_screen_is_answered_in_the_linear_mode() -> None:
+    """L4: done there, or told what is typed in its place, or that it is only for the eye."""
+    from donnie_tui.linear.habits import SPELLINGS
+    from donnie_tui.sound_words import SETTINGS
+    from donnie_tui.tui.actions import KEYS
+    from donnie_tui.tui.preferences import CHOICES
+
+    views = {each.name for each in VIEW_CASES}
+    elsewhere = {*IN_WORDS.values(), *PREFERENCES.values()}
+
+    assert set(KEYS) <= set(HANDLERS) | set(OF_CONVERSATION) | views
+    assert set(IN_WORDS) <= views
+    assert elsewhere <= {*BY_NAME, "SOUND", ""}
+    assert set(CHOICES) <= {*PREFERENCES, *SETTINGS, *SPELLINGS}
+
+
+def test_a_word_of_the_screen_is_found_beside_those_of_both_modes() -> None:
+    words = [(each, each.word(language)) for each in VIEW_CASES for language in LANGUAGES]
+    found = {word: find(word, (*USE_CASES, *VIEW_CASES)) for _, word in words}
+
+    assert [word for case, word in words if found[word] != (case, "")] == []

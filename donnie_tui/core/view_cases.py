@@ -1,7 +1,7 @@
 """What can be asked for that is about the screen alone: how the map is shown, the look, the lists.
 
-Declared like the use cases of the core, and never with a word of theirs. The linear mode has no need of them:
-it tells the same in words.
+Declared like the other use cases, and never with a word of theirs. The linear mode does none of them: it says
+what is typed there for the same, where there is something.
 """
 
 from __future__ import annotations
@@ -35,3 +35,38 @@ VIEW_CASES = (
     UseCase("settings", "SETTINGS", "CONFIGURAÇÕES", "CONFIGURACIÓN", _ALWAYS),
     UseCase("open_log", "LOG", "REGISTRO", "REGISTRO", _ALWAYS),
 )
+
+IN_WORDS = {
+    "whole_map": "map",
+    "names": "map",
+    "legend": "map_picture",
+    "next_thing": "map",
+    "previous_thing": "map",
+    "to_robot": "where",
+    "from_here": "around",
+    "to_there": "map",
+    "coordinates": "where",
+    "go_to": "read",
+    "recent": "open",
+    "programs": "robot",
+    "worlds": "world",
+    "settings": "set",
+    "open_log": "show_log",
+}
+"""The use cases that come to the same in words; the others are about what is seen."""
+
+PREFERENCES = {
+    "theme": "",
+    "plain": "",
+    "motion": "",
+    "mouse": "",
+    "completion": "",
+    "keys": "",
+    "lang": "language",
+    "verbosity": "detail",
+    "speed": "speed",
+    "sound": "SOUND",
+}
+"""Settings that the full screen offers beside those of both modes, and the use case, or GoDonnie's own word,
+that changes them.
+"""
