@@ -7,41 +7,81 @@ SENTENCES: dict[str, Sentence] = {
         "No sound device. Everything is in print.",
         "Sem dispositivo de som. Tudo fica escrito.",
         "Sin dispositivo de sonido. Todo se escribe.",
+        brief=(
+            "No sound device. All is in print.",
+            "Sem som. Tudo fica escrito.",
+            "Sin sonido. Todo se escribe.",
+        ),
     ),
     "no-voice": Sentence(
         "No voice, espeak-ng is missing. Sounds and print work.",
         "Sem voz, falta espeak-ng. Sons e texto funcionam.",
         "Sin voz, falta espeak-ng. Sonidos y texto funcionan.",
+        brief=(
+            "No voice: espeak-ng is missing.",
+            "Sem voz: falta espeak-ng.",
+            "Sin voz: falta espeak-ng.",
+        ),
     ),
     "voice-missing": Sentence(
         "No voice for {language}. It is in print only.",
         "Sem voz para {language}. Fica só escrito.",
         "Sin voz para {language}. Solo se escribe.",
+        brief=(
+            "No voice for {language}. In print only.",
+            "Sem voz para {language}. Só escrito.",
+            "Sin voz para {language}. Solo escrito.",
+        ),
     ),
     "audio-gave-up": Sentence(
         "The sound failed. Everything is in print.",
         "O som falhou. Tudo fica escrito.",
         "El sonido falló. Todo se escribe.",
+        brief=(
+            "The sound failed. All is in print.",
+            "O som falhou. Tudo fica escrito.",
+            "El sonido falló. Todo se escribe.",
+        ),
     ),
     "speech-backlog": Sentence(
         "Too much to say. Some of it is in print only.",
         "Há coisas demais para falar. Parte fica só escrita.",
         "Hay demasiado que decir. Una parte solo se escribe.",
+        brief=(
+            "Too much to say: some only in print.",
+            "Muito para falar: parte só escrita.",
+            "Mucho que decir: parte solo escrita.",
+        ),
     ),
     "no-speech-dispatcher": Sentence(
         "No speech-dispatcher here. All is in print.",
         "Não há speech-dispatcher. Tudo fica escrito.",
         "No hay speech-dispatcher. Todo se escribe.",
+        brief=(
+            "No speech-dispatcher. All in print.",
+            "Sem speech-dispatcher. Tudo escrito.",
+            "Sin speech-dispatcher. Todo escrito.",
+        ),
     ),
     "ssip-silent": Sentence(
         "speech-dispatcher is silent. Has it a sound device?",
         "O speech-dispatcher não soa. Ele tem som?",
         "speech-dispatcher no suena. ¿Tiene sonido?",
+        brief=(
+            "speech-dispatcher is silent.",
+            "O speech-dispatcher não soa.",
+            "speech-dispatcher no suena.",
+        ),
     ),
     "ssip-lost": Sentence(
         "speech-dispatcher is gone. All is in print.",
         "O speech-dispatcher sumiu. Tudo fica escrito.",
         "speech-dispatcher se fue. Todo se escribe.",
+        brief=(
+            "speech-dispatcher is gone.",
+            "O speech-dispatcher sumiu.",
+            "speech-dispatcher se fue.",
+        ),
     ),
     "voice-for-reader": Sentence(
         "Voice off, a screen reader runs.",

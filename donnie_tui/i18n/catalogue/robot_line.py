@@ -44,6 +44,11 @@ _PORTS: dict[str, Sentence] = {
         "Perhaps another Donnie runs. Leave it first.",
         "Talvez outro Donnie esteja aberto. Saia dele antes.",
         "Quizás haya otro Donnie abierto. Sal de él primero.",
+        brief=(
+            "Another Donnie may run. Leave it.",
+            "Talvez outro Donnie esteja aberto.",
+            "Quizás haya otro Donnie abierto.",
+        ),
     ),
     "remedy-simulator": Sentence(
         "The simulator needs none: --robot sim.",
@@ -96,6 +101,11 @@ _DEVICES: dict[str, Sentence] = {
         "No devices are plugged in. The simulator needs none.",
         "Não há dispositivos ligados. O simulador não precisa.",
         "No hay dispositivos conectados. El simulador no los necesita.",
+        brief=(
+            "No devices are plugged in.",
+            "Não há dispositivos ligados.",
+            "No hay dispositivos conectados.",
+        ),
     ),
     "devices-use": Sentence(
         "Drive it: donnie --robot serial:{port}",
@@ -151,6 +161,11 @@ _LINK: dict[str, Sentence] = {
         "I use the simulator instead. CONNECT tries again.",
         "Uso o simulador. CONECTAR tenta de novo.",
         "Uso el simulador. CONECTAR lo intenta de nuevo.",
+        brief=(
+            "The simulator instead. CONNECT retries.",
+            "Uso o simulador. CONECTAR tenta de novo.",
+            "El simulador. CONECTAR lo reintenta.",
+        ),
     ),
     "connect-busy": Sentence(
         "Not while a program runs.", "Não com um programa rodando.", "No mientras corre un programa."

@@ -16,11 +16,21 @@ SENTENCES: dict[str, Sentence] = {
         "There is no robot. Places are told from the middle.",
         "Não há robô. Os lugares são contados a partir do meio.",
         "No hay robot. Los lugares se cuentan desde el centro.",
+        brief=(
+            "No robot. Places are from the middle.",
+            "Sem robô. Lugares a partir do meio.",
+            "Sin robot. Lugares desde el centro.",
+        ),
     ),
     "world-robot-start": Sentence(
         "The robot {name} starts at {x}, {y}, facing {facing}.",
         "O robô {name} começa em {x}, {y}, virado para {facing}.",
         "El robot {name} empieza en {x}, {y}, mirando al {facing}.",
+        brief=(
+            "{name} starts at {x}, {y}, facing {facing}.",
+            "{name} começa em {x}, {y}, para {facing}.",
+            "{name} empieza en {x}, {y}, al {facing}.",
+        ),
     ),
     "world-robots": Sentence(
         "{count} robots: {names}.", "{count} robôs: {names}.", "{count} robots: {names}."
@@ -39,6 +49,11 @@ SENTENCES: dict[str, Sentence] = {
         "{count} {count:thing|things}, the nearest first, in steps.",
         "{count} {count:objeto|objetos}, o mais perto primeiro, em passos.",
         "{count} {count:objeto|objetos}, el más cercano primero, en pasos.",
+        brief=(
+            "{count} {count:thing|things}, nearest first, in steps.",
+            "{count} {count:objeto|objetos}, por distância, em passos.",
+            "{count} {count:objeto|objetos}, por distancia, en pasos.",
+        ),
     ),
     "world-large-thing": Sentence(
         "{name}, {colour}, {width} by {depth}: {place}.",

@@ -13,6 +13,7 @@ from donnie_tui.i18n.catalogue import (
     SENTENCES,
     TOPICS,
     answers,
+    devices,
     explain,
     files,
     help,  # noqa: A004 -- the module's own name
@@ -167,9 +168,29 @@ def test_no_line_of_a_lesson_is_longer_than_eighty_characters() -> None:
 
 def test_at_detail_brief_every_line_of_a_lesson_fits_forty_cells() -> None:
     """L8, B1."""
-    lengths = whole_sentences((*LESSON, use_cases), "brief")
+    lengths = whole_sentences((*LESSON, use_cases, devices), "brief")
 
     assert {text: length for text, length in lengths.items() if length > 40} == {}
+
+
+ABOUT_ROBOTS = (
+    "robots-only-one",
+    "robot-chosen",
+    "robot-listed",
+    "robot-busy",
+    "robot-started",
+    "robot-no-programs",
+)
+ABOUT_LINES = ("devices-none", "connect-instead", "remedy-port-busy", "connect-how", "connect-simulator")
+ABOUT_WORLDS = ("world-no-robot", "world-robot-start", "world-things-from-start")
+
+
+@pytest.mark.parametrize("code", ABOUT_ROBOTS + ABOUT_LINES + ABOUT_WORLDS)
+def test_at_detail_brief_what_the_linear_mode_says_of_robots_and_worlds_fits_forty_cells(code: str) -> None:
+    """L8, B1: topics that also have sentences of commands, which nobody hears in a lesson."""
+    told = [with_samples(SENTENCES[code].text(language, "brief")) for language in LANGUAGES]
+
+    assert [text for text in told if len(text) > 40] == []
 
 
 def test_the_number_one_has_the_singular_in_every_language() -> None:

@@ -22,7 +22,8 @@ def test_what_is_behind_is_met_on_the_way_back() -> None:
     met = ideal([("red", 0, -4)]).backward(5).met
 
     assert met is not None
-    assert (met.name, abs(met.degrees)) == ("thing1", pytest.approx(180))
+    assert met.name == "thing1"
+    assert abs(met.degrees) == pytest.approx(180)
 
 
 def test_the_nearest_thing_ahead_is_the_obstacle_and_not_one_beside() -> None:
