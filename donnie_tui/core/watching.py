@@ -37,3 +37,16 @@ class Watching:
 
 def _folded(variables: Iterable[tuple[str, int]]) -> dict[str, int]:
     return {fold_name(name): value for name, value in variables}
+
+
+def toggle_watch(watched: list[str], typed: str, wording: Wording) -> tuple[str, ...]:
+    """Watch the variable from now on, or no more; without a name, which are watched. What is told of it."""
+    name = fold_name(typed)
+    if name in watched:
+        watched.remove(name)
+        return (wording("watch-gone", name=typed),)
+    if name:
+        watched.append(name)
+        return (wording("watch-set", name=typed),)
+    told = tuple(wording("watch-set", name=each) for each in watched)
+    return told or (wording("watch-none"),)

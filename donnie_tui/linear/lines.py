@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable
 from functools import partial
 
-from donnie_tui.core.typed_program import ProgramTooLong
+from donnie_tui.core import line_words
 from donnie_tui.linear.arguments import Handler, alone, number_and_text, numbers_in, pair
 from donnie_tui.linear.desk import Desk
 from donnie_tui.linear.output import LARGEST_BLOCK
@@ -14,27 +14,13 @@ from donnie_tui.linear.runs import Runs
 
 def list_lines(desk: Desk, first: int | None, last: int | None) -> None:
     """Say lines ``first`` to ``last``, all of them without numbers; how many first, if they are many."""
-    lines = desk.program.lines
-    if not lines:
-        desk.answer("linear-no-lines")
-        return
-    begin = first or 1
-    end = min(last or (begin if first else len(lines)), len(lines))
-    if not 1 <= begin <= end:
-        _no_such_line(desk, begin)
-        return
-    if end - begin + 1 > LARGEST_BLOCK:
-        desk.answer("linear-lines", lines=end - begin + 1)
-    for number in range(begin, end + 1):
-        desk.answer("linear-listed", line=number, text=lines[number - 1].strip())
+    desk.tell(*line_words.listed(desk.program.lines, first, last, desk.say, many=LARGEST_BLOCK))
 
 
 def change_line(desk: Desk, number: int, text: str) -> None:
     """Line ``number`` becomes ``text``, or what is typed next."""
     lines = desk.program.lines
-    if not 1 <= number <= len(lines):
-        _no_such_line(desk, number)
-    elif text:
+    if text or not 1 <= number <= len(lines):
         _change(desk, number, text)
     else:
         desk.offered = lines[number - 1].strip()
@@ -43,9 +29,7 @@ def change_line(desk: Desk, number: int, text: str) -> None:
 
 def insert_line(desk: Desk, number: int, text: str) -> None:
     """``text``, or what is typed next, becomes line ``number``."""
-    if not 1 <= number <= len(desk.program.lines) + 1:
-        _no_such_line(desk, number)
-    elif text:
+    if text or not 1 <= number <= len(desk.program.lines) + 1:
         _insert(desk, number, text)
     else:
         _ask_for_line(desk, number, "linear-type-line", lambda typed: _insert(desk, number, typed))
@@ -56,34 +40,13 @@ def delete_lines(desk: Desk, first: int | None, last: int | None) -> None:
     if first is None:
         deleted = desk.program.forget_waiting()
         desk.answer("linear-deleted" if deleted else "linear-nothing-to-delete", lines=deleted)
-        return
-    end = first if last is None else last
-    count = len(desk.program.lines)
-    if not 1 <= first <= end <= count:
-        _no_such_line(desk, first if not 1 <= first <= count else end)
-        return
-    waiting = desk.program.waiting
-    desk.program.delete(first, end)
-    desk.answer("linear-deleted", lines=end - first + 1)
-    _warn_of_waiting(desk, waiting)
+    else:
+        _tell_edit(desk, line_words.deleted(desk.program, first, last, desk.say))
 
 
 def move_lines(desk: Desk, first: int, last: int, to: int) -> None:
     """Lines ``first`` to ``last`` stand before line ``to`` from now on."""
-    waiting = desk.program.waiting
-    try:
-        at = desk.program.move(first, last, to)
-    except IndexError:
-        count = len(desk.program.lines)
-        wrong = next((each for each in (first, last, to) if not 1 <= each <= count), None)
-        if wrong is None:
-            desk.answer("answer-unchanged")
-        else:
-            _no_such_line(desk, wrong)
-        return
-    for number in range(at, at + last - first + 1):
-        _say_line(desk, number)
-    _warn_of_waiting(desk, waiting)
+    _tell_edit(desk, line_words.moved(desk.program, first, last, to, desk.say))
 
 
 def undo(desk: Desk) -> None:
@@ -98,9 +61,13 @@ def undo(desk: Desk) -> None:
 
 
 def _say_line(desk: Desk, number: int) -> None:
-    text = desk.program.lines[number - 1].strip()
     desk.place = number
-    desk.answer("answer-line", line=number, text=text or desk.say("line-empty"))
+    desk.tell(line_words.line_told(desk.program, number, desk.say))
+
+
+def _tell_edit(desk: Desk, edit: line_words.Edited) -> None:
+    desk.place = desk.place if edit.line is None else edit.line
+    desk.tell(*edit.sentences)
 
 
 def _ask_for_line(desk: Desk, number: int, code: str, then: Callable[[str], None]) -> None:
@@ -114,39 +81,11 @@ def _take(then: Callable[[str], None], typed: str) -> bool:
 
 
 def _change(desk: Desk, number: int, text: str) -> None:
-    if not text.strip() or text.strip() == desk.program.lines[number - 1].strip():
-        desk.answer("answer-unchanged")
-        return
-    _edit(desk, number, text, desk.program.change)
+    _tell_edit(desk, line_words.changed(desk.program, number, text, desk.say))
 
 
 def _insert(desk: Desk, number: int, text: str) -> None:
-    if not text.strip():
-        desk.answer("answer-unchanged")
-        return
-    _edit(desk, number, text, desk.program.insert)
-
-
-def _edit(desk: Desk, number: int, text: str, edit: Callable[[int, str], None]) -> None:
-    waiting = desk.program.waiting
-    try:
-        edit(number, text)
-    except ProgramTooLong:
-        desk.answer("linear-too-long")
-        return
-    _say_line(desk, number)
-    _warn_of_waiting(desk, waiting)
-
-
-def _warn_of_waiting(desk: Desk, before: int) -> None:
-    """A change to what has run lets everything wait again; nobody may be surprised by that."""
-    now = desk.program.waiting
-    if now > before + 1:
-        desk.answer("linear-waits-again", lines=now)
-
-
-def _no_such_line(desk: Desk, number: int) -> None:
-    desk.answer("answer-no-line", line=number, last=len(desk.program.lines))
+    _tell_edit(desk, line_words.inserted(desk.program, number, text, desk.say))
 
 
 # --- the words

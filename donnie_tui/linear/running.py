@@ -5,6 +5,7 @@ from __future__ import annotations
 from donnie_tui.core import speeds
 from donnie_tui.core.retelling import told_back
 from donnie_tui.core.session import Busy
+from donnie_tui.core.watching import toggle_watch
 from donnie_tui.linear.arguments import Handler, alone, numbers_in
 from donnie_tui.linear.desk import Desk
 from donnie_tui.linear.runs import Runs
@@ -93,20 +94,9 @@ def _toggle_breakpoint(desk: Desk, line: int) -> None:
 
 
 def _watch(desk: Desk, _: Runs, rest: str) -> bool:
-    name = fold_name(rest)
     if len(rest.split()) > 1:
         return False
-    if name in desk.watched:
-        desk.watched.remove(name)
-        desk.answer("watch-gone", name=rest)
-    elif name:
-        desk.watched.append(name)
-        desk.answer("watch-set", name=rest)
-    elif desk.watched:
-        for each in desk.watched:
-            desk.answer("watch-set", name=each)
-    else:
-        desk.answer("watch-none")
+    desk.tell(*toggle_watch(desk.watched, rest, desk.say))
     return True
 
 

@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING
 
 from donnie_tui.core.speeds import speed_words
 from donnie_tui.tui.deeds_around import AroundDeeds
+from donnie_tui.tui.deeds_lines import LineDeeds
 from donnie_tui.tui.deeds_map import MapDeeds
 from donnie_tui.tui.deeds_robots import RobotDeeds
 from donnie_tui.tui.deeds_telling import TellingDeeds
@@ -29,6 +30,7 @@ class Deeds:
             MapDeeds(host),
             TellingDeeds(host),
             TextDeeds(host),
+            LineDeeds(host),
             AroundDeeds(host),
             RobotDeeds(host),
         )
@@ -81,6 +83,10 @@ class Deeds:
     def reset(self, _argument: str) -> None:
         self._host.tell(self._host.running.reset())
         self._host.show_pose()
+
+    def watch(self, argument: str) -> None:
+        """A variable is told at each change; again, no more; without a name, which are."""
+        self._host.tell_sentences(*self._host.watch.toggle(argument.strip()))
 
     # --- speed
 

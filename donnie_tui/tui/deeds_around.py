@@ -5,6 +5,10 @@ from __future__ import annotations
 from typing import TYPE_CHECKING
 
 import worlds
+from donnie_tui import sound_words
+from donnie_tui.core import report_text
+from donnie_tui.core.transcript import printable
+from donnie_tui.core.typed_program import lines_of
 from donnie_tui.settings import THEMES
 from donnie_tui.tui.running import Answer
 from donnie_tui.tui.screens.chooser import Choice
@@ -62,6 +66,29 @@ class AroundDeeds:
             if chosen is not None:
                 await self._change(chosen)
 
+    async def set(self, argument: str) -> None:
+        """SET alone lists the settings, SET name asks for one, SET name value changes it."""
+        name, _blank, value = argument.strip().partition(" ")
+        key = self._setting(name)
+        if not name:
+            await self.settings("")
+        elif key is None:
+            self._host.tell(Answer("screen-no-setting", {"name": printable(name[:40])}))
+        elif self._host.preferences.values(key):
+            await self._choose(key, self._host.preferences.values(key), value.strip())
+        elif value:
+            self._host.prefer(key, value.strip())
+        else:
+            await self._change(key)
+
+    def _setting(self, name: str) -> str | None:
+        """The setting that a word means: its name in the settings file, in the list, or as SET has it."""
+        words, folded = self._host.words, fold_name(name)
+        keys = [each.key for each in self._host.preferences.all]
+        by_name = {fold_name(each): key for key in keys for each in (key, words(f"setting-{key}"))}
+        found = by_name.get(folded) or sound_words.find_setting(name)
+        return found if found in keys else None
+
     async def _change(self, key: str) -> None:
         values = self._host.preferences.values(key)
         if values:
@@ -117,6 +144,19 @@ class AroundDeeds:
         is_elsewhere = chosen is not None and chosen != self._host.world_name
         if chosen and is_elsewhere and await self._host.files.are_safe_to_leave():
             self._host.change_world(chosen)
+
+    async def report(self, argument: str) -> None:
+        """REPORT map map.html; with .csv a table."""
+        wanted = report_text.asked(argument)
+        if wanted is None:
+            self._host.tell(Answer("action-report"))
+            return
+        host, words = self._host, self._host.words
+        lines = tuple(lines_of(host.workplace.editor.text))
+        subject = report_text.Subject(
+            lines, host.pose, host.donnie.picture_now(), host.trail, words.help(None)[1:]
+        )
+        await host.files.write_beside(wanted[1], report_text.report(*wanted, subject, words))
 
     def tour(self, _argument: str) -> None:
         self._host.show_tour()

@@ -16,6 +16,7 @@ from donnie_tui.core.map_grid import MapGrid
 from donnie_tui.core.transcript import lines_of
 from donnie_tui.i18n.catalogue.signs import CODE_OF
 from donnie_tui.tui.running import Answer
+from donnie_tui.tui.screens.chooser import Choice
 
 if TYPE_CHECKING:
     from donnie_tui.tui.host import WorkHost
@@ -98,6 +99,19 @@ class TellingDeeds:
         found = self._host.answers.found(argument)
         self._tell(*(found or (self._host.words("find-none", word=argument[:40]),)))
         self._host.workplace.log_rows.search(argument)
+
+    async def typed(self, argument: str) -> None:
+        """The lines typed last, the newest first; the chosen one is done again."""
+        lines = self._host.workplace.command_line.past[:-1]  # without this one
+        if not lines:
+            self._host.tell(Answer("linear-nothing-typed"))
+            return
+        count = max(1, next(iter(numbers_in(argument)), len(lines)))
+        rows = [Choice(each, each) for each in dict.fromkeys(reversed(lines[-count:]))]
+        chosen = await self._host.choose(self._host.words("key-typed"), rows)
+        again = self._host.typed(chosen) if chosen else None
+        if again is not None:
+            await again
 
     # --- what sounds
 

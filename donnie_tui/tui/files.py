@@ -11,7 +11,7 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import Protocol
 
-from donnie_tui.core.documents import DocumentError
+from donnie_tui.core.documents import DocumentError, program_to_save, write_program
 from donnie_tui.core.filing import Copies, Document
 from donnie_tui.core.wording import Wording
 from donnie_tui.tui.recent import Recent
@@ -196,6 +196,19 @@ class Files:
             self._desk.tell(Answer("answer-unchanged"))
             return False
         return self._write(path)
+
+    async def write_beside(self, name: str, text: str) -> None:
+        """Another file than the program's; what was there is replaced only by somebody who wants it."""
+        try:
+            path = program_to_save(name)
+            if path.exists() and not await self._yes("ask-replace", path.name):
+                self._desk.tell(Answer("answer-unchanged"))
+                return
+            write_program(path, text)
+        except DocumentError as error:
+            self._desk.tell(_told(error))
+        else:
+            self._desk.tell(Answer("answer-written", {"name": path.name}))
 
     def _write(self, path: Path) -> bool:
         try:

@@ -20,6 +20,7 @@ from donnie_tui.tui.preferences import Preferences
 from donnie_tui.tui.running import Answer, Running
 from donnie_tui.tui.screens.chooser import Choice
 from donnie_tui.tui.screens.workplace import Workplace
+from donnie_tui.tui.watch import Watch
 
 
 class WorkHost(Protocol):
@@ -28,6 +29,7 @@ class WorkHost(Protocol):
     words: Words
     workplace: Workplace
     running: Running
+    watch: Watch
     files: Files
     display: Display
     preferences: Preferences
@@ -75,6 +77,8 @@ class WorkHost(Protocol):
     def choose_word(self, words: Sequence[str], below: Offset) -> Awaitable[tuple[str, str]]: ...
 
     # --- the text, the settings, the log
+
+    def typed(self, text: str) -> Awaitable[None] | None: ...
 
     def completion(self, text: str, at: int) -> Completion: ...
 

@@ -15,6 +15,7 @@ from donnie_tui.core import speeds
 from donnie_tui.core.runner import Run
 from donnie_tui.core.session import Busy, Session
 from donnie_tui.settings import FASTEST, SLOWEST, read_speed
+from donnie_tui.tui.watch import Watch
 from language.control import ControlState, ExecutionControl
 from language.runtime import Frame
 
@@ -58,9 +59,12 @@ class Running:
     ``told`` hears, in any thread, that a pause began or ended.
     """
 
-    def __init__(self, chosen: Callable[[], Session], told: Callable[[ControlState], None]) -> None:
+    def __init__(
+        self, chosen: Callable[[], Session], told: Callable[[ControlState], None], watch: Watch
+    ) -> None:
         self._chosen = chosen
         self._told = told
+        self._watch = watch
         self._owns: dict[str, _Own] = {}
         self._breakpoints: frozenset[int] = frozenset()
 
@@ -144,7 +148,14 @@ class Running:
                 begin(control)
 
         try:
-            run = self._session.start(text, name, fresh=program, terminal=not program, prepare=prepare)
+            run = self._session.start(
+                text,
+                name,
+                fresh=program,
+                terminal=not program,
+                prepare=prepare,
+                each_statement=self._watch.begin(self._session, fresh=program),
+            )
         except Busy:
             return _BUSY
         self._owns[self._session.name] = _Own(run, is_program=program)

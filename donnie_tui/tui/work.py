@@ -43,6 +43,7 @@ from donnie_tui.tui.running import Answer, Doing, Running
 from donnie_tui.tui.screens.chooser import Choice
 from donnie_tui.tui.screens.help import help_text
 from donnie_tui.tui.screens.workplace import Workplace
+from donnie_tui.tui.watch import Watch
 from language.control import ControlState
 from language.keywords import canonical
 
@@ -104,7 +105,8 @@ class Work:
         self._donnie = donnie
         self.words: Words = donnie.words
         self.workplace = host.workplace
-        self.running = Running(lambda: donnie.session, self._paused)
+        self.watch = Watch(self.words)
+        self.running = Running(lambda: donnie.session, self._paused, self.watch)
         self.preferences = Preferences(settings or Settings(), os.environ)
         self.files = Files(self, self.words, lambda: Copies(folder), Recent(folder.parent / "recent.txt"))
         self.display = Display(self.workplace, donnie, self.running, self.files)
@@ -444,6 +446,7 @@ class Work:
         if self._watching is not None:
             self._watching.stop()
             self._watching = None
+        self.watch.end(self._donnie.session, event.event.variables)
         self._tell_end(event)
         self._intake.take()
         self._intake.write()

@@ -135,6 +135,12 @@ _EDITOR = {
         "Há um erro na linha {line}; é preciso corrigi-lo antes.",
         "Hay un error en la línea {line}; hay que corregirlo antes.",
     ),
+    "screen-no-setting": Sentence(
+        "No setting is called {name}. SET lists them.",
+        "Nenhum ajuste se chama {name}. AJUSTAR lista.",
+        "Ningún ajuste se llama {name}. AJUSTAR los lista.",
+    ),
+    "key-typed": Sentence("Typed before", "Digitado antes", "Escrito antes"),
     "screen-no-way": Sentence(
         "There is no such line from here.", "Daqui não há essa linha.", "Desde aquí no hay esa línea."
     ),

@@ -33,6 +33,11 @@ class CommandLine(InputLine):
         self._past: list[str] = []
         self._place = 0
 
+    @property
+    def past(self) -> tuple[str, ...]:
+        """The lines that were typed, the last one last."""
+        return tuple(self._past)
+
     def finish(self) -> None:
         """Hand over what is typed, and begin anew."""
         text = self.value.strip()

@@ -8,7 +8,7 @@ mistake and ``?`` a hint, whose sentence stands behind the line where there is r
 from __future__ import annotations
 
 import re
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Mapping, Sequence
 from typing import TYPE_CHECKING, ClassVar
 
 from rich.segment import Segment
@@ -41,6 +41,14 @@ LEAST_NOTE = 12
 """Columns that the sentence of a mistake needs."""
 
 LINEAR_WORDS = frozenset(BY_NAME["linear"].word(each).casefold() for each in LANGUAGES)
+
+
+def _alike(before: Sequence[str], after: Sequence[str]) -> tuple[int, int]:
+    """How many lines are the same at the beginning of both, and behind these at their ends."""
+    shorter = min(len(before), len(after))
+    top = next((at for at in range(shorter) if before[at] != after[at]), shorter)
+    rest = shorter - top
+    return top, next((at for at in range(rest) if before[-1 - at] != after[-1 - at]), rest)
 
 
 class Editor(TextArea):
@@ -128,14 +136,57 @@ class Editor(TextArea):
 
     def edit(self, edit: Edit) -> EditResult:
         """Breakpoints go with their lines."""
-        top, bottom = sorted((edit.from_location[0], edit.to_location[0]))
+        start, end = sorted((edit.from_location, edit.to_location))
+        whole_lines = start[1] == end[1] == 0
+        first, last = (start[0], end[0]) if whole_lines else (start[0] + 1, end[0] + 1)
         before = self.document.line_count
         result = super().edit(edit)
-        added = self.document.line_count - before
-        if added and self.breakpoints:
-            kept = (each for each in self.breakpoints if not top + 1 < each <= bottom + 1)
-            self.breakpoints = frozenset(each + added if each > bottom + 1 else each for each in kept)
+        self._shift_breakpoints(first, last, self.document.line_count - before)
         return result
+
+    def undo(self) -> None:
+        """Breakpoints go with their lines here too."""
+        before = list(self.document.lines) if self.breakpoints else []
+        super().undo()
+        self._follow(before)
+
+    def redo(self) -> None:
+        before = list(self.document.lines) if self.breakpoints else []
+        super().redo()
+        self._follow(before)
+
+    def _follow(self, before: Sequence[str]) -> None:
+        """The text was ``before`` and is another one now: what differs is all that is known."""
+        if before:
+            top, same = _alike(before, self.document.lines)
+            self._shift_breakpoints(top, len(before) - same, self.document.line_count - len(before))
+
+    def _shift_breakpoints(self, first: int, last: int, added: int) -> None:
+        """Lines behind ``last`` have moved; what is behind ``first`` up to there is gone."""
+        if added and self.breakpoints:
+            kept = (each for each in self.breakpoints if not first < each <= last)
+            self.breakpoints = frozenset(each + added if each > last else each for each in kept)
+            self.refresh()
+
+    def become(self, lines: Sequence[str]) -> None:
+        """These lines from now on, as one edit of no more than what differs."""
+        before = self.document.lines
+        ends_open = len(before) > 1 and not before[-1]
+        after = [*lines, ""] if ends_open or not lines else list(lines)
+        top, end = _alike(before, after)
+        if before != after:
+            self._replace_lines(top, len(before) - end, after[top : len(after) - end])
+
+    def _replace_lines(self, first: int, end: int, lines: Sequence[str]) -> None:
+        """Rows ``first`` up to ``end`` become ``lines``; what is gone takes its end of line with it."""
+        last = self.document.line_count
+        if end < last:
+            self.replace("".join(f"{each}\n" for each in lines), (first, 0), (end, 0))
+        elif first:
+            start = (first - 1, len(self.document.get_line(first - 1)))
+            self.replace("".join(f"\n{each}" for each in lines), start, self.document.end)
+        else:
+            self.replace("\n".join(lines), (0, 0), self.document.end)
 
     def _gutter_of(self, line: int) -> Region:
         place = self.wrapped_document.location_to_offset((line - 1, 0))

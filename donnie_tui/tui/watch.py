@@ -1,0 +1,45 @@
+"""The variables that somebody watches at the screen: told at each change, while a program runs too."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping
+
+from donnie_tui.core.events import Answered
+from donnie_tui.core.session import Session
+from donnie_tui.core.watching import Watching, toggle_watch
+from donnie_tui.core.wording import Wording
+
+
+class Watch:
+    """What is watched, in one run after the other."""
+
+    def __init__(self, words: Wording) -> None:
+        self._words = words
+        self._names: list[str] = []
+        self._last: Watching | None = None
+
+    def toggle(self, typed: str) -> tuple[str, ...]:
+        """WATCH with what stands behind it; what is told of it."""
+        return toggle_watch(self._names, typed, self._words)
+
+    def begin(self, session: Session, *, fresh: bool) -> Callable[[], None]:
+        """A run begins, a fresh one without variables. To be called before each statement."""
+        watching = self._last = Watching(self._names, self._words)
+        watching.begin(() if fresh else session.variables.items())
+
+        def look() -> None:
+            frames = session.frames if self._names else ()
+            if frames:
+                _tell(session, watching.look(frames[0].variables))
+
+        return look
+
+    def end(self, session: Session, variables: Mapping[str, int]) -> None:
+        """The run is over, and left these."""
+        if self._last is not None:
+            _tell(session, self._last.look(variables.items()))
+
+
+def _tell(session: Session, sentences: tuple[str, ...]) -> None:
+    for each in sentences:
+        session.hub.publish(Answered(each))

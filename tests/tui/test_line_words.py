@@ -1,0 +1,138 @@
+"""The words about lines, settings, reports and what was typed, in the command line of the screen."""
+
+import pytest
+
+from donnie_tui.tui.running import Doing
+
+PROGRAM = "FW 1\nFW 2\nFW 3\nFW 4"
+
+
+@pytest.fixture(autouse=True)
+def own_folders(tmp_path, monkeypatch):
+    """Settings and files of a test stay its own."""
+    monkeypatch.setenv("XDG_CONFIG_HOME", str(tmp_path / "config"))
+    monkeypatch.chdir(tmp_path)
+
+
+@pytest.mark.parametrize(
+    ("typed", "told", "text"),
+    [
+        ("CHANGE 2 BK 2", "Line 2: BK 2", "FW 1\nBK 2\nFW 3\nFW 4"),
+        ("INSERT 1 TR 90", "Line 1: TR 90", "TR 90\nFW 1\nFW 2\nFW 3\nFW 4"),
+        ("INSERT 5 TR 90", "Line 5: TR 90", "FW 1\nFW 2\nFW 3\nFW 4\nTR 90"),
+        ("DELETE 2 3", "2 lines deleted.", "FW 1\nFW 4"),
+        ("DELETE 4", "1 line deleted.", "FW 1\nFW 2\nFW 3"),
+        ("DELETE 1 4", "4 lines deleted.", ""),
+        ("DELETE", "1 line deleted.", "FW 2\nFW 3\nFW 4"),
+        ("MOVE 4 1", "Line 1: FW 4", "FW 4\nFW 1\nFW 2\nFW 3"),
+        ("MOVE 1 2 5", "Line 4: FW 2", "FW 3\nFW 4\nFW 1\nFW 2"),
+        ("CHANGE 9 FW 1", "There is no line 9. The last is 4.", PROGRAM),
+        ("DELETE 0", "There is no line 0. The last is 4.", PROGRAM),
+        ("LIST 2", "2: FW 2", PROGRAM),
+    ],
+)
+async def test_a_word_changes_the_lines_and_undo_takes_it_back(work, typed, told, text):
+    async with work(PROGRAM) as desk:
+        await desk.type_line(typed)
+        await desk.told(told)
+        assert desk.place.editor.text == text
+
+        await desk.type_line("UNDO")
+        await desk.until(lambda: desk.place.editor.text == PROGRAM, "the text as it was")
+
+
+async def test_an_end_of_line_behind_the_last_line_stays(work):
+    async with work() as desk:
+        desk.app.work.load("FW 1\nFW 2\n")
+        await desk.type_line("DELETE 2")
+        await desk.told("1 line deleted.")
+        assert desk.place.editor.text == "FW 1\n"
+
+        await desk.type_line("INSERT 2 BK 1")
+        await desk.told("Line 2: BK 1")
+        assert desk.place.editor.text == "FW 1\nBK 1\n"
+
+
+async def test_a_line_without_its_text_is_offered_for_editing(work):
+    async with work(PROGRAM) as desk:
+        await desk.type_line("CHANGE 3")
+        await desk.answer("FW 9")
+        await desk.told("Line 3: FW 9")
+
+        assert desk.place.editor.text == "FW 1\nFW 2\nFW 9\nFW 4"
+
+
+async def test_breakpoints_go_with_their_lines_when_lines_are_inserted_deleted_and_that_is_undone(work):
+    async with work(PROGRAM) as desk:
+        await desk.type_line("BREAK 3")
+        await desk.told("Line 3 has a breakpoint.")
+        await desk.type_line("INSERT 1 TR 90")
+        await desk.until(lambda: desk.place.editor.breakpoints == {4}, "line 4")
+        await desk.type_line("DELETE 2")
+        await desk.until(lambda: desk.place.editor.breakpoints == {3}, "line 3")
+        await desk.type_line("UNDO")
+        await desk.until(lambda: desk.place.editor.breakpoints == {4}, "line 4 again")
+        await desk.type_line("INSERT 4 TR 90")
+        await desk.until(lambda: desk.place.editor.breakpoints == {5}, "line 5")
+        await desk.type_line("DELETE 4")
+        await desk.until(lambda: desk.place.editor.breakpoints == {4}, "line 4, the line above being gone")
+
+
+async def test_a_watched_variable_is_told_at_each_change_of_a_run(work):
+    async with work() as desk:
+        await desk.type_line("WATCH a")
+        await desk.told("Watching a.")
+        await desk.run("VAR a = 3\nVAR b = 1\na = a + 1\nFW 1")
+
+        told = [line for line in desk.log if line.startswith(("a is", "b is"))]
+        assert told == ["a is 3.", "a is 4."]
+
+
+async def test_what_is_watched_no_more_is_not_told(work):
+    async with work() as desk:
+        await desk.type_line("WATCH a")
+        await desk.type_line("WATCH a")
+        await desk.told("Not watching a now.")
+        await desk.run("VAR a = 3")
+
+        assert "a is 3." not in desk.log
+
+
+async def test_a_line_that_was_typed_is_chosen_and_done_again(work):
+    async with work() as desk:
+        await desk.type_line("FW 1")
+        await desk.idle()
+        await desk.type_line("WHERE")
+        await desk.type_line("TYPED")
+        await desk.until(lambda: desk.app.screen is not desk.place, "the list")
+        await desk.press("down", "enter")
+        await desk.until(lambda: desk.log.count("I walked 1 step forward.") == 2, "the second step")
+        await desk.doing(Doing.READY)
+
+
+@pytest.mark.parametrize("typed", ["SET theme light", "AJUSTAR Look light"])
+async def test_set_changes_a_setting_by_its_name(work, typed):
+    async with work() as desk:
+        await desk.type_line(typed)
+        await desk.told("Look: light.")
+
+        assert desk.app.work.preferences.settings.theme == "light"
+
+
+async def test_set_says_which_name_it_does_not_know(work):
+    async with work() as desk:
+        await desk.type_line("SET nonsense 3")
+        await desk.told("No setting is called nonsense.")
+
+
+async def test_a_report_is_written_and_another_file_replaced_only_after_a_question(work, tmp_path):
+    async with work(PROGRAM) as desk:
+        await desk.type_line("REPORT list lines.csv")
+        await desk.told("Wrote lines.csv.")
+        written = (tmp_path / "lines.csv").read_text()
+        assert written.splitlines()[1:3] == ["1,0,FW 1", "2,0,FW 2"]
+
+        await desk.type_line("REPORT map lines.csv")
+        await desk.answer("no")
+        await desk.told("Nothing was changed.")
+        assert (tmp_path / "lines.csv").read_text() == written
