@@ -91,9 +91,13 @@ def use_gripper(donnie: Donnie, deed: Deed) -> Run | None:
 
 
 def _tell_place(donnie: Donnie, session: Session) -> None:
+    donnie.session.hub.publish(Answered(robot_in_words(donnie, session)))
+
+
+def robot_in_words(donnie: Donnie, session: Session) -> str:
+    """Where that robot is, and whether its program runs."""
     pose = session.pose
-    _say(
-        donnie,
+    return donnie.words(
         "robot-listed" if session.run is None else "robot-listed-running",
         name=session.name,
         x=numbers.whole(pose.x),

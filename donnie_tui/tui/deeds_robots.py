@@ -11,6 +11,7 @@ from typing import TYPE_CHECKING
 from donnie_tui import team_words
 from donnie_tui.core.handling import Deed
 from donnie_tui.core.team import Assigned
+from donnie_tui.tui.screens.chooser import Choice
 
 if TYPE_CHECKING:
     from donnie_tui.tui.host import WorkHost
@@ -25,14 +26,27 @@ class RobotDeeds:
     def robots(self, _argument: str) -> None:
         team_words.tell_robots(self._host.donnie)
 
-    def robot(self, argument: str) -> None:
-        """Talk to that one; without a name, tell who is there."""
-        if not argument:
+    async def robot(self, argument: str) -> None:
+        """Talk to that one; without a name, to the one chosen from a list, where there are several."""
+        if not argument and not self._host.donnie.team.has_several:
             self.robots("")
             return
+        name = argument or await self._chosen()
+        if name is None:
+            return
         self._give_text()
-        if team_words.choose_robot(self._host.donnie, argument):
+        if team_words.choose_robot(self._host.donnie, name):
             self._host.robot_chosen()
+
+    async def _chosen(self) -> str | None:
+        """From a list of all, each with where it is and whether its program runs."""
+        donnie = self._host.donnie
+        rows = [
+            Choice(name, team_words.robot_in_words(donnie, each), each is donnie.session)
+            for name in donnie.team.names
+            for each in (donnie.team.session(name),)
+        ]
+        return await self._host.choose(self._host.words("key-robot"), rows)
 
     def start(self, _argument: str) -> None:
         """On the screen nobody waits for a run anyway."""

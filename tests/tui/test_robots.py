@@ -68,3 +68,21 @@ async def test_ctrl_c_stops_all_robots_the_key_for_stop_the_chosen_one(work):
 
         await desk.press("ctrl+c")
         await desk.until(lambda: not team.running, "nobody runs")
+
+
+async def test_robot_alone_lists_all_robots_with_their_state_and_enter_chooses_one(work):
+    async with work(WAITING, speed=1.0, world="two_robots") as desk:
+        await desk.press("f5")
+        await desk.doing(Doing.RUNNING)
+        await desk.type_line("ROBOT")
+        await desk.until(lambda: desk.app.screen is not desk.place, "the list")
+        await desk.pilot.pause()
+        rows = [row for row in desk.screen.splitlines() if "alice" in row or "bob" in row]
+        assert len(rows) == 2
+        assert "alice runs" in rows[0]
+        assert "runs" not in rows[1]
+
+        await desk.press("down", "enter")
+        await desk.told("You talk to bob.")
+        assert desk.app.work.donnie.session.name == "bob"
+        await desk.type_line("STOP ALL")
