@@ -22,8 +22,11 @@ class Watch:
         """WATCH with what stands behind it; what is told of it."""
         return toggle_watch(self._names, typed, self._words)
 
-    def begin(self, session: Session, *, fresh: bool) -> Callable[[], None]:
-        """A run begins, a fresh one without variables. To be called before each statement."""
+    def begin(self, session: Session, *, fresh: bool) -> Callable[[], None] | None:
+        """A run begins, a fresh one without variables. What is to be called before each statement.
+
+        None where nothing is watched: it costs a program that computes dearly.
+        """
         watching = self._last = Watching(self._names, self._words)
         watching.begin(() if fresh else session.variables.items())
 
@@ -32,7 +35,7 @@ class Watch:
             if frames:
                 _tell(session, watching.look(frames[0].variables))
 
-        return look
+        return look if self._names else None
 
     def end(self, session: Session, variables: Mapping[str, int]) -> None:
         """The run is over, and left these."""
