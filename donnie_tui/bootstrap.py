@@ -97,6 +97,13 @@ class Donnie:
         """Whether something that was asked for could not be written; it was told when that happened."""
         return bool(self._written.lost)
 
+    def stop_real_robot(self) -> bool:
+        """Before this process rests: a board would drive on by itself. True if it had something to stop."""
+        if not (self.connection.is_real and self.team.running):
+            return False
+        self.team.stop()
+        return True
+
     def close(self) -> None:
         """The robots stop first, whatever else takes its time."""
         self.team.stop()

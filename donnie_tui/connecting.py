@@ -79,6 +79,11 @@ class Connection:
         self.robot = SIMULATED
         """The robot that is there, as ``--robot`` takes it."""
 
+    @property
+    def is_real(self) -> bool:
+        """Whether something moves outside of this process."""
+        return self.robot not in (SIMULATED, DOUBLE)
+
     def choices(self) -> tuple[Choice, ...]:
         """What a learner may choose among."""
         return choices(self._settings, self._words, self._found)

@@ -19,6 +19,7 @@ from devices.serial_robot.calibration import axle_length, wheel_radius
 from devices.serial_robot.config import RobotConfig
 from devices.wire.telemetry import Telemetry
 from donnie_tui.cli import codes
+from donnie_tui.cli.ending import stopped_by_suspension
 from donnie_tui.cli.order import Order
 from donnie_tui.connecting import MeasurableRobot, make_measurable, robot_config
 from donnie_tui.core.documents import DocumentError
@@ -35,6 +36,10 @@ _SMALLEST, _LARGEST = 0.001, 1.0
 """Metres that a radius or an axle can have in the settings."""
 
 
+_HALTED_WITHIN = 0.3
+"""Seconds; it needs a thousandth."""
+
+
 @dataclass(slots=True)
 class _Steady:
     """The pace of a robot that nobody programs: real time, until somebody wants it to end."""
@@ -49,7 +54,7 @@ def calibrate(order: Order, made: Callable[..., MeasurableRobot] = make_measurab
     """Ask, walk, ask, turn, ask, write. The exit code is 1 if nothing was measured."""
     try:
         robot = made(order.settings, order.words, _Steady(threading.Event()))
-        with _ended_by_signals(), closing(robot):
+        with _ended_by_signals(), closing(robot), stopped_by_suspension(lambda: _halted(robot)):
             return _Calibration(order, robot).talk()
     except RobotProblem as problem:
         raise Unusable(" ".join(sentences_of(problem, order.words))) from None
@@ -141,6 +146,14 @@ class _Calibration:
         self._order.output.line(self._order.words(code, **values))
 
 
+def _halted(robot: MeasurableRobot) -> bool:
+    """In a thread of its own: the signal may have come while this one holds what a halt needs."""
+    halting = threading.Thread(target=robot.halt, daemon=True)
+    halting.start()
+    halting.join(_HALTED_WITHIN)
+    return True
+
+
 def _mean_counts(before: Telemetry, after: Telemetry) -> float:
     return (abs(after.right - before.right) + abs(after.left - before.left)) / 2
 
@@ -152,7 +165,7 @@ def _ended_by_signals() -> Iterator[None]:
     def end(_number: int, _frame: FrameType | None) -> NoReturn:
         raise KeyboardInterrupt
 
-    numbers = [getattr(signal, name) for name in ("SIGTERM", "SIGHUP") if hasattr(signal, name)]
+    numbers = [getattr(signal, name) for name in ("SIGTERM", "SIGHUP", "SIGQUIT") if hasattr(signal, name)]
     before = {number: signal.signal(number, end) for number in numbers}
     try:
         yield

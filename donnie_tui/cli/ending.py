@@ -8,7 +8,9 @@ from collections.abc import Callable, Iterator
 from contextlib import contextmanager
 from types import FrameType
 
-_SIGNALS = ("SIGINT", "SIGTERM", "SIGHUP")
+from donnie_tui.suspending import suspend
+
+_SIGNALS = ("SIGINT", "SIGTERM", "SIGHUP", "SIGQUIT")
 
 _MOMENT = 0.05
 """Seconds within which a signal ends the voice too."""
@@ -33,6 +35,28 @@ def stopped_by_signals(stop: Callable[[], None]) -> Iterator[threading.Event]:
     finally:
         for number, handler in before.items():
             signal.signal(number, handler)
+
+
+@contextmanager
+def stopped_by_suspension(stop: Callable[[], bool]) -> Iterator[threading.Event]:
+    """Ctrl+Z calls ``stop`` first; the event is set if that says that it had something to stop."""
+    stopped = threading.Event()
+
+    def heard(_number: int, _frame: FrameType | None) -> None:
+        has_stopped = stop()
+        if has_stopped:
+            stopped.set()
+        suspend(after_stop=has_stopped)
+
+    number = getattr(signal, "SIGTSTP", None)
+    if number is None or signal.getsignal(number) is signal.SIG_IGN:
+        yield stopped
+        return
+    before = signal.signal(number, heard)
+    try:
+        yield stopped
+    finally:
+        signal.signal(number, before)
 
 
 def let_speak(is_quiet_within: Callable[[float], bool], stopped: threading.Event) -> None:

@@ -13,7 +13,7 @@ from typing import TextIO, cast
 from donnie_tui.bootstrap import Donnie, assemble
 from donnie_tui.cli import codes
 from donnie_tui.cli.assigning import assign, read_programs
-from donnie_tui.cli.ending import let_speak, stopped_by_signals
+from donnie_tui.cli.ending import let_speak, stopped_by_signals, stopped_by_suspension
 from donnie_tui.cli.order import Order
 from donnie_tui.cli.output import Guarded, Output
 from donnie_tui.core.events import Answered, Outcome, Stamped
@@ -65,10 +65,15 @@ def _run(order: Order, files: Sequence[str], *, trace: bool) -> int:
 def _run_to_the_end(donnie: Donnie, programs: Mapping[str, Assigned], output: Output, trace: bool) -> int:
     """The worst exit code of all."""
     output.on_broken = donnie.team.stop
-    with stopped_by_signals(donnie.team.stop) as stopped:
+    with (
+        stopped_by_signals(donnie.team.stop) as stopped,
+        stopped_by_suspension(donnie.stop_real_robot) as rested,
+    ):
         started = donnie.team.start_together(programs, trace=trace, hooked=False)
         for each in started:
             _await_end(each, stopped)
+        if rested.is_set():
+            output.complaint(donnie.words("suspended-stopped"))
         let_speak(donnie.is_quiet_within, stopped)
     return max(codes.FAILED if each.outcome is None else _CODE_OF[each.outcome] for each in started)
 

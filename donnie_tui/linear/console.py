@@ -15,6 +15,7 @@ import time
 from collections.abc import Callable
 
 from donnie_tui.linear.terminal import Terminal, size
+from donnie_tui.suspending import suspend
 
 _LEAVING = (signal.SIGTERM, signal.SIGHUP, signal.SIGQUIT)
 MOST_AHEAD = 64 * 1024
@@ -34,6 +35,8 @@ class Console:
         self.leaving: int | None = None
         """The signal that wants us to leave."""
         self.stop_at_once: Callable[[], None] = _nothing
+        self.before_suspending: Callable[[], bool] = _nothing_waits
+        """Stops what can't be left alone; whether there was such a thing."""
         self.on_key: Callable[[], None] | None = None
         """Called as soon as something is typed, Ctrl+C included, though nobody may read it for a while."""
         self.lines_wait: Callable[[], bool] = _nothing_waits
@@ -136,10 +139,11 @@ class Console:
             self._suspend()
 
     def _suspend(self) -> None:
-        """Ctrl+Z: the terminal as it was, until we are brought back."""
+        """Ctrl+Z: no robot drives, the terminal as it was, until we are brought back."""
+        has_stopped = self.before_suspending()
         if self._terminal:
             self._terminal.give_back()
-        os.kill(os.getpid(), signal.SIGSTOP)
+        suspend(after_stop=has_stopped)
         if self._terminal:
             self._terminal.take()
             self.write(self.repaint())

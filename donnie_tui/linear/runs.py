@@ -50,6 +50,7 @@ class Runs:
         self._robot: str | None = None
         """Whose run is watched; None where the world has but one robot."""
         self._stopping = False
+        self._rested = False
         self._stopped_at: int | None = None
         self._left_out = 0
         self._told_before = 0
@@ -180,6 +181,8 @@ class Runs:
     def _watch(self, run: Run) -> None:
         """Until the run is over. What it says last is left for the prompt to take along."""
         self._console.stop_at_once = self._stop_at_once
+        self._console.before_suspending = self._stop_real_robot
+        self._rested = False
         self._expect_sign(FIRST_SIGN)
         while not self._is_over(run):
             if self._console.leaving is not None:
@@ -196,6 +199,7 @@ class Runs:
             else:
                 self._print_what_comes()
         self._console.stop_at_once = lambda: None
+        self._console.before_suspending = lambda: False
         if run.outcome is Outcome.STOPPED and self._console.leaving is None:
             self._tell_stopped()
 
@@ -247,6 +251,15 @@ class Runs:
         if not self._stopping:
             self.stop()
 
+    def _stop_real_robot(self) -> bool:
+        """Before Ctrl+Z; told when the learner is back."""
+        if not self._desk.donnie.connection.is_real:
+            return False
+        if not self._stopping:
+            self._rested = True
+            self.stop()
+        return True
+
     def stop(self) -> None:
         """Remember where, and stop; whatever the program still tells must not wait for us."""
         self._stopping = self._desk.is_hurrying = True
@@ -261,6 +274,8 @@ class Runs:
             self._desk.hold_newline()
 
     def _tell_stopped(self) -> None:
+        if self._rested:
+            self._desk.answer("suspended-stopped")
         if self._left_out:
             self._desk.answer("answer-left-out", lines=self._left_out)
         if self._stopped_at is None:

@@ -77,7 +77,10 @@ def test_a_program_runs_on_the_robot_and_is_told_as_ever(tmp_path: Path, robot: 
     assert [each["state"] for each in events if each["event"] == "link"] == ["connected"]
 
 
-@pytest.mark.parametrize("number", [signal.SIGINT, signal.SIGTERM, signal.SIGHUP], ids=lambda each: each.name)
+ENDING = [signal.SIGINT, signal.SIGTERM, signal.SIGHUP, signal.SIGQUIT]
+
+
+@pytest.mark.parametrize("number", ENDING, ids=lambda each: each.name)
 def test_a_signal_stops_the_robot(tmp_path: Path, robot: DoubleOnPty, number: signal.Signals) -> None:
     process = start(tmp_path, "run", program(tmp_path, LONG_WALK), *serial(robot), *QUIET)
     assert until(lambda: robot.board.is_driving)
@@ -86,6 +89,38 @@ def test_a_signal_stops_the_robot(tmp_path: Path, robot: DoubleOnPty, number: si
     assert until(lambda: not robot.board.is_driving)
     assert process.wait(PATIENCE) == 130
     assert robot.heard.endswith(STOP)
+
+
+def is_suspended(pid: int) -> bool:
+    _, status = os.waitpid(pid, os.WUNTRACED)
+    return os.WIFSTOPPED(status)
+
+
+def test_control_z_stops_the_robot_before_the_run_rests(tmp_path: Path, robot: DoubleOnPty) -> None:
+    process = start(tmp_path, "run", program(tmp_path, LONG_WALK), *serial(robot), *QUIET)
+    assert until(lambda: robot.board.is_driving)
+    process.send_signal(signal.SIGTSTP)
+    assert is_suspended(process.pid)
+    assert until(lambda: not robot.board.is_driving)
+    process.send_signal(signal.SIGCONT)
+
+    _, said = process.communicate(timeout=PATIENCE)
+    assert process.returncode == 130
+    assert "You left with Ctrl+Z, so I stopped the robot." in said.decode().splitlines()
+
+
+def test_control_z_stops_the_robot_of_the_linear_mode(tmp_path: Path, robot: DoubleOnPty) -> None:
+    learner = Learner(tmp_path, *serial(robot), program(tmp_path, LONG_WALK))
+    learner.sees("Robot connected.")
+    learner.sees_prompt()
+    learner.types("RUN\r")
+    assert until(lambda: robot.board.is_driving)
+    learner.child.kill(signal.SIGTSTP)
+    assert is_suspended(learner.child.pid)
+    assert until(lambda: not robot.board.is_driving)
+    learner.child.kill(signal.SIGCONT)
+    learner.sees("You left with Ctrl+Z, so I stopped the robot.")
+    learner.sees("Stopped")
 
 
 @pytest.mark.parametrize("number", [signal.SIGTERM, signal.SIGHUP], ids=lambda each: each.name)
@@ -281,11 +316,12 @@ def test_where_nothing_is_measured_nothing_changes(tmp_path: Path, typed: str) -
     assert not list((tmp_path / "config").rglob("*.toml"))
 
 
-def test_a_signal_in_the_middle_of_a_calibration_stops_the_robot(tmp_path: Path, robot: DoubleOnPty) -> None:
+def calibration(tmp_path: Path, robot: DoubleOnPty) -> subprocess.Popen[bytes]:
+    """In the middle of the walk."""
     process = subprocess.Popen(
         [*COMMAND, "calibrate", *serial(robot)],
         stdin=subprocess.PIPE,
-        stdout=subprocess.DEVNULL,
+        stdout=subprocess.PIPE,
         cwd=tmp_path,
         env=environment(tmp_path),
     )
@@ -293,7 +329,26 @@ def test_a_signal_in_the_middle_of_a_calibration_stops_the_robot(tmp_path: Path,
     process.stdin.write(b"\n")
     process.stdin.flush()
     assert until(lambda: robot.board.is_driving)
-    process.send_signal(signal.SIGTERM)
+    return process
+
+
+def test_control_z_in_the_middle_of_a_calibration_stops_the_robot(tmp_path: Path, robot: DoubleOnPty) -> None:
+    process = calibration(tmp_path, robot)
+    process.send_signal(signal.SIGTSTP)
+    assert is_suspended(process.pid)
+    assert until(lambda: not robot.board.is_driving)
+    process.send_signal(signal.SIGCONT)
+
+    said, _ = process.communicate(b"", timeout=PATIENCE)
+    assert "Something stopped it. I leave this out." in said.decode().splitlines()
+
+
+@pytest.mark.parametrize("number", [signal.SIGTERM, signal.SIGQUIT], ids=lambda each: each.name)
+def test_a_signal_in_the_middle_of_a_calibration_stops_the_robot(
+    tmp_path: Path, robot: DoubleOnPty, number: signal.Signals
+) -> None:
+    process = calibration(tmp_path, robot)
+    process.send_signal(number)
 
     assert until(lambda: not robot.board.is_driving)
     assert process.wait(PATIENCE) == 130

@@ -221,6 +221,11 @@ _CALIBRATION: dict[str, Sentence] = {
         "¿Cuántos grados giró en total? Una vuelta son 360. Enter solo lo salta.",
     ),
     "calibrate-number": Sentence("A number, please.", "Um número, por favor.", "Un número, por favor."),
+    "suspended-stopped": Sentence(
+        "You left with Ctrl+Z, so I stopped the robot.",
+        "Você saiu com Ctrl+Z, então parei o robô.",
+        "Saliste con Ctrl+Z, así que detuve el robot.",
+    ),
     "calibrate-cut-short": Sentence(
         "Something stopped it. I leave this out.",
         "Algo o parou. Deixo isso de fora.",
