@@ -67,10 +67,10 @@ class Donnie:
         return self.team.chosen
 
     def picture(self) -> Picture:
-        """The world as a grid of letters and a list of things. Events tell where the robot is."""
+        """The world at its start, for the robot that is talked to. Events tell where everything is."""
         from sim.picture import picture
 
-        return picture(self.world.scene)
+        return picture(self.world.scene, self.team.chosen_name)
 
     def picture_now(self) -> Picture:
         """The world as the robot that is talked to finds it now: others and things where they are."""

@@ -47,7 +47,8 @@ class TellingDeeds:
 
     @property
     def _grid(self) -> MapGrid:
-        return self._host.display.scene.grid
+        """As the robot that is talked to finds the world now."""
+        return MapGrid(self._host.donnie.picture_now(), self._host.pose)
 
     def where(self, _argument: str) -> None:
         self._host.tell_position()

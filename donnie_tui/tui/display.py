@@ -46,9 +46,11 @@ class Display:
         self._kinds: dict[str, str] = {}
         self._answer = ""
         """The last sentence that was told, until somebody looks elsewhere."""
-        self._show_world()
+        self.show_world()
 
-    def _show_world(self) -> None:
+    def show_world(self) -> None:
+        """The map of the robot that is talked to: to each, the others are things and itself is none."""
+        self._pose = self._donnie.session.pose
         picture = self._donnie.picture()
         self.scene = MapScene(picture, self._pose)
         self._place.show_map(self.scene)
@@ -68,8 +70,15 @@ class Display:
         self._pose = pose
         if fresh:
             self.scene.begin(pose)
+            self._show_others()
             self._place.map.restart()
             self._readings.clear()
+
+    def _show_others(self) -> None:
+        """The robots that are not talked to stay where they are when this one begins anew."""
+        for each in self._donnie.team.sessions:
+            if each is not self._donnie.session:
+                self.scene.move_other(each.name, each.pose)
 
     def move(self, poses: tuple[Pose, ...]) -> None:
         """The robot went through these places."""

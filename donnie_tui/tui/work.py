@@ -365,6 +365,7 @@ class Work:
     def robot_chosen(self) -> None:
         """Another robot is talked to: the map shows its way."""
         self.running.look_again()
+        self.display.show_world()
         self.display.begin(self._donnie.session.pose, fresh=True)
         self.display.show_past(self._donnie.chronicle.timeline())
         self.look()

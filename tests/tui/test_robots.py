@@ -86,3 +86,35 @@ async def test_robot_alone_lists_all_robots_with_their_state_and_enter_chooses_o
         await desk.told("You talk to bob.")
         assert desk.app.work.donnie.session.name == "bob"
         await desk.type_line("STOP ALL")
+
+
+async def test_the_map_is_that_of_the_robot_that_is_talked_to(work):
+    async with work("FW 3", world="two_robots") as desk:
+        await desk.press("f5")
+        await desk.told("The program is done.")
+        await desk.type_line("ROBOT bob")
+        await desk.told("You talk to bob.")
+
+        scene = desk.place.map.scale.scene
+        assert [each.name for each in scene.picture.things if each.is_robot] == ["alice"]
+        assert list(scene.others) == ["alice"]
+        assert scene.place(scene.others["alice"]) == (0, 3)
+        bob = desk.app.work.donnie.session.pose
+        assert scene.place(scene.robot) == (round(bob.x), round(bob.y))
+
+        await desk.type_line("MAP")
+        await desk.told("Alice, ")
+        assert not any(line.startswith("Bob,") for line in desk.log)
+
+
+async def test_a_robot_that_is_not_talked_to_stays_on_the_map_where_it_went(work):
+    async with work("FW 3", world="two_robots") as desk:
+        await desk.press("f5")
+        await desk.told("The program is done.")
+        await desk.type_line("ROBOT bob")
+        await desk.told("You talk to bob.")
+        await desk.press("f5")
+        await desk.until(lambda: sum("program is done" in line for line in desk.log) == 2, "bob is done")
+
+        scene = desk.place.map.scale.scene
+        assert scene.place(scene.others["alice"]) == (0, 3)
