@@ -1,7 +1,8 @@
 """The real robot: the port's commands, done over a line, counted by the encoders.
 
 A movement that loses the line ends with ``StoppedBy.LINK``, and the next command raises ``link-lost``, even
-if the line is back by then: nothing goes on by itself. ``halt``, as at the end of a run, wipes that slate.
+if the line is back by then; what waits or measures raises it at once. Nothing goes on by itself. ``halt``, as
+at the end of a run, wipes that slate.
 """
 
 from __future__ import annotations
@@ -198,13 +199,26 @@ class SerialRobot:
             self._lost_the_line = False
             raise RobotProblem("link-lost", port=self._line.name)
 
+    def _need_the_same_line(self, era: int) -> None:
+        """A line that was lost meanwhile is another one, even if it is back by now."""
+        if self._line.telemetry.era != era or self._line.state is not LinkState.STREAMING:
+            self._lost_the_line = True
+            raise RobotProblem("link-lost", port=self._line.name)
+
     # --- waiting and sensing
 
     def wait(self, seconds: float) -> bool:
+        """RobotProblem ``link-lost`` without a line, or if it is lost meanwhile."""
+        self._need_the_line()
+        return self._wait(seconds, self._line.telemetry.era)
+
+    def _wait(self, seconds: float, era: int) -> bool:
         ends = self._line.now() + max(0.0, seconds)
         permit = self._line.permit()
         while (left := ends - self._line.now()) > 1e-9:
-            if not self._pace.sleep(min(SLICE, left)) or permit != self._line.permit():
+            goes_on = self._pace.sleep(min(SLICE, left)) and permit == self._line.permit()
+            self._need_the_same_line(era)
+            if not goes_on:
                 return False
         return True
 
@@ -217,10 +231,11 @@ class SerialRobot:
     def distance(self, bearing: Bearing) -> int:
         """RobotProblem ``no-sensor`` where none looks, ``link-lost`` without a line."""
         self._need_the_line()
+        era = self._line.telemetry.era
         sonar = self._senses.sonar_at(bearing)
         if sonar is None:
             raise RobotProblem("no-sensor", bearing=bearing.name.lower().replace("_", " "))
-        return steps_told(self._measured(sonar))
+        return steps_told(self._measured(sonar, era))
 
     def scan(self) -> tuple[Sighting, ...]:
         """What the sonar on the head meets, from left to right; without colours or names.
@@ -228,24 +243,26 @@ class SerialRobot:
         RobotProblem ``no-camera`` without a head, ``link-lost`` without a line.
         """
         self._need_the_line()
+        era = self._line.telemetry.era
         sonar = self._config.head_sonar
         if sonar is None:
             raise RobotProblem("no-camera")
         met: list[tuple[int, float | None]] = []
         for degrees in angles(self._config.head_stride):
             self._line.put(commands.head(AHEAD + degrees))
-            if not self.wait(self._config.head_pause):
+            if not self._wait(self._config.head_pause, era):
                 break
-            self._need_the_line()
-            met.append((degrees, self._measured(sonar)))
+            met.append((degrees, self._measured(sonar, era)))
         self._line.put(commands.head(AHEAD))
         return sightings(met)
 
-    def _measured(self, sonar: int) -> float | None:
+    def _measured(self, sonar: int, era: int) -> float | None:
         """Centimetres; waits two refreshes at most for a sonar that has told nothing yet."""
         ends = self._line.now() + REMEMBERED
         while (told := self._senses.newest(self._line.telemetry, sonar)) is None and self._line.now() < ends:
-            if not self._pace.sleep(self._config.poll):
+            goes_on = self._pace.sleep(self._config.poll)
+            self._need_the_same_line(era)
+            if not goes_on:
                 break
         return told
 

@@ -2,12 +2,13 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from math import degrees
 
 import pytest
 
 from devices.firmware_double.surroundings import Place, Switch, Walls
-from devices.ports.robot import STEP, Bearing, LinkNews, Motion, RobotProblem, StoppedBy
+from devices.ports.robot import STEP, Bearing, LinkNews, Motion, Robot, RobotProblem, StoppedBy
 from devices.serial_robot.config import RobotConfig
 from devices.serial_robot.scanning import angles, sightings
 from tests.unit.devices.robots import Real, Sonars, wall_ahead
@@ -361,7 +362,41 @@ def test_after_the_run_has_ended_a_restored_line_is_as_good_as_ever() -> None:
     assert moved.pose.y - before.y == pytest.approx(2, abs=0.2)
 
 
-@pytest.mark.parametrize("command", ["turn", "scan", "distance"])
+def unplug(real: Real) -> None:
+    real.line.is_plugged = False
+
+
+def unplug_and_plug_in(real: Real) -> None:
+    unplug(real)
+    real.line.advance(1.0)
+    real.line.is_plugged = True
+    real.line.advance(5.0)
+
+
+@pytest.mark.parametrize(
+    "fault", [unplug, unplug_and_plug_in, lambda it: it.board.reset()], ids=["unplugged", "back", "restarted"]
+)
+@pytest.mark.parametrize("waits", [lambda it: it.wait(30), lambda it: it.scan()], ids=["wait", "scan"])
+def test_a_line_lost_in_a_wait_or_a_scan_ends_the_program(
+    fault: Callable[[Real], None], waits: Callable[[Robot], object]
+) -> None:
+    """It raises at once, and so does the next command: a program that went on would drive."""
+    real = Real()
+    real.pace.due = [(1.5, lambda: fault(real))]
+
+    with pytest.raises(RobotProblem) as told:
+        waits(real.robot)
+    assert told.value.code == "link-lost"
+    real.line.is_plugged = True
+    real.line.advance(6.0)
+    with pytest.raises(RobotProblem):
+        real.robot.forward(1)
+    assert real.stands
+    real.robot.halt()
+    assert real.robot.wait(1) is True
+
+
+@pytest.mark.parametrize("command", ["turn", "scan", "distance", "wait"])
 def test_without_a_line_no_command_is_begun(command: str) -> None:
     real = Real()
     real.line.is_plugged = False
@@ -369,6 +404,7 @@ def test_without_a_line_no_command_is_begun(command: str) -> None:
     commands = {
         "turn": lambda: real.robot.turn(90),
         "scan": real.robot.scan,
+        "wait": lambda: real.robot.wait(1),
         "distance": lambda: real.robot.distance(Bearing.FRONT),
     }
 
