@@ -42,7 +42,7 @@ _GOES = {"step": Goes.STEP, "step_over": Goes.OVER, "continue_": Goes.ON, "stop"
 _LIVE = ("stop", "stop_all", "robots", "pause", "slower", "faster", "speed", "quiet")
 """What is done at once while a program runs."""
 _URGENT = ("stop", "pause", "quiet")
-"""Also while it talks without end: they answer nothing through the stream."""
+"""Also while it talks without end, and before lines that wait: they answer nothing through the stream."""
 
 
 def run_linear(
@@ -314,11 +314,14 @@ class LinearMode:
         would have to wait for its own printing.
         """
         words = _URGENT if urgent else _LIVE
-        line = self._editing.look_ahead() if self._editing and self._desk.hears_live else None
-        found = commands.find(line) if line else None
-        if self._editing is None or line is None or found is None or found[0].name not in words:
+        if self._editing is None or not self._desk.hears_live:
             return False
-        self._editing.take_ahead()
+        line = self._editing.take_ahead(
+            lambda typed, is_first: _is_one_of(words if is_first else _URGENT, typed)
+        )
+        found = commands.find(line) if line else None
+        if line is None or found is None:
+            return False
         self._past.remember(line)
         commands.do(*found, self._desk, self._runs)
         return True
@@ -387,3 +390,8 @@ class LinearMode:
         self._desk.show_told()
         if self._desk.leaving == 0:
             self._desk.copies.forget()
+
+
+def _is_one_of(words: tuple[str, ...], line: str) -> bool:
+    found = commands.find(line)
+    return found is not None and found[0].name in words

@@ -6,7 +6,7 @@ Both give the same values. What is typed while a program runs stays with the sys
 from __future__ import annotations
 
 from collections import deque
-from collections.abc import Callable
+from collections.abc import Callable, Iterable
 from enum import Enum, auto
 from itertools import takewhile
 from typing import Protocol
@@ -133,26 +133,23 @@ class EditingReader:
 
     # --- while a program runs
 
-    def look_ahead(self) -> str | None:
-        """The line that was typed meanwhile and is not read yet, None if there is no whole one."""
+    def take_ahead(self, is_wanted: Callable[[str, bool], bool]) -> str | None:
+        """The first whole line typed meanwhile that is wanted now, wherever it stands among those that wait.
+
+        ``is_wanted`` is asked with the line and whether it is the first one. The line is not read again; the
+        others stay as they were typed. None if there is no such line.
+        """
         if self._console.wait(0, reading=True):
             self._keys += self._decoder.feed(self._console.read())
-        text = ""
-        for key in self._keys:
+        keys, start = list(self._keys), 0
+        for end, key in enumerate(keys):
             if key.act is Act.ENTER:
-                return text
-            if key.act is Act.BACKSPACE:
-                text = text[:-1]
-            elif key.act is Act.TEXT:
-                text += key.text
-            else:
-                return None
+                text = _plain_text(keys[start:end])
+                if text is not None and is_wanted(text, start == 0):
+                    self._keys = deque(keys[:start] + keys[end + 1 :])
+                    return text
+                start = end + 1
         return None
-
-    def take_ahead(self) -> None:
-        """That line was heeded: it will not be read again."""
-        while self._keys and self._keys.popleft().act is not Act.ENTER:
-            pass
 
     def _more_keys(self) -> bool:
         """Wait for keys or a signal. False once nothing more will come."""
@@ -168,6 +165,19 @@ class EditingReader:
     def _forget_keys(self) -> None:
         self._keys.clear()
         self._decoder = KeyDecoder()
+
+
+def _plain_text(keys: Iterable[Key]) -> str | None:
+    """What these keys type; None where that depends on more than they."""
+    text = ""
+    for key in keys:
+        if key.act is Act.BACKSPACE:
+            text = text[:-1]
+        elif key.act is Act.TEXT:
+            text += key.text
+        else:
+            return None
+    return text
 
 
 def _changed(line: EditLine, recall: Recall, key: Key) -> str:

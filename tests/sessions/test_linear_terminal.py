@@ -168,6 +168,15 @@ def test_an_endless_program_that_talks_is_stopped(learner: Learner) -> None:
     learner.sees("well\r\n> ")
 
 
+def test_stop_reaches_a_program_past_other_lines_that_wait(learner: Learner) -> None:
+    learner.enters("WHILE 1 == 1 DO", "WAIT 1", "END WHILE", "RUN")
+    learner.sees("Waiting 1 second.")
+    learner.types("FW 2\rSPEAK 77\rSTOP\r")
+    learner.sees("Stopped at line ")
+    learner.types("RUN\r")
+    learner.sees("I walked 2 steps forward.\r\n77\r\n")
+
+
 def test_control_c_at_the_prompt_clears_the_line_and_never_leaves(learner: Learner) -> None:
     learner.sees_prompt()
     learner.types("FW 3")
