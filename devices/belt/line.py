@@ -23,6 +23,9 @@ _LOG = logging.getLogger(__name__)
 RETRY = 1.0
 """Seconds between two attempts to open a line that was lost."""
 
+LONGEST_REST = 0.5
+"""Seconds between two looks at a line on which nothing is due: so soon an unplugged belt is noticed."""
+
 LONGEST_GOODBYE = 1.0
 """Seconds that closing may take: the last pulse, and the frame that turns everything off."""
 
@@ -101,7 +104,7 @@ class SerialBelt:
             return
         received = line.read(_MOST_HEARD)
         with self._changed:
-            self._sender.heard(received, monotonic())
+            self._sender.heard(received)
         if getattr(
             line, "out_waiting", 0
         ):  # an earlier frame still waits in the system: this one is left out
@@ -109,17 +112,20 @@ class SerialBelt:
         elif due := self._due():
             line.write(due)
         else:
-            self._rest(None)
+            self._rest()
 
     def _due(self) -> bytes:
         with self._changed:
             return self._sender.next(monotonic())
 
-    def _rest(self, seconds: float | None) -> None:
-        """So long, or until something is due or shown."""
+    def _rest(self, seconds: float | None = None) -> None:
+        """So long, or until something is due or shown or it is time to look at the line again."""
         with self._changed:
-            if not self._is_done():
-                self._changed.wait(self._sender.wait(monotonic()) if seconds is None else seconds)
+            if self._is_done():
+                return
+            if seconds is None:
+                seconds = self._sender.wait(monotonic())
+            self._changed.wait(LONGEST_REST if seconds is None else seconds)
 
     def _lose(self, problem: Exception) -> None:
         _LOG.info("the belt's line failed: %s", problem)

@@ -2,8 +2,9 @@
 
 Rules: the newest levels only, and never a queue; a frame each 40 ms while a motor is on, because the board
 turns its motors off by itself within 25 to 74 ms; off is one frame of ``P`` and then silence. Whatever the
-board complains about is answered with a resync. What was on is felt: a motor holds the strongest level of
-the last quarter second, so that a pulse of no length is still one.
+board complains about is answered with a resync; but a resync has answers of its own, so that what comes
+between it and the next frame means nothing, however late it is read. What was on is felt: a motor holds the
+strongest level of the last quarter second, so that a pulse of no length is still one.
 """
 
 from __future__ import annotations
@@ -35,8 +36,8 @@ class BeltSender:
         self._is_lit = False
         """Whether the last frame had a motor on: it must be followed by another one."""
         self._must_resync = True
-        self._deaf_until = -inf
-        """A resync has answers of its own, which mean nothing."""
+        self._is_framed = False
+        """Whether a frame was sent since the last resync: only then there is something to complain about."""
 
     def show(self, levels: tuple[int, ...], now: float) -> None:
         """These levels from now on. Raises ``ValueError`` if they are none."""
@@ -56,9 +57,9 @@ class BeltSender:
         self._must_resync = True
         self._due = -inf
 
-    def heard(self, received: bytes, now: float) -> None:
+    def heard(self, received: bytes) -> None:
         """What the board said. Only complaints are known; anything else is noise."""
-        if _COMPLAINT in received and now >= self._deaf_until:
+        if _COMPLAINT in received and self._is_framed:
             self._must_resync = True
 
     def wait(self, now: float) -> float | None:
@@ -72,8 +73,8 @@ class BeltSender:
         if now < self._due:
             return b""
         if self._must_resync:
-            self._must_resync = False
-            self._due = self._deaf_until = now + AFTER_RESYNC
+            self._must_resync = self._is_framed = False
+            self._due = now + AFTER_RESYNC
             return RESYNC
         return self._next_frame(now)
 
@@ -81,7 +82,7 @@ class BeltSender:
         felt = self._felt(now)
         if not any(felt) and not self._is_lit:
             return b""
-        self._is_lit = any(felt)
+        self._is_lit, self._is_framed = any(felt), True
         self._due = now + PERIOD
         return frame(felt)
 

@@ -5,17 +5,21 @@ from __future__ import annotations
 import os
 import threading
 import tty
+from collections import deque
 from collections.abc import Callable, Iterator
+from time import monotonic
 
 import pytest
 
 from devices.belt.board import BeltBoard
-from devices.belt.frame import MOTORS, OFF, frame
+from devices.belt.frame import MOTORS, OFF, RESYNC, frame
 from devices.belt.line import BeltNews, Line, SerialBelt
 from devices.serial_port import PortFault, PortProblem
 
 FRONT = (0, 0, 0, 3, 0, 0, 0) * 2
 PATIENCE = 20.0
+ANSWER = 0.008
+"""Seconds that a board takes to complain, with the way there and back at 9600 baud."""
 
 
 class FakeLine:
@@ -47,6 +51,41 @@ class FakeLine:
     def wait_for(self, is_met: Callable[[], bool]) -> bool:
         with self._changed:
             return self._changed.wait_for(is_met, PATIENCE)
+
+
+class CloggedLine(FakeLine):
+    """A line whose bytes don't leave the system. ``looks``: how often the belt saw that."""
+
+    clogged = 36
+    looks = 0
+
+    @property
+    def out_waiting(self) -> int:
+        with self._changed:
+            self.looks += 1
+            self._changed.notify_all()
+        return self.clogged
+
+
+class SlowLine(FakeLine):
+    """A line at its true pace: the board answers some time after the bytes were written."""
+
+    def __init__(self) -> None:
+        super().__init__()
+        self._board = BeltBoard()
+        self._coming: deque[tuple[float, bytes]] = deque()
+
+    def write(self, data: bytes) -> int:
+        if answer := self._board.feed(data, monotonic()):
+            self._coming.append((monotonic() + ANSWER, answer))
+        return super().write(data)
+
+    def read(self, size: int = 1) -> bytes:
+        is_there = bool(self._coming) and monotonic() >= self._coming[0][0]
+        return self._coming.popleft()[1] if is_there else b""
+
+    def frames(self) -> int:
+        return self.written.count(frame(FRONT))
 
 
 class News:
@@ -125,6 +164,56 @@ def test_a_lost_belt_is_told_once_and_once_when_it_is_back(
     assert second.wait_for(lambda: frame(FRONT) in second.written)
     assert second.written[0] == b"Z!"
     belt.close()
+
+
+@pytest.mark.parametrize("is_idle", [False, True])
+def test_a_board_that_answers_late_gets_one_resync_and_then_frames(news: News, is_idle: bool) -> None:
+    line = SlowLine()
+    belt = SerialBelt("nowhere", news, lambda _: line)
+    if is_idle:
+        assert line.wait_for(lambda: line.written == [RESYNC])
+    belt.show(FRONT)
+
+    assert line.wait_for(lambda: line.frames() >= 3 or line.written.count(RESYNC) >= 3)
+    belt.close()
+    assert line.written.count(RESYNC) == 1
+
+
+def test_an_idle_belt_that_is_unplugged_is_told_and_found_again(
+    line: FakeLine, news: News, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """Nobody shows anything meanwhile."""
+    monkeypatch.setattr("devices.belt.line.RETRY", 0.001)
+    lines = [FakeLine(), line]
+    belt = SerialBelt("nowhere", news, lambda _: lines.pop())
+    assert line.wait_for(lambda: line.written == [RESYNC])
+    line.fault = OSError(5, "gone")
+
+    assert news.wait_for(BeltNews.LOST, BeltNews.RESTORED)
+    assert line.is_closed
+    belt.close()
+
+
+def test_a_belt_that_showed_nothing_is_turned_off_all_the_same(belt: SerialBelt, line: FakeLine) -> None:
+    """Another program may have left its motors on."""
+    belt.close()
+
+    assert line.written[-1] == frame(OFF)
+
+
+def test_while_an_earlier_frame_waits_in_the_system_only_the_newest_is_kept(news: News) -> None:
+    line = CloggedLine()
+    belt = SerialBelt("nowhere", news, lambda _: line)
+    for levels in [(1,) * MOTORS, (2,) * MOTORS, (3,) * MOTORS]:
+        line.looks = 0
+        belt.show(levels)
+        assert line.wait_for(lambda: line.looks >= 3)
+    assert line.written == []
+
+    line.clogged = 0
+    assert line.wait_for(lambda: len(line.written) >= 2)
+    belt.close()
+    assert line.written[:2] == [RESYNC, frame((3,) * MOTORS)]
 
 
 def test_a_belt_that_is_not_there_is_a_problem_with_the_systems_reason() -> None:

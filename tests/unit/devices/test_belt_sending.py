@@ -107,25 +107,38 @@ def test_a_complaint_of_the_board_is_answered_with_a_resync() -> None:
     sender = awake()
     sender.show(FRONT, 0.0)
     sender.next(0.0)
-    sender.heard(b"E2\r\n", 0.01)
+    sender.heard(b"E2\r\n")
 
     assert [data for _, data in sent(sender, 0.04, 0.075)] == [RESYNC, frame(FRONT)]
 
 
 def test_the_answers_to_a_resync_are_no_complaints() -> None:
+    """However late they are read: whoever wrote the resync may sleep until the next frame is due."""
     sender = awake()
-    sender.heard(b"E1\r\n", 0.0)
-    assert sender.next(0.0) == RESYNC
-    sender.heard(b"E2\r\nE1\r\n", AFTER_RESYNC / 2)
+    sender.show(FRONT, 0.0)
+    sender.next(0.0)
+    sender.heard(b"E1\r\n")
+    assert sender.next(PERIOD) == RESYNC
+    sender.heard(b"E2\r\nE1\r\n")
 
-    assert sent(sender, AFTER_RESYNC, 1.0) == []
+    assert sent(sender, PERIOD, 0.1)[0][1] == frame(FRONT)
+
+
+def test_a_resync_on_an_idle_line_is_the_only_one() -> None:
+    sender = awake()
+    sender.heard(b"E2\r\n")
+
+    assert sender.wait(10.0) is None
+    assert sent(sender, 10.0, 10.1) == []
 
 
 def test_anything_else_that_comes_from_the_line_is_noise() -> None:
     sender = awake()
-    sender.heard(bytes(each for each in range(256) if each != ord("E")), 0.0)
+    sender.show(FRONT, 0.0)
+    sender.next(0.0)
+    sender.heard(bytes(each for each in range(256) if each != ord("E")))
 
-    assert sent(sender, 0.0, 1.0) == []
+    assert {data for _, data in sent(sender, 0.0, 1.0)} == {frame(FRONT)}
 
 
 @given(st.lists(st.tuples(st.floats(0.0, 0.3), LEVELS), max_size=30), st.binary(max_size=40))
@@ -138,7 +151,7 @@ def test_whatever_is_shown_the_board_ends_dark_and_in_step(
     for pause, levels in [*shown, (0.0, OFF)]:
         sender.show(levels, now)
         for moment, data in sent(sender, now, now + pause):
-            sender.heard(board.feed(data, moment), moment)
+            sender.heard(board.feed(data, moment))
         now += pause
     ends = sent(sender, now, now + 1.0)
     answers = [board.feed(data, moment) for moment, data in ends if data != RESYNC]
