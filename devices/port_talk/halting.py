@@ -11,7 +11,7 @@ from enum import Enum
 
 from devices.port_talk.asking import ROBOT_BAUD
 from devices.port_talk.line import Line, PortLine, hold
-from devices.serial_port import PortFault, PortProblem
+from devices.serial_port import GONE, PortFault, PortProblem
 from devices.wire.commands import FILLER, STOP
 from devices.wire.decoder import Decoder
 from devices.wire.reports import ConfigWanted, Encoders, Report
@@ -25,7 +25,7 @@ SILENT = 1.5
 """Seconds after which a board that says nothing is told to stop all the same; its boot loader takes one."""
 
 STANDS = 0.3
-"""Seconds without a count, after which the wheels stand."""
+"""Seconds of fresh frames without a count, after which the wheels stand; a silent board tells nothing."""
 
 LONGEST = 4.0
 """A board that was restarted says so within two seconds, a slow one within three."""
@@ -55,6 +55,8 @@ class HaltTalk:
         self._began_anew = False
         self._wheels: Encoders | None = None
         self._still_since: float | None = None
+        self._heard_at = 0.0
+        """When the wheels were last told of."""
 
     def next(self, received: bytes, now: float) -> bytes:
         self._began = now if self._began is None else self._began
@@ -84,16 +86,22 @@ class HaltTalk:
         return FILLER
 
     def _stands(self, now: float) -> bool:
-        stood = self._still_since is not None and now - self._still_since >= STANDS
-        return self._began_anew or stood
+        return self._began_anew or self._is_still(now)
+
+    def _is_still(self, now: float) -> bool:
+        """The same counts, told for a while and just now."""
+        since, heard_at = self._still_since, self._heard_at
+        return since is not None and heard_at - since >= STANDS and now - heard_at < STANDS
 
     def _take(self, report: Report, now: float) -> None:
         if isinstance(report, ConfigWanted):
             self._began_anew = True
             return
         self._streams = True
-        if isinstance(report, Encoders) and self._stops >= TWICE and report != self._wheels:
-            self._wheels, self._still_since = report, now
+        if isinstance(report, Encoders) and self._stops >= TWICE:
+            self._heard_at = now
+            if report != self._wheels:
+                self._wheels, self._still_since = report, now
 
 
 def halt(port: str, opened: Callable[..., Line] = PortLine) -> Halted:
@@ -122,5 +130,7 @@ def _say_stop_beside(port: str, opened: Callable[..., Line]) -> None:
     try:
         line.write(STOP)
         line.write(STOP)
+    except GONE as problem:
+        raise PortProblem(port, PortFault.BUSY, str(problem)) from None
     finally:
         line.close()
