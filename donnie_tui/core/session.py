@@ -224,7 +224,7 @@ class Session:
 
         return Run(
             Stage(self._robot, self.hub, self._actions, self.wording, self._about_to_end),
-            RunStarted(name, self._world, self._robot.name, self._seed, __version__, how),
+            RunStarted(name, self._world, self.name, self._seed, __version__, how),
             read,
             tuple(lines_in(how.text)),
             self._memory,
@@ -275,7 +275,13 @@ class Session:
 
     @property
     def name(self) -> str:
-        return self._robot.name
+        """As its world calls it where that has several, whichever robot takes its place."""
+        return self.hub.robot or self._robot.name
+
+    @property
+    def takes_turns(self) -> bool:
+        """Whether its robot acts in the order of a simulated world; a real one waits for nobody."""
+        return isinstance(self._robot, TakesTurns)
 
     @property
     def speed(self) -> float | None:

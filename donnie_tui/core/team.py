@@ -141,7 +141,7 @@ class Team:
         for session, _ in claimed:
             session.speed = self.chosen.speed
         if self._expect is not None:
-            self._expect(session.name for session, _ in claimed)
+            self._expect(session.name for session, _ in claimed if session.takes_turns)
         for session, run in claimed:
             session.begin(run)
 

@@ -5,6 +5,8 @@ from pathlib import Path
 
 import pytest
 
+from devices.firmware_double.robot import DoubleRobot
+from devices.ports.robot import Pace, Watcher
 from donnie_tui.core.event_stream import as_line
 from donnie_tui.core.events import TRANSIENT, Moved, Outcome, RunEnded, RunStarted, Stamped
 from donnie_tui.core.hub import Stream
@@ -96,6 +98,24 @@ def test_every_event_and_sentence_says_whose_it_is() -> None:
     )
     assert "alice: I walked 3 steps forward." in hall.told
     assert "Bob: Error, line 1, column 7: There is no variable x." in hall.told
+
+
+def test_a_robot_in_the_place_of_another_keeps_its_name_and_nobody_waits_for_its_turns() -> None:
+    hall = Hall()
+
+    robots: list[DoubleRobot] = []
+
+    def make(pace: Pace, watcher: Watcher) -> DoubleRobot:
+        robots.append(DoubleRobot(pace=pace, watcher=watcher, speed=None))
+        return robots[0]
+
+    hall.team.chosen.change_robot(make)
+    robots[0].connect()
+
+    assert hall.run("FW 1", "WAIT 3 FW 2") == [Outcome.COMPLETED, Outcome.COMPLETED]
+    assert {each.robot for each in hall.heard} == {"alice", "Bob"}
+    assert [each.event.robot for each in hall.heard if isinstance(each.event, RunStarted)] == ["alice", "Bob"]
+    robots[0].close()
 
 
 def test_help_is_no_robots() -> None:
