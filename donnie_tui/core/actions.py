@@ -149,6 +149,7 @@ class RobotActions:
         self._hub.publish(event)
         self.handling.tell_things()
         self._feel(done.stopped_by, Bearing.FRONT if forward else Bearing.BACK)
+        _refuse_after_lost_link(done.stopped_by)
 
     def _turn(self, degrees: int, command: str, *, right: bool) -> None:
         _refuse_beyond_limit(degrees)
@@ -163,6 +164,7 @@ class RobotActions:
         self.handling.tell_things()
         to_the_right = right == (degrees >= 0)
         self._feel(done.stopped_by, Bearing.FRONT_RIGHT if to_the_right else Bearing.FRONT_LEFT)
+        _refuse_after_lost_link(done.stopped_by)
 
     def _feel(self, stopped_by: StoppedBy | None, ahead: Bearing) -> None:
         """What a movement came to, on the belt."""
@@ -231,6 +233,12 @@ def bearing_name(bearing: Bearing) -> str:
 def _refused(problem: RobotProblem, **values: str) -> Refused:
     """What the robot can't do, as the program's mistake; i18n has the sentence by the problem's code."""
     return Refused(Kind.ROBOT, **{**values, **problem.values, "problem": problem.code})
+
+
+def _refuse_after_lost_link(stopped_by: StoppedBy | None) -> None:
+    """A program whose movement lost the line has failed, even if there is nothing behind it."""
+    if stopped_by is StoppedBy.LINK:
+        raise _refused(RobotProblem("link-lost"))
 
 
 def _refuse_beyond_limit(amount: int) -> None:
