@@ -366,6 +366,10 @@ def unplug(real: Real) -> None:
     real.line.is_plugged = False
 
 
+def restart(real: Real) -> None:
+    real.board.reset()
+
+
 def unplug_and_plug_in(real: Real) -> None:
     unplug(real)
     real.line.advance(1.0)
@@ -374,7 +378,7 @@ def unplug_and_plug_in(real: Real) -> None:
 
 
 @pytest.mark.parametrize(
-    "fault", [unplug, unplug_and_plug_in, lambda it: it.board.reset()], ids=["unplugged", "back", "restarted"]
+    "fault", [unplug, unplug_and_plug_in, restart], ids=["unplugged", "back", "restarted"]
 )
 @pytest.mark.parametrize("waits", [lambda it: it.wait(30), lambda it: it.scan()], ids=["wait", "scan"])
 def test_a_line_lost_in_a_wait_or_a_scan_ends_the_program(
@@ -401,7 +405,7 @@ def test_without_a_line_no_command_is_begun(command: str) -> None:
     real = Real()
     real.line.is_plugged = False
     real.line.advance(0.1)
-    commands = {
+    commands: dict[str, Callable[[], object]] = {
         "turn": lambda: real.robot.turn(90),
         "scan": real.robot.scan,
         "wait": lambda: real.robot.wait(1),
