@@ -11,6 +11,7 @@ import asyncio
 import os
 import signal
 import sys
+import threading
 import traceback
 from collections.abc import Awaitable, Callable, Sequence
 from contextlib import suppress
@@ -31,6 +32,7 @@ from donnie_tui.i18n import first_screen
 from donnie_tui.settings import LANGUAGES, Settings
 from donnie_tui.tui import themes
 from donnie_tui.tui.actions import BY_NAME, MENU, with_keys
+from donnie_tui.tui.lifeline import Lifeline, give_back
 from donnie_tui.tui.outside import leave_behind
 from donnie_tui.tui.printable import Printable
 from donnie_tui.tui.screens.workplace import Workplace
@@ -85,6 +87,7 @@ class DonnieApp(App[int], inherit_bindings=False):
         """The list of the keys behind a key, while one of them is waited for."""
         self._bind(settings.keys)
         self._turns = Turns(self, super().on_event)
+        self._lifeline: Lifeline | None = None
         self.work: Work | None = None
         """None until it is loaded."""
         self.trouble: Exception | None = None
@@ -381,21 +384,68 @@ class DonnieApp(App[int], inherit_bindings=False):
     def _handle_signals(self) -> None:
         """Somebody ends the process, or the line is lost. Ctrl+C from elsewhere only stops the program."""
         loop = asyncio.get_running_loop()
-        for name, handler in (("SIGTERM", self._end), ("SIGHUP", self._end), ("SIGINT", self._interrupt)):
-            number = getattr(signal, name, None)
-            if number is not None:
-                with suppress(NotImplementedError, RuntimeError, ValueError):
-                    loop.add_signal_handler(number, handler, number)
+
+        def tell(number: int) -> None:
+            with suppress(RuntimeError):  # the loop may be gone
+                loop.call_soon_threadsafe(self._signalled, number)
+
+        def stuck() -> None:
+            if self._stop_real_robot():
+                tell(0)
+
+        lifeline = Lifeline(
+            halt=lambda: self._halt(0),
+            before_rest=self._stop_real_robot,
+            tell=tell,
+            on_stuck=stuck,
+            part=self._part,
+            writer=lambda: getattr(self._driver, "_writer_thread", None),
+        )
+        with suppress(ValueError):
+            lifeline.begin()
+            self._lifeline = lifeline
+
+    def on_unmount(self) -> None:
+        """A terminal can still get stuck on the way out; what has none needs nothing more."""
+        if self.is_headless:
+            self.end_lifeline()
+
+    def end_lifeline(self) -> None:
+        """In the main thread, once nothing is written to the screen any more."""
+        if self._lifeline is not None:
+            self._lifeline.end()
+
+    def _signalled(self, number: int) -> None:
+        if number == signal.SIGINT:
+            self._interrupt()
+        elif number:
+            self._end(number)
+        elif self.work is not None:
+            self.work.tell_sentences(self.work.words("stuck-stopped"))
 
     def _end(self, number: int) -> None:
         self._halt(number)
         self.keep_text()
         self.exit(128 + number)
 
-    def _interrupt(self, _number: int) -> None:
+    def _interrupt(self) -> None:
         """As the key that stops all."""
         if self._runs:
             self.do("stop_all")
+        if self._lifeline is not None:
+            self._lifeline.answered.set()
+
+    def _stop_real_robot(self) -> bool:
+        return self.work is not None and self.work.donnie.stop_real_robot()
+
+    def _part(self, number: int) -> None:
+        """The screen did not leave by itself: what can be saved in a moment, and the end."""
+        for last in (self.keep_text, self.close_session):
+            saving = threading.Thread(target=last, daemon=True)
+            saving.start()
+            saving.join(1.0)
+        give_back(self._driver)
+        os._exit(128 + number)
 
     def _halt(self, _number: int) -> None:
         if self.work is not None:
@@ -458,6 +508,8 @@ def _shown(settings: Settings, file: Path | None, text: str | None, donnie: Donn
     except BaseException:
         app.close_session()
         raise
+    finally:
+        app.end_lifeline()
     has_failed = app.trouble is not None or app.return_code == CRASHED
     if app.left_for_linear and not has_failed:
         _switch(app)

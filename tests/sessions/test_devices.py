@@ -6,11 +6,13 @@ Whatever ends the program, the board is told to stop.
 from __future__ import annotations
 
 import contextlib
+import fcntl
 import json
 import os
 import signal
 import subprocess
 import sys
+import termios
 import threading
 import time
 import tty
@@ -123,7 +125,62 @@ def test_control_z_stops_the_robot_of_the_linear_mode(tmp_path: Path, robot: Dou
     learner.sees("Stopped")
 
 
-@pytest.mark.parametrize("number", [signal.SIGTERM, signal.SIGHUP], ids=lambda each: each.name)
+def is_full(screen: pexpect.spawn) -> Callable[[], bool]:
+    """Whether nothing was added to what waits at the terminal, in several looks."""
+    waiting: list[int] = []
+
+    def look() -> bool:
+        told = fcntl.ioctl(screen.child_fd, termios.FIONREAD, b"\0" * 4)
+        waiting.append(int.from_bytes(told, sys.byteorder))
+        return waiting[-1] > 0 and len(waiting) > 60 and len(set(waiting[-60:])) == 1
+
+    return look
+
+
+def unread_screen(folder: Path, robot: DoubleOnPty) -> pexpect.spawn:
+    """The full screen, its robot driving, at a terminal whose output nobody reads from then on."""
+    screen = pexpect.spawn(
+        sys.executable,
+        [*COMMAND[1:], "--visual", *serial(robot), *QUIET, program(folder, "FW 1000\n")],
+        env=environment(folder, {"TERM": "xterm-256color"}),
+        cwd=str(folder),
+        dimensions=(60, 200),
+        timeout=PATIENCE,
+    )
+    assert until(lambda: robot.board.is_configured)
+    screen.expect("onnected")
+    screen.send("\x1b[15~")
+    assert until(lambda: robot.board.is_driving)
+    assert until(is_full(screen))
+    assert robot.board.is_driving
+    return screen
+
+
+def test_a_screen_that_takes_nothing_stops_the_robot_by_itself(tmp_path: Path, robot: DoubleOnPty) -> None:
+    screen = unread_screen(tmp_path, robot)
+
+    assert until(lambda: not robot.board.is_driving)
+    assert screen.isalive()
+    screen.kill(signal.SIGKILL)
+
+
+@pytest.mark.parametrize(
+    "number", [signal.SIGTERM, signal.SIGHUP, signal.SIGQUIT], ids=lambda each: each.name
+)
+def test_a_signal_ends_a_screen_that_takes_nothing(
+    tmp_path: Path, robot: DoubleOnPty, number: signal.Signals
+) -> None:
+    screen = unread_screen(tmp_path, robot)
+    screen.kill(number)
+
+    assert until(lambda: not robot.board.is_driving)
+    assert until(lambda: not screen.isalive())
+    assert robot.heard.endswith(STOP)
+
+
+@pytest.mark.parametrize(
+    "number", [signal.SIGTERM, signal.SIGHUP, signal.SIGQUIT], ids=lambda each: each.name
+)
 @pytest.mark.parametrize("mode", ["--linear", "--visual"])
 def test_a_signal_to_a_front_end_stops_the_robot(
     tmp_path: Path, robot: DoubleOnPty, mode: str, number: signal.Signals

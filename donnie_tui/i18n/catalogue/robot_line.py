@@ -221,6 +221,11 @@ _CALIBRATION: dict[str, Sentence] = {
         "¿Cuántos grados giró en total? Una vuelta son 360. Enter solo lo salta.",
     ),
     "calibrate-number": Sentence("A number, please.", "Um número, por favor.", "Un número, por favor."),
+    "stuck-stopped": Sentence(
+        "The screen took nothing for a while, so I stopped the robot.",
+        "A tela não aceitou nada por um tempo, então parei o robô.",
+        "La pantalla no aceptó nada por un rato, así que detuve el robot.",
+    ),
     "suspended-stopped": Sentence(
         "You left with Ctrl+Z, so I stopped the robot.",
         "Você saiu com Ctrl+Z, então parei o robô.",

@@ -1,0 +1,174 @@
+"""What stops the robots when the screen can't: a thread that hears the signals and watches the output.
+
+A terminal that takes no output holds the main thread, and with it every key and every handler of the event
+loop. Rule: nothing here waits for that thread. What is left of the process after a signal is ended in time.
+"""
+
+from __future__ import annotations
+
+import os
+import select
+import signal
+import threading
+import time
+from collections.abc import Callable
+from contextlib import suppress
+from types import FrameType
+from typing import Any
+
+from donnie_tui.suspending import suspend
+
+LOOK = 0.5
+"""Seconds between two looks at the output."""
+MOST_LOOKS = 5
+"""So many at the same waiting piece, and the terminal takes nothing any more."""
+ANSWER = 0.3
+"""Seconds in which the screen stops a program by itself, and tells where."""
+LEAVE = 2.0
+"""Seconds in which the screen leaves by itself after a signal."""
+
+_LEAVING = ("SIGTERM", "SIGHUP", "SIGQUIT")
+
+
+class Lifeline:
+    """Signals and the output, from ``begin`` to ``end``, both in the main thread."""
+
+    def __init__(
+        self,
+        *,
+        halt: Callable[[], object],
+        before_rest: Callable[[], bool],
+        tell: Callable[[int], object],
+        on_stuck: Callable[[], object],
+        part: Callable[[int], object],
+        writer: Callable[[], Any],
+    ) -> None:
+        """``halt`` stops all robots, ``tell`` passes a signal on to the screen, ``part`` ends the process.
+
+        ``before_rest``: as ``Console.before_suspending``; ``on_stuck``: the terminal takes nothing;
+        ``writer``: Textual's thread that writes, or None.
+        """
+        self._halt, self._before_rest, self._tell = halt, before_rest, tell
+        self._on_stuck, self._part, self._writer = on_stuck, part, writer
+        self.answered = threading.Event()
+        """The screen has done what an interrupt asks for."""
+        self._ended = threading.Event()
+        self._leaving: int | None = None
+        self._until = 0.0
+        self._head: object = None
+        self._looks = 0
+
+    def begin(self) -> None:
+        """Raises ``ValueError`` outside of the main thread."""
+        numbers = [getattr(signal, name) for name in ("SIGINT", *_LEAVING) if hasattr(signal, name)]
+        self._leavings = numbers[1:]
+        self._found = {number: signal.signal(number, _woken) for number in numbers}
+        if hasattr(signal, "SIGTSTP"):
+            self._found[signal.SIGTSTP] = signal.signal(signal.SIGTSTP, self._rest)
+        self._reading, self._writing = os.pipe()
+        os.set_blocking(self._reading, False)
+        os.set_blocking(self._writing, False)
+        self._found_fd = signal.set_wakeup_fd(self._writing, warn_on_full_buffer=False)
+        self._thread = threading.Thread(target=self._watch, name="lifeline", daemon=True)
+        self._thread.start()
+
+    def end(self) -> None:
+        """Everything as it was found."""
+        if self._ended.is_set():
+            return
+        self._ended.set()
+        signal.set_wakeup_fd(self._found_fd)
+        for number, handler in self._found.items():
+            signal.signal(number, handler)
+        with suppress(OSError):
+            os.write(self._writing, b"\0")
+        self._thread.join(LEAVE)
+        os.close(self._reading)
+        os.close(self._writing)
+
+    def _rest(self, number: int, frame: FrameType | None) -> None:
+        """Textual gives the terminal back before it rests; the robot comes before that."""
+        has_stopped = self._before_rest()
+        if has_stopped:
+            threading.Event().wait(ANSWER)
+        own = self._found[signal.SIGTSTP]
+        if callable(own):
+            own(number, frame)
+        else:
+            suspend(after_stop=False)
+
+    # --- the thread
+
+    def _watch(self) -> None:
+        while not self._ended.is_set():
+            ready, _, _ = select.select([self._reading], [], [], LOOK)
+            if ready:
+                self._take_signals()
+            else:
+                self._look_at_output()
+            if self._leaving is not None and time.monotonic() >= self._until and not self._ended.is_set():
+                self._part(self._leaving)
+
+    def _take_signals(self) -> None:
+        with suppress(BlockingIOError):
+            for number in os.read(self._reading, 4096):
+                self._act_on(number)
+
+    def _act_on(self, number: int) -> None:
+        if number == signal.SIGINT:
+            self._interrupt(number)
+        elif number in self._leavings:
+            self._leave(number)
+
+    def _interrupt(self, number: int) -> None:
+        self.answered.clear()
+        self._tell(number)
+        if not self.answered.wait(ANSWER):
+            self._halt()
+
+    def _leave(self, number: int) -> None:
+        self._halt()
+        if self._leaving is None:
+            self._leaving, self._until = number, time.monotonic() + LEAVE
+            self._tell(number)
+
+    def _look_at_output(self) -> None:
+        """Whether a piece of output waits that waited at the last look too."""
+        writer = self._writer()
+        head = _first(writer)
+        self._looks = self._looks + 1 if head is not None and head is self._head else 0
+        self._head = head
+        if self._looks == MOST_LOOKS:
+            self._on_stuck()
+            if not writer.is_alive():
+                self._leave(self._leavings[-2] if len(self._leavings) > 1 else self._leavings[0])
+
+
+def _first(writer: Any) -> object:
+    """The oldest piece that nobody has taken."""
+    try:
+        return writer._queue.queue[0]  # Textual tells nobody that it is stuck
+    except (AttributeError, IndexError):
+        return None
+
+
+def _woken(_number: int, _frame: FrameType | None) -> None:
+    """The signal's number has gone to the thread by itself."""
+
+
+def give_back(driver: Any) -> None:
+    """The terminal as far as it can be given back at once; it may take nothing, or be gone."""
+    import termios
+
+    with suppress(AttributeError, OSError, TypeError, termios.error):
+        termios.tcsetattr(driver.fileno, termios.TCSANOW, driver.attrs_before)
+    with suppress(OSError):
+        os.set_blocking(2, False)
+        try:
+            os.write(2, _AS_BEFORE)
+        finally:
+            os.set_blocking(2, True)
+
+
+_AS_BEFORE = b"\x1b[?1049l\x1b[?25h\x1b[?1000l\x1b[?1003l\x1b[?1006l\x1b[?2004l\x1b[<u\r\n"
+"""The normal screen, a cursor, no mouse, no marked pasting, plain keys."""
