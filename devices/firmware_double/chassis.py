@@ -37,6 +37,8 @@ class Wheels:
         """Counts since the board began."""
         self.is_stuck = False
         """A fault: the wheels don't turn, whatever the motors do."""
+        self.is_left_stuck = self.is_right_stuck = False
+        """The same of one of them."""
         self._surroundings = surroundings
         self._chassis = chassis
         self._seconds = seconds
@@ -76,6 +78,7 @@ class Wheels:
         if self.is_stuck:
             return
         right, left = (speed * self._seconds for speed in self._speed)
+        right, left = 0.0 if self.is_right_stuck else right, 0.0 if self.is_left_stuck else left
         self.right += right
         self.left += left
         self._go(right * self._metres_a_count, left * self._metres_a_count)

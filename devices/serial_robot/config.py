@@ -42,7 +42,7 @@ class RobotConfig:
     turn_coast: int = 5
     """The same, turning."""
     stall: float = 0.5
-    """Wheels that don't count for so long, although they are told to turn, are stuck."""
+    """A wheel that doesn't count for so long, although it is told to turn, is stuck."""
     settle: float = 1.0
     """How long to wait for the wheels to stand, at the most."""
     poll: float = 0.02

@@ -109,10 +109,11 @@ class Movement:
         return self._line.state is not LinkState.STREAMING or self._line.telemetry.era != self._era
 
     def _is_stuck(self, telemetry: Telemetry) -> bool:
+        """One wheel is enough: the other one would turn the robot about it."""
         since = self._line.driving_since
         if since is None:
             return False
-        return self._line.now() - max(since, telemetry.moved_at) > self._config.stall
+        return self._line.now() - max(since, telemetry.both_moved_at) > self._config.stall
 
     def _is_done(self) -> bool:
         return self._allowed >= self._aim.amount and self.counts >= self._counts_until(self._allowed)

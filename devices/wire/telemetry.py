@@ -47,6 +47,8 @@ class Telemetry:
     """Counts of the wheels since the line was first open; they neither wrap nor jump."""
     moved_at: float = 0.0
     """When a wheel last counted."""
+    both_moved_at: float = 0.0
+    """Since when one of the wheels has not counted: of their last counts, the older one's."""
     ranges: tuple[RangeSample, ...] = ()
     """Of the last two refreshes, oldest first."""
     bumpers: tuple[bool, ...] = (False,) * BUMPERS
@@ -101,6 +103,7 @@ class Instruments:
         self._era = 0
         self._millivolts: int | None = None
         self._moved_at = 0.0
+        self._right_moved_at = self._left_moved_at = 0.0
         self._frames = 0
 
     @property
@@ -127,9 +130,10 @@ class Instruments:
         self._frames += 1
 
     def counted(self, right: int, left: int, now: float) -> None:
-        moved = (self._right.count(right), self._left.count(left))
-        if moved != (0, 0):
-            self._moved_at = now
+        if self._right.count(right):
+            self._moved_at = self._right_moved_at = now
+        if self._left.count(left):
+            self._moved_at = self._left_moved_at = now
 
     def measured(self, centimetres: tuple[int, ...], now: float) -> None:
         while self._ranges and self._ranges[0].at < now - REMEMBERED:
@@ -151,6 +155,7 @@ class Instruments:
             right=self.right,
             left=self.left,
             moved_at=self._moved_at,
+            both_moved_at=min(self._right_moved_at, self._left_moved_at),
             ranges=tuple(self._ranges),
             bumpers=self._bumpers,
             millivolts=self._millivolts,

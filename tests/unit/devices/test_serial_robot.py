@@ -254,6 +254,19 @@ def test_wheels_that_get_stuck_on_the_way_are_a_stall_and_what_was_walked_counts
     assert (moved.walked, moved.stopped_by) == (3, StoppedBy.STALL)
 
 
+@pytest.mark.parametrize("wheel", ["is_left_stuck", "is_right_stuck"])
+@pytest.mark.parametrize("is_walk", [True, False], ids=["walk", "turn"])
+def test_one_stuck_wheel_is_a_stall_although_the_other_one_turns(wheel: str, is_walk: bool) -> None:
+    real = Real()
+    real.pace.due = [(1.2, lambda: setattr(real.board.wheels, wheel, True))]
+
+    done = real.robot.forward(9) if is_walk else real.robot.turn(360)
+
+    assert done.stopped_by is StoppedBy.STALL
+    assert real.robot.time() == pytest.approx(1.8, abs=0.2)
+    assert real.stands
+
+
 # --- the user's stop, a pause, an exception
 
 
