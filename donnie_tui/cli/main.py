@@ -11,6 +11,7 @@ from donnie_tui.cli import codes
 from donnie_tui.cli.arguments import TO_COME, Invocation, WrongUsage, language_before_parsing, understand
 from donnie_tui.cli.order import Order
 from donnie_tui.cli.output import Output
+from donnie_tui.cli.overwriting import refuse_overwriting
 from donnie_tui.i18n.words import Words
 from donnie_tui.settings import FRONT_END_SPEED, BadOption, Notice, Settings, resolve
 from donnie_tui.settings_file import read_settings
@@ -46,6 +47,7 @@ def _obey(
     if invocation.command in TO_COME:
         raise Unusable(words("command-to-come", command=invocation.command))
     order = _order(invocation, output, file, troubles)
+    refuse_overwriting(order)
     code = _handler(order)(order)
     if output.problem is not None:
         raise Unusable(order.words("output-unwritable", reason=output.problem))

@@ -24,6 +24,17 @@ SENTENCES: dict[str, Sentence] = {
         "Não consigo desempacotar o mundo: {reason}.",
         "No puedo desempaquetar el mundo: {reason}.",
     ),
+    # --- what must not be written
+    "output-is-input": Sentence(
+        "{option} would overwrite {path}, which is read here. Give another name.",
+        "{option} sobrescreveria {path}, que é lido aqui. Dê outro nome.",
+        "{option} sobrescribiría {path}, que se lee aquí. Da otro nombre.",
+    ),
+    "output-twice": Sentence(
+        "{option} and {other} can't both write {path}. Give two names.",
+        "{option} e {other} não podem gravar ambos em {path}. Dê dois nomes.",
+        "{option} y {other} no pueden guardar ambos en {path}. Da dos nombres.",
+    ),
     # --- what is wrong with a recording
     "no-recording": Sentence(
         "{path} is no recording.", "{path} não é uma gravação.", "{path} no es una grabación."

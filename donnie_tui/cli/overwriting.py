@@ -1,0 +1,80 @@
+"""What is written never destroys what is read: programs, recordings, the world and all its files.
+
+Looked at before anything is opened. Two outputs are never the same file either.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from itertools import combinations, product
+from pathlib import Path
+
+import worlds
+from donnie_tui.cli.order import Order
+from donnie_tui.settings import Settings
+from donnie_tui.unusable import Unusable
+from donnie_tui.world_choice import choose_world
+
+
+def refuse_overwriting(order: Order) -> None:
+    """Raises ``Unusable`` where an option names a file that the command needs, or that another one names."""
+    outputs = tuple(_outputs(order.settings))
+    if not outputs:
+        return
+    for (option, path), (other, other_path) in combinations(outputs, 2):
+        if _is_same(path, other_path):
+            raise Unusable(order.words("output-twice", option=option, other=other, path=path))
+    read = (*_programs(order), *_files_of_world(order, outputs))
+    for (option, path), source in product(outputs, read):
+        if _is_same(path, source):
+            raise Unusable(order.words("output-is-input", option=option, path=path))
+
+
+def _outputs(settings: Settings) -> Iterator[tuple[str, Path]]:
+    """The option and the file of everything that is written as it happens."""
+    if settings.record is not None:
+        yield "--record", Path(settings.record)
+    if settings.events not in (None, "-"):
+        yield "--events", Path(str(settings.events))
+    if isinstance(settings.sound, str):
+        yield "--sound", Path(settings.sound)
+
+
+def _programs(order: Order) -> Iterator[Path]:
+    """All that may be meant: ``ROBOT=FILE`` is a file of that name too."""
+    arguments = order.invocation.arguments
+    named = getattr(arguments, "file", None)
+    files = [named] if isinstance(named, str) else named or []
+    for each in (*files, *filter(None, [getattr(arguments, "run", None)])):
+        yield Path(each)
+        if "=" in each:
+            yield Path(each.partition("=")[2])
+
+
+def _files_of_world(order: Order, outputs: tuple[tuple[str, Path], ...]) -> tuple[Path, ...]:
+    """None where no output is there yet, or the world is one of ours."""
+    settings = order.settings
+    if order.invocation.command == "replay" or settings.world in worlds.names():
+        return ()
+    if not any(_is_regular(path) for _, path in outputs):
+        return ()
+    world = choose_world(settings.world, order.words, settings.world_folders)
+    report = world.scene.report
+    return (Path(settings.world), *(Path(each) for each in (*report.files, *report.pictures)))
+
+
+def _is_regular(path: Path) -> bool:
+    try:
+        return path.is_file()
+    except (OSError, ValueError):
+        return False
+
+
+def _is_same(one: Path, other: Path) -> bool:
+    """Of two files that may not be there yet. What is no regular file, such as a terminal, may be shared."""
+    try:
+        if one.exists() and other.exists():
+            return one.is_file() and one.samefile(other)
+        return one.resolve() == other.resolve()
+    except (OSError, ValueError, RuntimeError):
+        return False

@@ -1,0 +1,68 @@
+"""What is written never destroys what is read."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import pytest
+
+from donnie_tui.cli.main import main
+from tests.sessions.command import QUIET
+
+WORLD = 'include "donnie.inc"\ninclude "own.inc"\ndonnie( pose [ 0 0 0 90 ] )\n'
+
+
+@pytest.fixture(autouse=True)
+def _here(monkeypatch: pytest.MonkeyPatch, tmp_path: Path) -> None:
+    monkeypatch.setenv("XDG_CONFIG_HOME", str(tmp_path / "config"))
+    monkeypatch.setenv("DONNIE_LANG", "en")
+    monkeypatch.chdir(tmp_path)
+    Path("a.gd").write_text("FW 1\n")
+    Path("z.world").write_text(WORLD)
+    Path("own.inc").write_text("# mine\n")
+    Path("link.gd").symlink_to("a.gd")
+
+
+@pytest.mark.parametrize(
+    "line",
+    [
+        "run a.gd --record a.gd",
+        "run a.gd --record ./a.gd",
+        "run a.gd --record link.gd",
+        "run donnie=a.gd --events a.gd",
+        "-f a.gd --record a.gd",
+        "--linear a.gd --record a.gd",
+        "--linear new.gd --record new.gd",
+        "run a.gd --world z.world --record z.world",
+        "run a.gd --world z.world --events own.inc",
+        "run a.gd --sound wav:a.gd",
+        "replay a.gd --events a.gd",
+    ],
+)
+def test_what_is_read_is_not_overwritten(line: str, capsys: pytest.CaptureFixture[str]) -> None:
+    assert main([*line.split(), "--speech", "off"]) == 2
+
+    out, err = capsys.readouterr()
+    assert (out, err.count("\n")) == ("", 1)
+    assert "would overwrite" in err
+    assert Path("a.gd").read_text() == "FW 1\n"
+    assert Path("z.world").read_text() == WORLD
+    assert Path("own.inc").read_text() == "# mine\n"
+    assert not Path("new.gd").exists()
+
+
+def test_two_outputs_are_two_files(capsys: pytest.CaptureFixture[str]) -> None:
+    assert main(["run", "a.gd", "--record", "b", "--events", "./b", *QUIET]) == 2
+
+    assert capsys.readouterr().err == "--record and --events can't both write b. Give two names.\n"
+    assert not Path("b").exists()
+
+
+def test_what_is_no_file_of_the_learner_may_take_both() -> None:
+    assert main(["run", "a.gd", "--record", "/dev/null", "--events", "/dev/null", *QUIET]) == 0
+
+
+def test_a_recording_may_be_made_again_in_a_world_of_ones_own() -> None:
+    command = ["run", "a.gd", "--world", "z.world", "--record", "a.rec", *QUIET]
+
+    assert (main(command), main(command)) == (0, 0)
