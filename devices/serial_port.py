@@ -7,6 +7,7 @@ from __future__ import annotations
 
 import errno
 import os
+import sys
 from enum import Enum
 from pathlib import Path
 from typing import TYPE_CHECKING
@@ -14,8 +15,16 @@ from typing import TYPE_CHECKING
 if TYPE_CHECKING:
     import serial
 
-GONE = (OSError, ValueError, TypeError)
-"""What pyserial raises when a device is unplugged, depending on where it notices; its own are ``OSError``."""
+if sys.platform == "win32":
+    _TerminalError = OSError
+else:
+    import termios
+
+    _TerminalError = termios.error
+
+GONE = (OSError, ValueError, TypeError, _TerminalError)
+"""What is raised when a device is unplugged, depending on where pyserial notices; its own are ``OSError``,
+but what the terminal's settings raise, where there are such, is none."""
 
 WRITE_TIMEOUT = 0.2
 """Seconds; a line that takes no bytes for so long is no line."""
@@ -70,9 +79,22 @@ def open_port(port: str, baud: int, *, timeout: float = 0.0, exclusive: bool = T
 
 def problem_of(port: str, problem: Exception) -> PortProblem:
     """What pyserial raised, as a problem of ours."""
+    number = _number_of(problem)
+    return PortProblem(port, _FAULT_OF.get(number or 0, PortFault.UNUSABLE), reason_of(problem))
+
+
+def reason_of(problem: Exception) -> str:
+    """The system's own word for what was raised."""
+    number = _number_of(problem)
+    return str(problem) if number is None else os.strerror(number)
+
+
+def _number_of(problem: Exception) -> int | None:
+    """The system's number of it; a terminal's error has it in another place."""
     number = getattr(problem, "errno", None)
-    reason = os.strerror(number) if isinstance(number, int) else str(problem)
-    return PortProblem(port, _FAULT_OF.get(number or 0, PortFault.UNUSABLE), reason)
+    if number is None and isinstance(problem, _TerminalError):
+        number = next(iter(problem.args), None)
+    return number if isinstance(number, int) else None
 
 
 def group_of(port: str) -> str:

@@ -139,7 +139,7 @@ class SerialBelt:
             self._changed.wait(RETRY)
         try:
             self._line = self._open(self._port)
-        except PortProblem:
+        except (PortProblem, *GONE):
             return
         with self._changed:
             self._sender.start_over()

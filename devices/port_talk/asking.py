@@ -11,7 +11,7 @@ from enum import Enum
 
 from devices.belt.frame import BAUD as BELT_BAUD
 from devices.belt.frame import RESYNC
-from devices.port_talk.line import Line, PortLine, hold
+from devices.port_talk.line import Line, PortLine, hold, telling_what_is_gone
 from devices.ports.values import frozen
 from devices.wire.commands import CONFIGURE
 from devices.wire.decoder import Decoder
@@ -110,7 +110,8 @@ def ask(port: str, opened: Callable[[str, int], Line] = PortLine) -> Found:
         hold(line, robot, port)
         if robot.answers:
             return Found(Answer.ROBOT, robot.millivolts, robot.restarted)
-        line.set_speed(BELT_BAUD)
+        with telling_what_is_gone(port):
+            line.set_speed(BELT_BAUD)
         belt = BeltTalk()
         hold(line, belt, port)
         return Found(Answer.BELT if belt.answers else Answer.NOTHING)

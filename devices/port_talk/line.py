@@ -2,10 +2,12 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterator
+from contextlib import contextmanager
 from time import monotonic
 from typing import Protocol
 
-from devices.serial_port import GONE, PortFault, PortProblem, open_port
+from devices.serial_port import GONE, PortFault, PortProblem, open_port, reason_of
 
 GLANCE = 0.02
 """Seconds that one read waits for bytes."""
@@ -61,14 +63,21 @@ class PortLine:
         self._port.close()
 
 
+@contextmanager
+def telling_what_is_gone(port: str) -> Iterator[None]:
+    """A port that goes away in here is a ``PortProblem``."""
+    try:
+        yield
+    except GONE as problem:
+        raise PortProblem(port, PortFault.ABSENT, reason_of(problem)) from None
+
+
 def hold(line: Line, talk: Talk, port: str) -> None:
     """Until it is over. Raises ``PortProblem`` if the port goes away meanwhile."""
     received = b""
-    try:
+    with telling_what_is_gone(port):
         while not talk.is_over(line.now()):
             said = talk.next(received, line.now())
             if said:
                 line.write(said)
             received = line.read()
-    except GONE as problem:
-        raise PortProblem(port, PortFault.ABSENT, str(problem)) from None

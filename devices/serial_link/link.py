@@ -14,7 +14,7 @@ from collections.abc import Callable
 
 from devices.ports.robot import LinkNews, RobotProblem
 from devices.serial_link.port import OpenPort
-from devices.serial_port import GONE, PortProblem
+from devices.serial_port import GONE, PortProblem, reason_of
 from devices.wire.commands import STOP, Drive
 from devices.wire.connection import Connection, Need, Write
 from devices.wire.link_config import LinkConfig
@@ -140,11 +140,19 @@ class SerialLink:
     def _live(self) -> None:
         try:
             while not self._closing.is_set():
-                self._look()
+                self._look_safely()
                 self._tell()
                 self._wait()
         finally:
             self._let_go()
+
+    def _look_safely(self) -> None:
+        """Whatever goes wrong: the line is lost and tried again, for its thread must not end."""
+        try:
+            self._look()
+        except Exception as error:  # noqa: BLE001 -- a driver may raise anything
+            _LOG.warning("%s failed", self.name, exc_info=True)
+            self._lost(error)
 
     def _look(self) -> None:
         """Take in what came, and do what is due."""
@@ -193,7 +201,7 @@ class SerialLink:
     def _lost(self, error: Exception) -> None:
         self._drop_port()
         with self._lock:
-            self._connection.failed(self.now(), str(error))
+            self._connection.failed(self.now(), reason_of(error))
             self._answered.notify_all()
 
     def _drop_port(self) -> None:

@@ -3,10 +3,7 @@
 from __future__ import annotations
 
 import os
-import termios
-import threading
 from collections.abc import Callable
-from contextlib import suppress
 from pathlib import Path
 
 import pytest
@@ -15,7 +12,7 @@ from devices.firmware_double.board import SimulatedBoard
 from devices.port_talk.asking import Answer, Found, ask
 from devices.port_talk.halting import Halted, halt
 from devices.port_talk.line import Line, PortLine
-from devices.serial_port import GONE, PortFault, PortProblem, group_of, is_same_port, open_port
+from devices.serial_port import PortFault, PortProblem, group_of, is_same_port
 from devices.wire.commands import FILLER, STOP, Drive, motors
 from tests.unit.devices.board_line import BeltOnly, BoardLine, opening, running
 
@@ -191,47 +188,7 @@ def test_a_port_that_goes_away_meanwhile_is_a_problem() -> None:
         assert line.is_closed
 
 
-def test_a_port_that_goes_away_while_its_speed_is_set_is_a_problem_with_the_systems_word() -> None:
-    class Stuck(BoardLine):
-        def set_speed(self, baud: int) -> None:
-            raise termios.error(5, "whatever")
-
-    line = Stuck(None)
-    with pytest.raises(PortProblem) as caught:
-        ask("port", opening(line))
-    assert (caught.value.fault, caught.value.reason) == (PortFault.ABSENT, "Input/output error")
-    assert line.is_closed
-
-
 # --- real ports
-
-
-def test_a_terminals_error_while_opening_is_a_problem(monkeypatch: pytest.MonkeyPatch) -> None:
-    def fail(*_url: object, **_how: object) -> None:
-        raise termios.error(5, "whatever")
-
-    monkeypatch.setattr("serial.serial_for_url", fail)
-    with pytest.raises(PortProblem) as caught:
-        open_port("port", 9600)
-    assert (caught.value.fault, caught.value.reason) == (PortFault.UNUSABLE, "Input/output error")
-
-
-def test_a_line_that_takes_no_bytes_is_given_up() -> None:
-    """Nobody reads at its other end."""
-    ours, theirs = os.openpty()
-    port = open_port(os.ttyname(theirs), 9600)
-    given_up = threading.Event()
-
-    def write() -> None:
-        with suppress(*GONE):
-            port.write(bytes(1_000_000))
-        given_up.set()
-
-    threading.Thread(target=write, daemon=True).start()
-    assert given_up.wait(20.0)
-    port.close()
-    os.close(theirs)
-    os.close(ours)
 
 
 @pytest.mark.parametrize("talk", [ask, halt])

@@ -20,7 +20,7 @@ from devices.firmware_double.board import SimulatedBoard
 from devices.firmware_double.on_pty import DoubleOnPty
 from devices.ports.robot import LinkNews, RobotProblem, StoppedBy
 from devices.serial_link import SerialLink
-from devices.serial_link.port import OpenPort
+from devices.serial_link.port import RESET_PULSE, OpenPort
 from devices.serial_robot.config import RobotConfig
 from devices.serial_robot.robot import SerialRobot
 from devices.wire.commands import STOP, Drive, motors
@@ -137,6 +137,32 @@ def test_unplug_is_told_and_found_again_where_its_name_leads(double: DoubleOnPty
     link.close()
 
 
+class FailsOnce(OpenPort):
+    """A port whose driver raises what nobody expects, when it is told to."""
+
+    fault: Exception | None = None
+
+    def read(self) -> bytes:
+        if fault := self.fault:
+            FailsOnce.fault = None
+            raise fault
+        return super().read()
+
+
+@pytest.mark.parametrize("fault", [termios.error(5, "gone"), KeyError("a driver")], ids=["terminal", "any"])
+def test_whatever_a_port_raises_the_line_is_lost_and_found_again(
+    double: DoubleOnPty, fault: Exception
+) -> None:
+    news = News()
+    link = SerialLink(double.path, LinkConfig(reopen=0.1), news, open_port=FailsOnce)
+    link.connect()
+    FailsOnce.fault = fault
+
+    assert news.wait_for(LinkNews.LOST)
+    assert news.wait_for(LinkNews.RESTORED) or news.wait_for(LinkNews.RESTARTED)
+    link.close()
+
+
 def test_a_walk_ends_when_the_robot_is_unplugged(double: DoubleOnPty) -> None:
     news = News()
     robot = SerialRobot(SerialLink(double.path, None, news), pace=RealPace())
@@ -212,6 +238,19 @@ def test_dtr_a_port_without_that_line_tolerates_its_being_pulled(double: DoubleO
 
     assert port.read() is not None
     port.close()
+
+
+def test_dtr_falls_and_rises_again_with_a_pause_after_each(monkeypatch: pytest.MonkeyPatch) -> None:
+    seen: list[object] = []
+
+    class Wire:
+        def __setattr__(self, name: str, level: object) -> None:
+            seen.append((name, level))
+
+    monkeypatch.setattr("devices.serial_link.port.open_port", lambda *_: Wire())
+    OpenPort("port").pull_reset(seen.append)
+
+    assert seen == [("dtr", False), RESET_PULSE, ("dtr", True), RESET_PULSE]
 
 
 DRIVER = """
