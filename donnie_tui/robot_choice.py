@@ -38,17 +38,19 @@ def choices(settings: Settings, words: Words, found: Lister = list_ports) -> tup
     )
 
 
-def find_port(settings: Settings, words: Words, found: Lister = list_ports) -> str:
+def find_port(
+    settings: Settings, words: Words, found: Lister = list_ports, *, remedy: str = "remedy-simulator"
+) -> str:
     """The port of the robot that the settings name, or of the one board that is plugged in and is no belt.
 
-    Raises ``Unusable`` if there is none, or more than one.
+    Raises ``Unusable`` if there is none, with that ``remedy``, or more than one.
     """
     kind, _, port = settings.robot.partition(":")
     if kind == SERIAL and port:
         return port
     boards = _boards(settings, found)
     if not boards:
-        raise Unusable(f"{words('problem-no-board')} {words('remedy-simulator')}")
+        raise Unusable(f"{words('problem-no-board')} {words(remedy)}")
     if len(boards) > 1:
         ports = ", ".join(each.stable for each in boards)
         raise Unusable(words("problem-many-boards", ports=ports))

@@ -17,7 +17,9 @@ _CODE_OF = {Halted.STANDS: codes.DONE, Halted.UNCONFIRMED: codes.FAILED, Halted.
 
 def stop(order: Order, halted: Callable[[str], Halted] = halt) -> int:
     """Stop it, and say what is known of it."""
-    port = order.invocation.arguments.port or find_port(order.settings, order.words)
+    port = order.invocation.arguments.port or find_port(
+        order.settings, order.words, remedy="remedy-switch-off"
+    )
     try:
         outcome = halted(port)
     except PortProblem as problem:

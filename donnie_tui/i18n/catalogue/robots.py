@@ -56,6 +56,11 @@ SENTENCES: dict[str, Sentence] = _cut_short() | {
         "A ligação com o robô caiu.",
         "Se perdió la conexión con el robot.",
     ),
+    "remedy-switch-off": Sentence(
+        "If a robot drives, switch it off.",
+        "Se um robô andar, desligue-o.",
+        "Si un robot se mueve, apágalo.",
+    ),
     # --- the gripper
     "gripper-gripped": Sentence("I hold {thing}.", "Estou segurando {thing}.", "Tengo {thing}."),
     "gripper-gripped-something": Sentence("I hold it.", "Peguei.", "Lo tengo."),

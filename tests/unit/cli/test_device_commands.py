@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import io
 from argparse import Namespace
+from functools import partial
 from pathlib import Path
 
 import pytest
@@ -164,6 +165,17 @@ def test_without_a_port_the_robot_of_the_settings_is_stopped() -> None:
 
     assert stop(made, lambda _: Halted.STANDS) == 0
     assert out.getvalue() == "The robot stands. Port /dev/mine.\n"
+
+
+def test_without_a_board_nobody_who_wants_to_stop_one_is_sent_to_the_simulator(
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    monkeypatch.setattr("donnie_tui.cli.stopping.find_port", partial(find_port, found=lambda: ()))
+    made, _ = order(None)
+
+    with pytest.raises(Unusable) as told:
+        stop(made, lambda _: Halted.STANDS)
+    assert told.value.sentence == "I find no robot. Is it plugged in? If a robot drives, switch it off."
 
 
 def test_a_port_that_can_not_be_used_can_not_be_stopped() -> None:
