@@ -29,7 +29,12 @@ def told_lines(stamped: Stamped, wording: Wording) -> tuple[str, ...]:
     lines = lines_of(stamped.event, wording)
     if stamped.robot is None or (isinstance(stamped.event, Announced) and stamped.event.code in OF_NO_ROBOT):
         return lines
-    return tuple(wording("robot-says", robot=printable(stamped.robot), text=line) for line in lines)
+    return tuple(said_by(stamped.robot, line, wording) for line in lines)
+
+
+def said_by(robot: str | None, sentence: str, wording: Wording) -> str:
+    """A sentence about a robot, with its name before it; ``robot`` is None where the world has but one."""
+    return sentence if robot is None else wording("robot-says", robot=printable(robot), text=sentence)
 
 
 def lines_of(event: Event, wording: Wording) -> tuple[str, ...]:

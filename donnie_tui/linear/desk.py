@@ -19,7 +19,7 @@ from donnie_tui.core.session import Session
 from donnie_tui.core.summing_up import SummingUp
 from donnie_tui.core.timeline import Timeline
 from donnie_tui.core.trail import Trail
-from donnie_tui.core.transcript import told_lines
+from donnie_tui.core.transcript import said_by, told_lines
 from donnie_tui.core.typed_program import TypedProgram
 from donnie_tui.i18n.first_words import PROMPT
 from donnie_tui.linear.console import Console
@@ -160,6 +160,10 @@ class Desk:
 
     def answer(self, code: str, **values: object) -> None:
         self.tell(self.say(code, **values))
+
+    def answer_of_robot(self, code: str, **values: object) -> None:
+        """About the robot that is talked to: with its name, where there are several."""
+        self.tell(said_by(self.session.hub.robot, self.say(code, **values), self.say))
 
     def tell(self, *lines: str) -> None:
         for line in lines:

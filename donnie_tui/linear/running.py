@@ -144,7 +144,7 @@ def _reset(desk: Desk, _: Runs, rest: str) -> bool:
             desk.session.reset()
         except Busy:
             return False
-        desk.answer("answer-reset")
+        desk.answer_of_robot("answer-reset")
     return not rest
 
 

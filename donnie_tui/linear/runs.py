@@ -279,9 +279,9 @@ class Runs:
         if self._left_out:
             self._desk.answer("answer-left-out", lines=self._left_out)
         if self._stopped_at is None:
-            self._desk.answer("answer-stopped")
+            self._desk.answer_of_robot("answer-stopped")
         else:
-            self._desk.answer("answer-stopped-at", line=self._stopped_at)
+            self._desk.answer_of_robot("answer-stopped-at", line=self._stopped_at)
 
     def _while_held(self, run: Run) -> None:
         """Say where the program is, and do what is asked."""

@@ -22,7 +22,7 @@ def _where(desk: Desk) -> None:
     """Where the robot is; at full its last move too."""
     pose = desk.session.pose
     facing = desk.session.teller.facing(pose)
-    desk.answer("position", facing=facing, x=numbers.whole(pose.x), y=numbers.whole(pose.y))
+    desk.answer_of_robot("position", facing=facing, x=numbers.whole(pose.x), y=numbers.whole(pose.y))
     if desk.say.detail == "full":
         desk.tell(*desk.trail.in_words(1, desk.say))
 

@@ -184,7 +184,8 @@ class Display:
 
     def say_status(self) -> None:
         """Where the focus is, where Donnie is, what the program does."""
-        robot = robot_sentence(self._pose, self._words, self._donnie.session.teller)
+        session = self._donnie.session
+        robot = robot_sentence(session.hub.robot, self._pose, self._words, session.teller)
         doings = doing_sentences(self._running.doing, self._running.speed, self._words)
         focus = self._focus_sentence()
         whole = [f"{focus} {robot} {doing}" for doing in doings]

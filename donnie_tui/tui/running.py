@@ -38,6 +38,8 @@ class Answer:
 
     code: str
     values: Mapping[str, object] = field(default_factory=dict)
+    of_robot: bool = False
+    """It is about the robot that is talked to, whose name is told where there are several."""
 
 
 _NOTHING_RUNS = Answer("answer-nothing-runs")
@@ -178,14 +180,16 @@ class Running:
     def stopped(self) -> Answer:
         """Where the program was when it was stopped."""
         line = self._own.stopped_line
-        return Answer("answer-stopped-at", {"line": line}) if line else Answer("answer-stopped")
+        if not line:
+            return Answer("answer-stopped", of_robot=True)
+        return Answer("answer-stopped-at", {"line": line}, of_robot=True)
 
     def reset(self) -> Answer:
         try:
             self._session.reset()
         except Busy:
             return _BUSY
-        return Answer("answer-reset")
+        return Answer("answer-reset", of_robot=True)
 
     # --- pausing and stepping
 

@@ -18,11 +18,20 @@ from donnie_tui.tui.running import Doing
 from language.runtime import Frame
 
 
-def robot_sentence(pose: Pose, words: Wording, teller: Teller) -> str:
-    """Where Donnie is. Between the points of the compass its heading is a number: the line is short."""
+def robot_sentence(name: str | None, pose: Pose, words: Wording, teller: Teller) -> str:
+    """Where the robot is; without a name of its own it is Donnie.
+
+    Between the points of the compass its heading is a number: the line is short.
+    """
     heading = numbers.heading(pose)
     facing = teller.facing(pose) if heading % 45 == 0 else words("status-degrees", degrees=heading)
-    return words("status-robot", x=numbers.whole(pose.x), y=numbers.whole(pose.y), facing=facing)
+    return words(
+        "status-robot",
+        robot=name or "Donnie",
+        x=numbers.whole(pose.x),
+        y=numbers.whole(pose.y),
+        facing=facing,
+    )
 
 
 def doing_sentences(doing: Doing, speed: float | None, words: Wording) -> tuple[str, str]:

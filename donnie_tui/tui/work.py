@@ -28,6 +28,7 @@ from donnie_tui.core.mistakes import LARGEST, mistakes
 from donnie_tui.core.retelling import told_back
 from donnie_tui.core.timeline import Timeline
 from donnie_tui.core.trail import Trail
+from donnie_tui.core.transcript import said_by
 from donnie_tui.i18n.manual import manual
 from donnie_tui.i18n.words import Words
 from donnie_tui.settings import Settings
@@ -186,8 +187,8 @@ class Work:
     def tell(self, answer: Answer | None) -> None:
         """An answer of our own: through the hub, so that it is spoken too."""
         if answer is not None:
-            sentence = self.words(answer.code, **answer.values)
-            self._donnie.session.hub.publish(Answered(sentence))
+            sentence, hub = self.words(answer.code, **answer.values), self._donnie.session.hub
+            hub.publish(Answered(said_by(hub.robot if answer.of_robot else None, sentence, self.words)))
 
     async def ask(
         self, asked: str, value: str = "", accepts: Callable[[str], str | None] | None = None
@@ -460,7 +461,7 @@ class Work:
         if outcome is Outcome.STOPPED:
             self.tell(self.running.stopped)
         elif outcome is Outcome.COMPLETED and self.running.is_program:
-            self.tell(Answer("screen-done"))
+            self.tell(Answer("screen-done", of_robot=True))
 
     # --- the text
 

@@ -42,7 +42,7 @@ def test_the_learner_chooses_whom_to_talk_to_and_all_run_together(tmp_path: Path
         "bob: I have no gripper.",
         "alice: I walked 2 steps forward.",
         "bob: I walked 3 steps forward.",
-        "Position 0, 27. Facing south.",
+        "bob: Position 0, 27. Facing south.",
         "You talk to alice.",
         "1 line.",
         "alice: Command 1 was FW 2, walked 2, didn't crash, position [0,2,0].",

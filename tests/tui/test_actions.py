@@ -2,7 +2,7 @@
 
 import pytest
 
-from donnie_tui.core.use_cases import USE_CASES, find
+from donnie_tui.core.use_cases import find
 from donnie_tui.core.view_cases import VIEW_CASES
 from donnie_tui.i18n.catalogue import SENTENCES
 from donnie_tui.i18n.sentence import LANGUAGES
@@ -133,9 +133,3 @@ async def test_the_menu_key_lists_its_letters_and_esc_goes_back(work):
         assert "A: WHOLE MAP: Shows all, or follows Donnie." in desk.screen
         await desk.press("escape")
         await desk.until(lambda: desk.app.screen is desk.place, "the workplace")
-
-
-async def test_every_use_case_of_the_core_is_known_to_the_screen_or_told_to_be_missing(work):
-    from tests.unit.core.test_use_cases import NOT_YET_ON_THE_SCREEN
-
-    assert {each.name for each in USE_CASES} - set(BY_NAME) == NOT_YET_ON_THE_SCREEN

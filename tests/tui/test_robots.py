@@ -118,3 +118,19 @@ async def test_a_robot_that_is_not_talked_to_stays_on_the_map_where_it_went(work
 
         scene = desk.place.map.scale.scene
         assert scene.place(scene.others["alice"]) == (0, 3)
+
+
+async def test_what_is_told_of_a_robot_has_its_name(work):
+    async with work(WAITING, speed=1.0, world="two_robots") as desk:
+        assert "alice at 0, 0 facing north." in desk.status
+        await desk.type_line("ROBOT bob")
+        await desk.told("You talk to bob.")
+        await desk.until(lambda: "bob at 0, 30 facing south." in desk.status, "the status line")
+        await desk.press("f5")
+        await desk.doing(Doing.RUNNING)
+        await desk.press("f8")
+        await desk.told("bob: Stopped")
+        await desk.type_line("RESET")
+        await desk.told("bob: I am back at the start.")
+        await desk.run("FW 1")
+        await desk.told("bob: The program is done.")

@@ -218,7 +218,7 @@ async def test_reset_puts_the_robot_back_and_forgets_the_variables(work):
         await desk.told("I walked 3 steps forward.")
         await desk.idle()
         await desk.press("ctrl+r")
-        await desk.told("Donnie is back at the start.")
+        await desk.told("I am back at the start.")
         await desk.until(lambda: "No variables." in desk.place.inspector.lines, "no variables")
 
         assert "Donnie at 0, 0 facing north." in desk.status

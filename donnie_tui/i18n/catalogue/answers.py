@@ -13,9 +13,7 @@ _RUNNING = {
         "Paused at line {line}.", "Pausado na linha {line}.", "En pausa en la línea {line}."
     ),
     "answer-continued": Sentence("Going on.", "Continuando.", "Continuando."),
-    "answer-reset": Sentence(
-        "Donnie is back at the start.", "O Donnie voltou ao início.", "Donnie volvió al inicio."
-    ),
+    "answer-reset": Sentence("I am back at the start.", "Voltei ao início.", "Volví al inicio."),
     "answer-speed": Sentence("Speed {speed}.", "Velocidade {speed}.", "Velocidad {speed}."),
     "answer-left-out": Sentence(
         "{lines} {lines:line was|lines were} left out.",

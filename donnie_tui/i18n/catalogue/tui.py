@@ -40,9 +40,9 @@ _STATUS = {
     "status-inspector": Sentence("Variables.", "Variáveis.", "Variables."),
     "status-command": Sentence("Command line.", "Linha de comando.", "Línea de comandos."),
     "status-robot": Sentence(
-        "Donnie at {x}, {y} facing {facing}.",
-        "Donnie em {x}, {y} virado para {facing}.",
-        "Donnie en {x}, {y} mirando al {facing}.",
+        "{robot} at {x}, {y} facing {facing}.",
+        "{robot} em {x}, {y} virado para {facing}.",
+        "{robot} en {x}, {y} mirando al {facing}.",
     ),
     "status-degrees": Sentence(
         "{degrees} {degrees:degree|degrees}",

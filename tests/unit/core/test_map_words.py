@@ -161,7 +161,7 @@ def test_a_row_that_is_not_there_is_told_with_those_that_are() -> None:
 def test_the_picture_has_its_legend_first_and_a_letter_a_square(free: str) -> None:
     told = picture_in_letters(MapGrid(ROOM, Pose(1, 1, 0)), Words(), free)
 
-    assert told[:4] == ("Picture, 7 by 5. Donnie is ^", "Wall: #", f"Free: {free}", "Chair: c")
+    assert told[:4] == ("Picture, 7 by 5. The robot is ^", "Wall: #", f"Free: {free}", "Chair: c")
     assert told[4:] == tuple(
         row.replace(".", free) for row in ("#######", "#..c..#", "#.....#", "#^....#", "#######")
     )
