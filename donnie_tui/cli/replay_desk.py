@@ -8,24 +8,21 @@ from __future__ import annotations
 
 import sys
 from collections.abc import Callable
-from typing import TYPE_CHECKING
 
 from devices.ports.values import frozen
 from donnie_tui.cli import codes
 from donnie_tui.cli.ending import stopped_by_signals
 from donnie_tui.cli.output import Output
+from donnie_tui.cli.replay_map import ReplayMap
 from donnie_tui.core import numbers
 from donnie_tui.core.events import Answered, Stamped
 from donnie_tui.core.hub import Hub, Stream
-from donnie_tui.core.replay import Replay, map_at, rows_of
+from donnie_tui.core.replay import Replay
 from donnie_tui.core.retelling import told_back
 from donnie_tui.core.telling import facing
 from donnie_tui.i18n.words import Words
 from language.control import ExecutionControl
 from language.source import fold_name
-
-if TYPE_CHECKING:
-    from sim.picture import Picture
 
 LONGEST_LINE = 200
 SPEEDS: tuple[float | None, ...] = (1.0, 2.0, 5.0, 10.0, 20.0, 50.0, None)
@@ -61,14 +58,14 @@ class ReplayDesk:
     """One conversation about a recording."""
 
     def __init__(
-        self, replay: Replay, hub: Hub, stream: Stream, words: Words, picture: Picture | None
+        self, replay: Replay, hub: Hub, stream: Stream, words: Words, floor: ReplayMap | None
     ) -> None:
         self._replay = replay
         self._timeline = replay.timeline
         self._hub = hub
         self._stream = stream
         self._words = words
-        self._picture = picture
+        self._floor = floor
         self._robot: str | None = None
         """Of whom something was told last."""
         self._leaving = False
@@ -160,15 +157,16 @@ class ReplayDesk:
                 self._tell(place if robot is None else self._words("robot-says", robot=robot, text=place))
 
     def _map(self, output: Output) -> None:
-        scene = map_at(self._timeline, self._picture, self._robot) if self._picture is not None else None
-        if scene is None:
+        rows = () if self._floor is None else self._floor.lines(self._timeline, self._robot)
+        if not rows:
             self._answer("replay-no-map")
-            return
-        for row in rows_of(scene):
+        for row in rows:
             output.line(row)
 
     def _go_to(self, at: int) -> None:
         self._timeline.go_to(at)
+        now = self._timeline.now
+        self._robot = now.robot if now is not None else None
         self._where()
 
     def _help(self) -> None:

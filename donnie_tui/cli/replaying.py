@@ -8,7 +8,6 @@ from __future__ import annotations
 from collections.abc import Callable
 from contextlib import ExitStack
 from pathlib import Path
-from typing import TYPE_CHECKING
 
 from devices.ports.values import frozen
 from donnie_tui.audible import make_audible
@@ -17,10 +16,11 @@ from donnie_tui.cli.ending import let_speak, stopped_by_signals
 from donnie_tui.cli.order import Order
 from donnie_tui.cli.output import Output
 from donnie_tui.cli.replay_desk import ReplayDesk
+from donnie_tui.cli.replay_map import ReplayMap
 from donnie_tui.core.events import Answered, Moved, Stamped, Turned
 from donnie_tui.core.hub import Hub, Stream
 from donnie_tui.core.recording import NoRecordingError, Recording
-from donnie_tui.core.replay import Replay, map_at, rows_of
+from donnie_tui.core.replay import Replay
 from donnie_tui.core.retelling import told_back
 from donnie_tui.core.timeline import Timeline
 from donnie_tui.core.transcript import told_lines
@@ -28,9 +28,6 @@ from donnie_tui.i18n.words import Words
 from donnie_tui.recorded_world import unpacked
 from donnie_tui.unusable import Unusable
 from language.control import ExecutionControl
-
-if TYPE_CHECKING:
-    from sim.picture import Picture
 
 
 @frozen
@@ -77,7 +74,10 @@ class _Telling:
         self._hub = Hub(lambda: 0.0, None, self._stream)
         self._timeline = Timeline(recording.events)
         self._control = ExecutionControl()
-        self._picture = self._picture_of(recording, closing)
+        self._map = self._map_of(recording, closing)
+        self._moved: str | None = None
+        """Who moved in the step that is being told."""
+        self._has_moved = False
         self._stream.subscribe(_printer(order.output, order.words))
         self._audible = make_audible(order.settings, _Audience(self._hub), order.words, closing)
         self._replay = Replay(self._timeline, self._control, order.settings.speed)
@@ -87,7 +87,7 @@ class _Telling:
         self._begin_at(arguments.start, arguments.backwards)
         self._order.output.on_broken = self._control.stop
         if arguments.step:
-            return ReplayDesk(self._replay, self._hub, self._stream, self._words, self._picture).talk(
+            return ReplayDesk(self._replay, self._hub, self._stream, self._words, self._map).talk(
                 self._order.output
             )
         with stopped_by_signals(self._control.stop) as stopped:
@@ -109,33 +109,34 @@ class _Telling:
 
     def _show(self, stamped: Stamped) -> None:
         self._stream.pass_on(stamped)
-        if self._picture is not None and isinstance(stamped.event, Moved | Turned):
-            self._show_map(stamped.robot)
+        if isinstance(stamped.event, Moved | Turned):
+            self._moved, self._has_moved = stamped.robot, True
+        if self._has_moved and self._timeline.is_between_steps:
+            self._has_moved = False
+            self._show_map(self._moved)
 
     def _play_backwards(self) -> bool:
         return self._replay.backwards(self._show_back)
 
     def _show_back(self, undone: tuple[Stamped, ...]) -> None:
         self._hub.publish(Answered(told_back(undone, self._timeline, self._words)))
-        if self._picture is not None and any(isinstance(each.event, Moved | Turned) for each in undone):
-            self._show_map(undone[0].robot)
+        movement = next((each for each in undone if isinstance(each.event, Moved | Turned)), None)
+        if movement is not None:
+            self._show_map(movement.robot)
 
     def _show_map(self, robot: str | None) -> None:
-        assert self._picture is not None
-        scene = map_at(self._timeline, self._picture, robot)
-        if scene is not None:
-            for row in rows_of(scene):
-                self._order.output.line(row)
+        for row in self._map.lines(self._timeline, robot) if self._map is not None else ():
+            self._order.output.line(row)
 
-    def _picture_of(self, recording: Recording, closing: ExitStack) -> Picture | None:
-        """The floor, where somebody wants to see it, and the recording still has it."""
+    def _map_of(self, recording: Recording, closing: ExitStack) -> ReplayMap | None:
+        """Of the floor, where somebody wants to see it, and the recording still has it."""
         arguments = self._order.invocation.arguments
         if not (arguments.map or arguments.step) or recording.header is None:
             return None
-        from sim.picture import picture
-
         try:
-            return picture(closing.enter_context(unpacked(recording.header, self._words)).scene)
+            return ReplayMap(
+                closing.enter_context(unpacked(recording.header, self._words)).scene, self._words
+            )
         except Unusable as unusable:
             self._order.output.complaint(unusable.sentence)
             return None

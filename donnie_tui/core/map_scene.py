@@ -35,6 +35,7 @@ class MapScene:
         self._rays: frozenset[Cell] = frozenset()
         self._robots: dict[str, tuple[Cell, str]] = {}
         self._moved: dict[int, Thing] = {}
+        self._places: tuple[PlacedThing, ...] = ()
         self._drawn: dict[Cell, Thing] = {}
         self._lifted: frozenset[Cell] = frozenset()
         self._things = _by_cell(self.grid, picture.things)
@@ -42,11 +43,11 @@ class MapScene:
     # --- what happens
 
     def begin(self, pose: Pose) -> None:
-        """The robot starts here: no trail, nothing looked at, everything in its place."""
+        """The robot starts here: no trail, nothing looked at. Whether things are back is told by events."""
         self._pose = pose
         self._rays = frozenset()
-        self.place_things(())
         self._robots.clear()
+        self.place_things(self._places)
         self.grid.begin(pose)
 
     def move(self, pose: Pose) -> frozenset[Cell]:
@@ -68,10 +69,11 @@ class MapScene:
     def place_things(self, places: Iterable[PlacedThing]) -> frozenset[Cell]:
         """All things that are elsewhere than at the start."""
         before = self._lifted | frozenset(self._drawn)
+        self._places = tuple(places)
         own = {each.index: each for each in self.grid.picture.things}
         self._moved = {
             each.index: replace(own[each.index], x=each.pose.x, y=each.pose.y)
-            for each in places
+            for each in self._places
             if each.index in own
         }
         self._lifted = frozenset(

@@ -42,6 +42,8 @@ class Stage:
     hub: Hub
     actions: Actions
     wording: Wording
+    has_begun: Callable[[], None]
+    """Told behind the first event."""
     about_to_end: Callable[[Outcome], None]
     """Told before the last event, so that this one stays the last."""
 
@@ -123,6 +125,7 @@ class Run:
         hub, robot = self._stage.hub, self._stage.robot
         began = robot.time()
         hub.publish(self._started)
+        self._stage.has_begun()
         outcome = self._outcome()
         robot.halt()
         seconds = robot.time() - began

@@ -223,7 +223,14 @@ class Session:
             return compile_program(parsed.program, terminal=how.terminal, hooked=hooked)
 
         return Run(
-            Stage(self._robot, self.hub, self._actions, self.wording, self._about_to_end),
+            Stage(
+                self._robot,
+                self.hub,
+                self._actions,
+                self.wording,
+                self._actions.handling.tell_what_is_back,
+                self._about_to_end,
+            ),
             RunStarted(name, self._world, self.name, self._seed, __version__, how),
             read,
             tuple(lines_in(how.text)),
@@ -315,6 +322,7 @@ class Session:
                 raise Busy
             self._begin_anew()
         self.hub.publish(Reset(self.pose))
+        self._actions.handling.tell_what_is_back()
 
     def change_robot(self, make_robot: MakeRobot | None) -> None:
         """Another robot from now on, at its start, with nothing remembered. None: the one of the beginning.

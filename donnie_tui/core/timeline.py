@@ -88,14 +88,14 @@ class Timeline:
     def step(self) -> tuple[Stamped, ...]:
         """Let the next step happen. Its events, none at the end."""
         first = self.at
-        while self.forward() and not self._is_between_steps():
+        while self.forward() and not self.is_between_steps:
             pass
         return tuple(self.events[index] for index in range(first, self.at))
 
     def step_back(self) -> tuple[Stamped, ...]:
         """Undo the last step. Its events as they had happened, none at the start."""
         last = self.at
-        while self.back() and not self._is_between_steps():
+        while self.back() and not self.is_between_steps:
             pass
         return tuple(self.events[index] for index in range(self.at, last))
 
@@ -130,6 +130,18 @@ class Timeline:
         """The things of the world that are not where they were at its start."""
         return self._things[-1][1] if self._things else ()
 
+    @property
+    def is_between_steps(self) -> bool:
+        """Whether a step ended just before this position."""
+        if self.at in (0, len(self.events)):
+            return True
+        if _belongs_to_the_last(self.events[self.at].event):
+            return False
+        before = self.at - 1
+        while before > 0 and isinstance(self.events[before].event, BeltShown | ThingsMoved):
+            before -= 1
+        return not _leads_on(self.events[before].event)
+
     # --- inside
 
     def _happen(self, stamped: Stamped) -> None:
@@ -140,19 +152,6 @@ class Timeline:
             self._places.setdefault(stamped.robot, []).append(_Place(self.at, pose, begins))
         if isinstance(event, ThingsMoved):
             self._things.append((self.at, event.places))
-        elif self._things and isinstance(event, RunStarted) and _is_fresh(event) and stamped.robot is None:
-            self._things.append((self.at, ()))
-
-    def _is_between_steps(self) -> bool:
-        """Whether a step ended just before this position."""
-        if self.at in (0, len(self.events)):
-            return True
-        if _belongs_to_the_last(self.events[self.at].event):
-            return False
-        before = self.at - 1
-        while before > 0 and isinstance(self.events[before].event, BeltShown | ThingsMoved):
-            before -= 1
-        return not _leads_on(self.events[before].event)
 
 
 def is_deed(event: Event) -> bool:

@@ -137,6 +137,60 @@ def test_the_map_is_drawn_as_it_goes(here: Here) -> None:
     assert sum(">" in line for line in told) == 1
 
 
+def rows_of_things(lines: Sequence[str]) -> list[tuple[int, int]]:
+    """How far the cone is north of the robot on each map, in rows and columns."""
+    maps, found = "\n".join(lines), []
+    for rows in (each.splitlines() for each in maps.split("I walked ")[1:]):
+        robot = next((y, row.index("^")) for y, row in enumerate(rows) if "^" in row)
+        cones = [(robot[0] - y, row.index("c") - robot[1]) for y, row in enumerate(rows) if "c" in row]
+        found.append(min(each for each in cones if each[0] > 0))
+    return found
+
+
+def test_the_map_shows_pushed_things_where_the_step_left_them_in_every_run(here: Here) -> None:
+    typed = "FW 20\n\nRESET\nFW 20\n\nRESET\nFW 20\n\n"
+    world = ("--world", "object_field")
+    donnie(here.folder, "--linear", *QUIET, *world, "--speed", "max", "--record", "a.rec", typed=typed)
+
+    told = here.replay("--map")
+
+    before_it = [each[0] for each in rows_of_things(told)]
+    assert len(before_it) == 3
+    assert set(before_it) <= {2, 3}
+    assert len(set(before_it)) == 1
+    assert here.replay("--check")[0].endswith("events alike.")
+
+
+def record_two(here: Here) -> None:
+    (here.folder / "a.gd").write_text("FW 20")
+    (here.folder / "b.gd").write_text("WAIT 30 TR 90 FW 2 WAIT 1 FW 1")
+    here.donnie("run", "alice=a.gd", "bob=b.gd", "--world", "two_robots", "--record", "a.rec")
+
+
+def test_the_map_is_that_of_the_robot_that_moved_with_the_others_where_they_are(here: Here) -> None:
+    record_two(here)
+
+    told = here.replay("--map", "--speed", "max")
+
+    titles = [line for line in told if line.startswith("Map of ")]
+    assert titles == ["Map of alice.", *["Map of bob."] * 3]
+    last = told[len(told) - told[::-1].index("Map of bob.") :]
+    assert sum("<ooA" in row for row in last) == 1, "bob with its trail"
+    (alice,) = (y for y, row in enumerate(last) if "^" in row)
+    (bob,) = (y for y, row in enumerate(last) if "<" in row)
+    assert alice - bob == 10
+    assert not any("r" in row.lower() for row in last), "neither stands at its start"
+
+
+def test_the_map_of_a_step_is_that_of_the_robot_that_is_told_of(here: Here) -> None:
+    record_two(here)
+
+    told = here.replay("--step", typed="END\nMAP\nSTART\nMAP\n")
+
+    assert "Map of bob." in told
+    assert told[-1] == "There is no map here."
+
+
 def test_a_replay_at_a_speed_keeps_the_order_and_stops_at_a_signal(here: Here) -> None:
     here.record('SPEAK "begun" WAIT 1000')
     running = start(here.folder, "replay", "a.rec", *QUIET, "--speed", "1")

@@ -280,3 +280,19 @@ async def test_without_colours_the_screen_says_the_same(work, monkeypatch):
 
         assert desk.app.theme == "donnie-terminal"
         assert desk.screen == with_colours
+
+
+async def test_a_thing_that_is_pushed_in_every_run_is_shown_where_it_is(work):
+    async with work("FW 20", world="object_field") as desk:
+
+        def cone() -> int:
+            (it,) = (each for each in desk.place.map.scale.scene.things if each.colour == "green")
+            return round(it.y)
+
+        for run in range(1, 4):
+            await desk.press("f5")
+            await desk.until(lambda run=run: desk.log.count("The program is done.") == run)
+            await desk.until(lambda: cone() == 23, "the cone is where it was pushed to")
+
+        await desk.type_line("RESET")
+        await desk.until(lambda: cone() == 12, "the cone is back")

@@ -84,6 +84,7 @@ SENTENCES: dict[str, Sentence] = {
     "replay-speed": Sentence("Speed {speed}.", "Velocidade {speed}.", "Velocidad {speed}."),
     "replay-at": Sentence("Event {at} of {events}.", "Evento {at} de {events}.", "Evento {at} de {events}."),
     "replay-no-map": Sentence("There is no map here.", "Não há mapa aqui.", "Aquí no hay mapa."),
+    "replay-map-of": Sentence("Map of {robot}.", "Mapa de {robot}.", "Mapa de {robot}."),
     "replay-word-next": Sentence(
         "a step on, as Enter alone", "um passo adiante, como só Enter", "un paso adelante, como solo Enter"
     ),

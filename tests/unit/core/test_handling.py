@@ -3,7 +3,7 @@
 from functools import partial
 from pathlib import Path
 
-from donnie_tui.core.events import TRANSIENT, GripperUsed, RunEnded, RunStarted, Stamped, ThingsMoved
+from donnie_tui.core.events import TRANSIENT, GripperUsed, Reset, RunEnded, RunStarted, Stamped, ThingsMoved
 from donnie_tui.core.handling import Deed
 from donnie_tui.core.session import Busy, Session
 from donnie_tui.core.timeline import Timeline
@@ -21,12 +21,14 @@ hand( name "hand" pose [ 0 0 0 90 ] )
 box( name "red box" pose [ 0 0.2 0 0 ] color "red" )
 """
 
+PUSHED = WORLD.replace("gripper_return 1", "pushable 1")
+
 
 class Room:
     """A robot with a gripper, and a box four steps before it."""
 
-    def __init__(self) -> None:
-        world = World(load_text(WORLD, Path("room.world")))
+    def __init__(self, text: str = WORLD) -> None:
+        world = World(load_text(text, Path("room.world")))
         self.words = Words()
         self.session = Session(
             lambda pace, watcher: partial(world.robot, pace=pace, watcher=watcher)(),
@@ -38,6 +40,13 @@ class Room:
         )
         self.heard: list[Stamped] = []
         self.session.hub.subscribe(self.heard.append)
+
+    @property
+    def timeline(self) -> Timeline:
+        """At its end."""
+        timeline = Timeline([each for each in self.heard if not isinstance(each.event, TRANSIENT)])
+        timeline.go_to(len(timeline))
+        return timeline
 
     def use(self, deed: Deed) -> None:
         assert self.session.use_gripper(deed).wait(PATIENCE)
@@ -116,12 +125,51 @@ def test_a_fresh_run_puts_everything_back_and_a_timeline_knows_it() -> None:
     room.run("FW 1")
     room.use(Deed.GRIP)
     room.run("BW 5")
-    timeline = Timeline([each for each in room.heard if not isinstance(each.event, TRANSIENT)])
-    timeline.go_to(len(timeline))
-    assert timeline.things
+    assert room.timeline.things
 
     room.run("FW 1", fresh=True)
-    timeline = Timeline([each for each in room.heard if not isinstance(each.event, TRANSIENT)])
-    timeline.go_to(len(timeline))
 
+    assert room.timeline.things == ()
+
+
+def test_a_thing_that_is_pushed_to_the_same_place_again_is_told_again() -> None:
+    room = Room(PUSHED)
+    for _ in range(3):
+        room.run("FW 10", fresh=True)
+        assert [each.name for each in room.timeline.things] == ["red box"]
+
+    assert len(room.places) == 3
+    assert len(set(room.places)) == 1
+
+
+def test_a_reset_tells_that_things_are_back() -> None:
+    room = Room(PUSHED)
+    room.run("FW 10")
+
+    room.session.reset()
+
+    assert isinstance(room.heard[-1].event, ThingsMoved)
+    assert room.heard[-1].event.places == ()
+    assert room.timeline.things == ()
+    room.run("FW 10")
+    assert room.timeline.things
+    room.session.reset()
+    room.session.reset()
+    assert isinstance(room.heard[-1].event, Reset)
+
+
+def test_going_back_puts_things_to_where_they_were_before() -> None:
+    room = Room(PUSHED)
+    room.run("FW 10")
+    room.run("FW 3")
+    timeline = room.timeline
+    there = {}
+    timeline.go_to(0)
+    while timeline.forward():
+        there[timeline.at] = timeline.things
+
+    assert len(set(there.values())) == 3
+    while timeline.at:
+        assert timeline.things == there[timeline.at]
+        timeline.back()
     assert timeline.things == ()

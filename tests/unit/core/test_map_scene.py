@@ -75,6 +75,8 @@ def test_a_pushed_thing_is_shown_where_it_is_and_its_old_place_is_free() -> None
     assert it.thing(Cell(3, 6)) is None
     assert it.things[0].x == 4
     it.begin(Pose(0, 1, 0))
+    assert shown(it)[3] == "#........#"
+    it.place_things(())
     assert shown(it)[3] == "#..cc....#"
 
 
