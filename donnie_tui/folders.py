@@ -15,6 +15,8 @@ if TYPE_CHECKING:
     from pathlib import Path
 
 SETTINGS_NAME = "settings.toml"
+BREAKPOINTS = "breakpoints.txt"
+"""In the state folder: the breakpoints of each program."""
 
 
 def settings_file(environment: Mapping[str, str], platform: str = sys.platform) -> str:

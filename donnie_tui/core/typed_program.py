@@ -11,6 +11,7 @@ from __future__ import annotations
 from collections import deque
 
 from devices.ports.values import frozen
+from donnie_tui.core.breakpoints import followed, shifted
 from donnie_tui.core.documents import cleaned
 from language.outline import OutlineItem, block_depth, outline
 
@@ -46,6 +47,8 @@ class TypedProgram:
     def __init__(self) -> None:
         self.name: str | None = None
         """The file that it was opened from or saved to."""
+        self.breakpoints: frozenset[int] = frozenset()
+        """Lines, from 1; they go with the text."""
         self._lines: list[str] = []
         self._kept: list[str] | None = []
         self._run = 0
@@ -128,6 +131,7 @@ class TypedProgram:
         self._run = 0
         self._size = len(text)
         self._before.clear()
+        self.breakpoints = frozenset()
         self.name = name
         self.saved = True
 
@@ -149,6 +153,7 @@ class TypedProgram:
         self._grow(line)
         self._keep()
         self._lines.insert(number - 1, line)
+        self.breakpoints = shifted(self.breakpoints, number - 1, number - 1, 1)
         self._touched(number)
 
     def forget_waiting(self) -> int:
@@ -165,6 +170,7 @@ class TypedProgram:
         self._check(last)
         self._keep()
         del self._lines[first - 1 : last]
+        self.breakpoints = shifted(self.breakpoints, first - 1, last, first - 1 - last)
         self._touched(first)
 
     def move(self, first: int, last: int, to: int) -> int:
@@ -188,7 +194,8 @@ class TypedProgram:
         """The whole program is ``text`` from now on, as one change. Raises ``ProgramTooLong``."""
         self._grow(text)
         self._keep()
-        self._lines = lines_of(text)
+        before, self._lines = self._lines, lines_of(text)
+        self.breakpoints = followed(self.breakpoints, before, self._lines)
         self._run = 0
 
     def undo(self) -> int | None:
@@ -197,6 +204,7 @@ class TypedProgram:
             return None
         lines = self._before.pop()
         same = _first_difference(lines, self._lines)
+        self.breakpoints = followed(self.breakpoints, self._lines, lines)
         self._lines, self._run = lines, (0 if same < self._run else self._run)
         return same + 1
 

@@ -13,11 +13,12 @@ from pathlib import Path
 
 from donnie_tui import sound_words, team_words
 from donnie_tui.bootstrap import Donnie, Unusable, assemble
+from donnie_tui.core.breakpoints import KeptBreakpoints
 from donnie_tui.core.filing import Copies
 from donnie_tui.core.typed_program import ProgramTooLong
 from donnie_tui.core.use_cases import When
 from donnie_tui.device_settings import SIMULATED
-from donnie_tui.folders import state_folder
+from donnie_tui.folders import BREAKPOINTS, state_folder
 from donnie_tui.i18n.words import Words
 from donnie_tui.linear import choices, commands, files, greeting, modes
 from donnie_tui.linear.console import Console
@@ -108,8 +109,9 @@ class LinearMode:
         self._past = Past(folder / "history" if edits else None)
         self._editing = EditingReader(console, self._past, self._candidates) if edits else None
         output = Output(console, paced=os.isatty(1))
+        kept_breakpoints = KeptBreakpoints(folder / BREAKPOINTS)
         ends = Ends(console, self._editing, PlainReader(console), output, told, attended, os.isatty(1))
-        self._desk = Desk(donnie, ends, Copies(folder / "unsaved"), habits)
+        self._desk = Desk(donnie, ends, Copies(folder / "unsaved"), habits, kept_breakpoints)
         self._desk.past = self._past.lines
         self._desk.take_again = self._take_again
         self._runs = Runs(self._desk, told, self._wish_of, self._live)
@@ -168,6 +170,7 @@ class LinearMode:
         program = self._desk.program
         program.replace(text, str(file) if file else None)
         program.saved = files.holds(file, text) if file else not text.strip()
+        self._desk.bring_breakpoints()
         if program.lines:
             self._desk.answer("linear-lines", lines=len(program.lines))
 

@@ -7,10 +7,12 @@ from __future__ import annotations
 
 import contextlib
 from collections.abc import Callable
+from pathlib import Path
 
 from devices.ports.values import frozen
 from donnie_tui.bootstrap import Donnie
 from donnie_tui.core.answer_log import LONGEST_ANSWER, AnswerLog
+from donnie_tui.core.breakpoints import KeptBreakpoints
 from donnie_tui.core.documents import DocumentError
 from donnie_tui.core.events import TRANSIENT, Announced, Answered, Error, RunStarted, Stamped
 from donnie_tui.core.filing import Copies
@@ -60,7 +62,14 @@ class Ends:
 class Desk:
     """One conversation."""
 
-    def __init__(self, donnie: Donnie, ends: Ends, copies: Copies, habits: Habits) -> None:
+    def __init__(
+        self,
+        donnie: Donnie,
+        ends: Ends,
+        copies: Copies,
+        habits: Habits,
+        kept_breakpoints: KeptBreakpoints,
+    ) -> None:
         """``copies`` keep a program which can't be kept otherwise."""
         self.say = donnie.words
         self.donnie = donnie
@@ -69,6 +78,7 @@ class Desk:
         self.programs: dict[str, TypedProgram] = {}
         """Those of the robots that were talked to, by name; this one's is not up to date."""
         self.copies = copies
+        self.kept_breakpoints = kept_breakpoints
         self.habits = habits
         self.errors: list[Error] = []
         """Those of the last run."""
@@ -84,7 +94,6 @@ class Desk:
         """What SEARCH looked for last."""
         self.watched: list[str] = []
         """Variables, folded."""
-        self.breakpoints: set[int] = set()
         self.is_hurrying = False
         """Whether a program was just stopped: what is told then asks for nothing."""
         self.is_pausing = False
@@ -338,6 +347,19 @@ class Desk:
         if not (self.is_attended and self.program.is_worth_saving):
             return True
         return self.ask_yes("linear-ask-lose", lines=len(self.program.lines))
+
+    # --- breakpoints
+
+    def bring_breakpoints(self) -> None:
+        """Those that the file just opened had the last time."""
+        program = self.program
+        path = Path(program.name) if program.name else None
+        program.breakpoints = self.kept_breakpoints.of(path, len(program.lines))
+
+    def keep_breakpoints(self) -> None:
+        """For the next time that this program is opened."""
+        program = self.program
+        self.kept_breakpoints.keep(Path(program.name) if program.name else None, program.breakpoints)
 
     # --- leaving
 

@@ -34,9 +34,17 @@ def open_file(desk: Desk, path: Path) -> None:
         return
     if desk.may_lose_program():
         desk.program.replace(text, str(path))
+        desk.bring_breakpoints()
         desk.answer("answer-opened", name=path.name, lines=len(desk.program.lines))
+        _tell_breakpoints(desk)
     else:
         desk.answer("answer-unchanged")
+
+
+def _tell_breakpoints(desk: Desk) -> None:
+    """Where it will hold, of itself: nobody remembers that from the last time."""
+    if desk.program.breakpoints:
+        desk.answer("break-lines", lines=", ".join(map(str, sorted(desk.program.breakpoints))))
 
 
 def save_named(desk: Desk, name: str) -> bool:
@@ -103,6 +111,7 @@ def _save(desk: Desk, path: Path) -> bool:
         return False
     write_program(path, desk.program.text)
     desk.program.name, desk.program.saved = str(path), True
+    desk.keep_breakpoints()
     desk.answer("answer-saved", name=path.name, lines=len(desk.program.lines))
     return True
 

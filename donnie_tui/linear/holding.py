@@ -58,8 +58,8 @@ class Holding:
         self._words, self._text, self._first_line = None, text, first_line
         self._watching.begin(self._desk.session.variables.items())
         control.observe(self._changed)
-        if self._desk.breakpoints:
-            control.break_at(frozenset(self._desk.breakpoints))
+        if self._desk.program.breakpoints:
+            control.break_at(self._desk.program.breakpoints)
         if begin is not None:
             begin(control)
 

@@ -78,19 +78,20 @@ def _break(desk: Desk, _: Runs, rest: str) -> bool:
         desk.answer("answer-no-line", line=given[0], last=len(desk.program.lines))
     elif given:
         _toggle_breakpoint(desk, given[0])
-    elif desk.breakpoints:
-        desk.answer("break-lines", lines=", ".join(map(str, sorted(desk.breakpoints))))
+    elif desk.program.breakpoints:
+        desk.answer("break-lines", lines=", ".join(map(str, sorted(desk.program.breakpoints))))
     else:
         desk.answer("break-none")
     return True
 
 
 def _toggle_breakpoint(desk: Desk, line: int) -> None:
-    desk.breakpoints ^= {line}
-    desk.answer("break-set" if line in desk.breakpoints else "break-gone", line=line)
+    desk.program.breakpoints ^= {line}
+    desk.answer("break-set" if line in desk.program.breakpoints else "break-gone", line=line)
+    desk.keep_breakpoints()
     run = desk.session.run
     if run is not None:
-        run.control.break_at(frozenset(desk.breakpoints))
+        run.control.break_at(desk.program.breakpoints)
 
 
 def _watch(desk: Desk, _: Runs, rest: str) -> bool:

@@ -104,7 +104,7 @@ class Runs:
         begin: Callable[[ExecutionControl], None] | None = None,
     ) -> Run:
         self._prepare()
-        may_be_watched = bool(begin or self._desk.watched or self._desk.breakpoints)
+        may_be_watched = bool(begin or self._desk.watched or self._desk.program.breakpoints)
         try:
             run = self._desk.session.start(
                 text,

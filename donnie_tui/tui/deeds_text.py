@@ -61,7 +61,8 @@ class TextDeeds:
             self._host.tell(Answer("answer-no-line", {"line": line}))
             return
         is_set = self._editor.toggle_breakpoint(line)
-        self._host.running.break_at(self._editor.breakpoints)
+        self._host.running.breakpoints_changed()
+        self._host.files.keep_breakpoints()
         self._host.tell(Answer("screen-break-on" if is_set else "screen-break-off", {"line": line}))
 
     # --- searching

@@ -11,6 +11,7 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import Protocol
 
+from donnie_tui.core.breakpoints import KeptBreakpoints
 from donnie_tui.core.documents import DocumentError, program_to_save, write_program
 from donnie_tui.core.filing import Copies, Document
 from donnie_tui.core.wording import Wording
@@ -25,7 +26,10 @@ class Desk(Protocol):
     @property
     def text(self) -> str: ...
 
-    def load(self, text: str) -> None: ...
+    @property
+    def breakpoints(self) -> frozenset[int]: ...
+
+    def load(self, text: str, breakpoints: frozenset[int] = frozenset()) -> None: ...
 
     def tell(self, answer: Answer) -> None: ...
 
@@ -41,13 +45,19 @@ class _Program:
     document: Document
     copies: Copies
     text: str = ""
+    breakpoints: frozenset[int] = frozenset()
 
 
 class Files:
     """The file actions."""
 
     def __init__(
-        self, desk: Desk, words: Wording, make_copies: Callable[[], Copies], recent: Recent | None = None
+        self,
+        desk: Desk,
+        words: Wording,
+        make_copies: Callable[[], Copies],
+        recent: Recent | None = None,
+        kept_breakpoints: KeptBreakpoints | None = None,
     ) -> None:
         """``make_copies`` gives each program a keeper of its own."""
         self._desk = desk
@@ -57,6 +67,7 @@ class Files:
         self._offered = self._copies.offered()
         self._copying_failed = False
         self._recent = recent
+        self._kept_breakpoints = kept_breakpoints
         self.document = Document()
         self._programs = [_Program(self.document, self._copies)]
         self._at = 0
@@ -96,14 +107,15 @@ class Files:
     def turn_to(self, which: int | None) -> None:
         """Another one of the open programs, or one more, which is empty. No text is lost by it."""
         self.keep_copy()
-        self._programs[self._at].text = self._desk.text
+        before = self._programs[self._at]
+        before.text, before.breakpoints = self._desk.text, self._desk.breakpoints
         if which is None:
             self._programs.append(_Program(Document(), self._make_copies()))
             which = len(self._programs) - 1
         self._at = which
         program = self._programs[which]
         self.document, self._copies = program.document, program.copies
-        self._desk.load(program.text)
+        self._desk.load(program.text, program.breakpoints)
         self._desk.tell(Answer("screen-turned-to", {"name": self.name}))
 
     async def are_safe_to_leave(self) -> bool:
@@ -137,6 +149,9 @@ class Files:
         self._become(path, text)
         self._remember(path)
         self._desk.tell(Answer("answer-opened", {"name": path.name, "lines": text.count("\n") + 1}))
+        if self._desk.breakpoints:
+            lines = ", ".join(map(str, sorted(self._desk.breakpoints)))
+            self._desk.tell(Answer("break-lines", {"lines": lines}))
         return True
 
     def _wrong_to_open(self, name: str) -> str | None:
@@ -163,12 +178,22 @@ class Files:
             except DocumentError:
                 saved = ""
         self._become(path, saved)
-        self._desk.load(text.removesuffix("\n"))
+        text = text.removesuffix("\n")
+        self._desk.load(text, self._breakpoints_of(path, text))
 
     def _become(self, path: Path | None, text: str) -> None:
         self._copies.forget()
-        self._desk.load(text)
+        self._desk.load(text, self._breakpoints_of(path, text))
         self.document.become(path, self._desk.text)
+
+    def _breakpoints_of(self, path: Path | None, text: str) -> frozenset[int]:
+        kept = self._kept_breakpoints
+        return kept.of(path, text.count("\n") + 1) if kept else frozenset()
+
+    def keep_breakpoints(self) -> None:
+        """For the next time that this program is opened."""
+        if self._kept_breakpoints is not None:
+            self._kept_breakpoints.keep(self.document.path, self._desk.breakpoints)
 
     def _remember(self, path: Path) -> None:
         if self._recent is not None:
@@ -218,6 +243,7 @@ class Files:
             return False
         self._copies.forget()
         self._remember(path)
+        self.keep_breakpoints()
         self._desk.tell(Answer("answer-saved", {"name": path.name, "lines": self._desk.text.count("\n") + 1}))
         return True
 

@@ -58,17 +58,21 @@ class _Own:
 class Running:
     """The programs of the robot that is talked to, one at a time; those of others go on by themselves.
 
-    ``told`` hears, in any thread, that a pause began or ended.
+    ``told`` hears, in any thread, that a pause began or ended; ``breakpoints`` are those of the editor.
     """
 
     def __init__(
-        self, chosen: Callable[[], Session], told: Callable[[ControlState], None], watch: Watch
+        self,
+        chosen: Callable[[], Session],
+        told: Callable[[ControlState], None],
+        watch: Watch,
+        breakpoints: Callable[[], frozenset[int]],
     ) -> None:
         self._chosen = chosen
         self._told = told
         self._watch = watch
         self._owns: dict[str, _Own] = {}
-        self._breakpoints: frozenset[int] = frozenset()
+        self._breakpoints = breakpoints
 
     @property
     def _session(self) -> Session:
@@ -145,7 +149,7 @@ class Running:
         def prepare(control: ExecutionControl) -> None:
             control.observe(self._told)
             if program:
-                control.break_at(self._breakpoints)
+                control.break_at(self._breakpoints())
             if begin:
                 begin(control)
 
@@ -229,11 +233,10 @@ class Running:
         self._run.control.run_to(line)
         return None
 
-    def break_at(self, lines: frozenset[int]) -> None:
-        """Hold before these lines of the program, of the one that runs too."""
-        self._breakpoints = lines
+    def breakpoints_changed(self) -> None:
+        """The program that runs holds before those that there are now."""
         if self._run is not None and self.is_program:
-            self._run.control.break_at(lines)
+            self._run.control.break_at(self._breakpoints())
 
     # --- speed
 

@@ -20,6 +20,7 @@ from devices.ports.robot import Pose
 from donnie_tui import robot_words
 from donnie_tui.bootstrap import Donnie
 from donnie_tui.core.answer_log import AnswerLog
+from donnie_tui.core.breakpoints import KeptBreakpoints
 from donnie_tui.core.completion import Completion, completion
 from donnie_tui.core.documents import DocumentError, write_program
 from donnie_tui.core.events import Answered, Error, Outcome, Pointed
@@ -29,6 +30,7 @@ from donnie_tui.core.retelling import told_back
 from donnie_tui.core.timeline import Timeline
 from donnie_tui.core.trail import Trail
 from donnie_tui.core.transcript import said_by
+from donnie_tui.folders import BREAKPOINTS
 from donnie_tui.i18n.manual import manual
 from donnie_tui.i18n.words import Words
 from donnie_tui.settings import Settings
@@ -107,9 +109,17 @@ class Work:
         self.words: Words = donnie.words
         self.workplace = host.workplace
         self.watch = Watch(self.words)
-        self.running = Running(lambda: donnie.session, self._paused, self.watch)
+        self.running = Running(
+            lambda: donnie.session, self._paused, self.watch, lambda: self.workplace.editor.breakpoints
+        )
         self.preferences = Preferences(settings or Settings(), os.environ)
-        self.files = Files(self, self.words, lambda: Copies(folder), Recent(folder.parent / "recent.txt"))
+        self.files = Files(
+            self,
+            self.words,
+            lambda: Copies(folder),
+            Recent(folder.parent / "recent.txt"),
+            KeptBreakpoints(folder.parent / BREAKPOINTS),
+        )
         self.display = Display(self.workplace, donnie, self.running, self.files)
         bridge = Bridge(
             host.post_message, self.words, lambda: donnie.session.pose, lambda: donnie.session.name
@@ -179,8 +189,14 @@ class Work:
     def text(self) -> str:
         return self.workplace.editor.text
 
-    def load(self, text: str) -> None:
+    @property
+    def breakpoints(self) -> frozenset[int]:
+        return self.workplace.editor.breakpoints
+
+    def load(self, text: str, breakpoints: frozenset[int] = frozenset()) -> None:
+        """Another text in the editor, with the breakpoints that it has."""
         self.workplace.editor.load_text(text)
+        self.workplace.editor.set_breakpoints(breakpoints)
         self.workplace.editor.move_cursor((0, 0))
         self.look()
 

@@ -120,3 +120,16 @@ def test_reports_are_written_as_pages_tables_and_text(tmp_path: Path) -> None:
     assert "<h2>The map</h2>" in (tmp_path / "m.html").read_text()
     assert (tmp_path / "t.csv").read_text() == "command,done,x,y,heading,blocked\nFW 3,3,0,3,0,False\n"
     assert "I walked 3 steps forward." in (tmp_path / "l.txt").read_text()
+
+
+def test_breakpoints_go_with_their_program_and_are_told_when_it_is_opened_again(tmp_path: Path) -> None:
+    (tmp_path / "walk.gd").write_text("FW 1\nFW 2\n")
+    (tmp_path / "other.gd").write_text("TR 90\nTR 90\nTR 90\n")
+    first = told(
+        tmp_path, "OPEN walk.gd", "BREAK 2", "INSERT 1 TR 90", "BREAK", "SAVE", "OPEN other.gd", "BREAK"
+    )
+    again = told(tmp_path, "OPEN walk.gd", "BREAK")
+
+    assert "Breakpoints: 3." in first
+    assert first[-1] == "No breakpoints."
+    assert again == ["Opened walk.gd, 3 lines.", "Breakpoints: 3.", "Breakpoints: 3."]

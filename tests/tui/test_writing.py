@@ -292,3 +292,40 @@ async def test_a_look_into_the_past_needs_nothing_to_run(work):
         await desk.told("A program is running.")
         assert isinstance(desk.app.work._donnie.session, Session)
         await desk.press("f8")
+
+
+# --- breakpoints of each program
+
+
+async def test_breakpoints_are_there_again_at_the_next_start(work, tmp_path):
+    path = tmp_path / "walk.gd"
+    path.write_text("FW 1\nFW 2\nFW 3\n", encoding="utf-8")
+    async with work(file=path) as desk:
+        desk.place.editor.go_to(2)
+        await desk.press("ctrl+b")
+        await desk.told("Line 2 has a breakpoint.")
+    async with work(file=path) as desk:
+        await desk.told("Breakpoints: 2.")
+        assert desk.place.editor.breakpoints == {2}
+        await desk.press("f5")
+        await desk.told("Line 2: FW 2")
+
+
+async def test_each_open_program_has_its_own_breakpoints(work):
+    async with work("FW 1\nFW 2") as desk:
+        await desk.press("ctrl+b")
+        await desk.told("Line 1 has a breakpoint.")
+        desk.app.work.files.turn_to(None)
+        assert desk.place.editor.breakpoints == frozenset()
+        desk.app.work.files.turn_to(0)
+        assert desk.place.editor.breakpoints == {1}
+
+
+async def test_a_program_holds_where_its_breakpoint_has_moved_to(work):
+    async with work("FW 1\nFW 2") as desk:
+        desk.place.editor.go_to(2)
+        await desk.press("ctrl+b")
+        await desk.told("Line 2 has a breakpoint.")
+        desk.place.editor.insert("TR 90\n", (0, 0))
+        await desk.press("f5")
+        await desk.told("Line 3: FW 2")

@@ -23,6 +23,7 @@ from textual.strip import Strip
 from textual.widgets import TextArea
 from textual.widgets.text_area import TextAreaTheme
 
+from donnie_tui.core.breakpoints import alike, followed, shifted
 from donnie_tui.i18n.sentence import LANGUAGES
 from donnie_tui.tui import themes
 from donnie_tui.tui.actions import BY_NAME
@@ -41,14 +42,6 @@ LEAST_NOTE = 12
 """Columns that the sentence of a mistake needs."""
 
 LINEAR_WORDS = frozenset(BY_NAME["linear"].word(each).casefold() for each in LANGUAGES)
-
-
-def _alike(before: Sequence[str], after: Sequence[str]) -> tuple[int, int]:
-    """How many lines are the same at the beginning of both, and behind these at their ends."""
-    shorter = min(len(before), len(after))
-    top = next((at for at in range(shorter) if before[at] != after[at]), shorter)
-    rest = shorter - top
-    return top, next((at for at in range(rest) if before[-1 - at] != after[-1 - at]), rest)
 
 
 class Editor(TextArea):
@@ -134,6 +127,12 @@ class Editor(TextArea):
         self.refresh(self._gutter_of(line))
         return line in self.breakpoints
 
+    def set_breakpoints(self, lines: frozenset[int]) -> None:
+        """These, and no others."""
+        if lines != self.breakpoints:
+            self.breakpoints = lines
+            self.refresh()
+
     def edit(self, edit: Edit) -> EditResult:
         """Breakpoints go with their lines."""
         start, end = sorted((edit.from_location, edit.to_location))
@@ -158,22 +157,19 @@ class Editor(TextArea):
     def _follow(self, before: Sequence[str]) -> None:
         """The text was ``before`` and is another one now: what differs is all that is known."""
         if before:
-            top, same = _alike(before, self.document.lines)
-            self._shift_breakpoints(top, len(before) - same, self.document.line_count - len(before))
+            self.set_breakpoints(followed(self.breakpoints, before, self.document.lines))
 
     def _shift_breakpoints(self, first: int, last: int, added: int) -> None:
         """Lines behind ``last`` have moved; what is behind ``first`` up to there is gone."""
         if added and self.breakpoints:
-            kept = (each for each in self.breakpoints if not first < each <= last)
-            self.breakpoints = frozenset(each + added if each > last else each for each in kept)
-            self.refresh()
+            self.set_breakpoints(shifted(self.breakpoints, first, last, added))
 
     def become(self, lines: Sequence[str]) -> None:
         """These lines from now on, as one edit of no more than what differs."""
         before = self.document.lines
         ends_open = len(before) > 1 and not before[-1]
         after = [*lines, ""] if ends_open or not lines else list(lines)
-        top, end = _alike(before, after)
+        top, end = alike(before, after)
         if before != after:
             self._replace_lines(top, len(before) - end, after[top : len(after) - end])
 
