@@ -104,11 +104,16 @@ class _Parser(argparse.ArgumentParser):
 
 
 def _formatter(words: Words) -> type[argparse.HelpFormatter]:
-    """Help with the first word in the learner's language."""
+    """Help with the first word in the learner's language; the lines of a text stay lines."""
 
     class Formatter(argparse.HelpFormatter):
         def add_usage(self, usage, actions, groups, prefix=None):  # type: ignore[no-untyped-def] # argparse's own
             super().add_usage(usage, actions, groups, prefix or f"{words('usage-prefix')} ")
+
+        def _fill_text(self, text: str, width: int, indent: str) -> str:
+            return "\n".join(
+                super(Formatter, self)._fill_text(each, width, indent) for each in text.split("\n")
+            )
 
     return Formatter
 
@@ -154,7 +159,7 @@ def _parser(command: str, words: Words) -> argparse.ArgumentParser:
     parser = _Parser(
         prog=f"donnie {command}".strip(),
         description=words(f"usage-{command or 'donnie'}"),
-        epilog=None if command else words("usage-commands", commands=", ".join(COMMANDS[:5])),
+        epilog=None if command else _all_commands(words),
         formatter_class=_formatter(words),
         add_help=False,
         allow_abbrev=False,
@@ -165,6 +170,12 @@ def _parser(command: str, words: Words) -> argparse.ArgumentParser:
         common.add_argument(f"--{key}", metavar=_PLACEHOLDERS[key], help=words(f"option-{key}"))
     common.add_argument("-h", "-H", "--help", action="help", help=words("option-help"))
     return parser
+
+
+def _all_commands(words: Words) -> str:
+    """A line each, with what it is for."""
+    known = (each for each in COMMANDS if each not in TO_COME)
+    return "\n".join([words("usage-commands"), *(f"{each}: {words(f'usage-{each}')}" for each in known)])
 
 
 def _add_front_end(parser: argparse._ArgumentGroup, words: Words) -> None:

@@ -38,7 +38,7 @@ def run_again(order: Order, recording: Recording) -> int:
 
 
 def _usable(recording: Recording, words: Words) -> Header:
-    if recording.header is None or recording.damages:
+    if recording.header is None or not recording.is_cut_off_only:
         raise Unusable(words("recheck-damaged"))
     if recording.header.robot != SIMULATED:
         raise Unusable(words("recheck-real", robot=printable(recording.header.robot)))

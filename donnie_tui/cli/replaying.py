@@ -8,13 +8,14 @@ from __future__ import annotations
 from collections.abc import Callable
 from contextlib import ExitStack
 from pathlib import Path
+from typing import TextIO, cast
 
 from devices.ports.values import frozen
 from donnie_tui.audible import make_audible
 from donnie_tui.cli import codes
 from donnie_tui.cli.ending import let_speak, stopped_by_signals
 from donnie_tui.cli.order import Order
-from donnie_tui.cli.output import Output
+from donnie_tui.cli.output import Guarded, Output
 from donnie_tui.cli.replay_desk import ReplayDesk
 from donnie_tui.cli.replay_map import ReplayMap
 from donnie_tui.core.events import Answered, Moved, Stamped, Turned
@@ -27,7 +28,11 @@ from donnie_tui.core.transcript import told_lines
 from donnie_tui.i18n.words import Words
 from donnie_tui.recorded_world import unpacked
 from donnie_tui.unusable import Unusable
+from donnie_tui.written import Written
 from language.control import ExecutionControl
+
+FIXED = ("world", "robot", "seed", "belt", "record")
+"""Options that mean nothing to what has happened already."""
 
 
 @frozen
@@ -40,6 +45,7 @@ class _Audience:
 def replay(order: Order) -> int:
     """``donnie replay``."""
     arguments, words = order.invocation.arguments, order.words
+    _refuse_what_has_no_meaning(order)
     with ExitStack() as closing:
         recording = _opened(arguments.file, words, closing)
         for damage in recording.damages:
@@ -49,6 +55,27 @@ def replay(order: Order) -> int:
 
             return run_again(order, recording)
         return _Telling(order, recording, closing).tell()
+
+
+def _refuse_what_has_no_meaning(order: Order) -> None:
+    """Raises ``Unusable`` for an option that would do nothing: what was recorded is fixed."""
+    arguments, given, words = order.invocation.arguments, order.invocation.options, order.words
+    fixed = next((each for each in FIXED if each in given), None)
+    if fixed is not None:
+        raise Unusable(words("replay-fixed", option=f"--{fixed}"))
+    ways = ("--check", arguments.check), ("--step", arguments.step), ("--backwards", arguments.backwards)
+    chosen = [option for option, is_chosen in ways if is_chosen]
+    if arguments.check:
+        others = [
+            ("--map", arguments.map),
+            ("--from", arguments.start is not None),
+            ("--speed", "speed" in given),
+        ]
+        chosen += [option for option, is_given in others if is_given]
+    if "events" in given:
+        chosen.append("--events")
+    if len(chosen) > 1 and chosen != ["--step", "--backwards"]:
+        raise Unusable(words("options-not-together", option=chosen[1], other=chosen[0]))
 
 
 def _opened(name: str, words: Words, closing: ExitStack) -> Recording:
@@ -78,7 +105,10 @@ class _Telling:
         self._moved: str | None = None
         """Who moved in the step that is being told."""
         self._has_moved = False
-        self._stream.subscribe(_printer(order.output, order.words))
+        self._written = Written(order.settings, self._hub, order.words, closing)
+        self._written.events(cast(TextIO, Guarded(order.output)))
+        with_words = order.settings.events != "-"
+        self._stream.subscribe(_printer(order.output, order.words, with_words=with_words))
         self._audible = make_audible(order.settings, _Audience(self._hub), order.words, closing)
         self._replay = Replay(self._timeline, self._control, order.settings.speed)
 
@@ -93,6 +123,8 @@ class _Telling:
         with stopped_by_signals(self._control.stop) as stopped:
             to_the_end = self._play_backwards() if arguments.backwards else self._replay.forwards(self._show)
             let_speak(self._audible.is_quiet_within, stopped)
+        if self._written.lost:
+            return codes.UNUSABLE
         return codes.DONE if to_the_end else codes.STOPPED
 
     def _begin_at(self, seq: int | None, backwards: bool) -> None:
@@ -142,9 +174,14 @@ class _Telling:
             return None
 
 
-def _printer(output: Output, words: Words) -> Callable[[Stamped], None]:
+def _printer(output: Output, words: Words, *, with_words: bool) -> Callable[[Stamped], None]:
+    """Events to standard output leave no room for words there; what is wrong is told all the same."""
+
     def tell(stamped: Stamped) -> None:
         for line in told_lines(stamped, words):
-            output.line(line)
+            if with_words:
+                output.line(line)
+            elif isinstance(stamped.event, Answered):
+                output.complaint(line)
 
     return tell

@@ -14,7 +14,7 @@ from contextlib import suppress
 from typing import BinaryIO, TextIO, overload
 
 from devices.ports.values import frozen
-from donnie_tui.core.events import Stamped
+from donnie_tui.core.events import Reset, RunEnded, RunStarted, Stamped
 from donnie_tui.core.recorded_events import DamagedLineError, event_of, parse_line
 
 FORMAT = 1
@@ -27,6 +27,9 @@ LONGEST_LINE = 16 * 1024 * 1024
 MOST_EVENTS = 5_000_000
 MOST_DAMAGES = 100
 """Damaged lines that are told of one file."""
+
+END = "end"
+"""The damage of a recording whose end is missing, as a crash leaves it."""
 
 
 class NoRecordingError(Exception):
@@ -76,18 +79,27 @@ class Recording:
         """Look through the whole file once. Raises ``NoRecordingError``, ``OSError``."""
         self.header: Header | None = None
         """None where it is damaged."""
+        self.is_newer = False
+        """Whether it is of a format that is not known yet."""
         self.damages: list[Damage] = []
         """What is missing, in order; of many the first ones."""
         self._file = file
         self._places = array("Q")
         self._lines = array("Q")
         self._last_seq = 0
+        self._running: set[str | None] = set()
+        """The robots whose runs have not ended so far."""
         self._look_through()
 
     @property
     def events(self) -> Sequence[Stamped]:
         """All events that are whole, in order."""
         return _Events(self._file, self._places, self._lines)
+
+    @property
+    def is_cut_off_only(self) -> bool:
+        """Whether nothing is wrong but that the end is missing."""
+        return all(each.code == END for each in self.damages)
 
     def line_of(self, index: int) -> int:
         """The number of the line in which an event stands, from 1; of one more, the line behind the last."""
@@ -96,7 +108,7 @@ class Recording:
         return self._lines[-1] + 1 if self._lines else 1
 
     def _look_through(self) -> None:
-        place, is_first = 0, True
+        place, is_first, number = 0, True, 0
         for number, (size, line) in enumerate(_lines(self._file), 1):
             if is_first:
                 self._take_header(line)
@@ -107,26 +119,42 @@ class Recording:
             if len(self._places) >= MOST_EVENTS:
                 self._damage("too-many", number)
                 break
+        if self._running and not self._was_just_told(number + 1):
+            self._damage(END, number + 1)
         if not self._places and self.header is None:
             raise NoRecordingError
 
     def _take_header(self, line: bytes | None) -> None:
         with suppress(DamagedLineError, UnicodeDecodeError, KeyError, TypeError):
             if line is not None:
-                self.header = _header(parse_line(line.decode("utf-8")))
+                record = parse_line(line.decode("utf-8"))
+                self.is_newer = _is_newer(record)
+                self.header = _header(record)
 
     def _take(self, number: int, place: int, line: bytes | None, is_first: bool) -> None:
         stamped = _event(line) if line is None or len(line) <= LONGEST_LINE else None
         if stamped is None:
-            self._damage("header" if is_first else "line", number)
+            self._damage(self._kind_of_damage(line, is_first), number)
             return
         if is_first:
             self._damage("no-header", number)
         if stamped.seq > self._last_seq + 1 and not self._was_just_told(number):
             self._damage("missing", number, stamped.seq - self._last_seq - 1)
         self._last_seq = stamped.seq
+        self._note_run(stamped)
         self._places.append(place)
         self._lines.append(number)
+
+    def _kind_of_damage(self, line: bytes | None, is_first: bool) -> str:
+        if is_first:
+            return "newer" if self.is_newer else "header"
+        return END if line is not None and not line.endswith(b"\n") else "line"
+
+    def _note_run(self, stamped: Stamped) -> None:
+        if isinstance(stamped.event, RunStarted):
+            self._running.add(stamped.robot)
+        elif isinstance(stamped.event, RunEnded | Reset):
+            self._running.discard(stamped.robot)
 
     def _was_just_told(self, number: int) -> bool:
         """Whether the line before was damaged, so that what is missing is no news."""
@@ -184,6 +212,11 @@ def _event(line: bytes | None) -> Stamped | None:
         return None if line is None else event_of(parse_line(line.decode("utf-8", "surrogatepass")))
     except (DamagedLineError, UnicodeDecodeError):
         return None
+
+
+def _is_newer(record: Mapping[str, object]) -> bool:
+    number = record.get(KEY)
+    return type(number) is int and number > FORMAT
 
 
 def _header(record: Mapping[str, object]) -> Header | None:

@@ -203,6 +203,68 @@ def test_a_replay_at_a_speed_keeps_the_order_and_stops_at_a_signal(here: Here) -
     assert running.returncode == 130
 
 
+def test_a_replay_writes_the_events_of_the_run(here: Here) -> None:
+    (here.folder / "a.gd").write_text(PROGRAM, encoding="utf-8")
+    run = here.donnie("run", "a.gd", "--record", "a.rec", "--events", "-")
+
+    assert here.replay("--events", "-") == run.out
+    told = here.replay("--events", "b.jsonl")
+    assert "olá" in told
+    assert (here.folder / "b.jsonl").read_text(encoding="utf-8").splitlines() == run.out
+
+
+@pytest.mark.parametrize(
+    "option", ["--world=maze", "--robot=double", "--seed=3", "--belt=/dev/null", "--record=b.rec"]
+)
+def test_an_option_that_can_do_nothing_is_refused(here: Here, option: str) -> None:
+    here.record("SPEAK 1")
+
+    name = option.partition("=")[0]
+    sentence = f"A replay tells what has happened: {name} does nothing here."
+    assert here.replay(option, code=2, err=[sentence]) == []
+    assert not (here.folder / "b.rec").exists()
+
+
+@pytest.mark.parametrize(
+    "options",
+    [
+        ("--check", "--map"),
+        ("--check", "--step"),
+        ("--check", "--backwards"),
+        ("--check", "--speed", "2"),
+        ("--check", "--from", "2"),
+        ("--check", "--events", "b.jsonl"),
+        ("--step", "--events", "-"),
+        ("--backwards", "--events", "-"),
+    ],
+    ids=" ".join,
+)
+def test_two_ways_at_once_are_refused(here: Here, options: tuple[str, ...]) -> None:
+    here.record("SPEAK 1")
+
+    assert here.replay(*options, code=2, err=[f"{options[1]} and {options[0]} do not go together."]) == []
+
+
+def test_a_replay_never_writes_onto_what_it_reads(here: Here) -> None:
+    here.record("SPEAK 1")
+
+    here.replay(
+        "--events",
+        "a.rec",
+        code=2,
+        err=["--events would overwrite a.rec, which is read here. Give another name."],
+    )
+
+
+def test_a_recording_of_a_newer_format_is_told_as_far_as_it_is_known(here: Here) -> None:
+    here.record("SPEAK 1")
+    first = (here.folder / "a.rec").read_bytes().splitlines(keepends=True)[0]
+    here.spoil({1: first.replace(b'"donnie_recording":1', b'"donnie_recording":2')})
+    newer = "This recording is of a newer Donnie: there is no map, and some of it may be missing."
+
+    assert here.replay(err=[newer]) == ["1"]
+
+
 # --- running it again
 
 
@@ -312,7 +374,34 @@ def test_a_recording_cut_anywhere_has_all_that_is_whole(here: Here) -> None:
         rest = cut.rpartition(b"\n")[2]
         is_whole = rest in (line.rstrip(b"\n") for line in lines)
         assert len(recording.events) == cut.count(b"\n") + is_whole
-        assert len(recording.damages) == (1 if rest and not is_whole else 0)
+        if 0 < len(recording.events) < len(lines):
+            first_missing = len(recording.events) + 2
+            assert [(each.code, each.line) for each in recording.damages] == [("end", first_missing)]
+        elif len(recording.events) == len(lines) or not rest:
+            assert recording.damages == []
+
+
+def test_a_killed_run_is_told_as_far_as_it_was_recorded_and_that_its_end_is_missing(here: Here) -> None:
+    (here.folder / "a.gd").write_text("FW 3 SPEAK 1 WAIT 1000")
+    running = start(here.folder, "run", "a.gd", *QUIET, "--speed", "50", "--record", "a.rec")
+    assert running.stdout is not None
+    while running.stdout.readline() != b"1\n":
+        pass
+    running.kill()
+    running.communicate(timeout=PATIENCE)
+
+    lines = (here.folder / "a.rec").read_bytes().count(b"\n")
+    missing = f"The end of the recording is missing, from line {lines + 1} on."
+    assert here.replay(err=[missing])[:2] == ["I walked 3 steps forward.", "1"]
+    assert here.replay("--backwards", err=[missing])[-1] == "Back: start of a.gd."
+    assert here.replay("--check", err=[missing])[0].endswith("where it was stopped.")
+
+
+def test_a_session_in_which_nothing_runs_any_more_lacks_no_end(here: Here) -> None:
+    typed = "FW 1\n\nRESET\nFW 1\n\nRESET\n"
+    donnie(here.folder, "--linear", *QUIET, "--speed", "max", "--record", "a.rec", typed=typed)
+    with (here.folder / "a.rec").open("rb") as file:
+        assert Recording(file).damages == []
 
 
 @pytest.mark.parametrize(

@@ -87,9 +87,9 @@ SENTENCES: dict[str, Sentence] = {
         "Programa un robot en GoDonnie, con el oído, el tacto y la vista.",
     ),
     "usage-commands": Sentence(
-        "Commands: {commands}. Each has its own --help. A file of that name runs as ./NAME.",
-        "Comandos: {commands}. Cada um tem seu --help. Um arquivo com esse nome: ./NOME.",
-        "Órdenes: {commands}. Cada una tiene su --help. Un archivo con ese nombre: ./NOMBRE.",
+        "Commands, each with its own --help. A file of that name runs as ./NAME.",
+        "Comandos, cada um com seu --help. Um arquivo com esse nome: ./NOME.",
+        "Órdenes, cada una con su --help. Un archivo con ese nombre: ./NOMBRE.",
     ),
     "usage-run": Sentence(
         "Run a program without asking anything.",

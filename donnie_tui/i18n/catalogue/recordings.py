@@ -49,6 +49,11 @@ SENTENCES: dict[str, Sentence] = {
         "A linha {line}, o começo, está danificada: não há mapa.",
         "La línea {line}, el comienzo, está dañada: no hay mapa.",
     ),
+    "damaged-newer": Sentence(
+        "This recording is of a newer Donnie: there is no map, and some of it may be missing.",
+        "Esta gravação é de um Donnie mais novo: não há mapa, e algo pode faltar.",
+        "Esta grabación es de un Donnie más nuevo: no hay mapa, y puede faltar algo.",
+    ),
     "damaged-no-header": Sentence(
         "The beginning is missing: there is no map.",
         "Falta o começo: não há mapa.",
@@ -58,6 +63,11 @@ SENTENCES: dict[str, Sentence] = {
         "Before line {line}, {count} {count:event is|events are} missing.",
         "Antes da linha {line} {count:falta|faltam} {count} {count:evento|eventos}.",
         "Antes de la línea {line} {count:falta|faltan} {count} {count:evento|eventos}.",
+    ),
+    "damaged-end": Sentence(
+        "The end of the recording is missing, from line {line} on.",
+        "Falta o fim da gravação, a partir da linha {line}.",
+        "Falta el final de la grabación, desde la línea {line}.",
     ),
     "damaged-too-many": Sentence(
         "The recording is too long. I read it up to line {line}.",
@@ -69,6 +79,16 @@ SENTENCES: dict[str, Sentence] = {
         "There is no event {number}. The last one is {last}.",
         "Não há evento {number}. O último é {last}.",
         "No hay evento {number}. El último es {last}.",
+    ),
+    "replay-fixed": Sentence(
+        "A replay tells what has happened: {option} does nothing here.",
+        "Uma gravação conta o que aconteceu: {option} não faz nada aqui.",
+        "Una grabación cuenta lo que pasó: {option} no hace nada aquí.",
+    ),
+    "options-not-together": Sentence(
+        "{option} and {other} do not go together.",
+        "{option} e {other} não combinam.",
+        "{option} y {other} no van juntas.",
     ),
     "replay-steps": Sentence(
         "{events} {events:event|events}. Enter steps on, BACK steps back.",

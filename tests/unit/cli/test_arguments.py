@@ -55,6 +55,20 @@ def test_what_can_not_be_understood_is_wrong_usage(line: str) -> None:
 
 
 @pytest.mark.parametrize("language", ["en", "pt", "es"])
+def test_help_names_every_command_with_what_it_is_for(
+    language: str, capsys: pytest.CaptureFixture[str]
+) -> None:
+    words = Words(language)
+    with pytest.raises(SystemExit):
+        understand(["--help"], words)
+
+    told = capsys.readouterr().out.splitlines()
+    for command in (each for each in COMMANDS if each not in TO_COME):
+        assert any(line.startswith(f"{command}: {words(f'usage-{command}')[:30]}") for line in told), command
+    assert not any(line.startswith(TO_COME) for line in told)
+
+
+@pytest.mark.parametrize("language", ["en", "pt", "es"])
 @pytest.mark.parametrize("command", ["", *(each for each in COMMANDS if each not in TO_COME)])
 def test_help_is_there_for_every_command_in_every_language(
     command: str, language: str, capsys: pytest.CaptureFixture[str]
