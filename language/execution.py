@@ -22,22 +22,13 @@ from language.levels import Level, Levels, variables_in
 from language.runnable import MOST_FRAMES, Trace
 from language.runtime import Actions, Frame, Memory
 from language.stack import DEEPEST_CALL, first_link
-from language.statements import EARLIER, PARAMETER
+from language.statements import EARLIER, PARAMETER, WANTED
 from language.syntax import Axis
 from language.units import Unit
 from language.warming import warm_up
 
 _ACTIONS = tuple(name for name in vars(Actions) if not name.startswith("_"))
 """What the translated code calls by its own name."""
-
-
-class _AnyOf(frozenset[int]):
-    """Lines that the translated code compares with its own line: equal to each of them."""
-
-    def __eq__(self, line: object) -> bool:
-        return line in self
-
-    __hash__ = frozenset.__hash__
 
 
 class Execution:
@@ -66,6 +57,8 @@ class Execution:
         """With how many arguments each procedure is called."""
         for name, count in frozenset[tuple[str, int]]().union(*(unit.calls for unit in units)):
             self._counts[name].add(count)
+        self._wanted = {line: f"{WANTED}{line}" for unit in units for line in unit.lines}
+        """For each line at which it can be held, the name of what says whether it is."""
         self._globals = self._make_globals()
         self._bind_earlier()
 
@@ -120,9 +113,9 @@ class Execution:
         return {
             "flag": False,
             "hook": None,
-            "near": DEEPEST_CALL,
-            "wanted": _AnyOf(),
+            **dict.fromkeys(self._wanted.values()),
             "check": self._check,
+            "stop": _stop,
             "checked": checked,
             "divide": divide,
             "turns": _turns,
@@ -160,22 +153,34 @@ class Execution:
     def _set_hook(self, state: ControlState) -> None:
         """What to call before which statements; as few as possible unless all are traced."""
         lines = self._control.holds_on_lines()
-        near = DEEPEST_CALL
+        near: int | None = DEEPEST_CALL
         if self._trace is None and state in (ControlState.RUNNING, ControlState.RUNNING_TO):
-            near = -1
+            near = None
         elif self._trace is None and state is ControlState.STEPPING_OVER:
             near = int(min(self._control.holds_to_depth(), DEEPEST_CALL))
+        wanted = dict.fromkeys(self._wanted.values(), near)
+        wanted |= {self._wanted[line]: DEEPEST_CALL for line in lines & self._wanted.keys()}
         looks_away = state is ControlState.RUNNING and not lines
-        self._globals.update(near=near, wanted=_AnyOf(lines), hook=self._trace if looks_away else self._visit)
+        self._globals.update(wanted, hook=self._trace if looks_away else self._visit)
 
-    def _visit(self, line: int, column: int, depth: int) -> None:
-        self._control.reached(line, depth, column)
+    def _visit(self, line: int, column: int, depth: int) -> bool:
+        """Before a statement that is wanted. Whether the program must end."""
+        if self._must_end(line, depth, column):
+            return True
         if self._trace is not None:
             self._trace(line, column, depth)
+        return False
 
-    def _check(self) -> None:
-        """Something is wanted at a checkpoint."""
-        self._control.reached(self._levels.around(sys._getframe(1)).line, 0)
+    def _check(self) -> bool:
+        """Something is wanted at a checkpoint. Whether the program must end."""
+        return self._must_end(self._levels.around(sys._getframe(1)).line, 0)
+
+    def _must_end(self, line: int, depth: int, column: int = 0) -> bool:
+        try:
+            self._control.reached(line, depth, column)
+        except Stopped:
+            return True
+        return False
 
     # --- procedures
 
@@ -226,6 +231,10 @@ class Execution:
 def _turns(times: int) -> Iterator[object]:
     """Counts turns without making a number of each."""
     return iter(range(times)) if times > sys.maxsize else repeat(None, max(times, 0))
+
+
+def _stop() -> NoReturn:
+    raise Stopped
 
 
 def _leave() -> NoReturn:

@@ -8,8 +8,11 @@ link of the open calls (``stack``).
 The program is interruptible at the end of each turn of a loop, at each call and after each command: the
 global ``flag`` is true when anything is wanted. Asking it is four times as cheap as drawing from a shared
 iterator. The compilation for stepping asks before each statement instead, and for a loop's own line once
-more after each of its turns: ``hook`` is None if nothing is wanted, and called where no more than ``near``
-calls are open or where the line is ``wanted``.
+more after each of its turns: each line has a global of its own, ``w_`` and its number, that is None if
+nothing is wanted there, or else the number of open calls up to which ``hook`` is to be called.
+
+A procedure that is stopped returns True, and what called it does the same: that is many times as fast as
+an exception that goes through thousands of open calls. Only the program itself raises it.
 """
 
 from __future__ import annotations
@@ -19,7 +22,6 @@ from types import CodeType
 
 from language.building import (
     Sites,
-    any_of,
     assign,
     both,
     call,
@@ -56,6 +58,9 @@ from language.syntax import (
     While,
 )
 from language.units import Header, Unit
+
+WANTED = "w_"
+"""What the global that says whether a line is wanted begins with."""
 
 OWNER = "o_"
 """What the Python name of a variable's declaration begins with."""
@@ -103,6 +108,7 @@ class ScopeTranslator:
         self._outlined: set[str] = set()
         self._headers: list[Header] = []
         self._calls: set[tuple[str, int]] = set()
+        self._lines: set[int] = set()
 
     def unit(self) -> Unit:
         code = self._code()
@@ -113,6 +119,7 @@ class ScopeTranslator:
             tuple(self._sites.nodes),
             tuple(self._headers),
             frozenset(self._calls),
+            frozenset(self._lines),
         )
 
     # --- the function
@@ -145,7 +152,7 @@ class ScopeTranslator:
         for name in sorted(self._clashing):
             owner = EARLIER if name in self._stored else PARAMETER if name in parameters else 0
             beginning.append(assign(site, OWNER + name, constant(site, owner)))
-        return beginning if self._hooked else [_checkpoint(site), *beginning]
+        return beginning if self._hooked else [self._checkpoint(site), *beginning]
 
     # --- statements
 
@@ -313,23 +320,41 @@ class ScopeTranslator:
             names = sorted(_stored_names(loop))
             self._outlined |= set(names)
             declared = [outer(site, names)] if names else []
-            loop = [function(site, "loop", (), [*declared, *loop]), do(site, call(site, "loop"))]
+            loop = [function(site, "loop", (), [*declared, *loop]), self._called(site, "loop")]
         self._out += loop
 
     def _turn(self, loop: Statement, site: int | None = None) -> list[ast.stmt]:
         """The end of a turn: look whether anything is wanted."""
         site = site or self._sites.new(loop)
-        return [self._hook(site, loop)] if self._hooked else [_checkpoint(site)]
+        return [self._hook(site, loop)] if self._hooked else [self._checkpoint(site)]
 
     def _hook(self, site: int, statement: Statement) -> ast.stmt:
-        """``if hook is not None and (wanted == line or depth <= near): hook(line, column, depth)``."""
+        """``if w_line is not None and depth <= w_line and hook(line, column, depth): (end)``."""
+        self._lines.add(statement.span.line)
+        name = f"{WANTED}{statement.span.line}"
         line, column = constant(site, statement.span.line), constant(site, statement.span.column)
-        depth = constant(site, 0) if self._scope.procedure is None else element(site, "d", 0)
-        exists = compare(site, load(site, "hook"), ("is not", constant(site, None)))
-        is_wanted = compare(site, load(site, "wanted"), ("==", line))
-        is_near = compare(site, depth, ("<=", load(site, "near")))
-        test = both(site, exists, any_of(site, is_wanted, is_near))
-        return when(site, test, [do(site, call(site, "hook", line, column, depth))])
+        is_wanted = compare(site, load(site, name), ("is not", constant(site, None)))
+        if self._scope.procedure is None:
+            is_near, depth = [], constant(site, 0)
+        else:
+            depth = element(site, "d", 0)
+            is_near = [compare(site, depth, ("<=", load(site, name)))]
+        test = both(site, is_wanted, *is_near, call(site, "hook", line, column, depth))
+        return when(site, test, [self._end(site)])
+
+    def _checkpoint(self, site: int) -> ast.stmt:
+        """``if flag and check(): (end)``."""
+        return when(site, both(site, load(site, "flag"), call(site, "check")), [self._end(site)])
+
+    def _called(self, site: int, name: str, *arguments: ast.expr) -> ast.stmt:
+        """``if name(...) is not None: (end)``."""
+        ended = compare(site, call(site, name, *arguments), ("is not", constant(site, None)))
+        return when(site, ended, [self._end(site)])
+
+    def _end(self, site: int) -> ast.stmt:
+        if self._scope.procedure is None:
+            return do(site, call(site, "stop"))
+        return give_back(site, constant(site, True))
 
     # --- procedures and commands
 
@@ -352,15 +377,11 @@ class ScopeTranslator:
         self._calls.add((name, len(arguments)))
         values = self._expressions.values(arguments)
         deeper = element(site, "d", 1)
-        self._add(do(site, call(site, f"p_{name}_{len(arguments)}", deeper, *values)))
+        self._add(self._called(site, f"p_{name}_{len(arguments)}", deeper, *values))
 
     def _command(self, site: int, statement: Statement) -> None:
         action = command(site, statement, self._expressions, self._scope.program, terminal=self._terminal)
-        self._add(do(site, action), _checkpoint(site))
-
-
-def _checkpoint(site: int) -> ast.stmt:
-    return when(site, load(site, "flag"), [do(site, call(site, "check"))])
+        self._add(do(site, action), self._checkpoint(site))
 
 
 def _nothing(site: int) -> ast.stmt:

@@ -31,6 +31,8 @@ class Unit:
     headers: tuple[Header, ...]
     calls: frozenset[tuple[str, int]]
     """What is called, with how many arguments."""
+    lines: frozenset[int]
+    """Where a statement begins before which it can be held; none unless it was compiled with hooks."""
 
     @property
     def typed_name(self) -> str:

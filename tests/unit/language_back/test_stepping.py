@@ -221,6 +221,29 @@ def test_breakpoints_count_besides_a_line_to_run_to_and_in_a_procedure_stepped_o
     ]
 
 
+def test_on_the_way_to_a_line_nothing_is_asked_before_the_others() -> None:
+    """So it runs as fast as if nothing were wanted."""
+    control = Asked()
+    control.run_to(10)
+    control.observe(lambda state: control.resume() if state is ControlState.PAUSED else None)
+
+    hooked(read(PROGRAM)).run(Recorder(), control, Memory())
+
+    assert set(control.asked) == {10}
+
+
+class Asked(ExecutionControl):
+    """Keeps the lines before which it was asked."""
+
+    def __init__(self) -> None:
+        super().__init__()
+        self.asked: list[int] = []
+
+    def reached(self, line: int, depth: int, column: int = 0) -> None:
+        self.asked.append(line)
+        super().reached(line, depth, column)
+
+
 @steppable
 def test_where_a_program_is_held_is_known_to_the_column(make: Make) -> None:
     held = []

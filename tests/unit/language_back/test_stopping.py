@@ -3,13 +3,16 @@
 from __future__ import annotations
 
 import threading
+import traceback
+from types import TracebackType
 
 import pytest
 
 from language.control import ControlState, ExecutionControl
 from language.diagnostics import LanguageError, Stopped
+from language.levels import Level, Levels
 from language.runtime import Memory
-from tests.unit.language_back.recorder import BACK_ENDS, Make, Recorder, read, run
+from tests.unit.language_back.recorder import BACK_ENDS, Make, Recorder, fast, hooked, read, run
 
 back_ends = pytest.mark.parametrize("make", BACK_ENDS.values(), ids=BACK_ENDS.keys())
 PATIENCE = 20.0
@@ -51,6 +54,35 @@ def test_a_stop_ends_what_would_never_end(make: Make, endless: str) -> None:
     assert errors == [Stopped]
     assert memory.variables["kept"] == 3
     assert "i" not in memory.variables
+
+
+DEEP = "PROCEDURE P: n DO IF n > 0 THEN P [n - 1] ELSE SPEAK n END IF END PROCEDURE P [9000] SPEAK 7"
+DEEP_LOOPS = (
+    f"PROCEDURE P: n DO {'REPEAT 1 TIMES ' * 40} SPEAK n {'END REPEAT ' * 40} END PROCEDURE P [0] SPEAK 7"
+)
+
+
+@pytest.mark.parametrize("source", [DEEP, DEEP_LOOPS], ids=["calls", "loops"])
+@pytest.mark.parametrize("make", [fast, hooked], ids=["fast", "hooked"])
+def test_a_stop_leaves_open_calls_without_an_exception_through_each(
+    make: Make, source: str, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """Which would take many times as long."""
+    seen: list[int] = []
+
+    def outermost(levels: Levels, raised: TracebackType | None) -> list[Level]:
+        seen.append(len(list(traceback.walk_tb(raised))))
+        return levels.of_traceback(raised)
+
+    monkeypatch.setattr(Levels, "outermost", outermost)
+    control = ExecutionControl()
+    recorder = Recorder(before=lambda _: control.stop())
+
+    with pytest.raises(Stopped):
+        make(read(source)).run(recorder, control, Memory())
+
+    assert seen == [3], "the run, the program, and what ends it"
+    assert recorder.done == [("speak", 0)]
 
 
 @back_ends
