@@ -10,11 +10,13 @@ from random import Random
 from devices.ports.robot import (
     STEP,
     Bearing,
+    Grip,
     Gripped,
     Motion,
     Moved,
     Pace,
     Pose,
+    Pushed,
     Sighting,
     StoppedBy,
     Turned,
@@ -133,7 +135,7 @@ class SimulatedRobot:
             movement = Bend(self._vehicle, motion, abs(degrees), rate, sign, rates.bend)
         turned, stopped_by = self._run(movement)
         met = self._meeting.turning(self._vehicle.here.truth, stopped_by)
-        return Turned(degrees, -sign * turned, stopped_by, self.pose(), met)
+        return Turned(degrees, -sign * turned, stopped_by, self.pose(), met, self._pushed())
 
     def wait(self, seconds: float) -> bool:
         asked = max(0.0, seconds)
@@ -164,13 +166,13 @@ class SimulatedRobot:
         """Take the thing between the paddles, or a step before them. RobotProblem ``no-gripper``."""
         self._clock.begin()
         outcome = self._vehicle.grip()
-        return Gripped(outcome, self._name_of(self.holds))
+        return self._gripped(outcome, self.holds)
 
     def release(self) -> Gripped:
         """Let go what is held; it stays there. RobotProblem ``no-gripper``."""
         self._clock.begin()
         held = self.holds
-        return Gripped(self._vehicle.release(), self._name_of(held))
+        return self._gripped(self._vehicle.release(), held)
 
     def halt(self) -> None:
         self._clock.halt()
@@ -187,10 +189,25 @@ class SimulatedRobot:
             return Moved(steps, steps, None, self.pose())
         walked, stopped_by = self._run(Walk(self._vehicle, motion, steps, rate))
         met = self._meeting.walking(self._vehicle.here.truth, turned, stopped_by)
-        return Moved(steps, walked, stopped_by, self.pose(), met)
+        return Moved(steps, walked, stopped_by, self.pose(), met, self._pushed())
 
     def _run(self, movement: Movement) -> Going:
+        self._vehicle.pushed.clear()
         return movement.run() if self._clock.begin() else (0, StoppedBy.USER)
+
+    def _pushed(self) -> tuple[Pushed, ...]:
+        """What the last movement pushed."""
+        return tuple(self._as_pushed(root, metres) for root, metres in self._vehicle.pushed.items())
+
+    def _as_pushed(self, root: int, metres: float) -> Pushed:
+        model = self._ground.scene.models[root]
+        return Pushed(model.kind, self._name_of(root), model.colour.family, metres / STEP)
+
+    def _gripped(self, outcome: Grip, root: int | None) -> Gripped:
+        if root is None:
+            return Gripped(outcome)
+        model = self._ground.scene.models[root]
+        return Gripped(outcome, self._name_of(root), model.kind, model.colour.family)
 
     def _sighting(self, seen: Seen) -> Sighting:
         return Sighting(

@@ -45,6 +45,8 @@ class Vehicle:
         self._jumps = -1
         self.quicken()
         self.odometry = Odometry()
+        self.pushed: dict[int, float] = {}
+        """Roots of things that the movement has pushed so far, and how many metres."""
         self._leaps = False
         self.here = self._at_start()
 
@@ -143,6 +145,8 @@ class Vehicle:
 
     def take_along(self, advance: Advance, angle: float) -> None:
         """Move what the way pushes."""
+        for root, metres in advance.pushed:
+            self.pushed[root] = self.pushed.get(root, 0.0) + metres
         self._pushing.take_along(advance, angle)
 
     def show(self) -> None:

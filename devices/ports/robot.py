@@ -74,6 +74,19 @@ class Met:
 
 
 @frozen
+class Pushed:
+    """A thing that a movement pushed along."""
+
+    kind: str
+    """What it is in its world, such as ``cone``."""
+    name: str
+    """Its own name in its world, or an empty string."""
+    colour: str
+    """An English colour word of the language."""
+    steps: float
+
+
+@frozen
 class Moved:
     """A finished walk. ``asked`` and ``walked`` are whole steps, in the direction of the command."""
 
@@ -82,6 +95,8 @@ class Moved:
     stopped_by: StoppedBy | None
     pose: Pose
     met: Met | None = None
+    pushed: tuple[Pushed, ...] = ()
+    """In the order in which they were met."""
 
 
 @frozen
@@ -93,6 +108,8 @@ class Turned:
     stopped_by: StoppedBy | None
     pose: Pose
     met: Met | None = None
+    pushed: tuple[Pushed, ...] = ()
+    """By a car, which drives its turns."""
 
 
 @frozen
@@ -125,6 +142,9 @@ class Gripped:
 
     outcome: Grip
     name: str = ""
+    kind: str = ""
+    """What the thing is in its world, and its colour; empty where there is none."""
+    colour: str = ""
 
 
 class RobotProblem(Exception):

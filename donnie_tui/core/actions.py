@@ -144,7 +144,7 @@ class RobotActions:
             done = go(max(0, steps))
         except RobotProblem as problem:
             raise _refused(problem) from None
-        event = Moved(command, steps, done.walked, done.stopped_by, done.pose, forward, done.met)
+        event = Moved(command, steps, done.walked, done.stopped_by, done.pose, forward, done.met, done.pushed)
         self.past.remember(event)
         self._hub.publish(event)
         self.handling.tell_things()
@@ -158,7 +158,7 @@ class RobotActions:
         except RobotProblem as problem:
             raise _refused(problem) from None
         turned = done.turned if right else -done.turned
-        event = Turned(command, degrees, turned, done.stopped_by, done.pose, right, done.met)
+        event = Turned(command, degrees, turned, done.stopped_by, done.pose, right, done.met, done.pushed)
         self.past.remember(event)
         self._hub.publish(event)
         self.handling.tell_things()

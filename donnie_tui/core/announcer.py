@@ -8,9 +8,8 @@ from __future__ import annotations
 
 from typing import assert_never
 
-from devices.ports.robot import Met, Pose, StoppedBy
+from devices.ports.robot import Met, Pose, Pushed, StoppedBy
 from donnie_tui.core import numbers
-from donnie_tui.core.describe import called
 from donnie_tui.core.events import (
     Announced,
     Answered,
@@ -39,10 +38,15 @@ from donnie_tui.core.events import (
     Waited,
 )
 from donnie_tui.core.hub import Hub
+from donnie_tui.core.naming import called, the_coloured
 from donnie_tui.core.telling import Teller
 from donnie_tui.core.wording import Wording
 
 _SIDES = ("front", "front-right", "right", "back-right", "back", "back-left", "left", "front-left")
+LEAST_PUSH = 0.1
+"""Steps; who comes up to a thing touches it, and that is no push."""
+MOST_PUSHED = 3
+"""Things that are told one by one."""
 _OF_NO_WORLD = ("wall", "robot")
 """Kinds of what was met that are no things of a world."""
 
@@ -75,9 +79,8 @@ class Announcer:
                 self._scanned(groups)
             case SoundSwitched(on=on):
                 self._teller.announce("sound", "sound-on" if on else "sound-off")
-            case GripperUsed(outcome=outcome, thing=thing):
-                named = "" if thing else "-something"
-                self._teller.announce("gripper", f"gripper-{outcome.value}{named}", thing=thing)
+            case GripperUsed() as used:
+                self._gripped(used)
             case Link(state=state, reason=reason):
                 self._teller.announce("link", f"link-{state}", reason=reason)
             case Error():
@@ -110,6 +113,7 @@ class Announcer:
         self._bumped(moved.stopped_by, ahead)
         self._teller.announce("moved", _with_reason(f"walked-{way}", moved.stopped_by), steps=moved.walked)
         self._tell_met("moved", moved.met)
+        self._tell_pushed(moved.pushed)
         if moved.walked:
             self._tell_place("moved", moved.pose)
 
@@ -121,8 +125,28 @@ class Announcer:
             "turned", _with_reason(f"turned-{side}", turned.stopped_by), degrees=abs(turned.turned)
         )
         self._tell_met("turned", turned.met)
+        self._tell_pushed(turned.pushed)
         if turned.turned:
             self._tell_place("turned", turned.pose)
+
+    def _gripped(self, used: GripperUsed) -> None:
+        """What is held, as the learner calls it."""
+        kind, name = used.kind, used.thing
+        thing = the_coloured(kind, name, used.colour, self._say) if used.colour and (name or kind) else name
+        named = "" if thing else "-something"
+        self._teller.announce("gripper", f"gripper-{used.outcome.value}{named}", thing=thing)
+
+    def _tell_pushed(self, pushed: tuple[Pushed, ...]) -> None:
+        """What gave way, or somebody who sees nothing would look for it where it was."""
+        if self._say.detail == "brief":
+            return
+        felt = tuple(each for each in pushed if each.steps >= LEAST_PUSH)
+        for each in felt[:MOST_PUSHED]:
+            thing, steps = the_coloured(each.kind, each.name, each.colour, self._say), round(each.steps)
+            code = "pushed" if steps else "pushed-little"
+            self._teller.announce("pushed", code, thing=thing, steps=steps)
+        if len(felt) > MOST_PUSHED:
+            self._teller.announce("pushed", "pushed-more", count=len(felt) - MOST_PUSHED)
 
     def _tell_met(self, code: str, met: Met | None) -> None:
         """With what, and on which side; at full in a script too."""

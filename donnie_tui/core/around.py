@@ -12,8 +12,8 @@ from typing import TYPE_CHECKING
 
 from devices.ports.robot import Pose
 from devices.ports.values import frozen
-from donnie_tui.core.describe import name_of
 from donnie_tui.core.map_grid import WALL, MapGrid
+from donnie_tui.core.naming import coloured_thing, name_of
 from donnie_tui.core.wording import Wording
 
 if TYPE_CHECKING:
@@ -78,15 +78,17 @@ def _sector_in_words(
     where = wording(face.codes[sector], hour=sector or 12)
     where = where[:1].upper() + where[1:]
     wall = _steps_to_wall(grid, pose, face.first + sector * 360 / face.sectors)
-    told = [(steps, name_of(thing, wording), thing.colour) for steps, thing in things]
+    told = [(steps, _named(thing, wording)) for steps, thing in things]
     if wall is not None and (told or sector in face.told_when_free):
-        told = sorted([*told, (wall, wording("cell-wall"), "")], key=lambda each: each[0])
-    for steps, name, colour in told:
-        code = "around-thing" if colour else "around-wall"
-        shade = wording(f"colour-{colour}") if colour else ""
-        yield wording(code, where=where, name=name, colour=shade, steps=steps)
+        told = sorted([*told, (wall, wording("cell-wall"))], key=lambda each: each[0])
+    for steps, name in told:
+        yield wording("around-thing", where=where, thing=name, steps=steps)
     if not told and sector in face.told_when_free:
         yield wording("around-free", where=where, steps=RANGE)
+
+
+def _named(thing: Thing, wording: Wording) -> str:
+    return name_of(thing, wording) if wording.detail == "brief" else coloured_thing(thing, wording)
 
 
 def _steps_to_wall(grid: MapGrid, pose: Pose, heading: float) -> int | None:

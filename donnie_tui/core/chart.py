@@ -12,8 +12,8 @@ from typing import TYPE_CHECKING
 
 from devices.ports.robot import Pose
 from devices.ports.values import frozen
-from donnie_tui.core.describe import name_of
 from donnie_tui.core.map_grid import FREE, WALL
+from donnie_tui.core.naming import name_of, shade
 from donnie_tui.core.telling import facing
 from donnie_tui.core.wording import Wording
 
@@ -113,7 +113,7 @@ def _things_legend(things: Iterable[Thing], wording: Wording) -> dict[str, str]:
     for thing in things:
         letter = thing.letter.lower()
         _add(names.setdefault(letter, []), name_of(thing, wording))
-        _add(colours.setdefault(letter, []), wording(f"colour-{thing.colour}"))
+        _add(colours.setdefault(letter, []), shade(thing, wording))
     return {
         letter: ", ".join((*names[letter][:MOST_COLOURS], *colours[letter][:MOST_COLOURS]))
         for letter in sorted(names)

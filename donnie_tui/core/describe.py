@@ -14,6 +14,7 @@ from typing import TYPE_CHECKING
 
 from devices.ports.robot import Pose
 from donnie_tui.core import numbers
+from donnie_tui.core.naming import coloured, coloured_thing, name_of
 from donnie_tui.core.telling import facing
 from donnie_tui.core.wording import Wording
 
@@ -120,46 +121,27 @@ def _counted(others: Sequence[Thing], wording: Wording) -> tuple[str, ...]:
     """The things that are not told one by one: how many, and of which kinds most."""
     if not others:
         return ()
-    kinds = Counter((_kind_of(each, wording), each.colour) for each in others)
+    kinds = Counter(coloured(each.kind, "", each.colour, wording) for each in others)
     return (
         wording("world-more-things", count=len(others)),
         *(
-            wording("world-more-of-kind", count=count, name=name, colour=wording(f"colour-{colour}"))
-            for (name, colour), count in kinds.most_common(MOST_KINDS)
+            wording("world-more-of-kind", count=count, thing=thing)
+            for thing, count in kinds.most_common(MOST_KINDS)
         ),
     )
 
 
 def _thing(thing: Thing, pose: Pose, wording: Wording, where: _PlaceOf) -> str:
-    name = name_of(thing, wording)
+    brief = wording.detail == "brief"
+    told = name_of(thing, wording) if brief else coloured_thing(thing, wording)
     width, depth = round(thing.width), round(thing.depth)
     return wording(
         "world-large-thing" if max(width, depth) >= LONG else "world-thing",
-        name=name[:1].upper() + name[1:],
-        colour=wording(f"colour-{thing.colour}"),
+        thing=told[:1].upper() + told[1:],
         width=width,
         depth=depth,
         place=where(thing.x, thing.y, pose, wording),
     )
-
-
-def name_of(thing: Thing, wording: Wording) -> str:
-    """A robot's own name; a thing's kind in the learner's language where it is one of our worlds'."""
-    if thing.is_robot and thing.name:
-        return thing.name
-    return called(thing.kind, thing.name, wording)
-
-
-def called(kind: str, name: str, wording: Wording) -> str:
-    """The kind of a thing in the learner's language, else what its world calls it."""
-    try:
-        return wording(f"thing-{kind}")
-    except KeyError:
-        return name or kind
-
-
-def _kind_of(thing: Thing, wording: Wording) -> str:
-    return called(thing.kind, "", wording)
 
 
 def place_of(x: float, y: float, pose: Pose, wording: Wording) -> str:

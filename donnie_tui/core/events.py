@@ -13,7 +13,7 @@ from dataclasses import field
 from enum import Enum
 from typing import ClassVar, TypeAlias
 
-from devices.ports.robot import Grip, Met, Pose, StoppedBy
+from devices.ports.robot import Grip, Met, Pose, Pushed, StoppedBy
 from devices.ports.values import frozen
 
 
@@ -93,6 +93,7 @@ class Moved:
     forward: bool = field(metadata={"private": True})
     met: Met | None = field(default=None, metadata={"private": True})
     """What stopped it, where that is known."""
+    pushed: tuple[Pushed, ...] = field(default=(), metadata={"private": True})
 
 
 @frozen
@@ -107,6 +108,7 @@ class Turned:
     right: bool = field(metadata={"private": True})
     """Whether the command was a turn to the right."""
     met: Met | None = field(default=None, metadata={"private": True})
+    pushed: tuple[Pushed, ...] = field(default=(), metadata={"private": True})
 
 
 @frozen
@@ -162,6 +164,9 @@ class GripperUsed:
     EVENT: ClassVar[str] = "gripper"
     outcome: Grip
     thing: str
+    kind: str = field(default="", metadata={"private": True})
+    """What it is in its world, and its colour."""
+    colour: str = field(default="", metadata={"private": True})
 
 
 @frozen
@@ -337,7 +342,7 @@ def _plain(value: object, whole: bool) -> object:
             return {key: _plain(each, whole) for key, each in value.items()}
         case tuple():
             return [_plain(each, whole) for each in value]
-        case Pose() | Met() | SeenGroup() | PlacedThing() | HowStarted():
+        case Pose() | Met() | Pushed() | SeenGroup() | PlacedThing() | HowStarted():
             return _fields(value, whole)
         case _:
             return value

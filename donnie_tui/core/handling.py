@@ -48,7 +48,7 @@ class Handling:
         except RobotProblem as problem:
             self._tell.announce("gripper", f"problem-{problem.code}")
             return
-        self._hub.publish(GripperUsed(done.outcome, done.name))
+        self._hub.publish(GripperUsed(done.outcome, done.name, done.kind, done.colour))
         self.tell_things()
 
     def _gripped(self, deed: Deed) -> Gripped:

@@ -2,9 +2,9 @@
 
 from __future__ import annotations
 
-from donnie_tui.core.describe import name_of
 from donnie_tui.core.map_grid import Cell, Kind
 from donnie_tui.core.map_scale import MapScale
+from donnie_tui.core.naming import name_of
 from donnie_tui.core.wording import Wording
 
 MOST = 300

@@ -12,8 +12,9 @@ from string import ascii_lowercase
 from typing import TYPE_CHECKING
 
 from devices.ports.robot import Pose
-from donnie_tui.core.describe import name_of, place_of, things_in_words
+from donnie_tui.core.describe import place_of, things_in_words
 from donnie_tui.core.map_grid import FREE, START, TRAIL, WALL, Bounds, Cell, Kind, MapGrid
+from donnie_tui.core.naming import name_of
 from donnie_tui.core.wording import Wording
 
 if TYPE_CHECKING:

@@ -9,9 +9,10 @@ from __future__ import annotations
 from dataclasses import dataclass, replace
 from math import hypot
 
-from donnie_tui.core.describe import name_of, place_of
+from donnie_tui.core.describe import place_of
 from donnie_tui.core.map_grid import Cell, Kind
 from donnie_tui.core.map_scene import MapScene
+from donnie_tui.core.naming import coloured_thing, name_of
 from donnie_tui.core.wording import Wording
 
 
@@ -85,7 +86,7 @@ def content(scene: MapScene, cell: Cell, wording: Wording) -> str:
         return wording(f"cell-{kind.value}")
     if thing is None:
         return scene.letter(cell)
-    return wording("cell-thing", name=name_of(thing, wording), colour=wording(f"colour-{thing.colour}"))
+    return coloured_thing(thing, wording)
 
 
 def legend(scene: MapScene, wording: Wording) -> tuple[str, ...]:

@@ -9,8 +9,9 @@ from typing import TYPE_CHECKING
 from devices.ports.robot import Pose
 from devices.ports.values import frozen
 from donnie_tui.core import use_cases
-from donnie_tui.core.describe import name_of, place_of
+from donnie_tui.core.describe import place_of
 from donnie_tui.core.map_words import map_in_words
+from donnie_tui.core.naming import name_of, shade
 from donnie_tui.core.reading import ProgramText
 from donnie_tui.core.reports import Section, as_csv, as_html
 from donnie_tui.core.trail import Trail
@@ -87,7 +88,7 @@ def _map(subject: Subject, wording: Wording) -> Section:
     rows = [
         (
             name_of(each, wording),
-            wording(f"colour-{each.colour}"),
+            shade(each, wording),
             round(each.x),
             round(each.y),
             place_of(each.x, each.y, subject.pose, wording),

@@ -28,7 +28,7 @@ from donnie_tui.core.events import (
     Turned,
 )
 
-_TOLD_OF_A_DEED = ("moved", "turned", "scan", "sound", "link", "gripper")
+_TOLD_OF_A_DEED = ("moved", "turned", "scan", "sound", "link", "gripper", "pushed")
 """Announcements that follow an event of their own; all others are what happened themselves."""
 _OF_PROGRESS = ("step-forward", "step-back", "turn-right", "turn-left", "waiting")
 """Cues that come before what they are about has ended."""

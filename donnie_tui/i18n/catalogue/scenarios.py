@@ -56,10 +56,10 @@ SENTENCES: dict[str, Sentence] = {
         ),
     ),
     "world-large-thing": Sentence(
-        "{name}, {colour}, {width} by {depth}: {place}.",
-        "{name}, {colour}, {width} por {depth}: {place}.",
-        "{name}, {colour}, {width} por {depth}: {place}.",
-        brief=("{name}: {place}.", "{name}: {place}.", "{name}: {place}."),
+        "{thing}, {width} by {depth}: {place}.",
+        "{thing}, {width} por {depth}: {place}.",
+        "{thing}, {width} por {depth}: {place}.",
+        brief=("{thing}: {place}.", "{thing}: {place}.", "{thing}: {place}."),
     ),
     "world-more-things": Sentence(
         "{count} more {count:thing is|things are} farther away.",
@@ -67,9 +67,9 @@ SENTENCES: dict[str, Sentence] = {
         "Más lejos hay {count} {count:objeto|objetos} más.",
     ),
     "world-more-of-kind": Sentence(
-        "{count} of them: {name}, {colour}.",
-        "{count} deles: {name}, {colour}.",
-        "{count} de ellos: {name}, {colour}.",
+        "{count} of them: {thing}.",
+        "{count} deles: {thing}.",
+        "{count} de ellos: {thing}.",
     ),
     "place-north": Sentence("{steps} north", "{steps} ao norte", "{steps} al norte"),
     "place-south": Sentence("{steps} south", "{steps} ao sul", "{steps} al sur"),

@@ -48,7 +48,6 @@ _MAP = {
     "cell-ray": Sentence(
         "free, seen by a sensor", "livre, visto por um sensor", "libre, visto por un sensor"
     ),
-    "cell-thing": Sentence("{name}, {colour}", "{name}, {colour}", "{name}, {colour}"),
     "map-way": Sentence(
         "From {from_x}, {from_y} to {x}, {y}: {place}.",
         "De {from_x}, {from_y} até {x}, {y}: {place}.",

@@ -62,16 +62,10 @@ _AROUND = {
         "Ningún objeto hasta {steps} pasos.",
     ),
     "around-thing": Sentence(
-        "{where}: {name}, {colour}, {steps} {steps:step|steps}.",
-        "{where}: {name}, {colour}, {steps} {steps:passo|passos}.",
-        "{where}: {name}, {colour}, {steps} {steps:paso|pasos}.",
-        brief=("{where}: {name}, {steps}.", "{where}: {name}, {steps}.", "{where}: {name}, {steps}."),
-    ),
-    "around-wall": Sentence(
-        "{where}: {name}, {steps} {steps:step|steps}.",
-        "{where}: {name}, {steps} {steps:passo|passos}.",
-        "{where}: {name}, {steps} {steps:paso|pasos}.",
-        brief=("{where}: {name}, {steps}.", "{where}: {name}, {steps}.", "{where}: {name}, {steps}."),
+        "{where}: {thing}, {steps} {steps:step|steps}.",
+        "{where}: {thing}, {steps} {steps:passo|passos}.",
+        "{where}: {thing}, {steps} {steps:paso|pasos}.",
+        brief=("{where}: {thing}, {steps}.", "{where}: {thing}, {steps}.", "{where}: {thing}, {steps}."),
     ),
     "around-free": Sentence(
         "{where}: free, {steps} steps.",

@@ -254,12 +254,7 @@ SENTENCES: dict[str, Sentence] = {
         "{count} {count:objeto|objetos}, o mais perto primeiro.",
         "{count} {count:objeto|objetos}, el más cercano primero.",
     ),
-    "world-thing": Sentence(
-        "{name}, {colour}: {place}.",
-        "{name}, {colour}: {place}.",
-        "{name}, {colour}: {place}.",
-        brief=("{name}: {place}.", "{name}: {place}.", "{name}: {place}."),
-    ),
+    "world-thing": Sentence("{thing}: {place}.", "{thing}: {place}.", "{thing}: {place}."),
     "place-left": Sentence(
         "{steps} left",
         "{steps} à esquerda",

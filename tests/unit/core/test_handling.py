@@ -94,8 +94,8 @@ def test_what_is_held_moves_along_and_where_it_is_is_told() -> None:
     room.use(Deed.RELEASE)
     room.run("BW 1")
 
-    assert "I hold red box." in room.told
-    assert "I let go of red box." in room.told
+    assert "I hold the red box." in room.told
+    assert "I let go of the red box." in room.told
     assert [each.event.outcome.value for each in room.heard if isinstance(each.event, GripperUsed)] == [
         "gripped",
         "released",

@@ -126,7 +126,7 @@ def test_a_name_is_written_beside_its_thing_on_free_floor_only() -> None:
     ("language", "words"),
     [
         ("en", "2, 6: chair, red. 2 right, 5 ahead."),
-        ("pt", "2, 6: cadeira, vermelho. 2 à direita, 5 à frente."),
+        ("pt", "2, 6: cadeira vermelha. 2 à direita, 5 à frente."),
     ],
 )
 def test_the_finger_tells_what_is_there_and_where_that_is_from_the_robot(language: str, words: str) -> None:
