@@ -119,6 +119,11 @@ class Console:
         interrupted, self.interrupted = self.interrupted, False
         return interrupted
 
+    def pressed_interrupt(self) -> bool:
+        """As ``take_interrupt``, one that has just come and woken nobody yet included."""
+        self.wait(0)
+        return self.take_interrupt()
+
     def take_news(self) -> bool:
         """Whether there is something that can't wait, since the last time."""
         has_news, self.has_news = self.has_news, False

@@ -254,7 +254,7 @@ class Desk:
                 return 0
         if self.habits.prompt is Prompt.ANSWER and prompt.endswith(PROMPT) and lines:
             prompt = self._shown_prompt = f"{lines.pop()} "
-        return self._ends.output.show(lines, prompt)
+        return self._ends.output.show(lines, prompt, to_the_end=self.is_hurrying)
 
     def _page_size(self) -> int:
         """Lines that come before somebody is asked for more; 0 if nobody is."""
@@ -318,8 +318,14 @@ class Desk:
             self.hold_newline()
 
     def _show_whole(self, prompt: str, offered: str) -> None:
-        """Print what was told and the prompt; after Ctrl+C, how much was left out and the prompt."""
+        """Print what was told and the prompt; after Ctrl+C, how much was left out and the prompt.
+
+        Where a program was just stopped little is left, and it is where and why: a second Ctrl+C ends no
+        more than its rests.
+        """
         left_out = self.show_told(prompt + offered)
+        if self.is_hurrying:
+            self.console.take_interrupt()
         if left_out:
             self.console.take_interrupt()
             self.answer("answer-left-out", lines=left_out)

@@ -43,16 +43,17 @@ class Output:
         """Enter was pressed: its new line goes out with whatever comes next."""
         self._held = "\n"
 
-    def show(self, lines: list[str], prompt: str = "") -> int:
+    def show(self, lines: list[str], prompt: str = "", *, to_the_end: bool = False) -> int:
         """Print the lines, then the prompt.
 
         Ctrl+C during a rest ends it, without the prompt; the answer is how many lines were not printed.
+        ``to_the_end``: it ends the rests and nothing else.
         """
         block, lines = self._next_block(lines)
         while lines:
             self._write(block, "")
             block, lines = self._next_block(lines)
-            if self._paper.interrupted:
+            if self._paper.interrupted and not to_the_end:
                 return len(block) + len(lines)
         self._write(block, prompt)
         return 0

@@ -189,17 +189,16 @@ class Runs:
                 self.stop()
                 run.wait(LONGEST_STOP)
                 break
-            if self._console.take_interrupt() and not self._stopping:
-                self._left_out += self._told.trim(LARGEST_BLOCK)
-                self._begin_new_line()
-                self._desk.donnie.team.stop()
-                self.stop()
+            if self._console.take_interrupt():
+                self._heed_interrupt()
             elif self._holding.is_held and not self._stopping:
                 self._while_held(run)
             else:
                 self._print_what_comes()
         self._console.stop_at_once = lambda: None
         self._console.before_suspending = lambda: False
+        if self._stopping and self._console.pressed_interrupt():
+            self._heed_interrupt()
         if run.outcome is Outcome.STOPPED and self._console.leaving is None:
             self._tell_stopped()
 
@@ -246,8 +245,16 @@ class Runs:
 
     # --- stopping and pausing
 
+    def _heed_interrupt(self) -> None:
+        """Ctrl+C, which may have stopped the program already: what waits to be printed is left out."""
+        self._left_out += self._told.trim(LARGEST_BLOCK)
+        self._begin_new_line()
+        if not self._stopping:
+            self.stop()
+        self._desk.donnie.team.stop()
+
     def _stop_at_once(self) -> None:
-        """From a signal, while the terminal takes nothing."""
+        """From a signal, while the terminal takes nothing. It is heeded when that is over."""
         if not self._stopping:
             self.stop()
 

@@ -2,9 +2,11 @@
 
 from __future__ import annotations
 
+import fcntl
 import os
 import re
 import signal
+import struct
 import subprocess
 import sys
 import termios
@@ -166,6 +168,22 @@ def test_an_endless_program_that_talks_is_stopped(learner: Learner) -> None:
     learner.sees("Stopped at line ")
     learner.enters('SPEAK "well"', "RUN")
     learner.sees("well\r\n> ")
+
+
+def test_control_c_where_the_terminal_takes_nothing_still_tells_where_it_stopped(tmp_path: Path) -> None:
+    """Ctrl+C arrives in the middle of a write; what then waits is left out, the end of it is told."""
+    (tmp_path / "flood.gd").write_text(f'WHILE 1 == 1 DO\nSPEAK "{"long " * 1000}"\nEND WHILE\n')
+    learner = Learner(tmp_path, "flood.gd")
+    learner.enters("RUN")
+    until(lambda: _unread(learner) > 4000)
+    learner.types(CTRL_C)
+    learner.sees("Stopped at line ")
+
+
+def _unread(learner: Learner) -> int:
+    """Bytes that the terminal holds ready and nobody has read."""
+    (count,) = struct.unpack("i", fcntl.ioctl(learner.child.fileno(), termios.FIONREAD, b"\0" * 4))
+    return int(count)
 
 
 def test_stop_reaches_a_program_past_other_lines_that_wait(learner: Learner) -> None:

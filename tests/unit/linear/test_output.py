@@ -105,3 +105,12 @@ def test_control_c_ends_a_long_answer() -> None:
 
     assert left_out == 22
     assert len(paper.texts) == 1
+
+
+def test_the_end_of_a_stopped_program_is_told_whatever_is_pressed() -> None:
+    paper = Paper(interrupt_at=0.1)
+    left_out = Output(paper, paced=True).show(numbered(40), "> ", to_the_end=True)
+
+    assert left_out == 0
+    assert "".join(paper.texts).endswith("line 40\n> ")
+    assert paper.now() < 2 * REST
