@@ -25,8 +25,8 @@ class Output:
         self.on_broken: Callable[[], None] = _nothing
 
     def line(self, text: str) -> None:
-        """One line of what was asked for."""
-        self.text(f"{text}\n")
+        """One line of what was asked for, without anything that a terminal would obey."""
+        self.text(f"{_shown(text)}\n")
 
     def text(self, text: str) -> None:
         if self.is_broken:
@@ -42,7 +42,7 @@ class Output:
     def complaint(self, sentence: str) -> None:
         """A diagnostic of our own, to standard error."""
         try:
-            self._err.write(f"{sentence}\n")
+            self._err.write(f"{_shown(sentence)}\n")
             self._err.flush()
         except (OSError, ValueError):
             _throw_away(self._err)
@@ -70,6 +70,15 @@ class Guarded:
     @property
     def closed(self) -> bool:
         return self._output.is_broken
+
+
+def _shown(text: str) -> str:
+    """Names out of files, worlds and boards may hold anything."""
+    if text.isprintable():
+        return text
+    from donnie_tui.core.transcript import printable
+
+    return printable(text)
 
 
 def _prepared(stream: TextIO | None, number: int) -> TextIO:

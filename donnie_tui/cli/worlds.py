@@ -13,7 +13,7 @@ from donnie_tui.cli import codes
 from donnie_tui.cli.order import Order
 from donnie_tui.cli.world_models import records
 from donnie_tui.core.chart import shrunk
-from donnie_tui.core.describe import describe
+from donnie_tui.core.describe import describe, name_of
 from donnie_tui.core.documents import DocumentError, write_program
 from donnie_tui.i18n.words import Words
 from donnie_tui.i18n.world_mistakes import world_note
@@ -21,11 +21,15 @@ from donnie_tui.unusable import Unusable
 from donnie_tui.world_choice import ChosenWorld, choose_world
 
 if TYPE_CHECKING:
+    from sim.picture import Picture
     from sim.report import LoadReport
 
 WIDEST_MAP = 80
 """Letters in a line of ``--map``; in a wider world a letter stands for several steps."""
 _ARROWS = "^>v<"
+_FLOOR = {"#": "legend-wall", ".": "legend-free"}
+MOST_NAMES = 4
+"""What is named for one letter of ``--map``."""
 
 
 def list_worlds(order: Order) -> int:
@@ -41,6 +45,9 @@ def tell_world(order: Order) -> int:
     """In the form that was asked for, in words if none was."""
     arguments, words = order.invocation.arguments, order.words
     world = choose_world(arguments.name or order.settings.world, words, order.settings.world_folders)
+    if arguments.json:
+        order.output.text(_json(world) + "\n")
+        return codes.DONE
     for line in _lines(arguments, world, words):
         order.output.line(line)
     return codes.DONE
@@ -51,13 +58,17 @@ def _lines(arguments: object, world: ChosenWorld, words: Words) -> tuple[str, ..
         return _map(world, words)
     if getattr(arguments, "report", False):
         return _report(world.scene.report, words)
-    if getattr(arguments, "json", False):
-        return (json.dumps(records(world.scene), ensure_ascii=False, indent=1),)
     if (path := getattr(arguments, "svg", None)) is not None:
         return (_written("--svg", path, _raised_picture(world, words), words),)
     if (path := getattr(arguments, "brf", None)) is not None:
         return (_written("--brf", path, _braille_pages(world, words), words),)
     return _words(world, words)
+
+
+def _json(world: ChosenWorld) -> str:
+    """Readable, with escapes for what a terminal would obey."""
+    text = json.dumps(records(world.scene), ensure_ascii=False, indent=1)
+    return "".join(each if each == "\n" or each.isprintable() else json.dumps(each)[1:-1] for each in text)
 
 
 def _words(world: ChosenWorld, words: Words) -> tuple[str, ...]:
@@ -76,7 +87,7 @@ def _robot(world: ChosenWorld) -> str | None:
 
 
 def _map(world: ChosenWorld, words: Words) -> tuple[str, ...]:
-    """The floor in letters, every robot as an arrow; how much a letter is, where it is more than a step."""
+    """The floor in letters, every robot as an arrow; then, behind a blank line, what the letters mean."""
     from sim.picture import picture
 
     seen, pose = picture(world.scene), world.start()
@@ -91,7 +102,27 @@ def _map(world: ChosenWorld, words: Words) -> tuple[str, ...]:
     across = ceil(seen.width / WIDEST_MAP)
     steps = across * seen.cell
     scale = (words("map-scale", steps=steps),) if steps > 1 else ()
-    return (*shrunk(["".join(row) for row in rows], across, across, _ARROWS), *scale)
+    shown = shrunk(["".join(row) for row in rows], across, across, _ARROWS)
+    return (*shown, "", *scale, *_legend(world, seen, set("".join(shown)), words))
+
+
+def _legend(world: ChosenWorld, seen: Picture, shown: set[str], words: Words) -> tuple[str, ...]:
+    """Of what is on the map: walls and floor, then the robots, then the things by their letters."""
+    robots = [world.scene.models[index].name for index in world.scene.robots]
+    names = {" ".join(_ARROWS): robots} if robots else {}
+    for thing in sorted(seen.things, key=lambda each: each.letter):
+        told = names.setdefault(thing.letter, []) if thing.letter in shown else []
+        name = name_of(thing, words)
+        if name not in told and len(told) <= MOST_NAMES:
+            told.append(name)
+    return (
+        *(words(code) for letter, code in _FLOOR.items() if letter in shown),
+        *(words("map-legend", letter=letter, name=_bounded(each)) for letter, each in names.items()),
+    )
+
+
+def _bounded(names: list[str]) -> str:
+    return ", ".join([*names[:MOST_NAMES], *(["…"] if len(names) > MOST_NAMES else [])])
 
 
 def _braille_pages(world: ChosenWorld, words: Words) -> str:

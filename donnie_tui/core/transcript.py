@@ -18,6 +18,8 @@ MOST_CALLS = 10
 """Calls that are told of a mistake deep inside."""
 
 _UNPRINTABLE = frozenset({"Cc", "Cs", "Zl", "Zp"})
+_REORDERING = frozenset("\u202a\u202b\u202c\u202d\u202e\u2066\u2067\u2068\u2069")
+"""They turn what follows around, so that a line reads as what it is not."""
 
 
 OF_NO_ROBOT = ("help", "more-mistakes")
@@ -52,7 +54,7 @@ def printable(text: str) -> str:
     """The text with a blank for everything that a terminal would obey or can't encode."""
     if text.isprintable():
         return text
-    return "".join(" " if category(each) in _UNPRINTABLE else each for each in text)
+    return "".join(" " if category(each) in _UNPRINTABLE or each in _REORDERING else each for each in text)
 
 
 def _lines_of_error(error: Error, wording: Wording) -> tuple[str, ...]:

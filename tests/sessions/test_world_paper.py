@@ -40,17 +40,79 @@ def test_the_map_of_every_world_fits_eighty_columns(name: str, capsys: pytest.Ca
     assert main(["world", name, "--map"]) == 0
 
     lines = capsys.readouterr().out.splitlines()
-    rows = [line for line in lines if not line.startswith("Each letter")]
+    rows = lines[: lines.index("")]
     assert max(map(len, lines)) <= 80
     assert len(set(map(len, rows))) == 1
     robots = sum(row.count(arrow) for row in rows for arrow in "^>v<")
     assert robots == {"two_robots": 2, "bigbob_yaws": 4, "empty": 0, "helloworld": 0}.get(name, 1)
 
 
-def test_where_a_letter_is_several_steps_the_last_line_says_so(capsys: pytest.CaptureFixture[str]) -> None:
+def test_where_a_letter_is_several_steps_a_line_below_says_so(capsys: pytest.CaptureFixture[str]) -> None:
     main(["world", "factory", "--map"])
 
-    assert capsys.readouterr().out.splitlines()[-1] == "Each letter stands for 4 by 4 steps."
+    lines = capsys.readouterr().out.splitlines()
+    assert lines[lines.index("") + 1] == "Each letter stands for 4 by 4 steps."
+
+
+@pytest.mark.parametrize("name", worlds.names())
+def test_below_the_map_every_letter_of_it_is_explained(name: str, capsys: pytest.CaptureFixture[str]) -> None:
+    assert main(["world", name, "--map"]) == 0
+
+    lines = capsys.readouterr().out.splitlines()
+    blank = lines.index("")
+    legend = [line for line in lines[blank + 1 :] if not line.startswith("Each letter")]
+    explained = [letter for line in legend for letter in line.partition(" is ")[0].split(" ")]
+    letters = set("".join(lines[:blank]))
+    assert letters <= set(explained)
+    assert set(explained) <= letters | set("^>v<")
+    assert len(explained) == len(set(explained))
+
+
+def test_the_legend_of_a_map_says_what_things_are_in_every_language(
+    capsys: pytest.CaptureFixture[str],
+) -> None:
+    main(["world", "living_room", "--map", "--lang", "es"])
+    lines = capsys.readouterr().out.splitlines()
+
+    assert lines[lines.index("") + 1 :][:3] == ["# es pared.", ". es suelo libre.", "^ > v < es donnie."]
+    assert "c es silla." in lines
+
+
+def test_the_legend_of_a_crowd_is_short(crowd: str, capsys: pytest.CaptureFixture[str]) -> None:
+    main(["world", crowd, "--map"])
+    lines = capsys.readouterr().out.splitlines()
+
+    assert "^ > v < is r0, r1, r2, r3, …." in lines
+    assert len(lines) - lines.index("") < 8
+
+
+def test_nothing_that_a_world_file_says_reaches_the_terminal_as_a_command(
+    folder: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    evil = "\x1b[31m\x9b2J\x07\u202e"
+    (folder / "evil.world").write_text(
+        f'include "donnie.inc"\n'
+        f"define box model ( size [ 0.2 0.2 0.2 ] )\n"
+        f'box( name "b{evil}" pose [ 1 0 0 0 ] color "re{evil}d" )\n'
+        f'model( name "<b>&{evil}" pose [ 1 1 0 0 ] )\n'
+        f'donnie( name "d{evil}" pose [ 0 0 0 90 ] )\ndonnie( name "e{evil}" pose [ -1 0 0 90 ] )\n',
+        encoding="utf-8",
+    )
+    (folder / "a.gd").write_text("FW 1")
+    told = ""
+    for more in ((), ("--map",), ("--report",), ("--json",), ("--svg", "e.svg"), ("--brf", "e.brf")):
+        assert main(["world", "evil.world", *more]) == 0
+        out, err = capsys.readouterr()
+        told += out + err
+    assert main(["run", "nobody=a.gd", "--world", "evil.world", "--speech", "off", "--sound", "off"]) == 2
+    told += "".join(capsys.readouterr())
+
+    assert all(each == "\n" or each.isprintable() for each in told)
+    written = (folder / "e.svg").read_text(encoding="utf-8")
+    assert all(each == "\n" or each.isprintable() for each in written)
+    assert "&lt;b&gt;&amp;" in written
+    ElementTree.fromstring(written)
+    assert (folder / "e.brf").read_bytes().translate(None, b"\r\n\f").decode("ascii").isprintable()
 
 
 def test_a_braille_page_is_written_as_embossers_want_it(
