@@ -22,6 +22,7 @@ from donnie_tui.core.until_said import UntilSaid
 from donnie_tui.device_settings import SERIAL, SIMULATED
 from donnie_tui.i18n.words import Words
 from donnie_tui.moved_things import ThingWatch
+from donnie_tui.robot_search import Search
 from donnie_tui.settings import Settings, Source
 from donnie_tui.tangible import belt_settings, connect_belt
 from donnie_tui.unusable import Unusable
@@ -111,12 +112,17 @@ class Donnie:
 
 
 def assemble(
-    settings: Settings, *, terminal: bool, out: TextIO | None = None, is_linear: bool = True
+    settings: Settings,
+    *,
+    terminal: bool,
+    out: TextIO | None = None,
+    is_linear: bool = True,
+    search: Search | None = None,
 ) -> Donnie:
     """A session as the settings want it. ``out`` takes the events of ``--events -``. Raises ``Unusable``.
 
     ``terminal``: QUIT is allowed, and a name may be declared again by a later batch. ``is_linear``: what is
-    told is printed line by line, so that a screen reader reads it.
+    told is printed line by line, so that a screen reader reads it. ``search``: for the robot, to give it up.
     """
     words = Words(settings.language, settings.verbosity)
     world = _inhabited_world(settings, words)
@@ -127,7 +133,7 @@ def assemble(
         until_said, shared = UntilSaid(), World(world.scene, seed=settings.seed)
         team = make_team(settings, words, world, terminal, until_said=until_said, shared=shared)
         session = team.chosen
-        connection = Connection(settings, words, world, session)
+        connection = Connection(settings, words, world, session, search=search)
         closing.callback(connection.close)
         closing.callback(team.close)
         chronicle = Chronicle()

@@ -18,6 +18,7 @@ from donnie_tui.core.session import Busy, ResettableRobot, Session
 from donnie_tui.device_settings import DOUBLE, SERIAL, SIMULATED
 from donnie_tui.i18n.words import Words
 from donnie_tui.robot_choice import Choice, Lister, choices, find_port, sentences_of
+from donnie_tui.robot_search import Search
 from donnie_tui.settings import Settings
 from donnie_tui.tangible import refuse_shared_port
 from donnie_tui.unusable import Unusable
@@ -34,6 +35,9 @@ class Connectable(ResettableRobot, Protocol):
 
     def connect(self) -> None:
         """Raises ``RobotProblem``."""
+
+    def give_up(self) -> None:
+        """Have ``connect`` end at once. A signal's handler may do it."""
 
     def close(self) -> None: ...
 
@@ -67,8 +71,10 @@ class Connection:
         world: ChosenWorld,
         session: Session,
         found: Lister = list_ports,
+        search: Search | None = None,
     ) -> None:
         """``session``: whose robot it is; it begins with a simulated one."""
+        self.search = search or Search()
         self._settings = settings
         self._words = words
         self._world = world
@@ -99,6 +105,8 @@ class Connection:
             except (RobotProblem, Unusable) as problem:
                 self._change(SIMULATED)
                 return (*self._told(problem), self._words("connect-instead"))
+            finally:
+                self.search.end()
         return ()
 
     def insist(self, robot: str) -> None:
@@ -109,6 +117,8 @@ class Connection:
             except RobotProblem as problem:
                 self._change(SIMULATED)
                 raise Unusable(" ".join(self._told(problem))) from None
+            finally:
+                self.search.end()
 
     def close(self) -> None:
         """Let go of the line; the robot is stopped."""
@@ -144,7 +154,7 @@ class Connection:
         self._session.change_robot(make_and_keep)
         self._now.robot = made[0]
         try:
-            made[0].connect()
+            self.search.connect(made[0])
         except RobotProblem:
             self._session.change_robot(None)
             self._now.drop()

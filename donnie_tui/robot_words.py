@@ -53,6 +53,7 @@ def _choose(donnie: Donnie, number: int, show: Callable[[], object]) -> None:
         return
     robot = choices[number - 1].robot
     if robot != SIMULATED:
+        donnie.connection.search.expect()
         _say(donnie, "connect-trying")
         show()
     try:

@@ -95,6 +95,9 @@ class VirtualLine:
             self.close()
             raise RobotProblem("no-answer", port=self.name)
 
+    def give_up(self) -> None:
+        """Of no effect: connecting takes no real time."""
+
     def close(self) -> None:
         if self.state is LinkState.CLOSED:
             return

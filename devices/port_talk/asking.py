@@ -102,18 +102,26 @@ class BeltTalk:
         return self.answers or (self._until is not None and now >= self._until)
 
 
-def ask(port: str, opened: Callable[[str, int], Line] = PortLine) -> Found:
-    """Who is at the port; some seven seconds at most. Raises ``PortProblem``."""
+def ask(
+    port: str,
+    opened: Callable[[str, int], Line] = PortLine,
+    *,
+    is_given_up: Callable[[], bool] = lambda: False,
+) -> Found:
+    """Who is at the port; some seven seconds at most. Raises ``PortProblem``.
+
+    Any thread may have it given up: what is answered then means nothing.
+    """
     line = opened(port, ROBOT_BAUD)
     try:
         robot = RobotTalk()
-        hold(line, robot, port)
+        hold(line, robot, port, is_given_up)
         if robot.answers:
             return Found(Answer.ROBOT, robot.millivolts, robot.restarted)
         with telling_what_is_gone(port):
             line.set_speed(BELT_BAUD)
         belt = BeltTalk()
-        hold(line, belt, port)
+        hold(line, belt, port, is_given_up)
         return Found(Answer.BELT if belt.answers else Answer.NOTHING)
     finally:
         line.close()

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 from contextlib import contextmanager
 from time import monotonic
 from typing import Protocol
@@ -72,11 +72,11 @@ def telling_what_is_gone(port: str) -> Iterator[None]:
         raise PortProblem(port, PortFault.ABSENT, reason_of(problem)) from None
 
 
-def hold(line: Line, talk: Talk, port: str) -> None:
-    """Until it is over. Raises ``PortProblem`` if the port goes away meanwhile."""
+def hold(line: Line, talk: Talk, port: str, is_given_up: Callable[[], bool] = lambda: False) -> None:
+    """Until it is over, or given up. Raises ``PortProblem`` if the port goes away meanwhile."""
     received = b""
     with telling_what_is_gone(port):
-        while not talk.is_over(line.now()):
+        while not (talk.is_over(line.now()) or is_given_up()):
             said = talk.next(received, line.now())
             if said:
                 line.write(said)

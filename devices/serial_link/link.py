@@ -53,6 +53,7 @@ class SerialLink:
         self._answered = threading.Condition(self._lock)
         self._wanted = threading.Event()
         self._closing = threading.Event()
+        self._is_given_up = False
         self._port: OpenPort | None = None
         self._thread: threading.Thread | None = None
 
@@ -99,6 +100,17 @@ class SerialLink:
         if self._thread is not None:
             return
         try:
+            self._connect()
+        finally:
+            self._is_given_up = False
+
+    def give_up(self) -> None:
+        """Have ``connect`` end at once, with the problem ``given-up``; also before it is called. A signal's
+        handler may do it."""
+        self._is_given_up = True  # the link's thread notifies at every look
+
+    def _connect(self) -> None:
+        try:
             self._port = self._open_port(self.name)
         except PortProblem as problem:
             raise RobotProblem(problem.fault.value, port=problem.port, reason=problem.reason) from problem
@@ -107,7 +119,10 @@ class SerialLink:
             self._connection.opened(self.now())
         self._start()
         if not self._is_answered():
+            is_given_up = self._is_given_up
             self.close()
+            if is_given_up:
+                raise RobotProblem("given-up", port=self.name)
             raise RobotProblem("no-answer", port=self.name)
 
     def close(self) -> None:
@@ -134,8 +149,11 @@ class SerialLink:
     def _is_answered(self) -> bool:
         seconds = self._config.first_answer + PATIENCE
         with self._answered:
-            self._answered.wait_for(lambda: self.state in (LinkState.STREAMING, LinkState.LOST), seconds)
-            return self.state is LinkState.STREAMING
+            self._answered.wait_for(self._is_decided, seconds)
+            return self.state is LinkState.STREAMING and not self._is_given_up
+
+    def _is_decided(self) -> bool:
+        return self._is_given_up or self.state in (LinkState.STREAMING, LinkState.LOST)
 
     def _live(self) -> None:
         try:

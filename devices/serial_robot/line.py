@@ -44,5 +44,8 @@ class RobotLine(Protocol):
     def connect(self) -> None:
         """Open the port and wait for the board, some six seconds at most. Raises RobotProblem."""
 
+    def give_up(self) -> None:
+        """Have ``connect`` end at once, with the problem ``given-up``. Any thread, a signal's handler too."""
+
     def close(self) -> None:
         """Stop the robot, wait a moment, let go of the port. Never raises."""

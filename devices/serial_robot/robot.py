@@ -96,6 +96,10 @@ class SerialRobot:
         self._line.connect()
         self.reset()
 
+    def give_up(self) -> None:
+        """Have ``connect`` end at once, with ``given-up``. Any thread, a signal's handler too."""
+        self._line.give_up()
+
     def close(self) -> None:
         """Stop the robot and let go of the port. Any thread; never raises."""
         self._line.close()

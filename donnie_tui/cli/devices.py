@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import threading
 from collections.abc import Callable, Iterable, Iterator
 from concurrent.futures import ThreadPoolExecutor
 from functools import partial
@@ -22,7 +23,7 @@ MOST_AT_ONCE = 8
 def list_devices(
     order: Order,
     found: Callable[[], tuple[FoundPort, ...]] = list_ports,
-    asked: Callable[[str], Found] = ask,
+    asked: Callable[..., Found] = ask,
 ) -> int:
     """A line a port. The exit code is 2 if a port that was named can't be used."""
     named: list[str] = order.invocation.arguments.port
@@ -39,13 +40,18 @@ def list_devices(
     return codes.UNUSABLE if named and any(problems) else codes.DONE
 
 
-def _tell_all(ports: Iterable[str], asked: Callable[[str], Found], order: Order) -> Iterator[bool]:
-    """Whether each can't be used, in their order."""
+def _tell_all(ports: Iterable[str], asked: Callable[..., Found], order: Order) -> Iterator[bool]:
+    """Whether each can't be used, in their order. Ctrl+C gives all of them up."""
+    ended = threading.Event()
+    asking = partial(asked, is_given_up=ended.is_set)
     with ThreadPoolExecutor(MOST_AT_ONCE) as pool:
-        for lines, is_problem in pool.map(partial(_answer, asked, order.words), ports):
-            for line in lines:
-                order.output.line(line)
-            yield is_problem
+        try:
+            for lines, is_problem in pool.map(partial(_answer, asking, order.words), ports):
+                for line in lines:
+                    order.output.line(line)
+                yield is_problem
+        finally:
+            ended.set()
 
 
 def _answer(asked: Callable[[str], Found], words: Words, port: str) -> tuple[tuple[str, ...], bool]:

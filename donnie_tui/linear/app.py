@@ -32,6 +32,7 @@ from donnie_tui.linear.recall import Past
 from donnie_tui.linear.runs import Runs
 from donnie_tui.linear.terminal import Terminal
 from donnie_tui.linear.told import Told
+from donnie_tui.robot_search import Search
 from donnie_tui.settings import Settings
 from donnie_tui.switching import SwitchMode
 from language import keywords
@@ -78,9 +79,13 @@ def run_linear(
         closing.push(ours)
         if donnie:
             donnie.audible.move_to(is_linear=True)
-        if not is_there:
-            console.write(f"{Words(settings.language, settings.verbosity)('connect-trying')}\n")
-        donnie = donnie or _assembled(settings)
+        if donnie is None:
+            search = Search(is_coming=not is_there)
+            console.give_up = search.give_up
+            if not is_there:
+                console.write(f"{Words(settings.language, settings.verbosity)('connect-trying')}\n")
+            donnie = _assembled(settings, search)
+        console.give_up = donnie.connection.search.give_up
         ours.callback(donnie.close)
         mode = LinearMode(donnie, console, Path(state_folder(os.environ)), habits)
         closing.callback(mode.close)
@@ -91,9 +96,9 @@ def run_linear(
             raise
 
 
-def _assembled(settings: Settings) -> Donnie:
+def _assembled(settings: Settings, search: Search) -> Donnie:
     try:
-        return assemble(settings, terminal=True)
+        return assemble(settings, terminal=True, search=search)
     except Unusable:
         greeting.withdraw()
         raise

@@ -1,8 +1,9 @@
 """Everything that the linear mode waits for: keys, signals, and news from a running program.
 
 Rule: signals do nothing by themselves but wake whoever waits; what follows from them is decided in the
-main thread, between two steps and never in the middle of one. The one exception is a terminal that takes
-no more output: then Ctrl+C could not be noticed, so it calls ``stop_at_once`` itself.
+main thread, between two steps and never in the middle of one. The exceptions are a terminal that takes no
+more output and a search for a robot: then Ctrl+C could not be noticed, so it calls ``stop_at_once`` or
+``give_up`` itself.
 """
 
 from __future__ import annotations
@@ -35,6 +36,9 @@ class Console:
         self.leaving: int | None = None
         """The signal that wants us to leave."""
         self.stop_at_once: Callable[[], None] = _nothing
+        self.give_up: Callable[[], bool] = _nothing_waits
+        """Ends a search for a robot, during which nobody waits here; whether there was one."""
+        self._has_given_up = False
         self.before_suspending: Callable[[], bool] = _nothing_waits
         """Stops what can't be left alone; whether there was such a thing."""
         self.on_key: Callable[[], None] | None = None
@@ -136,7 +140,7 @@ class Console:
 
     def _act_on(self, number: int) -> None:
         if number == signal.SIGINT:
-            self.interrupted = True
+            self.interrupted, self._has_given_up = not self._has_given_up, False
             self._tell_of_key()
         elif number in _LEAVING:
             self.leaving = self.leaving or number
@@ -154,6 +158,8 @@ class Console:
             self.write(self.repaint())
 
     def _heard(self, number: int, frame: object) -> None:  # noqa: ARG002 -- a signal handler is given both
+        if number != signal.SIGTSTP and self.give_up():
+            self._has_given_up = self._has_given_up or number == signal.SIGINT
         if number != signal.SIGTSTP and self._is_writing:
             self._is_writing = False
             self.stop_at_once()

@@ -27,8 +27,10 @@ from textual.geometry import Offset
 from textual.screen import Screen
 from textual.timer import Timer
 
+from donnie_tui.device_settings import SERIAL
 from donnie_tui.folders import state_folder
 from donnie_tui.i18n import first_screen
+from donnie_tui.robot_search import Search
 from donnie_tui.settings import LANGUAGES, Settings
 from donnie_tui.tui import themes
 from donnie_tui.tui.actions import BY_NAME, MENU, with_keys
@@ -72,9 +74,13 @@ class DonnieApp(App[int], inherit_bindings=False):
         *,
         text: str | None = None,
         assemble: Callable[[], Donnie],
+        search: Search | None = None,
         folder: Path | None = None,
     ) -> None:
-        """``text``: what the other mode left, unsaved changes included. ``folder`` holds the copies."""
+        """``text``: what the other mode left, unsaved changes included. ``folder`` holds the copies.
+
+        ``search``: what gives up the search for a robot, where ``assemble`` looks for one.
+        """
         super().__init__(ansi_color=True if "NO_COLOR" in os.environ else None)  # the filters ask at once
         self.animation_level = "none"
         for name in themes.NAMES:
@@ -100,6 +106,11 @@ class DonnieApp(App[int], inherit_bindings=False):
         self._language = LANGUAGES.index(settings.language)
         self._file, self._text = file, text
         self._assemble = assemble
+        self.search = search
+        self._is_searching = False
+        """While ``assemble`` looks for a robot; what is typed then waits."""
+        self._found: Donnie | None = None
+        """What it made."""
         self._folder = Path(folder or state_folder(os.environ)) / "unsaved"
 
     def _bind(self, chosen: str) -> None:
@@ -156,15 +167,52 @@ class DonnieApp(App[int], inherit_bindings=False):
     def _begin(self) -> None:
         """The screen is there; now what it shows. A failure is told by the caller, on the normal screen."""
         try:
-            from donnie_tui.tui.work import Work
-
-            self.work = Work(self, self._assemble(), self._folder, self._settings)
-            self.work.begin(self._file, self._text)
-            if self._wants_linear:
-                self.work.switch_to_linear()
+            if self.search is None:
+                self._work_with(self._assemble())
+            else:
+                self._is_searching = True
+                self._tell_of_search()
+                self.run_worker(self._search_and_begin())
         except Exception as trouble:  # noqa: BLE001 -- raised again once the terminal is given back
-            self.trouble = trouble
-            self.exit(2)
+            self._fail_to_begin(trouble)
+
+    async def _search_and_begin(self) -> None:
+        """Looking for a robot takes some seconds, in which the keys that give it up are heard."""
+        try:
+            await asyncio.to_thread(self._assemble_and_keep)
+            if self._found is not None:
+                self._work_with(self._found)
+        except Exception as trouble:  # noqa: BLE001 -- as above
+            self._fail_to_begin(trouble)
+        self._is_searching = False
+        self._turns.do(lambda: None)
+
+    def _tell_of_search(self) -> None:
+        from donnie_tui.i18n.words import Words
+
+        words = Words(self._settings.language, self._settings.verbosity)
+        self.workplace.log_lines([(words("connect-trying"), "")])
+
+    def _assemble_and_keep(self) -> None:
+        """Whoever leaves meanwhile must be able to close it."""
+        self._found = self._assemble()
+
+    def _work_with(self, donnie: Donnie) -> None:
+        from donnie_tui.tui.work import Work
+
+        self.work = Work(self, donnie, self._folder, self._settings)
+        self.work.begin(self._file, self._text)
+        if self._wants_linear:
+            self.work.switch_to_linear()
+
+    def _fail_to_begin(self, trouble: Exception) -> None:
+        self.trouble = trouble
+        self.exit(2)
+
+    def _give_up_search(self) -> bool:
+        """Whether a robot was looked for."""
+        search = self.work.donnie.connection.search if self.work is not None else self.search
+        return search is not None and search.give_up()
 
     @property
     def cursor_position(self) -> Offset:
@@ -207,13 +255,18 @@ class DonnieApp(App[int], inherit_bindings=False):
             self.work.donnie.audible.hush()
         if is_typed and isinstance(event, events.Key) and self._did_by_menu(event.key):
             return
-        if is_typed and self._turns.is_holding and not self._is_stop(event):
+        if is_typed and self._is_stop_key(event) and self._give_up_search():
+            return
+        if is_typed and (self._turns.is_holding or self._is_searching) and not self._is_stop(event):
             self._turns.hold(event)
         else:
             await super().on_event(event)
 
     def _is_stop(self, event: events.Event) -> bool:
-        return isinstance(event, events.Key) and event.key in ("ctrl+c", *BY_NAME["stop"].keys) and self._runs
+        return self._is_stop_key(event) and self._runs
+
+    def _is_stop_key(self, event: events.Event) -> bool:
+        return isinstance(event, events.Key) and event.key in ("ctrl+c", *BY_NAME["stop"].keys)
 
     def _do_in_turn(self, name: str) -> None:
         """Running from the command line runs what is typed there."""
@@ -430,7 +483,7 @@ class DonnieApp(App[int], inherit_bindings=False):
 
     def _interrupt(self) -> None:
         """As the key that stops all."""
-        if self._runs:
+        if not self._give_up_search() and self._runs:
             self.do("stop_all")
         if self._lifeline is not None:
             self._lifeline.answered.set()
@@ -448,6 +501,7 @@ class DonnieApp(App[int], inherit_bindings=False):
         os._exit(128 + number)
 
     def _halt(self, _number: int) -> None:
+        self._give_up_search()
         if self.work is not None:
             self.work.halt()
 
@@ -476,6 +530,8 @@ class DonnieApp(App[int], inherit_bindings=False):
         """After the screen is gone: nothing is left running."""
         if self.work is not None:
             self.work.close()
+        elif self._found is not None:
+            self._found.close()
 
 
 def run_full_screen(
@@ -502,7 +558,10 @@ def run_full_screen(
 
 def _shown(settings: Settings, file: Path | None, text: str | None, donnie: Donnie | None) -> DonnieApp:
     """The screen until it is left. Raises as ``run_full_screen`` does."""
-    app = DonnieApp(settings, file, text=text, assemble=lambda: donnie or _assembled(settings))
+    search = Search(is_coming=True) if donnie is None and _takes_time(settings) else None
+    app = DonnieApp(
+        settings, file, text=text, assemble=lambda: donnie or _assembled(settings, search), search=search
+    )
     try:
         app.run(mouse=wants_mouse(settings))
     except BaseException:
@@ -526,10 +585,15 @@ def _in_next_world(app: DonnieApp) -> tuple[Settings, Path | None, str]:
     return replace(settings, world=app.next_world), path, app.workplace.editor.text
 
 
-def _assembled(settings: Settings) -> Donnie:
+def _takes_time(settings: Settings) -> bool:
+    """Whether a real robot is looked for, as a configuration file may ask for one too."""
+    return settings.robot.startswith(SERIAL) or settings.world.endswith(".cfg")
+
+
+def _assembled(settings: Settings, search: Search | None) -> Donnie:
     from donnie_tui.bootstrap import assemble
 
-    return assemble(settings, terminal=True, is_linear=False)
+    return assemble(settings, terminal=True, is_linear=False, search=search)
 
 
 def _switch(app: DonnieApp) -> None:

@@ -25,6 +25,11 @@ _PORTS: dict[str, Sentence] = {
     "problem-no-answer": Sentence(
         "No robot answers at {port}.", "Nenhum robô responde em {port}.", "Ningún robot responde en {port}."
     ),
+    "problem-given-up": Sentence(
+        "I no longer look for the robot.",
+        "Não procuro mais o robô.",
+        "Ya no busco el robot.",
+    ),
     "problem-no-board": Sentence(
         "I find no robot. Is it plugged in?",
         "Não acho o robô. Está ligado?",

@@ -38,7 +38,7 @@ def order(port: object, settings: Settings | None = None, language: str = "en") 
     return made, out
 
 
-def answers(port: str) -> Found:
+def answers(port: str, **_how: object) -> Found:
     match port:
         case ROBOT.stable:
             return Found(Answer.ROBOT, 8000)

@@ -119,6 +119,25 @@ def test_a_port_where_nobody_answers_is_let_go_of() -> None:
     assert (told.value.code, link.state) == ("no-answer", LinkState.CLOSED)
 
 
+@pytest.mark.parametrize("moment", ["before", "meanwhile"])
+def test_connecting_can_be_given_up_and_tried_again(double: DoubleOnPty, moment: str) -> None:
+    """A loop never answers as a board does: without that it would take a thousand seconds."""
+    link = SerialLink("loop://", LinkConfig(first_answer=1000.0))
+    for _ in range(2):
+        if moment == "before":
+            link.give_up()
+        else:
+            threading.Timer(0.1, link.give_up).start()
+        with pytest.raises(RobotProblem) as told:
+            link.connect()
+
+        assert (told.value.code, link.state) == ("given-up", LinkState.CLOSED)
+    link.name = double.path
+    link.connect()
+    assert link.state is LinkState.STREAMING
+    link.close()
+
+
 def test_unplug_is_told_and_found_again_where_its_name_leads(double: DoubleOnPty) -> None:
     news = News()
     link = SerialLink(double.path, LinkConfig(reopen=0.1), news)
