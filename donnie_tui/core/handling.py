@@ -56,15 +56,8 @@ class Handling:
             raise RobotProblem("no-gripper")
         return self._robot.grip() if deed is Deed.GRIP else self._robot.release()
 
-    def tell_what_is_back(self) -> None:
-        """Behind a fresh start, which may have put everything back to its place."""
-        self._publish_places()
-
     def tell_things(self) -> None:
-        """Where things are now, if that has changed."""
-        self._publish_places()
-
-    def _publish_places(self) -> None:
+        """Where things are now, if that has changed; behind a fresh start too, which may put them back."""
         places = self._moved_things()
         if places is not None:
             self._hub.publish(ThingsMoved(places))

@@ -228,7 +228,7 @@ class Session:
                 self.hub,
                 self._actions,
                 self.wording,
-                self._actions.handling.tell_what_is_back,
+                self._actions.handling.tell_things,
                 self._about_to_end,
             ),
             RunStarted(name, self._world, self.name, self._seed, __version__, how),
@@ -322,7 +322,7 @@ class Session:
                 raise Busy
             self._begin_anew()
         self.hub.publish(Reset(self.pose))
-        self._actions.handling.tell_what_is_back()
+        self._actions.handling.tell_things()
 
     def change_robot(self, make_robot: MakeRobot | None) -> None:
         """Another robot from now on, at its start, with nothing remembered. None: the one of the beginning.
