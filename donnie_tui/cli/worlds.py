@@ -15,9 +15,9 @@ from donnie_tui.cli.world_models import records
 from donnie_tui.core.chart import shrunk
 from donnie_tui.core.describe import describe
 from donnie_tui.core.documents import DocumentError, write_program
+from donnie_tui.core.naming import name_of
 from donnie_tui.i18n.words import Words
 from donnie_tui.i18n.world_mistakes import world_note
-from donnie_tui.tui.themes import name_of
 from donnie_tui.unusable import Unusable
 from donnie_tui.world_choice import ChosenWorld, choose_world
 
