@@ -226,7 +226,7 @@ def _act(robot: SimulatedRobot, i: int) -> None:
 
 
 def _names(scene: Scene) -> list[str]:
-    return [scene.models[index].name for index in scene.robots]
+    return list(scene.robot_names)
 
 
 def _floor(robots: int, boxes: int) -> Scene:

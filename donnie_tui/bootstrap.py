@@ -215,7 +215,7 @@ def make_team(
     shared = shared or World(world.scene, seed=settings.seed)
     stream = Stream()
     moved_things = ThingWatch(shared)
-    names = tuple(dict.fromkeys(world.scene.models[index].name for index in world.scene.robots))
+    names = world.scene.robot_names
 
     def make_session(name: str) -> Session:
         make_robot = partial(_simulated_robot, shared, name, settings)

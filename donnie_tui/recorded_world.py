@@ -42,7 +42,7 @@ def _loaded(bundle: WorldBundle, main: Path, folders: tuple[Path, ...], words: W
         scene = load_world(main, allowed=folders)
     except WorldError as error:
         raise Unusable(world_mistake(error, words)) from None
-    offered = tuple(index for index in scene.robots if scene.models[index].name in bundle.robots)
+    offered = tuple(index for index in scene.robots if scene.models[index].spoken_name in bundle.robots)
     if not offered:
         raise Unusable(words("world-without-robot", name=bundle.name))
     return replace(scene, robots=offered)

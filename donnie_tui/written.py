@@ -114,7 +114,7 @@ class Written:
 def bundle_of(world: ChosenWorld, settings: Settings) -> WorldBundle:
     """All that was read for the world. Raises ``BundleError``."""
     report, scene = world.scene.report, world.scene
-    robots = [scene.models[index].name for index in scene.robots]
+    robots = list(scene.robot_names)
     folders = (*settings.world_folders, worlds.SCENES)
     return pack(world.name, world.path, (*report.files, *report.pictures), folders, robots)
 

@@ -68,7 +68,7 @@ class Meeting:
 
     def _met(self, part: Part, degrees: float) -> Met:
         model = self._scene.models[part.root]
-        name = "" if ":" in model.name else model.name
+        name = "" if ":" in model.spoken_name else model.spoken_name
         if model.index in self._scene.robots:
             return Met(ROBOT, name, degrees)
         return Met(WALL, "", degrees) if self._is_wall(part.root) else Met(model.kind, name, degrees)

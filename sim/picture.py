@@ -41,7 +41,7 @@ class Thing:
     """The word of the language for its colour."""
     x: float
     y: float
-    """Its centre, in steps."""
+    """Its centre, in steps; of a robot the place that it turns about."""
     width: float
     """Steps from west to east."""
     depth: float
@@ -235,7 +235,7 @@ def _kind(model: Model) -> str:
 
 
 def _called(model: Model) -> str:
-    return "" if ":" in model.name else model.name
+    return "" if ":" in model.spoken_name else model.spoken_name
 
 
 def _letters(shapes: Iterable[_Shape]) -> dict[str, str]:
@@ -258,13 +258,16 @@ def _sized(letter: str, shape: _Shape) -> str:
 def _thing(shape: _Shape, letters: dict[str, str], robots: frozenset[int]) -> Thing:
     model = shape.model
     is_robot = model.index in robots
+    x, y = (shape.left + shape.right) / 2, (shape.bottom + shape.top) / 2
+    if is_robot:
+        x, y = model.pose.x / STEP, model.pose.y / STEP
     return Thing(
         name=_called(model),
         kind=model.kind,
         letter=_sized(letters[_kind(model)], shape),
         colour=model.colour.family,
-        x=round((shape.left + shape.right) / 2, 6),
-        y=round((shape.bottom + shape.top) / 2, 6),
+        x=round(x, 6),
+        y=round(y, 6),
         width=round(shape.right - shape.left, 6),
         depth=round(shape.top - shape.bottom, 6),
         is_robot=is_robot,

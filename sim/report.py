@@ -19,7 +19,8 @@ class NoteKind(Enum):
 class Note:
     """One remark. Codes: ``unknown-property`` (name, nearest), ``unused-property`` (name), ``not-simulated``
     (type, name), ``second-define`` (name), ``unknown-colour`` (name, nearest), ``lone-sensor`` (name),
-    ``walls-made-solid`` (name), ``not-utf8`` (path), ``margin-cropped`` (path), ``no-robot``; of a
+    ``walls-made-solid`` (name), ``not-utf8`` (path), ``margin-cropped`` (path), ``no-robot``,
+    ``robot-without-name`` and ``robot-renamed`` (name, alias); of a
     configuration file ``driver-not-used`` (name), ``unknown-model`` (name, nearest)."""
 
     kind: NoteKind

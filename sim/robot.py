@@ -63,7 +63,7 @@ class SimulatedRobot:
 
     @property
     def name(self) -> str:
-        return self._model.name
+        return self._model.spoken_name
 
     @property
     def colours(self) -> frozenset[str]:
@@ -219,5 +219,5 @@ class SimulatedRobot:
 
     def _name_of(self, root: int | None) -> str:
         """As its world calls it; empty where it only has a number."""
-        name = "" if root is None else self._ground.scene.models[root].name
+        name = "" if root is None else self._ground.scene.models[root].spoken_name
         return "" if ":" in name else name

@@ -69,6 +69,13 @@ class Model:
     camera: Camera | None
     wheels: Wheels | None
     """Of position models only."""
+    alias: str = ""
+    """A robot's name here where its own is missing, is another robot's too, or can't be typed."""
+
+    @property
+    def spoken_name(self) -> str:
+        """What a robot is called by those who program it."""
+        return self.alias or self.name
 
     def outlines(self) -> Iterator[tuple[Point, ...]]:
         """Its polygons and walls as they lie in the world."""
@@ -125,9 +132,14 @@ class Scene:
         """A top-level model and everything attached to it."""
         return tuple(model for model in self.models if model.root == root)
 
+    @property
+    def robot_names(self) -> tuple[str, ...]:
+        """What the robots are called, in their order; no two are called the same."""
+        return tuple(self.models[index].spoken_name for index in self.robots)
+
     def robot(self, name: str) -> Model:
         """The robot of that name. KeyError if there is none."""
         for index in self.robots:
-            if self.models[index].name == name:
+            if self.models[index].spoken_name == name:
                 return self.models[index]
         raise KeyError(name)

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import json
+import shlex
 from collections import Counter
 from math import ceil
 from pathlib import Path, PurePath
@@ -13,7 +14,7 @@ from donnie_tui.cli import codes
 from donnie_tui.cli.order import Order
 from donnie_tui.cli.world_models import records
 from donnie_tui.core.chart import shrunk
-from donnie_tui.core.describe import describe
+from donnie_tui.core.describe import MOST_ROBOTS, describe
 from donnie_tui.core.documents import DocumentError, write_program
 from donnie_tui.core.naming import name_of
 from donnie_tui.i18n.words import Words
@@ -23,7 +24,7 @@ from donnie_tui.world_choice import ChosenWorld, choose_world
 
 if TYPE_CHECKING:
     from sim.picture import Picture
-    from sim.report import LoadReport
+    from sim.scene import Scene
 
 WIDEST_MAP = 80
 """Letters in a line of ``--map``; in a wider world a letter stands for several steps."""
@@ -58,7 +59,7 @@ def _lines(arguments: object, world: ChosenWorld, words: Words) -> tuple[str, ..
     if getattr(arguments, "map", False):
         return _map(world, words)
     if getattr(arguments, "report", False):
-        return _report(world.scene.report, words)
+        return _report(world.scene, words)
     if (path := getattr(arguments, "svg", None)) is not None:
         return (_written("--svg", path, _raised_picture(world, words), words),)
     if (path := getattr(arguments, "brf", None)) is not None:
@@ -82,9 +83,18 @@ def _words(world: ChosenWorld, words: Words) -> tuple[str, ...]:
     return (*title, *told)
 
 
+def _robots(scene: Scene, words: Words) -> tuple[str, ...]:
+    """By which names they are programmed."""
+    names = scene.robot_names
+    if len(names) < 2:
+        return ()
+    told = ", ".join(names[:MOST_ROBOTS]) + (", …" if len(names) > MOST_ROBOTS else "")
+    return (words("report-robots", count=len(names), names=told, first=shlex.quote(names[0])),)
+
+
 def _robot(world: ChosenWorld) -> str | None:
     scene = world.scene
-    return scene.models[scene.robots[0]].name if scene.robots else None
+    return next(iter(scene.robot_names), None)
 
 
 def _map(world: ChosenWorld, words: Words) -> tuple[str, ...]:
@@ -155,7 +165,8 @@ def _written(option: str, path: str, text: str, words: Words) -> str:
     return words("paper-written", path=path)
 
 
-def _report(report: LoadReport, words: Words) -> tuple[str, ...]:
+def _report(scene: Scene, words: Words) -> tuple[str, ...]:
+    report = scene.report
     names = ", ".join(PurePath(each).name for each in report.files)
     models = ", ".join(f"{count} {type_}" for type_, count in report.loaded)
     remarks = Counter(
@@ -164,5 +175,6 @@ def _report(report: LoadReport, words: Words) -> tuple[str, ...]:
     return (
         words("report-files", count=len(report.files), files=names),
         words("report-loaded", models=models or "0"),
+        *_robots(scene, words),
         *(remarks or (words("report-clean"),)),
     )

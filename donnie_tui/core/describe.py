@@ -44,7 +44,7 @@ def describe(
     return (
         *_overview(picture, about, wording),
         *_robots(picture, pose, robot, wording),
-        *_things(picture, pose, wording),
+        *_things(picture, pose, robot, wording),
         *((wording("world-task", task=about.task),) if about else ()),
     )
 
@@ -76,25 +76,27 @@ def _robots(picture: Picture, pose: Pose, robot: str | None, wording: Wording) -
     return (
         wording(code, count=len(others) + 1, names=names, more=len(others) + 1 - MOST_ROBOTS),
         wording("world-robot-start", name=robot, **start),
-        *(_robot(each, pose, wording) for each in others[: MOST_ROBOTS - 1]),
+        *(_robot(each, robot, pose, wording) for each in others[: MOST_ROBOTS - 1]),
     )
 
 
-def _robot(robot: Thing, pose: Pose, wording: Wording) -> str:
+def _robot(robot: Thing, first: str, pose: Pose, wording: Wording) -> str:
     turned = Pose(robot.x, robot.y, robot.heading)
     return wording(
         "world-robot",
+        first=first,
         name=name_of(robot, wording),
         place=compass_place_of(robot.x, robot.y, pose, wording),
         facing=facing(turned, wording),
     )
 
 
-def _things(picture: Picture, pose: Pose, wording: Wording) -> tuple[str, ...]:
+def _things(picture: Picture, pose: Pose, robot: str | None, wording: Wording) -> tuple[str, ...]:
     things = [each for each in picture.things if not each.is_robot]
     if not things:
         return (wording("world-bare"),)
-    count = wording("world-things-from-start", count=len(things))
+    code = "world-things-from-start" if robot is None else "world-things-from-robot"
+    count = wording(code, count=len(things), name=robot)
     return (count, *_bounded(things, pose, wording, compass_place_of))
 
 

@@ -12,6 +12,7 @@ from sim.worldfile.build import Builder
 from sim.worldfile.entities import Expander, Setting
 from sim.worldfile.plans import Plans
 from sim.worldfile.reader import FileReader, Placed
+from sim.worldfile.robot_names import with_names
 from sim.worldfile.values import ValueReader, plain
 
 _SENSES = frozenset({"ranger", "blobfinder"})
@@ -41,9 +42,16 @@ def _scene(name: str, reader: FileReader, statements: Iterable[Placed]) -> Scene
     values.check(expander.settings, quiet=True)
     builder = Builder(values, Plans(reader, values).plan, expander.settings)
     builder.build(entities)
-    models = tuple(builder.models)
-    robots = _robots(models)
-    notes = (*reader.notes, *expander.notes, *values.notes, *_walls(models), *_no_robot(reader, robots))
+    robots = _robots(tuple(builder.models))
+    models, named = with_names(tuple(builder.models), robots)
+    notes = (
+        *reader.notes,
+        *expander.notes,
+        *values.notes,
+        *_walls(models),
+        *named,
+        *_no_robot(reader, robots),
+    )
     report = LoadReport(tuple(dict.fromkeys(reader.files)), _counts(models), notes, tuple(reader.pictures))
     return Scene(name, models, robots, _plain(expander.settings), report)
 

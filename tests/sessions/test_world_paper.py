@@ -143,7 +143,7 @@ def test_a_world_of_a_thousand_robots_is_told_in_few_lines(
     lines = capsys.readouterr().out.splitlines()
     assert len(lines) < 40
     assert lines[1].startswith("1000 robots: r0, ")
-    assert "1000 things, the nearest first, in steps." in lines
+    assert "1000 things, in steps from r0, the nearest first." in lines
     assert lines[-1] == "980 of them: crate, blue."
 
 

@@ -163,7 +163,7 @@ def comparable(value: object, decimals: int = 6) -> object:
     if isinstance(value, tuple):
         return tuple(comparable(item, decimals) for item in value)
     if is_dataclass(value) and not isinstance(value, Enum | type):
-        names = [field.name for field in fields(value) if field.name not in ("kind", "name")]
+        names = [field.name for field in fields(value) if field.name not in ("kind", "name", "alias")]
         return {name: _turned(name, getattr(value, name), decimals) for name in names}
     return value
 

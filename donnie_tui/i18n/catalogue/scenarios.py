@@ -41,9 +41,9 @@ SENTENCES: dict[str, Sentence] = {
         "{count} robots: {names} y {more} más.",
     ),
     "world-robot": Sentence(
-        "Robot {name}: {place}, facing {facing}.",
-        "Robô {name}: {place}, virado para {facing}.",
-        "Robot {name}: {place}, mirando al {facing}.",
+        "Robot {name}, from {first}: {place}, facing {facing}.",
+        "Robô {name}, a partir de {first}: {place}, virado para {facing}.",
+        "Robot {name}, desde {first}: {place}, mirando al {facing}.",
     ),
     "world-things-from-start": Sentence(
         "{count} {count:thing|things}, the nearest first, in steps.",
@@ -53,6 +53,16 @@ SENTENCES: dict[str, Sentence] = {
             "{count} {count:thing|things}, nearest first, in steps.",
             "{count} {count:objeto|objetos}, por distância, em passos.",
             "{count} {count:objeto|objetos}, por distancia, en pasos.",
+        ),
+    ),
+    "world-things-from-robot": Sentence(
+        "{count} {count:thing|things}, in steps from {name}, the nearest first.",
+        "{count} {count:objeto|objetos}, em passos a partir de {name}, o mais perto primeiro.",
+        "{count} {count:objeto|objetos}, en pasos desde {name}, el más cercano primero.",
+        brief=(
+            "{count} {count:thing|things}, in steps from {name}.",
+            "{count} {count:objeto|objetos}, em passos de {name}.",
+            "{count} {count:objeto|objetos}, en pasos desde {name}.",
         ),
     ),
     "world-large-thing": Sentence(

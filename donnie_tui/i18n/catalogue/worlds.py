@@ -236,6 +236,16 @@ SENTENCES: dict[str, Sentence] = {
         "o mundo não tem o modelo {name}. Você quis dizer {nearest}?",
         "el mundo no tiene el modelo {name}. Quizá querías decir {nearest}.",
     ),
+    "note-robot-without-name": Sentence(
+        "A robot without a usable name is called {alias}.",
+        "Um robô sem nome que sirva se chama {alias}.",
+        "Un robot sin nombre que sirva se llama {alias}.",
+    ),
+    "note-robot-renamed": Sentence(
+        "Another robot {name} is called {alias}.",
+        "Outro robô {name} se chama {alias}.",
+        "Otro robot {name} se llama {alias}.",
+    ),
     "note-no-robot": Sentence("The world has no robot.", "O mundo não tem robô.", "El mundo no tiene robot."),
     # --- a world in words
     "world-title": Sentence("{name}: {title}.", "{name}: {title}.", "{name}: {title}."),
@@ -283,6 +293,11 @@ SENTENCES: dict[str, Sentence] = {
         "{count} {count:archivo|archivos}: {files}.",
     ),
     "report-loaded": Sentence("Loaded: {models}.", "Carregado: {models}.", "Cargado: {models}."),
+    "report-robots": Sentence(
+        "{count} {count:robot|robots}: {names}. The command donnie run {first}=FILE runs the first.",
+        "{count} {count:robô|robôs}: {names}. O comando donnie run {first}=ARQUIVO executa o primeiro.",
+        "{count} {count:robot|robots}: {names}. El comando donnie run {first}=ARCHIVO ejecuta el primero.",
+    ),
     "report-ignored": Sentence("Ignored: {remark}", "Ignorado: {remark}", "Ignorado: {remark}"),
     "report-repaired": Sentence("Repaired: {remark}", "Corrigido: {remark}", "Corregido: {remark}"),
     "report-warning": Sentence("Warning: {remark}", "Aviso: {remark}", "Aviso: {remark}"),

@@ -45,7 +45,7 @@ def test_a_world_is_described_from_its_size_to_its_things() -> None:
     assert describe(seen, Pose(0.0, 0.0, 90.0), Words(), robot="donnie") == (
         "An open floor without walls.",
         "The robot donnie starts at 0, 0, facing east.",
-        "2 things, the nearest first, in steps.",
+        "2 things, in steps from donnie, the nearest first.",
         "Thing2, green: 3 east.",
         "Thing1, red: 10 north.",
     )
@@ -91,7 +91,7 @@ def large(thing_count: int, robot_count: int) -> Picture:
 def test_of_very_many_things_the_nearest_are_told_and_the_others_counted() -> None:
     told = describe(large(1000, 0), Pose(0.0, 0.0, 0.0), Words(), robot="donnie")
 
-    assert told[2:4] == ("1000 things, the nearest first, in steps.", "Ball, red: 10 east.")
+    assert told[2:4] == ("1000 things, in steps from donnie, the nearest first.", "Ball, red: 10 east.")
     assert told[-3:] == (
         "980 more things are farther away.",
         "653 of them: box, red.",
@@ -104,7 +104,7 @@ def test_of_very_many_robots_the_nearest_are_named() -> None:
     told = describe(large(0, 999), Pose(0.0, 0.0, 0.0), Words(), robot="me")
 
     assert told[1] == "1000 robots: me, r0, r1, r2, r3, r4, r5, r6, r7, r8 and 990 more."
-    assert told[3] == "Robot r0: 5 north, facing south."
+    assert told[3] == "Robot r0, from me: 5 north, facing south."
     assert len(told) == 13
 
 
@@ -114,7 +114,7 @@ def test_two_robots_are_told_by_name() -> None:
     assert told[1:4] == (
         "2 robôs: me, r0.",
         "O robô me começa em 0, 0, virado para norte.",
-        "Robô r0: 5 ao norte, virado para sul.",
+        "Robô r0, a partir de me: 5 ao norte, virado para sul.",
     )
 
 

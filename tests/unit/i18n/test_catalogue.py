@@ -182,7 +182,7 @@ ABOUT_ROBOTS = (
     "robot-no-programs",
 )
 ABOUT_LINES = ("devices-none", "connect-instead", "remedy-port-busy", "connect-how", "connect-simulator")
-ABOUT_WORLDS = ("world-no-robot", "world-robot-start", "world-things-from-start")
+ABOUT_WORLDS = ("world-no-robot", "world-robot-start", "world-things-from-start", "world-things-from-robot")
 
 
 @pytest.mark.parametrize("code", ABOUT_ROBOTS + ABOUT_LINES + ABOUT_WORLDS)

@@ -1,0 +1,94 @@
+"""Every robot of a world has a name of its own that can be said and typed, whatever its file calls it."""
+
+from pathlib import Path
+
+from donnie_tui.bootstrap import make_team
+from donnie_tui.cli.main import main
+from donnie_tui.i18n.words import Words
+from donnie_tui.settings import Settings
+from donnie_tui.world_choice import ChosenWorld
+from sim.picture import picture
+from sim.scene import Scene
+from sim.worldfile import load_text
+
+SENSOR = "ranger( sensor( range [ 0 2 ] fov 20 ) )"
+ROBOT = "position( {name} size [ 0.1 0.1 0.2 ] {more} pose [ {x} 0 0 90 ] " + SENSOR + " )\n"
+
+
+def scene(*names: str, more: str = "") -> Scene:
+    text = "".join(ROBOT.format(name=name, x=i, more=more) for i, name in enumerate(names))
+    return load_text(text, Path("foreign.world"))
+
+
+def test_robots_without_a_name_are_numbered() -> None:
+    assert scene("", "").robot_names == ("robot1", "robot2")
+
+
+def test_a_robot_without_a_name_is_called_by_its_kind() -> None:
+    text = "define pioneer " + ROBOT.format(name="", x=0, more="") + "pioneer( pose [ 1 0 0 0 ] )"
+
+    assert load_text(text, Path("foreign.world")).robot_names == ("pioneer1",)
+
+
+def test_the_second_robot_of_a_name_gets_another_one() -> None:
+    assert scene('name "bob"', 'name "bob"', 'name "bob2"').robot_names == ("bob", "bob3", "bob2")
+
+
+def test_names_that_differ_in_case_or_accents_only_are_told_apart() -> None:
+    assert scene('name "zé"', 'name "ZE"').robot_names == ("zé", "ZE2")
+
+
+def test_a_name_that_can_not_be_typed_is_replaced() -> None:
+    assert scene('name "a=b"', 'name "c:0"', 'name "  "').robot_names == ("robot1", "robot2", "robot3")
+
+
+def test_each_robot_is_found_by_the_name_that_it_is_called() -> None:
+    world = scene('name "bob"', 'name "bob"')
+
+    assert [world.robot(name).index for name in world.robot_names] == list(world.robots)
+    assert world.robot("bob2").name == "bob", "Stage's own name stays"
+
+
+def test_every_robot_can_be_talked_to_and_is_on_the_map_by_its_name() -> None:
+    world = ChosenWorld("foreign.world", Path("foreign.world"), scene("", "", 'name "r"', 'name "r"'), False)
+    team = make_team(Settings(), Words(), world, terminal=False)
+
+    assert team.names == ("robot1", "robot2", "r", "r2")
+    assert [team.session(name).name for name in team.names] == list(team.names)
+    assert [each.name for each in picture(world.scene, "robot1").things] == ["robot2", "r", "r2"]
+
+
+def test_a_robot_is_where_its_pose_is_and_not_where_its_shape_has_its_middle() -> None:
+    world = scene('name "a"', 'name "b"', more="origin [ 0.2 0 0 0 ]")
+
+    (other,) = picture(world, "a").things
+    assert (other.x, other.y) == (20.0, 0.0)
+
+
+def test_the_report_tells_the_names_and_how_one_is_run(tmp_path: Path, capsys) -> None:  # type: ignore[no-untyped-def]
+    file = tmp_path / "foreign.world"
+    file.write_text("".join(ROBOT.format(name=name, x=i, more="") for i, name in enumerate(("", 'name "r"'))))
+
+    assert main(["world", str(file), "--report", "--lang", "en"]) == 0
+
+    told = capsys.readouterr().out
+    assert "2 robots: robot1, r. The command donnie run robot1=FILE runs the first." in told
+    assert "Repaired: A robot without a usable name is called robot1." in told
+
+
+def test_places_say_from_which_robot_they_are_counted(tmp_path: Path, capsys) -> None:  # type: ignore[no-untyped-def]
+    file = tmp_path / "foreign.world"
+    thing = 'model( name "puck" size [ 0.1 0.1 0.1 ] pose [ 0.5 0.5 0 0 ] )'
+    file.write_text(
+        "".join(ROBOT.format(name=f'name "{name}"', x=1 + i, more="") for i, name in enumerate("ab")) + thing
+    )
+
+    assert main(["world", str(file), "--lang", "en"]) == 0
+
+    assert capsys.readouterr().out.splitlines()[1:] == [
+        "2 robots: a, b.",
+        "The robot a starts at 20, 0, facing north.",
+        "Robot b, from a: 20 east, facing north.",
+        "1 thing, in steps from a, the nearest first.",
+        "Puck, red: 10 west, 10 north.",
+    ]
