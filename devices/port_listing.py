@@ -52,6 +52,13 @@ def list_ports(
     return tuple(sorted(found, key=lambda port: (not port.is_board, port.device)))
 
 
+def stable_name(port: str, by_id: Path = _BY_ID) -> str:
+    """The name under which that port is found again when it is plugged in anew; its own where it has none."""
+    if Path(port).parent == by_id:
+        return port
+    return _stable_names(by_id).get(os.path.realpath(port), port)
+
+
 def _is_board(port: SystemPort) -> bool:
     return port.vid == _ARDUINO and port.pid in _MEGAS
 

@@ -9,9 +9,10 @@ from __future__ import annotations
 import threading
 from collections.abc import Callable
 from dataclasses import dataclass, replace
+from functools import partial
 from typing import TYPE_CHECKING, Protocol
 
-from devices.port_listing import list_ports
+from devices.port_listing import list_ports, stable_name
 from devices.ports.robot import LinkNews, Pace, Pose, RobotProblem, Watcher
 from donnie_tui.core.events import Link
 from donnie_tui.core.session import Busy, ResettableRobot, Session
@@ -71,6 +72,7 @@ class Connection:
         world: ChosenWorld,
         session: Session,
         found: Lister = list_ports,
+        stable: Callable[[str], str] = stable_name,
         search: Search | None = None,
     ) -> None:
         """``session``: whose robot it is; it begins with a simulated one."""
@@ -79,7 +81,7 @@ class Connection:
         self._words = words
         self._world = world
         self._session = session
-        self._found = found
+        self._found, self._stable = found, stable
         self._now = _Connected()
         self._lock = threading.Lock()
         self.robot = SIMULATED
@@ -166,7 +168,7 @@ class Connection:
         if robot == DOUBLE:
             return self._make_double, DOUBLE
         settings = replace(self._settings, robot=robot)
-        port = find_port(settings, self._words, self._found)
+        port = self._stable(find_port(settings, self._words, self._found))
         name = f"{SERIAL}:{port}"
         refuse_shared_port(replace(settings, robot=name), self._words)
         return lambda pace, watcher: self._make_serial(port, pace, watcher), name
@@ -223,10 +225,13 @@ def _serial_robot(
     start: Pose | None = None,
     on_event: Callable[[LinkNews, str], None] | None = None,
 ) -> SerialRobot:
+    from devices.reset_line import reset_of
     from devices.serial_link import SerialLink
+    from devices.serial_link.port import OpenPort
     from devices.serial_robot.robot import SerialRobot
 
-    link = SerialLink(port, on_event=on_event)
+    reset = reset_of(settings.reset_line, port)
+    link = SerialLink(port, on_event=on_event, open_port=partial(OpenPort, reset=reset))
     return SerialRobot(link, robot_config(settings), pace=pace, watcher=watcher, start=start)
 
 

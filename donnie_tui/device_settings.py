@@ -14,6 +14,8 @@ _SIDES = {"front": True, "back": False}
 _COLUMNS = range(7)
 _SONARS = _BUMPERS = 6
 _NONE = "none"
+_PINS = range(2, 28)
+"""The Raspberry Pi's lines that a person can wire; 0 and 1 belong to its boards."""
 
 SIMULATED, DOUBLE, SERIAL = "sim", "double", "serial"
 """What ``--robot`` takes; ``serial`` alone finds the port by itself, ``serial:PORT`` names it."""
@@ -23,6 +25,7 @@ STEPS_WANTED = "5 10 20"
 COLUMNS_WANTED = "front 3, front-right 4, back 0 6"
 METRES_WANTED = "0.001-1"
 SONARS_WANTED = "front-right front front-left back-left back back-right"
+RESET_WANTED = "auto, dtr, gpio:22, none"
 BUMPERS_WANTED = "front front front back back back"
 
 
@@ -72,6 +75,16 @@ def read_bumpers(text: str) -> tuple[bool, ...]:
     if len(words) != _BUMPERS or not set(words) <= set(_SIDES):
         raise ValueError(text)
     return tuple(_SIDES[word] for word in words)
+
+
+def read_reset_line(text: str) -> str:
+    """What restarts a board by force: a pin of a Raspberry Pi, the port's own wire, or nothing."""
+    kind, colon, pin = text.strip().lower().partition(":")
+    if kind == "gpio" and pin.isascii() and pin.isdecimal() and int(pin) in _PINS:
+        return f"gpio:{int(pin)}"
+    if kind not in ("auto", "dtr", "none") or colon:
+        raise ValueError(text)
+    return kind
 
 
 def _bearing(word: str) -> Bearing:

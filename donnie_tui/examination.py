@@ -79,6 +79,7 @@ def examine(
     yield from look_at_speech(settings, cause_of_linear is not None)
     yield from look_at_own_sounds(own_sounds(environment))
     yield from look_at_ports()
+    yield from look_at_reset(settings)
     yield from look_at_settings(settings, environment)
 
 
@@ -206,6 +207,21 @@ def look_at_ports(found: Callable[[], tuple[FoundPort, ...]] | None = None) -> I
             yield amiss("doctor-port-forbidden", port=port.stable, group=group_of(port.device))
     if not ports:
         yield well("doctor-no-ports")
+
+
+def look_at_reset(settings: Settings, reset: Callable[[str, str], object] | None = None) -> Iterator[Finding]:
+    """Whether the pin that restarts the robot's board can be driven, where a pin does that."""
+    from devices.reset_line import GpioReset, reset_of
+
+    kind, _, port = settings.robot.partition(":")
+    line = (reset or reset_of)(settings.reset_line, port) if kind == "serial" else None
+    if not isinstance(line, GpioReset):
+        return
+    fault = line.fault()
+    if fault is None:
+        yield well("doctor-reset", pin=line.pin)
+    else:
+        yield amiss(f"doctor-reset-{fault.value}", pin=line.pin)
 
 
 # --- settings

@@ -18,6 +18,7 @@ from donnie_tui.device_settings import (
     BUMPERS_WANTED,
     COLUMNS_WANTED,
     METRES_WANTED,
+    RESET_WANTED,
     ROBOT_WANTED,
     SONARS_WANTED,
     STEPS_WANTED,
@@ -26,6 +27,7 @@ from donnie_tui.device_settings import (
     read_bumpers,
     read_columns,
     read_metres,
+    read_reset_line,
     read_robot,
     read_sonars,
     read_steps,
@@ -115,6 +117,8 @@ class Settings:
     axle_length: float | None = None
     sonars: Sonars | None = None
     bumpers: tuple[bool, ...] | None = None
+    reset_line: str = "auto"
+    """What restarts a board by force."""
     linear: bool | None = None
     """What the settings file says; the variables and the options are weighed in ``cli.mode``."""
     theme: str = "dark"
@@ -342,6 +346,7 @@ KEYS = (
     Key("axle_length", "axle_length", read_metres, METRES_WANTED),
     Key("sonars", "sonars", read_sonars, SONARS_WANTED),
     Key("bumpers", "bumpers", read_bumpers, BUMPERS_WANTED),
+    Key("reset_line", "reset_line", read_reset_line, RESET_WANTED),
     Key("linear", "linear", read_switch, "on, off"),
     Key("page", "page", _one_of(("rest", "ask", "off")), "rest, ask, off"),
     Key("prompt", "prompt", _one_of(("short", "none", "word", "answer")), "short, none, word, answer"),

@@ -104,8 +104,13 @@ class HaltTalk:
                 self._wheels, self._still_since = report, now
 
 
-def halt(port: str, opened: Callable[..., Line] = PortLine) -> Halted:
-    """Stop the robot at the port; four seconds at most. Raises ``PortProblem``.
+def halt(
+    port: str, opened: Callable[..., Line] = PortLine, *, by_force: Callable[[], bool] = lambda: False
+) -> Halted:
+    """Stop the robot at the port; four seconds at most, or twice that. Raises ``PortProblem``.
+
+    ``by_force`` restarts the board, where that can be done without opening the port; whether it did. It is
+    called if words don't help.
 
     Where another program has the port, stop is said all the same, without listening.
     """
@@ -117,11 +122,18 @@ def halt(port: str, opened: Callable[..., Line] = PortLine) -> Halted:
         _say_stop_beside(port, opened)
         return Halted.IN_USE
     try:
-        talk = HaltTalk()
-        hold(line, talk, port)
-        return talk.outcome(line.now())
+        outcome = _talked(line, port)
+        if outcome is Halted.UNCONFIRMED and by_force():
+            outcome = _talked(line, port)
+        return outcome
     finally:
         line.close()
+
+
+def _talked(line: Line, port: str) -> Halted:
+    talk = HaltTalk()
+    hold(line, talk, port)
+    return talk.outcome(line.now())
 
 
 def _say_stop_beside(port: str, opened: Callable[..., Line]) -> None:

@@ -32,6 +32,11 @@ PATIENCE = 1.0
 _LOG = logging.getLogger(__name__)
 
 
+def _pause(seconds: float) -> None:
+    """A pulse is as long as it has to be, also if the link is closed meanwhile."""
+    threading.Event().wait(seconds)
+
+
 class SerialLink:
     """A line to one board on one port. See ``devices.serial_robot.line.RobotLine``."""
 
@@ -194,7 +199,7 @@ class SerialLink:
                     self._write(data)
                 case Need.FORCE:
                     if self._port is not None:
-                        self._port.pull_reset(self._closing.wait)
+                        self._port.pull_reset(_pause)
                 case Need.REOPEN:
                     self._reopen()
         except GONE as error:

@@ -5,27 +5,26 @@ What a line that is gone raises is one of ``GONE``.
 
 from __future__ import annotations
 
-import logging
-from collections.abc import Callable
 from contextlib import suppress
 
+from devices.reset_line import AUTOMATIC, Pause, Reset, reset_of
 from devices.serial_port import GONE, open_port
 
 BAUD = 115200
-RESET_PULSE = 0.05
-"""Seconds that the reset line is held at either level."""
 MOST_AT_ONCE = 8192
 """Bytes that one read takes: more than the system keeps."""
-
-_LOG = logging.getLogger(__name__)
 
 
 class OpenPort:
     """A port that is ours alone. One of ``GONE`` from any method means that it is."""
 
-    def __init__(self, url: str) -> None:
-        """Open it. Raises ``PortProblem``. Opening resets a board on USB, and so stops it."""
+    def __init__(self, url: str, reset: Reset | None = None) -> None:
+        """Open it. Raises ``PortProblem``. Opening resets a board on USB, and so stops it.
+
+        ``reset``: how the board is restarted by force; by default as fits the port.
+        """
         self._port = open_port(url, BAUD)
+        self._reset = reset or reset_of(AUTOMATIC, url)
 
     def read(self) -> bytes:
         """What has come in; returns at once."""
@@ -37,15 +36,9 @@ class OpenPort:
         them may be half a frame, and only a new beginning ends that surely."""
         self._port.write(data)
 
-    def pull_reset(self, pause: Callable[[float], object]) -> None:
-        """Let DTR fall and rise: a board on USB restarts, its motors off. Other lines have no such wire."""
-        for level in (False, True):
-            try:
-                self._port.dtr = level
-            except (*GONE, NotImplementedError) as error:
-                _LOG.info("no reset line: %s", error)
-                return
-            pause(RESET_PULSE)
+    def pull_reset(self, pause: Pause) -> None:
+        """Restart the board by force, its motors off, where there is a way to."""
+        self._reset.pull(self._port, pause)
 
     def close(self) -> None:
         with suppress(*GONE):

@@ -20,6 +20,7 @@ OWNERS = {
     "pymunk": ("sim.",),
     "PIL": ("sim.",),
     "serial": (),
+    "gpiod": (),
     "pyttsx3": (),
     "miniaudio": (),
     "numpy": (),

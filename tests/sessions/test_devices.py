@@ -28,7 +28,8 @@ from devices.firmware_double.on_pty import DoubleOnPty
 from devices.ports.robot import Pose
 from devices.wire.commands import STOP
 from donnie_tui.bootstrap import Donnie, assemble
-from donnie_tui.core.events import CueSounded, Moved, Outcome, RunEnded, Stamped
+from donnie_tui.connecting import Connection
+from donnie_tui.core.events import CueSounded, Link, Moved, Outcome, RunEnded, Stamped
 from donnie_tui.settings import Settings
 from tests.sessions.command import COMMAND, PATIENCE, QUIET, donnie, environment, start
 from tests.sessions.learner import Learner
@@ -269,6 +270,36 @@ def test_a_line_that_is_lost_ends_the_walk_and_nothing_goes_on_by_itself(robot: 
     assert [each.stopped_by.value for each in moved if each.stopped_by] == ["link"]
     assert not robot.board.is_driving
     donnie.close()
+
+
+def test_a_robot_that_was_named_by_its_device_is_found_again_under_another_one(robot: DoubleOnPty) -> None:
+    """``robot.path`` stays, as a name in by-id does; what it leads to is another one each time."""
+    device, names = os.path.realpath(robot.path), list[str]()
+    settings = Settings(speech="off", sound=False)
+    donnie, heard = assemble(settings, terminal=True), list[Stamped]()
+    donnie.session.hub.subscribe(heard.append)
+    connection = Connection(
+        settings,
+        donnie.words,
+        donnie.world,
+        donnie.session,
+        stable=lambda port: names.append(port) or robot.path,
+    )
+    assert connection.connect(f"serial:{device}") == ()
+    assert (names, connection.robot) == ([device], f"serial:{robot.path}")
+    robot.unplug()
+    assert until(lambda: any(isinstance(each.event, Link) and each.event.state == "lost" for each in heard))
+    taken = os.openpty()  # so that its next device has another name
+    robot.plug()
+
+    assert os.path.realpath(robot.path) != device
+    assert until(
+        lambda: any(isinstance(each.event, Link) and each.event.state == "restored" for each in heard)
+    )
+    connection.close()
+    donnie.close()
+    for end in taken:
+        os.close(end)
 
 
 # --- looking for a robot that does not answer

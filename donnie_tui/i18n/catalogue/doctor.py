@@ -324,6 +324,49 @@ SENTENCES: dict[str, Sentence] = {
     "doctor-no-ports": Sentence(
         "No serial port is plugged in.", "Nenhuma porta serial conectada.", "Ningún puerto serie conectado."
     ),
+    "doctor-reset": Sentence(
+        "GPIO{pin} can restart the robot's board.",
+        "GPIO{pin} pode reiniciar a placa do robô.",
+        "GPIO{pin} puede reiniciar la placa del robot.",
+    ),
+    "doctor-reset-package": Sentence(
+        "GPIO{pin} can't restart the robot's board: the package gpiod is missing.",
+        "GPIO{pin} não pode reiniciar a placa do robô: falta o pacote gpiod.",
+        "GPIO{pin} no puede reiniciar la placa del robot: falta el paquete gpiod.",
+    ),
+    "doctor-reset-package-remedy": Sentence(
+        'pip install "donnie-tui[pi]".', 'pip install "donnie-tui[pi]".', 'pip install "donnie-tui[pi]".'
+    ),
+    "doctor-reset-forbidden": Sentence(
+        "you may not use GPIO{pin}, which restarts the robot's board.",
+        "você não pode usar GPIO{pin}, que reinicia a placa do robô.",
+        "no puedes usar GPIO{pin}, que reinicia la placa del robot.",
+    ),
+    "doctor-reset-forbidden-remedy": Sentence(
+        "sudo usermod -aG gpio $USER, then log in again.",
+        "sudo usermod -aG gpio $USER, e entre de novo.",
+        "sudo usermod -aG gpio $USER, y entra otra vez.",
+    ),
+    "doctor-reset-absent": Sentence(
+        "this machine has no GPIO{pin} to restart the robot's board.",
+        "esta máquina não tem GPIO{pin} para reiniciar a placa do robô.",
+        "esta máquina no tiene GPIO{pin} para reiniciar la placa del robot.",
+    ),
+    "doctor-reset-absent-remedy": Sentence(
+        "name another line: reset_line in the settings, such as dtr.",
+        "escolha outra linha: reset_line nas configurações, como dtr.",
+        "elige otra línea: reset_line en los ajustes, como dtr.",
+    ),
+    "doctor-reset-failed": Sentence(
+        "the pins of this machine can't be used, so GPIO{pin} can't restart the robot's board.",
+        "os pinos desta máquina não podem ser usados, e GPIO{pin} não reinicia a placa do robô.",
+        "los pines de esta máquina no se pueden usar, y GPIO{pin} no reinicia la placa del robot.",
+    ),
+    "doctor-reset-failed-remedy": Sentence(
+        "does another program use them? The robot's switch stops it too.",
+        "outro programa usa os pinos? O interruptor do robô também o para.",
+        "¿otro programa los usa? El interruptor del robot también lo detiene.",
+    ),
     # --- settings
     "doctor-settings-file": Sentence(
         "Settings file: {path}", "Arquivo de ajustes: {path}", "Archivo de ajustes: {path}"

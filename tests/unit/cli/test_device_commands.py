@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import io
 from argparse import Namespace
+from collections.abc import Callable
 from functools import partial
 from pathlib import Path
 
@@ -13,6 +14,7 @@ from devices.port_listing import FoundPort
 from devices.port_talk.asking import Answer, Found
 from devices.port_talk.halting import Halted
 from devices.ports.robot import Bearing
+from devices.reset_line import GpioReset
 from devices.serial_port import PortFault, PortProblem
 from donnie_tui.cli.arguments import Invocation
 from donnie_tui.cli.devices import list_devices
@@ -156,14 +158,27 @@ def test_no_devices_is_a_sentence(language: str, sentence: str) -> None:
 def test_only_a_robot_that_is_known_to_stand_is_a_success(halted: Halted, code: int, sentence: str) -> None:
     made, out = order("here")
 
-    assert stop(made, lambda _: halted) == code
+    assert stop(made, lambda _, **__: halted) == code
     assert out.getvalue() == f"{sentence}\n"
+
+
+def test_stopping_may_pull_the_pin_where_the_robot_has_one(monkeypatch: pytest.MonkeyPatch) -> None:
+    pulled: list[int] = []
+    monkeypatch.setattr(GpioReset, "pull", lambda self, *_: not pulled.append(self.pin))
+
+    def halted(_port: str, by_force: Callable[[], bool]) -> Halted:
+        return Halted.STANDS if by_force() else Halted.UNCONFIRMED
+
+    outcomes = [
+        stop(order("here", Settings(reset_line=line))[0], halted) for line in ("gpio:17", "dtr", "none")
+    ]
+    assert (outcomes, pulled) == ([0, 1, 1], [17])
 
 
 def test_without_a_port_the_robot_of_the_settings_is_stopped() -> None:
     made, out = order(None, Settings(robot="serial:/dev/mine"))
 
-    assert stop(made, lambda _: Halted.STANDS) == 0
+    assert stop(made, lambda _, **__: Halted.STANDS) == 0
     assert out.getvalue() == "The robot stands. Port /dev/mine.\n"
 
 
@@ -174,7 +189,7 @@ def test_without_a_board_nobody_who_wants_to_stop_one_is_sent_to_the_simulator(
     made, _ = order(None)
 
     with pytest.raises(Unusable) as told:
-        stop(made, lambda _: Halted.STANDS)
+        stop(made, lambda _, **__: Halted.STANDS)
     assert told.value.sentence == "I find no robot. Is it plugged in? If a robot drives, switch it off."
 
 
@@ -268,6 +283,10 @@ def test_a_robot_and_a_belt_can_be_written_down() -> None:
         ("sonars", "front front"),
         ("sonars", "front front front front front up"),
         ("bumpers", "front back"),
+        ("reset_line", "gpio"),
+        ("reset_line", "gpio:40"),
+        ("reset_line", "dtr:1"),
+        ("reset_line", "rts"),
     ],
 )
 def test_what_can_not_be_understood_is_an_error_or_a_notice(key: str, value: str) -> None:

@@ -9,9 +9,17 @@ from pathlib import Path
 import pytest
 
 from devices.port_listing import FoundPort
+from devices.reset_line import GpioReset, PinFault
 from devices.speech.choose import Facts, SpeakPlace, SpeechWish, choose_channel
 from donnie_tui import examination
-from donnie_tui.examination import Finding, look_at_packages, look_at_ports, look_at_settings, look_at_speech
+from donnie_tui.examination import (
+    Finding,
+    look_at_packages,
+    look_at_ports,
+    look_at_reset,
+    look_at_settings,
+    look_at_speech,
+)
 from donnie_tui.i18n.catalogue import SENTENCES
 from donnie_tui.i18n.words import Words
 from donnie_tui.settings import Settings, resolve
@@ -100,6 +108,24 @@ def test_a_port_of_a_board_and_no_port_at_all_are_told(tmp_path: Path) -> None:
     found = FoundPort(str(port), str(port), True)
     assert [each.code for each in look_at_ports(lambda: (found,))] == ["doctor-port-board"]
     assert [each.code for each in look_at_ports(lambda: ())] == ["doctor-no-ports"]
+
+
+@pytest.mark.parametrize("fault", [None, *PinFault])
+def test_the_pin_that_restarts_the_board_is_told_with_its_remedy(fault: PinFault | None) -> None:
+    class Pin(GpioReset):
+        def fault(self) -> PinFault | None:
+            return fault
+
+    settings = Settings(robot="serial:/dev/ttyAMA0")
+    (finding,) = look_at_reset(settings, lambda *_: Pin())
+    assert finding.is_well is (fault is None)
+    assert "GPIO22" in told([finding])[0]
+    assert finding.is_well or f"{finding.code}-remedy" in SENTENCES
+
+
+def test_of_a_robot_without_such_a_pin_nothing_is_told() -> None:
+    assert not list(look_at_reset(Settings(robot="serial:/dev/ttyACM0")))
+    assert not list(look_at_reset(Settings()))
 
 
 def test_it_is_told_which_source_of_a_setting_won(tmp_path: Path) -> None:

@@ -5,7 +5,7 @@ from __future__ import annotations
 from dataclasses import dataclass
 from pathlib import Path
 
-from devices.port_listing import FoundPort, list_ports
+from devices.port_listing import FoundPort, list_ports, stable_name
 
 
 @dataclass
@@ -42,6 +42,22 @@ def test_a_port_is_called_by_its_make_and_number_where_it_has_one(tmp_path: Path
 
     found = list_ports(lambda: [Plugged(str(device), 0x2341, 0x0042)], link.parent)
     assert found == (FoundPort(str(device), str(link), is_board=True),)
+
+
+def test_a_port_that_was_named_by_hand_has_a_name_that_stays(tmp_path: Path) -> None:
+    device, link = tmp_path / "ttyACM0", tmp_path / "by-id" / "usb-Arduino_7543"
+    device.touch()
+    link.parent.mkdir()
+    link.symlink_to("../ttyACM0")
+    beside = link.parent / "usb-Arduino_7543-again"
+    beside.symlink_to("../ttyACM0")
+
+    assert Path(stable_name(str(device), link.parent)).resolve() == device
+    assert Path(stable_name(str(device), link.parent)).parent == link.parent
+    assert stable_name(str(link), link.parent) == str(link)
+    for unknown in ("/dev/null", "socket://there:2000", str(tmp_path / "gone")):
+        assert stable_name(unknown, link.parent) == unknown
+    assert stable_name(str(device), tmp_path / "none") == str(device)
 
 
 def test_the_machines_own_list_can_be_read() -> None:

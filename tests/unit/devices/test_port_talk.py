@@ -128,6 +128,38 @@ class SilentLater(BoardLine):
         return told if self._frames_left > 0 else b""
 
 
+class Deaf(BoardLine):
+    """A board that drives on whatever it is told."""
+
+    def write(self, data: bytes) -> None:
+        self.written.append(data)
+
+
+def test_a_robot_that_words_do_not_stop_is_stopped_by_force_where_there_is_a_way() -> None:
+    board, forced = driving(), list[float]()
+    line = Deaf(board)
+
+    def pin() -> bool:
+        forced.append(line.now())
+        board.reset()
+        return True
+
+    assert halt("port", opening(line), by_force=pin) is Halted.STANDS
+    assert len(forced) == 1
+    assert not board.is_driving
+
+
+def test_a_robot_that_heeds_is_not_stopped_by_force() -> None:
+    def pin() -> bool:
+        raise AssertionError
+
+    assert halt("port", opening(BoardLine(driving())), by_force=pin) is Halted.STANDS
+
+
+def test_without_a_way_to_force_it_nothing_is_claimed() -> None:
+    assert halt("port", opening(Deaf(driving()))) is Halted.UNCONFIRMED
+
+
 def test_a_board_that_falls_silent_is_not_known_to_stand() -> None:
     board = driving()
 

@@ -19,8 +19,9 @@ import pytest
 from devices.firmware_double.board import SimulatedBoard
 from devices.firmware_double.on_pty import DoubleOnPty
 from devices.ports.robot import LinkNews, RobotProblem, StoppedBy
+from devices.reset_line import DTR_PULSE
 from devices.serial_link import SerialLink
-from devices.serial_link.port import RESET_PULSE, OpenPort
+from devices.serial_link.port import OpenPort
 from devices.serial_robot.config import RobotConfig
 from devices.serial_robot.robot import SerialRobot
 from devices.wire.commands import STOP, Drive, motors
@@ -269,7 +270,7 @@ def test_dtr_falls_and_rises_again_with_a_pause_after_each(monkeypatch: pytest.M
     monkeypatch.setattr("devices.serial_link.port.open_port", lambda *_: Wire())
     OpenPort("port").pull_reset(seen.append)
 
-    assert seen == [("dtr", False), RESET_PULSE, ("dtr", True), RESET_PULSE]
+    assert seen == [("dtr", False), DTR_PULSE, ("dtr", True), DTR_PULSE]
 
 
 DRIVER = """
