@@ -59,7 +59,7 @@ def pack(
 
     Raises ``BundleError``.
     """
-    places = [main.resolve().parent, *(each.resolve() for each in folders)]
+    places = list(dict.fromkeys([main.resolve().parent, *(each.resolve() for each in folders)]))
     packed: dict[str, bytes] = {}
     for file in dict.fromkeys((str(main), *files)):
         data = _read(Path(file), LARGEST - sum(map(len, packed.values())))

@@ -286,6 +286,17 @@ def test_several_robots_are_run_again_together(here: Here) -> None:
     assert here.replay() == done.out
 
 
+@pytest.mark.parametrize("world", ["object_field", "cave"])
+def test_a_recording_has_each_file_of_its_world_once(here: Here, world: str) -> None:
+    here.record("SPEAK 1", "--world", world)
+
+    header = json.loads((here.folder / "a.rec").read_text(encoding="utf-8").splitlines()[0])
+    contents = [json.dumps({**each, "name": ""}) for each in header["world"]["files"]]
+    assert len(contents) > 1
+    assert len(contents) == len(set(contents))
+    assert here.replay("--check")[0].endswith("events alike.")
+
+
 def test_a_recording_needs_nothing_but_itself(here: Here) -> None:
     (here.folder / "sub").mkdir()
     (here.folder / "sub" / "own.inc").write_text(
