@@ -8,6 +8,7 @@ from __future__ import annotations
 from contextlib import ExitStack
 from dataclasses import dataclass
 from functools import partial
+from pathlib import Path
 from typing import TYPE_CHECKING, TextIO
 
 from devices.ports.robot import Pace, Watcher
@@ -16,6 +17,7 @@ from donnie_tui.connecting import Connection
 from donnie_tui.core.belt_telling import BeltTelling
 from donnie_tui.core.chronicle import Chronicle
 from donnie_tui.core.hub import Stream
+from donnie_tui.core.in_use import keep
 from donnie_tui.core.session import ResettableRobot, Session
 from donnie_tui.core.team import Team
 from donnie_tui.core.until_said import UntilSaid
@@ -26,7 +28,7 @@ from donnie_tui.robot_search import Search
 from donnie_tui.settings import Settings, Source
 from donnie_tui.tangible import belt_settings, connect_belt
 from donnie_tui.unusable import Unusable
-from donnie_tui.world_choice import ChosenWorld, choose_world
+from donnie_tui.world_choice import ChosenWorld, choose_world, files_of
 from donnie_tui.written import Written
 
 if TYPE_CHECKING:
@@ -142,6 +144,7 @@ def assemble(
         written.events(out)
         written.recording(world)
         written.log()
+        closing.callback(keep((*written.paths, *_sound_files(settings), *files_of(world))))
         about_settings = tuple(words(each.code, **each.values) for each in settings.notices)
         audible = make_audible(settings, session, words, closing, is_linear=is_linear)
         belt_telling = BeltTelling(team, words, belt_settings(settings))
@@ -168,6 +171,10 @@ def assemble(
     )
     donnie.let_programs_wait()
     return donnie
+
+
+def _sound_files(settings: Settings) -> tuple[Path, ...]:
+    return (Path(settings.sound),) if isinstance(settings.sound, str) else ()
 
 
 def _connect_robot(

@@ -51,6 +51,12 @@ class ChosenWorld:
         return Pose(round(place.x / STEP, 6), round(place.y / STEP, 6), round(90.0 - place.yaw, 6) % 360.0)
 
 
+def files_of(world: ChosenWorld) -> tuple[Path, ...]:
+    """All that was read for the world."""
+    report = world.scene.report
+    return (world.path, *(Path(each) for each in (*report.files, *report.pictures)))
+
+
 def choose_world(name_or_file: str, words: Words, folders: tuple[Path, ...] = ()) -> ChosenWorld:
     """The world of ``--world``. Raises ``Unusable``.
 

@@ -23,7 +23,7 @@ from donnie_tui.settings import Settings
 from donnie_tui.tangible import belt_settings
 from donnie_tui.unusable import Unusable
 from donnie_tui.world_bundle import BundleError, WorldBundle, pack
-from donnie_tui.world_choice import ChosenWorld
+from donnie_tui.world_choice import ChosenWorld, files_of
 
 
 class Written:
@@ -32,6 +32,8 @@ class Written:
     def __init__(self, settings: Settings, hub: Hub, words: Words, closing: ExitStack) -> None:
         self.lost: list[str] = []
         """Those that could not be written to their end."""
+        self.paths: list[Path] = []
+        """All that are written as it goes."""
         self._settings = settings
         self._hub = hub
         self._words = words
@@ -97,6 +99,7 @@ class Written:
         except (OSError, ValueError) as problem:
             raise self._unwritable(name, problem) from None
         self._closing.callback(_close_quietly, out)
+        self.paths.append(Path(name))
         return out
 
     def _unwritable(self, name: str, problem: OSError | ValueError) -> Unusable:
@@ -113,10 +116,9 @@ class Written:
 
 def bundle_of(world: ChosenWorld, settings: Settings) -> WorldBundle:
     """All that was read for the world. Raises ``BundleError``."""
-    report, scene = world.scene.report, world.scene
-    robots = list(scene.robot_names)
+    robots = list(world.scene.robot_names)
     folders = (*settings.world_folders, worlds.SCENES)
-    return pack(world.name, world.path, (*report.files, *report.pictures), folders, robots)
+    return pack(world.name, world.path, [str(each) for each in files_of(world)], folders, robots)
 
 
 def _reason(problem: OSError | ValueError) -> str:

@@ -13,12 +13,12 @@ import worlds
 from donnie_tui.cli.order import Order
 from donnie_tui.settings import Settings
 from donnie_tui.unusable import Unusable
-from donnie_tui.world_choice import choose_world
+from donnie_tui.world_choice import choose_world, files_of
 
 
 def refuse_overwriting(order: Order) -> None:
     """Raises ``Unusable`` where an option names a file that the command needs, or that another one names."""
-    outputs = tuple(_outputs(order.settings))
+    outputs = (*_outputs(order.settings), *_pages(order))
     if not outputs:
         return
     for (option, path), (other, other_path) in combinations(outputs, 2):
@@ -40,6 +40,14 @@ def _outputs(settings: Settings) -> Iterator[tuple[str, Path]]:
         yield "--sound", Path(settings.sound)
 
 
+def _pages(order: Order) -> Iterator[tuple[str, Path]]:
+    """What ``donnie world`` writes."""
+    for option in ("svg", "brf"):
+        name = getattr(order.invocation.arguments, option, None)
+        if name:
+            yield f"--{option}", Path(name)
+
+
 def _programs(order: Order) -> Iterator[Path]:
     """All that may be meant: ``ROBOT=FILE`` is a file of that name too."""
     arguments = order.invocation.arguments
@@ -54,13 +62,12 @@ def _programs(order: Order) -> Iterator[Path]:
 def _files_of_world(order: Order, outputs: tuple[tuple[str, Path], ...]) -> tuple[Path, ...]:
     """None where no output is there yet, or the world is one of ours."""
     settings = order.settings
-    if order.invocation.command == "replay" or settings.world in worlds.names():
+    name = getattr(order.invocation.arguments, "name", None) or settings.world
+    if order.invocation.command == "replay" or name in worlds.names():
         return ()
     if not any(_is_regular(path) for _, path in outputs):
         return ()
-    world = choose_world(settings.world, order.words, settings.world_folders)
-    report = world.scene.report
-    return (Path(settings.world), *(Path(each) for each in (*report.files, *report.pictures)))
+    return (Path(name), *files_of(choose_world(name, order.words, settings.world_folders)))
 
 
 def _is_regular(path: Path) -> bool:

@@ -12,6 +12,8 @@ import os
 import re
 from pathlib import Path
 
+from donnie_tui.core.in_use import is_in_use
+
 _LINE_END = re.compile(r"\r\n|\r|\n")
 _OBEYED = re.compile("[\x00-\x08\x0b\x0c\x0e-\x1f\x7f-\x9f\u2028\u2029]")
 
@@ -111,6 +113,8 @@ def write_program(path: Path, text: str) -> None:
         target = path.resolve()
         if target.is_dir():
             raise DocumentError("file-is-folder", str(path))
+        if is_in_use(target):
+            raise DocumentError("file-in-use", str(path))
         if target.exists() and not target.is_file():  # taking a device's place would break the machine
             raise DocumentError("file-no-file", str(path))
         if target.exists() and not os.access(target, os.W_OK):

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from pathlib import Path
 from typing import TYPE_CHECKING
 
 import worlds
@@ -166,5 +167,5 @@ class AroundDeeds:
 
     async def save_log(self, argument: str) -> None:
         name = argument or await self._host.ask(self._host.words("ask-save-log"), value="log.txt")
-        if name:
+        if name and await self._host.files.may_replace(Path(name)):
             self._host.save_log(name)

@@ -6,6 +6,7 @@ know no screen; this asks the person and tells the outcome.
 
 from __future__ import annotations
 
+import contextlib
 from collections.abc import Awaitable, Callable, Mapping
 from dataclasses import dataclass
 from pathlib import Path
@@ -222,12 +223,19 @@ class Files:
             return False
         return self._write(path)
 
+    async def may_replace(self, path: Path) -> bool:
+        """Whether nothing is there, or somebody wants it replaced; that it stays is told."""
+        with contextlib.suppress(OSError, ValueError, RuntimeError):
+            if path.expanduser().exists() and not await self._yes("ask-replace", path.name):
+                self._desk.tell(Answer("answer-unchanged"))
+                return False
+        return True
+
     async def write_beside(self, name: str, text: str) -> None:
         """Another file than the program's; what was there is replaced only by somebody who wants it."""
         try:
             path = program_to_save(name)
-            if path.exists() and not await self._yes("ask-replace", path.name):
-                self._desk.tell(Answer("answer-unchanged"))
+            if not await self.may_replace(path):
                 return
             write_program(path, text)
         except DocumentError as error:

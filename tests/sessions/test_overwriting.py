@@ -7,7 +7,7 @@ from pathlib import Path
 import pytest
 
 from donnie_tui.cli.main import main
-from tests.sessions.command import QUIET
+from tests.sessions.command import QUIET, donnie
 
 WORLD = 'include "donnie.inc"\ninclude "own.inc"\ndonnie( pose [ 0 0 0 90 ] )\n'
 
@@ -37,10 +37,12 @@ def _here(monkeypatch: pytest.MonkeyPatch, tmp_path: Path) -> None:
         "run a.gd --world z.world --events own.inc",
         "run a.gd --sound wav:a.gd",
         "replay a.gd --events a.gd",
+        "world z.world --svg z.world",
+        "world z.world --brf own.inc",
     ],
 )
 def test_what_is_read_is_not_overwritten(line: str, capsys: pytest.CaptureFixture[str]) -> None:
-    assert main([*line.split(), "--speech", "off"]) == 2
+    assert main([*line.split(), "--speech", "off"]) == 2, line
 
     out, err = capsys.readouterr()
     assert (out, err.count("\n")) == ("", 1)
@@ -66,3 +68,21 @@ def test_a_recording_may_be_made_again_in_a_world_of_ones_own() -> None:
     command = ["run", "a.gd", "--world", "z.world", "--record", "a.rec", *QUIET]
 
     assert (main(command), main(command)) == (0, 0)
+
+
+@pytest.mark.parametrize("word", ["SAVE AS", "SAVE LOG", "REPORT MAP"])
+@pytest.mark.parametrize("name", ["b.rec", "z.world", "own.inc", "b.jsonl"])
+def test_no_word_of_a_session_writes_onto_what_the_session_needs(
+    word: str, name: str, tmp_path: Path
+) -> None:
+    outputs = ("--record", "b.rec", "--events", "b.jsonl")
+    typed = f"FW 1\n\n{word} {name}\nFW 2\n\nSAVE AS c.gd\n"
+
+    done = donnie(tmp_path, "--linear", "--world", "z.world", *outputs, *QUIET, "--speed", "max", typed=typed)
+
+    assert f"{name} is in use here. Give another name." in done.stdout.decode()
+    assert Path("z.world").read_text() == WORLD
+    assert Path("own.inc").read_text() == "# mine\n"
+    assert main(["replay", "b.rec", "--check", *QUIET]) == 0
+    assert Path("b.jsonl").read_text().count("run_ended") == 2
+    assert Path("c.gd").exists()

@@ -206,3 +206,15 @@ async def test_whatever_a_file_holds_opening_it_is_answered(work, tmp_path, data
         await desk.type_line(f"OPEN {path}")
 
         await desk.until(lambda: any("odd.gd" in line for line in desk.log[3:]), "an answer")
+
+
+async def test_the_log_replaces_a_file_only_after_a_yes(work, program):
+    async with work() as desk:
+        await desk.type_line(f"SAVE LOG {program}")
+        await desk.answer("no")
+        await desk.told("Nothing was changed.")
+        assert program.read_text(encoding="utf-8") == "FW 1\nTR 90\n"
+
+        await desk.type_line(f"SAVE LOG {program}")
+        await desk.answer("yes")
+        await desk.until(lambda: "SAVE LOG" in program.read_text(encoding="utf-8"), "the log")

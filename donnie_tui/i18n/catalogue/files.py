@@ -13,6 +13,11 @@ SENTENCES: dict[str, Sentence] = {
         "{path} es demasiado grande para un programa.",
     ),
     "file-not-text": Sentence("{path} is no text.", "{path} não é um texto.", "{path} no es un texto."),
+    "file-in-use": Sentence(
+        "{path} is in use here. Give another name.",
+        "{path} está em uso aqui. Dê outro nome.",
+        "{path} está en uso aquí. Da otro nombre.",
+    ),
     "file-no-file": Sentence(
         "{path} is no ordinary file.", "{path} não é um arquivo comum.", "{path} no es un archivo común."
     ),
