@@ -39,6 +39,6 @@ class ReplayMap:
         from sim.picture import picture
 
         if robot not in self._pictures:
-            is_known = any(self._scene.models[index].name == robot for index in self._scene.robots)
+            is_known = robot in self._scene.robot_names
             self._pictures[robot] = picture(self._scene, robot if is_known else None)
         return self._pictures[robot]

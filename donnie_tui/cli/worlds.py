@@ -119,7 +119,7 @@ def _map(world: ChosenWorld, words: Words) -> tuple[str, ...]:
 
 def _legend(world: ChosenWorld, seen: Picture, shown: set[str], words: Words) -> tuple[str, ...]:
     """Of what is on the map: walls and floor, then the robots, then the things by their letters."""
-    robots = [world.scene.models[index].name for index in world.scene.robots]
+    robots = list(world.scene.robot_names)
     names = {" ".join(_ARROWS): robots} if robots else {}
     for thing in sorted(seen.things, key=lambda each: each.letter):
         told = names.setdefault(thing.letter, []) if thing.letter in shown else []
