@@ -16,6 +16,7 @@ from donnie_tui.audible import Audible, make_audible
 from donnie_tui.connecting import Connection
 from donnie_tui.core.belt_telling import BeltTelling
 from donnie_tui.core.chronicle import Chronicle
+from donnie_tui.core.holding_up import HoldingUp
 from donnie_tui.core.hub import Stream
 from donnie_tui.core.in_use import keep
 from donnie_tui.core.session import ResettableRobot, Session
@@ -138,6 +139,10 @@ def assemble(
         connection = Connection(settings, words, world, session, search=search)
         closing.callback(connection.close)
         closing.callback(team.close)
+        if team.has_several:
+            holding_up = HoldingUp(team, shared.turn, words, is_excused=lambda: until_said.waiting > 0)
+            holding_up.watch()
+            closing.callback(holding_up.close)
         chronicle = Chronicle()
         session.hub.subscribe(chronicle)
         written = Written(settings, session.hub, words, closing)

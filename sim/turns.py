@@ -56,6 +56,12 @@ class Turns:
             others = [self.holder, *(entry[2] for entry in self.queue)]
             return any(other is not None and other is not seat for other in others)
 
+    def held_by(self) -> tuple[int, float] | None:
+        """The rank of whoever has the turn while others wait, and the time that the world has come to."""
+        with self.lock:
+            holder = self.holder
+            return None if holder is None or not self.queue else (holder.rank, self.present)
+
     def hand_over(self) -> None:
         """The turn goes to the least; the holder gets in the queue. Under the lock."""
         holder = self.holder

@@ -58,6 +58,11 @@ class World:
         """
         self._turns.expect([self._seats[self._index(name)] for name in names])
 
+    def turn(self) -> tuple[str, float] | None:
+        """Whose turn it is while other robots wait for theirs, and the world's time; None if nobody waits."""
+        held = self._turns.held_by()
+        return None if held is None else (self.scene.robot_names[held[0]], held[1])
+
     def poses(self) -> Mapping[str, Placement]:
         """Where every robot that was made is in truth, by name."""
         return {robot.name: robot.placement for robot in tuple(self._robots.values())}

@@ -17,11 +17,20 @@ class UntilSaid:
     def __init__(self) -> None:
         self.is_quiet_within: Callable[[float], bool] | None = None
         """Waits that many seconds at most until everything was said; False if that was not enough."""
+        self.waiting = 0
+        """Programs that wait just now."""
 
     def wait(self, goes_on: Callable[[], bool]) -> None:
         """Return once everything was said, or ``goes_on`` says no."""
         if self.is_quiet_within is None:
             return
+        self.waiting += 1
+        try:
+            self._wait(self.is_quiet_within, goes_on)
+        finally:
+            self.waiting -= 1
+
+    def _wait(self, is_quiet_within: Callable[[float], bool], goes_on: Callable[[], bool]) -> None:
         for _ in range(round(LONGEST / SLICE)):
-            if self.is_quiet_within(SLICE) or not goes_on():
+            if is_quiet_within(SLICE) or not goes_on():
                 return

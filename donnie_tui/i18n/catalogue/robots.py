@@ -121,6 +121,12 @@ SENTENCES: dict[str, Sentence] = _cut_short() | {
     ),
     "robot-started": Sentence("{name} begins.", "{name} começa.", "{name} empieza."),
     "robot-busy": Sentence("{name} is busy.", "{name} está ocupado.", "{name} está ocupado."),
+    "holds-up": Sentence(
+        "The others wait for {name}: its program computes and does not move.",
+        "Os outros esperam por {name}: seu programa calcula e não anda.",
+        "Los demás esperan a {name}: su programa calcula y no se mueve.",
+        brief=("The others wait for {name}.", "Os outros esperam por {name}.", "Los demás esperan a {name}."),
+    ),
     "robot-listed": Sentence(
         "{name}: {x}, {y}, facing {facing}.",
         "{name}: {x}, {y}, virado para {facing}.",
