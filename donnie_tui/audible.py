@@ -14,7 +14,7 @@ from typing import TYPE_CHECKING, Protocol
 
 from devices.ports.audio import CuePlayer, Speaker, Urgency, Utterance
 from devices.ports.values import frozen
-from devices.speech.choose import Channel, ChannelReason, Choice, Facts, SpeakPlace, choose_channel
+from devices.speech.choose import Channel, ChannelReason, Choice, SpeakPlace, Surroundings, choose_channel
 from devices.speech.probe import look_around, ssip_address
 from donnie_tui.core.events import Answered, SoundSwitched, Stamped
 from donnie_tui.core.hub import HasHub
@@ -188,7 +188,7 @@ _OF_THE_CHANNEL = {"speech", "speak", "sound"}
 _OF_THE_VOICE = {"rate", "pitch", "volume", "punctuation"}
 
 
-def wants_cues(settings: Settings, facts: Facts) -> bool:
+def wants_cues(settings: Settings, facts: Surroundings) -> bool:
     """Somebody at this machine hears them, or asked for them."""
     if not settings.sound or isinstance(settings.sound, str) or not facts.has_sound_device:
         return False
@@ -238,7 +238,7 @@ class _Maker:
         self._speakers: list[Speaker] = []
         self._voiced: list[_Voiced] = []
 
-    def make(self, facts: Facts) -> _Made:
+    def make(self, facts: Surroundings) -> _Made:
         cues = wants_cues(self._settings, facts)
         speaks = self._choice.channel is Channel.TTS or self._choice.speak is not SpeakPlace.HERE
         audio = self._worker() if speaks or cues else None

@@ -6,12 +6,12 @@ What is heavy is imported where it is used, so that a command loads no more than
 from __future__ import annotations
 
 from contextlib import ExitStack
-from dataclasses import dataclass
 from functools import partial
 from pathlib import Path
 from typing import TYPE_CHECKING, TextIO
 
 from devices.ports.robot import Pace, Watcher
+from devices.ports.values import mutable
 from donnie_tui.audible import Audible, make_audible
 from donnie_tui.connecting import Connection
 from donnie_tui.core.belt_telling import BeltTelling
@@ -39,7 +39,7 @@ if TYPE_CHECKING:
 __all__ = ["Donnie", "Unusable", "assemble", "colours_of_world"]
 
 
-@dataclass(slots=True)
+@mutable
 class Donnie:
     """Everything that a front end works with. ``close`` leaves nothing running."""
 

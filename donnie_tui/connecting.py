@@ -8,12 +8,13 @@ from __future__ import annotations
 
 import threading
 from collections.abc import Callable
-from dataclasses import dataclass, replace
+from dataclasses import replace
 from functools import partial
 from typing import TYPE_CHECKING, Protocol
 
 from devices.port_listing import list_ports, stable_name
 from devices.ports.robot import LinkNews, Pace, Pose, RobotProblem, Watcher
+from devices.ports.values import mutable
 from donnie_tui.core.events import Link
 from donnie_tui.core.session import Busy, ResettableRobot, Session
 from donnie_tui.device_settings import DOUBLE, SERIAL, SIMULATED
@@ -50,7 +51,7 @@ class MeasurableRobot(Connectable, Protocol):
     def telemetry(self) -> Telemetry: ...
 
 
-@dataclass(slots=True)
+@mutable
 class _Connected:
     """The robot that has a line just now, if any."""
 

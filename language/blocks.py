@@ -3,10 +3,10 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Sequence
-from dataclasses import dataclass
 from enum import Enum
 from itertools import islice
 
+from devices.ports.values import mutable
 from language.lexer import END, KIND, Token
 
 OPENERS = {KIND[name]: name for name in ("IF", "FOR", "REPEAT", "WHILE", "PROCEDURE")}
@@ -16,7 +16,7 @@ _LOOK_AHEAD = 2000
 """Openers and ENDs that are looked at before an END that does not fit is judged."""
 
 
-@dataclass(slots=True)
+@mutable
 class Block:
     """An open block."""
 

@@ -8,8 +8,9 @@ it is used first, and as it was typed.
 from __future__ import annotations
 
 from collections.abc import Collection, Iterable, Iterator
-from dataclasses import dataclass, field
+from dataclasses import field
 
+from devices.ports.values import mutable
 from language import syntax
 from language.diagnostics import Diagnostic, Kind, Severity
 from language.keywords import argument_spelling, spelling
@@ -62,7 +63,7 @@ def _sensor(sensor: syntax.Distance | syntax.Position | syntax.Colour, language:
 # --- names -------------------------------------------------------------------------------------------
 
 
-@dataclass(slots=True)
+@mutable
 class _Scope:
     """The variables of the program, or of one procedure."""
 

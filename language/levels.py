@@ -7,11 +7,11 @@ several frames make one level; the place is that of the innermost of them, the v
 from __future__ import annotations
 
 from collections.abc import Iterable, Iterator, Mapping
-from dataclasses import dataclass
 from itertools import islice
 from types import CodeType, FrameType, TracebackType
 from typing import TypeAlias
 
+from devices.ports.values import mutable
 from language.diagnostics import CallSite
 from language.expressions import VARIABLE
 from language.runtime import Frame
@@ -21,7 +21,7 @@ _Entry: TypeAlias = tuple[FrameType, int | None]
 """A frame and the site in it."""
 
 
-@dataclass(slots=True)
+@mutable
 class Level:
     """One open call, or the program itself."""
 

@@ -7,11 +7,11 @@ place. After an action was cut short by a stop, the runtime raises ``Stopped`` a
 
 from __future__ import annotations
 
-from dataclasses import dataclass, field
+from dataclasses import field
 from typing import Any, Protocol
 
 from devices.ports.robot import Bearing
-from devices.ports.values import frozen
+from devices.ports.values import frozen, mutable
 from language.syntax import Axis
 
 
@@ -56,7 +56,7 @@ class Actions(Protocol):
         """In the terminal a later batch declared a variable or procedure again."""
 
 
-@dataclass(slots=True)
+@mutable
 class Memory:
     """What one batch leaves to the next in the terminal; a file starts with an empty one."""
 

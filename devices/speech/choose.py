@@ -6,8 +6,8 @@ is guessed, but never over what is possible: without a voice or a sound device i
 
 from __future__ import annotations
 
-from dataclasses import replace
 from enum import Enum
+from typing import Protocol
 
 from devices.ports.values import frozen
 
@@ -62,6 +62,34 @@ class SpeakPlace(Enum):
     BOTH = "both"
 
 
+class Surroundings(Protocol):
+    """``Facts``, or what finds each of them when it is asked for."""
+
+    @property
+    def stdout_is_terminal(self) -> bool: ...
+
+    @property
+    def over_ssh(self) -> bool: ...
+
+    @property
+    def screen_reader(self) -> str | None: ...
+
+    @property
+    def has_voice(self) -> bool: ...
+
+    @property
+    def has_sound_device(self) -> bool: ...
+
+    @property
+    def has_ssip(self) -> bool: ...
+
+    @property
+    def is_linear(self) -> bool: ...
+
+    @property
+    def has_real_robot(self) -> bool: ...
+
+
 @frozen
 class Facts:
     """What is known about the surroundings before anything is started."""
@@ -90,15 +118,15 @@ class Choice:
 
 
 def choose_channel(
-    wanted: SpeechWish | str, facts: Facts, place: SpeakPlace | str = SpeakPlace.HERE
+    wanted: SpeechWish | str, facts: Surroundings, place: SpeakPlace | str = SpeakPlace.HERE
 ) -> Choice:
     """Decide. ``wanted`` and ``place`` are given themselves or by their words; ``ValueError`` for others."""
     wish, place = SpeechWish(wanted), SpeakPlace(place)
     choice = _channel_of_answers(wish, facts)
-    return replace(choice, speak=_place_of_speak(wish, facts, place, choice.channel))
+    return Choice(choice.channel, choice.reason, _place_of_speak(wish, facts, place, choice.channel))
 
 
-def _channel_of_answers(wish: SpeechWish, facts: Facts) -> Choice:
+def _channel_of_answers(wish: SpeechWish, facts: Surroundings) -> Choice:
     match wish:
         case SpeechWish.OFF | SpeechWish.TEXT | SpeechWish.ROBOT:
             return Choice(Channel.TEXT, ChannelReason.ASKED_FOR)
@@ -110,7 +138,7 @@ def _channel_of_answers(wish: SpeechWish, facts: Facts) -> Choice:
             return _guessed(facts)
 
 
-def _guessed(facts: Facts) -> Choice:
+def _guessed(facts: Surroundings) -> Choice:
     if not facts.stdout_is_terminal:
         return Choice(Channel.TEXT, ChannelReason.NOT_A_TERMINAL)
     if facts.over_ssh and not facts.has_ssip:
@@ -124,13 +152,13 @@ def _guessed(facts: Facts) -> Choice:
     return _own_voice(facts, ChannelReason.OWN_VOICE)
 
 
-def _ssip(facts: Facts) -> Choice:
+def _ssip(facts: Surroundings) -> Choice:
     if facts.has_ssip:
         return Choice(Channel.SSIP, ChannelReason.ASKED_FOR)
     return Choice(Channel.TEXT, ChannelReason.NO_SPEECH_DISPATCHER)
 
 
-def _own_voice(facts: Facts, reason: ChannelReason) -> Choice:
+def _own_voice(facts: Surroundings, reason: ChannelReason) -> Choice:
     if not facts.has_voice:
         return Choice(Channel.TEXT, ChannelReason.NO_VOICE)
     if not facts.has_sound_device:
@@ -138,7 +166,7 @@ def _own_voice(facts: Facts, reason: ChannelReason) -> Choice:
     return Choice(Channel.TTS, reason)
 
 
-def _place_of_speak(wish: SpeechWish, facts: Facts, place: SpeakPlace, channel: Channel) -> SpeakPlace:
+def _place_of_speak(wish: SpeechWish, facts: Surroundings, place: SpeakPlace, channel: Channel) -> SpeakPlace:
     if wish is SpeechWish.OFF or channel is Channel.TTS or not (facts.has_voice and facts.has_sound_device):
         return SpeakPlace.HERE  # silent, said by that very voice, or impossible
     is_robot_listened_to = wish is SpeechWish.AUTO and facts.over_ssh and facts.has_real_robot

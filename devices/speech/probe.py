@@ -1,7 +1,8 @@
 """Looks around for what ``choose`` wants to know: reads files and the environment, starts nothing.
 
 A few milliseconds: no library is loaded, no process started, one socket of this machine tried. So it
-finds what is plausible; what really works is told later by the audio worker.
+finds what is plausible; what really works is told later by the audio worker. Nothing is looked for before
+somebody wants to know it: who is silent starts sooner.
 """
 
 from __future__ import annotations
@@ -9,10 +10,9 @@ from __future__ import annotations
 import os
 import sys
 from collections.abc import Iterator, Mapping
-from importlib.util import find_spec
+from functools import cached_property
 from pathlib import Path
 
-from devices.speech.choose import Facts
 from devices.speech.dispatcher import Address, find_address, is_reachable
 
 _READERS = frozenset({"orca", "fenrir", "yasr", "tdsr", "emacspeak", "speakup"})
@@ -28,25 +28,51 @@ _LIBRARIES = ("libespeak-ng.so.1", "libespeak-ng.1.dylib")
 _YES = frozenset({"1", "true", "yes", "on"})
 
 
+class Around:
+    """The facts about this process's surroundings, each as it is when it is asked for first."""
+
+    def __init__(
+        self, variables: Mapping[str, str], root: Path, *, is_linear: bool, has_real_robot: bool
+    ) -> None:
+        self._variables, self._root = variables, root
+        self.is_linear = is_linear
+        self.has_real_robot = has_real_robot
+
+    @cached_property
+    def stdout_is_terminal(self) -> bool:
+        return _stdout_is_terminal()
+
+    @cached_property
+    def over_ssh(self) -> bool:
+        return is_over_ssh(self._variables)
+
+    @cached_property
+    def screen_reader(self) -> str | None:
+        return find_screen_reader(self._variables, self._root)
+
+    @cached_property
+    def has_voice(self) -> bool:
+        return has_voice(self._root)
+
+    @cached_property
+    def has_sound_device(self) -> bool:
+        return has_sound_device(self._variables, self._root)
+
+    @cached_property
+    def has_ssip(self) -> bool:
+        return is_reachable(ssip_address(self._variables))
+
+
 def look_around(
     environment: Mapping[str, str] | None = None,
     root: Path = Path("/"),
     *,
     is_linear: bool = True,
     has_real_robot: bool = False,
-) -> Facts:
-    """The facts about this process's surroundings; ``environment`` and ``root`` are for tests."""
+) -> Around:
+    """What finds the facts; ``environment`` and ``root`` are for tests."""
     variables = os.environ if environment is None else environment
-    return Facts(
-        stdout_is_terminal=_stdout_is_terminal(),
-        over_ssh=is_over_ssh(variables),
-        screen_reader=find_screen_reader(variables, root),
-        has_voice=has_voice(root),
-        has_sound_device=has_sound_device(variables, root),
-        has_ssip=is_reachable(ssip_address(variables)),
-        is_linear=is_linear,
-        has_real_robot=has_real_robot,
-    )
+    return Around(variables, root, is_linear=is_linear, has_real_robot=has_real_robot)
 
 
 def is_over_ssh(variables: Mapping[str, str]) -> bool:
@@ -72,6 +98,8 @@ def find_screen_reader(variables: Mapping[str, str], root: Path = Path("/")) -> 
 
 def has_voice(root: Path = Path("/")) -> bool:
     """Whether pyttsx3 is installed and finds an espeak-ng library, the system's or the bundled one."""
+    from importlib.util import find_spec
+
     if find_spec("pyttsx3") is None:
         return False
     return find_spec("espeakng_loader") is not None or sys.platform != "linux" or _has_library(root)

@@ -9,7 +9,7 @@ from __future__ import annotations
 import argparse
 import re
 from collections.abc import Callable, Mapping
-from typing import NoReturn
+from typing import NoReturn, TypeAlias
 
 from devices.ports.values import frozen
 from donnie_tui.i18n.words import Words
@@ -81,15 +81,17 @@ class Invocation:
 
 
 _PROBLEMS = (
-    (re.compile(r"the following arguments are required: (.*)"), "usage-missing"),
-    (re.compile(r"unrecognized arguments: (.*)"), "usage-unrecognized"),
-    (re.compile(r"argument ([^:]*): expected .*"), "usage-without-value"),
-    (re.compile(r"argument ([^:]*): invalid choice.*"), "usage-bad-choice"),
-    (re.compile(r"argument ([^:]*): not allowed with.*"), "usage-not-together"),
+    (r"the following arguments are required: (.*)", "usage-missing"),
+    (r"unrecognized arguments: (.*)", "usage-unrecognized"),
+    (r"argument ([^:]*): expected .*", "usage-without-value"),
+    (r"argument ([^:]*): invalid choice.*", "usage-bad-choice"),
+    (r"argument ([^:]*): not allowed with.*", "usage-not-together"),
 )
 """What argparse complains about, and our sentence for it."""
 
 _LONGEST_QUOTE = 40
+Tells: TypeAlias = Callable[[str], str]
+"""The sentence of a code."""
 
 
 class _Parser(argparse.ArgumentParser):
@@ -97,13 +99,13 @@ class _Parser(argparse.ArgumentParser):
 
     def error(self, message: str) -> NoReturn:
         for pattern, code in _PROBLEMS:
-            found = pattern.fullmatch(message)
+            found = re.fullmatch(pattern, message)
             if found:
                 raise WrongUsage(code, found[1][:_LONGEST_QUOTE])
         raise WrongUsage("usage-unrecognized", message[:_LONGEST_QUOTE])
 
 
-def _formatter(words: Words) -> type[argparse.HelpFormatter]:
+def _formatter(words: Tells) -> type[argparse.HelpFormatter]:
     """Help with the first word in the learner's language; the lines of a text stay lines."""
 
     class Formatter(argparse.HelpFormatter):
@@ -150,12 +152,23 @@ def understand(arguments: list[str], words: Words) -> Invocation:
     command, rest = command_of(arguments)
     if command in TO_COME:
         return Invocation(command, {}, argparse.Namespace())
-    parsed = _parser(command, words).parse_args(rest)
+    told = words if any(_may_ask_for_help(each) for each in rest) else _untold
+    parsed = _parser(command, told).parse_args(rest)
     options = {key: getattr(parsed, key) for key in COMMON if getattr(parsed, key, None) is not None}
     return Invocation(command, options, parsed)
 
 
-def _parser(command: str, words: Words) -> argparse.ArgumentParser:
+def _may_ask_for_help(argument: str) -> bool:
+    """``--help``, or an ``h`` among letters such as ``-mh``."""
+    return argument == "--help" or (argument[:1] == "-" and argument[1:2] != "-" and "h" in argument.lower())
+
+
+def _untold(_code: str) -> str:
+    """Nobody reads the help: its fifty sentences need not be made."""
+    return ""
+
+
+def _parser(command: str, words: Tells) -> argparse.ArgumentParser:
     parser = _Parser(
         prog=f"donnie {command}".strip(),
         description=words(f"usage-{command or 'donnie'}"),
@@ -172,13 +185,13 @@ def _parser(command: str, words: Words) -> argparse.ArgumentParser:
     return parser
 
 
-def _all_commands(words: Words) -> str:
+def _all_commands(words: Tells) -> str:
     """A line each, with what it is for."""
     known = (each for each in COMMANDS if each not in TO_COME)
     return "\n".join([words("usage-commands"), *(f"{each}: {words(f'usage-{each}')}" for each in known)])
 
 
-def _add_front_end(parser: argparse._ArgumentGroup, words: Words) -> None:
+def _add_front_end(parser: argparse._ArgumentGroup, words: Tells) -> None:
     from donnie_tui import __version__
 
     parser.add_argument("file", nargs="?", metavar="FILE", help=words("option-file"))
@@ -192,26 +205,26 @@ def _add_front_end(parser: argparse._ArgumentGroup, words: Words) -> None:
     parser.add_argument("--version", action="version", version=__version__, help=words("option-version"))
 
 
-def _add_run(parser: argparse._ArgumentGroup, words: Words) -> None:
+def _add_run(parser: argparse._ArgumentGroup, words: Tells) -> None:
     parser.add_argument("file", nargs="+", metavar="FILE", help=words("option-file-or-input"))
     parser.add_argument("--trace", action="store_true", help=words("option-trace"))
 
 
-def _add_check(parser: argparse._ArgumentGroup, words: Words) -> None:
+def _add_check(parser: argparse._ArgumentGroup, words: Tells) -> None:
     parser.add_argument("file", nargs="+", metavar="FILE", help=words("option-file-or-input"))
 
 
-def _add_format(parser: argparse._ArgumentGroup, words: Words) -> None:
+def _add_format(parser: argparse._ArgumentGroup, words: Tells) -> None:
     parser.add_argument("file", nargs="+", metavar="FILE", help=words("option-file-or-input"))
     parser.add_argument("--to", choices=("en", "pt", "es"), help=words("option-to"))
     parser.add_argument("-w", "--write", action="store_true", help=words("option-write"))
 
 
-def _add_nothing(parser: argparse._ArgumentGroup, words: Words) -> None:
+def _add_nothing(parser: argparse._ArgumentGroup, words: Tells) -> None:
     """The command takes the common options only."""
 
 
-def _add_world(parser: argparse._ArgumentGroup, words: Words) -> None:
+def _add_world(parser: argparse._ArgumentGroup, words: Tells) -> None:
     parser.add_argument("name", nargs="?", metavar="NAME", help=words("option-world"))
     form = parser.add_mutually_exclusive_group()
     form.add_argument("--map", action="store_true", help=words("option-map"))
@@ -221,7 +234,7 @@ def _add_world(parser: argparse._ArgumentGroup, words: Words) -> None:
     form.add_argument("--brf", metavar="FILE", help=words("option-brf"))
 
 
-def _add_replay(parser: argparse._ArgumentGroup, words: Words) -> None:
+def _add_replay(parser: argparse._ArgumentGroup, words: Tells) -> None:
     parser.add_argument("file", metavar="FILE", help=words("option-recording"))
     parser.add_argument("--backwards", action="store_true", help=words("option-backwards"))
     parser.add_argument("--from", dest="start", type=int, metavar="N", help=words("option-from"))
@@ -230,19 +243,19 @@ def _add_replay(parser: argparse._ArgumentGroup, words: Words) -> None:
     parser.add_argument("--check", action="store_true", help=words("option-recheck"))
 
 
-def _add_devices(parser: argparse._ArgumentGroup, words: Words) -> None:
+def _add_devices(parser: argparse._ArgumentGroup, words: Tells) -> None:
     parser.add_argument("port", nargs="*", metavar="PORT", help=words("option-ports"))
 
 
-def _add_port(parser: argparse._ArgumentGroup, words: Words) -> None:
+def _add_port(parser: argparse._ArgumentGroup, words: Tells) -> None:
     parser.add_argument("port", nargs="?", metavar="PORT", help=words("option-port"))
 
 
-def _add_serve(parser: argparse._ArgumentGroup, words: Words) -> None:
+def _add_serve(parser: argparse._ArgumentGroup, words: Tells) -> None:
     parser.add_argument("--port", metavar="PORT", default="8000", help=words("option-serve-port"))
 
 
-_ADD: dict[str, Callable[[argparse._ArgumentGroup, Words], None]] = {
+_ADD: dict[str, Callable[[argparse._ArgumentGroup, Tells], None]] = {
     "": _add_front_end,
     "run": _add_run,
     "replay": _add_replay,

@@ -7,8 +7,8 @@ a condition found is computed again from the variables and from what the sensors
 from __future__ import annotations
 
 from collections.abc import Iterator, Mapping, Sequence
-from dataclasses import dataclass
 
+from devices.ports.values import mutable
 from donnie_tui.core.events import Read
 from donnie_tui.core.wording import Wording
 from language.arithmetic import divide
@@ -41,7 +41,7 @@ _COMPARISONS = {
 }
 
 
-@dataclass(slots=True)
+@mutable
 class _Round:
     """A loop that the program is in."""
 

@@ -13,9 +13,10 @@ from __future__ import annotations
 
 from collections import deque
 from collections.abc import Callable
-from dataclasses import dataclass, field
+from dataclasses import field
 from typing import Protocol
 
+from devices.ports.values import mutable
 from donnie_tui.core.events import Announced, Moved, RunEnded, Stamped, Turned
 from donnie_tui.core.transcript import printable, told_lines
 from donnie_tui.core.wording import Wording
@@ -48,7 +49,7 @@ class TellingAll:
         return True
 
 
-@dataclass(slots=True)
+@mutable
 class _Untold:
     """What one robot did that was not told."""
 
@@ -61,7 +62,7 @@ class _Untold:
     """Where the last one led."""
 
 
-@dataclass(slots=True)
+@mutable
 class _Judgement:
     """Of the event that is being told."""
 
@@ -70,7 +71,7 @@ class _Judgement:
     passes: bool = True
 
 
-@dataclass(slots=True)
+@mutable
 class _Robot:
     last: Moved | Turned | None = None
     """Its last movement."""

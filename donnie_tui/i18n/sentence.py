@@ -47,4 +47,4 @@ _FORMATTER = _Agreeing()
 
 def filled(text: str, values: dict[str, object]) -> str:
     """The text with its places filled. Raises ``KeyError`` for a place without a value."""
-    return _FORMATTER.vformat(text, (), values)
+    return _FORMATTER.vformat(text, (), values) if "{" in text or "}" in text else text

@@ -6,9 +6,10 @@ first value of each is the default.
 
 from __future__ import annotations
 
-from dataclasses import dataclass, fields
+from dataclasses import fields
 from enum import Enum
 
+from devices.ports.values import mutable
 from donnie_tui.i18n.first_words import PROMPT
 from donnie_tui.settings import LONGEST_PROGRESS, Settings
 from language.source import fold_name
@@ -32,7 +33,7 @@ class Prompt(Enum):
     """The last line of the answer, so that the cursor of a braille display stays on it."""
 
 
-@dataclass(slots=True)
+@mutable
 class Habits:
     """What is chosen now."""
 

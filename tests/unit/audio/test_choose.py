@@ -187,3 +187,17 @@ def test_a_sound_device_is_a_card_that_plays_or_a_server(
 def test_ssh_is_seen_in_the_environment(tmp_path: Path) -> None:
     assert look_around({"SSH_CONNECTION": "1.2.3.4 5 6.7.8.9 22"}, tmp_path).over_ssh
     assert not look_around({}, tmp_path).over_ssh
+
+
+def test_for_who_wants_silence_nothing_is_looked_for(monkeypatch: pytest.MonkeyPatch) -> None:
+    looked: list[str] = []
+    for name in ("find_screen_reader", "has_voice", "has_sound_device", "is_reachable"):
+        monkeypatch.setattr(f"devices.speech.probe.{name}", lambda *_, name=name: looked.append(name))
+
+    for wish in ("off", "text"):
+        choose_channel(wish, look_around({}))
+    assert "find_screen_reader" not in looked
+
+    looked.clear()
+    choose_channel("off", look_around({}))
+    assert looked == []

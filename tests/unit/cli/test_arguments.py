@@ -78,3 +78,13 @@ def test_help_is_there_for_every_command_in_every_language(
 
     assert left.value.code == 0
     assert "--lang" in capsys.readouterr().out
+
+
+@pytest.mark.parametrize("line", ["-h", "-H", "-th", "--linear -mH"])
+def test_help_is_told_where_its_letter_stands_among_others(
+    line: str, capsys: pytest.CaptureFixture[str]
+) -> None:
+    with pytest.raises(SystemExit):
+        understand(line.split(), Words())
+
+    assert Words()("option-speech") in capsys.readouterr().out

@@ -12,7 +12,7 @@ from typing import Any, ClassVar
 
 import pytest
 
-from devices.ports.values import frozen
+from devices.ports.values import frozen, mutable
 
 
 class Shape:
@@ -69,6 +69,29 @@ def test_a_value_answers_as_the_standard_library_would(written: type, question: 
     ours, theirs = made_of(written)
 
     assert QUESTIONS[question](ours) == QUESTIONS[question](theirs)
+
+
+@pytest.mark.parametrize("question", QUESTIONS.keys() - {"hash"})
+@pytest.mark.parametrize("written", [Shape, Plain])
+def test_what_can_change_answers_as_the_standard_library_would(written: type, question: str) -> None:
+    for_us, for_them = (type(written.__name__, (), {**vars(written)}) for _ in range(2))
+
+    assert QUESTIONS[question](mutable(for_us)) == QUESTIONS[question](dataclass(slots=True)(for_them))
+
+
+def test_what_can_change_changes_and_has_no_hash() -> None:
+    @mutable
+    class Count:
+        x: int = 0
+
+    one = Count()
+    one.x += 1
+
+    assert (one, one.x) == (Count(1), 1)
+    with pytest.raises(TypeError):
+        hash(one)
+    with pytest.raises(AttributeError):
+        one.z = 1  # type: ignore[attr-defined] # that is the point
 
 
 def test_a_value_does_not_change() -> None:
