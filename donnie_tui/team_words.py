@@ -19,16 +19,20 @@ MOST_ROBOTS = 30
 
 
 def tell_robots(donnie: Donnie) -> None:
-    """Who is there and where; the one that is talked to first."""
-    team = donnie.team
+    """Who is there and where."""
+    for line in robots_in_words(donnie):
+        donnie.session.hub.publish(Answered(line))
+
+
+def robots_in_words(donnie: Donnie) -> tuple[str, ...]:
+    """Who is there and where, a line each; the one that is talked to first."""
+    team, words = donnie.team, donnie.words
     if not team.has_several:
-        _say(donnie, "robots-only-one", name=team.chosen.name)
-        return
-    _say(donnie, "robot-chosen", name=team.chosen.name)
-    for name in team.names[:MOST_ROBOTS]:
-        _tell_place(donnie, team.session(name))
+        return (words("robots-only-one", name=team.chosen.name),)
+    told = [robot_in_words(donnie, team.session(name)) for name in team.names[:MOST_ROBOTS]]
     if len(team.names) > MOST_ROBOTS:
-        _say(donnie, "robots-more", count=len(team.names) - MOST_ROBOTS)
+        told.append(words("robots-more", count=len(team.names) - MOST_ROBOTS))
+    return (words("robot-chosen", name=team.chosen.name), *told)
 
 
 def choose_robot(donnie: Donnie, typed: str) -> bool:
@@ -74,11 +78,14 @@ def start_together(donnie: Donnie) -> tuple[tuple[str, Run], ...]:
 
 def stop_all(donnie: Donnie) -> None:
     """All robots, whoever is talked to."""
-    if donnie.team.running:
-        donnie.team.stop()
-        _say(donnie, "robot-all-stopped")
-    else:
-        _say(donnie, "robot-now-idle")
+    _say(donnie, stopped_all(donnie))
+
+
+def stopped_all(donnie: Donnie) -> str:
+    """Stop all robots. The code of what is answered to that."""
+    is_any = bool(donnie.team.running)
+    donnie.team.stop()
+    return "robot-all-stopped" if is_any else "robot-now-idle"
 
 
 def use_gripper(donnie: Donnie, deed: Deed) -> Run | None:
@@ -88,10 +95,6 @@ def use_gripper(donnie: Donnie, deed: Deed) -> Run | None:
     except Busy:
         _say(donnie, "robot-busy", name=donnie.session.name)
         return None
-
-
-def _tell_place(donnie: Donnie, session: Session) -> None:
-    donnie.session.hub.publish(Answered(robot_in_words(donnie, session)))
 
 
 def robot_in_words(donnie: Donnie, session: Session) -> str:

@@ -244,6 +244,8 @@ class Answered:
     text: str
     in_print_only: bool = False
     """The answer to QUIET is not said."""
+    at_once: bool = False
+    """To a word that was typed while a program runs: printed before what waits to be printed."""
 
 
 @frozen

@@ -2,6 +2,9 @@
 
 Rules: every listener hears every event in the same order, also when a listener publishes in answer to
 one; a publisher never waits for a screen, so listeners must be quick. Threads may publish at any time.
+Whoever publishes delivers what was queued up to its own event and no more: what others queue meanwhile is
+delivered by a thread of the stream, so that nobody works for others without end. A program that tells more
+than is read waits behind its event (``gates``), outside of any delivery: that holds nobody else.
 Where a world has several robots, each has a channel into the one stream.
 """
 
@@ -10,12 +13,26 @@ from __future__ import annotations
 import threading
 from collections import deque
 from collections.abc import Callable
+from math import inf
 from typing import Protocol, TypeAlias
 
 from donnie_tui.core.events import TRANSIENT, Answered, Chimed, Event, Pointed, Stamped
 
 Listener: TypeAlias = Callable[[Stamped], None]
 Leave: TypeAlias = Callable[[], None]
+Gate: TypeAlias = Callable[[str | None], None]
+"""Called with a robot's name in its program's thread: returns once there is room for more from it."""
+
+MOST_WAITING = 10_000
+"""Events that wait to be delivered before a program is slowed down."""
+LONGEST_HOLD = 0.05
+"""Seconds that it waits then for each event; a listener that hangs holds no program for ever."""
+LAST_WORD = 2.0
+"""Seconds that a run waits at its end until everybody has heard of it."""
+
+_NOBODY = 0
+_HANDED_OVER = -1
+"""Who delivers where it is no thread that is known yet."""
 
 
 class _Listeners:
@@ -40,9 +57,15 @@ class Stream:
 
     def __init__(self) -> None:
         self._lock = threading.Lock()
+        self._moved = threading.Condition(self._lock)
         self._listeners = _Listeners(self._lock)
-        self._waiting: deque[tuple[Stamped, _Listeners]] = deque()
-        self._delivering = False
+        self._waiting: deque[tuple[int, Stamped, _Listeners]] = deque()
+        self._queued = self._delivered = 0
+        self._deliverer = _NOBODY
+        """The thread that delivers."""
+        self._last_own: float = 0
+        """The last event that this one has to deliver."""
+        self._gates: tuple[Gate, ...] = ()
         self._seq = 0
 
     def subscribe(self, listener: Listener) -> Leave:
@@ -67,11 +90,49 @@ class Stream:
                 return
         self._deliver()
 
+    # --- programs that tell faster than anybody reads
+
+    def add_gate(self, gate: Gate) -> Leave:
+        """Have programs wait behind their events until ``gate`` returns. The answer ends it."""
+        self._gates = (*self._gates, gate)
+        return lambda: self._remove_gate(gate)
+
+    def _remove_gate(self, gate: Gate) -> None:
+        self._gates = tuple(each for each in self._gates if each != gate)
+
+    def wait_for_room(self, robot: str | None) -> None:
+        """In the thread of that robot's program, behind an event of it; never in the midst of a delivery."""
+        if self._delivers_here():
+            return
+        if len(self._waiting) > MOST_WAITING:
+            with self._moved:
+                self._moved.wait_for(lambda: len(self._waiting) <= MOST_WAITING, LONGEST_HOLD)
+        for gate in self._gates:
+            gate(robot)
+
+    def wait_until_heard(self, seconds: float) -> None:
+        """Return once everybody has heard what was published so far, or after so many seconds."""
+        if self._delivers_here():
+            return
+        with self._moved:
+            until = self._queued
+            self._moved.wait_for(lambda: self._delivered >= until, seconds)
+
+    # --- delivering
+
+    def _delivers_here(self) -> bool:
+        return self._deliverer == threading.get_ident()
+
     def _queue(self, stamped: Stamped, own: _Listeners) -> bool:
         """Whether the caller is to deliver; else somebody does already. Under the lock."""
-        self._waiting.append((stamped, own))
-        was_delivering, self._delivering = self._delivering, True
-        return not was_delivering
+        self._queued += 1
+        self._waiting.append((self._queued, stamped, own))
+        if self._deliverer == _NOBODY:
+            self._deliverer, self._last_own = threading.get_ident(), self._queued
+            return True
+        if self._delivers_here():
+            self._last_own = max(self._last_own, self._queued)
+        return False
 
     def _stamp(self, event: Event, t: float, robot: str | None) -> Stamped:
         if isinstance(event, TRANSIENT):
@@ -80,14 +141,37 @@ class Stream:
         return Stamped(self._seq, t, event, robot)
 
     def _deliver(self) -> None:
-        while True:
-            with self._lock:
-                if not self._waiting:
-                    self._delivering = False
-                    return
-                stamped, own = self._waiting.popleft()
-                listeners = own.all + self._listeners.all
-            self._tell(stamped, listeners)
+        """Up to the last event of this thread; then another one goes on."""
+        while (entry := self._next()) is not None:
+            self._tell(*entry)
+            self._delivered += 1
+        if self._deliverer == _HANDED_OVER:
+            threading.Thread(target=self._deliver_rest, name="stream", daemon=True).start()
+
+    def _next(self) -> tuple[Stamped, tuple[Listener, ...]] | None:
+        """The next event for this thread to deliver."""
+        with self._moved:
+            self._moved.notify_all()
+            if not self._waiting:
+                self._deliverer = _NOBODY
+                return None
+            number, stamped, own = self._waiting[0]
+            if number > self._last_own:
+                self._deliverer = _HANDED_OVER
+                return None
+            self._waiting.popleft()
+            return stamped, own.all + self._listeners.all
+
+    def _deliver_rest(self) -> None:
+        """In a thread of the stream's own: until nothing waits."""
+        with self._lock:
+            self._deliverer, self._last_own = threading.get_ident(), inf
+        try:
+            self._deliver()
+        except Exception:  # nobody is here to catch it; who publishes next delivers what is left
+            import logging  # slow to load, and never needed as long as all is well
+
+            logging.getLogger(__name__).exception("a listener failed")
 
     def _tell(self, stamped: Stamped, listeners: tuple[Listener, ...]) -> None:
         try:
@@ -95,7 +179,8 @@ class Stream:
                 listener(stamped)
         except BaseException:
             with self._lock:
-                self._delivering = False
+                self._delivered += 1
+                self._deliverer = _NOBODY
             raise
 
 
@@ -117,6 +202,8 @@ class Hub:
         self.robot = robot
         self._stream = stream or Stream()
         self._own = self._stream.listeners()
+        self._program = _NOBODY
+        """The thread of the program that may be held back."""
 
     def subscribe(self, listener: Listener) -> Leave:
         """Listen from now on, to the other robots of the stream too. The answer ends it."""
@@ -129,7 +216,24 @@ class Hub:
     def publish(self, event: Event) -> None:
         """Tell everybody. Returns once it is delivered, or queued behind an event that is being delivered.
 
-        What a front end answers is no robot's.
+        What a front end answers is no robot's. A program waits here where it tells more than is read.
         """
         robot = None if isinstance(event, (Answered, Pointed, Chimed)) else self.robot
         self._stream.publish(event, self._clock(), robot, self._own)
+        if self._program == threading.get_ident():
+            self._stream.wait_for_room(self.robot)
+
+    def add_gate(self, gate: Gate) -> Leave:
+        """As the stream does."""
+        return self._stream.add_gate(gate)
+
+    def hold_back_here(self) -> None:
+        """From now on this thread, which is a program's, waits where it tells more than is read."""
+        self._program = threading.get_ident()
+
+    def hold_back_nobody(self) -> None:
+        self._program = _NOBODY
+
+    def wait_until_heard(self, seconds: float = LAST_WORD) -> None:
+        """Return once everybody has heard what was published so far, or after so many seconds."""
+        self._stream.wait_until_heard(seconds)

@@ -124,13 +124,16 @@ class Run:
     def _tell_and_run(self) -> Outcome:
         hub, robot = self._stage.hub, self._stage.robot
         began = robot.time()
+        hub.hold_back_here()
         hub.publish(self._started)
         self._stage.has_begun()
         outcome = self._outcome()
+        hub.hold_back_nobody()
         robot.halt()
         seconds = robot.time() - began
         self._stage.about_to_end(outcome)
         hub.publish(RunEnded(outcome, robot.pose(), dict(sorted(self._memory.variables.items())), seconds))
+        hub.wait_until_heard()
         return outcome
 
     def _outcome(self) -> Outcome:

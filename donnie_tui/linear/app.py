@@ -43,8 +43,8 @@ _GOES = {"step": Goes.STEP, "step_over": Goes.OVER, "continue_": Goes.ON, "stop"
 """How a held program goes on by a word."""
 _LIVE = ("stop", "stop_all", "robots", "pause", "slower", "faster", "speed", "quiet")
 """What is done at once while a program runs."""
-_URGENT = ("stop", "pause", "quiet")
-"""Also while it talks without end, and before lines that wait: they answer nothing through the stream."""
+_URGENT = ("stop", "stop_all", "pause", "quiet")
+"""Also before lines that wait to be read."""
 
 
 def run_linear(
@@ -315,23 +315,22 @@ class LinearMode:
         else:
             self._desk.answer("linear-stepping")
 
-    def _live(self, urgent: bool) -> bool:
-        """Do a line that was typed for the running program, if there is one. Whether it was.
-
-        ``urgent``: only what ends something. While the program tells more than is printed, an answer of ours
-        would have to wait for its own printing.
-        """
-        words = _URGENT if urgent else _LIVE
+    def _live(self) -> bool:
+        """Do a line that was typed for the running program, if there is one. Whether it was."""
         if self._editing is None or not self._desk.hears_live:
             return False
         line = self._editing.take_ahead(
-            lambda typed, is_first: _is_one_of(words if is_first else _URGENT, typed)
+            lambda typed, is_first: _is_one_of(_LIVE if is_first else _URGENT, typed)
         )
         found = commands.find(line) if line else None
         if line is None or found is None:
             return False
         self._past.remember(line)
-        commands.do(*found, self._desk, self._runs)
+        self._desk.answers_first = True
+        try:
+            commands.do(*found, self._desk, self._runs)
+        finally:
+            self._desk.answers_first = False
         return True
 
     # --- leaving

@@ -98,6 +98,8 @@ class Desk:
         """Whether a program was just stopped: what is told then asks for nothing."""
         self.is_pausing = False
         """Whether PAUSE was said to the running program."""
+        self.answers_first = False
+        """Whether a word is done that was typed while a program runs: the answer waits for nothing."""
         self.is_repeating = False
         """Whether what is told now was said before, and is not remembered again."""
         self.leaving: int | None = None
@@ -176,11 +178,11 @@ class Desk:
 
     def tell(self, *lines: str) -> None:
         for line in lines:
-            self.session.hub.publish(Answered(line))
+            self.session.hub.publish(Answered(line, at_once=self.answers_first))
 
     def print_now(self, code: str) -> None:
         """A sentence in print alone, while a program may tell more than is printed."""
-        self._ends.told.put_now(self.say(code))
+        self._ends.told.put_first([self.say(code)], is_kept=False)
 
     def _hear(self, stamped: Stamped) -> None:
         """Any thread's: what the event says will be printed."""
@@ -201,7 +203,10 @@ class Desk:
         """To be printed: a sum of what was not told before, and what is told; to be remembered: all."""
         lines, before = told_lines(stamped, self.say), self._summing_up.before(stamped)
         passes = self._summing_up.passes(stamped)
-        self._ends.told.put((*before, *lines) if passes else before, lines)
+        if isinstance(stamped.event, Answered) and stamped.event.at_once:
+            self._ends.told.put_first(lines)
+            lines, passes = (), False
+        self._ends.told.put((*before, *lines) if passes else before, lines, stamped.robot)
 
     def _lines_wait(self) -> bool:
         return self._told_beside and bool(self._ends.told)

@@ -153,6 +153,8 @@ class EditingReader:
 
     def _more_keys(self) -> bool:
         """Wait for keys or a signal. False once nothing more will come."""
+        if self._console.leaving is not None:
+            return False
         waiting = self._decoder.is_waiting
         if self._console.wait(ESCAPE_DELAY if waiting else None, reading=True):
             data = self._console.read()

@@ -18,7 +18,7 @@ from donnie_tui.linear.runs import Runs
 
 
 def _robots(desk: Desk) -> None:
-    team_words.tell_robots(desk.donnie)
+    desk.tell(*team_words.robots_in_words(desk.donnie))
 
 
 def _robot(desk: Desk, _: Runs, rest: str) -> bool:
@@ -51,8 +51,12 @@ def _together(desk: Desk, runs: Runs, rest: str) -> bool:
     return True
 
 
-def _stop_all(desk: Desk) -> None:
-    team_words.stop_all(desk.donnie)
+def _stop_all(desk: Desk, runs: Runs, rest: str) -> bool:
+    if not rest:
+        if desk.session.run is not None:
+            runs.remember_stop()
+        desk.answer(team_words.stopped_all(desk.donnie))
+    return not rest
 
 
 def _use(deed: Deed) -> Handler:
@@ -73,7 +77,7 @@ HANDLERS: dict[str, Handler] = {
     "robot": _robot,
     "start": _start,
     "together": _together,
-    "stop_all": alone(_stop_all),
+    "stop_all": _stop_all,
     "grip": _use(Deed.GRIP),
     "release": _use(Deed.RELEASE),
 }

@@ -34,12 +34,11 @@ class Runs:
     """Runs programs at a desk, one after the other."""
 
     def __init__(
-        self, desk: Desk, told: Told, wish_of: Callable[[Typed], Wish | None], live: Callable[[bool], bool]
+        self, desk: Desk, told: Told, wish_of: Callable[[Typed], Wish | None], live: Callable[[], bool]
     ) -> None:
         """``wish_of`` tells what a line means to a program that is held, and does what else it asks for.
 
-        ``live`` looks for a line that was typed for the running program, and does it; given True, only if
-        it is urgent.
+        ``live`` looks for a line that was typed for the running program, and does it.
         """
         self._desk = desk
         self._console = desk.console
@@ -55,7 +54,9 @@ class Runs:
         self._left_out = 0
         self._told_before = 0
         self._sign_due = 0.0
-        self._unsubscribe = [desk.session.hub.subscribe(each) for each in (self._hear, self._holding.hear)]
+        hub = desk.session.hub
+        self._unsubscribe = [hub.subscribe(each) for each in (self._hear, self._holding.hear)]
+        self._unsubscribe.append(hub.add_gate(told.wait_for_room))
 
     def close(self) -> None:
         for leave in self._unsubscribe:
@@ -207,7 +208,7 @@ class Runs:
 
     def _print_what_comes(self) -> None:
         """A program that talks without end is reached by a word all the same."""
-        if self._live(bool(self._told)):
+        if self._live():
             if self._stopping:
                 self._left_out += self._told.trim(LARGEST_BLOCK)
             self._desk.show_block()
@@ -268,11 +269,15 @@ class Runs:
         return True
 
     def stop(self) -> None:
-        """Remember where, and stop; whatever the program still tells must not wait for us."""
+        """Remember where, and stop."""
+        self.remember_stop()
+        self._desk.session.stop()
+
+    def remember_stop(self) -> None:
+        """It is about to be stopped: remember where; whatever it still tells must not wait for us."""
         self._stopping = self._desk.is_hurrying = True
         frames = self._desk.session.frames
         self._stopped_at = frames[0].line if frames else None
-        self._desk.session.stop()
         self._told.let_pass()
 
     def _begin_new_line(self) -> None:
@@ -292,6 +297,8 @@ class Runs:
 
     def _while_held(self, run: Run) -> None:
         """Say where the program is, and do what is asked."""
+        if self._desk.is_pausing and (left_out := self._told.trim(LARGEST_BLOCK)):
+            self._desk.answer("answer-left-out", lines=left_out)
         wish = self._holding.ask()
         self._told_before = self._told.count
         match wish.goes:

@@ -180,6 +180,33 @@ def test_control_c_where_the_terminal_takes_nothing_still_tells_where_it_stopped
     learner.sees("Stopped at line ")
 
 
+@pytest.mark.parametrize(
+    ("word", "answer"),
+    [
+        ("SLOWER", "Speed "),
+        ("FASTER", "Speed "),
+        ("SPEED 3", "Speed 3."),
+        ("ROBOTS", "There is one robot"),
+        ("QUIET", "Quiet."),
+        ("PAUSE", "Paused at line "),
+        ("STOP ALL", "Stopped at line "),
+    ],
+)
+def test_a_word_counts_at_once_while_a_program_talks_without_end(
+    word: str, answer: str, learner: Learner
+) -> None:
+    """What the program has told before may be hundreds of lines; no more than a few blocks come first."""
+    learner.enters("WHILE 1 == 1 DO", 'SPEAK "on and on"', "END WHILE", "RUN")
+    learner.sees("on and on\r\non and on")
+    learner.types(f"{word}\r")
+    learner.sees(answer)
+    before = learner.raw.count(b"on and on")
+    learner.types(CTRL_C)
+    learner.sees_prompt()
+
+    assert before < 300
+
+
 def _unread(learner: Learner) -> int:
     """Bytes that the terminal holds ready and nobody has read."""
     (count,) = struct.unpack("i", fcntl.ioctl(learner.child.fileno(), termios.FIONREAD, b"\0" * 4))

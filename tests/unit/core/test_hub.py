@@ -1,11 +1,12 @@
 """Every listener hears every event once, in one order, whoever publishes and from wherever."""
 
 import threading
+from collections.abc import Callable
 
 import pytest
 
 from donnie_tui.core.events import Answered, CueSounded, Event, Passing, Spoke, Stamped
-from donnie_tui.core.hub import Hub, Stream
+from donnie_tui.core.hub import MOST_WAITING, Hub, Stream
 from tests.unit.core.values import HERE
 
 
@@ -130,3 +131,110 @@ def test_what_a_front_end_answers_is_no_robots() -> None:
     hub.publish(Answered("Saved."))
 
     assert heard[0].robot is None
+
+
+class Blocked:
+    """A listener that hangs at the first event, until it is let go."""
+
+    def __init__(self) -> None:
+        self.hangs, self._go_on = threading.Event(), threading.Event()
+        self.heard: list[int] = []
+
+    def __call__(self, stamped: Stamped) -> None:
+        if not self.heard:
+            self.hangs.set()
+            assert self._go_on.wait(20)
+        self.heard.append(stamped.seq)
+
+    def let_go(self) -> None:
+        self._go_on.set()
+
+
+def in_thread(deed: Callable[[], None]) -> threading.Thread:
+    thread = threading.Thread(target=deed, daemon=True)
+    thread.start()
+    return thread
+
+
+def test_a_listener_that_hangs_holds_no_other_robot() -> None:
+    stream, blocked = Stream(), Blocked()
+    alice, bob = Hub(lambda: 0.0, "alice", stream), Hub(lambda: 0.0, "bob", stream)
+    stream.subscribe(blocked)
+    first = in_thread(lambda: alice.publish(Spoke("a")))
+    assert blocked.hangs.wait(20)
+
+    for _ in range(300):
+        bob.publish(Spoke("b"))
+
+    assert blocked.heard == []
+    blocked.let_go()
+    first.join(20)
+    stream.wait_until_heard(20)
+    assert blocked.heard == list(range(1, 302))
+
+
+def test_nobody_delivers_what_others_tell_without_end() -> None:
+    """What another robot told meanwhile is delivered by a thread of the stream."""
+    stream, blocked, deliverers = Stream(), Blocked(), list[int]()
+    alice, bob = Hub(lambda: 0.0, "alice", stream), Hub(lambda: 0.0, "bob", stream)
+    stream.subscribe(lambda _: deliverers.append(threading.get_ident()))
+    stream.subscribe(blocked)
+    first = in_thread(lambda: alice.publish(Spoke("a")))
+    assert blocked.hangs.wait(20)
+    bob.publish(Spoke("b"))
+    bob.publish(Spoke("b"))
+    blocked.let_go()
+    first.join(20)
+    stream.wait_until_heard(20)
+
+    assert deliverers[0] == first.ident
+    assert not {first.ident, threading.get_ident()} & set(deliverers[1:])
+    assert blocked.heard == [1, 2, 3]
+
+
+def test_a_program_that_tells_too_much_waits_behind_its_event_and_holds_nobody() -> None:
+    stream, heard = Stream(), list[Event]()
+    waits, may_go_on = threading.Event(), threading.Event()
+    alice, bob = Hub(lambda: 0.0, "alice", stream), Hub(lambda: 0.0, "bob", stream)
+    stream.subscribe(lambda stamped: heard.append(stamped.event))
+
+    def gate(robot: str | None) -> None:
+        waits.set()
+        assert robot == "alice"
+        assert may_go_on.wait(20)
+
+    stream.add_gate(gate)
+
+    def program() -> None:
+        alice.hold_back_here()
+        alice.publish(Spoke("a"))
+        alice.publish(Spoke("more"))
+
+    running = in_thread(program)
+    assert waits.wait(20)
+    bob.publish(Spoke("b"))
+    alice.publish(Answered("Speed 2."))
+
+    assert heard == [Spoke("a"), Spoke("b"), Answered("Speed 2.")]
+    may_go_on.set()
+    running.join(20)
+    assert heard[-1] == Spoke("more")
+
+
+def test_a_listener_that_hangs_for_ever_slows_a_program_but_does_not_hold_it() -> None:
+    stream, blocked = Stream(), Blocked()
+    alice, bob = Hub(lambda: 0.0, "alice", stream), Hub(lambda: 0.0, "bob", stream)
+    stream.subscribe(blocked)
+    in_thread(lambda: alice.publish(Spoke("a")))
+    assert blocked.hangs.wait(20)
+
+    def program() -> None:
+        bob.hold_back_here()
+        for _ in range(MOST_WAITING + 2):
+            bob.publish(Spoke("b"))
+
+    running = in_thread(program)
+    running.join(20)
+
+    assert not running.is_alive()
+    blocked.let_go()

@@ -44,30 +44,55 @@ def test_somebody_who_waits_is_nudged_by_the_first_line_only() -> None:
     assert len(nudges) == 1
 
 
+def waits(told: Told, robot: str | None) -> threading.Thread:
+    waiting = threading.Thread(target=told.wait_for_room, args=(robot,), daemon=True)
+    waiting.start()
+    waiting.join(0.05)
+    return waiting
+
+
 def test_a_program_that_tells_too_much_is_held_back_until_somebody_reads() -> None:
     told = Told(silent, capacity=2)
     told.hold_back()
     told.put(["1", "2"])
-    teller = threading.Thread(target=told.put, args=(["3"],), daemon=True)
-    teller.start()
-    teller.join(0.05)
+    held = waits(told, None)
 
-    assert teller.is_alive()
-    assert told.take() == ["1", "2"]
-    teller.join(10)
-    assert told.take() == ["3"]
+    assert held.is_alive()
+    assert told.take(1) == ["1"]
+    held.join(10)
+    assert not held.is_alive()
+
+
+def test_who_tells_never_waits_and_another_robot_is_not_held() -> None:
+    told = Told(silent, capacity=2)
+    told.hold_back()
+    told.put(["1", "2", "3"], robot="alice")
+    told.put(["4"], robot="bob")
+    told.wait_for_room("bob")
+
+    assert waits(told, "alice").is_alive()
+    assert told.take() == ["1", "2", "3", "4"]
 
 
 def test_a_stopped_program_is_held_back_no_more() -> None:
     told = Told(silent, capacity=1)
     told.hold_back()
     told.put(["1"])
-    teller = threading.Thread(target=told.put, args=(["2"],), daemon=True)
-    teller.start()
+    held = waits(told, None)
     told.let_pass()
-    teller.join(10)
+    held.join(10)
 
-    assert told.take() == ["1", "2"]
+    assert not held.is_alive()
+
+
+def test_the_answer_to_a_word_comes_before_all_that_waits() -> None:
+    told = Told(silent)
+    told.put(["1", "2"])
+    told.put_first(["Speed 2."])
+    told.put_first(["Speed 1."])
+
+    assert told.take(3) == ["Speed 2.", "Speed 1.", "1"]
+    assert told.take() == ["2"]
 
 
 def test_the_oldest_lines_are_left_out() -> None:
