@@ -115,7 +115,7 @@ def _things_legend(things: Iterable[Thing], wording: Wording) -> dict[str, str]:
         _add(names.setdefault(letter, []), name_of(thing, wording))
         _add(colours.setdefault(letter, []), shade(thing, wording))
     return {
-        letter: ", ".join((*names[letter][:MOST_COLOURS], *colours[letter][:MOST_COLOURS]))
+        letter: ", ".join(dict.fromkeys((*names[letter][:MOST_COLOURS], *colours[letter][:MOST_COLOURS])))
         for letter in sorted(names)
     }
 

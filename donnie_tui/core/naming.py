@@ -63,8 +63,10 @@ def _phrase(form: str, kind: str, name: str, colour: str, wording: Wording) -> s
     if not word:
         return _of_unknown_gender(form, name or kind, colour, wording)
     gender = wording(f"gender-{kind}")
-    article = wording(f"article-{gender}")
-    return wording(f"{form}-coloured", the=article, name=word, colour=_agreeing(colour, gender, wording))
+    article, colour_word = wording(f"article-{gender}"), _agreeing(colour, gender, wording)
+    if colour_word == word:  # an orange is orange
+        return wording(f"{form}-one-colour", the=article, name=word)
+    return wording(f"{form}-coloured", the=article, name=word, colour=colour_word)
 
 
 def _of_unknown_gender(form: str, name: str, colour: str, wording: Wording) -> str:

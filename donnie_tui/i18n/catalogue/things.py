@@ -37,6 +37,8 @@ SENTENCES: dict[str, Sentence] = {
     "colour-gray-f": Sentence("gray", "cinza", "gris"),
     "colour--f": Sentence("unknown", "desconhecida", "desconocida"),
     "listed-coloured": Sentence("{name}, {colour}", "{name} {colour}", "{name} {colour}"),
+    "listed-one-colour": Sentence("{name}", "{name}", "{name}"),
+    "the-one-colour": Sentence("{the} {name}", "{the} {name}", "{the} {name}"),
     "listed-coloured-foreign": Sentence(
         "{name}, {colour}", "{name} de cor {colour}", "{name} de color {colour}"
     ),

@@ -93,6 +93,11 @@ def test_a_listed_thing_has_an_agreeing_colour(kind: str, language: str, phrase:
     assert coloured(kind, "", "yellow", Words(language)) == phrase
 
 
+def test_an_orange_is_not_called_orange_twice() -> None:
+    assert [coloured("orange", "", "orange", Words(each)) for each in ("en", "pt")] == ["orange", "laranja"]
+    assert told(Words("es"), "orange", colour="orange") == ["Empujé la naranja 4 pasos."]
+
+
 def test_a_colour_alone_agrees_with_its_thing() -> None:
     chair = Thing("", "chair", "c", "red", 0, 0, 1, 1)
 
