@@ -18,7 +18,7 @@ from donnie_tui.core import numbers
 from donnie_tui.core.events import Answered, Stamped
 from donnie_tui.core.hub import Hub, Stream
 from donnie_tui.core.replay import Replay
-from donnie_tui.core.retelling import told_back
+from donnie_tui.core.retelling import told_back, told_forward
 from donnie_tui.core.telling import facing
 from donnie_tui.i18n.words import Words
 from language.control import ExecutionControl
@@ -118,6 +118,8 @@ class ReplayDesk:
             self._answer("replay-end")
         for stamped in step:
             self._show(stamped)
+        if sentence := told_forward(step, self._words):
+            self._tell(sentence)
 
     def _back(self) -> None:
         undone = self._timeline.step_back()

@@ -20,7 +20,7 @@ from donnie_tui.cli.replay_desk import ReplayDesk
 from donnie_tui.cli.replay_map import ReplayMap
 from donnie_tui.core.events import Answered, Moved, Stamped, Turned
 from donnie_tui.core.hub import Hub, Stream
-from donnie_tui.core.recording import NoRecordingError, Recording
+from donnie_tui.core.recording import LARGEST, NoRecordingError, Recording
 from donnie_tui.core.replay import Replay
 from donnie_tui.core.retelling import told_back
 from donnie_tui.core.timeline import Timeline
@@ -79,8 +79,13 @@ def _refuse_what_has_no_meaning(order: Order) -> None:
 
 
 def _opened(name: str, words: Words, closing: ExitStack) -> Recording:
+    path = Path(name)
     try:
-        return Recording(closing.enter_context(Path(name).open("rb")))
+        if path.exists() and not (path.is_file() or path.is_dir()):
+            raise Unusable(words("file-no-file", path=name))  # a device or a pipe may have no end
+        if path.is_file() and path.stat().st_size > LARGEST:
+            raise Unusable(words("recording-too-large", path=name))
+        return Recording(closing.enter_context(path.open("rb")))
     except NoRecordingError:
         raise Unusable(words("no-recording", path=name)) from None
     except (OSError, ValueError) as problem:

@@ -21,6 +21,8 @@ FORMAT = 1
 KEY = "donnie_recording"
 """The first word of the header; its value is the format."""
 
+LARGEST = 4 * 1024**3
+"""Bytes of a file that is looked through; the most events that are read have a fourth of it."""
 LONGEST_HEADER = 64 * 1024 * 1024
 LONGEST_LINE = 16 * 1024 * 1024
 """Bytes; a program has at most half of it."""
@@ -127,7 +129,7 @@ class Recording:
     def _take_header(self, line: bytes | None) -> None:
         with suppress(DamagedLineError, UnicodeDecodeError, KeyError, TypeError):
             if line is not None:
-                record = parse_line(line.decode("utf-8"))
+                record = parse_line(line.decode("utf-8-sig"))
                 self.is_newer = _is_newer(record)
                 self.header = _header(record)
 

@@ -26,7 +26,7 @@ from donnie_tui.core.events import (
 )
 from donnie_tui.core.telling import facing
 from donnie_tui.core.timeline import Timeline, is_deed
-from donnie_tui.core.transcript import printable
+from donnie_tui.core.transcript import printable, said_by, told_lines
 from donnie_tui.core.wording import Wording
 
 LONGEST_QUOTE = 60
@@ -46,6 +46,16 @@ def told_back(undone: Iterable[Stamped], timeline: Timeline, wording: Wording) -
     place = _place(done.event, timeline.pose(done.robot), wording)
     text = f"{sentence} {place}" if place else sentence
     return text if done.robot is None else wording("robot-says", robot=printable(done.robot), text=text)
+
+
+def told_forward(step: Iterable[Stamped], wording: Wording) -> str:
+    """One sentence for a step of which nothing was told: "Start of a.gd." Empty where something was."""
+    events = tuple(step)
+    if not events or any(told_lines(each, wording) for each in events):
+        return ""
+    done = next((each for each in events if is_deed(each.event)), events[-1])
+    what = _what(done.event, wording)
+    return said_by(done.robot, f"{what[:1].upper()}{what[1:]}.", wording)
 
 
 def _what(event: Event, wording: Wording) -> str:

@@ -112,14 +112,15 @@ def test_step_by_step_one_goes_both_ways_by_typed_words(here: Here) -> None:
     typed = "\nNEXT\nPRÓXIMO\nback\nDÓNDE\nMAP\nnonsense\nGO\nNEXT\nQUIT\n"
     told = here.replay("--step", typed=typed)
 
-    assert told[1:5] == [
+    assert told[1:6] == [
+        "Start of a.gd.",
         "I walked 2 steps forward.",
         "I turned 90 degrees to the right.",
         "Back: TR 90. Facing north.",
         "Event 5 of 18.",
     ]
-    assert told[5] == "Position 0, 2. Facing north."
-    assert any("^" in line for line in told[6:])
+    assert told[6] == "Position 0, 2. Facing north."
+    assert any("^" in line for line in told[7:])
     assert told[-4:] == [
         "I do not know that word. HELP lists them.",
         "I turned 90 degrees to the right.",
@@ -429,6 +430,24 @@ def test_what_is_no_recording_is_told_in_one_sentence(here: Here) -> None:
     (here.folder / "a.rec").write_bytes(b"FW 3\n")
 
     assert here.replay(code=2, err=["a.rec is no recording."]) == []
+
+
+def test_what_is_no_ordinary_file_or_has_no_reasonable_size_is_refused(here: Here) -> None:
+    os.mkfifo(here.folder / "a.rec")
+    here.replay(code=2, err=["a.rec is no ordinary file."])
+    (here.folder / "a.rec").unlink()
+    with (here.folder / "a.rec").open("wb") as file:
+        file.truncate(5 * 1024**3)
+    here.replay(code=2, err=["a.rec is too large for a recording."])
+
+
+def test_a_recording_that_an_editor_saved_again_is_whole(here: Here) -> None:
+    printed = here.record()
+    data = (here.folder / "a.rec").read_bytes()
+    (here.folder / "a.rec").write_bytes(b"\xef\xbb\xbf" + data.replace(b"\n", b"\r\n"))
+
+    assert here.replay() == printed
+    assert here.replay("--check")[0].endswith("events alike.")
 
 
 @pytest.mark.parametrize(

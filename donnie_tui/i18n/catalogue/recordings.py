@@ -39,6 +39,11 @@ SENTENCES: dict[str, Sentence] = {
     "no-recording": Sentence(
         "{path} is no recording.", "{path} não é uma gravação.", "{path} no es una grabación."
     ),
+    "recording-too-large": Sentence(
+        "{path} is too large for a recording.",
+        "{path} é grande demais para uma gravação.",
+        "{path} es demasiado grande para una grabación.",
+    ),
     "damaged-line": Sentence(
         "Line {line} is damaged. The rest is told.",
         "A linha {line} está danificada. O resto é contado.",
