@@ -4,12 +4,14 @@ from __future__ import annotations
 
 import os
 from collections.abc import Callable
+from pathlib import Path
 
 from donnie_tui.bootstrap import Donnie
 from donnie_tui.core.documents import DocumentError
 from donnie_tui.core.events import Answered
 from donnie_tui.core.session import Busy
 from donnie_tui.device_settings import SIMULATED
+from donnie_tui.robot_choice import Choice
 from donnie_tui.settings_file import remember
 from language.source import fold_name
 
@@ -39,10 +41,34 @@ def feel(donnie: Donnie, typed: str) -> None:
         _answer(donnie, telling.now())
 
 
+def choices_in_words(donnie: Donnie) -> tuple[tuple[str, bool], ...]:
+    """What may be chosen, in the order of the numbers: what it is and its state, and whether it is there now.
+
+    Looks for devices: not to be asked in a hurry.
+    """
+    now = donnie.connection.robot
+    return tuple(
+        (_choice_in_words(donnie, number, choice), choice.robot == now)
+        for number, choice in enumerate(donnie.connection.choices(), 1)
+    )
+
+
+def _choice_in_words(donnie: Donnie, number: int, choice: Choice) -> str:
+    port = choice.robot.partition(":")[2]
+    if choice.robot == donnie.connection.robot:
+        code = "connect-choice-now"
+    elif port and not Path(port).exists():
+        code = "connect-choice-missing"
+    elif port and not os.access(port, os.R_OK | os.W_OK):
+        code = "connect-choice-forbidden"
+    else:
+        code = "connect-choice"
+    return donnie.words(code, number=number, what=choice.sentence)
+
+
 def _tell_choices(donnie: Donnie) -> None:
-    for number, choice in enumerate(donnie.connection.choices(), 1):
-        code = "connect-choice-now" if choice.robot == donnie.connection.robot else "connect-choice"
-        _say(donnie, code, number=number, what=choice.sentence)
+    for sentence, _is_now in choices_in_words(donnie):
+        _answer(donnie, sentence)
     _say(donnie, "connect-how")
 
 

@@ -306,6 +306,11 @@ def _read_text(text: str) -> str:
     return text
 
 
+def _read_line(text: str) -> str:
+    """Any, an empty one too."""
+    return _read_text(text) if text else ""
+
+
 def read_folders(text: str) -> tuple[Path, ...]:
     """Folders, apart as in PATH. Raises ``ValueError``."""
     folders = _folders(_read_text(text))
@@ -361,6 +366,6 @@ KEYS = (
     Key("mouse", "mouse", read_switch, "on, off"),
     Key("motion", "motion", _one_of(MOTION), ", ".join(MOTION)),
     Key("completion", "completion", read_switch, "on, off"),
-    Key("keys", "keys", _read_text, "ACTION KEY, ACTION KEY"),
+    Key("keys", "keys", _read_line, "ACTION KEY, ACTION KEY"),
 )
 _BY_KEY = {each.key: each for each in KEYS}

@@ -135,6 +135,16 @@ def _played(donnie: Donnie, typed: str) -> Iterator[float]:
         yield from _play_cue(donnie, each)
 
 
+def chime(donnie: Donnie, name: str) -> None:
+    """Let a cue be heard, as loud as it is set."""
+    donnie.session.hub.publish(Chimed(name))
+
+
+def cue_name(name: str, at: int) -> str:
+    """What a cue is called in the language number ``at``."""
+    return CUE_WORDS[name][at] if name in CUE_WORDS else name
+
+
 def find_cue(typed: str) -> str | None:
     """The cue that a word of any language means, or its own name."""
     folded = fold_name(typed)
@@ -155,7 +165,7 @@ def chime_block(donnie: Donnie, before: int, after: int) -> None:
 def _play_cue(donnie: Donnie, name: str) -> Iterator[float]:
     """First the sound, then the sentence (a cue never waits for it)."""
     if donnie.audible.has_cues:
-        donnie.session.hub.publish(Chimed(name))
+        chime(donnie, name)
     _say(donnie, "cues-line", name=CUE_WORDS[name][_at(donnie)], meaning=donnie.words(f"cue-{name}"))
     if donnie.audible.has_cues:
         yield from _until_said(donnie)
@@ -178,7 +188,7 @@ def _until_said(donnie: Donnie) -> Iterator[float]:
 def find_setting(typed: str) -> str | None:
     """The field that a name of any language means; ``cues`` for a single cue."""
     folded = fold_name(typed)
-    if folded in map(fold_name, CUE):
+    if folded in map(fold_name, (*CUE, "cues")):
         return "cues"
     return next((field for field, (names, _) in SETTINGS.items() if folded in map(fold_name, names)), None)
 
@@ -235,19 +245,20 @@ def _set_cue(donnie: Donnie, typed: str) -> None:
     if word and name is None:
         _say(donnie, "cues-unknown", name=word[:40])
         return
-    volume = _volume(value) if name and value else None
+    volume = read_cue_volume(value) if name and value else None
     if name and volume is not None:
         volumes = {**donnie.audible.settings.cues, name: volume}
         donnie.adjust_sound(cues=volumes)
         _keep(donnie, "cues", ", ".join(f"{each} {percent}" for each, percent in volumes.items()))
-        donnie.session.hub.publish(Chimed(name))
+        chime(donnie, name)
     for each in (name,) if name else CUE_WORDS:
         _tell_cue(donnie, each)
     if value and volume is None:
         _say(donnie, "habit-choices", choices=_choices("volume", _at(donnie)))
 
 
-def _volume(typed: str) -> int | None:
+def read_cue_volume(typed: str) -> int | None:
+    """In percent: a number, or on and off in any language; None for anything else."""
     folded = fold_name(typed)
     for is_on, words in _SWITCH.items():
         if folded in map(fold_name, words):

@@ -33,6 +33,8 @@ VIEW_CASES = (
     UseCase("theme", "THEME", "TEMA", "TEMA", _ALWAYS, "theme"),
     UseCase("plain", "PLAIN", "SIMPLES", "SENCILLO", _ALWAYS),
     UseCase("settings", "SETTINGS", "CONFIGURAÇÕES", "CONFIGURACIÓN", _ALWAYS),
+    UseCase("change_keys", "CHANGE KEYS", "MUDAR TECLAS", "CAMBIAR TECLAS", _ALWAYS),
+    UseCase("keys_here", "KEYS", "TECLAS", "TECLAS", _ALWAYS),
     UseCase("open_log", "LOG", "REGISTRO", "REGISTRO", _ALWAYS),
 )
 
@@ -52,6 +54,7 @@ IN_WORDS = {
     "worlds": "world",
     "settings": "set",
     "open_log": "show_log",
+    "keys_here": "help",
 }
 """The use cases that come to the same in words; the others are about what is seen."""
 

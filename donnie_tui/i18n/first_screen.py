@@ -6,9 +6,9 @@ START = (
     "¿Lector de pantalla? Escribe LINEAL y Enter.",
 )
 START_KEYS = (
-    "F5 runs the program. F1 helps.",
-    "F5 executa o programa. F1 ajuda.",
-    "F5 ejecuta el programa. F1 ayuda.",
+    "{run} runs the program. {help} helps.",
+    "{run} executa o programa. {help} ajuda.",
+    "{run} ejecuta el programa. {help} ayuda.",
 )
 FAULT = (
     "Donnie failed and had to end; your program is kept: start again, type RECOVER and Enter.",

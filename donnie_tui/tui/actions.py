@@ -118,6 +118,8 @@ KEYS: dict[str, tuple[str, ...]] = {
     "theme": ("ctrl+k y",),
     "plain": ("ctrl+k z",),
     "settings": ("ctrl+k comma",),
+    "change_keys": (),
+    "keys_here": ("ctrl+k 0",),
     "help": ("f1",),
     "manual": ("ctrl+k f1",),
     "linear": ("ctrl+k q",),
@@ -178,21 +180,6 @@ def find(typed: str) -> tuple[Action, str] | None:
     if case not in _BY_CASE or (argument and not takes_argument):
         return None
     return _BY_CASE[case], argument
-
-
-def with_keys(chosen: str) -> dict[str, tuple[str, ...]]:
-    """The keys of each action, those of the setting ``run f9, step ctrl+k 5`` in the place of ours.
-
-    What names no action is passed over; a key that another action had is that one's no more.
-    """
-    keys = {each.name: each.keys for each in ACTIONS if not each.hidden}
-    for entry in chosen.split(","):
-        name, _, key = entry.strip().lower().partition(" ")
-        if name in keys and key.strip():
-            wanted = key.strip()
-            keys = {other: tuple(each for each in have if each != wanted) for other, have in keys.items()}
-            keys[name] = (wanted, *keys[name])
-    return keys
 
 
 _SIGNS = {

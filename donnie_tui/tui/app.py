@@ -33,12 +33,13 @@ from donnie_tui.i18n import first_screen
 from donnie_tui.robot_search import Search
 from donnie_tui.settings import LANGUAGES, Settings
 from donnie_tui.tui import themes
-from donnie_tui.tui.actions import BY_NAME, MENU, with_keys
+from donnie_tui.tui.actions import MENU
+from donnie_tui.tui.key_table import KeyTable
 from donnie_tui.tui.lifeline import Lifeline, give_back
 from donnie_tui.tui.outside import leave_behind
 from donnie_tui.tui.printable import Printable
 from donnie_tui.tui.screens.workplace import Workplace
-from donnie_tui.tui.terminal import is_plain, wants_mouse
+from donnie_tui.tui.terminal import is_plain, use_mouse, wants_mouse
 from donnie_tui.tui.turns import Turns
 from donnie_tui.tui.widgets.command_line import CommandLine
 
@@ -88,7 +89,7 @@ class DonnieApp(App[int], inherit_bindings=False):
         self.theme = themes.TERMINAL if self.no_color else themes.name_of(settings.theme)
         self._filters.append(Printable())
         self.workplace = Workplace(plain=is_plain(settings))
-        self._keys: dict[str, tuple[str, ...]] = {}
+        self.key_table = KeyTable()
         self._menu: KeyMenu | None = None
         """The list of the keys behind a key, while one of them is waited for."""
         self._bind(settings.keys)
@@ -115,10 +116,10 @@ class DonnieApp(App[int], inherit_bindings=False):
 
     def _bind(self, chosen: str) -> None:
         """The keys of the table, with those that somebody chose in their place."""
-        self._keys = with_keys(chosen)
+        self.key_table.choose(chosen)
         own = [
             Binding(key, f"do('{name}')", show=False, priority=True)
-            for name, keys in self._keys.items()
+            for name, keys in self.key_table.all.items()
             for key in keys
             if " " not in key
         ]
@@ -152,7 +153,9 @@ class DonnieApp(App[int], inherit_bindings=False):
             strict=True,
         ):
             pane.entitle(title[self._language])
-        place.log_lines((each[self._language], "") for each in (first_screen.START, first_screen.START_KEYS))
+        keys = {name: self.key_table.label(name) or word for name, word in (("run", "RUN"), ("help", "HELP"))}
+        about_keys = first_screen.START_KEYS[self._language].format(**keys)
+        place.log_lines(((first_screen.START[self._language], ""), (about_keys, "")))
         place.status.say(f" {first_screen.STARTING[self._language]}")
         self.call_after_refresh(self._begin)
 
@@ -231,6 +234,8 @@ class DonnieApp(App[int], inherit_bindings=False):
         if action == "do":
             only_while_running = len(parameters) > 1
             return self._stops(parameters) or (self.screen is self.workplace and not only_while_running)
+        if action in ("key_menu", "command_palette"):
+            return self.screen is self.workplace
         return super().check_action(action, parameters)
 
     def _stops(self, parameters: tuple[object, ...]) -> bool:
@@ -252,7 +257,7 @@ class DonnieApp(App[int], inherit_bindings=False):
     async def on_event(self, event: events.Event) -> None:
         is_typed = isinstance(event, (events.Key, events.Paste)) and not event.is_forwarded
         if is_typed and self.work is not None:
-            self.work.donnie.audible.hush()
+            self.work.key_pressed(event, self.focused)
         if is_typed and isinstance(event, events.Key) and self._did_by_menu(event.key):
             return
         if is_typed and self._is_stop_key(event) and self._give_up_search():
@@ -266,7 +271,7 @@ class DonnieApp(App[int], inherit_bindings=False):
         return self._is_stop_key(event) and self._runs
 
     def _is_stop_key(self, event: events.Event) -> bool:
-        return isinstance(event, events.Key) and event.key in ("ctrl+c", *BY_NAME["stop"].keys)
+        return isinstance(event, events.Key) and event.key in ("ctrl+c", *self.key_table.of("stop"))
 
     def _do_in_turn(self, name: str) -> None:
         """Running from the command line runs what is typed there."""
@@ -308,7 +313,7 @@ class DonnieApp(App[int], inherit_bindings=False):
     async def _choose_action(self, work: Work) -> None:
         from donnie_tui.tui.screens.palette import palette
 
-        chosen = await self.choose(*palette(work.words))
+        chosen = await self.choose(*palette(work.words, self.key_table))
         if chosen is not None:
             asking = work.do(chosen)
             if asking is not None:
@@ -319,7 +324,7 @@ class DonnieApp(App[int], inherit_bindings=False):
         if self.work is not None and self.screen is self.workplace:
             from donnie_tui.tui.screens.key_menu import KeyMenu
 
-            self._menu = KeyMenu(self._keys, self.work.words)
+            self._menu = KeyMenu(self.key_table.all, self.work.words)
             self.push_screen(self._menu, self._menu_is_gone)
 
     def _menu_is_gone(self, _answer: None) -> None:
@@ -344,6 +349,7 @@ class DonnieApp(App[int], inherit_bindings=False):
             self.workplace.set_plain(settings.plain)
         self._language = LANGUAGES.index(settings.language)
         self._bind(settings.keys)
+        use_mouse(self._driver, wanted=wants_mouse(settings))
 
     def enter_world(self, name: str) -> None:
         """The screen is left for a moment, and comes back in that world."""
@@ -377,6 +383,13 @@ class DonnieApp(App[int], inherit_bindings=False):
         from donnie_tui.tui.screens.question import Question
 
         return await self.push_screen_wait(Question(asked, keys, value=value, accepts=accepts))
+
+    async def press_key(
+        self, asked: str, keys: str, behind: str, accepts: Callable[[str], str | None]
+    ) -> str | None:
+        from donnie_tui.tui.screens.key_capture import KeyCapture
+
+        return await self.push_screen_wait(KeyCapture(asked, keys, behind, accepts))
 
     async def choose(self, title: str, keys: str, nothing: str, choices: Sequence[Choice]) -> str | None:
         from donnie_tui.tui.screens.chooser import Chooser

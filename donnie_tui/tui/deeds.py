@@ -12,6 +12,7 @@ from donnie_tui.tui.deeds_around import AroundDeeds
 from donnie_tui.tui.deeds_lines import LineDeeds
 from donnie_tui.tui.deeds_map import MapDeeds
 from donnie_tui.tui.deeds_robots import RobotDeeds
+from donnie_tui.tui.deeds_settings import SettingsDeeds
 from donnie_tui.tui.deeds_telling import TellingDeeds
 from donnie_tui.tui.deeds_text import TextDeeds
 from donnie_tui.tui.running import Answer, Doing
@@ -32,6 +33,7 @@ class Deeds:
             TextDeeds(host),
             LineDeeds(host),
             AroundDeeds(host),
+            SettingsDeeds(host),
             RobotDeeds(host),
         )
 
@@ -157,6 +159,9 @@ class Deeds:
 
     def help(self, _argument: str) -> None:
         self._host.show_help()
+
+    def keys_here(self, _argument: str) -> None:
+        self._host.show_keys_here()
 
     # --- leaving
 

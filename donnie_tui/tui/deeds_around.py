@@ -1,4 +1,4 @@
-"""What the actions about the screen itself do: the look, the layout, settings, the lists, the manual."""
+"""What the actions around the program do: lists of programs and worlds, reports, the log, the manual."""
 
 from __future__ import annotations
 
@@ -6,14 +6,11 @@ from pathlib import Path
 from typing import TYPE_CHECKING
 
 import worlds
-from donnie_tui import sound_words
 from donnie_tui.core import report_text
-from donnie_tui.core.transcript import printable
 from donnie_tui.core.typed_program import lines_of
-from donnie_tui.settings import THEMES
+from donnie_tui.core.wording import Wording
 from donnie_tui.tui.running import Answer
 from donnie_tui.tui.screens.chooser import Choice
-from language.source import fold_name
 
 if TYPE_CHECKING:
     from donnie_tui.tui.host import WorkHost
@@ -24,86 +21,6 @@ class AroundDeeds:
 
     def __init__(self, host: WorkHost) -> None:
         self._host = host
-
-    async def theme(self, argument: str) -> None:
-        await self._choose("theme", THEMES, argument)
-
-    async def language(self, argument: str) -> None:
-        await self._choose("lang", ("en", "pt", "es"), argument)
-
-    async def detail(self, argument: str) -> None:
-        await self._choose("verbosity", ("brief", "normal", "full"), argument)
-
-    async def _choose(self, key: str, values: tuple[str, ...], typed: str) -> None:
-        """One of a few values, typed in any language or chosen from a list."""
-        words = self._host.words
-        names = {value: words(f"value-{key}-{value}") for value in values}
-        meant = {fold_name(each): value for value, name in names.items() for each in (value, name)}
-        chosen = meant.get(fold_name(typed)) if typed else None
-        if chosen is None:
-            current = self._host.preferences.value(key)
-            rows = [Choice(value, name, value == current) for value, name in names.items()]
-            chosen = await self._host.choose(words(f"setting-{key}"), rows)
-        if chosen is not None:
-            self._host.prefer(key, chosen)
-
-    def plain(self, _argument: str) -> None:
-        self._host.prefer("plain", not self._host.workplace.is_plain)
-
-    async def settings(self, _argument: str) -> None:
-        """One setting after the other, until somebody goes back."""
-        words = self._host.words
-        chosen: str | None = ""
-        while chosen is not None:
-            rows = [
-                Choice(
-                    each.key, words("setting-row", name=words(f"setting-{each.key}"), value=each.told(words))
-                )
-                for each in self._host.preferences.all
-            ]
-            at = next((index for index, row in enumerate(rows) if row.value == chosen), 0)
-            rows[at] = Choice(rows[at].value, rows[at].text, True)
-            chosen = await self._host.choose(words("settings-title"), rows)
-            if chosen is not None:
-                await self._change(chosen)
-
-    async def set(self, argument: str) -> None:
-        """SET alone lists the settings, SET name asks for one, SET name value changes it."""
-        name, _blank, value = argument.strip().partition(" ")
-        key = self._setting(name)
-        if not name:
-            await self.settings("")
-        elif key is None:
-            self._host.tell(Answer("screen-no-setting", {"name": printable(name[:40])}))
-        elif self._host.preferences.values(key):
-            await self._choose(key, self._host.preferences.values(key), value.strip())
-        elif value:
-            self._host.prefer(key, value.strip())
-        else:
-            await self._change(key)
-
-    def _setting(self, name: str) -> str | None:
-        """The setting that a word means: its name in the settings file, in the list, or as SET has it."""
-        words, folded = self._host.words, fold_name(name)
-        keys = [each.key for each in self._host.preferences.all]
-        by_name = {fold_name(each): key for key in keys for each in (key, words(f"setting-{key}"))}
-        found = by_name.get(folded) or sound_words.find_setting(name)
-        return found if found in keys else None
-
-    async def _change(self, key: str) -> None:
-        values = self._host.preferences.values(key)
-        if values:
-            await self._choose(key, values, "")
-            return
-        words, preferences = self._host.words, self._host.preferences
-
-        def wrong(typed: str) -> str | None:
-            return None if preferences.understands(key, typed) else words(f"setting-{key}-wanted")
-
-        asked = words(f"setting-{key}-wanted")
-        typed = await self._host.ask(asked, value=str(preferences.value(key) or ""), accepts=wrong)
-        if typed is not None:
-            self._host.prefer(key, typed)
 
     async def manual(self, argument: str) -> None:
         """The language, chapter by chapter; with a word, what is said of it."""
@@ -134,12 +51,11 @@ class AroundDeeds:
             files.turn_to(None if chosen == "new" else int(chosen))
 
     async def worlds(self, _argument: str) -> None:
-        """The worlds that ship, with what their authors say of them."""
-        words = self._host.words
+        """The worlds that ship, with what their authors say of them, and what to try there."""
+        words, here = self._host.words, self._host.world_name
         rows = [
-            Choice(name, words("world-row", name=name, title=about.title, about=about.description), is_here)
+            Choice(name, _world_row(name, worlds.about(name, words.language), words), name == here)
             for name in worlds.names()
-            for about, is_here in ((worlds.about(name, words.language), name == self._host.world_name),)
         ]
         chosen = await self._host.choose(words("ask-worlds"), rows)
         is_elsewhere = chosen is not None and chosen != self._host.world_name
@@ -169,3 +85,14 @@ class AroundDeeds:
         name = argument or await self._host.ask(self._host.words("ask-save-log"), value="log.txt")
         if name and await self._host.files.may_replace(Path(name)):
             self._host.save_log(name)
+
+
+def _world_row(name: str, about: worlds.About, words: Wording) -> str:
+    return words(
+        "world-row",
+        name=name,
+        title=about.title,
+        difficulty=words(f"difficulty-{about.difficulty.value}"),
+        about=" ".join(about.sentences),
+        task=" ".join(about.task.split()),
+    )

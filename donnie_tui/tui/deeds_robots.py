@@ -23,13 +23,16 @@ class RobotDeeds:
     def __init__(self, host: WorkHost) -> None:
         self._host = host
 
-    def robots(self, _argument: str) -> None:
+    async def robots(self, _argument: str) -> None:
+        """Who is there, told; and where there are several, a list to choose from."""
         team_words.tell_robots(self._host.donnie)
+        if self._host.donnie.team.has_several:
+            await self.robot("")
 
     async def robot(self, argument: str) -> None:
         """Talk to that one; without a name, to the one chosen from a list, where there are several."""
         if not argument and not self._host.donnie.team.has_several:
-            self.robots("")
+            team_words.tell_robots(self._host.donnie)
             return
         name = argument or await self._chosen()
         if name is None:
@@ -46,7 +49,7 @@ class RobotDeeds:
             for name in donnie.team.names
             for each in (donnie.team.session(name),)
         ]
-        return await self._host.choose(self._host.words("key-robot"), rows)
+        return await self._host.choose(self._host.words("ask-robot"), rows)
 
     def start(self, _argument: str) -> None:
         """On the screen nobody waits for a run anyway."""

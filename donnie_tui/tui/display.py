@@ -14,9 +14,9 @@ from donnie_tui.core.map_grid import floor_size
 from donnie_tui.core.map_scene import MapScene
 from donnie_tui.core.timeline import Timeline
 from donnie_tui.i18n.catalogue import SENTENCES
-from donnie_tui.tui.actions import BY_NAME, key_label
 from donnie_tui.tui.bridge import Mail
 from donnie_tui.tui.files import Files
+from donnie_tui.tui.key_table import KeyTable
 from donnie_tui.tui.running import Doing, Running
 from donnie_tui.tui.screens.workplace import Workplace
 from donnie_tui.tui.situation import doing_sentences, inspector_lines, robot_sentence
@@ -34,8 +34,11 @@ _OFFERED = {
 class Display:
     """Brings the workplace up to date."""
 
-    def __init__(self, place: Workplace, donnie: Donnie, running: Running, files: Files) -> None:
+    def __init__(
+        self, place: Workplace, donnie: Donnie, running: Running, files: Files, table: KeyTable
+    ) -> None:
         self._place = place
+        self._table = table
         self._donnie = donnie
         self._words = donnie.words
         self._running = running
@@ -156,11 +159,12 @@ class Display:
         self._show_marks()
         self.say_status()
         self._show_inspector()
-        self._place.keys.offer([self._key_entry(name) for name in _OFFERED[self._running.doing]])
+        offered = (name for name in _OFFERED[self._running.doing] if self._table.of(name))
+        self._place.keys.offer([self._key_entry(name) for name in offered])
 
     def _key_entry(self, name: str) -> str:
         shown_as = "continue_" if name == "pause" and self._running.doing is Doing.PAUSED else name
-        return f"{key_label(BY_NAME[name].keys[0])} {self._words(f'key-{shown_as}')}"
+        return f"{self._table.label(name)} {self._words(f'key-{shown_as}')}"
 
     def show_titles(self) -> None:
         self._place.editor.is_nobodys = self._files.document.path is None
@@ -212,8 +216,8 @@ class Display:
         line, lines = self._program_line(), place.editor.line_count
         mistake = place.editor.mistake
         if mistake is not None and self._running.doing is Doing.READY:
-            code = "status-mistake-meant" if mistake.meant else "status-mistake"
-            key = key_label(BY_NAME["fix"].keys[0])
+            key = self._table.label("fix")
+            code = "status-mistake-meant" if mistake.meant and key else "status-mistake"
             return words(code, line=line, lines=lines, message=mistake.message, meant=mistake.meant, key=key)
         return words("status-program", line=line, lines=lines)
 

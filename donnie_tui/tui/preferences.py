@@ -12,9 +12,12 @@ from typing import Any
 from devices.ports.values import frozen
 from donnie_tui import settings_file
 from donnie_tui.core.documents import DocumentError
-from donnie_tui.core.wording import Wording
+from donnie_tui.i18n.words import Words
 from donnie_tui.settings import KEYS, LANGUAGES, MOTION, THEMES, VERBOSITY, Settings
-from donnie_tui.sound_settings import PUNCTUATION, SPEAK
+from donnie_tui.sound_settings import KEY_ECHO, PUNCTUATION, SPEAK
+from donnie_tui.sound_words import cue_name
+from donnie_tui.tui.actions import BY_NAME, key_label
+from donnie_tui.tui.key_table import not_understood, understood
 
 _SWITCH = ("on", "off")
 
@@ -30,6 +33,8 @@ CHOICES: dict[str, tuple[str, ...]] = {
     "pitch": (),
     "volume": (),
     "punctuation": PUNCTUATION,
+    "key_echo": KEY_ECHO,
+    "cues": (),
     "wait_for_speech": _SWITCH,
     "plain": _SWITCH,
     "motion": MOTION,
@@ -39,8 +44,14 @@ CHOICES: dict[str, tuple[str, ...]] = {
 }
 """What each can be; an empty one is typed."""
 
-AUDIBLE = ("sound", "speech", "speak", "rate", "pitch", "volume", "punctuation", "wait_for_speech")
+AUDIBLE = (
+    *("sound", "speech", "speak", "rate", "pitch", "volume"),
+    *("punctuation", "key_echo", "cues", "wait_for_speech"),
+)
 """Those of voice and cues."""
+
+LISTED = ("cues", "keys")
+"""Those with a list of their own; where nothing was chosen, that is said."""
 
 _KEY = {each.key: each for each in KEYS}
 
@@ -52,12 +63,21 @@ class Preference:
     key: str
     value: object
 
-    def told(self, words: Wording) -> str:
-        if CHOICES[self.key]:
-            return words(f"value-{self.key}-{_as_value(self.value)}")
+    def told(self, words: Words) -> str:
+        code = f"value-{self.key}-{_as_value(self.value)}"
+        if words.knows(code):
+            return words(code)
+        if self.key in LISTED and not self.value:
+            return words(f"setting-{self.key}-none")
         if self.key == "speed" and self.value is None:
             return words("speed-max")
-        return f"{self.value:g}" if isinstance(self.value, float) else str(self.value or "-")
+        if isinstance(self.value, Mapping):
+            at = LANGUAGES.index(words.language)
+            return ", ".join(f"{cue_name(name, at)} {percent}" for name, percent in self.value.items())
+        if self.key == "keys":
+            pairs = understood(str(self.value))
+            return ", ".join(f"{key_label(key)} {BY_NAME[name].word(words.language)}" for name, key in pairs)
+        return _as_value(self.value) or "-"
 
 
 class Preferences:
@@ -83,7 +103,7 @@ class Preferences:
             _KEY[key].read(typed)
         except ValueError:
             return False
-        return True
+        return key != "keys" or not not_understood(typed)
 
     def choose(self, key: str, typed: str) -> object:
         """From now on; the value. Raises ``ValueError``."""
@@ -106,4 +126,6 @@ class Preferences:
 def _as_value(value: object) -> str:
     if isinstance(value, bool) or value is None:
         return "on" if value else "off"
+    if isinstance(value, Mapping):
+        return ", ".join(f"{name} {percent}" for name, percent in value.items())
     return f"{value:g}" if isinstance(value, float) else str(value)

@@ -8,6 +8,7 @@ from __future__ import annotations
 import os
 from collections.abc import MutableMapping
 from functools import cache
+from typing import Protocol, cast
 
 from donnie_tui.settings import Settings
 
@@ -38,3 +39,26 @@ def prepare(settings: Settings, environment: MutableMapping[str, str] = os.envir
 def wants_mouse(settings: Settings) -> bool:
     """Mouse reports cost bytes over SSH and take the terminal's own selection; a reader needs neither."""
     return settings.mouse and not is_plain(settings)
+
+
+class _Driver(Protocol):
+    """What Textual's drivers for terminals have; a test guards the names."""
+
+    _mouse: bool
+
+    def _enable_mouse_support(self) -> None: ...
+
+    def _disable_mouse_support(self) -> None: ...
+
+
+def use_mouse(driver: object, *, wanted: bool) -> None:
+    """From now on, or no more; does nothing where there is no terminal."""
+    if not hasattr(driver, "_enable_mouse_support"):
+        return
+    terminal = cast(_Driver, driver)
+    if wanted and not terminal._mouse:
+        terminal._mouse = True
+        terminal._enable_mouse_support()
+    elif terminal._mouse and not wanted:
+        terminal._disable_mouse_support()
+        terminal._mouse = False

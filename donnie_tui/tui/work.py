@@ -12,9 +12,11 @@ from collections.abc import Awaitable, Callable, Sequence
 from pathlib import Path
 from typing import Protocol
 
+from textual.events import Event
 from textual.geometry import Offset
 from textual.message import Message
 from textual.timer import Timer
+from textual.widget import Widget
 
 from devices.ports.robot import Pose
 from donnie_tui import robot_words
@@ -29,7 +31,7 @@ from donnie_tui.core.mistakes import LARGEST, mistakes
 from donnie_tui.core.retelling import told_back
 from donnie_tui.core.timeline import Timeline
 from donnie_tui.core.trail import Trail
-from donnie_tui.core.transcript import said_by
+from donnie_tui.core.transcript import printable, said_by
 from donnie_tui.folders import BREAKPOINTS
 from donnie_tui.i18n.manual import manual
 from donnie_tui.i18n.words import Words
@@ -40,6 +42,9 @@ from donnie_tui.tui.deeds import Deeds
 from donnie_tui.tui.display import Display
 from donnie_tui.tui.files import Files
 from donnie_tui.tui.intake import CALM, FLUSH, FRAME, Intake
+from donnie_tui.tui.key_echo import KeyEcho
+from donnie_tui.tui.key_table import KeyTable, not_understood
+from donnie_tui.tui.keys_here import keys_here
 from donnie_tui.tui.preferences import AUDIBLE, Preferences
 from donnie_tui.tui.recent import Recent
 from donnie_tui.tui.running import Answer, Doing, Running
@@ -72,6 +77,9 @@ class Host(Protocol):
     @property
     def workplace(self) -> Workplace: ...
 
+    @property
+    def key_table(self) -> KeyTable: ...
+
     def post_message(self, message: Message) -> bool: ...
 
     def later(self, seconds: float, do: Callable[[], None]) -> Timer: ...
@@ -84,6 +92,10 @@ class Host(Protocol):
 
     def choose(
         self, title: str, keys: str, nothing: str, choices: Sequence[Choice]
+    ) -> Awaitable[str | None]: ...
+
+    def press_key(
+        self, asked: str, keys: str, behind: str, accepts: Callable[[str], str | None]
     ) -> Awaitable[str | None]: ...
 
     def choose_word(self, words: Sequence[str], below: Offset) -> Awaitable[tuple[str, str]]: ...
@@ -120,7 +132,7 @@ class Work:
             Recent(folder.parent / "recent.txt"),
             KeptBreakpoints(folder.parent / BREAKPOINTS),
         )
-        self.display = Display(self.workplace, donnie, self.running, self.files)
+        self.display = Display(self.workplace, donnie, self.running, self.files, host.key_table)
         bridge = Bridge(
             host.post_message, self.words, lambda: donnie.session.pose, lambda: donnie.session.name
         )
@@ -131,6 +143,7 @@ class Work:
             receive=self.display.receive,
             write=self._write,
         )
+        self._key_echo = KeyEcho(donnie.audible, self.words)
         self.answers = AnswerLog()
         self.trail = Trail()
         self.errors: tuple[Error, ...] = ()
@@ -148,6 +161,8 @@ class Work:
     def begin(self, file: Path | None, text: str | None) -> None:
         """Open what was asked for. ``text``: what the other mode left, unsaved changes included."""
         self.display.note(*self._donnie.notices)
+        for entry in not_understood(self.preferences.settings.keys):
+            self.display.note(self.words("keys-not-understood", entry=printable(entry[:40])))
         if text is not None:
             self.files.bring(text, str(file) if file else None)
         elif file is not None:
@@ -183,6 +198,11 @@ class Work:
         self.tell(Answer(f"action-{found[0].name}"))
         return True
 
+    def key_pressed(self, event: Event, focused: Widget | None) -> None:
+        """Any key ends what is being said, and is said itself where somebody wants that."""
+        self._donnie.audible.hush()
+        self._key_echo(event, focused)
+
     # --- what the actions ask for
 
     @property
@@ -215,6 +235,16 @@ class Work:
         return await self._host.choose(
             title, self.words("chooser-keys"), self.words("palette-nothing"), choices
         )
+
+    async def press_key(self, asked: str, accepts: Callable[[str], str | None]) -> str | None:
+        return await self._host.press_key(
+            asked, self.words("keys-capture"), self.words("keys-behind"), accepts
+        )
+
+    @property
+    def key_table(self) -> KeyTable:
+        """Which key does what."""
+        return self._host.key_table
 
     async def choose_word(self, words: Sequence[str], below: Offset) -> tuple[str, str]:
         return await self._host.choose_word(words, below)
@@ -290,11 +320,10 @@ class Work:
     def prefer(self, key: str, typed: object) -> None:
         """Choose a setting from now on, and keep it."""
         value = ("on" if typed else "off") if isinstance(typed, bool) else str(typed)
-        try:
-            self.preferences.choose(key, value)
-        except ValueError:
+        if not self.preferences.understands(key, value):
             self.tell(Answer(f"setting-{key}-wanted"))
             return
+        self.preferences.choose(key, value)
         self._apply(key)
         problem = self.preferences.keep(key)
         told = next(each for each in self.preferences.all if each.key == key).told(self.words)
@@ -319,6 +348,7 @@ class Work:
         elif key == "motion":
             self._pace_motion()
         self._host.wear(settings)
+        self.look()
 
     def _write(self, lines: Sequence[LogLine]) -> None:
         """Into the log, and into what can be said again."""
@@ -366,9 +396,18 @@ class Work:
         self._host.show_help(self.words("manual-title"), manual(self.words))
 
     async def connect(self, argument: str) -> None:
-        """Another robot. It takes some seconds, in which the screen goes on."""
+        """Another robot, by its number or from a list. It takes some seconds, in which the screen goes on."""
+        argument = argument or await self._choose_connection() or ""
+        if not argument:
+            return
         await asyncio.to_thread(robot_words.connect, self._donnie, argument)
         self.show_pose()
+
+    async def _choose_connection(self) -> str | None:
+        """The number of a robot: the simulator, the boards that are plugged in, each with its state."""
+        found = await asyncio.to_thread(robot_words.choices_in_words, self._donnie)
+        rows = [Choice(str(number), *row) for number, row in enumerate(found, 1)]
+        return await self.choose(self.words("ask-connect"), rows)
 
     def feel(self, argument: str) -> None:
         """The belt in words."""
@@ -398,7 +437,14 @@ class Work:
     def show_help(self) -> None:
         """The word at the cursor of the program first, where it is one of GoDonnie's; then everything."""
         about = self._about_word() if self.workplace.editor.has_focus else ()
-        self._host.show_help(self.words("help-title"), (*about, *help_text(self.words)))
+        here = keys_here(self.workplace, self.words, self.key_table)
+        everything = help_text(self.words, self.key_table)
+        self._host.show_help(self.words("help-title"), (*about, *here, *everything))
+
+    def show_keys_here(self) -> None:
+        """What can be pressed where the focus is."""
+        lines = keys_here(self.workplace, self.words, self.key_table)
+        self._host.show_help(self.words("lines-title", title=lines[0].rstrip(":.")), lines[1:])
 
     def _about_word(self) -> tuple[str, ...]:
         word = self.workplace.editor.word

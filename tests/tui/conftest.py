@@ -112,9 +112,10 @@ def work(tmp_path: Path):
         world: str = "open_floor",
         language: str = "en",
         plain: bool = False,
+        **others: Any,
     ) -> AsyncIterator[Desk]:
         settings = Settings(
-            world=world, speed=speed, speech="off", sound=False, language=language, plain=plain
+            world=world, speed=speed, speech="off", sound=False, language=language, plain=plain, **others
         )
         app = DonnieApp(
             settings, file, text=text, assemble=lambda: assemble(settings, terminal=True), folder=tmp_path

@@ -6,7 +6,7 @@ from donnie_tui.core.use_cases import find
 from donnie_tui.core.view_cases import VIEW_CASES
 from donnie_tui.i18n.catalogue import SENTENCES
 from donnie_tui.i18n.sentence import LANGUAGES
-from donnie_tui.tui.actions import ACTIONS, BY_NAME, CASES, MENU, key_label, with_keys
+from donnie_tui.tui.actions import ACTIONS, BY_NAME, CASES, MENU, key_label
 from language.keywords import canonical
 
 ARGUMENTS = {
@@ -95,15 +95,6 @@ def test_no_key_does_two_things():
     keys = [key for action in ACTIONS for key in action.keys]
 
     assert sorted(keys) == sorted(set(keys))
-
-
-def test_a_key_may_be_given_to_another_action():
-    keys = with_keys("step f5, nonsense f6, run ctrl+k 9")
-
-    assert keys["step"][0] == "f5"
-    assert "f5" not in keys["run"]
-    assert keys["run"][0] == "ctrl+k 9"
-    assert keys["pause"] == ("f6",)
 
 
 def test_keys_are_told_as_they_are_on_the_keyboard():

@@ -35,6 +35,7 @@ from donnie_tui.tui.deeds_around import AroundDeeds
 from donnie_tui.tui.deeds_lines import LineDeeds
 from donnie_tui.tui.deeds_map import MapDeeds
 from donnie_tui.tui.deeds_robots import RobotDeeds
+from donnie_tui.tui.deeds_settings import SettingsDeeds
 from donnie_tui.tui.deeds_telling import TellingDeeds
 from donnie_tui.tui.deeds_text import TextDeeds
 from donnie_tui.tui.highlighting import highlights
@@ -45,7 +46,7 @@ from language.keywords import canonical
 
 ODD_TEXTS = ("[bold]", "\x1b[31mred", "a\tb", "日本語" * 20, "", "e\u0301" * 50, "\udcff")
 ODD_LETTERS = tuple('FW TR 1"“”-–\n\r\té́ação[]:=<>\u2028\x0c\udcff日')
-DEEDS = (Deeds, AroundDeeds, LineDeeds, MapDeeds, RobotDeeds, TellingDeeds, TextDeeds)
+DEEDS = (Deeds, AroundDeeds, LineDeeds, MapDeeds, RobotDeeds, SettingsDeeds, TellingDeeds, TextDeeds)
 HERE = Pose(0.0, 0.0, 0.0)
 
 

@@ -134,3 +134,45 @@ async def test_what_is_told_of_a_robot_has_its_name(work):
         await desk.told("bob: I am back at the start.")
         await desk.run("FW 1")
         await desk.told("bob: The program is done.")
+
+
+async def test_robots_are_told_and_listed_to_choose_from(work):
+    async with work(world="two_robots") as desk:
+        await desk.type_line("ROBOTS")
+        await desk.until(lambda: "Robots of this world" in desk.screen, "the list")
+        await desk.told("bob: 0, 30, facing south.")
+        await desk.press("down", "enter")
+        await desk.told("You talk to bob.")
+
+
+async def test_connect_lists_the_robots_with_their_state_and_enter_takes_one(work, tmp_path, monkeypatch):
+    monkeypatch.setenv("XDG_CONFIG_HOME", str(tmp_path))
+    missing = tmp_path / "ttyACM9"
+    async with work() as desk:
+        choices = desk.app.work.donnie.connection.choices()
+        board = type(choices[0])(f"serial:{missing}", f"robot at {missing}")
+        monkeypatch.setattr(
+            desk.app.work.donnie.connection, "choices", lambda: (choices[0], board, choices[-1])
+        )
+        await desk.type_line("CONNECT")
+        await desk.until(lambda: "Robots to connect to" in desk.screen, "the list")
+        await desk.pilot.pause()
+        assert ">1: the simulator, now." in desk.screen
+        assert "not plugged in." in desk.screen.replace("\n ", " ")
+        assert "3: a simulated board, to try without a robot." in desk.screen
+        await desk.press(*"board", "enter")
+        await desk.told("Robot connected.")
+        assert desk.app.work.donnie.connection.robot == "double"
+
+        await desk.type_line("CONNECT 1")
+        await desk.told("I use the simulator.")
+
+
+async def test_a_world_is_listed_with_its_difficulty_what_it_is_and_its_task(work):
+    async with work(size=(120, 40)) as desk:
+        await desk.press("ctrl+k", "o")
+        await desk.until(lambda: desk.app.screen is not desk.place, "the worlds")
+        row = " ".join(next(each for each in desk.app.screen.rows.lines if each.startswith("maze:")).split())
+        assert row.startswith("maze: ")
+        assert ", hard. " in row
+        assert " Task: " in row

@@ -118,7 +118,7 @@ async def test_while_a_program_runs_another_one_is_refused(work):
         await desk.doing(Doing.RUNNING)
         await desk.press("f5")
 
-        await desk.told("A program is running. F8 stops it.")
+        await desk.told("A program is running. STOP stops it.")
 
 
 async def test_pause_holds_the_program_marks_its_line_and_goes_on(work):

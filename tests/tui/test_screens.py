@@ -159,6 +159,8 @@ SCREENS = {
     "words": ("ctrl+at",),
     "outline": ("ctrl+l",),
     "legend": ("ctrl+k", "l"),
+    "worlds": ("ctrl+k", "o"),
+    "keys": ("ctrl+k", "0"),
 }
 
 
@@ -170,6 +172,16 @@ async def test_each_screen(work, same, name, theme, size):
         desk.app.theme = theme
         desk.place.editor.move_cursor((2, 0))
         await opened(desk, *SCREENS[name])
+        await same(desk)
+
+
+@pytest.mark.parametrize("size", [SMALL, (40, 12)], ids=by_size)
+async def test_changing_a_key(work, same, size):
+    async with work("FW 1", size=size) as desk:
+        await desk.type_line("CHANGE KEYS")
+        await desk.until(lambda: "RUN: F5, Esc" in desk.screen, "the list")
+        await desk.press(*"run:", "enter")
+        await desk.until(lambda: "Press the key for RUN." in desk.screen, "the question")
         await same(desk)
 
 

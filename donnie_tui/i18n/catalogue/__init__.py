@@ -5,6 +5,7 @@ from __future__ import annotations
 from donnie_tui.i18n.catalogue import (
     answers,
     belt,
+    choosing,
     cli,
     cues,
     devices,
@@ -12,6 +13,7 @@ from donnie_tui.i18n.catalogue import (
     explain,
     files,
     help,  # noqa: A004 -- the module's own name
+    keys,
     linear,
     manual,
     mistakes,
@@ -56,6 +58,8 @@ TOPICS = (
     tour,
     tui,
     screen,
+    choosing,
+    keys,
     manual,
     use_cases,
     answers,

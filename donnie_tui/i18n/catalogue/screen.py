@@ -181,7 +181,6 @@ _QUESTIONS = {
     "ask-line": Sentence("Line:", "Linha:", "Línea:"),
     "ask-recent": Sentence("Recent programs", "Programas recentes", "Programas recientes"),
     "ask-worlds": Sentence("Worlds", "Mundos", "Mundos"),
-    "world-row": Sentence("{name}: {title}. {about}", "{name}: {title}. {about}", "{name}: {title}. {about}"),
     "tour-title": Sentence("Tour", "Passeio", "Paseo"),
     "ask-programs": Sentence("Open programs", "Programas abertos", "Programas abiertos"),
     "ask-save-log": Sentence(

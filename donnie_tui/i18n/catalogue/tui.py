@@ -90,12 +90,11 @@ _INSPECTOR = {
 _ANSWERS = {
     "screen-start": Sentence(*first_screen.START),
     "screen-fault": Sentence(*first_screen.FAULT),
-    "screen-start-keys": Sentence(*first_screen.START_KEYS),
     "screen-done": Sentence("The program is done.", "O programa terminou.", "El programa terminó."),
     "screen-busy": Sentence(
-        "A program is running. F8 stops it.",
-        "Um programa está sendo executado. F8 para.",
-        "Un programa se está ejecutando. F8 lo detiene.",
+        "A program is running. STOP stops it.",
+        "Um programa está sendo executado. PARAR para.",
+        "Un programa se está ejecutando. DETENER lo detiene.",
     ),
     "screen-starting": Sentence(*first_screen.ONE_MOMENT),
     "screen-bad-speed": Sentence(

@@ -12,7 +12,8 @@ from textual.widgets import Static
 
 from donnie_tui.core.use_cases import help_line
 from donnie_tui.core.wording import Wording
-from donnie_tui.tui.actions import ACTIONS, Action, key_label
+from donnie_tui.tui.actions import ACTIONS, Action
+from donnie_tui.tui.key_table import KeyTable
 from donnie_tui.tui.widgets.text_rows import TextRows
 
 
@@ -39,12 +40,12 @@ class Help(ModalScreen[None]):
         self.rows.show(self._lines)
 
 
-def help_text(words: Wording) -> tuple[str, ...]:
+def help_text(words: Wording, table: KeyTable) -> tuple[str, ...]:
     """The lines of the help, in the learner's language."""
     listed = [action for action in ACTIONS if not action.hidden]
     return (
         words("help-screen-words"),
-        *(_line(action, words) for action in listed),
+        *(_line(action, words, table) for action in listed),
         words("help-palette"),
         words("help-program-words"),
         *_program_lines(listed, words),
@@ -57,6 +58,6 @@ def _program_lines(listed: Sequence[Action], words: Wording) -> tuple[str, ...]:
     return tuple(line for line in words.help(None) if line.partition(":")[0] not in told)
 
 
-def _line(action: Action, words: Wording) -> str:
+def _line(action: Action, words: Wording, table: KeyTable) -> str:
     """The typed word first: it works everywhere; then its keys, then what it does."""
-    return help_line(action.case, words, ", ".join(key_label(key) for key in action.keys))
+    return help_line(action.case, words, table.labels(action.name))

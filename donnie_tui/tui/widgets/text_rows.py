@@ -166,7 +166,10 @@ class TextRows(ScrollView, can_focus=True):
     def on_resize(self) -> None:
         if self._wrapped_at != self._text_width:
             self._wrapped_at = self._text_width
+            line = self.line
             self._rewrap()
+            if self._row is not None:
+                self._row = sum(self._heights[:line])
         self._extent()
         self._follow()
 

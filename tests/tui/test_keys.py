@@ -1,0 +1,241 @@
+"""Which key does what: told where the focus is, changed in the program and in the file, shown everywhere."""
+
+import inspect
+import tomllib
+
+import pytest
+from textual.driver import Driver
+from textual.drivers.linux_driver import LinuxDriver
+
+from donnie_tui.tui.key_table import KeyTable, is_free_to_give, not_understood, with_choice
+from donnie_tui.tui.running import Doing
+from donnie_tui.tui.terminal import use_mouse
+from tests.tui.conftest import WAITING
+
+
+@pytest.fixture(autouse=True)
+def own_settings(tmp_path, monkeypatch):
+    monkeypatch.setenv("XDG_CONFIG_HOME", str(tmp_path / "config"))
+
+
+def kept(tmp_path) -> dict:
+    return tomllib.loads((tmp_path / "config" / "donnie" / "settings.toml").read_text())
+
+
+# --- the table
+
+
+def test_a_key_may_be_given_to_another_action():
+    table = KeyTable("step f5, nonsense f6, run ctrl+k 9")
+
+    assert table.of("step")[0] == "f5"
+    assert "f5" not in table.of("run")
+    assert table.label("run") == "Ctrl+K 9"
+    assert table.of("pause") == ("f6",)
+    assert table.action_of("f5") == "step"
+
+
+@pytest.mark.parametrize("key", ["f9", "escape", "ctrl+e", "alt+x", "shift+f3", "ctrl+k 9", "ctrl+k enter"])
+def test_a_key_that_nobody_types_with_can_be_given(key):
+    assert is_free_to_give(key)
+
+
+@pytest.mark.parametrize(
+    "key",
+    ["a", "enter", "tab", "up", "ctrl+c", "ctrl+k", "ctrl+p", "", "ctrl+k", "ctrl+x a", "ctrl+k escape"],
+)
+def test_a_key_that_is_needed_for_typing_stays(key):
+    assert not is_free_to_give(key)
+
+
+def test_what_a_choice_does_not_mean_can_be_told():
+    assert not_understood("run f9, step a, dance f6, stop f8 , ,pause") == ("step a", "dance f6", "pause")
+
+
+def test_a_later_choice_takes_the_place_of_an_earlier_one():
+    chosen = with_choice("run f9, step f6", "run", "f2")
+    assert chosen == "step f6, run f2"
+    assert with_choice(chosen, "stop", "f6") == "run f2, stop f6"
+    assert with_choice(chosen, "run", None) == "step f6"
+
+
+# --- changing them
+
+
+async def open_keys(desk) -> None:
+    await desk.type_line("CHANGE KEYS")
+    await desk.until(lambda: "All keys" in desk.screen or "RUN: F5, Esc" in desk.screen, "the list")
+
+
+async def choose(desk, *typed: str) -> None:
+    await desk.press(*typed, "enter")
+    await desk.pilot.pause()
+
+
+async def test_an_action_gets_another_key_that_counts_at_once_and_is_kept(work, tmp_path):
+    async with work(WAITING, speed=1.0) as desk:
+        await open_keys(desk)
+        await choose(desk, *"run:")
+        await desk.until(lambda: "Press the key for RUN." in desk.screen, "the question")
+        await desk.press("ctrl+e")
+        await desk.until(lambda: "RUN: Ctrl+E, F5, Esc. Runs the program." in desk.screen, "the list again")
+        assert desk.place.keys.words.startswith(" Ctrl+E Run")
+        await desk.press("escape")
+        await desk.until(lambda: desk.app.screen is desk.place, "the workplace")
+
+        await desk.press("ctrl+e")
+        await desk.doing(Doing.RUNNING)
+
+    assert kept(tmp_path)["keys"] == "run ctrl+e"
+
+
+async def test_a_key_behind_the_menu_key_can_be_chosen_too(work):
+    async with work("SPEAK 7") as desk:
+        await open_keys(desk)
+        await choose(desk, *"run:")
+        await desk.until(lambda: "Press the key for RUN." in desk.screen, "the question")
+        await desk.press("ctrl+k")
+        await desk.until(lambda: "Now the key that comes behind Ctrl+K." in desk.screen, "the menu key")
+        await desk.press("4")
+        await desk.until(lambda: "RUN: Ctrl+K 4" in desk.screen, "the list again")
+        await desk.press("escape")
+        await desk.until(lambda: desk.app.screen is desk.place, "the workplace")
+        await desk.press("ctrl+k", "4")
+        await desk.told("7")
+
+
+@pytest.mark.parametrize("key", ["a", "left", "enter", "tab"])
+async def test_a_key_for_typing_is_refused_with_the_reason(work, key):
+    async with work() as desk:
+        await open_keys(desk)
+        await choose(desk, *"run:")
+        await desk.until(lambda: "Press the key for RUN." in desk.screen, "the question")
+        await desk.press(key)
+        await desk.until(lambda: "is needed for typing" in desk.screen, "the reason")
+        await desk.press("escape")
+        await desk.until(lambda: "RUN: F5, Esc" in desk.screen, "the list again")
+
+
+async def test_who_loses_a_key_is_told(work):
+    async with work() as desk:
+        await open_keys(desk)
+        await choose(desk, *"run:")
+        await desk.until(lambda: "Press the key for RUN." in desk.screen, "the question")
+        await desk.press("f8")
+        await desk.told("STOP: no key.")
+        assert "RUN: F8, F5, Esc." in desk.log
+
+
+async def test_all_keys_can_be_as_they_came(work, tmp_path):
+    async with work() as desk:
+        desk.app.work.prefer("keys", "run f9")
+        await desk.told("Keys: F9 RUN.")
+        await open_keys(desk)
+        await choose(desk, *"as they came")
+        await desk.told("Keys: as they came.")
+        assert desk.app.key_table.of("run") == ("f5", "escape")
+    assert kept(tmp_path)["keys"] == ""
+
+
+async def test_keys_of_the_file_that_mean_nothing_are_told(work):
+    async with work(keys="run f9, dance f5") as desk:
+        assert "Keys of the settings: dance f5 means nothing." in desk.log
+        assert desk.place.keys.words.startswith(" F9 Run")
+        assert "F9 runs the program. F1 helps." in desk.log
+
+
+async def test_the_help_and_the_palette_tell_the_chosen_keys(work):
+    async with work() as desk:
+        desk.app.work.prefer("keys", "save f5")
+        await desk.press("f1")
+        await desk.until(lambda: "Letters write" in desk.screen, "the help")
+        assert "F5, Ctrl+S, F2: Saves the program." in desk.screen
+        await desk.press("escape")
+        await desk.press("ctrl+p", *"saves the")
+        await desk.until(lambda: "SAVE (F5): Saves the program." in desk.screen, "the palette")
+
+
+async def test_a_chosen_key_for_stop_stops_at_once(work):
+    async with work(WAITING, speed=1.0) as desk:
+        desk.app.work.prefer("keys", "stop f3")
+        await desk.press("f5")
+        await desk.doing(Doing.RUNNING)
+        await desk.press("f3")
+        await desk.doing(Doing.READY)
+
+
+# --- what can be pressed here
+
+
+@pytest.mark.parametrize(
+    ("pane", "heading", "line"),
+    [
+        ("editor", "In the program", "Ctrl+B: Holds at that line, or not."),
+        ("map", "On the map", "N and P: the next thing and the one before."),
+        ("log_rows", "In the log", "End: the newest line."),
+        ("command_line", "In the command line", "Up and Down: what was typed before."),
+        ("inspector", "In the variables", "Up and Down, Page Up"),
+    ],
+)
+async def test_the_keys_of_the_focused_pane_are_told(work, pane, heading, line):
+    async with work(size=(120, 40)) as desk:
+        getattr(desk.place, pane).focus()
+        await desk.pilot.pause()
+        await desk.press("ctrl+k", "0")
+        await desk.until(lambda: f"{heading}. Esc goes back" in desk.screen, "the keys")
+        assert line in desk.screen
+        assert "F8: Stops the program and Donnie." in desk.screen
+
+
+async def test_the_help_begins_with_the_word_at_the_cursor_and_the_keys_of_the_pane(work):
+    async with work("REPEAT 2 TIMES\nFW 1\nEND REPEAT") as desk:
+        await desk.press("f1")
+        await desk.until(lambda: desk.app.screen is not desk.place, "the help")
+        rows = desk.app.screen.rows.lines
+        assert rows[0].startswith("REPEAT")
+        assert "In the program:" in rows[:6]
+
+
+async def test_a_list_opens_at_what_is_chosen_now_and_stays_there_when_the_terminal_is_resized(work):
+    async with work(world="factory") as desk:
+        await desk.press("ctrl+k", "o")
+        await desk.until(lambda: desk.app.screen is not desk.place, "the worlds")
+        await desk.pilot.pause()
+        assert desk.app.screen.rows.row_text.startswith("factory")
+        await desk.pilot.resize_terminal(50, 20)
+        await desk.until(lambda: desk.app.screen.rows.size.width < 60, "the new size")
+        assert desk.app.screen.rows.row_text.startswith("factory")
+
+
+# --- the mouse
+
+
+class Terminal:
+    """What counts of a driver."""
+
+    def __init__(self, mouse: bool) -> None:
+        self._mouse = mouse
+        self.written: list[str] = []
+
+    def _enable_mouse_support(self) -> None:
+        assert self._mouse, "Textual's driver writes nothing otherwise"
+        self.written.append("on")
+
+    def _disable_mouse_support(self) -> None:
+        assert self._mouse
+        self.written.append("off")
+
+
+def test_the_mouse_is_switched_while_the_screen_is_there():
+    terminal = Terminal(mouse=True)
+    for wanted in (True, False, False, True):
+        use_mouse(terminal, wanted=wanted)
+
+    assert terminal.written == ["off", "on"]
+
+
+def test_textual_s_driver_has_what_switching_the_mouse_needs():
+    assert issubclass(LinuxDriver, Driver)
+    assert callable(LinuxDriver._enable_mouse_support)
+    assert callable(LinuxDriver._disable_mouse_support)
+    assert "self._mouse = mouse" in inspect.getsource(Driver.__init__)
