@@ -10,16 +10,28 @@ OBJECTS_BETWEEN_COLLECTIONS = 20_000
 """Little that is loaded at the start is garbage: looking for it every 700 objects took a tenth of it."""
 
 
+HIGHEST_STANDARD = 2
+"""Input, output and errors are 0, 1 and 2."""
+
+
 def main() -> int:
     """Everything that ``donnie``, ``godonnie`` and ``GoDonnie`` do; the exit code."""
     try:
         gc.set_threshold(OBJECTS_BETWEEN_COLLECTIONS)
+        _open_what_is_closed()
         _greet_early()
         from donnie_tui.cli.main import main as command
 
         return command(sys.argv[1:])
     except KeyboardInterrupt:
         return 130
+
+
+def _open_what_is_closed() -> None:
+    """Nobody else may get the number of a closed input: the linear mode read its own pipe for ever."""
+    while (number := os.open(os.devnull, os.O_RDWR)) <= HIGHEST_STANDARD:
+        pass
+    os.close(number)
 
 
 def _greet_early() -> None:

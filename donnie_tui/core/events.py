@@ -48,6 +48,10 @@ class HowStarted:
     """What the gripper did in place of a program, ``GRIP`` or ``RELEASE``; else empty."""
 
 
+TYPED = "typed"
+"""What a program is called that was typed and has no file."""
+
+
 @frozen
 class RunStarted:
     program: str

@@ -63,8 +63,15 @@ def column_in_words(grid: MapGrid, x: int, wording: Wording) -> tuple[str, ...]:
 
 def square_in_words(grid: MapGrid, x: int, y: int, pose: Pose, wording: Wording) -> str:
     """What is at a place, and where that is from the robot."""
-    what = square_content(grid, _nearest_cell(grid, x, y), wording)
+    cell = _nearest_cell(grid, x, y)
+    what = wording("cell-outside") if _is_outside(grid, cell) else square_content(grid, cell, wording)
     return wording("map-square", x=x, y=y, what=what, place=place_of(x, y, pose, wording))
+
+
+def _is_outside(grid: MapGrid, cell: Cell) -> bool:
+    """Behind the walls there is no floor; without walls it never ends. A trail is floor anywhere."""
+    is_on_it = 0 <= cell.x < grid.picture.width and 0 <= cell.y < grid.picture.height
+    return grid.picture.has_walls and not is_on_it and grid.kind(cell) is Kind.FREE
 
 
 def square_content(grid: MapGrid, cell: Cell, wording: Wording) -> str:

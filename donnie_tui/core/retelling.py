@@ -7,6 +7,7 @@ from collections.abc import Iterable
 from devices.ports.robot import Pose
 from donnie_tui.core import numbers
 from donnie_tui.core.events import (
+    TYPED,
     Announced,
     Error,
     Event,
@@ -71,7 +72,8 @@ def _what(event: Event, wording: Wording) -> str:
         case Error(line=line):
             return wording("undone-error", line=line)
         case RunStarted(program=program):
-            return wording("undone-run-started", program=_quoted(program))
+            is_typed = program == TYPED
+            return wording(f"undone-run-{'typed' if is_typed else 'started'}", program=_quoted(program))
         case RunEnded() | Scanned() | SoundSwitched() | Link() | Reset():
             return wording(f"undone-{event_name(event).replace('_', '-')}")
         case _:

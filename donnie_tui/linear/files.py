@@ -49,6 +49,9 @@ def _tell_breakpoints(desk: Desk) -> None:
 
 def save_named(desk: Desk, name: str) -> bool:
     """Save to what somebody calls ``name``, or where it came from. Whether it was saved."""
+    if not desk.program.lines:
+        desk.answer("linear-nothing-to-save")
+        return False
     name = name or desk.program.name or (desk.ask("linear-ask-name") if desk.is_attended else "")
     if not name:
         desk.answer("answer-unchanged")
@@ -103,9 +106,6 @@ def refuse(desk: Desk, error: DocumentError) -> None:
 
 
 def _save(desk: Desk, path: Path) -> bool:
-    if not desk.program.lines:
-        desk.answer("linear-nothing-to-save")
-        return False
     if not may_replace(desk, path):
         desk.answer("answer-unchanged")
         return False
@@ -129,8 +129,12 @@ def _open(desk: Desk, _: Runs, rest: str) -> bool:
     return bool(rest)
 
 
-def _save_word(desk: Desk, _: Runs, rest: str) -> None:
-    save_named(desk, rest)
+def _save_word(desk: Desk, _: Runs, rest: str) -> bool:
+    """Without a name where nobody can be asked for one, it is shown how it is said."""
+    can_be_named = bool(rest or desk.program.name or desk.is_attended or not desk.program.lines)
+    if can_be_named:
+        save_named(desk, rest)
+    return can_be_named
 
 
 HANDLERS: dict[str, Handler] = {

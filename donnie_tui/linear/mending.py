@@ -60,9 +60,13 @@ def _replace(desk: Desk, _: Runs, rest: str) -> bool:
     """Everywhere in the program, as it is written; asks by what."""
     if not rest:
         return False
-    instead = desk.ask("ask-replace-by", word=printable(rest[:LONGEST_TOLD]))
     count = desk.program.text.count(rest)
-    if count and not _rewrite(desk, desk.program.text.replace(rest, instead)):
+    word = printable(rest[:LONGEST_TOLD])
+    if not count:
+        desk.answer("screen-not-found", word=word)
+        return True
+    instead = desk.ask("ask-replace-by", word=word)
+    if not _rewrite(desk, desk.program.text.replace(rest, instead)):
         return True
     desk.answer("screen-replaced", count=count)
     return True

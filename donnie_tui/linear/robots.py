@@ -9,6 +9,7 @@ from __future__ import annotations
 from pathlib import Path
 
 from donnie_tui import team_words
+from donnie_tui.core.events import TYPED
 from donnie_tui.core.handling import Deed
 from donnie_tui.core.team import Assigned
 from donnie_tui.core.typed_program import TypedProgram
@@ -69,7 +70,7 @@ def _use(deed: Deed) -> Handler:
 
 
 def _name(program: TypedProgram) -> str:
-    return Path(program.name).name if program.name else "typed"
+    return Path(program.name).name if program.name else TYPED
 
 
 HANDLERS: dict[str, Handler] = {

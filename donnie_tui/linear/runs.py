@@ -11,7 +11,7 @@ from collections.abc import Callable
 from functools import partial
 from pathlib import Path
 
-from donnie_tui.core.events import Outcome, RunEnded, Stamped
+from donnie_tui.core.events import TYPED, Outcome, RunEnded, Stamped
 from donnie_tui.core.runner import Run
 from donnie_tui.linear.desk import GRACE, Desk
 from donnie_tui.linear.holding import Goes, Holding, Wish
@@ -169,7 +169,7 @@ class Runs:
 
     def _name(self) -> str:
         name = self._desk.program.name
-        return Path(name).name if name else "typed"
+        return Path(name).name if name else TYPED
 
     # --- watching
 

@@ -130,8 +130,10 @@ def _explain(desk: Desk) -> None:
     error = desk.errors[-1 if desk.error_at is None else desk.error_at]
     desk.answer(f"explain-{error.kind}")
     desk.answer(f"mend-{error.kind}")
-    if 1 <= error.line <= len(desk.program.lines):
+    if desk.program.lines[error.line - 1 : error.line] == (error.source_line,):
         go_to(desk, error.line)
+    elif error.source_line:
+        desk.tell(lines_of(error, desk.say)[1])
 
 
 HANDLERS: dict[str, Handler] = {

@@ -2,8 +2,12 @@
 
 from __future__ import annotations
 
+import subprocess
 from pathlib import Path
 
+import pytest
+
+from tests.sessions.command import COMMAND, PATIENCE, QUIET, environment
 from tests.sessions.test_linear_words import printed_by
 
 
@@ -133,3 +137,55 @@ def test_breakpoints_go_with_their_program_and_are_told_when_it_is_opened_again(
     assert "Breakpoints: 3." in first
     assert first[-1] == "No breakpoints."
     assert again == ["Opened walk.gd, 3 lines.", "Breakpoints: 3.", "Breakpoints: 3."]
+
+
+def test_who_saves_nothing_or_replaces_nothing_is_asked_nothing(tmp_path: Path) -> None:
+    """The line that comes next is one of the program, not a file's name."""
+    assert told(tmp_path, "SAVE", "REPLACE FW", "FW 2", "RUN", "SAVE", "REPLACE TR", "LIST") == [
+        "Nothing to save.",
+        "FW is not in the program.",
+        "I walked 2 steps forward.",
+        "I did not understand. Type SAVE file.",
+        "TR is not in the program.",
+        "1: FW 2",
+    ]
+
+
+def test_a_forgotten_number_is_explained_as_something_missing_with_its_line(tmp_path: Path) -> None:
+    lines = told(tmp_path, "FW", "RUN", "EXPLAIN")
+
+    assert lines[-3:] == [
+        "Something is missing or out of place.",
+        "HELP with the word says its form.",
+        "Line 1: FW",
+    ]
+
+
+def test_a_mistake_is_explained_with_its_own_line_though_another_stands_there_now(tmp_path: Path) -> None:
+    lines = told(tmp_path, "FW 2", "END REPEAT", "RUN", 'INSERT 2 SPEAK "a"', "EXPLAIN")
+
+    assert lines[-3:] == [
+        "This END does not fit what is open.",
+        "Close the last one first, or delete it.",
+        "Line 2: END REPEAT",
+    ]
+
+
+def test_going_back_to_the_start_of_what_was_typed_names_no_file(tmp_path: Path) -> None:
+    typed = ["PF 2", "EXECUTAR", "PASSO ATRÁS", "PASSO ATRÁS", "PASSO ATRÁS", "NOVO"]
+
+    assert "De volta: começo do programa." in printed_by(tmp_path, "pt", typed)
+
+
+@pytest.mark.parametrize("closed", ["<&-", "<&- >&-", "<&- 2>&-"])
+def test_a_closed_input_is_an_empty_one(tmp_path: Path, closed: str) -> None:
+    ended = subprocess.run(
+        ["sh", "-c", f'exec "$@" {closed}', "sh", *COMMAND, "--linear", *QUIET],
+        stdout=subprocess.PIPE,
+        cwd=tmp_path,
+        env=environment(tmp_path),
+        timeout=PATIENCE,
+    )
+
+    assert ended.returncode == 0
+    assert (b"Goodbye." in ended.stdout) == (">&-" not in closed.split())

@@ -8,9 +8,9 @@ from donnie_tui.i18n.sentence import Sentence, Texts
 _EXPLAINED: dict[str, tuple[Texts, Texts]] = {
     "syntax": (
         (
-            "The words do not stand as they must.",
-            "As palavras não estão na ordem certa.",
-            "Las palabras no están en orden.",
+            "Something is missing or out of place.",
+            "Falta algo, ou está no lugar errado.",
+            "Falta algo, o está en otro lugar.",
         ),
         (
             "HELP with the word says its form.",
@@ -79,11 +79,15 @@ _EXPLAINED: dict[str, tuple[Texts, Texts]] = {
         ),
     ),
     "wrong-end": (
-        ("This END belongs to another block.", "Esse FIM é de outro bloco.", "Ese FIN es de otro bloque."),
         (
-            "The block opened last is closed first.",
-            "O último aberto fecha primeiro.",
-            "El último abierto se cierra primero.",
+            "This END does not fit what is open.",
+            "Esse FIM não fecha o que está aberto.",
+            "Ese FIN no cierra lo que está abierto.",
+        ),
+        (
+            "Close the last one first, or delete it.",
+            "Feche antes o último, ou apague esse.",
+            "Cierra antes el último, o borra ese.",
         ),
     ),
     "too-deep": (

@@ -150,8 +150,8 @@ _SETTINGS = {
     "linear-in-words": Sentence("Here you type {word}.", "Aqui se digita {word}.", "Aquí se escribe {word}."),
     "linear-on-screen": Sentence(
         "Only in the full screen: type VISUAL.",
-        "Só na tela inteira: digite VISUAL.",
-        "Solo a pantalla completa: teclea VISUAL.",
+        "Só na tela cheia: digite VISUAL.",
+        "Solo en la pantalla: escribe VISUAL.",
     ),
     "linear-language": Sentence("Language: English.", "Idioma: português.", "Idioma: español."),
     "linear-detail": Sentence(

@@ -198,6 +198,7 @@ SENTENCES: dict[str, Sentence] = {
     ),
     "undone-error": Sentence("mistake in line {line}", "erro na linha {line}", "error en la línea {line}"),
     "undone-run-started": Sentence("start of {program}", "começo de {program}", "comienzo de {program}"),
+    "undone-run-typed": Sentence("start of the program", "começo do programa", "comienzo del programa"),
     "undone-run-ended": Sentence("end of the program", "fim do programa", "fin del programa"),
     "undone-scanned": Sentence("looked around", "olhei em volta", "miré alrededor"),
     "undone-sound": Sentence("sound switched", "som mudado", "sonido cambiado"),

@@ -125,8 +125,8 @@ _EDITOR = {
     ),
     "screen-replaced": Sentence(
         "{count} {count:time|times} replaced.",
-        "{count} {count:vez substituída|vezes substituídas}.",
-        "{count} {count:vez reemplazada|veces reemplazadas}.",
+        "Substituído {count} {count:vez|vezes}.",
+        "Reemplazado {count} {count:vez|veces}.",
     ),
     "screen-formatted": Sentence("Laid out anew.", "Formatado de novo.", "Formateado de nuevo."),
     "screen-not-formatted": Sentence(

@@ -7,6 +7,7 @@ _CELLS = {
     "cell-start": Sentence("the start", "o início", "el inicio"),
     "cell-trail": Sentence("trail", "rastro", "rastro"),
     "cell-wall": Sentence("wall", "parede", "pared"),
+    "cell-outside": Sentence("outside the world", "fora do mundo", "fuera del mundo"),
     "cell-free": Sentence("free", "livre", "libre"),
 }
 

@@ -105,7 +105,7 @@ _PURPOSES = {
         "Menos. Ou normal, cheio.",
         "Menos. O normal, largo.",
     ),
-    "set": ("Alone: all settings.", "Só: todos.", "Solo: todos."),
+    "set": ("One setting, or all.", "Um, ou todos.", "Uno, o todos."),
     "tour": ("Five minutes to learn Donnie.", "Cinco minutos de lições.", "Cinco minutos de lecciones."),
     "help": ("What a word is for.", "Para que é uma palavra.", "Para qué es una palabra."),
     "linear": ("The mode for screen readers.", "O modo de leitores de tela.", "Para lectores de pantalla."),

@@ -1,6 +1,7 @@
 """The map in words has all that the grid has; what is around is named once; no two letters mean the same."""
 
 import re
+from dataclasses import replace
 
 import pytest
 from hypothesis import given
@@ -148,6 +149,17 @@ def test_a_square_is_told_with_its_place_from_the_robot() -> None:
 
     assert square_in_words(MapGrid(ROOM, pose), 3, 3, pose, Words()) == "3, 3: chair. 2 right, 2 ahead."
     assert square_in_words(MapGrid(ROOM, pose), 1, 1, pose, Words("es")) == "1, 1: Donnie. aquí."
+
+
+def test_behind_the_walls_nothing_is_called_free() -> None:
+    pose = Pose(1, 1, 0)
+    endless = replace(ROOM, has_walls=False)
+
+    assert (
+        square_in_words(MapGrid(ROOM, pose), 900, 1, pose, Words("pt"))
+        == "900, 1: fora do mundo. 899 à direita."
+    )
+    assert square_in_words(MapGrid(endless, pose), 900, 1, pose, Words()) == "900, 1: free. 899 right."
 
 
 def test_a_row_that_is_not_there_is_told_with_those_that_are() -> None:
