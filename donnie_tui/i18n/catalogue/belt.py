@@ -25,6 +25,11 @@ SENTENCES: dict[str, Sentence] = {
         "Robot and belt can't both be at {port}.",
         "Robô e cinto não podem estar os dois em {port}.",
         "El robot y el cinturón no pueden estar los dos en {port}.",
+        brief=(
+            "Robot and belt are both at {port}.",
+            "Robô e cinto estão os dois em {port}.",
+            "Robot y cinturón están ambos en {port}.",
+        ),
     ),
     "option-belt": Sentence("the port of the belt", "a porta do cinto", "el puerto del cinturón"),
     "belt-words-on": Sentence(

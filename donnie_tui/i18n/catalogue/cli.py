@@ -57,26 +57,51 @@ SENTENCES: dict[str, Sentence] = {
         "Unknown setting in the file: {name}.",
         "Configuração desconhecida no arquivo: {name}.",
         "Ajuste desconocido en el archivo: {name}.",
+        brief=(
+            "Unknown setting: {name}.",
+            "Configuração desconhecida: {name}.",
+            "Ajuste desconocido: {name}.",
+        ),
     ),
     "setting-not-understood": Sentence(
         "The setting {name} can't be {value}. It takes {wanted}.",
         "A configuração {name} não pode ser {value}. Aceita {wanted}.",
         "El ajuste {name} no puede ser {value}. Acepta {wanted}.",
+        brief=(
+            "Setting {name}: {wanted}, not {value}.",
+            "Ajuste {name}: {wanted}, não {value}.",
+            "Ajuste {name}: {wanted}, no {value}.",
+        ),
     ),
     "variable-not-understood": Sentence(
         "The variable {name} can't be {value}. It takes {wanted}.",
         "A variável {name} não pode ser {value}. Aceita {wanted}.",
         "La variable {name} no puede ser {value}. Acepta {wanted}.",
+        brief=(
+            "Variable {name}: {wanted}, not {value}.",
+            "Variável {name}: {wanted}, não {value}.",
+            "Variable {name}: {wanted}, no {value}.",
+        ),
     ),
     "settings-file-damaged": Sentence(
         "Settings file damaged, line {line}. Defaults count.",
         "Arquivo de configurações com erro, linha {line}. Valem os padrões.",
         "Archivo de ajustes con errores, línea {line}. Valen los de siempre.",
+        brief=(
+            "Settings file damaged, line {line}.",
+            "Erro nas configurações, linha {line}.",
+            "Error en los ajustes, línea {line}.",
+        ),
     ),
     "settings-file-unreadable": Sentence(
         "Settings file unreadable. Defaults count.",
         "Arquivo de configurações ilegível. Valem os padrões.",
         "Archivo de ajustes ilegible. Valen los de siempre.",
+        brief=(
+            "Settings file unreadable.",
+            "Arquivo de configurações ilegível.",
+            "Archivo de ajustes ilegible.",
+        ),
     ),
     # --- check
     "check-clean": Sentence("{file}: no mistakes.", "{file}: sem erros.", "{file}: sin errores."),

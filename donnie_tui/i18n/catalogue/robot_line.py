@@ -59,6 +59,11 @@ _PORTS: dict[str, Sentence] = {
         "The simulator needs none: --robot sim.",
         "O simulador não precisa: --robot sim.",
         "El simulador no lo necesita: --robot sim.",
+        brief=(
+            "The simulator needs none: --robot sim.",
+            "O simulador não precisa: --robot sim.",
+            "El simulador no: --robot sim.",
+        ),
     ),
 }
 
@@ -187,6 +192,11 @@ _LINK: dict[str, Sentence] = {
         "a simulated board, to try without a robot",
         "uma placa simulada, para testar",
         "una placa simulada, para probar",
+        brief=(
+            "a simulated board, to try it",
+            "uma placa simulada, para testar",
+            "una placa simulada, para probar",
+        ),
     ),
     "connect-choice-port": Sentence("robot at {port}", "robô em {port}", "robot en {port}"),
     "connect-how": Sentence(
@@ -235,6 +245,7 @@ _CALIBRATION: dict[str, Sentence] = {
         "You left with Ctrl+Z, so I stopped the robot.",
         "Você saiu com Ctrl+Z, então parei o robô.",
         "Saliste con Ctrl+Z, así que detuve el robot.",
+        brief=("Ctrl+Z: I stopped the robot.", "Ctrl+Z: parei o robô.", "Ctrl+Z: detuve el robot."),
     ),
     "calibrate-cut-short": Sentence(
         "Something stopped it. I leave this out.",

@@ -44,6 +44,11 @@ SENTENCES: dict[str, Sentence] = {
         "Robot {name}, from {first}: {place}, facing {facing}.",
         "Robô {name}, a partir de {first}: {place}, virado para {facing}.",
         "Robot {name}, desde {first}: {place}, mirando al {facing}.",
+        brief=(
+            "Robot {name}: {place}, facing {facing}.",
+            "Robô {name}: {place}, para {facing}.",
+            "Robot {name}: {place}, al {facing}.",
+        ),
     ),
     "world-things-from-start": Sentence(
         "{count} {count:thing|things}, the nearest first, in steps.",

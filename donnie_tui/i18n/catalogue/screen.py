@@ -133,6 +133,11 @@ _EDITOR = {
         "There is a mistake in line {line}; it must be mended first.",
         "Há um erro na linha {line}; é preciso corrigi-lo antes.",
         "Hay un error en la línea {line}; hay que corregirlo antes.",
+        brief=(
+            "Mend the mistake in line {line} first.",
+            "Corrija antes o erro na linha {line}.",
+            "Corrige antes el error, línea {line}.",
+        ),
     ),
     "screen-no-setting": Sentence(
         "No setting is called {name}. SET lists them.",

@@ -18,6 +18,11 @@ SENTENCES: dict[str, Sentence] = {
         "The world {name} has no robot with sensors.",
         "O mundo {name} não tem robô com sensores.",
         "El mundo {name} no tiene un robot con sensores.",
+        brief=(
+            "World {name} has no robot.",
+            "O mundo {name} não tem robô.",
+            "El mundo {name} no tiene robot.",
+        ),
     ),
     # --- a file that can't be used
     "world-error-at": Sentence(

@@ -1,13 +1,16 @@
 """Every code has a natural, short and speakable sentence in each of the three languages."""
 
+import ast
 import re
 from collections import Counter
 from collections.abc import Iterable, Iterator
+from pathlib import Path
 from string import Formatter
 from types import ModuleType
 
 import pytest
 
+import donnie_tui
 from devices.audio_worker.notices import NoticeCode
 from donnie_tui.i18n.catalogue import (
     SENTENCES,
@@ -191,6 +194,28 @@ def test_at_detail_brief_what_the_linear_mode_says_of_robots_and_worlds_fits_for
     told = [with_samples(SENTENCES[code].text(language, "brief")) for language in LANGUAGES]
 
     assert [text for text in told if len(text) > 40] == []
+
+
+SPEAKS = Path(donnie_tui.__file__).parent
+OF_COMMANDS = ("examination.py", "written.py", "world_bundle.py", "world_choice.py", "recorded_world.py")
+"""Modules of ``donnie doctor``, and of what is refused before a conversation begins."""
+
+
+def codes_of_linear_mode() -> set[str]:
+    """Every code that a module names which the linear mode speaks with, of whatever topic."""
+    modules = [*SPEAKS.glob("*.py"), *SPEAKS.glob("core/*.py"), *SPEAKS.glob("linear/*.py")]
+    trees = [ast.parse(each.read_text("utf-8")) for each in modules if each.name not in OF_COMMANDS]
+    named = {node.value for tree in trees for node in ast.walk(tree) if isinstance(node, ast.Constant)}
+    return {code for code in SENTENCES if code in named and not OF_THE_MANUAL.fullmatch(code)}
+
+
+def test_at_detail_brief_whatever_the_linear_mode_can_say_fits_forty_cells() -> None:
+    """L8, B1: the topics of the commands and of the screen too, as far as it says something of them."""
+    codes = codes_of_linear_mode()
+    told = {(code, with_samples(SENTENCES[code].text(each, "brief"))) for code in codes for each in LANGUAGES}
+
+    assert {"setting-unknown", "screen-not-formatted", "world-robot", "connect-instead"} <= codes
+    assert sorted((code, text) for code, text in told if len(text) > 40) == []
 
 
 def test_the_number_one_has_the_singular_in_every_language() -> None:
