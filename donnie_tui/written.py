@@ -1,7 +1,7 @@
 """What a session writes into files as it goes: its events, its recording, the log of what was told.
 
 A file that can't be opened keeps everything from starting; one that takes no more is told once, and the run
-goes on without it.
+goes on without it. What writes is loaded for who asked for it: few do.
 """
 
 from __future__ import annotations
@@ -9,21 +9,21 @@ from __future__ import annotations
 from collections.abc import Callable
 from contextlib import ExitStack, suppress
 from pathlib import Path
-from typing import TextIO
+from typing import TYPE_CHECKING, TextIO
 
 import worlds
 from donnie_tui import __version__
-from donnie_tui.core.event_stream import JsonLines
 from donnie_tui.core.events import Answered
 from donnie_tui.core.hub import Hub
-from donnie_tui.core.recording import Header
-from donnie_tui.core.told_log import ToldLog, next_log
 from donnie_tui.i18n.words import Words
 from donnie_tui.settings import Settings
 from donnie_tui.tangible import belt_settings
 from donnie_tui.unusable import Unusable
-from donnie_tui.world_bundle import BundleError, WorldBundle, pack
 from donnie_tui.world_choice import ChosenWorld, files_of
+
+if TYPE_CHECKING:
+    from donnie_tui.core.recording import Header
+    from donnie_tui.world_bundle import WorldBundle
 
 
 class Written:
@@ -47,7 +47,7 @@ class Written:
         out = standard_output if name == "-" else self._open(name)
         if out is None:
             raise Unusable(self._words("events-need-run"))
-        self._hub.subscribe(JsonLines(out, self._teller_of_loss(name)))
+        self._subscribe_lines(out, name)
 
     def recording(self, world: ChosenWorld) -> None:
         """Everything that is needed to tell it again and to run it again, if somebody asked."""
@@ -60,12 +60,19 @@ class Written:
             header.write(out)
         except OSError as problem:
             raise self._unwritable(name, problem) from None
-        self._hub.subscribe(JsonLines(out, self._teller_of_loss(name), whole=True))
+        self._subscribe_lines(out, name, whole=True)
+
+    def _subscribe_lines(self, out: TextIO, name: str, *, whole: bool = False) -> None:
+        from donnie_tui.core.event_stream import JsonLines
+
+        self._hub.subscribe(JsonLines(out, self._teller_of_loss(name), whole=whole))
 
     def log(self) -> None:
         """``Log/log_001.txt`` and so on, as the original GoDonnie did."""
         if not self._settings.log:
             return
+        from donnie_tui.core.told_log import ToldLog, next_log
+
         try:
             Path("Log").mkdir(exist_ok=True)
             out = self._open(str(next_log(Path("Log"))))
@@ -74,6 +81,9 @@ class Written:
         self._hub.subscribe(ToldLog(out, self._words))
 
     def _header(self, world: ChosenWorld) -> Header:
+        from donnie_tui.core.recording import Header
+        from donnie_tui.world_bundle import BundleError
+
         belt = belt_settings(self._settings)
         try:
             bundle = bundle_of(world, self._settings)
@@ -116,6 +126,8 @@ class Written:
 
 def bundle_of(world: ChosenWorld, settings: Settings) -> WorldBundle:
     """All that was read for the world. Raises ``BundleError``."""
+    from donnie_tui.world_bundle import pack
+
     robots = list(world.scene.robot_names)
     folders = (*settings.world_folders, worlds.SCENES)
     return pack(world.name, world.path, [str(each) for each in files_of(world)], folders, robots)

@@ -5,7 +5,7 @@ Sensors take no time. What a movement comes to, and how it is played, is the bus
 
 from __future__ import annotations
 
-from random import Random
+from typing import TYPE_CHECKING
 
 from devices.ports.robot import (
     STEP,
@@ -35,6 +35,9 @@ from sim.units import pose_of
 from sim.vehicle import Vehicle
 from sim.walking import Walk
 from sim.wheels import moving, odometry_of, rates_of, turning
+
+if TYPE_CHECKING:
+    from random import Random
 
 
 class SimulatedRobot:
@@ -178,8 +181,13 @@ class SimulatedRobot:
         self._clock.halt()
 
     def _begin_anew(self) -> None:
-        self._chance = Random(f"{self._seed} {self.name}") if self._seed else None
+        self._chance = self._new_chance() if self._seed else None
         self._vehicle.begin_anew(odometry_of(self._model.wheels, self._chance))
+
+    def _new_chance(self) -> Random:
+        from random import Random  # loaded where there is chance
+
+        return Random(f"{self._seed} {self.name}")
 
     def _walk(self, motion: Motion, steps: int, rate: float) -> Moved:
         if steps < 0:

@@ -6,12 +6,15 @@ acceleration is not simulated. Odometry counts with an error that is drawn once,
 
 from __future__ import annotations
 
-from random import Random
+from typing import TYPE_CHECKING
 
 from devices.ports.robot import STEP, RobotProblem
 from devices.ports.values import frozen
 from sim.fittings import Drive, Limits, Localization, Wheels
 from sim.sensors import Spot
+
+if TYPE_CHECKING:
+    from random import Random
 
 STEPS_A_SECOND = 1.0
 DEGREES_A_SECOND = 45.0

@@ -11,7 +11,7 @@ import os
 import signal
 from pathlib import Path
 
-from donnie_tui import sound_words, team_words
+from donnie_tui import team_words
 from donnie_tui.bootstrap import Donnie, Unusable, assemble
 from donnie_tui.core.breakpoints import KeptBreakpoints
 from donnie_tui.core.filing import Copies
@@ -20,7 +20,7 @@ from donnie_tui.core.use_cases import When
 from donnie_tui.device_settings import SIMULATED
 from donnie_tui.folders import BREAKPOINTS, state_folder
 from donnie_tui.i18n.words import Words
-from donnie_tui.linear import choices, commands, files, greeting, modes
+from donnie_tui.linear import commands, files, greeting
 from donnie_tui.linear.console import Console
 from donnie_tui.linear.desk import Desk, Ends
 from donnie_tui.linear.habits import Habits, of_settings
@@ -163,6 +163,8 @@ class LinearMode:
             files.open_file(desk, file)
         self._tell_notices()
         if offers_to_remember:
+            from donnie_tui.linear import modes
+
             modes.offer_to_remember(desk, linear=True)
         while desk.leaving is None:
             self._take(desk.read(self._prompt(), shown=is_shown))
@@ -240,7 +242,7 @@ class LinearMode:
         elif first in ("QUIT", "EXIT") and len(words) == 1:
             self._quit(line)
         elif first == "HELP":
-            choices.say_help(self._desk, " ".join(words[1:]), commands.listed())
+            commands.say_help(self._desk, " ".join(words[1:]))
         elif commands.answer_of_screen(line, self._desk):
             pass
         elif found := commands.find(line):
@@ -259,6 +261,8 @@ class LinearMode:
             self._desk.answer("linear-too-long")
             return False
         if hears_blocks:
+            from donnie_tui import sound_words
+
             sound_words.chime_block(self._desk.donnie, before, self._desk.program.depth)
         if self._desk.habits.enter and not self._desk.program.open_block:
             self._run()
@@ -311,7 +315,7 @@ class LinearMode:
     def _refuse_while_held(self, line: str) -> None:
         words = line.split()
         if keywords.canonical(words[0]) == "HELP":
-            choices.say_help(self._desk, " ".join(words[1:]), commands.listed())
+            commands.say_help(self._desk, " ".join(words[1:]))
         else:
             self._desk.answer("linear-stepping")
 

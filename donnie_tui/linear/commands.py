@@ -2,56 +2,38 @@
 
 from __future__ import annotations
 
-from donnie_tui import robot_words
+from importlib import import_module
+from typing import TYPE_CHECKING
+
 from donnie_tui.core import use_cases
 from donnie_tui.core.use_cases import UseCase
 from donnie_tui.core.view_cases import IN_WORDS, VIEW_CASES
-from donnie_tui.linear import (
-    choices,
-    files,
-    lines,
-    mending,
-    modes,
-    reading,
-    reports,
-    robots,
-    running,
-    said,
-    sounding,
-    surroundings,
-    tour,
-)
-from donnie_tui.linear.arguments import Handler
-from donnie_tui.linear.desk import Desk
-from donnie_tui.linear.runs import Runs
 
+if TYPE_CHECKING:
+    from donnie_tui.linear.arguments import Handler
+    from donnie_tui.linear.desk import Desk
+    from donnie_tui.linear.runs import Runs
 
-def _connect(desk: Desk, _: Runs, rest: str) -> None:
-    robot_words.connect(desk.donnie, rest, desk.show_told)
-
-
-def _feel(desk: Desk, _: Runs, rest: str) -> None:
-    robot_words.feel(desk.donnie, rest)
-
-
-HANDLERS: dict[str, Handler] = {
-    **running.HANDLERS,
-    **files.HANDLERS,
-    **reports.HANDLERS,
-    **lines.HANDLERS,
-    **mending.HANDLERS,
-    **reading.HANDLERS,
-    **said.HANDLERS,
-    **sounding.HANDLERS,
-    **surroundings.HANDLERS,
-    **robots.HANDLERS,
-    "connect": _connect,
-    "feel": _feel,
-    **choices.HANDLERS,
-    **tour.HANDLERS,
-    **modes.HANDLERS,
+_WORDS_OF = {
+    "running": "again stop pause continue_ step step_over step_back run_to break_ watch show_variables "
+    "slower faster speed reset",
+    "files": "open save save_as new recover",
+    "reports": "save_log report",
+    "lines": "list show_program change insert delete move undo",
+    "mending": "fix search search_again replace format translate manual",
+    "reading": "read next back first last_line place up down next_same back_same outline",
+    "said": "last last_word spell find show_log typed error error_next error_previous errors explain",
+    "sounding": "quiet cues",
+    "surroundings": "where around map show_map map_row map_column map_picture trail world",
+    "robots": "robots robot start together stop_all grip release connect feel",
+    "choices": "language detail set",
+    "tour": "tour",
+    "modes": "linear visual",
 }
-"""What each use case does here. RUN, HELP and QUIT are the conversation's own."""
+"""By module, which is loaded with the first of its words: most conversations need two or three of them."""
+
+HANDLED_IN = {name: module for module, names in _WORDS_OF.items() for name in names.split()}
+"""What each use case does here, by module. RUN, HELP and QUIT are the conversation's own."""
 
 _ALL = (*use_cases.USE_CASES, *VIEW_CASES)
 """Of two words that begin alike the longer one counts: MAPA INTEIRO is no MAPA."""
@@ -62,7 +44,7 @@ OF_CONVERSATION = ("run", "help", "quit")
 def find(line: str) -> tuple[UseCase, str] | None:
     """What a line asks for, and what stands behind the word; None if the line is GoDonnie."""
     found = use_cases.find(line)
-    return found if found and found[0].name in HANDLERS else None
+    return found if found and found[0].name in HANDLED_IN else None
 
 
 def answer_of_screen(line: str, desk: Desk) -> bool:
@@ -70,17 +52,31 @@ def answer_of_screen(line: str, desk: Desk) -> bool:
     found = use_cases.find(line, _ALL)
     is_of_screen = found is not None and found[0] in VIEW_CASES
     if found is not None and is_of_screen:
+        from donnie_tui.linear import choices
+
         choices.point_to(desk, IN_WORDS.get(found[0].name))
     return is_of_screen
 
 
 def do(case: UseCase, rest: str, desk: Desk, runs: Runs) -> None:
     """Do it; if what stands behind the word can't be understood, show how it is said."""
-    if HANDLERS[case.name](desk, runs, rest) is False:
+    if _handler(case.name)(desk, runs, rest) is False:
         desk.answer("linear-like-this", example=use_cases.typed_form(case, desk.say))
+
+
+def say_help(desk: Desk, topic: str) -> None:
+    """HELP with what stands behind it."""
+    from donnie_tui.linear import choices
+
+    choices.say_help(desk, topic, listed())
+
+
+def _handler(name: str) -> Handler:
+    handlers: dict[str, Handler] = import_module(f"donnie_tui.linear.{HANDLED_IN[name]}").HANDLERS
+    return handlers[name]
 
 
 def listed() -> tuple[UseCase, ...]:
     """What HELP tells of."""
-    done = (*HANDLERS, *OF_CONVERSATION)
+    done = (*HANDLED_IN, *OF_CONVERSATION)
     return tuple(each for each in use_cases.USE_CASES if each.name in done and not each.hidden)

@@ -1,4 +1,4 @@
-"""ROBOTS, ROBOT name, START, TOGETHER, STOP ALL, GRIP, RELEASE.
+"""ROBOTS, ROBOT name, START, TOGETHER, STOP ALL, GRIP, RELEASE, CONNECT, FEEL.
 
 Each robot has a program of its own: who talks to another one finds that one's lines. What runs beside the
 conversation is printed as it comes, while no line is being typed; TOGETHER is watched like a run.
@@ -8,7 +8,7 @@ from __future__ import annotations
 
 from pathlib import Path
 
-from donnie_tui import team_words
+from donnie_tui import robot_words, team_words
 from donnie_tui.core.events import TYPED
 from donnie_tui.core.handling import Deed
 from donnie_tui.core.team import Assigned
@@ -69,6 +69,14 @@ def _use(deed: Deed) -> Handler:
     return use
 
 
+def _connect(desk: Desk, _: Runs, rest: str) -> None:
+    robot_words.connect(desk.donnie, rest, desk.show_told)
+
+
+def _feel(desk: Desk, _: Runs, rest: str) -> None:
+    robot_words.feel(desk.donnie, rest)
+
+
 def _name(program: TypedProgram) -> str:
     return Path(program.name).name if program.name else TYPED
 
@@ -81,4 +89,6 @@ HANDLERS: dict[str, Handler] = {
     "stop_all": _stop_all,
     "grip": _use(Deed.GRIP),
     "release": _use(Deed.RELEASE),
+    "connect": _connect,
+    "feel": _feel,
 }

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 from math import ceil, cos, dist, inf, radians
-from random import Random
+from typing import TYPE_CHECKING
 
 from devices.ports.robot import STEP
 from devices.ports.values import frozen
@@ -13,6 +13,9 @@ from sim.geometry import Point, contains, direction, edges, nearest_in_wedge, se
 from sim.parts import Part
 from sim.sensors.sight import Around, Height, at_height, first_hits
 from sim.sensors.spot import Spot
+
+if TYPE_CHECKING:
+    from random import Random
 
 CENTIMETRES_A_STEP = round(STEP * 100)
 NO_NOISE = RangeNoise()

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Mapping
 from math import hypot
-from random import Random
+from typing import TYPE_CHECKING
 
 from devices.ports.robot import Bearing, RobotProblem
 from devices.ports.values import frozen
@@ -18,6 +18,9 @@ from sim.sensors.rangers import CENTIMETRES_A_STEP, Cone, Fan, Ranger, fan_angle
 from sim.sensors.sight import Around, Height
 from sim.sensors.spot import Spot
 from sim.sensors.touch import Bar, Beams
+
+if TYPE_CHECKING:
+    from random import Random
 
 HALF_SECTOR = 22.5
 """Degrees: what looks at most so far off one of the robot's bearings tells distances for it."""

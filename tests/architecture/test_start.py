@@ -39,7 +39,14 @@ def test_the_first_frame_needs_no_session(module: str, tmp_path: Path) -> None:
     assert module not in loaded
 
 
-@pytest.mark.parametrize("module", ["lark", "sim.worldfile", "PIL", "tempfile", "tomllib", "textual"])
+@pytest.mark.parametrize(
+    "module",
+    (
+        *("lark", "sim.worldfile", "PIL", "tempfile", "tomllib", "textual"),
+        *("json", "html", "csv", "random", "base64", "importlib.util"),
+        *("donnie_tui.linear.reports", "donnie_tui.linear.tour", "donnie_tui.core.recording"),
+    ),
+)
 def test_a_silent_linear_session_in_a_world_that_ships_loads_none_of_these(
     module: str, tmp_path: Path
 ) -> None:

@@ -6,7 +6,7 @@ from donnie_tui.core.use_cases import BY_NAME, LANGUAGES, LONGEST_WORD, USE_CASE
 from donnie_tui.core.view_cases import IN_WORDS, PREFERENCES, VIEW_CASES
 from donnie_tui.i18n.catalogue import SENTENCES
 from donnie_tui.i18n.words import Words
-from donnie_tui.linear.commands import HANDLERS, OF_CONVERSATION
+from donnie_tui.linear.commands import HANDLED_IN, OF_CONVERSATION
 from language import keywords
 from language.source import fold_name
 
@@ -66,7 +66,7 @@ def test_every_use_case_has_its_purpose_and_every_argument_its_example() -> None
 
 
 def test_the_linear_mode_does_every_use_case() -> None:
-    assert set(BY_NAME) == set(HANDLERS) | set(OF_CONVERSATION)
+    assert set(BY_NAME) == set(HANDLED_IN) | set(OF_CONVERSATION)
 
 
 def test_the_full_screen_does_every_use_case() -> None:
@@ -85,7 +85,7 @@ def test_every_word_and_setting_of_the_full_screen_is_answered_in_the_linear_mod
     views = {each.name for each in VIEW_CASES}
     elsewhere = {*IN_WORDS.values(), *PREFERENCES.values()}
 
-    assert set(KEYS) <= set(HANDLERS) | set(OF_CONVERSATION) | views
+    assert set(KEYS) <= set(HANDLED_IN) | set(OF_CONVERSATION) | views
     assert set(IN_WORDS) <= views
     assert elsewhere <= {*BY_NAME, "SOUND", ""}
     assert {key for key in CHOICES if not find_setting(key)} <= {*PREFERENCES, *SETTINGS, *SPELLINGS}

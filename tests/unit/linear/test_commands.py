@@ -1,16 +1,25 @@
 """The linear mode does every use case, and says how each is said."""
 
+from importlib import import_module
+
 import pytest
 
 from donnie_tui.core import use_cases
 from donnie_tui.core.use_cases import USE_CASES
 from donnie_tui.i18n.sentence import LANGUAGES
 from donnie_tui.i18n.words import Words
-from donnie_tui.linear.commands import HANDLERS, OF_CONVERSATION, find, listed
+from donnie_tui.linear.commands import HANDLED_IN, OF_CONVERSATION, find, listed
 
 
 def test_everything_that_is_done_is_a_use_case() -> None:
-    assert set(HANDLERS) | set(OF_CONVERSATION) <= {each.name for each in USE_CASES}
+    assert set(HANDLED_IN) | set(OF_CONVERSATION) <= {each.name for each in USE_CASES}
+
+
+@pytest.mark.parametrize("module", sorted(set(HANDLED_IN.values())))
+def test_a_word_is_done_by_the_module_that_is_loaded_for_it(module: str) -> None:
+    done = import_module(f"donnie_tui.linear.{module}").HANDLERS
+
+    assert set(done) == {name for name, where in HANDLED_IN.items() if where == module}
 
 
 @pytest.mark.parametrize("language", LANGUAGES)
