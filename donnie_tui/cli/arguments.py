@@ -84,7 +84,7 @@ _PROBLEMS = (
     (r"the following arguments are required: (.*)", "usage-missing"),
     (r"unrecognized arguments: (.*)", "usage-unrecognized"),
     (r"argument ([^:]*): expected .*", "usage-without-value"),
-    (r"argument ([^:]*): invalid choice.*", "usage-bad-choice"),
+    (r"argument ([^:]*): invalid .*", "usage-bad-choice"),
     (r"argument ([^:]*): not allowed with.*", "usage-not-together"),
 )
 """What argparse complains about, and our sentence for it."""

@@ -5,6 +5,7 @@ from __future__ import annotations
 import io
 import json
 import os
+import random
 import signal
 import sys
 from collections.abc import Sequence
@@ -13,8 +14,15 @@ from pathlib import Path
 
 import pytest
 
+import worlds
 from donnie_tui.cli.main import main
+from donnie_tui.cli.replay_map import ReplayMap
 from donnie_tui.core.recording import NoRecordingError, Recording
+from donnie_tui.core.retelling import told_back, told_forward
+from donnie_tui.core.timeline import Timeline
+from donnie_tui.core.transcript import told_lines
+from donnie_tui.i18n.words import Words
+from sim.worldfile import load_world
 from tests.sessions.command import PATIENCE, QUIET, donnie, start
 
 PROGRAM = """VAR n = 2
@@ -430,6 +438,31 @@ def test_what_is_no_recording_is_told_in_one_sentence(here: Here) -> None:
     (here.folder / "a.rec").write_bytes(b"FW 3\n")
 
     assert here.replay(code=2, err=["a.rec is no recording."]) == []
+
+
+def test_whatever_is_damaged_the_rest_is_told_both_ways_and_drawn(here: Here) -> None:
+    here.record("FW 20\nTR 90\nFW 2\nSCAN", "--world", "object_field")
+    whole = (here.folder / "a.rec").read_bytes()
+    first_event = whole.index(b"\n") + 1
+    rnd = random.Random(7)
+    words = Words()
+    scene = load_world(worlds.path("object_field"), allowed=(worlds.SCENES,))
+    floor = ReplayMap(scene, words)
+
+    for _ in range(60):
+        damaged = bytearray(whole)
+        for _ in range(rnd.choice((1, 2, 20))):
+            at = rnd.randrange(first_event, len(damaged))
+            damaged[at : at + rnd.choice((0, 1, 1, 1, 90))] = rnd.choice(
+                (b"9", b"-", b"e", b"\xff", b"{", b"")
+            )
+        timeline = Timeline(Recording(io.BytesIO(bytes(damaged))).events)
+        while step := timeline.step():
+            assert told_forward(step, words) or any(told_lines(each, words) for each in step)
+        for robot in timeline.robots:
+            floor.lines(timeline, robot)
+        while undone := timeline.step_back():
+            assert told_back(undone, timeline, words)
 
 
 def test_what_is_no_ordinary_file_or_has_no_reasonable_size_is_refused(here: Here) -> None:

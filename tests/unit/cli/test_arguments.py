@@ -54,6 +54,15 @@ def test_what_can_not_be_understood_is_wrong_usage(line: str) -> None:
         understand(line.split(), Words())
 
 
+@pytest.mark.parametrize("line", ["replay a.rec --from x", "format a.gd --to fr"])
+def test_a_value_that_is_none_is_told_with_its_option(line: str) -> None:
+    with pytest.raises(WrongUsage) as wrong:
+        understand(line.split(), Words())
+
+    assert wrong.value.code == "usage-bad-choice"
+    assert wrong.value.what == line.split()[-2]
+
+
 @pytest.mark.parametrize("language", ["en", "pt", "es"])
 def test_help_names_every_command_with_what_it_is_for(
     language: str, capsys: pytest.CaptureFixture[str]
