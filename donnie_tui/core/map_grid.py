@@ -77,8 +77,10 @@ class Bounds:
 class MapGrid:
     """One robot on one floor."""
 
-    def __init__(self, picture: Picture, pose: Pose) -> None:
+    def __init__(self, picture: Picture, pose: Pose, name: str = "") -> None:
+        """``name``: the robot's; without one it is Donnie."""
         self.picture = picture
+        self.name = name
         self._trail: dict[Cell, int] = {}
         self._order: deque[Cell] = deque()
         self.begin(pose)

@@ -29,8 +29,9 @@ _DEGREES_OF = {each.name.lower().replace("_", " "): each.value for each in Beari
 class MapScene:
     """What is where, letter by letter."""
 
-    def __init__(self, picture: Picture, pose: Pose) -> None:
-        self.grid = MapGrid(picture, pose)
+    def __init__(self, picture: Picture, pose: Pose, name: str = "") -> None:
+        """``name``: the robot's; without one it is Donnie."""
+        self.grid = MapGrid(picture, pose, name)
         self._pose = pose
         self._rays: frozenset[Cell] = frozenset()
         self._robots: dict[str, tuple[Cell, str]] = {}

@@ -80,6 +80,8 @@ def square_content(grid: MapGrid, cell: Cell, wording: Wording) -> str:
     thing = grid.thing(cell) if kind is Kind.THING else None
     if thing is not None:
         return name_of(thing, wording)
+    if kind is Kind.ROBOT:
+        return _robot_words(grid, wording)
     return grid.letter(cell) if kind is Kind.THING else wording(f"cell-{kind.value}")
 
 
@@ -110,7 +112,13 @@ def picture_in_letters(grid: MapGrid, wording: Wording, free: str = FREE) -> tup
         wording("picture-letter", name=names[letter][:1].upper() + names[letter][1:], letter=shown_as[letter])
         for letter in sorted(shown & names.keys())
     ]
-    title = wording("picture-title", robot=grid.letter(grid.robot), width=window.width, height=window.height)
+    title = wording(
+        "picture-title-named" if grid.name else "picture-title",
+        name=grid.name,
+        robot=grid.letter(grid.robot),
+        width=window.width,
+        height=window.height,
+    )
     return (title, *legend, *("".join(shown_as.get(each, each) for each in row) for row in rows))
 
 
@@ -150,7 +158,11 @@ def _line_of_runs(
 
 
 def _floor_words(grid: MapGrid, cell: Cell, names: dict[str, str], wording: Wording) -> str:
-    return wording("cell-robot") if cell == grid.robot else names.get(grid.floor_letter(cell), "?")
+    return _robot_words(grid, wording) if cell == grid.robot else names.get(grid.floor_letter(cell), "?")
+
+
+def _robot_words(grid: MapGrid, wording: Wording) -> str:
+    return grid.name or wording("cell-robot")
 
 
 def _nearest_cell(grid: MapGrid, x: int, y: int) -> Cell:

@@ -14,6 +14,14 @@ if TYPE_CHECKING:
     from sim.picture import Thing
 
 
+_DONNIE = "donnie"
+
+
+def shown_name(robot: str) -> str:
+    """A robot's name where it stands for itself in a map; empty for Donnie, who is called so anyway."""
+    return "" if robot.lower() == _DONNIE else robot
+
+
 def name_of(thing: Thing, wording: Wording) -> str:
     """A robot's own name; a thing's kind in the learner's language where it is one of our worlds'."""
     if thing.is_robot and thing.name:

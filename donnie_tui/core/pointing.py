@@ -82,6 +82,8 @@ def content(scene: MapScene, cell: Cell, wording: Wording) -> str:
     kind, thing = scene.kind(cell), scene.thing(cell)
     if kind is Kind.OTHER:
         return scene.robot_at(cell) or wording("cell-other")
+    if kind is Kind.ROBOT and scene.grid.name:
+        return scene.grid.name
     if kind is not Kind.THING:
         return wording(f"cell-{kind.value}")
     if thing is None:
@@ -96,6 +98,6 @@ def legend(scene: MapScene, wording: Wording) -> tuple[str, ...]:
         letters.setdefault(thing.letter, name_of(thing, wording))
     fixed = ("robot", "start", "trail", "wall", "ray", "free")
     return (
-        *(wording(f"legend-{each}") for each in fixed),
+        *(wording(f"legend-{each}", name=scene.grid.name or wording("cell-robot")) for each in fixed),
         *(wording("map-legend", letter=letter, name=name) for letter, name in sorted(letters.items())),
     )

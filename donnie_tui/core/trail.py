@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections import deque
+from collections.abc import Callable
 
 from devices.ports.robot import Pose
 from donnie_tui.core import numbers
@@ -15,26 +16,37 @@ KEPT = 1000
 
 
 class Trail:
-    """The moves so far. Subscribe ``hear`` to a hub."""
+    """The moves so far, of each robot its own. Subscribe ``hear`` to a hub."""
 
-    def __init__(self) -> None:
-        self._moves: deque[Moved | Turned] = deque(maxlen=KEPT)
-        self.last_pose: Pose | None = None
+    def __init__(self, of: Callable[[], str | None] = lambda: None) -> None:
+        """``of``: whose moves are asked for, by the name in its events; None in a world of one robot."""
+        self._of = of
+        self._moves_of: dict[str | None, deque[Moved | Turned]] = {}
+        self._last_poses: dict[str | None, Pose] = {}
+
+    @property
+    def last_pose(self) -> Pose | None:
         """Where the robot last stood; None before anything ran."""
+        return self._last_poses.get(self._of())
+
+    @property
+    def _moves(self) -> list[Moved | Turned]:
+        return list(self._moves_of.get(self._of(), ()))
 
     def hear(self, stamped: Stamped) -> None:
         """In any thread."""
         event = stamped.event
         if isinstance(event, Moved | Turned):
-            self._moves.append(event)
+            self._moves_of.setdefault(stamped.robot, deque(maxlen=KEPT)).append(event)
         if isinstance(event, Moved | Turned | RunEnded):
-            self.last_pose = event.pose
+            self._last_poses[stamped.robot] = event.pose
         elif isinstance(event, RunStarted) and event.how is not None:
-            self.last_pose = event.how.pose
+            robot = stamped.robot if event.how.named else None
+            self._last_poses[robot] = event.how.pose
 
     def in_words(self, count: int, wording: Wording) -> tuple[str, ...]:
         """The last ``count`` moves, a sentence each."""
-        moves = list(self._moves)[-count:] if count else []
+        moves = self._moves[-count:] if count else []
         return tuple(_move(each, wording) for each in moves) or (wording("trail-none"),)
 
     def rows(self) -> tuple[tuple[str, int, int, int, int, bool], ...]:
@@ -48,7 +60,7 @@ class Trail:
                 numbers.heading(each.pose),
                 each.stopped_by is not None,
             )
-            for each in list(self._moves)
+            for each in self._moves
         )
 
 

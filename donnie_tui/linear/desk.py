@@ -85,7 +85,7 @@ class Desk:
         self.error_at: int | None = None
         """Which of them was told last, from 0."""
         self.answers = AnswerLog()
-        self.trail = Trail()
+        self.trail = Trail(lambda: self.session.hub.robot)
         self.place = 0
         """The line of the program that was read last, 0 before any."""
         self.read_text: ProgramText | None = None
@@ -175,6 +175,11 @@ class Desk:
     def answer_of_robot(self, code: str, **values: object) -> None:
         """About the robot that is talked to: with its name, where there are several."""
         self.tell(said_by(self.session.hub.robot, self.say(code, **values), self.say))
+
+    def tell_of_robot(self, *lines: str) -> None:
+        """As it is for the robot that is talked to; the first line has its name, where there are several."""
+        first = [said_by(self.session.hub.robot, line, self.say) for line in lines[:1]]
+        self.tell(*first, *lines[1:])
 
     def tell(self, *lines: str) -> None:
         for line in lines:

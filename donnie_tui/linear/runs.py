@@ -165,7 +165,7 @@ class Runs:
             meant = self._desk.say.hint(hint)
             self._desk.tell(self._desk.say.mistake(hint), *([meant] if meant else []))
         if self._told.count == self._told_before:
-            self._desk.answer("linear-done")
+            self._desk.answer_of_robot("linear-done")
 
     def _name(self) -> str:
         name = self._desk.program.name

@@ -5,6 +5,7 @@ from __future__ import annotations
 from donnie_tui.core import map_words, numbers
 from donnie_tui.core.around import around_in_words
 from donnie_tui.core.map_grid import FREE, MapGrid
+from donnie_tui.core.naming import shown_name
 from donnie_tui.linear.arguments import Handler, alone, counted, numbers_in
 from donnie_tui.linear.desk import Desk
 from donnie_tui.linear.runs import Runs
@@ -15,7 +16,7 @@ _DEFAULT_TRAIL = 5
 
 
 def _grid(desk: Desk) -> MapGrid:
-    return MapGrid(desk.donnie.picture_now(), desk.session.pose)
+    return MapGrid(desk.donnie.picture_now(), desk.session.pose, shown_name(desk.session.name))
 
 
 def _where(desk: Desk) -> None:
@@ -31,7 +32,9 @@ def _around(desk: Desk, _: Runs, rest: str) -> bool:
     if rest and fold_name(rest) not in _COMPASS:
         return False
     clock = desk.habits.clock and not rest
-    desk.tell(*around_in_words(_grid(desk), desk.session.pose, desk.say, absolute=bool(rest), clock=clock))
+    desk.tell_of_robot(
+        *around_in_words(_grid(desk), desk.session.pose, desk.say, absolute=bool(rest), clock=clock)
+    )
     return True
 
 
@@ -42,36 +45,36 @@ def _map(desk: Desk, _: Runs, rest: str) -> bool:
         return False
     if given:
         x, y = given
-        desk.tell(map_words.square_in_words(_grid(desk), x, y, desk.session.pose, desk.say))
+        desk.tell_of_robot(map_words.square_in_words(_grid(desk), x, y, desk.session.pose, desk.say))
     else:
         say_map(desk)
     return True
 
 
 def say_map(desk: Desk) -> None:
-    desk.tell(*map_words.map_in_words(desk.donnie.picture_now(), desk.session.pose, desk.say))
+    desk.tell_of_robot(*map_words.map_in_words(desk.donnie.picture_now(), desk.session.pose, desk.say))
 
 
 def _row(desk: Desk, _: Runs, rest: str) -> bool:
     given = numbers_in(rest, most=1)
     if given:
-        desk.tell(*map_words.row_in_words(_grid(desk), given[0], desk.say))
+        desk.tell_of_robot(*map_words.row_in_words(_grid(desk), given[0], desk.say))
     return bool(given)
 
 
 def _column(desk: Desk, _: Runs, rest: str) -> bool:
     given = numbers_in(rest, most=1)
     if given:
-        desk.tell(*map_words.column_in_words(_grid(desk), given[0], desk.say))
+        desk.tell_of_robot(*map_words.column_in_words(_grid(desk), given[0], desk.say))
     return bool(given)
 
 
 def _picture(desk: Desk) -> None:
-    desk.tell(*map_words.picture_in_letters(_grid(desk), desk.say, desk.habits.free or FREE))
+    desk.tell_of_robot(*map_words.picture_in_letters(_grid(desk), desk.say, desk.habits.free or FREE))
 
 
 def _trail(desk: Desk, count: int) -> None:
-    desk.tell(*desk.trail.in_words(count, desk.say))
+    desk.tell_of_robot(*desk.trail.in_words(count, desk.say))
 
 
 def _world(desk: Desk) -> None:

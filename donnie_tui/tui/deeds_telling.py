@@ -13,7 +13,8 @@ from donnie_tui.core import map_words
 from donnie_tui.core.answer_log import spelled
 from donnie_tui.core.around import around_in_words
 from donnie_tui.core.map_grid import MapGrid
-from donnie_tui.core.transcript import lines_of
+from donnie_tui.core.naming import shown_name
+from donnie_tui.core.transcript import lines_of, said_by
 from donnie_tui.i18n.catalogue.signs import CODE_OF
 from donnie_tui.tui.running import Answer
 from donnie_tui.tui.screens.chooser import Choice
@@ -48,29 +49,30 @@ class TellingDeeds:
     @property
     def _grid(self) -> MapGrid:
         """As the robot that is talked to finds the world now."""
-        return MapGrid(self._host.donnie.picture_now(), self._host.pose)
+        donnie = self._host.donnie
+        return MapGrid(donnie.picture_now(), self._host.pose, shown_name(donnie.session.name))
 
     def where(self, _argument: str) -> None:
         self._host.tell_position()
 
     def around(self, argument: str) -> None:
         pose = self._host.pose
-        self._tell(*around_in_words(self._grid, pose, self._host.words, absolute=bool(argument)))
+        self._tell_of_robot(*around_in_words(self._grid, pose, self._host.words, absolute=bool(argument)))
 
     def map(self, argument: str) -> None:
         place, words, pose = numbers_in(argument), self._host.words, self._host.pose
         if len(place) == 2:
-            self._tell(map_words.square_in_words(self._grid, *place, pose, words))
+            self._tell_of_robot(map_words.square_in_words(self._grid, *place, pose, words))
         else:
-            self._tell(*map_words.map_in_words(self._grid.picture, pose, words))
+            self._tell_of_robot(*map_words.map_in_words(self._grid.picture, pose, words))
 
     def map_row(self, argument: str) -> None:
         for number in numbers_in(argument)[:1]:
-            self._tell(*map_words.row_in_words(self._grid, number, self._host.words))
+            self._tell_of_robot(*map_words.row_in_words(self._grid, number, self._host.words))
 
     def map_column(self, argument: str) -> None:
         for number in numbers_in(argument)[:1]:
-            self._tell(*map_words.column_in_words(self._grid, number, self._host.words))
+            self._tell_of_robot(*map_words.column_in_words(self._grid, number, self._host.words))
 
     def map_picture(self, _argument: str) -> None:
         lines = map_words.picture_in_letters(self._grid, self._host.words)
@@ -78,7 +80,7 @@ class TellingDeeds:
 
     def trail(self, argument: str) -> None:
         count = next(iter(numbers_in(argument)), _TRAIL)
-        self._tell(*self._host.trail.in_words(max(1, count), self._host.words))
+        self._tell_of_robot(*self._host.trail.in_words(max(1, count), self._host.words))
 
     # --- what was said
 
@@ -151,6 +153,11 @@ class TellingDeeds:
         error = errors[self._error]
         self._host.workplace.editor.go_to(error.line, error.column)
         self._tell(*lines_of(error, self._host.words))
+
+    def _tell_of_robot(self, *sentences: str) -> None:
+        """The first sentence has the name of the robot that is talked to, where there are several."""
+        robot, words = self._host.donnie.session.hub.robot, self._host.words
+        self._tell(*(said_by(robot, each, words) for each in sentences[:1]), *sentences[1:])
 
     def _tell(self, *sentences: str) -> None:
         self._host.tell_sentences(*sentences)

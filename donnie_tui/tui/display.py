@@ -12,6 +12,7 @@ from donnie_tui.bootstrap import Donnie
 from donnie_tui.core.events import Read
 from donnie_tui.core.map_grid import floor_size
 from donnie_tui.core.map_scene import MapScene
+from donnie_tui.core.naming import shown_name
 from donnie_tui.core.timeline import Timeline
 from donnie_tui.i18n.catalogue import SENTENCES
 from donnie_tui.tui.bridge import Mail
@@ -55,7 +56,7 @@ class Display:
         """The map of the robot that is talked to: to each, the others are things and itself is none."""
         self._pose = self._donnie.session.pose
         picture = self._donnie.picture()
-        self.scene = MapScene(picture, self._pose)
+        self.scene = MapScene(picture, self._pose, shown_name(self._donnie.session.name))
         self._place.show_map(self.scene)
         self._entitle_map()
 

@@ -145,7 +145,7 @@ class Work:
         )
         self._key_echo = KeyEcho(donnie.audible, self.words)
         self.answers = AnswerLog()
-        self.trail = Trail()
+        self.trail = Trail(lambda: self._donnie.session.hub.robot)
         self.errors: tuple[Error, ...] = ()
         """The mistakes of the last run."""
         self._timeline: Timeline | None = None

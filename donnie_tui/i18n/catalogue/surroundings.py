@@ -38,6 +38,11 @@ _MAP = {
         "{x}, {y}: {what}. {place}.",
         brief=("{x}, {y}: {what}.", "{x}, {y}: {what}.", "{x}, {y}: {what}."),
     ),
+    "picture-title-named": Sentence(
+        "Picture, {width} by {height}. {name} is {robot}",
+        "Imagem, {width} por {height}. {name} é {robot}",
+        "Imagen, {width} por {height}. {name} es {robot}",
+    ),
     "picture-title": Sentence(
         "Picture, {width} by {height}. The robot is {robot}",
         "Imagem, {width} por {height}. O robô é {robot}",
@@ -86,9 +91,7 @@ _AROUND = {
 }
 
 _TRAIL = {
-    "trail-none": Sentence(
-        "Donnie has not moved yet.", "O Donnie ainda não andou.", "Donnie aún no se movió."
-    ),
+    "trail-none": Sentence("I have not moved yet.", "Ainda não andei.", "Aún no me moví."),
     "trail-walked": Sentence(
         "{command}: {done} {done:step|steps}, to {x}, {y}.",
         "{command}: {done} {done:passo|passos}, até {x}, {y}.",

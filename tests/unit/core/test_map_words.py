@@ -191,3 +191,12 @@ def test_letters_of_the_picture_are_distinct_without_capitals() -> None:
     told = picture_in_letters(MapGrid(picture, Pose(2, 0, 0)), Words())
 
     assert told[1:] == ("Chair C: a", "Chair: c", "ca^")
+
+
+def test_a_robot_that_is_not_donnie_stands_on_the_map_by_its_name() -> None:
+    pose = Pose(1, 1, 0)
+    grid = MapGrid(ROOM, pose, "alice")
+
+    assert square_in_words(grid, 1, 1, pose, Words()) == "1, 1: alice. here."
+    assert "alice" in row_in_words(grid, 1, Words())[0]
+    assert picture_in_letters(grid, Words())[0].endswith("alice is ^")

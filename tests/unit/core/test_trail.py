@@ -27,7 +27,7 @@ def test_moves_are_told_oldest_first_with_where_they_led() -> None:
 
 
 def test_without_moves_it_says_so() -> None:
-    assert trail().in_words(5, Words("es")) == ("Donnie aún no se movió.",)
+    assert trail().in_words(5, Words("es")) == ("Aún no me moví.",)
 
 
 def test_the_table_has_a_row_a_move() -> None:
@@ -47,3 +47,15 @@ def test_where_it_last_stood_is_known_also_without_a_move() -> None:
 
 def test_the_oldest_moves_are_forgotten() -> None:
     assert len(trail(*[WALK] * (KEPT + 10)).rows()) == KEPT
+
+
+def test_each_robot_has_a_trail_of_its_own() -> None:
+    talked_to = "alice"
+    trail = Trail(lambda: talked_to)
+    there = Moved("FW 3", 3, 3, None, Pose(0, 3, 0), True)
+    trail.hear(Stamped(1, 0.0, there, "alice"))
+
+    assert trail.in_words(5, Words()) == ("FW 3: 3 steps, to 0, 3.",)
+    talked_to = "bob"
+    assert trail.in_words(5, Words()) == ("I have not moved yet.",)
+    assert trail.last_pose is None
