@@ -63,7 +63,8 @@ def _until_exit(command: list[str], folder: str) -> float:
 
 def _started(command: list[str], folder: str) -> tuple[int, int]:
     """A process on a terminal of its own: its number, and our end of the terminal."""
-    environment = {**os.environ, "XDG_STATE_HOME": folder, "XDG_CONFIG_HOME": folder, "TERM": "xterm"}
+    own = {"XDG_STATE_HOME": folder, "XDG_CONFIG_HOME": folder, "TERM": "xterm", "DONNIE_TOUR": "off"}
+    environment = {**os.environ, **own}
     child, terminal = pty.fork()
     if child == 0:
         os.execve(command[0], command, environment)

@@ -35,7 +35,12 @@ def state_folder(environment: Mapping[str, str], platform: str = sys.platform) -
     """The folder of what the learner did last: histories, texts to recover."""
     from pathlib import Path
 
-    return Path(_folder(environment, platform, "XDG_STATE_HOME", ".local/state"))
+    return Path(state_path(environment, platform))
+
+
+def state_path(environment: Mapping[str, str], platform: str = sys.platform) -> str:
+    """The same as text."""
+    return _folder(environment, platform, "XDG_STATE_HOME", ".local/state")
 
 
 def _folder(environment: Mapping[str, str], platform: str, variable: str, default: str) -> str:

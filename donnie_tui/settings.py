@@ -140,6 +140,8 @@ class Settings:
     progress: str = "10"
     clock: str = "off"
     free: str = "dot"
+    tour: bool = True
+    """Whether the tour may be offered at the first start."""
     log: bool = False
     """Whether what is told goes to a numbered file too, as with the original's ``-l``."""
     notices: tuple[Notice, ...] = ()
@@ -361,6 +363,7 @@ KEYS = (
     Key("progress", "progress", _read_progress, "0-3600"),
     Key("clock", "clock", _one_of(("off", "on")), "off, on"),
     Key("free", "free", _read_free, "dot, a-z"),
+    Key("tour", "tour", read_switch, "on, off"),
     Key("theme", "theme", _one_of(THEMES), ", ".join(THEMES)),
     Key("plain", "plain", read_switch, "on, off"),
     Key("mouse", "mouse", read_switch, "on, off"),

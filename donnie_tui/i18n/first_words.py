@@ -39,4 +39,11 @@ CAUSES = {
 
 HINT = ("HELP lists the commands.", "AJUDA lista os comandos.", "AYUDA lista los comandos.")
 
+TOUR = (
+    "New here? TOUR shows you around.",
+    "Primeira vez? PASSEIO mostra tudo.",
+    "¿Primera vez? PASEO te muestra todo.",
+)
+"""At the first start, once."""
+
 PROMPT = "> "

@@ -69,6 +69,7 @@ def run_linear(
         cause,
         os.environ,
         prompt=habits.prompt_at(0) if begins_bare else None,
+        tour=settings.tour,
     )
     terminal = greeting.DONE.terminal
     console = Console(terminal if isinstance(terminal, Terminal) else None)

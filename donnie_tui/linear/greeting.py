@@ -10,10 +10,12 @@ from __future__ import annotations
 
 import os
 
-from donnie_tui.i18n.first_words import CAUSES, HINT, PROMPT
+from donnie_tui.first_start import offers_tour
+from donnie_tui.folders import state_path
+from donnie_tui.i18n.first_words import CAUSES, HINT, PROMPT, TOUR
 
 _LANGUAGES = ("en", "pt", "es")
-_HARMLESS = ("DONNIE_LANG", "DONNIE_LINEAR", "DONNIE_READER")
+_HARMLESS = ("DONNIE_LANG", "DONNIE_LINEAR", "DONNIE_READER", "DONNIE_TOUR")
 _WITH_VALUE = (
     "--world",
     "--lang",
@@ -54,11 +56,17 @@ def begin(arguments: list[str], environment: os._Environ[str] | dict[str, str]) 
 
 
 def greet(
-    language: str, cause: str, environment: os._Environ[str] | dict[str, str], *, prompt: str | None = PROMPT
+    language: str,
+    cause: str,
+    environment: os._Environ[str] | dict[str, str],
+    *,
+    prompt: str | None = PROMPT,
+    tour: bool = True,
 ) -> None:
     """Print the lines, and ``prompt`` where there is a terminal. Does nothing the second time.
 
-    Without a prompt only the first line is printed: the second one will be about the file.
+    Without a prompt only the first line is printed: the second one will be about the file. ``tour``: whether
+    it may be offered, to somebody who is here for the first time.
     """
     if DONE.was_printed:
         return
@@ -69,6 +77,8 @@ def greet(
         _take_terminal()
     at = _LANGUAGES.index(language)
     lines = CAUSES[cause][at] + "\n" + ("" if prompt is None else HINT[at] + "\n")
+    if tour and DONE.has_prompt and offers_tour(state_path(environment), environment):
+        lines += TOUR[at] + "\n"
     os.write(1, (lines + (prompt if prompt and DONE.has_prompt else "")).encode())
 
 

@@ -32,6 +32,7 @@ from donnie_tui.core.retelling import told_back
 from donnie_tui.core.timeline import Timeline
 from donnie_tui.core.trail import Trail
 from donnie_tui.core.transcript import printable, said_by
+from donnie_tui.first_start import offers_tour
 from donnie_tui.folders import BREAKPOINTS
 from donnie_tui.i18n.manual import manual
 from donnie_tui.i18n.words import Words
@@ -118,6 +119,7 @@ class Work:
         """``folder`` holds the copies of what is not saved."""
         self._host = host
         self._donnie = donnie
+        self._state_folder = folder.parent
         self.words: Words = donnie.words
         self.workplace = host.workplace
         self.watch = Watch(self.words)
@@ -167,6 +169,8 @@ class Work:
             self.files.bring(text, str(file) if file else None)
         elif file is not None:
             self.files.open_now(str(file))
+        elif self.preferences.settings.tour and offers_tour(str(self._state_folder), os.environ):
+            self.tell_sentences(self.words("tour-offer"))
         if self.files.offers_recovery:
             self.display.note(self.words("answer-rescued"))
         self.look()

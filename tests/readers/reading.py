@@ -169,7 +169,7 @@ class Listener:
         )
         return self._script(
             "program.sh",
-            f'export PYTHONPATH="{ROOT}" XDG_STATE_HOME="{self._folder}/state" '
+            f'export PYTHONPATH="{ROOT}" DONNIE_TOUR=off XDG_STATE_HOME="{self._folder}/state" '
             f'XDG_CONFIG_HOME="{self._folder}/config"\n{variables}'
             f'exec "{sys.executable}" -m donnie_tui {options}',
         )

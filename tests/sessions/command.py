@@ -22,6 +22,7 @@ def environment(folder: Path, changes: Mapping[str, str] | None = None) -> dict[
         "XDG_CONFIG_HOME": str(folder / "config"),
         "XDG_STATE_HOME": str(folder / "state"),
         "LC_ALL": "C.UTF-8",
+        "DONNIE_TOUR": "off",
     }
     return {**kept, **own, **(changes or {})}
 

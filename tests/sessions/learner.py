@@ -17,14 +17,17 @@ PATIENCE = 20
 class Learner:
     """One session of ``donnie --linear`` in a folder of its own, on a terminal of 80 by 24."""
 
-    def __init__(self, folder: Path, *options: str, speed: str = "max", language: str = "en") -> None:
+    def __init__(
+        self, folder: Path, *options: str, speed: str = "max", language: str = "en", **more: str
+    ) -> None:
         environment = {name: value for name, value in os.environ.items() if not name.startswith("DONNIE_")}
         environment |= {
             "XDG_STATE_HOME": str(folder / "state"),
             "XDG_CONFIG_HOME": str(folder / "config"),
             "LC_ALL": "C.UTF-8",
             "TERM": "xterm",
-        }
+            "DONNIE_TOUR": "off",
+        } | more
         quiet = ["--speech", "off", "--sound", "off", "--lang", language, "--speed", speed]
         self.child: pexpect.spawn[bytes] = pexpect.spawn(
             sys.executable,

@@ -425,6 +425,7 @@ def _piped(script: bytes, folder: Path) -> subprocess.CompletedProcess[bytes]:
         **os.environ,
         "XDG_STATE_HOME": str(folder / "state"),
         "XDG_CONFIG_HOME": str(folder / "config"),
+        "DONNIE_TOUR": "off",
     }
     command = [
         sys.executable,

@@ -36,7 +36,7 @@ def quiet(language: str, *options: str) -> list[str]:
 def environment(folder: Path, **more: str) -> dict[str, str]:
     plain = {name: value for name, value in os.environ.items() if not name.startswith("DONNIE_")}
     homes = {"XDG_STATE_HOME": str(folder / "state"), "XDG_CONFIG_HOME": str(folder / "config")}
-    return plain | homes | {"LC_ALL": "C.UTF-8", "TERM": "xterm"} | more
+    return plain | homes | {"LC_ALL": "C.UTF-8", "TERM": "xterm", "DONNIE_TOUR": "off"} | more
 
 
 def every_word(language: str, *, without: set[str] = ELSEWHERE) -> list[str]:

@@ -112,10 +112,18 @@ def work(tmp_path: Path):
         world: str = "open_floor",
         language: str = "en",
         plain: bool = False,
+        tour: bool = False,
         **others: Any,
     ) -> AsyncIterator[Desk]:
         settings = Settings(
-            world=world, speed=speed, speech="off", sound=False, language=language, plain=plain, **others
+            world=world,
+            speed=speed,
+            speech="off",
+            sound=False,
+            language=language,
+            plain=plain,
+            tour=tour,
+            **others,
         )
         app = DonnieApp(
             settings, file, text=text, assemble=lambda: assemble(settings, terminal=True), folder=tmp_path

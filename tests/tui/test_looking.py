@@ -296,3 +296,25 @@ async def test_a_thing_that_is_pushed_in_every_run_is_shown_where_it_is(work):
 
         await desk.type_line("RESET")
         await desk.until(lambda: cone() == 12, "the cone is back")
+
+
+# --- the first start
+
+
+async def test_the_tour_is_offered_at_the_first_start_in_a_sentence_that_is_spoken_too(work):
+    async with work(tour=True) as desk:
+        await desk.told("New here? TOUR shows you around.")
+        assert desk.place.editor.has_focus, "nothing is in the way"
+    async with work(tour=True) as desk:
+        await desk.pilot.pause()
+        assert "New here? TOUR shows you around." not in desk.log
+
+
+async def test_a_file_of_the_command_line_comes_before_the_tour(work, tmp_path):
+    path = tmp_path / "walk.gd"
+    path.write_text("FW 1\n", encoding="utf-8")
+    async with work(file=path, tour=True) as desk:
+        await desk.told("Opened walk.gd")
+        assert "New here? TOUR shows you around." not in desk.log
+    async with work(tour=True) as desk:
+        await desk.told("New here? TOUR shows you around.")

@@ -50,7 +50,13 @@ class Terminal:
             name: value
             for name, value in os.environ.items()
             if not name.startswith(("TEXTUAL", "DONNIE", "NO_COLOR", "LC_", "LANG", "COLUMNS", "LINES"))
-        } | {"TERM": "xterm-256color", "HOME": str(state), "LANG": "C.UTF-8", "DONNIE_PLAIN": "off"}
+        } | {
+            "TERM": "xterm-256color",
+            "HOME": str(state),
+            "LANG": "C.UTF-8",
+            "DONNIE_PLAIN": "off",
+            "DONNIE_TOUR": "off",
+        }
         environment |= more or {}
         environment.pop("XDG_STATE_HOME", None)
         environment.pop("XDG_CONFIG_HOME", None)

@@ -3,6 +3,7 @@
 The lines say what to type; a test types it.
 """
 
+from donnie_tui.i18n import first_words
 from donnie_tui.i18n.sentence import Sentence
 
 _PAGES: tuple[tuple[tuple[str, str, str], ...], ...] = (
@@ -155,6 +156,7 @@ SENTENCES = {
     for page, lines in enumerate(_PAGES, 1)
     for line, texts in enumerate(lines, 1)
 } | {
+    "tour-offer": Sentence(*first_words.TOUR),
     "tour-on": Sentence(
         "Page {page} of {pages}. Try it; Enter alone goes on.",
         "Página {page} de {pages}. Tente; só Enter continua.",
@@ -164,5 +166,5 @@ SENTENCES = {
             "{page} de {pages}. Só Enter continua.",
             "{page} de {pages}. Solo Enter sigue.",
         ),
-    )
+    ),
 }

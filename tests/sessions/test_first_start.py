@@ -1,0 +1,50 @@
+"""The tour is offered at the first start only, and never in the way of a file."""
+
+from pathlib import Path
+
+from donnie_tui.first_start import MARKER, offers_tour
+from tests.sessions.learner import Learner
+
+OFFER = "New here? TOUR shows you around."
+
+
+def test_it_is_offered_once(tmp_path: Path) -> None:
+    folder = str(tmp_path / "state" / "donnie")
+
+    assert [offers_tour(folder, {}) for _ in range(3)] == [True, False, False]
+    assert (tmp_path / "state" / "donnie" / MARKER).exists()
+
+
+def test_whoever_switched_it_off_is_never_asked_and_leaves_no_trace(tmp_path: Path) -> None:
+    assert not offers_tour(str(tmp_path), {"DONNIE_TOUR": "off"})
+    assert not (tmp_path / MARKER).exists()
+
+
+def test_where_nothing_can_be_remembered_it_is_offered_all_the_same(tmp_path: Path) -> None:
+    (tmp_path / "state").write_text("a file")
+
+    assert offers_tour(str(tmp_path / "state" / "donnie"), {})
+
+
+def test_the_linear_mode_offers_it_in_a_sentence_before_the_first_prompt(tmp_path: Path) -> None:
+    first = Learner(tmp_path, DONNIE_TOUR="on")
+    first.sees(f"HELP lists the commands.\r\n{OFFER}\r\n> ")
+    first.types("TOUR\r")
+    first.sees("Welcome. Donnie is a robot on a floor.")
+    first.types("\x04")
+    first.leaves()
+
+    second = Learner(tmp_path, DONNIE_TOUR="on")
+    second.sees("HELP lists the commands.\r\n> ")
+    second.types("\x04")
+    second.leaves()
+
+
+def test_a_file_of_the_command_line_comes_first(tmp_path: Path) -> None:
+    (tmp_path / "a.gd").write_text("FW 1\n")
+    learner = Learner(tmp_path, "a.gd", DONNIE_TOUR="on")
+    learner.sees("Opened a.gd, 1 line.\r\n> ")
+    learner.types("\x04")
+    learner.leaves()
+
+    assert OFFER not in learner.lines
