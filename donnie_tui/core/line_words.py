@@ -65,7 +65,7 @@ def deleted(program: TypedProgram, first: int, last: int | None, wording: Wordin
     waiting = program.waiting
     program.delete(first, end)
     told = wording("linear-deleted", lines=end - first + 1)
-    return Edited((told, *_waits_again(program, waiting, wording)))
+    return Edited((told, *waits_again(program, waiting, wording)))
 
 
 def moved(program: TypedProgram, first: int, last: int, to: int, wording: Wording) -> Edited:
@@ -79,7 +79,7 @@ def moved(program: TypedProgram, first: int, last: int, to: int, wording: Wordin
         return Edited((told,))
     end = at + last - first
     lines = tuple(line_told(program, number, wording) for number in range(at, end + 1))
-    return Edited((*lines, *_waits_again(program, waiting, wording)), end)
+    return Edited((*lines, *waits_again(program, waiting, wording)), end)
 
 
 def line_told(program: TypedProgram, number: int, wording: Wording) -> str:
@@ -102,10 +102,10 @@ def _edited(
     except ProgramTooLong:
         return Edited((wording("linear-too-long"),))
     told = line_told(program, number, wording)
-    return Edited((told, *_waits_again(program, waiting, wording)), number)
+    return Edited((told, *waits_again(program, waiting, wording)), number)
 
 
-def _waits_again(program: TypedProgram, before: int, wording: Wording) -> tuple[str, ...]:
+def waits_again(program: TypedProgram, before: int, wording: Wording) -> tuple[str, ...]:
     """A change to what has run lets everything wait again; nobody may be surprised by that."""
     now = program.waiting
     return (wording("linear-waits-again", lines=now),) if now > before + 1 else ()

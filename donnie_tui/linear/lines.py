@@ -91,6 +91,18 @@ def _insert(desk: Desk, number: int, text: str) -> None:
 # --- the words
 
 
+def warning_of_all(handler: Handler) -> Handler:
+    """The word, and behind its answer that all lines wait again, where its change had that effect."""
+
+    def warn(desk: Desk, runs: Runs, rest: str) -> bool | None:
+        waiting = desk.program.waiting
+        understood = handler(desk, runs, rest)
+        desk.tell(*line_words.waits_again(desk.program, waiting, desk.say))
+        return understood
+
+    return warn
+
+
 def _list(desk: Desk, _: Runs, rest: str) -> bool:
     given = numbers_in(rest, most=2)
     if given is not None:
@@ -135,5 +147,5 @@ HANDLERS: dict[str, Handler] = {
     "insert": _insert_word,
     "delete": _delete,
     "move": _move,
-    "undo": alone(undo),
+    "undo": warning_of_all(alone(undo)),
 }

@@ -9,6 +9,7 @@ from donnie_tui.i18n.catalogue.manual import CHAPTERS
 from donnie_tui.i18n.sentence import LANGUAGES
 from donnie_tui.linear.arguments import Handler, alone
 from donnie_tui.linear.desk import Desk
+from donnie_tui.linear.lines import warning_of_all
 from donnie_tui.linear.reading import go_to
 from donnie_tui.linear.runs import Runs
 from language.formatter import formatted
@@ -107,11 +108,11 @@ def _manual(desk: Desk, _: Runs, rest: str) -> bool:
 
 
 HANDLERS: dict[str, Handler] = {
-    "fix": alone(_fix),
+    "fix": warning_of_all(alone(_fix)),
     "search": _search,
     "search_again": _search_again,
-    "replace": _replace,
-    "format": alone(_format),
-    "translate": _translate,
+    "replace": warning_of_all(_replace),
+    "format": warning_of_all(alone(_format)),
+    "translate": warning_of_all(_translate),
     "manual": _manual,
 }

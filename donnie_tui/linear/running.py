@@ -95,7 +95,7 @@ def _toggle_breakpoint(desk: Desk, line: int) -> None:
 
 
 def _watch(desk: Desk, _: Runs, rest: str) -> bool:
-    if len(rest.split()) > 1:
+    if rest and not rest.isidentifier():
         return False
     desk.tell(*toggle_watch(desk.watched, rest, desk.say))
     return True

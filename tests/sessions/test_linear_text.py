@@ -189,3 +189,24 @@ def test_a_closed_input_is_an_empty_one(tmp_path: Path, closed: str) -> None:
 
     assert ended.returncode == 0
     assert (b"Goodbye." in ended.stdout) == (">&-" not in closed.split())
+
+
+def test_whoever_changes_what_has_run_is_told_that_all_of_it_waits_again(tmp_path: Path) -> None:
+    """Else Enter, or QUIT, would let the robot walk by surprise."""
+    lines = told(tmp_path, "FW 1", "TR 90", "RUN", "TRANSLATE es", "RUN", "UNDO")
+    asked = [line for line in lines if not line.startswith(("I ", "Line"))]
+
+    assert asked == [
+        "Laid out anew.",
+        "RUN runs all 2 lines again.",
+        "RUN runs all 2 lines again.",
+    ]
+
+
+def test_only_what_can_be_a_variable_is_watched(tmp_path: Path) -> None:
+    assert told(tmp_path, "WATCH 3", "WATCH x y", "WATCH lado", "WATCH") == [
+        "I did not understand. Type WATCH x.",
+        "I did not understand. Type WATCH x.",
+        "Watching lado.",
+        "Watching lado.",
+    ]
