@@ -266,7 +266,6 @@ class Connection:
     def _ready(self, now: float) -> None:
         self._happens(Happening.READY, now)
         self._deadline = inf
-        self._instruments.rebase()
         if not self._was_up:
             self._news.append((LinkNews.CONNECTED, ""))
         elif self._is_told_lost:

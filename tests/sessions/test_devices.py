@@ -544,6 +544,19 @@ def test_robot_and_belt_may_not_have_the_same_port(tmp_path: Path, robot: Double
     assert done.returncode == 2
 
 
+def test_the_robot_can_not_be_connected_at_the_port_of_the_belt(tmp_path: Path, robot: DoubleOnPty) -> None:
+    donnie = assemble(Settings(belt=robot.path, speech="off", sound=False), terminal=True)
+    try:
+        told = donnie.connection.connect(f"serial:{robot.path}")
+    finally:
+        donnie.close()
+
+    assert told == (
+        f"Robot and belt can't both be at {robot.path}.",
+        "I use the simulator instead. CONNECT tries again.",
+    )
+
+
 def test_the_belt_is_felt_during_a_run_and_dark_after_it(tmp_path: Path) -> None:
     ours, theirs = os.openpty()
     tty.setraw(ours)

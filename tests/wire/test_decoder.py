@@ -1,6 +1,6 @@
 """Bytes in, reports out: any chunking gives the same, nothing raises, nothing piles up."""
 
-from itertools import pairwise
+from itertools import accumulate, cycle, islice, pairwise
 from pathlib import Path
 
 import pytest
@@ -9,7 +9,18 @@ from hypothesis import strategies as st
 
 from devices.wire.commands import HEADER, frame
 from devices.wire.decoder import Decoder
-from devices.wire.reports import Bumpers, ConfigWanted, Encoders, Message, Pinged, Power, Ranges, Report
+from devices.wire.reports import (
+    Bumpers,
+    ConfigWanted,
+    Encoders,
+    Message,
+    Outputs,
+    Pinged,
+    Power,
+    Ranges,
+    Report,
+)
+from tests.wire.listing import Told, crc, listed
 from tests.wire.recordings import ROBOT_TRACES, recording
 
 WHOLE = frame(0x81, bytes.fromhex("00c800c000780078"))
@@ -66,6 +77,61 @@ def test_a_recording_gives_its_frames_in_every_chunking(shared: Path, name: str)
     assert [
         read([data[i : i + size] for i in range(0, len(data), size)]) for size in (1, 2, 7, 64, 1000)
     ] == [at_once] * 5
+
+
+def told(report: Report) -> Told:
+    """As the other reading has it."""
+    match report:
+        case Encoders(right=right, left=left):
+            return "encoders", (right, left)
+        case Ranges(centimetres=values):
+            return "ranges", values
+        case Bumpers(pressed=pressed):
+            return "bumpers", tuple(map(int, pressed))
+        case Power(millivolts=value):
+            return "power", (value,)
+        case Outputs(bits=value):
+            return "outputs", (value,)
+        case Message(text=text):
+            return "message", text
+        case Pinged():
+            return "ping", ()
+        case ConfigWanted():
+            return "config", ()
+
+
+def test_the_other_reading_has_the_checksum_of_the_standard() -> None:
+    assert crc(b"123456789") == 0xA1
+
+
+SAID: dict[str, tuple[bytes, list[Told]]] = {}
+"""Of each recording what the board said, and the frames that are in it by the other reading."""
+
+
+@settings(max_examples=15, deadline=None)
+@given(name=st.sampled_from(ROBOT_TRACES), sizes=st.lists(st.integers(1, 400), min_size=1, max_size=40))
+def test_the_frames_of_a_recording_are_those_of_another_reading_in_every_chunking(
+    shared: Path, name: str, sizes: list[int]
+) -> None:
+    """The sizes are repeated to the end: bytes, pieces of frames, dozens of frames, and each next to each."""
+    if name not in SAID:
+        said = b"".join(line.data for line in recording(shared, name) if line.who == "rx")
+        SAID[name] = said, listed(said)
+    said, frames = SAID[name]
+    ends = [0, *accumulate(islice(cycle(sizes), len(said)))]
+    chunks = [said[a:b] for a, b in pairwise(ends) if a < len(said)]
+
+    assert b"".join(chunks) == said
+    assert [told(each) for each in read(chunks)[0]] == frames
+
+
+def test_the_other_reading_finds_what_is_known_to_be_in_the_recordings(shared: Path) -> None:
+    counts = {
+        name: len(listed(b"".join(line.data for line in recording(shared, name) if line.who == "rx")))
+        for name in ROBOT_TRACES
+    }
+    assert counts["robot_boot_unanswered"] == 4
+    assert min(count for name, count in counts.items() if name != "robot_boot_unanswered") > 500
 
 
 @settings(max_examples=20, deadline=None)

@@ -613,6 +613,18 @@ def test_the_battery_is_told_once_until_it_is_charged() -> None:
     assert bench.line.telemetry.millivolts == 7000
 
 
+def test_garbage_one_frame_with_a_low_battery_is_not_believed_and_two_are() -> None:
+    connection = streaming()
+    told: list[tuple[int | None, int]] = []
+    for millivolts in (8000, 8000, 6000, 8000, 6000, 6000):
+        connection.received(frame(0x66, millivolts.to_bytes(2, "little")), 1.0)
+        told.append((connection.telemetry.millivolts, len(connection.take_news())))
+
+    believed = [millivolts for millivolts, _ in told]
+    assert believed == [None, 8000, 8000, 8000, 8000, 6000]
+    assert [news for _, news in told[1:]] == [0, 0, 0, 0, 1]
+
+
 def test_a_ping_of_the_board_is_answered() -> None:
     bench = Bench()
     bench.line.advance(2.5)

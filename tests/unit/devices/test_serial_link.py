@@ -207,6 +207,21 @@ def test_shutdown_leaves_two_stops_as_the_last_words(double: DoubleOnPty) -> Non
     assert link.state is LinkState.CLOSED
 
 
+def test_shutdown_the_last_word_is_a_stop_although_the_boards_buffer_had_no_room_for_one(
+    double: DoubleOnPty,
+) -> None:
+    """It reads nothing any more, by the line's own account: after the first drive no frame fits."""
+    link = SerialLink(double.path, LinkConfig(bytes_a_second=0.0, most_outstanding=56))
+    link.connect()
+    link.drive(link.permit(), Drive.FORWARD, FAR)
+    assert until(lambda: double.board.is_driving)
+
+    link.close()
+
+    assert until(lambda: not double.board.is_driving)
+    assert double.heard.endswith(STOP)
+
+
 def test_a_listener_that_fails_does_not_take_the_line_with_it(double: DoubleOnPty) -> None:
     def fail(news: LinkNews, reason: str) -> None:
         raise KeyError("a listener's own mistake")

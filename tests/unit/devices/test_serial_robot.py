@@ -413,6 +413,67 @@ def test_a_line_lost_in_a_wait_or_a_scan_ends_the_program(
     assert real.robot.wait(1) is True
 
 
+COMMANDS: dict[str, Callable[[Robot], object]] = {
+    "forward": lambda it: it.forward(1),
+    "turn": lambda it: it.turn(90),
+    "scan": lambda it: it.scan(),
+    "wait": lambda it: it.wait(1),
+    "distance": lambda it: it.distance(Bearing.FRONT),
+}
+
+
+@pytest.mark.parametrize("command", COMMANDS)
+def test_after_a_movement_that_lost_the_line_the_next_command_says_so_although_it_is_back(
+    command: str,
+) -> None:
+    real = Real()
+    real.pace.due = [(0.5, lambda: unplug(real))]
+    assert real.robot.forward(9).stopped_by is StoppedBy.LINK
+    real.line.is_plugged = True
+    real.line.advance(5.0)
+    assert real.news[-1] is LinkNews.RESTORED
+
+    with pytest.raises(RobotProblem) as told:
+        COMMANDS[command](real.robot)
+    assert told.value.code == "link-lost"
+
+
+def test_a_line_that_is_lost_and_back_while_a_walk_is_held_ends_the_walk() -> None:
+    """All of it between two looks of the movement: by the state alone nothing has happened."""
+    real = Real()
+    real.pace.due = [(1.5, lambda: unplug_and_plug_in(real))]
+
+    moved = real.robot.forward(9)
+    assert (moved.walked, moved.stopped_by) == (1, StoppedBy.LINK)
+    assert real.stands
+
+
+def test_a_line_that_is_lost_while_a_sonar_is_waited_for_ends_the_program() -> None:
+    """Right after its start not all of them have told something."""
+    real = Real()
+    assert real.robot.telemetry.ranges[-1].centimetres[0] == 0
+    real.pace.due = [(0.0, lambda: unplug(real))]
+
+    with pytest.raises(RobotProblem) as told:
+        real.robot.distance(Bearing.FRONT_RIGHT)
+    assert told.value.code == "link-lost"
+
+
+def test_a_wait_after_a_long_loss_is_as_long_as_it_says() -> None:
+    """However often the port was tried in vain meanwhile."""
+    real = Real()
+    real.pace.due = [(0.5, lambda: unplug(real))]
+    real.robot.forward(9)
+    real.line.advance(20.0)
+    real.line.is_plugged = True
+    real.line.advance(5.0)
+    real.robot.halt()
+    before = real.robot.time()
+
+    assert real.robot.wait(7) is True
+    assert real.robot.time() - before == pytest.approx(7, abs=0.1)
+
+
 @pytest.mark.parametrize("command", ["turn", "scan", "distance", "wait"])
 def test_without_a_line_no_command_is_begun(command: str) -> None:
     real = Real()
