@@ -84,7 +84,7 @@ CUE = ("cue", "sinal", "señal")
 """SET cue bump 50."""
 
 _READ = {"rate": read_rate, "pitch": read_percent, "volume": read_percent}
-_NUMBERS = {"rate": "80 180 450", "pitch": "0 50 100", "volume": "0 50 100"}
+_NUMBERS = {"rate": (80, 450), "pitch": (0, 100), "volume": (0, 100)}
 _KEPT_AS = {True: "on", False: "off"}
 _LOUD, _SILENT = 100, 0
 
@@ -206,7 +206,7 @@ def set_sound(donnie: Donnie, field: str, typed: str) -> None:
     value = _read(field, typed)
     if value is None:
         _tell_setting(donnie, field)
-        _say(donnie, "habit-choices", choices=_choices(field, _at(donnie)))
+        _tell_choices(donnie, field)
         return
     donnie.adjust_sound(**{field: value})
     _tell_setting(donnie, field)
@@ -234,8 +234,13 @@ def _tell_setting(donnie: Donnie, field: str) -> None:
     _say(donnie, "sound-setting", name=SETTINGS[field][0][at], value=spelled)
 
 
-def _choices(field: str, at: int) -> str:
-    return _NUMBERS.get(field) or ", ".join(each[at] for each in SETTINGS[field][1].values())
+def _tell_choices(donnie: Donnie, field: str) -> None:
+    if field in _NUMBERS:
+        least, most = _NUMBERS[field]
+        _say(donnie, "habit-numbers", least=least, most=most)
+    else:
+        choices = ", ".join(each[_at(donnie)] for each in SETTINGS[field][1].values())
+        _say(donnie, "habit-choices", choices=choices)
 
 
 def _set_cue(donnie: Donnie, typed: str) -> None:
@@ -254,7 +259,7 @@ def _set_cue(donnie: Donnie, typed: str) -> None:
     for each in (name,) if name else CUE_WORDS:
         _tell_cue(donnie, each)
     if value and volume is None:
-        _say(donnie, "habit-choices", choices=_choices("volume", _at(donnie)))
+        _tell_choices(donnie, "volume")
 
 
 def read_cue_volume(typed: str) -> int | None:

@@ -289,6 +289,11 @@ _HABITS = {
         "Casas livres, {name}: {value}.",
         "Casillas libres, {name}: {value}.",
     ),
+    "habit-numbers": Sentence(
+        "Choose a number, {least} to {most}.",
+        "Escolha um número, de {least} a {most}.",
+        "Elige un número, de {least} a {most}.",
+    ),
     "habit-choices": Sentence("Choose: {choices}.", "Escolha: {choices}.", "Elige: {choices}."),
 }
 

@@ -214,7 +214,7 @@ def test_the_volumes_of_other_cues_stay(home: Listening, tmp_path: Path) -> None
 def test_a_value_that_is_none_changes_nothing_and_tells_the_choices(home: Listening, typed: str) -> None:
     set_sound(home.donnie, "rate", typed)
 
-    assert home.printed == ["Set rate: 180.", "Choose: 80 180 450."]
+    assert home.printed == ["Set rate: 180.", "Choose a number, 80 to 450."]
     assert home.ear.voices == []
 
 
