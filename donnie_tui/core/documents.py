@@ -45,9 +45,15 @@ def program_to_open(name: str) -> Path:
 
 
 def program_to_save(name: str) -> Path:
-    """The file that a program is saved to: the suffix is added where a name has none."""
+    """The file that a program is saved to: the suffix is added where a name has none.
+
+    Raises ``DocumentError``, also for what is in use, so that nobody is asked whether to replace that.
+    """
     path = _typed_path(name)
-    return path if path.suffix or _exists(path) else path.with_name(path.name + SUFFIX)
+    meant = path if path.suffix or _exists(path) else path.with_name(path.name + SUFFIX)
+    if is_in_use(meant):
+        raise DocumentError("file-in-use", str(meant))
+    return meant
 
 
 def _typed_path(name: str) -> Path:

@@ -4,6 +4,7 @@ from pathlib import Path
 
 import pytest
 
+from donnie_tui.core.in_use import keep
 from tests.tui.conftest import WAITING
 
 
@@ -218,3 +219,21 @@ async def test_the_log_replaces_a_file_only_after_a_yes(work, program):
         await desk.type_line(f"SAVE LOG {program}")
         await desk.answer("yes")
         await desk.until(lambda: "SAVE LOG" in program.read_text(encoding="utf-8"), "the log")
+
+
+async def test_nobody_is_asked_to_replace_what_the_session_needs(work, tmp_path):
+    needed = tmp_path / "run.rec"
+    needed.write_text("{}\n", encoding="utf-8")
+    async with work("FW 1") as desk:
+        release = keep([needed])
+        try:
+            await desk.type_line(f"SAVE AS {needed}")
+            await desk.told("is in use here. Give another name.")
+            await desk.type_line(f"REPORT MAP {needed}")
+            await desk.until(
+                lambda: sum("is in use here" in line for line in desk.log) == 2, "the second answer"
+            )
+        finally:
+            release()
+
+        assert needed.read_text(encoding="utf-8") == "{}\n"
