@@ -28,14 +28,24 @@ class Choice:
 def choices(settings: Settings, words: Words, found: Lister = list_ports) -> tuple[Choice, ...]:
     """The simulator, the boards that are plugged in and the one of the settings, and the simulated board."""
     ports = dict.fromkeys(each.stable for each in _boards(settings, found))
+    may_be_belt = len(ports) > 1 and not settings.belt
     configured = settings.robot.partition(":")[2]
     if configured and not any(is_same_port(configured, port) for port in ports):
         ports[configured] = None
     return (
         Choice(SIMULATED, words("connect-choice-simulator")),
-        *(Choice(f"{SERIAL}:{port}", words("connect-choice-port", port=port)) for port in ports),
+        *(
+            Choice(f"{SERIAL}:{port}", words(_kind(port, configured, may_be_belt), port=port))
+            for port in ports
+        ),
         Choice(DOUBLE, words("connect-choice-double")),
     )
+
+
+def _kind(port: str, configured: str, may_be_belt: bool) -> str:
+    """Of several boards only the one that was chosen before is known to be a robot; none is asked."""
+    is_known = bool(configured) and is_same_port(port, configured)
+    return "connect-choice-board" if may_be_belt and not is_known else "connect-choice-port"
 
 
 def find_port(
@@ -53,7 +63,7 @@ def find_port(
         raise Unusable(f"{words('problem-no-board')} {words(remedy)}")
     if len(boards) > 1:
         ports = ", ".join(each.stable for each in boards)
-        raise Unusable(words("problem-many-boards", ports=ports))
+        raise Unusable(f"{words('problem-many-boards', ports=ports)} {words('remedy-many-boards')}")
     return boards[0].stable
 
 

@@ -68,6 +68,8 @@ def _lines(port: str, found: Found, words: Words) -> tuple[str, ...]:
         case Found(Answer.ROBOT, int(millivolts)):
             low = "-low" if millivolts < LinkConfig().battery_low else ""
             told = words(f"device-robot{low}", port=port, volts=f"{millivolts / 1000:.1f}")
+        case Found(Answer.BELT):
+            return words("device-belt", port=port), words("devices-use-belt", port=port)
         case _:
             return (words(f"device-{found.answer.value}", port=port),)
     return told, words("devices-use", port=port)

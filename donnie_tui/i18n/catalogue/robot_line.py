@@ -40,6 +40,11 @@ _PORTS: dict[str, Sentence] = {
         "Há vários: {ports}. Escolha um.",
         "Hay varios: {ports}. Elige uno.",
     ),
+    "remedy-many-boards": Sentence(
+        "donnie devices tells which is the robot.",
+        "donnie devices diz qual é o robô.",
+        "donnie devices dice cuál es el robot.",
+    ),
     "remedy-no-permission": Sentence(
         "Join the group {group}: sudo usermod -aG {group} $USER. Then log in again.",
         "Entre no grupo {group}: sudo usermod -aG {group} $USER. Depois entre de novo no sistema.",
@@ -122,6 +127,11 @@ _DEVICES: dict[str, Sentence] = {
         "Para usar: donnie --robot serial:{port}",
         "Para usarlo: donnie --robot serial:{port}",
     ),
+    "devices-use-belt": Sentence(
+        "Feel it: donnie --belt {port}",
+        "Para sentir: donnie --belt {port}",
+        "Para sentirlo: donnie --belt {port}",
+    ),
 }
 
 _STOPPING: dict[str, Sentence] = {
@@ -199,6 +209,9 @@ _LINK: dict[str, Sentence] = {
         ),
     ),
     "connect-choice-port": Sentence("robot at {port}", "robô em {port}", "robot en {port}"),
+    "connect-choice-board": Sentence(
+        "robot or belt at {port}", "robô ou cinto em {port}", "robot o cinturón en {port}"
+    ),
     "connect-how": Sentence(
         "Type CONNECT and a number.", "Digite CONECTAR e um número.", "Escribe CONECTAR y un número."
     ),

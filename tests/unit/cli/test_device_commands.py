@@ -72,6 +72,7 @@ def test_boards_are_asked_and_other_ports_are_only_named() -> None:
         "/dev/serial/by-id/robot: robot, original firmware, battery 8.0 volts.",
         "Drive it: donnie --robot serial:/dev/serial/by-id/robot",
         "/dev/serial/by-id/belt: belt.",
+        "Feel it: donnie --belt /dev/serial/by-id/belt",
         "/dev/ttyS0: no Arduino, not asked.",
     ]
 
@@ -212,7 +213,7 @@ def test_the_one_board_that_is_no_belt_is_the_robot() -> None:
 def test_no_board_and_several_boards_are_told() -> None:
     with pytest.raises(Unusable, match="I find no robot"):
         find_port(Settings(robot="serial"), Words(), lambda: (OTHER,))
-    with pytest.raises(Unusable, match=r"There are several: .*robot, .*belt\. Choose one\."):
+    with pytest.raises(Unusable, match=r"several: .*robot, .*belt\. Choose one\. donnie devices tells which"):
         find_port(Settings(robot="serial"), Words(), lambda: (ROBOT, BELT))
 
 
@@ -225,6 +226,19 @@ def test_the_choices_are_the_simulator_the_boards_and_the_port_of_the_settings()
         "serial:/dev/rfcomm0",
         "double",
     ]
+
+
+def test_of_two_boards_only_the_one_that_was_chosen_before_is_called_a_robot() -> None:
+    def offered(settings: Settings, language: str = "en") -> list[str]:
+        made = choices(settings, Words(language), lambda: (ROBOT, BELT, OTHER))
+        return [each.sentence for each in made if each.robot.startswith("serial")]
+
+    robot, belt = ROBOT.stable, BELT.stable
+    assert offered(Settings()) == [f"robot or belt at {robot}", f"robot or belt at {belt}"]
+    assert offered(Settings(robot=f"serial:{robot}")) == [f"robot at {robot}", f"robot or belt at {belt}"]
+    assert offered(Settings(belt=BELT.device)) == [f"robot at {robot}"]
+    assert offered(Settings(), "pt")[0] == f"robô ou cinto em {robot}"
+    assert offered(Settings(), "es")[0] == f"robot o cinturón en {robot}"
 
 
 def test_robot_and_belt_at_one_device_are_refused_by_whatever_names(tmp_path: Path) -> None:
