@@ -20,7 +20,7 @@ def sign_of_life(desk: Desk) -> None:
     elif text:
         desk.answer("linear-still-at", line=line, text=text)
     else:
-        desk.answer("linear-still-running")
+        desk.answer("linear-still-running" if frames else "linear-still-reading")
 
 
 def _walked(desk: Desk) -> int:

@@ -58,6 +58,9 @@ FAULT = "fault.txt"
 _STOPS = ("stop", "stop_all")
 """What is done at once, whatever was typed before."""
 
+SLOW = 1.0
+"""Seconds after which somebody is told what takes so long."""
+
 CRASHED = 1
 """Textual's return code after a fault of ours; the text is kept for the next start."""
 
@@ -103,6 +106,8 @@ class DonnieApp(App[int], inherit_bindings=False):
         self.next_world = ""
         """The world in which the screen is to come back."""
         self._wants_linear = False
+        self._was_slow = False
+        """Whether it was told that the world takes a while: then it is told when it is there."""
         self._settings = settings
         self._language = LANGUAGES.index(settings.language)
         self._file, self._text = file, text
@@ -170,7 +175,7 @@ class DonnieApp(App[int], inherit_bindings=False):
     def _begin(self) -> None:
         """The screen is there; now what it shows. A failure is told by the caller, on the normal screen."""
         try:
-            if self.search is None:
+            if self.search is None and self._has_shipped_world:
                 self._work_with(self._assemble())
             else:
                 self._is_searching = True
@@ -180,9 +185,14 @@ class DonnieApp(App[int], inherit_bindings=False):
             self._fail_to_begin(trouble)
 
     async def _search_and_begin(self) -> None:
-        """Looking for a robot takes some seconds, in which the keys that give it up are heard."""
+        """Looking for a robot takes some seconds, in which the keys that give it up are heard.
+
+        A learner's own world may be large, and takes as long as it takes.
+        """
+        slowly = self.set_timer(SLOW, self._tell_of_world)
         try:
             await asyncio.to_thread(self._assemble_and_keep)
+            slowly.stop()
             if self._found is not None:
                 self._work_with(self._found)
         except Exception as trouble:  # noqa: BLE001 -- as above
@@ -190,11 +200,34 @@ class DonnieApp(App[int], inherit_bindings=False):
         self._is_searching = False
         self._turns.do(lambda: None)
 
+    @property
+    def _has_shipped_world(self) -> bool:
+        """Those are ready to be read: no time passes."""
+        import worlds
+
+        return self._settings.world in worlds.names()
+
     def _tell_of_search(self) -> None:
+        if self.search is not None:
+            self._tell_early("connect-trying")
+
+    def _tell_of_world(self) -> None:
+        if self.search is None:
+            self._tell_early("slow-world", name=self._world_name)
+            self._was_slow = True
+
+    @property
+    def _world_name(self) -> str:
+        return Path(self._settings.world).name
+
+    def _tell_early(self, code: str, **values: object) -> None:
+        """In print alone: there is no voice before there is a session."""
         from donnie_tui.i18n.words import Words
 
         words = Words(self._settings.language, self._settings.verbosity)
-        self.workplace.log_lines([(words("connect-trying"), "")])
+        sentence = words(code, **values)
+        self.workplace.log_lines([(sentence, "")])
+        self.workplace.status.say(f" {sentence}")
 
     def _assemble_and_keep(self) -> None:
         """Whoever leaves meanwhile must be able to close it."""
@@ -205,6 +238,8 @@ class DonnieApp(App[int], inherit_bindings=False):
 
         self.work = Work(self, donnie, self._folder, self._settings)
         self.work.begin(self._file, self._text)
+        if self._was_slow:
+            self.work.tell_sentences(self.work.words("slow-world-done", name=self._world_name))
         if self._wants_linear:
             self.work.switch_to_linear()
 

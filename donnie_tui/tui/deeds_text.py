@@ -111,8 +111,8 @@ class TextDeeds:
 
     # --- layout
 
-    def format(self, _argument: str) -> None:
-        self._lay_out(None)
+    async def format(self, _argument: str) -> None:
+        await self._lay_out(None)
 
     async def translate(self, argument: str) -> None:
         words = self._host.words
@@ -121,10 +121,14 @@ class TextDeeds:
             rows = [Choice(each, words(f"language-{each}")) for each in LANGUAGES]
             chosen = await self._host.choose(words("ask-translate"), rows) or ""
         if chosen:
-            self._lay_out(chosen)
+            await self._lay_out(chosen)
 
-    def _lay_out(self, language: str | None) -> None:
-        result = formatted(self._editor.text, language)
+    async def _lay_out(self, language: str | None) -> None:
+        text = self._editor.text
+        result = await self._host.patiently(lambda: formatted(text, language), Answer("slow-layout"))
+        if self._editor.text != text:
+            self._host.tell(Answer("text-changed-meanwhile"))
+            return
         if result.text is None:
             first = result.diagnostics[0]
             self._host.tell(Answer("screen-not-formatted", {"line": first.span.line}))

@@ -6,11 +6,12 @@ know no screen; this asks the person and tells the outcome.
 
 from __future__ import annotations
 
+import asyncio
 import contextlib
 from collections.abc import Awaitable, Callable, Mapping
 from dataclasses import dataclass
 from pathlib import Path
-from typing import Protocol
+from typing import Protocol, TypeVar
 
 from donnie_tui.core.breakpoints import KeptBreakpoints
 from donnie_tui.core.documents import DocumentError, program_to_save, write_program
@@ -19,6 +20,8 @@ from donnie_tui.core.wording import Wording
 from donnie_tui.tui.recent import Recent
 from donnie_tui.tui.running import Answer
 from language.source import fold_name
+
+T = TypeVar("T")
 
 
 class Desk(Protocol):
@@ -31,6 +34,8 @@ class Desk(Protocol):
     def breakpoints(self) -> frozenset[int]: ...
 
     def load(self, text: str, breakpoints: frozenset[int] = frozenset()) -> None: ...
+
+    def patiently(self, do: Callable[[], T], slow: Answer) -> Awaitable[T]: ...
 
     def tell(self, answer: Answer) -> None: ...
 
@@ -70,6 +75,7 @@ class Files:
         self._recent = recent
         self._kept_breakpoints = kept_breakpoints
         self.document = Document()
+        self._saving = asyncio.Lock()
         self._programs = [_Program(self.document, self._copies)]
         self._at = 0
 
@@ -121,6 +127,8 @@ class Files:
 
     async def are_safe_to_leave(self) -> bool:
         """Whether every open program may go."""
+        async with self._saving:
+            pass  # so that what is being saved just now is known
         self._programs[self._at].text = self._desk.text
         others = (at for at in range(len(self._programs)) if at != self._at)
         for at in (self._at, *others):
@@ -205,7 +213,7 @@ class Files:
     async def save(self, name: str) -> bool:
         """Save, asking for a name where there is none. False if it was not saved."""
         if not name and self.document.path is not None:
-            return self._write(self.document.path)
+            return await self._write(self.document.path)
         return await self.save_as(name)
 
     async def save_as(self, name: str) -> bool:
@@ -221,7 +229,7 @@ class Files:
         if self.document.overwrites(path) and not await self._yes("ask-replace", path.name):
             self._desk.tell(Answer("answer-unchanged"))
             return False
-        return self._write(path)
+        return await self._write(path)
 
     async def may_replace(self, path: Path) -> bool:
         """Whether nothing is there, or somebody wants it replaced; that it stays is told."""
@@ -237,26 +245,41 @@ class Files:
             path = program_to_save(name)
             if not await self.may_replace(path):
                 return
-            write_program(path, text)
+            slow = Answer("slow-report", {"name": path.name})
+            await self._desk.patiently(lambda: write_program(path, text), slow)
         except DocumentError as error:
             self._desk.tell(_told(error))
         else:
             self._desk.tell(Answer("answer-written", {"name": path.name}))
 
-    def _write(self, path: Path) -> bool:
+    async def _write(self, path: Path) -> bool:
+        """To its end, whatever is asked meanwhile."""
+        return await asyncio.shield(asyncio.ensure_future(self._write_alone(path)))
+
+    async def _write_alone(self, path: Path) -> bool:
+        async with self._saving:
+            return await self._write_now(path, self._programs[self._at], self._desk.text)
+
+    async def _write_now(self, path: Path, program: _Program, text: str) -> bool:
+        """A slow disk holds nobody up; whatever is typed meanwhile is not saved, and has its copy."""
+        document = program.document
+        slow = Answer("slow-saving", {"name": path.name})
         try:
-            self.document.write(path, self._desk.text)
+            await self._desk.patiently(lambda: document.write(path, text), slow)
         except DocumentError as error:
             self._desk.tell(_told(error))
             return False
-        self._copies.forget()
+        if self._desk.text == text and self.document is document:
+            program.copies.forget()
+            self.keep_breakpoints()
         self._remember(path)
-        self.keep_breakpoints()
-        self._desk.tell(Answer("answer-saved", {"name": path.name, "lines": self._desk.text.count("\n") + 1}))
+        self._desk.tell(Answer("answer-saved", {"name": path.name, "lines": text.count("\n") + 1}))
         return True
 
     async def is_safe_to_leave(self) -> bool:
         """Whether the text may go: it is saved, or was offered to be."""
+        async with self._saving:
+            pass  # what is being saved just now is not asked about
         if not self.is_changed or not self._desk.text.strip():
             return True
         answer = await self._yes("ask-unsaved", self.name)

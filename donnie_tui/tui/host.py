@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Awaitable, Callable, Sequence
-from typing import Protocol
+from typing import Protocol, TypeVar
 
 from textual.geometry import Offset
 
@@ -22,6 +22,8 @@ from donnie_tui.tui.running import Answer, Running
 from donnie_tui.tui.screens.chooser import Choice
 from donnie_tui.tui.screens.workplace import Workplace
 from donnie_tui.tui.watch import Watch
+
+T = TypeVar("T")
 
 
 class WorkHost(Protocol):
@@ -76,6 +78,8 @@ class WorkHost(Protocol):
     ) -> Awaitable[str | None]: ...
 
     def choose(self, title: str, choices: Sequence[Choice]) -> Awaitable[str | None]: ...
+
+    def patiently(self, do: Callable[[], T], slow: Answer) -> Awaitable[T]: ...
 
     def press_key(self, asked: str, accepts: Callable[[str], str | None]) -> Awaitable[str | None]: ...
 

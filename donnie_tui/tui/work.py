@@ -10,7 +10,7 @@ import asyncio
 import os
 from collections.abc import Awaitable, Callable, Sequence
 from pathlib import Path
-from typing import Protocol
+from typing import Protocol, TypeVar
 
 from textual.events import Event
 from textual.geometry import Offset
@@ -55,6 +55,11 @@ from donnie_tui.tui.screens.workplace import Workplace
 from donnie_tui.tui.watch import Watch
 from language.control import ControlState
 from language.keywords import canonical
+
+T = TypeVar("T")
+
+SLOW, SLOW_AGAIN = 1.0, 10.0
+"""Seconds after which something that takes long is told, and then each time again."""
 
 _LAST_WORDS = 1.0
 """Seconds that a stopped program may take to be gone."""
@@ -154,6 +159,7 @@ class Work:
         self._checking: Timer | None = None
         self._deeds = Deeds(self)
         self._watching: Timer | None = None
+        self._reading: Timer | None = None
         self._copying: Timer | None = None
         self._hear_no_more = donnie.team.stream.subscribe(bridge)
         self._follow_no_more = donnie.team.stream.subscribe(self.trail.hear)
@@ -239,6 +245,18 @@ class Work:
         return await self._host.choose(
             title, self.words("chooser-keys"), self.words("palette-nothing"), choices
         )
+
+    async def patiently(self, do: Callable[[], T], slow: Answer) -> T:
+        """Do what may take long beside the screen; ``slow`` is told if it does, again and again."""
+        telling = [
+            self._host.later(SLOW, lambda: self.tell(slow)),
+            self._host.every(SLOW_AGAIN, lambda: self.tell(slow)),
+        ]
+        try:
+            return await asyncio.to_thread(do)
+        finally:
+            for each in telling:
+                each.stop()
 
     async def press_key(self, asked: str, accepts: Callable[[str], str | None]) -> str | None:
         return await self._host.press_key(
@@ -393,6 +411,9 @@ class Work:
 
     def change_world(self, name: str) -> None:
         """Another world, with the same program: everything begins anew there."""
+        self.tell(Answer("world-going", {"name": name}))
+        self._intake.take()
+        self._intake.write()
         self._forget_copy()
         self._host.enter_world(name)
 
@@ -482,10 +503,27 @@ class Work:
     def began(self, event: Began) -> None:
         """What waits in the mailbox is this run's: the end of the last one took everything."""
         self._to_present()
+        self._expect_reading(SLOW)
         self.display.begin(event.pose, fresh=self.running.is_program)
         if self._watching is None:
             self._watching = self._host.every(FLUSH, self.look)
         self.look()
+
+    def _expect_reading(self, seconds: float) -> None:
+        self._forget_reading()
+        if self.running.is_program:
+            self._reading = self._host.later(seconds, self._tell_reading)
+
+    def _forget_reading(self) -> None:
+        if self._reading is not None:
+            self._reading.stop()
+            self._reading = None
+
+    def _tell_reading(self) -> None:
+        """A huge program is still being read and checked: nothing of it has run yet."""
+        if self.running.doing is Doing.RUNNING and not self.running.frames:
+            self.tell(Answer("slow-reading", {"lines": self.workplace.editor.line_count}))
+            self._expect_reading(SLOW_AGAIN)
 
     def happened(self) -> None:
         self._intake.happened()
@@ -507,6 +545,7 @@ class Work:
         self.tell(Answer("answer-line", {"line": line, "text": text}))
 
     def ended(self, event: Ended) -> None:
+        self._forget_reading()
         self.running.ended()
         self.errors = event.errors
         self._intake.take()

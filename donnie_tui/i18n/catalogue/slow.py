@@ -1,0 +1,44 @@
+"""What is said of whatever takes longer than a second: that it goes on, and that it is done."""
+
+from donnie_tui.i18n.sentence import Sentence
+
+SENTENCES: dict[str, Sentence] = {
+    "slow-reading": Sentence(
+        "Reading {lines} {lines:line|lines} of program.",
+        "Lendo {lines} {lines:linha|linhas} de programa.",
+        "Leyendo {lines} {lines:línea|líneas} de programa.",
+    ),
+    "slow-saving": Sentence(
+        "Saving {name}, it takes a while.", "Salvando {name}, isso demora.", "Guardando {name}, esto tarda."
+    ),
+    "slow-layout": Sentence(
+        "Laying the program out, it takes a while.",
+        "Formatando o programa, isso demora.",
+        "Formateando el programa, esto tarda.",
+    ),
+    "slow-opening": Sentence(
+        "Opening {name}, it takes a while.", "Abrindo {name}, isso demora.", "Abriendo {name}, esto tarda."
+    ),
+    "slow-report": Sentence(
+        "Writing {name}, it takes a while.",
+        "Gravando {name}, isso demora.",
+        "Escribiendo {name}, esto tarda.",
+    ),
+    "slow-world": Sentence(
+        "Loading the world {name}, it takes a while.",
+        "Carregando o mundo {name}, isso demora.",
+        "Cargando el mundo {name}, esto tarda.",
+    ),
+    "slow-world-done": Sentence(
+        "The world {name} is there.", "O mundo {name} está pronto.", "El mundo {name} está listo."
+    ),
+    "world-going": Sentence("I go to {name}.", "Vou para {name}.", "Voy a {name}."),
+    "text-changed-meanwhile": Sentence(
+        "The program was changed meanwhile, so I left it as it is.",
+        "O programa mudou enquanto isso, então deixei como está.",
+        "El programa cambió mientras tanto, así que lo dejé como está.",
+    ),
+    "linear-still-reading": Sentence(
+        "Still reading the program.", "Ainda lendo o programa.", "Todavía leyendo el programa."
+    ),
+}

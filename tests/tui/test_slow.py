@@ -1,0 +1,117 @@
+"""Whatever takes longer than a second is told in words, while the screen goes on."""
+
+import threading
+
+import pytest
+
+from donnie_tui.bootstrap import assemble
+from donnie_tui.core.filing import Document
+from donnie_tui.settings import Settings
+from donnie_tui.tui import app as application
+from donnie_tui.tui import deeds_text
+from donnie_tui.tui import work as work_module
+from tests.tui import conftest
+
+
+@pytest.fixture(autouse=True)
+def soon(monkeypatch, tmp_path):
+    """What is slow is slow at once."""
+    monkeypatch.setattr(work_module, "SLOW", 0.01)
+    monkeypatch.setattr(application, "SLOW", 0.01)
+    monkeypatch.setenv("XDG_CONFIG_HOME", str(tmp_path / "config"))
+
+
+@pytest.fixture
+def gate():
+    """Holds whatever waits for it, until it is opened; never for good."""
+    gate = threading.Event()
+    yield gate
+    gate.set()
+
+
+async def test_a_disk_that_takes_its_time_is_told_and_holds_nobody_up(work, monkeypatch, tmp_path, gate):
+    write = Document.write
+
+    def slowly(self, path, text):
+        gate.wait(20)
+        write(self, path, text)
+
+    monkeypatch.setattr(Document, "write", slowly)
+    path = tmp_path / "walk.gd"
+    async with work("FW 1") as desk:
+        await desk.type_line(f"SAVE {path}")
+        await desk.told("Saving walk.gd, it takes a while.")
+        desk.place.editor.focus()
+        await desk.press("x")
+        assert desk.app.work.text == "xFW 1"
+        assert not path.exists()
+        gate.set()
+        await desk.told("Saved walk.gd, 1 line.")
+        assert path.read_text() == "FW 1\n"
+        assert desk.app.work.files.is_changed, "what was typed meanwhile is not saved"
+
+
+async def test_leaving_waits_for_what_is_being_saved(work, monkeypatch, tmp_path, gate):
+    write = Document.write
+
+    def slowly(self, path, text):
+        gate.wait(20)
+        write(self, path, text)
+
+    monkeypatch.setattr(Document, "write", slowly)
+    path = tmp_path / "walk.gd"
+    async with work("FW 1") as desk:
+        await desk.type_line(f"SAVE {path}")
+        await desk.told("Saving walk.gd, it takes a while.")
+        await desk.press("ctrl+q")
+        await desk.pilot.pause()
+        assert desk.app.is_running
+        assert desk.app.screen is desk.place, "nothing is asked"
+        gate.set()
+        await desk.until(lambda: not desk.app.is_running or desk.app._exit, "the end")
+        assert path.read_text() == "FW 1\n"
+
+
+async def test_a_huge_program_that_is_being_read_is_told(work, monkeypatch):
+    async with work("WAIT 1000", speed=1.0) as desk:
+        monkeypatch.setattr(type(desk.app.work.running), "frames", property(lambda _: ()))
+        await desk.press("f5")
+        await desk.told("Reading 1 line of program.")
+        await desk.press("f8")
+        await desk.idle()
+
+
+async def test_a_program_that_changes_while_it_is_laid_out_stays_as_it_is(work, monkeypatch, gate):
+    lay_out = deeds_text.formatted
+
+    def slowly(text, language):
+        gate.wait(20)
+        return lay_out(text, language)
+
+    monkeypatch.setattr(deeds_text, "formatted", slowly)
+    async with work("fw 1   tr 90") as desk:
+        await desk.press("ctrl+k", "m")
+        await desk.told("Laying the program out, it takes a while.")
+        await desk.press("home")
+        desk.place.editor.insert("-- mine\n", (0, 0))
+        gate.set()
+        await desk.told("The program was changed meanwhile")
+        assert desk.app.work.text == "-- mine\nfw 1   tr 90"
+
+
+async def test_a_large_world_is_told_while_it_loads_and_when_it_is_there(work, monkeypatch, gate):
+    tell = application.DonnieApp._tell_early
+
+    def told(self, code, **values):
+        tell(self, code, **values)
+        gate.set()
+
+    def slowly(settings, **others):
+        gate.wait(20)
+        return assemble(Settings(world="open_floor", speech="off", sound=False, speed=None), **others)
+
+    monkeypatch.setattr(application.DonnieApp, "_tell_early", told)
+    monkeypatch.setattr(conftest, "assemble", slowly)
+    async with work(world="my/large.world") as desk:
+        assert "Loading the world large.world, it takes a while." in desk.log
+        await desk.told("The world large.world is there.")
