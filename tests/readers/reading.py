@@ -160,6 +160,10 @@ class Listener:
         self._closing.callback(process.wait)
         self._closing.callback(process.kill)
 
+    def none(self) -> list[str]:
+        """Nobody reads; for comparison."""
+        return [str(self._program)]
+
     # --- the program
 
     def _write_program(self) -> Path:
@@ -197,6 +201,7 @@ _COMMANDS: dict[str, Callable[[Listener], list[str]]] = {
     "yasr": Listener.yasr,
     "fenrir": Listener.fenrir,
     "brltty": Listener.brltty,
+    "none": Listener.none,
 }
 
 _FENRIR = {

@@ -5,13 +5,19 @@ The long lesson: ``python -m tests.readers.gate yasr`` (or ``fenrir``, or ``brlt
 
 from __future__ import annotations
 
+import os
+import threading
+from collections.abc import Iterator
+from contextlib import suppress
 from pathlib import Path
 
 import pytest
 
+from devices.speech.probe import find_screen_reader
 from tests.readers.hearing import Phase, is_whole, score, shown
 from tests.readers.lesson import SHORT
-from tests.readers.reading import AS_PROMPT, BRIEF, is_installed, phases_of
+from tests.readers.reading import AS_PROMPT, BRIEF, EACH_LINE, Listener, is_installed, phases_of
+from tests.sessions.learner import until
 
 OPTIONS = ("--world", "living_room")
 
@@ -39,6 +45,68 @@ def test_the_last_line_of_every_answer_is_under_the_fingers(tmp_path: Path) -> N
     phases = phases_of("brltty", SHORT, tmp_path, (*OPTIONS, *BRIEF), AS_PROMPT)[1:]
     assert [(each.command, each.heard[-1:]) for each in phases if not shown(each)] == []
     assert sum(map(is_whole, phases)) >= len(phases) - 1
+
+
+IN_AUTO = ("--speech", "auto")
+WITH_A_DEVICE = {**EACH_LINE, "PULSE_SERVER": "unix:/nowhere/pulse"}
+"""A sound server is named, so that the own voice would be chosen; nobody must hear it."""
+
+
+def voices_below(parent: int) -> list[int]:
+    """The processes below that one which make sound."""
+    found = []
+    for each in Path("/proc").glob("[0-9]*"):
+        with suppress(OSError):
+            if b"audio_worker" in (each / "cmdline").read_bytes() and parent in ancestors(int(each.name)):
+                found.append(int(each.name))
+    return found
+
+
+def ancestors(pid: int) -> Iterator[int]:
+    while pid > 1:
+        pid = int(Path(f"/proc/{pid}/stat").read_text().rpartition(")")[2].split()[1])
+        yield pid
+
+
+def has_voice_under(reader: str, folder: Path) -> bool:
+    """Whether Donnie, asked to choose, starts a voice beside the reader."""
+    listener = Listener(reader, folder, (*OPTIONS, *IN_AUTO), WITH_A_DEVICE)
+    found, is_over = list[int](), threading.Event()
+
+    def look() -> None:
+        """All the time: one without a device does not live long."""
+        while not is_over.wait(0.02):
+            found.extend(voices_below(listener.child.pid))
+
+    looking = threading.Thread(target=look, daemon=True)
+    looking.start()
+    try:
+        listener.take_lesson(("WHERE", "FW 2"))
+    finally:
+        is_over.set()
+        looking.join()
+        listener.close()
+    return bool(found)
+
+
+@pytest.mark.parametrize("reader", [pytest.param(each, marks=needs(each)) for each in ("yasr", "fenrir")])
+def test_under_a_reader_no_voice_process_is_started(reader: str, tmp_path: Path) -> None:
+    """V1."""
+    assert not has_voice_under(reader, tmp_path)
+
+
+@needs("espeak-ng")
+def test_without_a_reader_the_same_session_has_a_voice_process(tmp_path: Path) -> None:
+    """Shows that the test above would see one."""
+    if find_screen_reader(os.environ) is not None:
+        pytest.skip("a screen reader runs here")
+    listener = Listener("none", tmp_path, (*OPTIONS, *IN_AUTO), WITH_A_DEVICE)
+    try:
+        listener.child.expect("> ")
+        listener.child.send(b"WHERE\r")
+        until(lambda: voices_below(listener.child.pid))
+    finally:
+        listener.close()
 
 
 def test_what_a_display_shows_last_counts() -> None:
