@@ -88,6 +88,7 @@ class ExecutionControl:
         self._over_depth = inf
         self._observers: list[Callable[[ControlState], None]] = []
         self._runtime: Callable[[ControlState], None] | None = None
+        self._look: Callable[[], None] | None = None
 
     # --- for front ends, from any thread ---
 
@@ -124,6 +125,16 @@ class ExecutionControl:
         """
         with self._changed:
             self._breakpoints = lines
+            if self._runtime is not None:
+                self._runtime(self._state)
+
+    def look_before_each(self, look: Callable[[], None] | None) -> None:
+        """From now on have ``look`` called before each statement, in the program's thread; None ends that.
+
+        Needs a program that was compiled with hooks. It costs a program that computes dearly.
+        """
+        with self._changed:
+            self._look = look
             if self._runtime is not None:
                 self._runtime(self._state)
 
@@ -170,6 +181,8 @@ class ExecutionControl:
             self._hold_if(lambda: self._holds_at(line, depth), depth, (line, column))
         if self._state is ControlState.STOPPING:
             raise Stopped
+        if self._look is not None:
+            self._look()
 
     def ended(self) -> None:
         """The program is over, however it ended."""
@@ -188,6 +201,10 @@ class ExecutionControl:
         """The breakpoints, and the line that ``run_to`` asked for while that counts."""
         asked = {self._line} if self._state is ControlState.RUNNING_TO else set[int]()
         return self._breakpoints | asked
+
+    @property
+    def looks_before_each(self) -> bool:
+        return self._look is not None
 
     def holds_to_depth(self) -> float:
         """The number of calls up to which ``step_over`` holds."""

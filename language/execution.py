@@ -154,13 +154,15 @@ class Execution:
         """What to call before which statements; as few as possible unless all are traced."""
         lines = self._control.holds_on_lines()
         near: int | None = DEEPEST_CALL
-        if self._trace is None and state in (ControlState.RUNNING, ControlState.RUNNING_TO):
+        looks = self._control.looks_before_each
+        is_traced = looks or self._trace is not None
+        if not is_traced and state in (ControlState.RUNNING, ControlState.RUNNING_TO):
             near = None
-        elif self._trace is None and state is ControlState.STEPPING_OVER:
+        elif not is_traced and state is ControlState.STEPPING_OVER:
             near = int(min(self._control.holds_to_depth(), DEEPEST_CALL))
         wanted = dict.fromkeys(self._wanted.values(), near)
         wanted |= {self._wanted[line]: DEEPEST_CALL for line in lines & self._wanted.keys()}
-        looks_away = state is ControlState.RUNNING and not lines
+        looks_away = state is ControlState.RUNNING and not lines and not looks
         self._globals.update(wanted, hook=self._trace if looks_away else self._visit)
 
     def _visit(self, line: int, column: int, depth: int) -> bool:

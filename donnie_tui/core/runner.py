@@ -74,8 +74,6 @@ class Run:
         self._first_line = first_line
         self._memory = memory
         self._trace = trace
-        self.each_statement: Callable[[], None] | None = None
-        """Called before each statement, in the program's thread; to be set before the run starts."""
         self._over = threading.Event()
 
     def start(self, then: Callable[[Run], None]) -> None:
@@ -158,15 +156,12 @@ class Run:
         if isinstance(program, tuple):
             self._publish_errors(program)
             return Outcome.FAILED
-        trace = self._visit if self._trace or self.each_statement else None
+        trace = self._visit if self._trace else None
         program.run(self._stage.actions, self.control, self._memory, trace=trace)
         return Outcome.COMPLETED
 
     def _visit(self, line: int, column: int, depth: int) -> None:
-        if self._trace:
-            self._stage.hub.publish(Statement(line, column, depth))
-        if self.each_statement is not None:
-            self.each_statement()
+        self._stage.hub.publish(Statement(line, column, depth))
 
     def _publish_errors(self, mistakes: tuple[Diagnostic, ...]) -> None:
         for each in mistakes:

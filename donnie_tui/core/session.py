@@ -146,7 +146,7 @@ class Session:
         run = self.claim(
             text, name, fresh=fresh, hooked=hooked, trace=trace, first_line=first_line, terminal=terminal
         )
-        run.each_statement = each_statement if hooked else None
+        run.control.look_before_each(each_statement if hooked else None)
         if prepare:
             prepare(run.control)
         self.begin(run)

@@ -83,6 +83,12 @@ class Holding:
         if frames:
             self._desk.tell(*self._watching.look(frames[0].variables))
 
+    def look_from_here(self) -> None:
+        """What is watched has changed: of a program on its way only what changes from here on is told."""
+        run = self._desk.session.run
+        if run is not None and run.control is self._control:
+            run.control.look_before_each(self.look if self._desk.watched else None)
+
     def ask(self) -> Wish:
         """Say where the program is, and ask until it is clear how to go on."""
         self._tell()

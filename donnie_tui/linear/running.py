@@ -94,10 +94,11 @@ def _toggle_breakpoint(desk: Desk, line: int) -> None:
         run.control.break_at(desk.program.breakpoints)
 
 
-def _watch(desk: Desk, _: Runs, rest: str) -> bool:
+def _watch(desk: Desk, runs: Runs, rest: str) -> bool:
     if rest and not rest.isidentifier():
         return False
     desk.tell(*toggle_watch(desk.watched, rest, desk.say))
+    runs.look_at_watched()
     return True
 
 

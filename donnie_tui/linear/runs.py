@@ -114,7 +114,7 @@ class Runs:
                 hooked=self._desk.is_attended or may_be_watched,
                 first_line=first_line,
                 prepare=partial(self._holding.prepare, text, first_line, begin),
-                each_statement=self._holding.look if may_be_watched else None,
+                each_statement=self._holding.look if self._desk.watched else None,
             )
             self._watch(run)
         finally:
@@ -129,6 +129,10 @@ class Runs:
         self._stopped_at, self._left_out = None, 0
         self._told_before = self._told.count
         self._told.hold_back()
+
+    def look_at_watched(self) -> None:
+        """What is watched has changed; a program that is held heeds it from here on."""
+        self._holding.look_from_here()
 
     def watch_together(self, start: Callable[[], tuple[tuple[str, Run], ...]]) -> None:
         """Start several robots and watch until the last of them is done; Ctrl+C stops all."""

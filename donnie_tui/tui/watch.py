@@ -17,10 +17,14 @@ class Watch:
         self._words = words
         self._names: list[str] = []
         self._last: Watching | None = None
+        self._heed: Callable[[], None] = _nothing
+        """Let the run that began last know whether anything is watched."""
 
     def toggle(self, typed: str) -> tuple[str, ...]:
         """WATCH with what stands behind it; what is told of it."""
-        return toggle_watch(self._names, typed, self._words)
+        told = toggle_watch(self._names, typed, self._words)
+        self._heed()
+        return told
 
     def begin(self, session: Session, *, fresh: bool) -> Callable[[], None] | None:
         """A run begins, a fresh one without variables. What is to be called before each statement.
@@ -35,12 +39,21 @@ class Watch:
             if frames:
                 _tell(session, watching.look(frames[0].variables))
 
+        def heed() -> None:
+            if session.run is not None:
+                session.run.control.look_before_each(look if self._names else None)
+
+        self._heed = heed
         return look if self._names else None
 
     def end(self, session: Session, variables: Mapping[str, int]) -> None:
         """The run is over, and left these."""
         if self._last is not None:
             _tell(session, self._last.look(variables.items()))
+
+
+def _nothing() -> None:
+    return
 
 
 def _tell(session: Session, sentences: tuple[str, ...]) -> None:

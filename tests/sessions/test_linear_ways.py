@@ -283,6 +283,20 @@ def test_a_watched_variable_is_told_while_a_program_runs_and_at_its_end(learner:
     learner.sees("n = 3 n = 7\r\n> \r\nn is 7.\r\n> ")
 
 
+def test_a_variable_that_is_watched_after_a_pause_is_told_from_there_on(learner: Learner) -> None:
+    """L40."""
+    learner.enters("VAR n = 1", "WHILE 1 == 1 DO", "WAIT 1", "n = n + 1", "END WHILE", "RUN")
+    learner.sees("Waiting 1 second.")
+    learner.types("PAUSE\r")
+    learner.sees("Paused at line ")
+    learner.sees_prompt()
+    learner.types("WATCH n\rRUN\r")
+    learner.sees("\nn is ")
+    learner.sees("Waiting 1 second.\r\nn is ")
+    learner.types("STOP\r")
+    learner.sees("Stopped at line ")
+
+
 def test_words_of_the_full_screen_are_answered_with_those_for_the_same(learner: Learner) -> None:
     """L4."""
     settled(learner, "GO TO 3", "theme dark", "SET mouse off", "SET speed", "REGISTRO")

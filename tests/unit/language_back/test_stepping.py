@@ -255,3 +255,26 @@ def test_where_a_program_is_held_is_known_to_the_column(make: Make) -> None:
     frames_while(make(read("FW 1 TR 90\nFW 2")), ExecutionControl.step, note)
 
     assert held == [(1, 1), (1, 6), (2, 1)]
+
+
+@steppable
+def test_whoever_begins_to_look_while_it_is_held_sees_each_statement_from_there(make: Make) -> None:
+    """And none any more once the looking ends."""
+    program, looks = make(read("SPEAK 1\nSPEAK 2\nSPEAK 3\nSPEAK 4\nSPEAK 5")), list[int]()
+    control = ExecutionControl()
+
+    def look() -> None:
+        looks.append(program.frames()[0].line)
+        if looks[-1] == 4:
+            control.look_before_each(None)
+
+    def told(state: ControlState) -> None:
+        if state is ControlState.PAUSED:
+            control.look_before_each(look)
+            control.resume()
+
+    control.observe(told)
+    control.run_to(2)
+    program.run(Recorder(), control, Memory())
+
+    assert looks == [2, 3, 4]
