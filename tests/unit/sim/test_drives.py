@@ -6,6 +6,8 @@ from math import hypot, pi
 import pytest
 
 from devices.ports.robot import Bearing, Pose, RobotProblem, StoppedBy
+from sim.body import body_of
+from sim.geometry import overlapping, placed
 from sim.robot import SimulatedRobot
 from sim.world import World
 from tests.unit.sim.floors import Diary, Unpaced, scene
@@ -157,3 +159,22 @@ def test_a_robot_without_sensors_says_so_and_can_be_driven(bearing: Bearing) -> 
         robot.distance(bearing)
     with pytest.raises(RobotProblem, match="no-eyes"):
         robot.scan()
+
+
+def test_a_car_does_not_swing_its_tail_into_anything() -> None:
+    """Its front goes into free floor; only the turn brings its long tail to the post beside it."""
+    text = (
+        'define it position ( size [ 1 0.1 0.1 ] origin [ -0.4 0 0 0 ] drive "car" wheelbase 0.3 )\n'
+        "it( pose [ 0 0 0 0 ] )\nmodel( size [ 0.05 0.05 1 ] pose [ -0.8 -0.1 0 0 ] )"
+    )
+    it = scene(text)
+    world = World(it)
+    car = world.robot(pace=Unpaced())
+
+    turned = car.turn(-45)
+
+    assert turned.stopped_by is StoppedBy.COLLISION
+    spot = world.poses()[car.name]
+    bodies = [placed(points, spot.x, spot.y, spot.yaw) for points in body_of(it, 0).polygons]
+    (post,) = it.models[1].outlines()
+    assert not any(overlapping(body, post) for body in bodies)

@@ -233,3 +233,39 @@ def test_pushing_something_for_ever_can_be_stopped(joined: bool) -> None:
 
     assert moved.stopped_by is StoppedBy.USER
     assert 5 < moved.walked < 300
+
+
+@pytest.mark.parametrize(("count", "is_stopped"), [(20, False), (21, True)])
+def test_twenty_things_can_be_pushed_at_a_time_and_one_more_is_like_a_wall(
+    count: int, is_stopped: bool
+) -> None:
+    row = "\n".join(BOX.format(round(0.3 + 0.101 * i, 3), 0) for i in range(count))
+    world = World(scene(PUSHER + row))
+
+    moved = world.robot(pace=Unpaced()).forward(20)
+
+    assert (moved.stopped_by is StoppedBy.COLLISION) is is_stopped
+    assert (moved.walked == 20) is not is_stopped
+
+
+def test_what_was_pushed_and_how_far_is_answered() -> None:
+    kind = "define crate model( size [ 0.1 0.1 0.2 ] pushable 1 )\n"
+    world = World(scene(PUSHER + kind + 'crate( name "c" pose [ 0.3 0 0 0 ] color "blue" )'))
+    robot = world.robot(pace=Unpaced())
+
+    (pushed,) = robot.forward(10).pushed
+
+    assert (pushed.kind, pushed.name, pushed.colour) == ("crate", "c", "blue")
+    assert pushed.steps == pytest.approx(7, abs=0.01)
+    assert robot.backward(2).pushed == ()
+
+
+def test_what_is_carried_turns_with_the_robot() -> None:
+    world = World(scene(GRIPPER + 'ball( name "orange" pose [ 0.23 0 0 30 ] )'))
+    robot = world.robot(pace=Unpaced())
+    robot.grip()
+
+    robot.turn(90)
+
+    (ball,) = world.moved_things().values()
+    assert ball.yaw % 360 == pytest.approx(300)
