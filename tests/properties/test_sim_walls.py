@@ -58,7 +58,7 @@ def stays_on_its_side(it: Scene, company: Company, robot: SimulatedRobot) -> Non
     assert not any(overlapping(body, outline) for body in bodies for outline in wall.outlines())
 
 
-@settings(max_examples=40, deadline=None)
+@settings(max_examples=25, deadline=None)
 @given(
     st.sampled_from(sorted(ROBOTS)),
     st.tuples(drives, bounds).map(" ".join),

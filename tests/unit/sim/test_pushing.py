@@ -242,10 +242,10 @@ def test_twenty_things_can_be_pushed_at_a_time_and_one_more_is_like_a_wall(
     row = "\n".join(BOX.format(round(0.3 + 0.101 * i, 3), 0) for i in range(count))
     world = World(scene(PUSHER + row))
 
-    moved = world.robot(pace=Unpaced()).forward(20)
+    moved = world.robot(pace=Unpaced()).forward(5)
 
     assert (moved.stopped_by is StoppedBy.COLLISION) is is_stopped
-    assert (moved.walked == 20) is not is_stopped
+    assert (moved.walked == 5) is not is_stopped
 
 
 def test_what_was_pushed_and_how_far_is_answered() -> None:
