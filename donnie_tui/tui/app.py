@@ -90,6 +90,9 @@ class DonnieApp(App[int], inherit_bindings=False):
         for name in themes.NAMES:
             self.register_theme(themes.theme(name))
         self.theme = themes.TERMINAL if self.no_color else themes.name_of(settings.theme)
+        self._read_with = self.get_css_variables()
+        """The colours and sizes with which the style sheets were read last."""
+        self.stylesheet.set_variables(self._read_with)
         self._filters.append(Printable())
         self.workplace = Workplace(plain=is_plain(settings))
         self.key_table = KeyTable()
@@ -144,6 +147,13 @@ class DonnieApp(App[int], inherit_bindings=False):
     def get_theme_variable_defaults(self) -> dict[str, str]:
         """Before a theme of ours is chosen the style sheet is read with Textual's own."""
         return themes.theme(themes.DARK).variables
+
+    def refresh_css(self, animate: bool = True) -> None:
+        """Not as the application begins, when Textual asks for it too: nothing has changed by then."""
+        variables = self.get_css_variables()
+        if variables != self._read_with:
+            self._read_with = variables
+            super().refresh_css(animate)
 
     def get_default_screen(self) -> Screen[None]:
         return self.workplace
