@@ -45,6 +45,7 @@ def test_the_first_frame_needs_no_session(module: str, tmp_path: Path) -> None:
         *("lark", "sim.worldfile", "PIL", "tempfile", "tomllib", "textual"),
         *("json", "html", "csv", "random", "base64", "importlib.util"),
         *("donnie_tui.linear.reports", "donnie_tui.linear.tour", "donnie_tui.core.recording"),
+        *("donnie_tui.i18n.catalogue.doctor", "donnie_tui.i18n.catalogue.tui"),
     ),
 )
 def test_a_silent_linear_session_in_a_world_that_ships_loads_none_of_these(

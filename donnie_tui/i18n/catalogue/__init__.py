@@ -1,74 +1,85 @@
-"""The one catalogue of sentences, a module a topic. A code is unique over all of them (a test holds it)."""
+"""The one catalogue of sentences, a module a topic. A code is unique over all of them (a test holds it).
+
+A session needs a few topics, and to load all thirty took a tenth of its start: each is loaded with the first
+of its sentences that is wanted.
+"""
 
 from __future__ import annotations
 
-from donnie_tui.i18n.catalogue import (
-    answers,
-    belt,
-    choosing,
-    cli,
-    cues,
-    devices,
-    doctor,
-    explain,
-    files,
-    help,  # noqa: A004 -- the module's own name
-    keys,
-    linear,
-    manual,
-    mistakes,
-    movement,
-    recordings,
-    robot_line,
-    robots,
-    scenarios,
-    screen,
-    signs,
-    slow,
-    sounding,
-    stepping,
-    summing,
-    surroundings,
-    things,
-    tour,
-    tui,
-    use_cases,
-    worlds,
-)
+from collections.abc import Iterator, Mapping
+from importlib import import_module
+
 from donnie_tui.i18n.sentence import Sentence
 
 TOPICS = (
-    movement,
-    recordings,
-    robot_line,
-    robots,
-    mistakes,
-    signs,
-    help,
-    worlds,
-    scenarios,
-    things,
-    files,
-    devices,
-    doctor,
-    cues,
-    sounding,
-    belt,
-    cli,
-    linear,
-    tour,
-    tui,
-    screen,
-    choosing,
-    keys,
-    slow,
-    manual,
-    use_cases,
-    answers,
-    explain,
-    stepping,
-    summing,
-    surroundings,
+    "movement",
+    "linear",
+    "answers",
+    "cli",
+    "robot_line",
+    "surroundings",
+    "mistakes",
+    "summing",
+    "stepping",
+    "robots",
+    "things",
+    "worlds",
+    "tui",
+    "screen",
+    "choosing",
+    "keys",
+    "slow",
+    "use_cases",
+    "help",
+    "sounding",
+    "cues",
+    "belt",
+    "devices",
+    "files",
+    "scenarios",
+    "signs",
+    "recordings",
+    "explain",
+    "tour",
+    "manual",
+    "doctor",
 )
+"""What is wanted most comes first: they are looked through in this order."""
 
-SENTENCES: dict[str, Sentence] = {code: each for topic in TOPICS for code, each in topic.SENTENCES.items()}
+
+class _Catalogue(Mapping[str, Sentence]):
+    """All sentences by code."""
+
+    def __init__(self) -> None:
+        self._found: dict[str, Sentence] = {}
+        self._topics = dict.fromkeys(TOPICS)
+        """Those that were not loaded yet."""
+
+    def __getitem__(self, code: str) -> Sentence:
+        if code not in self._found:
+            self._look_for(code)
+        return self._found[code]
+
+    def __iter__(self) -> Iterator[str]:
+        for topic in TOPICS:
+            yield from self._load(topic)
+
+    def __len__(self) -> int:
+        return sum(len(self._load(topic)) for topic in TOPICS)
+
+    def _look_for(self, code: str) -> None:
+        """Most codes begin with the name of their topic."""
+        likely, _, _ = code.partition("-")
+        waiting = list(self._topics)
+        for topic in sorted(waiting, key=lambda topic: topic != likely):
+            if code in self._load(topic):
+                return
+
+    def _load(self, topic: str) -> dict[str, Sentence]:
+        sentences: dict[str, Sentence] = import_module(f"{__name__}.{topic}").SENTENCES
+        self._found |= sentences
+        self._topics.pop(topic, None)
+        return sentences
+
+
+SENTENCES: Mapping[str, Sentence] = _Catalogue()

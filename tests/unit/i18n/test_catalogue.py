@@ -4,6 +4,7 @@ import ast
 import re
 from collections import Counter
 from collections.abc import Iterable, Iterator
+from importlib import import_module
 from pathlib import Path
 from string import Formatter
 from types import ModuleType
@@ -118,7 +119,9 @@ def with_samples(text: str) -> str:
 
 
 def test_a_code_belongs_to_one_topic() -> None:
-    counted = Counter(code for topic in TOPICS for code in topic.SENTENCES)
+    counted = Counter(
+        code for topic in TOPICS for code in import_module(f"donnie_tui.i18n.catalogue.{topic}").SENTENCES
+    )
 
     assert [code for code, times in counted.items() if times > 1] == []
 
@@ -140,6 +143,13 @@ def test_a_sentence_begins_with_a_word() -> None:
 
     told = [(where, text) for where, text in texts if not LEGEND.match(where)]
     assert [where for where, text in told if not text.lstrip("¿¡")[0].isalnum()] == []
+
+
+def test_every_topic_is_found() -> None:
+    folder = Path(donnie_tui.__file__).parent / "i18n" / "catalogue"
+
+    assert {each.stem for each in folder.glob("*.py")} - {"__init__"} == set(TOPICS)
+    assert "no-such-code" not in SENTENCES
 
 
 def test_nothing_is_there_that_a_reader_spells_out() -> None:
