@@ -17,6 +17,7 @@ from language.source import fold_name
 
 _ON = {"on", "ligado", "ligar", "encendido", "encender"}
 _OFF = {"off", "desligado", "desligar", "apagado", "apagar"}
+_ROWS = {"rows", "motors", "fileiras", "motores", "filas"}
 _MOST_DIGITS = 4
 
 
@@ -32,11 +33,14 @@ def connect(donnie: Donnie, typed: str, show: Callable[[], object] = lambda: Non
 
 
 def feel(donnie: Donnie, typed: str) -> None:
-    """Tell what the belt shows, or with ON and OFF from now on every change, or none."""
+    """Tell what the belt shows, with ROWS each motor; with ON and OFF from now on every change, or none."""
     telling, folded = donnie.belt_telling, fold_name(typed)
     if folded in _ON | _OFF:
         telling.is_on = folded in _ON
         _say(donnie, "belt-words-on" if telling.is_on else "belt-words-off")
+    elif folded in _ROWS:
+        for sentence in telling.rows():
+            _answer(donnie, sentence)
     else:
         _answer(donnie, telling.now())
 

@@ -96,6 +96,12 @@ def in_words(levels: Levels, wording: Wording, settings: BeltSettings | None = N
     return wording("belt-felt", what=", ".join(parts)) if parts else wording("belt-nothing")
 
 
+def rows_in_words(levels: Levels, wording: Wording) -> tuple[str, str]:
+    """Each motor's level, from the back over the left to the front (the fourth) and on to the back."""
+    upper, lower = (" ".join(map(str, row)) for row in rows(levels))
+    return wording("belt-upper", levels=upper), wording("belt-lower", levels=lower)
+
+
 def rows(levels: Levels) -> tuple[Levels, Levels]:
     """The upper and the lower row, for a drawing: from the back over the left to the front and on."""
     return levels[:COLUMNS], levels[COLUMNS:]

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from donnie_tui.core.belt import OFF, BeltSettings, Levels, in_words
+from donnie_tui.core.belt import OFF, BeltSettings, Levels, in_words, rows_in_words
 from donnie_tui.core.belt_watching import ChosenBelt
 from donnie_tui.core.events import Announced
 from donnie_tui.core.team import Team
@@ -24,6 +24,10 @@ class BeltTelling:
     def now(self) -> str:
         """What the belt shows."""
         return in_words(self._levels, self._say, self._settings)
+
+    def rows(self) -> tuple[str, ...]:
+        """What it shows, then both rows of motors, each with its level."""
+        return (self.now(), *rows_in_words(self._levels, self._say))
 
     def _hear(self, levels: Levels) -> None:
         """Strikes and what is felt again between them say the same: that is told once."""

@@ -46,7 +46,8 @@ class Display:
         self._files = files
         self._pose = donnie.session.pose
         self._readings: dict[tuple[str, str], Read] = {}
-        self._belt: tuple[int, ...] | None = None
+        self._has_belt = False
+        """Whether a belt has shown anything yet."""
         self._kinds: dict[str, str] = {}
         self._answer = ""
         """The last sentence that was told, until somebody looks elsewhere."""
@@ -100,7 +101,9 @@ class Display:
         for look in mail.looks:
             self._place.map.update_cells(self.scene.look_along(look))
         self._readings.update({(each.sensor, each.argument): each for each in mail.readings})
-        self._belt = mail.belt or self._belt
+        if mail.belt is not None:
+            self._has_belt = True
+            self._show_inspector()
 
     def show_past(self, timeline: Timeline) -> None:
         """The map as it was at that position, or is at the end."""
@@ -183,8 +186,9 @@ class Display:
     def _show_inspector(self) -> None:
         variables = self._donnie.session.variables if self._running.doing is Doing.READY else {}
         readings = tuple(self._readings.values())
+        belt = self._donnie.belt_telling.rows() if self._has_belt else ()
         self._place.inspector.show(
-            inspector_lines(self._running.frames, variables, readings, self._belt, self._words)
+            inspector_lines(self._running.frames, variables, readings, belt, self._words)
         )
 
     def say_status(self) -> None:

@@ -9,7 +9,6 @@ from collections.abc import Mapping, Sequence
 
 from devices.ports.robot import Pose
 from donnie_tui.core import numbers
-from donnie_tui.core.belt import COLUMNS
 from donnie_tui.core.events import Read
 from donnie_tui.core.speeds import speed_words
 from donnie_tui.core.telling import Teller
@@ -46,15 +45,15 @@ def inspector_lines(
     frames: Sequence[Frame],
     variables: Mapping[str, int],
     readings: Sequence[Read],
-    belt: Sequence[int] | None,
+    belt: Sequence[str],
     words: Wording,
 ) -> tuple[str, ...]:
-    """Variables, calls, the last reading of each sensor, the belt as two rows of seven."""
+    """Variables, calls, the last reading of each sensor, the belt: in words, and as two rows of seven."""
     return (
         *_variables(frames[0].variables if frames else tuple(variables.items()), words),
         *_calls(frames, words),
         *_readings(readings, words),
-        *_belt(belt, words),
+        *belt,
     )
 
 
@@ -98,10 +97,3 @@ def _reading(read: Read, words: Wording) -> str:
     elif read.sensor == "colour":
         where = words(f"colour-{read.argument}")
     return words("inspector-reading", what=words(f"reading-{read.sensor}", where=where), value=read.value)
-
-
-def _belt(levels: Sequence[int] | None, words: Wording) -> tuple[str, ...]:
-    if levels is None:
-        return ()
-    rows = (levels[:COLUMNS], levels[COLUMNS:])
-    return (words("inspector-belt"), *(" ".join(str(level) for level in row) for row in rows))

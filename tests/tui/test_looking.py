@@ -318,3 +318,22 @@ async def test_a_file_of_the_command_line_comes_before_the_tour(work, tmp_path):
         assert "New here? TOUR shows you around." not in desk.log
     async with work(tour=True) as desk:
         await desk.told("New here? TOUR shows you around.")
+
+
+# --- the belt
+
+
+async def test_the_belt_is_beside_the_variables_in_words_and_motor_by_motor_while_it_changes(work):
+    async with work("BELT ON\nFW 9\nWAIT 1000", size=(120, 40), world="corridor", speed=1000.0) as desk:
+        assert "Upper row" not in desk.screen
+        await desk.press("f5")
+        await desk.until(lambda: "Belt: " in desk.screen and "Upper row: " in desk.screen, "the belt")
+        levels = desk.app.work.donnie.belt_telling.rows()
+        await desk.until(lambda: all(each in desk.place.inspector.lines for each in levels), "the rows")
+        assert any(digit in levels[2] for digit in "123")
+
+        await desk.type_line("FEEL ROWS")
+        await desk.told("Lower row: ")
+        await desk.press("f8")
+        await desk.idle()
+        await desk.until(lambda: "Belt: nothing near." in desk.place.inspector.lines, "the end of the run")

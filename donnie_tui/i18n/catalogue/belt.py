@@ -14,6 +14,8 @@ SENTENCES: dict[str, Sentence] = {
     "belt-weak": Sentence("weak", "fraco", "débil"),
     "belt-medium": Sentence("medium", "médio", "medio"),
     "belt-strong": Sentence("strong", "forte", "fuerte"),
+    "belt-upper": Sentence("Upper row: {levels}.", "Fileira de cima: {levels}.", "Fila de arriba: {levels}."),
+    "belt-lower": Sentence("Lower row: {levels}.", "Fileira de baixo: {levels}.", "Fila de abajo: {levels}."),
     "belt-missing": Sentence(
         "No belt at {port}: {reason}. I go on without.",
         "Sem cinto em {port}: {reason}. Continuo sem ele.",

@@ -75,7 +75,6 @@ _INSPECTOR = {
     "inspector-main": Sentence("program, line {line}", "programa, linha {line}", "programa, línea {line}"),
     "inspector-readings": Sentence("Last readings:", "Últimas leituras:", "Últimas lecturas:"),
     "inspector-reading": Sentence("{what}: {value}", "{what}: {value}", "{what}: {value}"),
-    "inspector-belt": Sentence("Belt:", "Cinto:", "Cinturón:"),
     "reading-distance": Sentence("distance {where}", "distância {where}", "distancia {where}"),
     "reading-position": Sentence("position {where}", "posição {where}", "posición {where}"),
     "reading-colour": Sentence("color {where}", "cor {where}", "color {where}"),

@@ -186,3 +186,25 @@ def test_of_several_robots_only_the_chosen_one_is_felt() -> None:
     watching(Stamped(4, 0.0, RunEnded(Outcome.STOPPED, Pose(0, 0, 0), {}, 1.0), "bob"))
 
     assert felt == [strong, weak, OFF]
+
+
+@pytest.mark.parametrize(
+    ("language", "told"),
+    [
+        ("en", ("Belt: front strong.", "Upper row: 0 0 0 3 0 0 0.", "Lower row: 0 0 0 3 0 0 0.")),
+        (
+            "pt",
+            ("Cinto: frente forte.", "Fileira de cima: 0 0 0 3 0 0 0.", "Fileira de baixo: 0 0 0 3 0 0 0."),
+        ),
+        (
+            "es",
+            ("Cinturón: frente fuerte.", "Fila de arriba: 0 0 0 3 0 0 0.", "Fila de abajo: 0 0 0 3 0 0 0."),
+        ),
+    ],
+)
+def test_each_motor_of_both_rows_can_be_told(language: str, told: tuple[str, ...]) -> None:
+    floor = Floor()
+    telling = BeltTelling(team_of(floor), Words(language))
+    floor.session.hub.publish(BeltShown(FRONT_ROW + FRONT_ROW))
+
+    assert telling.rows() == told
