@@ -189,7 +189,8 @@ class DonnieApp(App[int], inherit_bindings=False):
                 self._work_with(self._assemble())
             else:
                 self._is_searching = True
-                self._tell_of_search()
+                if self._settings.robot.startswith(SERIAL):  # of a configuration file nobody knows that yet
+                    self._tell_of_search()
                 self.run_worker(self._search_and_begin())
         except Exception as trouble:  # noqa: BLE001 -- raised again once the terminal is given back
             self._fail_to_begin(trouble)
