@@ -28,7 +28,7 @@ from textual.widgets import RichLog
 from devices.ports.robot import Pose
 from donnie_tui.bootstrap import assemble
 from donnie_tui.settings import Settings
-from donnie_tui.tui.app import DonnieApp
+from donnie_tui.tui.app import SWITCH, DonnieApp
 from donnie_tui.tui.running import Doing
 from donnie_tui.tui.widgets.text_rows import TextRows
 
@@ -114,7 +114,7 @@ def walking(app: DonnieApp) -> None:
 
 
 def computing(app: DonnieApp) -> None:
-    sys.setswitchinterval(0.001)
+    sys.setswitchinterval(SWITCH)
     app.work.load("VAR x = 0\nWHILE 1 == 1 DO\nx = x + 1\nEND WHILE")
     app.do("run")
 

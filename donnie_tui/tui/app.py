@@ -55,6 +55,10 @@ SHOW_CURSOR = "\x1b[?25h"
 FAULT = "fault.txt"
 """Beside the copies: what went wrong at last, for whoever mends it."""
 
+SWITCH = 0.0002
+"""Seconds that a program which computes may keep the interpreter from the screen. A key passes from thread to
+thread some five times until it is seen, so Python's own 0.005 would be felt."""
+
 _STOPS = ("stop", "stop_all")
 """What is done at once, whatever was typed before."""
 
@@ -602,7 +606,7 @@ def run_full_screen(
     ``SwitchMode`` if the learner goes to the linear mode, ``Unusable`` if the world or a device can't be
     used.
     """
-    sys.setswitchinterval(0.001)  # a program that computes must not starve the screen
+    sys.setswitchinterval(SWITCH)
     if donnie:
         donnie.audible.move_to(is_linear=False)
     while True:

@@ -5,7 +5,7 @@ import sys
 
 for _name in ("NO_COLOR", "TEXTUAL_THEME", "TEXTUAL_FILTERS", "TEXTUAL_ANIMATIONS"):
     os.environ.pop(_name, None)  # read when Textual is imported
-sys.setswitchinterval(0.001)  # as the application has it: a program that computes must not starve the screen
+sys.setswitchinterval(0.0002)  # as the application has it: a program that computes must not starve the screen
 
 from collections.abc import AsyncIterator, Callable  # noqa: E402
 from contextlib import asynccontextmanager  # noqa: E402

@@ -280,3 +280,40 @@ async def test_the_inspector_names_variables_calls_and_readings(work):
 
         assert "wide is 7" in desk.place.inspector.lines
         assert "program, line 3" in desk.place.inspector.lines
+
+
+def painted(widget, monkeypatch) -> list[int]:
+    """The rows that are painted from now on."""
+    rows: list[int] = []
+    own = widget.render_line
+    monkeypatch.setattr(widget, "render_line", lambda y: rows.append(y) or own(y))
+    return rows
+
+
+async def test_a_look_at_a_program_paints_only_what_is_new(work, monkeypatch):
+    """Five times a second: over a slow line each row that is painted in vain is felt."""
+    async with work("VAR x = 1\nx = 2\nx = 3\nSPEAK x", size=(120, 40)) as desk:
+        await desk.press("f7", "f9", "f9")
+        await desk.told("Line 2")
+        await desk.press("f9")
+        await desk.told("Line 3")
+        await desk.pilot.pause()
+        place = desk.place
+        text, variables, log = (
+            painted(each, monkeypatch) for each in (place.editor, place.inspector, place.log_rows)
+        )
+
+        desk.app.work.look()
+        await desk.pilot.pause(0.1)
+        assert (text, variables, log) == ([], [], [])
+
+        lines = list(place.inspector.lines)
+        place.inspector.show([lines[0], f"{lines[1]}0", *lines[2:]])
+        await desk.pilot.pause(0.1)
+        assert set(variables) == {place.inspector.row, 1}
+        assert text == []
+
+        shown = len(place.log_rows.lines)
+        place.log_lines([("one more line", "")])
+        await desk.pilot.pause(0.1)
+        assert set(log) == {shown - 1, shown}

@@ -102,7 +102,9 @@ class Editor(TextArea):
             marks[line] = HERE
         changed = {each for each, _ in self._marks.items() ^ marks.items()}
         self._marks = marks
-        self.refresh(*(self._gutter_of(each) for each in changed if each <= self.document.line_count))
+        gutters = [self._gutter_of(each) for each in changed if each <= self.document.line_count]
+        if gutters:  # none would mean all of the text
+            self.refresh(*gutters)
 
     def note(self, mistakes: Mapping[int, Mistake]) -> None:
         """The mistakes of the text as it is now, by line."""

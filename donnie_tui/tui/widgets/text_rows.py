@@ -8,7 +8,8 @@ further up.
 
 from __future__ import annotations
 
-from collections.abc import Iterable
+from collections.abc import Collection, Iterable
+from itertools import zip_longest
 from typing import ClassVar
 
 from rich.cells import cell_len, chop_cells
@@ -70,8 +71,9 @@ class TextRows(ScrollView, can_focus=True):
             self._wrap(text, kind, width)
         if len(self._rows) == before:
             return
-        self._forget_oldest()
-        self._extent()
+        if self._forget_oldest():
+            before = 0
+        self._extent(range(max(0, before - 1), len(self._rows)))
         if self._row is None:
             self._follow()
 
@@ -80,9 +82,11 @@ class TextRows(ScrollView, can_focus=True):
         texts = list(lines)
         if texts == self._lines:
             return
+        before = self._rows
         self._lines, self._kinds = texts, [""] * len(texts)
         self._rewrap()
-        self._extent()
+        both = enumerate(zip_longest(before, self._rows))
+        self._extent({self.row, *(row for row, (old, new) in both if old != new)})
         self._follow()
 
     @property
@@ -122,8 +126,10 @@ class TextRows(ScrollView, can_focus=True):
     def row_text(self) -> str:
         return self._rows[self.row] if self._rows else ""
 
-    def _forget_oldest(self) -> None:
-        if len(self._lines) > MOST_LINES:
+    def _forget_oldest(self) -> bool:
+        """Whether that was necessary."""
+        has_too_many = len(self._lines) > MOST_LINES
+        if has_too_many:
             lines = max(len(self._lines) - MOST_LINES, MOST_LINES // 10)
             rows = sum(self._heights[:lines])
             for column, count in (
@@ -136,6 +142,7 @@ class TextRows(ScrollView, can_focus=True):
                 del column[:count]
             if self._row is not None:
                 self._row = max(0, self._row - rows)
+        return has_too_many
 
     # --- rows
 
@@ -170,12 +177,17 @@ class TextRows(ScrollView, can_focus=True):
             self._rewrap()
             if self._row is not None:
                 self._row = sum(self._heights[:line])
-        self._extent()
+        self._extent(())
+        self.refresh()
         self._follow()
 
-    def _extent(self) -> None:
+    def _extent(self, changed: Collection[int]) -> None:
+        """There are so many rows, and these look different: no others are painted, each costs bytes."""
         self.virtual_size = Size(self.size.width, len(self._rows))
-        self.refresh()
+        top = self.scroll_offset.y
+        seen = [row - top for row in changed if top <= row < top + self.size.height]
+        if seen:
+            self.refresh(*(Region(0, y, self.size.width, 1) for y in seen))
 
     def _follow(self) -> None:
         """Show the row that is being read."""
