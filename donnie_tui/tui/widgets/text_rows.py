@@ -183,7 +183,12 @@ class TextRows(ScrollView, can_focus=True):
 
     def _extent(self, changed: Collection[int]) -> None:
         """There are so many rows, and these look different: no others are painted, each costs bytes."""
-        self.virtual_size = Size(self.size.width, len(self._rows))
+        extent = Size(self.size.width, len(self._rows))
+        if (
+            extent != self.virtual_size
+        ):  # set by its name it would paint all rows and lay out the whole screen
+            self.set_reactive(ScrollView.virtual_size, extent)
+            self._scroll_update(extent)
         top = self.scroll_offset.y
         seen = [row - top for row in changed if top <= row < top + self.size.height]
         if seen:
