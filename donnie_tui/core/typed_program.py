@@ -53,8 +53,8 @@ class TypedProgram:
         self._kept: list[str] | None = []
         self._run = 0
         self._size = 0
-        self._before: deque[list[str]] = deque(maxlen=MOST_UNDONE)
-        """The lines before each of the last changes."""
+        self._before: deque[list[str] | int] = deque(maxlen=MOST_UNDONE)
+        """The lines before each of the last changes; how many there were, where one was added behind them."""
 
     @property
     def saved(self) -> bool:
@@ -104,6 +104,7 @@ class TypedProgram:
         """One line more at the end. Raises ``ProgramTooLong``."""
         line = cleaned(line)
         self._grow(line)
+        self._before.append(len(self._lines))
         self._lines.append(line)
 
     def take_batch(self, last: str | None = None) -> Batch:
@@ -119,6 +120,8 @@ class TypedProgram:
         if sum(bool(line.strip()) for line in self._lines[self._run :]) > 1:
             return True
         del self._lines[self._run :]
+        while self._before and isinstance(self._before[-1], int) and self._before[-1] >= self._run:
+            self._before.pop()
         return False
 
     def rewind(self) -> None:
@@ -202,17 +205,30 @@ class TypedProgram:
         """Take the last change back. The first line that is another one now, or None without a change."""
         if not self._before:
             return None
-        lines = self._before.pop()
+        before = self._before.pop()
+        if isinstance(before, int):
+            return self._take_back_last(before)
+        lines = before
         same = _first_difference(lines, self._lines)
         self.breakpoints = followed(self.breakpoints, self._lines, lines)
         self._lines, self._run = lines, (0 if same < self._run else self._run)
         return same + 1
 
+    def _take_back_last(self, count: int) -> int:
+        """The line that was typed last is gone, whether it has run or not."""
+        del self._lines[count:]
+        self._run = min(self._run, len(self._lines))
+        return len(self._lines) + 1
+
     def _keep(self) -> None:
         """Remember the lines as they are; of very long programs fewer changes can be taken back."""
         self._before.append(self._lines.copy())
-        while len(self._before) > 1 and sum(map(len, self._before)) > MOST_LINES_KEPT:
+        while len(self._before) > 1 and self._lines_kept > MOST_LINES_KEPT:
             self._before.popleft()
+
+    @property
+    def _lines_kept(self) -> int:
+        return sum(len(each) for each in self._before if not isinstance(each, int))
 
     def _grow(self, line: str) -> None:
         """What was ever typed counts, so that no list of lines need be added up."""

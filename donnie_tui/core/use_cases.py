@@ -78,6 +78,7 @@ USE_CASES = (
     UseCase("reset", "RESET", "REINICIAR", "REINICIAR"),
     # --- files
     UseCase("open", "OPEN", "ABRIR", "ABRIR", argument="file"),
+    UseCase("open", "LOAD", "CARREGAR", "CARGAR", argument="file", hidden=True),
     UseCase("save", "SAVE", "SALVAR", "GUARDAR", argument="file"),
     UseCase("save_as", "SAVE AS", "SALVAR COMO", "GUARDAR COMO", argument="file"),
     UseCase("new", "NEW", "NOVO", "NUEVO"),
@@ -87,8 +88,10 @@ USE_CASES = (
     # --- the program's lines
     UseCase("list", "LIST", "LISTAR", "LISTAR", _ALWAYS, "lines"),
     UseCase("change", "CHANGE", "MUDAR", "CAMBIAR", argument="line", required=True),
+    UseCase("change", "EDIT", "EDITAR", "EDITAR", argument="line", required=True, hidden=True),
     UseCase("insert", "INSERT", "INSERIR", "INSERTAR", argument="line", required=True),
     UseCase("delete", "DELETE", "APAGAR", "BORRAR", argument="lines"),
+    UseCase("delete", "REMOVE", "REMOVER", "ELIMINAR", argument="lines", hidden=True),
     UseCase("move", "MOVE", "MOVER", "MOVER", argument="two-lines", required=True),
     UseCase("fix", "FIX", "CORRIGIR", "CORREGIR"),
     UseCase("search", "SEARCH", "PROCURAR", "LOCALIZAR", argument="word"),
@@ -127,6 +130,7 @@ USE_CASES = (
     # --- the robot and its world
     UseCase("where", "WHERE", "ONDE", "DÓNDE", _ALWAYS),
     UseCase("around", "AROUND", "AO REDOR", "ALREDEDOR", _ALWAYS, "compass"),
+    UseCase("around", "NEAR", "PERTO", "CERCA", _ALWAYS, "compass", hidden=True),
     UseCase("map", "MAP", "MAPA", "MAPA", _ALWAYS, "square"),
     UseCase("map_row", "MAP ROW", "MAPA LINHA", "MAPA FILA", _ALWAYS, "row", required=True),
     UseCase("map_column", "MAP COLUMN", "MAPA COLUNA", "MAPA COLUMNA", _ALWAYS, "row", required=True),
@@ -152,6 +156,7 @@ USE_CASES = (
     UseCase("language", "LANGUAGE", "IDIOMA", "IDIOMA", _ALWAYS, "language"),
     UseCase("detail", "DETAIL", "DETALHE", "DETALLE", _ALWAYS, "detail"),
     UseCase("set", "SET", "AJUSTAR", "AJUSTAR", _HELD, "setting"),
+    UseCase("set", "CONFIGURE", "CONFIGURAR", "CONFIGURAR", _HELD, "setting", hidden=True),
     UseCase("tour", "TOUR", "PASSEIO", "PASEO"),
     UseCase("help", "HELP", "AJUDA", "AYUDA", _ALWAYS, "topic", is_godonnie=True),
     UseCase("manual", "MANUAL", "MANUAL", "MANUAL", _ALWAYS, "topic"),

@@ -248,7 +248,7 @@ class LinearMode:
             pass
         elif found := commands.find(line):
             commands.do(*found, self._desk, self._runs)
-        else:
+        elif not commands.is_probably_ours(line, self._desk):
             return self._add(line)
         return False
 
@@ -317,7 +317,7 @@ class LinearMode:
         words = line.split()
         if keywords.canonical(words[0]) == "HELP":
             commands.say_help(self._desk, " ".join(words[1:]))
-        else:
+        elif not commands.is_probably_ours(line, self._desk):
             self._desk.answer("linear-stepping")
 
     def _live(self) -> bool:

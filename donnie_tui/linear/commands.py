@@ -38,18 +38,38 @@ HANDLED_IN = {name: module for module, names in _WORDS_OF.items() for name in na
 _ALL = (*use_cases.USE_CASES, *VIEW_CASES)
 """Of two words that begin alike the longer one counts: MAPA INTEIRO is no MAPA."""
 
+_SAME = {"settings": "set"}
+"""What shows a list on the screen, and here is the word that says it."""
+
 OF_CONVERSATION = ("run", "help", "quit")
 
 
 def find(line: str) -> tuple[UseCase, str] | None:
     """What a line asks for, and what stands behind the word; None if the line is GoDonnie."""
-    found = use_cases.find(line)
+    found = _same(line) or use_cases.find(line)
     return found if found and found[0].name in HANDLED_IN else None
+
+
+def _same(line: str) -> tuple[UseCase, str] | None:
+    view = use_cases.find(line, VIEW_CASES)
+    same = _SAME.get(view[0].name) if view else None
+    return (use_cases.BY_NAME[same], view[1]) if view and same else None
+
+
+def is_probably_ours(line: str, desk: Desk) -> bool:
+    """A line with a slip in a word of the terminal is answered with that word. False if it may be GoDonnie."""
+    from donnie_tui.core.unknown_words import unknown_word
+
+    language = desk.say.language
+    unknown = unknown_word(line, desk.program.lines, use_cases.USE_CASES, language, desk.session.parse)
+    if unknown is not None:
+        desk.answer("help-unknown-near", topic=unknown.word, near=unknown.meant)
+    return unknown is not None
 
 
 def answer_of_screen(line: str, desk: Desk) -> bool:
     """A word of the full screen is answered: what is typed here in its place. False if it is none."""
-    found = use_cases.find(line, _ALL)
+    found = None if _same(line) else use_cases.find(line, _ALL)
     is_of_screen = found is not None and found[0] in VIEW_CASES
     if found is not None and is_of_screen:
         from donnie_tui.linear import choices

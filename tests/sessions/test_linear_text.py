@@ -104,7 +104,7 @@ def test_errors_are_walked_through_and_explained(tmp_path: Path) -> None:
     lines = told(
         tmp_path, "FWD 1", "TR", "RUN", "ERROR NEXT", "ERROR NEXT", "ERROR NEXT", "ERROR PREVIOUS", "EXPLAIN"
     )
-    start = lines.index("Nothing ran. CHANGE 1 mends line 1.") + 1
+    start = lines.index("Nothing ran. CHANGE 1 mends line 1, DELETE 1 deletes it.") + 1
 
     assert [line for line in lines[start:] if not line.startswith(("Line", "Did"))] == [
         "Error, line 1, column 1: I do not know FWD.",
@@ -115,6 +115,23 @@ def test_errors_are_walked_through_and_explained(tmp_path: Path) -> None:
         "Check its letters: FW 3.",
     ]
     assert lines[-1] == "Line 1: FWD 1"
+
+
+def test_a_slip_in_a_word_of_the_terminal_is_told_at_once_and_is_no_line_of_the_program(
+    tmp_path: Path,
+) -> None:
+    assert told(tmp_path, "FW 2", "LISTT", "AJUSTES", "RUN", "LIST", "FW 1", "UNDO", "LIST") == [
+        "I do not know LISTT. Did you mean LIST?",
+        "I do not know AJUSTES. Did you mean AJUSTAR?",
+        "I walked 2 steps forward.",
+        "1: FW 2",
+        "1 line.",
+        "1: FW 2",
+    ]
+
+
+def test_settings_and_its_synonyms_are_set(tmp_path: Path) -> None:
+    assert told(tmp_path, "SETTINGS") == told(tmp_path, "CONFIGURE") == told(tmp_path, "SET")
 
 
 def test_reports_are_written_as_pages_tables_and_text(tmp_path: Path) -> None:

@@ -16,13 +16,13 @@ _RUNNING = {
         "Sigue abierto: {opener} de la línea {line}.",
     ),
     "linear-kept": Sentence(
-        "Nothing ran. CHANGE {line} mends line {line}.",
-        "Nada foi executado. MUDAR {line} corrige a linha {line}.",
-        "No se ejecutó nada. CAMBIAR {line} corrige la línea {line}.",
+        "Nothing ran. CHANGE {line} mends line {line}, DELETE {line} deletes it.",
+        "Nada foi executado. MUDAR {line} corrige a linha {line}, APAGAR {line} a apaga.",
+        "No se ejecutó nada. CAMBIAR {line} corrige la línea {line}, BORRAR {line} la borra.",
         brief=(
-            "Nothing ran. CHANGE {line} mends it.",
-            "Nada feito. MUDAR {line} corrige.",
-            "Nada hecho. CAMBIAR {line} corrige.",
+            "Nothing ran. CHANGE {line} or DELETE {line}.",
+            "Nada feito. MUDAR {line} ou APAGAR {line}.",
+            "Nada hecho. CAMBIAR {line} o BORRAR {line}.",
         ),
     ),
     "linear-still-at": Sentence(

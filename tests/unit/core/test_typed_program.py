@@ -161,10 +161,38 @@ def test_every_change_can_be_taken_back_in_turn() -> None:
     program.delete(1, 1)
     program.insert(3, "Y")
     program.move(1, 1, 3)
-    found = [program.undo() for _ in range(5)]
+    found = [program.undo() for _ in range(4)]
 
     assert program.lines == ("A", "B", "C")
-    assert found == [1, 3, 1, 2, None]
+    assert found == [1, 3, 1, 2]
+
+
+def test_a_typed_line_is_taken_back_and_what_ran_before_it_does_not_wait_again() -> None:
+    program = typed("A", "B")
+    program.batch_ran()
+    program.add("SETTTINGS")
+
+    assert (program.undo(), program.lines, program.waiting) == (3, ("A", "B"), 0)
+    assert (program.undo(), program.undo(), program.undo(), program.lines) == (2, 1, None, ())
+
+
+def test_taking_back_a_change_loses_no_line_typed_after_it() -> None:
+    program = typed("A", "B")
+    program.change(1, "X")
+    program.add("C")
+    program.undo()
+
+    assert (program.lines, program.undo(), program.lines) == (("X", "B"), 1, ("A", "B"))
+
+
+def test_a_line_that_was_forgotten_after_a_mistake_is_not_taken_back_once_more() -> None:
+    program = typed("A")
+    program.batch_ran()
+    for line in ("", "FWD 1"):
+        program.add(line)
+    program.batch_was_refused()
+
+    assert (program.lines, program.undo(), program.lines) == (("A",), 1, ())
 
 
 def test_taking_back_a_change_to_what_has_run_lets_all_wait_again() -> None:
