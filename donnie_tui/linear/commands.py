@@ -57,7 +57,7 @@ def _same(line: str) -> tuple[UseCase, str] | None:
 
 
 def is_probably_ours(line: str, desk: Desk) -> bool:
-    """A line with a slip in a word of the terminal is answered with that word. False if it may be GoDonnie."""
+    """A line with a slip in a word of the terminal is answered with that word. False: it may be GoDonnie."""
     from donnie_tui.core.unknown_words import unknown_word
 
     language = desk.say.language
