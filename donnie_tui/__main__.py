@@ -2,13 +2,10 @@
 
 from __future__ import annotations
 
-import gc
 import os
 import sys
 
-OBJECTS_BETWEEN_COLLECTIONS = 60_000
-"""More than a start makes: little of it is garbage, and looking for it every 700 took a tenth of the time."""
-
+from donnie_tui.collecting import load_undisturbed
 
 HIGHEST_STANDARD = 2
 """Input, output and errors are 0, 1 and 2."""
@@ -17,7 +14,7 @@ HIGHEST_STANDARD = 2
 def main() -> int:
     """Everything that ``donnie``, ``godonnie`` and ``GoDonnie`` do; the exit code."""
     try:
-        gc.set_threshold(OBJECTS_BETWEEN_COLLECTIONS)
+        load_undisturbed()
         _open_what_is_closed()
         _greet_early()
         from donnie_tui.cli.main import main as command

@@ -13,6 +13,7 @@ from typing import TYPE_CHECKING, TextIO
 from devices.ports.robot import Pace, Watcher
 from devices.ports.values import mutable
 from donnie_tui.audible import Audible, make_audible
+from donnie_tui.collecting import loaded
 from donnie_tui.connecting import Connection
 from donnie_tui.core.belt_telling import BeltTelling
 from donnie_tui.core.chronicle import Chronicle
@@ -175,6 +176,7 @@ def assemble(
         closing,
     )
     donnie.let_programs_wait()
+    loaded()
     return donnie
 
 
