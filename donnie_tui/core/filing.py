@@ -77,8 +77,11 @@ class Copies:
 
     def offered(self) -> Path | None:
         """The newest copy that an earlier start left."""
-        left = [each for each in self._newest_first() if each != self._own and not _is_in_use(each)]
-        return left[0] if left else None
+        return next(iter(self.all_offered()), None)
+
+    def all_offered(self) -> list[Path]:
+        """All of them, the newest first: there may have been several programs."""
+        return [each for each in self._newest_first() if each != self._own and not _is_in_use(each)]
 
     def take(self, path: Path) -> str:
         """A copy's text, written down anew as this start's own. Raises ``DocumentError``."""

@@ -194,7 +194,11 @@ _SIGNS = {
 
 
 def key_label(key: str) -> str:
-    """The key as it is told: ``F5``, ``Ctrl+S``, ``Esc``, ``Ctrl+K A``."""
+    """The key as it is told: ``F5``, ``Ctrl+S``, ``Esc``, ``Ctrl+K A``.
+
+    Many terminals send Ctrl+Space as what Textual calls ``ctrl+at``.
+    """
+    key = key.replace("ctrl+at", "ctrl+space")
     return " ".join("+".join(map(_part_label, each.split("+"))) for each in key.split())
 
 

@@ -70,7 +70,7 @@ class Files:
         self._words = words
         self._make_copies = make_copies
         self._copies = make_copies()
-        self._offered = self._copies.offered()
+        self._offered = self._copies.all_offered()
         self._copying_failed = False
         self._recent = recent
         self._kept_breakpoints = kept_breakpoints
@@ -90,7 +90,7 @@ class Files:
 
     @property
     def offers_recovery(self) -> bool:
-        return self._offered is not None
+        return bool(self._offered)
 
     @property
     def recent(self) -> tuple[Path, ...]:
@@ -324,11 +324,11 @@ class Files:
             program.copies.forget()
 
     async def recover(self) -> None:
-        """Bring back what an earlier start left unsaved."""
-        if self._offered is None:
+        """Bring back what an earlier start left unsaved, the newest first; others one by one."""
+        if not self._offered:
             self._desk.tell(Answer("answer-nothing-to-recover"))
         elif await self.is_safe_to_leave():
-            self._recover_now(self._offered)
+            self._recover_now(self._offered[0])
 
     def _recover_now(self, copy: Path) -> None:
         try:
@@ -336,10 +336,12 @@ class Files:
         except DocumentError as error:
             self._desk.tell(_told(error))
             return
-        self._offered = None
+        self._offered = self._offered[1:]
         self.document.become(None, "")
         self._desk.load(text)
         self._desk.tell(Answer("answer-recovered", {"lines": text.count("\n") + 1}))
+        if self._offered:
+            self._desk.tell(Answer("answer-rescued"))
 
 
 def _told(error: DocumentError) -> Answer:

@@ -53,7 +53,7 @@ class KeyTable:
 
     def labels(self, name: str) -> str:
         """All of them."""
-        return ", ".join(map(key_label, self.of(name)))
+        return ", ".join(dict.fromkeys(map(key_label, self.of(name))))
 
     def action_of(self, key: str) -> str | None:
         """What that key does."""

@@ -1,5 +1,6 @@
 """Opening, saving, beginning anew, recovering: nothing is lost without a question."""
 
+import os
 from pathlib import Path
 
 import pytest
@@ -237,3 +238,24 @@ async def test_nobody_is_asked_to_replace_what_the_session_needs(work, tmp_path)
             release()
 
         assert needed.read_text(encoding="utf-8") == "{}\n"
+
+
+async def test_all_programs_that_a_crash_left_are_brought_back_one_by_one(work, tmp_path):
+    folder = tmp_path / "unsaved"
+    folder.mkdir()
+    for name, text, age in (("one", "FW 1\n", 1000), ("two", "FW 2\n", 2000)):
+        copy = folder / f"unsaved-99999999-{name}.gd"
+        copy.write_text(text)
+        os.utime(copy, (age, age))
+    async with work() as desk:
+        await desk.told("A program was rescued. RECOVER opens it.")
+        await desk.type_line("RECOVER")
+        await desk.told("Here it is again, 1 line.")
+        assert desk.app.work.text == "FW 2"
+        assert desk.log.count("A program was rescued. RECOVER opens it.") == 2
+
+        await desk.type_line("RECOVER")
+        await desk.answer("no")
+        await desk.until(lambda: desk.app.work.text == "FW 1", "the other one")
+        await desk.type_line("RECOVER")
+        await desk.told("Nothing to recover.")

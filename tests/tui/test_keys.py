@@ -239,3 +239,26 @@ def test_textual_s_driver_has_what_switching_the_mouse_needs():
     assert callable(LinuxDriver._enable_mouse_support)
     assert callable(LinuxDriver._disable_mouse_support)
     assert "self._mouse = mouse" in inspect.getsource(Driver.__init__)
+
+
+async def test_home_and_end_go_to_the_ends_of_a_list(work):
+    async with work() as desk:
+        await desk.press("ctrl+k", "o")
+        await desk.until(lambda: desk.app.screen is not desk.place, "the worlds")
+        await desk.press("end")
+        await desk.until(lambda: desk.app.screen.rows.row_text.startswith("bigbob7"), "the last one")
+        await desk.press("home")
+        await desk.until(lambda: desk.app.screen.rows.row_text.startswith("open_floor"), "the first one")
+
+
+async def test_a_question_and_its_keys_are_whole_on_a_small_terminal(work):
+    async with work("FW 1", size=(40, 12)) as desk:
+        await desk.press("ctrl+n")
+        await desk.until(lambda: desk.app.screen is not desk.place, "the question")
+        await desk.pilot.pause()
+        shown = " ".join(desk.screen.split())
+        assert "new program is not saved. Save it? yes or no:" in shown
+        assert "Enter answers, Esc goes back" in shown
+        await desk.press("escape", "ctrl+p")
+        await desk.until(lambda: "Type what to do" in desk.screen, "the list")
+        assert "Enter takes it, Esc goes back" in " ".join(desk.screen.split())

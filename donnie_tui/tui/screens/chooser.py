@@ -1,7 +1,7 @@
 """A list to choose from: the palette, worlds, robots, recent programs, the outline, settings.
 
-Typing narrows it, Up and Down move, Enter chooses, Esc goes back. The terminal's own cursor stands on the
-row that Enter would choose, and ``>`` before it.
+Typing narrows it, Up and Down, Home and End move, Enter chooses, Esc goes back. The terminal's own cursor
+stands on the row that Enter would choose, and ``>`` before it.
 """
 
 from __future__ import annotations
@@ -18,6 +18,9 @@ from textual.widgets import Input, Static
 from devices.ports.values import frozen
 from donnie_tui.tui.widgets.input_line import InputLine
 from donnie_tui.tui.widgets.text_rows import TextRows
+
+FAR = 10**6
+"""Rows: farther than any list is long."""
 
 
 @frozen
@@ -60,6 +63,8 @@ class Chooser(ModalScreen[str | None]):
         Binding("down", "choose_row(1)", show=False, priority=True),
         Binding("pageup", "choose_row(-10)", show=False, priority=True),
         Binding("pagedown", "choose_row(10)", show=False, priority=True),
+        Binding("home", f"choose_row({-FAR})", show=False, priority=True),
+        Binding("end", f"choose_row({FAR})", show=False, priority=True),
     ]
     AUTO_FOCUS = "#narrowing"
 

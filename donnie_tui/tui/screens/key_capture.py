@@ -56,7 +56,7 @@ class KeyCapture(ModalScreen[str | None]):
             self.dismiss("")
         elif key == MENU and not self._has_menu:
             self._has_menu = True
-            self._words.update(self._behind, layout=False)
+            self._words.update(self._behind)
         else:
             self._try(f"{MENU} {key}" if self._has_menu else key)
 
@@ -66,4 +66,4 @@ class KeyCapture(ModalScreen[str | None]):
         if wrong is None:
             self.dismiss(key)
         else:
-            self._words.update(wrong, layout=False)
+            self._words.update(wrong)

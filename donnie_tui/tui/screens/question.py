@@ -40,7 +40,7 @@ class Question(ModalScreen[str | None]):
         answer = event.value.strip()
         wrong = self._accepts(answer) if self._accepts else None
         if wrong:
-            self.query_one("#asked", Static).update(wrong, layout=False)
+            self.query_one("#asked", Static).update(wrong)
         elif answer:
             self.dismiss(answer)
 
