@@ -66,7 +66,8 @@ class Met:
     """What an obstacle or a collision was with, where the robot knows."""
 
     kind: str
-    """What it is in its world, such as ``chair``; ``wall`` for any wall, ``robot`` for another robot."""
+    """What it is in its world, such as ``chair``; ``wall`` for any wall, ``robot`` for another robot,
+    ``something`` where the robot felt it and can't tell."""
     name: str
     """Its own name in its world, or an empty string."""
     degrees: float

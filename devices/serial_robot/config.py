@@ -35,6 +35,8 @@ class RobotConfig:
     """Which of the board's six bumper bits are in front: NE, N, NW."""
     back_bumpers: frozenset[int] = frozenset({3, 4, 5})
     """SE, S, SW."""
+    bumper_degrees: tuple[float, ...] = (45.0, 0.0, -45.0, 135.0, 180.0, -135.0)
+    """Where each of them is: from the robot's front, positive to the right."""
     farthest: float = 2.0
     """Sonars tell more than that unreliably: from 2.56 on, what is far looks near."""
     walk_coast: int = 8

@@ -7,10 +7,11 @@ at the end of a run, wipes that slate.
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Iterable
 
 from devices.ports.robot import (
     Bearing,
+    Met,
     Motion,
     Moved,
     Pace,
@@ -140,7 +141,11 @@ class SerialRobot:
         )
         done = self._run(movement, report, asked)
         self._turned_too_far = sense * _too_far(movement, done * unit)
-        return Turned(degrees, sense * done, self._end_of(movement), self.pose())
+        new = [
+            place for place, pressed in enumerate(self._line.telemetry.bumpers) if pressed > already[place]
+        ]
+        met = self._met(movement, sense * 90.0, new)
+        return Turned(degrees, sense * done, self._end_of(movement), self.pose(), met)
 
     def halt(self) -> None:
         self._lost_the_line = False
@@ -166,7 +171,21 @@ class SerialRobot:
         )
         done = self._run(movement, report, steps)
         self._walked_too_far = sense * _too_far(movement, done * unit)
-        return Moved(steps, done, self._end_of(movement), self.pose())
+        pressed = [place for place in sorted(bumpers) if self._line.telemetry.bumpers[place]]
+        met = self._met(movement, 0.0 if is_forward else 180.0, pressed)
+        return Moved(steps, done, self._end_of(movement), self.pose(), met)
+
+    def _met(self, movement: Movement, way: float, touched: Iterable[int]) -> Met | None:
+        """What ended the movement, as far as it is felt: a sonar or a bumper tells the side and no more.
+
+        ``way``: where it went, in degrees from the front; of several bumpers the nearest to that.
+        """
+        if movement.stopped_by not in (StoppedBy.OBSTACLE, StoppedBy.COLLISION):
+            return None
+        sides = [self._config.bumper_degrees[place] for place in touched]
+        if movement.stopped_by is StoppedBy.OBSTACLE or not sides:
+            return Met(SOMETHING, "", way)
+        return Met(SOMETHING, "", min(sides, key=lambda side: abs((side - way + 180.0) % 360.0 - 180.0)))
 
     def _movement(
         self,
@@ -288,5 +307,8 @@ def _too_far(movement: Movement, counts: float) -> float:
     is_its_own = movement.stopped_by in (None, StoppedBy.OBSTACLE) and abs(too_far) <= MOST_CARRIED
     return too_far if is_its_own else 0.0
 
+
+SOMETHING = "something"
+"""What was met, where the robot can't tell."""
 
 _VERDICT = {Ahead.FREE: True, Ahead.DOUBTFUL: None, Ahead.BLOCKED: False}

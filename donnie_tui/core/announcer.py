@@ -47,7 +47,7 @@ LEAST_PUSH = 0.1
 """Steps; who comes up to a thing touches it, and that is no push."""
 MOST_PUSHED = 3
 """Things that are told one by one."""
-_OF_NO_WORLD = ("wall", "robot")
+_OF_NO_WORLD = ("wall", "robot", "something")
 """Kinds of what was met that are no things of a world."""
 
 

@@ -19,6 +19,7 @@ _MORE = {
 _MET = {
     "met": Sentence("{name}, {where}.", "{name}, {where}.", "{name}, {where}."),
     "met-wall": Sentence("wall", "parede", "pared"),
+    "met-something": Sentence("something", "algo", "algo"),
     "met-robot": Sentence("another robot", "outro robô", "otro robot"),
 }
 

@@ -204,6 +204,8 @@ def bumped(kind: str, degrees: float, name: str = "") -> Moved:
         (bumped("robot", 0.0), "pt", "Outro robô, à frente."),
         (bumped("crate", 0.0, "crate2"), "en", "Crate2, ahead."),
         (bumped("crate", 0.0), "en", "Crate, ahead."),
+        (bumped("something", 45.0), "en", "Something, ahead right."),
+        (bumped("something", 180.0), "pt", "Algo, atrás."),
         (replace(turned(90, 30, COLLISION), met=Met("wall", "", 90.0)), "en", "Wall, right."),
     ],
     ids=lambda value: value if isinstance(value, str) else "",

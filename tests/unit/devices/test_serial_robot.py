@@ -8,7 +8,7 @@ from math import degrees
 import pytest
 
 from devices.firmware_double.surroundings import Place, Switch, Walls
-from devices.ports.robot import STEP, Bearing, LinkNews, Motion, Robot, RobotProblem, StoppedBy
+from devices.ports.robot import STEP, Bearing, LinkNews, Met, Motion, Robot, RobotProblem, StoppedBy
 from devices.serial_robot.config import RobotConfig
 from devices.serial_robot.scanning import angles, sightings
 from tests.unit.devices.robots import Real, Sonars, wall_ahead
@@ -140,6 +140,7 @@ def test_a_step_that_would_leave_less_than_one_free_is_not_begun(away: float, wa
     moved = real.robot.forward(9)
 
     assert (moved.walked, moved.stopped_by) == (walked, StoppedBy.OBSTACLE)
+    assert moved.met == Met("something", "", 0.0)
     assert real.board.wheels.place.y / STEP == pytest.approx(walked, abs=NEAR)
     assert real.stands
 
@@ -192,14 +193,15 @@ def test_after_an_obstacle_the_robot_turns_and_leaves() -> None:
 # --- bumpers and stalls
 
 
-@pytest.mark.parametrize("switch", [Switch.NE, Switch.NW])
-def test_a_front_bumper_ends_a_walk_forward(switch: Switch) -> None:
+@pytest.mark.parametrize(("switch", "side"), [(Switch.NE, 45.0), (Switch.NW, -45.0)])
+def test_a_front_bumper_ends_a_walk_forward_and_tells_its_side(switch: Switch, side: float) -> None:
     sonars = Sonars()
     real = Real(sonars, at=[(2.5, lambda: setattr(sonars, "pressed", frozenset({switch})))])
 
     moved = real.robot.forward(9)
 
     assert (moved.walked, moved.stopped_by) == (2, StoppedBy.COLLISION)
+    assert moved.met == Met("something", "", side)
     assert moved.pose.y == pytest.approx(2.5, abs=0.3)
     assert real.stands
 
@@ -220,7 +222,8 @@ def test_a_bumper_that_is_pressed_meanwhile_ends_a_turn_and_one_that_was_before_
     sonars = Sonars()
     real = Real(sonars, at=[(1.0, lambda: setattr(sonars, "pressed", frozenset({Switch.NE})))])
 
-    assert real.robot.turn(90).stopped_by is StoppedBy.COLLISION
+    turned = real.robot.turn(90)
+    assert (turned.stopped_by, turned.met) == (StoppedBy.COLLISION, Met("something", "", 45.0))
     assert real.robot.turn(-30).stopped_by is None
 
 
