@@ -61,6 +61,8 @@ class Stream:
         self._listeners = _Listeners(self._lock)
         self._waiting: deque[tuple[int, Stamped, _Listeners]] = deque()
         self._queued = self._delivered = 0
+        self._awaited = 0
+        """How many threads wait for something to be delivered."""
         self._deliverer = _NOBODY
         """The thread that delivers."""
         self._last_own: float = 0
@@ -105,8 +107,7 @@ class Stream:
         if self._delivers_here():
             return
         if len(self._waiting) > MOST_WAITING:
-            with self._moved:
-                self._moved.wait_for(lambda: len(self._waiting) <= MOST_WAITING, LONGEST_HOLD)
+            self._wait_for(lambda: len(self._waiting) <= MOST_WAITING, LONGEST_HOLD)
         for gate in self._gates:
             gate(robot)
 
@@ -114,9 +115,14 @@ class Stream:
         """Return once everybody has heard what was published so far, or after so many seconds."""
         if self._delivers_here():
             return
+        until = self._queued
+        self._wait_for(lambda: self._delivered >= until, seconds)
+
+    def _wait_for(self, happened: Callable[[], bool], seconds: float) -> None:
         with self._moved:
-            until = self._queued
-            self._moved.wait_for(lambda: self._delivered >= until, seconds)
+            self._awaited += 1
+            self._moved.wait_for(happened, seconds)
+            self._awaited -= 1
 
     # --- delivering
 
@@ -150,8 +156,9 @@ class Stream:
 
     def _next(self) -> tuple[Stamped, tuple[Listener, ...]] | None:
         """The next event for this thread to deliver."""
-        with self._moved:
-            self._moved.notify_all()
+        with self._lock:
+            if self._awaited:
+                self._moved.notify_all()
             if not self._waiting:
                 self._deliverer = _NOBODY
                 return None
