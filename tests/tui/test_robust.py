@@ -17,6 +17,7 @@ from donnie_tui.i18n.sentence import LANGUAGES
 from donnie_tui.i18n.words import Words
 from donnie_tui.settings import Settings
 from donnie_tui.tui.app import FAULT, DonnieApp
+from donnie_tui.tui.key_table import KeyTable
 from donnie_tui.tui.running import Doing
 from donnie_tui.tui.screens.help import help_text
 from tests.tui.conftest import WAITING
@@ -245,7 +246,7 @@ async def test_the_palette_speaks_the_language_and_has_no_pictures(work, languag
 
 @pytest.mark.parametrize("language", LANGUAGES)
 def test_the_help_lists_each_word_once_and_the_palette(language):
-    lines = help_text(Words(language))
+    lines = help_text(Words(language), KeyTable())
     entries = [re.split(r"[:(]", line)[0].strip() for line in lines]
 
     assert [each for each in set(entries) if entries.count(each) > 1] == []
