@@ -26,6 +26,7 @@ from textual.binding import Binding, BindingsMap
 from textual.geometry import Offset
 from textual.screen import Screen
 from textual.timer import Timer
+from textual.widgets import Input
 
 from donnie_tui.device_settings import SERIAL
 from donnie_tui.folders import state_folder
@@ -103,7 +104,7 @@ class DonnieApp(App[int], inherit_bindings=False):
         self._menu: KeyMenu | None = None
         """The list of the keys behind a key, while one of them is waited for."""
         self._bind(settings.keys)
-        self._turns = Turns(self, super().on_event)
+        self._turns = Turns(self, self._take)
         self._lifeline: Lifeline | None = None
         self.work: Work | None = None
         """None until it is loaded."""
@@ -308,14 +309,22 @@ class DonnieApp(App[int], inherit_bindings=False):
         is_typed = isinstance(event, (events.Key, events.Paste)) and not event.is_forwarded
         if is_typed and self.work is not None:
             self.work.key_pressed(event, self.focused)
-        if is_typed and isinstance(event, events.Key) and self._did_by_menu(event.key):
-            return
         if is_typed and self._is_stop_key(event) and self._give_up_search():
             return
-        if is_typed and (self._turns.is_holding or self._is_searching) and not self._is_stop(event):
+        if not is_typed or self._is_stop(event):
+            await super().on_event(event)
+        elif self._turns.is_holding or self._is_searching:
             self._turns.hold(event)
         else:
-            await super().on_event(event)
+            await self._take(event)
+
+    async def _take(self, event: events.Event) -> None:
+        """A key whose turn it is. What is no letter may mean something further up: letters behind it wait."""
+        if isinstance(event, events.Key) and self._did_by_menu(event.key):
+            return
+        await super().on_event(event)
+        if isinstance(event, events.Key) and not event.is_printable:
+            self._turns.follow(submits=event.key == "enter" and isinstance(self.focused, Input))
 
     def _is_stop(self, event: events.Event) -> bool:
         return self._is_stop_key(event) and self._runs

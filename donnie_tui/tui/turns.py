@@ -2,7 +2,9 @@
 
 Textual hands a key with priority over at once, while letters wait in the queue of the widget with the focus.
 In one burst (a paste over SSH, a fast braille keyboard) F5 would run a program whose last letters are still
-to come. Rule: the deed follows the letters through the same queues, later keys wait until it is done.
+to come. Rule: the deed follows the letters through the same queues, later keys wait until it is done. An
+arrow, Backspace or Tab is taken by whoever knows it on the way up, while letters are taken at once: letters
+behind it wait too, until it is up.
 """
 
 from __future__ import annotations
@@ -43,11 +45,18 @@ class Turns:
         """A key that comes after the deed."""
         self._held.append(event)
 
-    def do(self, deed: Deed) -> None:
+    def do(self, deed: Deed, rounds: int = ROUNDS) -> None:
         """Do it once everything that came before has been."""
+        if self._patience is not None:
+            self._patience.stop()
         self._deed = deed
         self._patience = self._app.set_timer(PATIENCE, self._act)
-        self._pass_on(self._first(), deed, ROUNDS)
+        self._pass_on(self._first(), deed, rounds)
+
+    def follow(self, *, submits: bool) -> None:
+        """What comes now waits until the last key has done what it does; ``submits``: by way of a message."""
+        if self._deed is None:
+            self.do(lambda: None, ROUNDS if submits else 0)
 
     def _first(self) -> MessagePump:
         return self._app.focused or self._app.screen

@@ -358,3 +358,17 @@ def test_a_lesson_from_typing_to_leaving(terminal):
 
     assert donnie.ended() == 0
     assert left_as_found(donnie)
+
+
+def test_keys_in_one_burst_keep_their_order(terminal):
+    """Over a slow line they come at once: arrows, Home, Backspace and Tab are not overtaken by letters."""
+    left, home, end, up, down, back = "\x1b[D", "\x1b[H", "\x1b[F", "\x1b[A", "\x1b[B", "\x7f"
+    donnie = terminal()
+    donnie.type(
+        f"W 34{back * 2}1{home}F{end}2{ENTER}FX 3{left * 2}{back}W{end}5{up}6{down}7"
+        f"{TAB * 3}SPEAK 5{ENTER}SPEAK 6"
+    )
+    donnie.shows("> SPEAK 6")
+
+    donnie.shows("1  FW 126")
+    donnie.shows("2  FW 357")
