@@ -99,7 +99,7 @@ class DonnieApp(App[int], inherit_bindings=False):
         """The colours and sizes with which the style sheets were read last."""
         self.stylesheet.set_variables(self._read_with)
         self._filters.append(Printable())
-        self.workplace = Workplace(plain=is_plain(settings))
+        self.workplace = Workplace(self.size, plain=is_plain(settings))
         self.key_table = KeyTable()
         self._menu: KeyMenu | None = None
         """The list of the keys behind a key, while one of them is waited for."""

@@ -12,6 +12,7 @@ from typing import TYPE_CHECKING
 from textual.app import ComposeResult
 from textual.containers import Horizontal, Vertical
 from textual.events import DescendantFocus, Resize
+from textual.geometry import Size
 from textual.message import Message
 from textual.screen import Screen
 from textual.widget import Widget
@@ -34,6 +35,10 @@ LEAST_PROGRAM, LEAST_MAP = 39, 20
 """Columns that a program needs to be read, and a map to be one."""
 
 
+def _is_small(size: Size) -> bool:
+    return size.width < NARROW or size.height < LOW
+
+
 class Workplace(Screen[None]):
     """The main screen."""
 
@@ -44,8 +49,15 @@ class Workplace(Screen[None]):
     class Looked(Message):
         """The focus, or what is read in it, is elsewhere."""
 
-    def __init__(self, *, plain: bool = False) -> None:
+    def __init__(self, size: Size, *, plain: bool = False) -> None:
+        """``size`` is what the terminal seems to have: a class that is changed later costs a restyling."""
         super().__init__(id="workplace", classes="-plain" if plain else "")
+        for breakpoints, cells in (
+            (self.HORIZONTAL_BREAKPOINTS, size.width),
+            (self.VERTICAL_BREAKPOINTS, size.height),
+        ):
+            self.add_class([name for least, name in breakpoints if least <= cells][-1])
+        self.set_class(_is_small(size), "-one-pane")
         self.editor = Editor(id="editor")
         self.map = MapView(id="map")
         self.inspector = TextRows(id="inspector")
@@ -130,8 +142,7 @@ class Workplace(Screen[None]):
         self.post_message(self.Looked())
 
     def on_resize(self, event: Resize) -> None:
-        small = event.size.width < NARROW or event.size.height < LOW
-        self.set_class(small, "-one-pane")
+        self.set_class(_is_small(event.size), "-one-pane")
         self._arrange()
         self._give_room()
 
