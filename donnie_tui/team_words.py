@@ -57,7 +57,8 @@ def start(donnie: Donnie, text: str, name: str) -> Run | None:
     except Busy:
         _say(donnie, "robot-busy", name=session.name)
         return None
-    _say(donnie, "robot-started", name=session.name)
+    if session.parse(text).program is not None:
+        _say(donnie, "robot-started", name=session.name)
     return run
 
 

@@ -15,6 +15,7 @@ from devices.ports.values import frozen
 from donnie_tui.core.map_grid import WALL, MapGrid
 from donnie_tui.core.naming import coloured_thing, name_of
 from donnie_tui.core.wording import Wording
+from language.source import fold_name
 
 if TYPE_CHECKING:
     from sim.picture import Thing
@@ -24,6 +25,19 @@ RANGE = 10
 
 _RELATIVE = ("front", "front-right", "right", "back-right", "back", "back-left", "left", "front-left")
 _COMPASS = ("north", "northeast", "east", "southeast", "south", "southwest", "west", "northwest")
+
+
+_POINTS = (
+    ("north", "norte"),
+    ("northeast", "nordeste", "noreste"),
+    ("east", "leste", "este"),
+    ("southeast", "sudeste", "sureste"),
+    ("south", "sul", "sur"),
+    ("southwest", "sudoeste", "suroeste"),
+    ("west", "oeste"),
+    ("northwest", "noroeste"),
+)
+"""As they are typed, in any language."""
 
 
 @frozen
@@ -38,11 +52,20 @@ class Face:
     told_when_free: tuple[int, ...]
 
 
+def compass_point(typed: str) -> int | None:
+    """The point of the compass that a word means, in eighths clockwise from north; None if it means none."""
+    folded = fold_name(typed.strip())
+    return next((point for point, words in enumerate(_POINTS) if folded in words), None)
+
+
 def around_in_words(
-    grid: MapGrid, pose: Pose, wording: Wording, *, absolute: bool = False, clock: bool = False
+    grid: MapGrid, pose: Pose, wording: Wording, *, compass: int | None = None, clock: bool = False
 ) -> tuple[str, ...]:
-    """The number of things in range, then a line for each thing, wall or free direction."""
-    face = _face(0.0 if absolute else pose.heading, wording.detail, absolute=absolute, clock=clock)
+    """The number of things in range, then a line for each thing, wall or free direction.
+
+    ``compass``: by the compass, beginning with that point; else as the robot looks.
+    """
+    face = _face(pose.heading, wording.detail, compass=compass, clock=clock)
     sectors = _things_by_sector(grid, pose, face)
     count = sum(map(len, sectors))
     lines = [wording("around-things" if count else "around-none", count=count, steps=RANGE)]
@@ -51,12 +74,15 @@ def around_in_words(
     return tuple(lines)
 
 
-def _face(first: float, detail: str, *, absolute: bool, clock: bool) -> Face:
+def _face(heading: float, detail: str, *, compass: int | None, clock: bool) -> Face:
     full = detail == "full"
     if clock:
-        return Face(12, first, ("around-hour",) * 12, tuple(range(12)) if full else (0, 3, 6, 9))
-    codes = [f"compass-{each}" for each in _COMPASS] if absolute else [f"around-{each}" for each in _RELATIVE]
+        return Face(12, heading, ("around-hour",) * 12, tuple(range(12)) if full else (0, 3, 6, 9))
     step = 1 if full else 2
+    codes = [f"around-{each}" for each in _RELATIVE]
+    if compass is not None:
+        codes = [f"compass-{each}" for each in (*_COMPASS[compass:], *_COMPASS[:compass])]
+    first = heading if compass is None else compass * 45.0
     return Face(8 // step, first, tuple(codes[::step]), tuple(range(8 // step)))
 
 

@@ -9,11 +9,14 @@ from donnie_tui.core import numbers
 from donnie_tui.core.events import (
     TYPED,
     Announced,
+    BeltShown,
+    CueSounded,
     Error,
     Event,
     GripperUsed,
     Link,
     Moved,
+    Read,
     Reset,
     RunEnded,
     RunStarted,
@@ -21,6 +24,8 @@ from donnie_tui.core.events import (
     SoundSwitched,
     Spoke,
     Stamped,
+    Statement,
+    ThingsMoved,
     Turned,
     Waited,
     event_name,
@@ -32,6 +37,9 @@ from donnie_tui.core.wording import Wording
 
 LONGEST_QUOTE = 60
 """Characters of what was said that are told again."""
+
+_PARTS = {"step-forward": "walk", "step-back": "walk", "turn-right": "turn", "turn-left": "turn"}
+"""Cues of a movement that goes on, by what it is."""
 
 
 def told_back(undone: Iterable[Stamped], timeline: Timeline, wording: Wording) -> str:
@@ -77,14 +85,30 @@ def _what(event: Event, wording: Wording) -> str:
         case RunEnded() | Scanned() | SoundSwitched() | Link() | Reset():
             return wording(f"undone-{event_name(event).replace('_', '-')}")
         case _:
+            return _trifle(event, wording)
+
+
+def _trifle(event: Event, wording: Wording) -> str:
+    """What only stands alone where a step had not ended: while a program is held within it."""
+    match event:
+        case Statement(line=line):
+            return wording("undone-statement", line=line)
+        case Read(value=value):
+            return wording("undone-read", value=value)
+        case CueSounded(name=name) if name in _PARTS:
+            return wording(f"undone-part-{_PARTS[name]}")
+        case BeltShown() | ThingsMoved() | CueSounded():
+            return wording(f"undone-{event_name(event).replace('_', '-')}")
+        case _:
             return wording("undone-something")
 
 
 def _place(event: Event, pose: Pose | None, wording: Wording) -> str:
     """Where the robot is again, where that has changed."""
-    if pose is None or not isinstance(event, Moved | Turned | RunStarted | RunEnded | Reset):
+    part = _PARTS.get(event.name) if isinstance(event, CueSounded) else None
+    if pose is None or not (part or isinstance(event, Moved | Turned | RunStarted | RunEnded | Reset)):
         return ""
-    if isinstance(event, Turned):
+    if isinstance(event, Turned) or part == "turn":
         return wording("undone-facing", facing=facing(pose, wording))
     return wording("undone-position", x=numbers.whole(pose.x), y=numbers.whole(pose.y))
 

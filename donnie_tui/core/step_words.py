@@ -199,7 +199,8 @@ def _by_place(
 def changes(
     watched: Sequence[str], before: Mapping[str, int], now: Mapping[str, int], wording: Wording
 ) -> Iterator[str]:
-    """What the watched variables are now, where that is something else than before."""
+    """What the watched variables are now, where that is something else than before, by folded name."""
     for name in watched:
-        if name in now and now[name] != before.get(name):
-            yield wording("variable-is", name=name, value=now[name])
+        value = now.get(fold_name(name))
+        if value is not None and value != before.get(fold_name(name)):
+            yield wording("variable-is", name=name, value=value)

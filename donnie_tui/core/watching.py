@@ -16,7 +16,7 @@ class Watching:
     """One run after the other. Only one thread looks at a time: the program's, or another while it holds."""
 
     def __init__(self, names: Sequence[str], wording: Wording) -> None:
-        """``names``, folded, may grow and shrink meanwhile."""
+        """``names``, as they were typed, may grow and shrink meanwhile."""
         self._names = names
         self._say = wording
         self._known: dict[str, int] = {}
@@ -41,12 +41,12 @@ def _folded(variables: Iterable[tuple[str, int]]) -> dict[str, int]:
 
 def toggle_watch(watched: list[str], typed: str, wording: Wording) -> tuple[str, ...]:
     """Watch the variable from now on, or no more; without a name, which are watched. What is told of it."""
-    name = fold_name(typed)
-    if name in watched:
-        watched.remove(name)
+    known = next((each for each in watched if fold_name(each) == fold_name(typed)), None)
+    if known is not None:
+        watched.remove(known)
         return (wording("watch-gone", name=typed),)
-    if name:
-        watched.append(name)
+    if typed:
+        watched.append(typed)
         return (wording("watch-set", name=typed),)
     told = tuple(wording("watch-set", name=each) for each in watched)
     return told or (wording("watch-none"),)

@@ -108,9 +108,12 @@ def _change(desk: Desk, field: str, typed: str) -> bool:
 
 
 def _say_habit(desk: Desk, field: str) -> None:
-    at = LANGUAGES.index(desk.say.language)
-    value = habits.spelled(field, getattr(desk.habits, field), at)
-    desk.answer(f"habit-{field}", name=habits.SPELLINGS[field][0][at], value=value)
+    at, value = LANGUAGES.index(desk.say.language), getattr(desk.habits, field)
+    name = habits.SPELLINGS[field][0][at]
+    if field != "progress":
+        desk.answer(f"habit-{field}", name=name, value=habits.spelled(field, value, at))
+    else:
+        desk.answer("habit-progress" if value else "habit-progress-never", name=name, value=value)
 
 
 def _say_choices(desk: Desk, field: str) -> bool:

@@ -93,7 +93,7 @@ class Desk:
         self.searched = ""
         """What SEARCH looked for last."""
         self.watched: list[str] = []
-        """Variables, folded."""
+        """Variables, as they were typed."""
         self.is_hurrying = False
         """Whether a program was just stopped: what is told then asks for nothing."""
         self.is_pausing = False

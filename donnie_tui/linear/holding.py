@@ -107,6 +107,9 @@ class Holding:
         self._desk.tell(*self._watching.look(frames[0].variables if frames else ()))
         if self._desk.is_pausing or not line:
             self._desk.answer("answer-paused-at", line=frames[0].line if frames else 1)
+        at = line or (frames[0].line if frames else 0)
+        if 0 < at <= len(self._desk.program.lines):
+            self._desk.place = at
         if line:  # else in the middle of a movement or a wait
             self._desk.tell(*self._words.held(line, column, frames))
         self._desk.is_pausing = False

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from donnie_tui.core.answer_log import spelled
 from donnie_tui.core.transcript import lines_of
-from donnie_tui.i18n.catalogue.signs import CODE_OF
+from donnie_tui.i18n.catalogue.signs import SPELLED_OF
 from donnie_tui.linear.arguments import Handler, alone, counted
 from donnie_tui.linear.desk import Desk
 from donnie_tui.linear.reading import go_to
@@ -41,7 +41,7 @@ def _last_word(desk: Desk) -> None:
 def _say_spelled(desk: Desk, text: str) -> None:
     if text:
         desk.is_repeating = True
-        desk.tell(*spelled(text[:LONGEST_SPELLED], CODE_OF, desk.say))
+        desk.tell(*spelled(text[:LONGEST_SPELLED], SPELLED_OF, desk.say))
     else:
         desk.answer("answer-nothing-said")
 

@@ -3,15 +3,13 @@
 from __future__ import annotations
 
 from donnie_tui.core import map_words, numbers
-from donnie_tui.core.around import around_in_words
+from donnie_tui.core.around import around_in_words, compass_point
 from donnie_tui.core.map_grid import FREE, MapGrid
 from donnie_tui.core.naming import shown_name
 from donnie_tui.linear.arguments import Handler, alone, counted, numbers_in
 from donnie_tui.linear.desk import Desk
 from donnie_tui.linear.runs import Runs
-from language.source import fold_name
 
-_COMPASS = ("north", "norte")
 _DEFAULT_TRAIL = 5
 
 
@@ -29,12 +27,12 @@ def _where(desk: Desk) -> None:
 
 
 def _around(desk: Desk, _: Runs, rest: str) -> bool:
-    if rest and fold_name(rest) not in _COMPASS:
+    """As the robot looks, or by the compass from the point that is named on."""
+    point = compass_point(rest)
+    if rest and point is None:
         return False
     clock = desk.habits.clock and not rest
-    desk.tell_of_robot(
-        *around_in_words(_grid(desk), desk.session.pose, desk.say, absolute=bool(rest), clock=clock)
-    )
+    desk.tell_of_robot(*around_in_words(_grid(desk), desk.session.pose, desk.say, compass=point, clock=clock))
     return True
 
 

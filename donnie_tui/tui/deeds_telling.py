@@ -11,11 +11,11 @@ from typing import TYPE_CHECKING
 from donnie_tui import sound_words
 from donnie_tui.core import map_words
 from donnie_tui.core.answer_log import spelled
-from donnie_tui.core.around import around_in_words
+from donnie_tui.core.around import around_in_words, compass_point
 from donnie_tui.core.map_grid import MapGrid
 from donnie_tui.core.naming import shown_name
 from donnie_tui.core.transcript import lines_of, said_by
-from donnie_tui.i18n.catalogue.signs import CODE_OF
+from donnie_tui.i18n.catalogue.signs import SPELLED_OF
 from donnie_tui.tui.running import Answer
 from donnie_tui.tui.screens.chooser import Choice
 
@@ -57,7 +57,8 @@ class TellingDeeds:
 
     def around(self, argument: str) -> None:
         pose = self._host.pose
-        self._tell_of_robot(*around_in_words(self._grid, pose, self._host.words, absolute=bool(argument)))
+        point = (compass_point(argument) or 0) if argument else None
+        self._tell_of_robot(*around_in_words(self._grid, pose, self._host.words, compass=point))
 
     def map(self, argument: str) -> None:
         place, words, pose = numbers_in(argument), self._host.words, self._host.pose
@@ -96,7 +97,7 @@ class TellingDeeds:
     def spell(self, argument: str) -> None:
         which = next(iter(numbers_in(argument)), 1)
         line = next(iter(self._host.answers.last(which)[-1:]), "")
-        self._tell(*spelled(line, CODE_OF, self._host.words))
+        self._tell(*spelled(line, SPELLED_OF, self._host.words))
 
     def find(self, argument: str) -> None:
         found = self._host.answers.found(argument)

@@ -71,3 +71,12 @@ def test_what_is_told_of_the_world_says_for_which_robot(tmp_path: Path) -> None:
         "bob: No things within 10 steps.",
         "bob: I have not moved yet.",
     ]
+
+
+def test_a_program_with_a_mistake_does_not_begin(tmp_path: Path) -> None:
+    typed = "FWD 2\nFW 1\nSTART\nDELETE 1\nSTART\nNEW\nQUIT\n"
+    done = donnie(tmp_path, "--linear", *QUIET, "--speed", "max", typed=typed)
+    said = done.stdout.decode().splitlines()
+
+    assert "Error, line 1, column 1: I do not know FWD." in said
+    assert said.count("donnie begins.") == 1

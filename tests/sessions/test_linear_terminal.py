@@ -252,6 +252,17 @@ def test_a_program_is_stepped_through(learner: Learner) -> None:
     learner.sees("I turned 90 degrees to the right.\r\n> ")
 
 
+def test_the_reading_place_is_the_line_where_a_program_holds(learner: Learner) -> None:
+    learner.enters("FW 1", "TR 90", "FW 2", "STEP")
+    learner.sees("Line 1: FW 1\r\n> ")
+    learner.types("\r")
+    learner.sees("Line 2: TR 90\r\n> ")
+    learner.types("PLACE\r")
+    learner.sees("Line 2 of 3, level 0.\r\n> ")
+    learner.types("READ\r")
+    learner.sees("Line 2: TR 90\r\n> ")
+
+
 def test_quit_runs_what_waits_and_leaves(learner: Learner) -> None:
     learner.enters("FW 3", "QUIT")
 

@@ -134,6 +134,13 @@ def test_settings_and_its_synonyms_are_set(tmp_path: Path) -> None:
     assert told(tmp_path, "SETTINGS") == told(tmp_path, "CONFIGURE") == told(tmp_path, "SET")
 
 
+def test_signs_of_life_are_never_given_rather_than_every_nought_seconds(tmp_path: Path) -> None:
+    assert told(tmp_path, "SET progress 0", "SET progress 1") == [
+        "Signs of life, progress: never.",
+        "Signs of life, progress: 1 second.",
+    ]
+
+
 def test_reports_are_written_as_pages_tables_and_text(tmp_path: Path) -> None:
     lines = told(tmp_path, "FW 3", "RUN", "REPORT map m", "REPORT trail t.csv", "REPORT help h", "SAVE LOG l")
 

@@ -277,9 +277,12 @@ _HABITS = {
         "Enter key, {name}: {value}.", "Tecla Enter, {name}: {value}.", "Tecla Enter, {name}: {value}."
     ),
     "habit-progress": Sentence(
-        "Signs of life, {name}: {value} seconds.",
-        "Sinais de vida, {name}: {value} segundos.",
-        "Señales, {name}: {value} segundos.",
+        "Signs of life, {name}: {value} {value:second|seconds}.",
+        "Sinais de vida, {name}: {value} {value:segundo|segundos}.",
+        "Señales, {name}: {value} {value:segundo|segundos}.",
+    ),
+    "habit-progress-never": Sentence(
+        "Signs of life, {name}: never.", "Sinais de vida, {name}: nunca.", "Señales, {name}: nunca."
     ),
     "habit-clock": Sentence(
         "Clock face, {name}: {value}.", "Como relógio, {name}: {value}.", "Como reloj, {name}: {value}."

@@ -208,6 +208,15 @@ SENTENCES: dict[str, Sentence] = {
     "undone-gripper-nothing-there": Sentence("nothing gripped", "nada pego", "nada agarrado"),
     "undone-gripper-holds-already": Sentence("nothing gripped", "nada pego", "nada agarrado"),
     "undone-gripper-holds-nothing": Sentence("nothing let go", "nada solto", "nada soltado"),
+    "undone-part-walk": Sentence("part of a walk", "parte de uma caminhada", "parte de una caminata"),
+    "undone-part-turn": Sentence("part of a turn", "parte de um giro", "parte de un giro"),
+    "undone-statement": Sentence(
+        "beginning of line {line}", "começo da linha {line}", "comienzo de la línea {line}"
+    ),
+    "undone-read": Sentence("a sensor said {value}", "um sensor disse {value}", "un sensor dijo {value}"),
+    "undone-cue": Sentence("a sound", "um som", "un sonido"),
+    "undone-belt": Sentence("the belt changed", "o cinto mudou", "el cinturón cambió"),
+    "undone-things": Sentence("things moved", "objetos movidos", "objetos movidos"),
     "undone-something": Sentence("a moment", "um momento", "un momento"),
     "undone-reset": Sentence("back to the start", "volta ao começo", "vuelta al comienzo"),
 }

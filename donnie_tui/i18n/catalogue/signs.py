@@ -45,7 +45,7 @@ CODE_OF = {
     "~": "sign-tilde",
 }
 
-SENTENCES: dict[str, Sentence] = {
+_NAMES: dict[str, Sentence] = {
     "sign-equals": Sentence("an equals sign", "um sinal de igual", "un signo igual"),
     "sign-double-equals": Sentence("two equals signs", "dois sinais de igual", "dos signos igual"),
     "sign-different": Sentence("the sign different", "o sinal diferente", "el signo distinto"),
@@ -91,4 +91,24 @@ SENTENCES: dict[str, Sentence] = {
     "sign-bar": Sentence("a vertical bar", "uma barra vertical", "una barra vertical"),
     "sign-tilde": Sentence("a tilde", "um til", "una tilde"),
     "sign-other": Sentence("the character {sign}", "o caractere {sign}", "el carácter {sign}"),
+}
+
+_ARTICLES = ("an ", "a ", "uma ", "um ", "una ", "un ")
+
+
+def _bare(name: str) -> str:
+    """Without its article: among letters that are spelled it would only take time."""
+    article = next((each for each in _ARTICLES if name.startswith(each)), "")
+    return name.removeprefix(article)
+
+
+def _spelled(name: Sentence) -> Sentence:
+    return Sentence(_bare(name.en), _bare(name.pt), _bare(name.es))
+
+
+SPELLED_OF = {sign: code.replace("sign-", "spell-") for sign, code in CODE_OF.items() if len(sign) == 1}
+"""How each sign is called where it is spelled."""
+
+SENTENCES: dict[str, Sentence] = _NAMES | {
+    code: _spelled(_NAMES[CODE_OF[sign]]) for sign, code in SPELLED_OF.items()
 }

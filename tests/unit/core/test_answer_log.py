@@ -3,7 +3,7 @@
 import pytest
 
 from donnie_tui.core.answer_log import KEPT, LONGEST_ANSWER, MOST_FOUND, AnswerLog, spelled
-from donnie_tui.i18n.catalogue.signs import CODE_OF
+from donnie_tui.i18n.catalogue.signs import SPELLED_OF
 from donnie_tui.i18n.words import Words
 
 
@@ -46,17 +46,19 @@ def test_all_of_it_as_text_is_a_line_each() -> None:
 @pytest.mark.parametrize(
     ("language", "text", "told"),
     [
-        ("en", "Fw 3.", "capital F, w, blank, 3, a full stop."),
+        ("en", "Fw 3.", "capital F, w, blank, 3, full stop."),
         ("pt", "á b", "á, espaço, b."),
         ("es", "A", "mayúscula A."),
+        ("pt", "[.", "abre colchetes, ponto."),
+        ("es", "[_", "corchete que abre, guion bajo."),
     ],
 )
 def test_spelling_names_capitals_blanks_and_signs(language: str, text: str, told: str) -> None:
-    assert spelled(text, CODE_OF, Words(language)) == (told,)
+    assert spelled(text, SPELLED_OF, Words(language)) == (told,)
 
 
 def test_a_long_word_is_spelled_in_lines_for_a_braille_display() -> None:
-    lines = spelled("abcdefghij" * 5, CODE_OF, Words())
+    lines = spelled("abcdefghij" * 5, SPELLED_OF, Words())
 
     assert max(map(len, lines)) <= 40
     assert "".join(each for line in lines for each in line if each.isalpha()) == "abcdefghij" * 5

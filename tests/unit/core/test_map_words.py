@@ -8,7 +8,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from devices.ports.robot import Pose
-from donnie_tui.core.around import RANGE, around_in_words
+from donnie_tui.core.around import RANGE, around_in_words, compass_point
 from donnie_tui.core.map_grid import FREE, MapGrid
 from donnie_tui.core.map_words import (
     column_in_words,
@@ -86,7 +86,7 @@ def test_everything_in_range_is_named_exactly_once(
 ) -> None:
     pose = Pose(picture.left, picture.bottom, heading)
     words = Words("en", detail)
-    told = around_in_words(MapGrid(picture, pose), pose, words, absolute=absolute, clock=clock)
+    told = around_in_words(MapGrid(picture, pose), pose, words, compass=0 if absolute else None, clock=clock)
     near = [
         each
         for each in picture.things
@@ -118,9 +118,25 @@ def test_around_begins_ahead_and_goes_clockwise() -> None:
 
 def test_around_by_the_compass_begins_in_the_north_whatever_the_heading() -> None:
     pose = Pose(3, 1, 90)
-    told = around_in_words(MapGrid(ROOM, pose), pose, Words(), absolute=True)
+    told = around_in_words(MapGrid(ROOM, pose), pose, Words(), compass=0)
 
     assert told[1] == "North: chair, red, 2 steps."
+
+
+@pytest.mark.parametrize(
+    ("typed", "point"), [("east", 2), ("LESTE", 2), ("Este", 2), ("sur", 4), ("up", None)]
+)
+def test_the_points_of_the_compass_are_understood_in_three_languages(typed: str, point: int | None) -> None:
+    assert compass_point(typed) == point
+
+
+def test_around_begins_with_the_point_that_is_named() -> None:
+    pose = Pose(3, 1, 0)
+    by_north, by_east = (around_in_words(MapGrid(ROOM, pose), pose, Words(), compass=at) for at in (0, 2))
+    sides = list(dict.fromkeys(line.split(":")[0] for line in by_east[1:]))
+
+    assert sides == ["East", "South", "West", "North"]
+    assert sorted(by_east) == sorted(by_north)
 
 
 def test_around_on_a_clock_face_names_the_hours() -> None:

@@ -1,10 +1,27 @@
 """Going back through what happened leads to the states that there were, step by step and event by event."""
 
+import pytest
+
 from devices.ports.robot import Pose
 from donnie_tui.core.chronicle import Chronicle
-from donnie_tui.core.events import TRANSIENT, Announced, Moved, Passing, Reset, Spoke, Stamped
+from donnie_tui.core.events import (
+    TRANSIENT,
+    Announced,
+    BeltShown,
+    CueSounded,
+    Event,
+    Moved,
+    Passing,
+    Read,
+    Reset,
+    Spoke,
+    Stamped,
+    Statement,
+    ThingsMoved,
+)
 from donnie_tui.core.retelling import told_back
 from donnie_tui.core.timeline import Timeline
+from donnie_tui.i18n.words import Words
 from tests.floor import Floor
 from tests.unit.core.values import HERE
 
@@ -87,6 +104,27 @@ def test_going_back_is_told_with_the_place_that_it_leads_to() -> None:
         "Back: start of test.gd.",
     ]
     assert told_back((), timeline, floor.words) == "This is the start."
+
+
+@pytest.mark.parametrize(
+    ("event", "told"),
+    [
+        (CueSounded("step-forward", 0.0, None), "De volta: parte de uma caminhada. Posição 0, 1."),
+        (CueSounded("turn-left", 0.0, None), "De volta: parte de um giro. Virado para norte."),
+        (CueSounded("obstacle", 0.0, 1.0), "De volta: um som."),
+        (Read("distance", "F", 7), "De volta: um sensor disse 7."),
+        (Statement(3, 1, 0), "De volta: começo da linha 3."),
+        (BeltShown((0,) * 14), "De volta: o cinto mudou."),
+        (ThingsMoved(()), "De volta: objetos movidos."),
+    ],
+)
+def test_what_a_program_had_only_begun_is_told_by_its_name(event: Event, told: str) -> None:
+    here = Moved("PF 1", 1, 1, None, Pose(0, 1, 0), True)
+    timeline = Timeline([Stamped(1, 0.0, here), Stamped(2, 0.0, event)])
+    timeline.go_to(2)
+    timeline.back()
+
+    assert told_back((timeline.events[1],), timeline, Words("pt")) == told
 
 
 def test_a_trail_begins_anew_with_a_reset() -> None:

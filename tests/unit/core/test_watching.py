@@ -1,6 +1,6 @@
 """Watched variables: each change is told once."""
 
-from donnie_tui.core.watching import Watching
+from donnie_tui.core.watching import Watching, toggle_watch
 from donnie_tui.i18n.words import Words
 
 
@@ -27,3 +27,15 @@ def test_names_may_be_added_meanwhile() -> None:
     names.append("x")
 
     assert (before, watching.look([("x", 3)])) == ((), ("x is 3.",))
+
+
+def test_a_name_is_told_as_it_was_typed_and_found_without_its_accents() -> None:
+    watched: list[str] = []
+    watching = Watching(watched, Words("pt"))
+    told = [toggle_watch(watched, "ação", Words("pt")), toggle_watch(watched, "", Words("pt"))]
+    changed = watching.look([("AÇÃO", 3)])
+
+    assert told == [("Vigiando ação.",), ("Vigiando ação.",)]
+    assert changed == ("ação é 3.",)
+    assert toggle_watch(watched, "ACAO", Words("pt")) == ("Não vigio mais ACAO.",)
+    assert watched == []
