@@ -13,25 +13,24 @@ from math import inf
 
 from devices.ports.robot import Motion, StoppedBy
 from sim.clock import Mark
+from sim.ramps import NEARLY, Rate
 from sim.vehicle import Vehicle, Whereabouts
 
 MOST_REPORTS = 1000
 """Of a longer movement only every so many-th step is told, so that a huge one stays short."""
-NEARLY = 1e-6
-"""Steps or degrees by which a sum of fractions may miss whole ones."""
 
 Going = tuple[int, StoppedBy | None]
 """Whole steps or degrees done, and why no more."""
 
 
 class Movement(ABC):
-    """A movement of ``asked`` steps or degrees, ``rate`` in a second, the ``every``-th of which are told."""
+    """A movement of ``asked`` steps or degrees, as fast as ``rate``, the ``every``-th of which are told."""
 
-    def __init__(self, vehicle: Vehicle, motion: Motion, asked: int, rate: float, every: int) -> None:
+    def __init__(self, vehicle: Vehicle, motion: Motion, asked: int, rate: Rate, every: int) -> None:
         self._vehicle = vehicle
         self._motion = motion
         self._asked = asked
-        self._rate = rate
+        self._course = rate.over(asked)
         self._every = every
         self._start = vehicle.here
         self._whole = 0
@@ -83,7 +82,9 @@ class Sweeping(Movement):
     def _room(self) -> int:
         """Whole steps or degrees that can be gone at once."""
         seconds, left = self._vehicle.clock.undisturbed(), self._asked - self._whole
-        return left if seconds == inf else min(left, int(seconds * self._rate + NEARLY))
+        if seconds == inf:
+            return left
+        return min(left, int(self._course.further(self._whole, seconds) + NEARLY))
 
     def _play(
         self, count: int, amount: float, at: Callable[[float], Whereabouts], room: int
@@ -92,14 +93,15 @@ class Sweeping(Movement):
 
         Answers how many happened, and whether that is all.
         """
-        vehicle, rate, seconds = self._vehicle, self._rate, amount / self._rate
+        vehicle, course, begun = self._vehicle, self._course, self._whole
+        seconds = course.seconds(begun, amount)
 
         def passing(spent: float) -> None:
-            vehicle.pass_by(at(spent * rate))
+            vehicle.pass_by(at(course.further(begun, spent)))
             vehicle.show()
 
         spent = vehicle.clock.spend(seconds, self._marks(count, at, room), passing)
-        return (amount, True) if spent >= seconds else (spent * rate, False)
+        return (amount, True) if spent >= seconds else (course.further(begun, spent), False)
 
     def _marks(self, count: int, at: Callable[[float], Whereabouts], room: int) -> list[Mark]:
         """When to tell what of the next ``count`` steps or degrees; to the last one if nobody can disturb."""
@@ -112,7 +114,8 @@ class Sweeping(Movement):
         amounts = [*range(first, begun + count, stride)]
         if is_all or (begun + count) % stride == 0:
             amounts.append(begun + count)
-        return [((n - begun) / self._rate, self._telling(n, at, n - begun)) for n in amounts]
+        seconds = self._course.seconds
+        return [(seconds(begun, n - begun), self._telling(n, at, n - begun)) for n in amounts]
 
     def _telling(self, whole: int, at: Callable[[float], Whereabouts], amount: int) -> Callable[[], None]:
         def tell() -> None:

@@ -28,6 +28,7 @@ from sim.meeting import Meeting
 from sim.motion import Mover
 from sim.movement import Going, Movement
 from sim.placement import Placement
+from sim.ramps import Rate
 from sim.sensors import CENTIMETRES_A_STEP, Seen
 from sim.turning import Bend, Turn
 from sim.turns import Seat
@@ -189,11 +190,11 @@ class SimulatedRobot:
 
         return Random(f"{self._seed} {self.name}")
 
-    def _walk(self, motion: Motion, steps: int, rate: float) -> Moved:
+    def _walk(self, motion: Motion, steps: int, rate: Rate) -> Moved:
         if steps < 0:
             raise ValueError("a walk has no negative steps")
         metres, turned = steps * STEP, 180.0 if motion is Motion.BACKWARD else 0.0
-        if self._vehicle.leap(metres, turned, metres / STEP / moving(rate)):
+        if self._vehicle.leap(metres, turned, moving(rate).over(steps).seconds(0.0, metres / STEP)):
             return Moved(steps, steps, None, self.pose())
         walked, stopped_by = self._run(Walk(self._vehicle, motion, steps, rate))
         met = self._meeting.walking(self._vehicle.here.truth, turned, stopped_by)

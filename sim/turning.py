@@ -6,8 +6,9 @@ from math import ceil, radians, sin
 
 from devices.ports.robot import STEP, Bearing, Motion, StoppedBy
 from sim.motion import TOUCHING
-from sim.movement import NEARLY, Movement, Sweeping
-from sim.vehicle import TICK, Vehicle, Whereabouts
+from sim.movement import Movement, Sweeping
+from sim.ramps import NEARLY, TICK, Rate
+from sim.vehicle import Vehicle, Whereabouts
 
 DEGREES_A_REPORT = 10
 
@@ -15,7 +16,7 @@ DEGREES_A_REPORT = 10
 class Turn(Sweeping):
     """On the spot. ``sign``: 1 counter-clockwise, -1 clockwise."""
 
-    def __init__(self, vehicle: Vehicle, motion: Motion, degrees: int, rate: float, sign: int) -> None:
+    def __init__(self, vehicle: Vehicle, motion: Motion, degrees: int, rate: Rate, sign: int) -> None:
         super().__init__(vehicle, motion, degrees, rate, DEGREES_A_REPORT)
         self._sign = sign
 
@@ -35,12 +36,13 @@ class Turn(Sweeping):
     def _tick(self) -> StoppedBy | None:
         vehicle = self._vehicle
         to_report = DEGREES_A_REPORT - self._whole % DEGREES_A_REPORT
-        wanted = min(max(1, int(self._rate * TICK)), self._asked - self._whole, to_report)
+        in_a_tick = max(1, int(self._course.further(self._whole, TICK)))
+        wanted = min(in_a_tick, self._asked - self._whole, to_report)
         is_clear = vehicle.is_clear()
         free = wanted if is_clear else self._free(wanted)
         if free == 0:
             return StoppedBy.COLLISION
-        if not vehicle.clock.elapse(free / self._rate):
+        if not vehicle.clock.elapse(self._course.seconds(self._whole, free)):
             return StoppedBy.USER
         self._whole += free if is_clear and vehicle.is_clear() else self._free(free)
         vehicle.go_to(self._at(self._whole))
@@ -56,7 +58,7 @@ class Bend(Movement):
     """A car's turn, driving forward on a circle of ``radius`` metres: straight pieces, turned by degrees."""
 
     def __init__(
-        self, vehicle: Vehicle, motion: Motion, degrees: int, rate: float, sign: int, radius: float
+        self, vehicle: Vehicle, motion: Motion, degrees: int, rate: Rate, sign: int, radius: float
     ) -> None:
         super().__init__(vehicle, motion, degrees, rate, DEGREES_A_REPORT)
         self._sign = sign
@@ -72,7 +74,8 @@ class Bend(Movement):
             return StoppedBy.OBSTACLE
         if not self._goes():
             return StoppedBy.COLLISION
-        if not vehicle.clock.elapse(1 / (self._rate * self._pieces)):
+        done = self._whole + self._piece / self._pieces
+        if not vehicle.clock.elapse(self._course.seconds(done, 1 / self._pieces)):
             return StoppedBy.USER
         if not self._goes(really=True):
             return StoppedBy.COLLISION

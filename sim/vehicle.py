@@ -11,12 +11,11 @@ from sim.hand import Hand
 from sim.motion import Mover
 from sim.placement import Placement
 from sim.pushing import Advance, Pushing
+from sim.ramps import TICK
 from sim.sensors import Spot
 from sim.units import pose_of
 from sim.wheels import Odometry, Rates
 
-TICK = 1 / 20
-"""Seconds of robot time at most in which a robot that others may disturb takes the world to stand still."""
 CLEARANCE = 0.3
 """Metres: a robot that has that much room more than it needs looks around again only after a while."""
 
@@ -77,8 +76,8 @@ class Vehicle:
         """Its body has changed: let the ground know how fast points of it may be now."""
         self._clear_until = -inf
         rates = self.rates
-        turning = radians(max(rates.right, rates.left)) * self.mover.body.radius
-        self._ground.quicken(max(rates.forward, rates.backward) * STEP + turning)
+        turning = radians(max(rates.right.top, rates.left.top)) * self.mover.body.radius
+        self._ground.quicken(max(rates.forward.top, rates.backward.top) * STEP + turning)
 
     @property
     def changes_around(self) -> int:

@@ -2,18 +2,17 @@
 
 from __future__ import annotations
 
-from math import ceil, floor
-
 from devices.ports.robot import STEP, Bearing, Motion, StoppedBy
 from sim.motion import TOUCHING
-from sim.movement import NEARLY, Sweeping
-from sim.vehicle import TICK, Vehicle, Whereabouts
+from sim.movement import Sweeping
+from sim.ramps import NEARLY, Rate
+from sim.vehicle import Vehicle, Whereabouts
 
 
 class Walk(Sweeping):
     """Straight forward or backward."""
 
-    def __init__(self, vehicle: Vehicle, motion: Motion, steps: int, rate: float) -> None:
+    def __init__(self, vehicle: Vehicle, motion: Motion, steps: int, rate: Rate) -> None:
         super().__init__(vehicle, motion, steps, rate, 1)
         self._bearing = Bearing.BACK if motion is Motion.BACKWARD else Bearing.FRONT
         self._turned = 180.0 if motion is Motion.BACKWARD else 0.0
@@ -23,7 +22,6 @@ class Walk(Sweeping):
         self._must_push = False
         self._is_clear = False
         self._changes = -1
-        self._ticks_a_step = ceil(1.0 / (rate * TICK) - NEARLY)
 
     def _room(self) -> int:
         return super()._room() if self._is_whole and not self._must_push else 0
@@ -53,14 +51,12 @@ class Walk(Sweeping):
         self._is_clear = (self._is_clear or self._is_whole) and vehicle.is_clear()
         if not self._is_clear and self._is_barred():
             return StoppedBy.OBSTACLE
-        following = min(
-            self._asked, (floor(self._done * self._ticks_a_step + NEARLY) + 1) / self._ticks_a_step
-        )
+        following = min(self._asked, self._course.next_stop(self._done))
         length = (following - self._done) * STEP
         free = length if self._is_clear else vehicle.way(self._angle, length).metres
         if free < TOUCHING:
             return StoppedBy.COLLISION
-        if not vehicle.clock.elapse(free / STEP / self._rate):
+        if not vehicle.clock.elapse(self._course.seconds(self._done, free / STEP)):
             return StoppedBy.USER
         self._go(following, length, free)
         return None

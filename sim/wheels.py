@@ -1,16 +1,18 @@
 """What a robot's wheels do: how fast they take it, how tightly it turns, how wrong it counts.
 
-A robot goes a step (0.05 m) and turns 45 degrees in a second, slower where its world bounds its velocity; an
-acceleration is not simulated. Odometry counts with an error that is drawn once, from a seed, as in Stage.
+A robot goes a step (0.05 m) and turns 45 degrees in a second, slower where its world bounds its velocity
+or its acceleration. Odometry counts with an error that is drawn once, from a seed, as in Stage.
 """
 
 from __future__ import annotations
 
+from math import inf
 from typing import TYPE_CHECKING
 
 from devices.ports.robot import STEP, RobotProblem
 from devices.ports.values import frozen
-from sim.fittings import Drive, Limits, Localization, Wheels
+from sim.fittings import Bounds, Drive, Limits, Localization, Wheels
+from sim.ramps import Rate
 from sim.sensors import Spot
 
 if TYPE_CHECKING:
@@ -20,18 +22,20 @@ STEPS_A_SECOND = 1.0
 DEGREES_A_SECOND = 45.0
 LEAST = 1e-3
 """A velocity below this part of the usual one is none: a command would take for ever."""
+LEAST_GAIN = 1e-2
+"""The same of an acceleration: what a second adds to the velocity, as a part of the usual one."""
 
 
 @frozen
 class Rates:
     """How fast a robot is. 0: it can't do that."""
 
-    forward: float = STEPS_A_SECOND
-    """Steps a second."""
-    backward: float = STEPS_A_SECOND
-    right: float = DEGREES_A_SECOND
-    """Degrees a second."""
-    left: float = DEGREES_A_SECOND
+    forward: Rate = Rate(STEPS_A_SECOND)
+    """In steps."""
+    backward: Rate = Rate(STEPS_A_SECOND)
+    right: Rate = Rate(DEGREES_A_SECOND)
+    """In degrees."""
+    left: Rate = Rate(DEGREES_A_SECOND)
     bend: float | None = None
     """Metres: the radius of the smallest circle that a car drives; None turns on the spot."""
 
@@ -40,34 +44,51 @@ def rates_of(wheels: Wheels | None) -> Rates:
     """Without wheels: the usual ones."""
     if wheels is None:
         return Rates()
-    bounds = wheels.velocity_bounds or Limits()
-    forward = _bounded(bounds.x[1] / STEP, STEPS_A_SECOND)
-    backward = _bounded(-bounds.x[0] / STEP, STEPS_A_SECOND)
-    right, left = (_bounded(most, DEGREES_A_SECOND) for most in (-bounds.yaw[0], bounds.yaw[1]))
+    bounds, gains = wheels.velocity_bounds or Limits(), wheels.acceleration_bounds or _ANY
+    backward, forward = _both_ways(bounds.x, gains.x, STEP, STEPS_A_SECOND)
+    right, left = _both_ways(bounds.yaw, gains.yaw, 1.0, DEGREES_A_SECOND)
     if wheels.drive is not Drive.CAR:
         return Rates(forward, backward, right, left)
     bend = max(wheels.wheelbase, STEP)
-    curving = forward * STEP / bend * DEGREES_A_RADIAN
-    return Rates(forward, backward, min(right, curving), min(left, curving), bend)
+    curving = _times(forward, STEP / bend * DEGREES_A_RADIAN)
+    return Rates(forward, backward, _slower(right, curving), _slower(left, curving), bend)
 
 
 DEGREES_A_RADIAN = 57.29577951308232
+_ANY = Limits((-inf, inf), (-inf, inf), (-inf, inf))
+
+
+def _both_ways(speeds: Bounds, gains: Bounds, unit: float, usual: float) -> tuple[Rate, Rate]:
+    """Towards the lower and the upper bounds: what gains speed one way loses it the other."""
+    low, high = (_bounded(most / unit, usual) for most in (-speeds[0], speeds[1]))
+    less, more = (most / unit for most in (-gains[0], gains[1]))
+    if min(less, more) < LEAST_GAIN * usual:
+        return Rate(0.0), Rate(0.0)
+    return Rate(low, less, more), Rate(high, more, less)
+
+
+def _times(rate: Rate, factor: float) -> Rate:
+    return Rate(rate.top * factor, rate.up * factor, rate.down * factor)
+
+
+def _slower(one: Rate, other: Rate) -> Rate:
+    return Rate(min(one.top, other.top), min(one.up, other.up), min(one.down, other.down))
 
 
 def _bounded(most: float, usual: float) -> float:
     return min(usual, most) if most >= LEAST * usual else 0.0
 
 
-def moving(rate: float) -> float:
+def moving(rate: Rate) -> Rate:
     """The rate; RobotProblem ``cannot-drive`` where it is 0."""
-    if rate == 0.0:
+    if rate.top == 0.0:
         raise RobotProblem("cannot-drive")
     return rate
 
 
-def turning(rate: float) -> float:
+def turning(rate: Rate) -> Rate:
     """The rate; RobotProblem ``cannot-turn`` where it is 0."""
-    if rate == 0.0:
+    if rate.top == 0.0:
         raise RobotProblem("cannot-turn")
     return rate
 

@@ -20,16 +20,17 @@ from tests.unit.sim.floors import scene
 Commands = list[tuple[str, int]]
 PLACES = {"alice": (0.0, 0.0), "bob": (0.6, 0.0), "eve": (0.0, 0.6)}
 kinds = st.sampled_from(sorted(ROBOTS))
+wheels = st.sampled_from(["", "acceleration_bounds [ -0.02 0.031 0 0 0 0 -40 90 ]"])
 strolls = commands.map(lambda program: [(c, n if c == "t" else n % 16) for c, n in program[:6]])
 """Short ones: much is looked at while several robots move."""
 
 
-def several(kind: dict[str, str], around: list[Thing], yaw: int, pushable: bool) -> Scene:
+def several(kind: dict[str, str], around: list[Thing], yaw: int, pushable: bool, mounted: str = "") -> Scene:
     """A floor with robots of these kinds; what stands too near to one of them is left out."""
     text = SENSOR + "".join(ROBOTS[each].replace("define it", f"define {each}") + "\n" for each in ROBOTS)
     for turn, (name, model) in enumerate(kind.items()):
         x, y = PLACES[name]
-        text += f'{model}( name "{name}" pose [ {x} {y} 0 {yaw + 120 * turn} ] )\n'
+        text += f'{model}( name "{name}" pose [ {x} {y} 0 {yaw + 120 * turn} ] {mounted} )\n'
     clear = [
         thing
         for i, thing in enumerate(around)
@@ -96,11 +97,11 @@ def test_nothing_ever_reaches_into_anything(
 
 
 @settings(max_examples=40, deadline=None)
-@given(kinds, things, st.integers(0, 359), st.booleans(), strolls)
+@given(kinds, wheels, things, st.integers(0, 359), st.booleans(), strolls)
 def test_where_one_moves_ticks_and_one_sweep_come_to_the_same(
-    kind: str, around: list[Thing], yaw: int, pushable: bool, program: Commands
+    kind: str, mounted: str, around: list[Thing], yaw: int, pushable: bool, program: Commands
 ) -> None:
-    it = several({"alice": kind, "bob": "octagon"}, around, yaw, pushable)
+    it = several({"alice": kind, "bob": "octagon"}, around, yaw, pushable, mounted)
 
     def run(disturbed: bool) -> tuple[list[object], list[float]]:
         """What happened, exactly, and all the numbers of where and when."""

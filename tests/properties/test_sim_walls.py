@@ -18,7 +18,12 @@ Commands = list[tuple[str, int]]
 
 drives = st.sampled_from(['drive "diff"', 'drive "omni"', 'drive "car" wheelbase 0.3', 'drive "car"'])
 bounds = st.sampled_from(
-    ["", "velocity_bounds [ -0.02 0.011 0 0 0 0 -13 31 ]", "velocity_bounds [ -9 9 0 0 0 0 -999 999 ]"]
+    [
+        "",
+        "velocity_bounds [ -0.02 0.011 0 0 0 0 -13 31 ]",
+        "velocity_bounds [ -9 9 0 0 0 0 -999 999 ]",
+        "acceleration_bounds [ -0.02 0.01 0 0 0 0 -13 31 ]",
+    ]
 )
 thicknesses = st.sampled_from([0.00001, 0.0001, 0.001, 0.02, 0.05, 0.3])
 paces = st.sampled_from([None, 20.0, 1000.0])

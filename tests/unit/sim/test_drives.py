@@ -1,7 +1,7 @@
 """Robots that drive otherwise than Donnie: slower, as a car, counting their wheels' turns."""
 
 from itertools import pairwise
-from math import hypot, pi
+from math import hypot, pi, sqrt
 
 import pytest
 
@@ -54,6 +54,114 @@ def test_what_a_robot_cannot_do_at_all_is_said() -> None:
         stuck.backward(1)
     with pytest.raises(RobotProblem, match="cannot-turn"):
         stuck.turn(10)
+
+
+# --- getting faster and slower
+
+GAINS = "acceleration_bounds [ {} {} 0 0 0 0 {} {} ]"
+"""As the wheels have it: metres and degrees a second, a second more."""
+
+
+def seconds(robot: SimulatedRobot, steps: int = 0, degrees: int = 0) -> float:
+    before = robot.time()
+    if degrees:
+        robot.turn(degrees)
+    else:
+        (robot.forward if steps > 0 else robot.backward)(abs(steps))
+    return robot.time() - before
+
+
+def test_a_long_way_is_a_trapezoid_of_speed() -> None:
+    """At 0.025 m/s² it is at 0.05 m/s after 2 s and 1 step, and stops from there in the last one."""
+    robot = driven(GAINS.format(-0.025, 0.025, -90, 90))
+
+    assert seconds(robot, 10) == pytest.approx(2 + 8 + 2)
+    assert seconds(robot, -10) == pytest.approx(12)
+
+
+def test_a_short_way_never_reaches_the_top_speed() -> None:
+    """Half of the way faster, half slower: twice the root of way by acceleration."""
+    robot = driven(GAINS.format(-0.025, 0.025, -90, 90))
+
+    assert seconds(robot, 2) == pytest.approx(4)
+    assert seconds(robot, 1) == pytest.approx(2 * sqrt(0.05 / 0.025))
+    assert seconds(robot, degrees=20) == pytest.approx(2 * sqrt(20 / 90))
+
+
+def test_what_gains_speed_forward_loses_it_backward() -> None:
+    """0.1 m/s² forward, 0.0125 m/s² backward: half a second and a quarter of a step, four seconds and two."""
+    robot = driven(GAINS.format(-0.0125, 0.1, -45, 45))
+
+    assert seconds(robot, 10) == pytest.approx(0.5 + 7.75 + 4)
+    assert seconds(robot, -10) == pytest.approx(4 + 7.75 + 0.5)
+    assert seconds(robot, 1) == pytest.approx(sqrt(2 * 0.05 * (1 / 0.1 + 1 / 0.0125)))
+
+
+def test_a_turn_has_its_own_acceleration() -> None:
+    """45 degrees a second: 22.5 degrees to the top speed at 45 degrees a second, a second."""
+    robot = driven(GAINS.format(-1, 1, -22.5, 45))
+
+    assert seconds(robot, degrees=-90) == pytest.approx(1 + (90 - 22.5 - 45) / 45 + 2)
+    assert seconds(robot, degrees=90) == pytest.approx(2 + (90 - 45 - 22.5) / 45 + 1)
+
+
+def test_both_bounds_count_together() -> None:
+    robot = driven(BOUNDS.format(-0.025, 0.025, -90, 90) + GAINS.format(-0.0125, 0.0125, -90, 90))
+
+    assert seconds(robot, 10) == pytest.approx(2 + (10 - 1) / 0.5 + 2)
+
+
+def test_a_car_gets_faster_on_its_circle_as_straight_on() -> None:
+    robot = driven('drive "car" wheelbase 0.5 ' + GAINS.format(-0.01, 0.01, -900, 900))
+
+    assert seconds(robot, degrees=90) == pytest.approx(0.5 * pi / 2 / 0.05 + 0.05 / 0.01, rel=1e-3)
+
+
+def test_a_robot_that_cannot_get_faster_or_slower_says_that_it_cannot_drive() -> None:
+    stuck = driven(GAINS.format(0, 1, -90, 0))
+
+    with pytest.raises(RobotProblem, match="cannot-drive"):
+        stuck.forward(1)
+    with pytest.raises(RobotProblem, match="cannot-turn"):
+        stuck.turn(10)
+
+
+def test_each_step_of_a_ramp_is_told_at_its_time() -> None:
+    diary = Diary()
+    text = "define it position ( size [ 0.2 0.1 0.1 ] acceleration_bounds [ -0.025 0.025 0 0 0 0 -9 9 ] )"
+    robot = World(scene(f"{text}\nit( pose [ 0 0 0 90 ] )")).robot(pace=Unpaced(), watcher=diary)
+    diary.robot = robot
+
+    robot.forward(4)
+
+    assert [at for _, _, at in diary.progress] == pytest.approx([2, 3, 4, 6])
+    assert [round(pose.y, 6) for _, pose, _ in diary.progress] == [1, 2, 3, 4]
+
+
+@pytest.mark.parametrize("speed", [1.0, 7.0, None])
+def test_a_ramp_takes_the_same_robot_time_at_every_speed(speed: float | None) -> None:
+    text = "define it position ( size [ 0.2 0.1 0.1 ] acceleration_bounds [ -0.01 0.025 0 0 0 0 -9 20 ] )"
+    pace = Unpaced()
+    robot = World(scene(f"{text}\nit( pose [ 0 0 0 90 ] )")).robot(pace=pace, speed=speed)
+
+    robot.forward(7)
+    robot.turn(-200)
+
+    steps = 7 - 0.5 * (0.05 / 0.025 + 0.05 / 0.01) + 2 + 5
+    degrees = 45 / 20 / 2 + 45 / 9 / 2
+    assert robot.time() == pytest.approx(steps + 200 / 45 + degrees)
+    assert sum(pace.slept) == pytest.approx(robot.time() / speed if speed else 0)
+
+
+def test_a_robot_that_is_stopped_on_a_ramp_is_as_far_as_it_came() -> None:
+    text = "define it position ( size [ 0.2 0.1 0.1 ] acceleration_bounds [ -0.025 0.025 0 0 0 0 -9 9 ] )"
+    pace = Unpaced(stop_after=1.0)
+    robot = World(scene(f"{text}\nit( pose [ 0 0 0 90 ] )")).robot(pace=pace, speed=1.0)
+
+    moved = robot.forward(9)
+
+    assert (moved.walked, moved.stopped_by) == (0, StoppedBy.USER)
+    assert moved.pose.y == pytest.approx(0.25)
 
 
 def test_an_omni_drive_turns_on_the_spot_as_donnie_does() -> None:
