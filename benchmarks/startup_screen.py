@@ -38,7 +38,13 @@ def to_first_frame(home: str, *, and_on: bool = False) -> tuple[float, int]:
     """Seconds until the first frame; the most bytes that the process had, ``and_on`` until it is quiet."""
     master, slave = pty.openpty()
     fcntl.ioctl(slave, termios.TIOCSWINSZ, struct.pack("HHHH", 24, 80, 0, 0))
-    environment = {**os.environ, "TERM": "xterm-256color", "HOME": home, "LANG": "C.UTF-8"}
+    environment = {
+        **os.environ,
+        "TERM": "xterm-256color",
+        "HOME": home,
+        "LANG": "C.UTF-8",
+        "DONNIE_TOUR": "off",
+    }
     began = time.perf_counter()
     process = subprocess.Popen(
         [sys.executable, *DONNIE], stdin=slave, stdout=slave, stderr=slave, cwd=ROOT, env=environment

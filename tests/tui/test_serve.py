@@ -31,7 +31,7 @@ def server(tmp_path):
     process = subprocess.Popen(
         [sys.executable, "-m", "donnie_tui", "serve", "--port", str(port), "--speech", "off", "--lang", "en"],
         cwd=ROOT,
-        env=environment | {"HOME": str(tmp_path)},
+        env=environment | {"HOME": str(tmp_path), "DONNIE_TOUR": "off"},
         stdout=subprocess.DEVNULL,
         stderr=subprocess.DEVNULL,
     )
