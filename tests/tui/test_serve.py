@@ -1,11 +1,17 @@
 """``donnie serve``: a page on this machine alone, and the full screen behind it."""
 
+import asyncio
+import base64
 import os
+import shutil
 import socket
 import subprocess
 import sys
 import time
+from collections.abc import AsyncIterator
+from contextlib import asynccontextmanager
 from pathlib import Path
+from typing import Any
 
 import pytest
 
@@ -78,3 +84,87 @@ def test_a_port_that_is_none_is_one_sentence(port):
     assert code == 2
     assert "is no port" in told
     assert told.count("\n") == 1
+
+
+CHROMIUM = shutil.which("chromium")
+
+
+@pytest.fixture
+def browser(server, tmp_path):
+    """The address of a page's debugger, in a headless browser that looks at the server."""
+    port = free_port()
+    process = subprocess.Popen(
+        [
+            str(CHROMIUM), "--headless=new", "--no-sandbox", "--disable-gpu", "--window-size=1000,700",
+            f"--remote-debugging-port={port}", f"--user-data-dir={tmp_path / 'browser'}",
+            f"http://localhost:{server}/",
+        ],
+        stdout=subprocess.DEVNULL,
+        stderr=subprocess.DEVNULL,
+    )  # fmt: skip
+    yield f"http://localhost:{port}/json"
+    process.terminate()
+    process.wait(LIMIT)
+
+
+class Page:
+    """A page under a debugger: keys go in; what the server sends to it is written down."""
+
+    def __init__(self, socket: Any) -> None:
+        self._socket = socket
+        self._calls = 0
+        self.sent = b""
+
+    async def call(self, method: str, **values: Any) -> dict[str, Any]:
+        self._calls += 1
+        await self._socket.send_json({"id": self._calls, "method": method, "params": values})
+        while True:
+            told = await self._socket.receive_json(timeout=LIMIT)
+            self._note(told)
+            if told.get("id") == self._calls:
+                return told.get("result", {})
+
+    def _note(self, told: dict[str, Any]) -> None:
+        if told.get("method") == "Network.webSocketFrameReceived":
+            frame = told["params"]["response"]
+            is_text = frame["opcode"] == 1
+            self.sent += frame["payloadData"].encode() if is_text else base64.b64decode(frame["payloadData"])
+
+    async def gets(self, text: bytes) -> None:
+        while text not in self.sent:
+            self._note(await self._socket.receive_json(timeout=LIMIT))
+
+    async def value(self, expression: str) -> Any:
+        return (await self.call("Runtime.evaluate", expression=expression))["result"].get("value")
+
+    async def press(self, key: str, code: int) -> None:
+        for kind in ("rawKeyDown", "keyUp"):
+            await self.call("Input.dispatchKeyEvent", type=kind, key=key, windowsVirtualKeyCode=code)
+
+
+@asynccontextmanager
+async def page_of(browser: str) -> AsyncIterator[Page]:
+    end = time.monotonic() + LIMIT
+    async with aiohttp.ClientSession() as session:
+        while True:
+            try:
+                async with session.get(browser) as listed:
+                    address = next(each for each in await listed.json() if each["type"] == "page")
+                    break
+            except (aiohttp.ClientError, StopIteration):
+                assert time.monotonic() < end, "the browser does not start"
+                await asyncio.sleep(0.1)
+        async with session.ws_connect(address["webSocketDebuggerUrl"], max_msg_size=0) as socket:
+            yield Page(socket)
+
+
+@pytest.mark.skipif(CHROMIUM is None, reason="needs chromium")
+@pytest.mark.filterwarnings("ignore::ResourceWarning")
+async def test_a_browser_shows_the_workplace_and_tab_gives_it_the_keyboard(browser):
+    async with page_of(browser) as page:
+        await page.call("Network.enable")
+        await page.call("Page.reload")
+        await page.gets(b"Ready, speed")
+        while await page.value("document.activeElement.tagName") != "TEXTAREA":
+            await page.press("Tab", 9)
+        assert await page.value("document.querySelectorAll('.xterm-text-layer').length") == 1
