@@ -13,6 +13,7 @@ import time
 from collections.abc import Callable
 
 from devices.ports.robot import LinkNews, RobotProblem
+from devices.serial_link.opening import Opening
 from devices.serial_link.port import OpenPort
 from devices.serial_port import GONE, PortProblem, reason_of
 from devices.wire.commands import STOP, Drive
@@ -115,10 +116,7 @@ class SerialLink:
         self._is_given_up = True  # the link's thread notifies at every look
 
     def _connect(self) -> None:
-        try:
-            self._port = self._open_port(self.name)
-        except PortProblem as problem:
-            raise RobotProblem(problem.fault.value, port=problem.port, reason=problem.reason) from problem
+        self._port = self._opened()
         with self._lock:
             self._connection.open(self.now())
             self._connection.opened(self.now())
@@ -126,9 +124,16 @@ class SerialLink:
         if not self._is_answered():
             is_given_up = self._is_given_up
             self.close()
-            if is_given_up:
-                raise RobotProblem("given-up", port=self.name)
-            raise RobotProblem("no-answer", port=self.name)
+            raise RobotProblem("given-up" if is_given_up else "no-answer", port=self.name)
+
+    def _opened(self) -> OpenPort:
+        try:
+            port = Opening(self.name, self._open_port).wait(lambda: self._is_given_up)
+        except PortProblem as problem:
+            raise RobotProblem(problem.fault.value, port=problem.port, reason=problem.reason) from problem
+        if port is None:
+            raise RobotProblem("given-up", port=self.name)
+        return port
 
     def close(self) -> None:
         """Stop the robot, give that a moment to arrive, let go of the port. Any thread, any time."""

@@ -8,6 +8,7 @@ from __future__ import annotations
 import os
 import threading
 from collections.abc import Callable, Mapping, Sequence
+from itertools import count
 from typing import TextIO, cast
 
 from donnie_tui.bootstrap import Donnie, assemble
@@ -20,8 +21,10 @@ from donnie_tui.core.events import Answered, Outcome, Stamped
 from donnie_tui.core.runner import Run
 from donnie_tui.core.team import Assigned
 from donnie_tui.core.transcript import told_lines
+from donnie_tui.robot_search import Search
 from donnie_tui.settings import Settings
 from donnie_tui.settings import Source as Origin
+from donnie_tui.unusable import Unusable
 
 _GLANCE = 0.5
 """Seconds between two looks for a signal where waiting can't be interrupted by one."""
@@ -50,7 +53,7 @@ def run_original(order: Order) -> int:
 def _run(order: Order, files: Sequence[str], *, trace: bool) -> int:
     programs = read_programs(files, order.words)
     output = order.output
-    donnie = assemble(order.settings, terminal=False, out=cast(TextIO, Guarded(output)))
+    donnie = _assembled(order)
     try:
         assigned = assign(programs, donnie.team, order.words)
         _tell_notices(order.settings, donnie, output)
@@ -60,6 +63,29 @@ def _run(order: Order, files: Sequence[str], *, trace: bool) -> int:
         return codes.UNUSABLE if donnie.has_lost_output else code
     finally:
         donnie.close()
+
+
+def _assembled(order: Order) -> Donnie:
+    """With its robot. A signal meanwhile ends that as a failure does: what was opened is stopped."""
+    search, signals = Search(), count()
+
+    def give_up() -> None:
+        if next(signals) == 0 and not search.give_up():  # one more must not end the closing
+            raise KeyboardInterrupt
+
+    with stopped_by_signals(give_up) as stopped:
+        try:
+            donnie = assemble(
+                order.settings, terminal=False, out=cast(TextIO, Guarded(order.output)), search=search
+            )
+        except Unusable:
+            if stopped.is_set():
+                raise KeyboardInterrupt from None
+            raise
+        if stopped.is_set():  # too late for the search
+            donnie.close()
+            raise KeyboardInterrupt
+    return donnie
 
 
 def _run_to_the_end(donnie: Donnie, programs: Mapping[str, Assigned], output: Output, trace: bool) -> int:

@@ -94,6 +94,20 @@ def test_a_signal_stops_the_robot(tmp_path: Path, robot: DoubleOnPty, number: si
     assert robot.heard.endswith(STOP)
 
 
+@pytest.mark.parametrize("number", ENDING, ids=lambda each: each.name)
+def test_a_signal_while_connecting_ends_it_with_a_stop(
+    tmp_path: Path, robot: DoubleOnPty, number: signal.Signals
+) -> None:
+    robot.board.is_mute = True
+    process = start(tmp_path, "run", program(tmp_path, LONG_WALK), *serial(robot), *QUIET)
+    assert until(lambda: bool(robot.heard))
+    process.send_signal(number)
+
+    assert process.communicate(timeout=PATIENCE) == (b"", b"")
+    assert process.returncode == 130
+    assert until(lambda: robot.heard.endswith(STOP))
+
+
 def is_suspended(pid: int) -> bool:
     _, status = os.waitpid(pid, os.WUNTRACED)
     return os.WIFSTOPPED(status)

@@ -139,6 +139,42 @@ def test_connecting_can_be_given_up_and_tried_again(double: DoubleOnPty, moment:
     link.close()
 
 
+class SlowPort(OpenPort):
+    """One that opens when it is let, as a network's does after some seconds."""
+
+    def __init__(self, url: str, may_open: threading.Event) -> None:
+        assert may_open.wait(PATIENCE)
+        super().__init__(url)
+        self.last = b""
+        self.is_closed = threading.Event()
+
+    def write(self, data: bytes) -> None:
+        self.last = data
+
+    def close(self) -> None:
+        super().close()
+        self.is_closed.set()
+
+
+def test_a_port_that_takes_long_to_open_can_be_given_up_and_is_stopped_once_it_is_open() -> None:
+    may_open, opened = threading.Event(), list[SlowPort]()
+
+    def open_slowly(url: str) -> SlowPort:
+        opened.append(SlowPort(url, may_open))
+        return opened[-1]
+
+    link = SerialLink("loop://", open_port=open_slowly)
+    threading.Timer(0.1, link.give_up).start()
+    with pytest.raises(RobotProblem) as told:
+        link.connect()
+
+    assert (told.value.code, opened) == ("given-up", [])
+    may_open.set()
+    assert until(lambda: bool(opened))
+    assert opened[0].is_closed.wait(PATIENCE)
+    assert opened[0].last == STOP
+
+
 def test_unplug_is_told_and_found_again_where_its_name_leads(double: DoubleOnPty) -> None:
     news = News()
     link = SerialLink(double.path, LinkConfig(reopen=0.1), news)
