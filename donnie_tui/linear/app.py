@@ -215,6 +215,8 @@ class LinearMode:
                 self._close()
             case How.INTERRUPTED:
                 self._clear(typed.text)
+            case How.TOO_LONG:
+                self._desk.answer("linear-too-long")
             case How.ENTER:
                 self._past.remember(typed.text)
                 self._take_line(typed.text)
@@ -295,6 +297,9 @@ class LinearMode:
         canonical = keywords.canonical(line)
         if typed.how in (How.INTERRUPTED, How.CLOSED) or canonical in ("QUIT", "EXIT"):
             return Wish(Goes.STOP)
+        if typed.how is How.TOO_LONG:
+            self._desk.answer("linear-too-long")
+            return None
         if typed.how is How.ESCAPE or canonical == "RUN":
             return Wish(Goes.ON)
         if not line:

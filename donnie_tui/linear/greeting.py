@@ -16,16 +16,16 @@ from donnie_tui.i18n.first_words import CAUSES, HINT, PROMPT, TOUR
 
 _LANGUAGES = ("en", "pt", "es")
 _HARMLESS = ("DONNIE_LANG", "DONNIE_LINEAR", "DONNIE_READER", "DONNIE_TOUR")
-_WITH_VALUE = (
-    "--world",
-    "--lang",
-    "--speed",
-    "--seed",
-    "--speech",
-    "--sound",
-    "--verbosity",
-    "--events",
-)
+_SWITCH = ("on", "off")
+PLAIN_VALUES = {
+    "--lang": _LANGUAGES,
+    "--speech": ("auto", "text", "ssip", "tts", "robot", "off"),
+    "--sound": _SWITCH,
+    "--verbosity": ("brief", "normal", "full"),
+}
+"""What an option takes that has few values; anything else may be refused, and is told before the greeting."""
+_WITH_VALUE = ("--world", "--events")
+_WITH_NUMBER = ("--speed", "--seed")
 
 
 class Greeting:
@@ -115,13 +115,21 @@ def _plain_options(arguments: list[str]) -> dict[str, str] | None:
         name, equals, value = each.partition("=")
         if each == "--linear":
             found[each] = ""
-        elif name in _WITH_VALUE:
+        elif name in PLAIN_VALUES or name in _WITH_VALUE or name in _WITH_NUMBER:
             found[name] = value if equals else next(rest, "")
+            if not _is_plain(name, found[name]):
+                return None
         elif each.startswith("-") or "FILE" in found or not os.path.isfile(each):  # noqa: PTH113 -- pathlib is slow to load
             return None
         else:
             found["FILE"] = each
     return found
+
+
+def _is_plain(name: str, value: str) -> bool:
+    if name in _WITH_NUMBER:
+        return value == "max" or (value.isdecimal() and len(value) < 4 and value != "0")
+    return value in PLAIN_VALUES.get(name, (value,))
 
 
 def _has_other_settings(environment: os._Environ[str] | dict[str, str]) -> bool:

@@ -5,6 +5,7 @@ Both give the same values. What is typed while a program runs stays with the sys
 
 from __future__ import annotations
 
+from codecs import BOM_UTF16_BE, BOM_UTF16_LE, IncrementalDecoder, getincrementaldecoder
 from collections import deque
 from collections.abc import Callable, Iterable
 from enum import Enum, auto
@@ -18,7 +19,7 @@ from donnie_tui.linear.keys import ESCAPE_DELAY, Act, Key, KeyDecoder
 from donnie_tui.linear.recall import Past, Recall
 
 LONGEST_PLAIN = 1024 * 1024
-"""Bytes of a plain line after which it is taken as it is."""
+"""Bytes of a plain line; a longer one is nobody's program and is not kept."""
 
 
 class How(Enum):
@@ -33,6 +34,8 @@ class How(Enum):
     """Nothing more will come: Ctrl+D, the end of the input, or a signal to leave."""
     NEWS = auto()
     """It goes on once the news are told."""
+    TOO_LONG = auto()
+    """A line longer than any program's was left out."""
     CHOICES = auto()
     """Tab was pressed, and there are several words to choose from."""
 
@@ -205,21 +208,28 @@ def _common(words: tuple[str, ...]) -> str:
 
 
 class PlainReader:
-    """Reads lines as they come; a terminal that sends them edits them by itself."""
+    """Reads lines as they come; a terminal that sends them edits them by itself.
+
+    A line ends with LF, CR or both. What begins with the mark of UTF-16 is read as that.
+    """
 
     holds_newline = False
 
     def __init__(self, console: Console) -> None:
         self._console = console
         self._pending = b""
-        self._is_first = True
+        self._utf16: IncrementalDecoder | None = None
+        self._has_begun = self._is_first_line_over = False
+        self._ends_with_cr = False
+        self._is_lost = False
+        """Whether the line that is being read is too long."""
         self._ended = False
 
     def read(self, prompt: str, offered: str = "") -> Typed:  # noqa: ARG002 -- nothing can be offered here
         while True:
-            line = self._next_line()
-            if line is not None:
-                return Typed(self._decoded(line), How.ENTER)
+            typed = self._next_line()
+            if typed is not None:
+                return typed
             if self._ended or self._console.leaving is not None:
                 return Typed("", How.CLOSED)
             if self._console.wait(reading=True):
@@ -230,15 +240,30 @@ class PlainReader:
                 return Typed("", How.NEWS)
 
     def _take(self, data: bytes) -> None:
-        self._pending += data
         self._ended = not data
+        if not self._has_begun and data[:2] in (BOM_UTF16_LE, BOM_UTF16_BE):
+            self._utf16 = getincrementaldecoder("utf-16")(errors="replace")
+        self._has_begun = True
+        if self._utf16 is not None:
+            data = self._utf16.decode(data, final=self._ended).encode()
+        if data:
+            self._pending += self._with_one_line_end(data)
 
-    def _next_line(self) -> bytes | None:
+    def _with_one_line_end(self, data: bytes) -> bytes:
+        """CR LF may have come in two parts."""
+        rest = data.removeprefix(b"\n") if self._ends_with_cr else data
+        self._ends_with_cr = data.endswith(b"\r")
+        return rest.replace(b"\r\n", b"\n").replace(b"\r", b"\n")
+
+    def _next_line(self) -> Typed | None:
         line, newline, rest = self._pending.partition(b"\n")
-        if newline or (self._pending and self._ended) or len(line) >= LONGEST_PLAIN:
-            self._pending = rest
-            return line
-        return None
+        self._is_lost |= len(line) > LONGEST_PLAIN
+        if not newline and not (self._ended and (line or self._is_lost)):
+            self._pending = b"" if self._is_lost else self._pending
+            return None
+        self._pending = rest
+        was_lost, self._is_lost = self._is_lost, False
+        return Typed("", How.TOO_LONG) if was_lost else Typed(self._decoded(line), How.ENTER)
 
     def _decoded(self, line: bytes) -> str:
         """UTF-8, else the old code page of our learners' languages."""
@@ -246,5 +271,5 @@ class PlainReader:
             text = line.decode("utf-8")
         except UnicodeDecodeError:
             text = line.decode("cp1252", errors="replace")
-        was_first, self._is_first = self._is_first, False
-        return text.removeprefix("\ufeff" if was_first else "").rstrip("\r")
+        was_first, self._is_first_line_over = not self._is_first_line_over, True
+        return text.removeprefix("\ufeff" if was_first else "")

@@ -7,7 +7,7 @@ from pathlib import Path
 
 import pytest
 
-from tests.sessions.command import COMMAND, PATIENCE, QUIET, environment
+from tests.sessions.command import COMMAND, PATIENCE, QUIET, donnie, environment
 from tests.sessions.test_linear_words import printed_by
 
 
@@ -234,3 +234,27 @@ def test_only_what_can_be_a_variable_is_watched(tmp_path: Path) -> None:
         "Watching lado.",
         "Watching lado.",
     ]
+
+
+@pytest.mark.parametrize(
+    "typed",
+    [
+        b"FW 1\rSPEAK 7\rRUN\r",
+        b"FW 1\r\nSPEAK 7\r\nRUN",
+        "\ufeffFW 1\r\nSPEAK 7\r\nRUN\r\n".encode("utf-16-le"),
+        "\ufeffFW 1\nSPEAK 7\nRUN\n".encode("utf-16-be"),
+    ],
+    ids=["cr", "crlf", "utf16le", "utf16be"],
+)
+def test_typed_lines_end_as_on_any_system_and_may_be_utf16(tmp_path: Path, typed: bytes) -> None:
+    done = donnie(tmp_path, "--linear", *QUIET, "--speed", "max", typed=typed)
+
+    assert done.stdout.decode().splitlines()[2:] == ["I walked 1 step forward.", "7", "Goodbye."]
+
+
+def test_one_huge_line_is_refused_once_and_the_others_are_done(tmp_path: Path) -> None:
+    typed = b"FW 1\n" + b"x" * 3_000_000 + b"\nRUN\n" + b"y" * 1_100_000
+    done = donnie(tmp_path, "--linear", *QUIET, "--speed", "max", typed=typed)
+    lost = "The program is too long. That line is lost."
+
+    assert done.stdout.decode().splitlines()[2:] == [lost, "I walked 1 step forward.", lost, "Goodbye."]

@@ -7,6 +7,7 @@ from pathlib import Path
 import pytest
 
 from donnie_tui.linear import greeting
+from donnie_tui.settings import SPEECH, VERBOSITY
 
 
 @pytest.fixture
@@ -46,6 +47,10 @@ def test_it_greets_where_the_command_line_is_plain(
         ["run", "--linear"],
         ["--linear", "no-such-file.gd"],
         ["--world", "--linear"],
+        ["--linear", "--speech", "xx"],
+        ["--linear", "--sound=loud"],
+        ["--linear", "--lang", "xx"],
+        ["--linear", "--speed", "-3"],
         ["-t"],
     ],
 )
@@ -63,6 +68,11 @@ def test_a_program_on_the_command_line_gets_the_second_line(tmp_path: Path, prin
     greeting.begin(["--linear", str(tmp_path / "a.gd")], {})
 
     assert printed == [b"Linear mode, from the option.\n"]
+
+
+def test_what_options_take_is_what_the_settings_say() -> None:
+    assert set(greeting.PLAIN_VALUES["--speech"]) == set(SPEECH)
+    assert set(greeting.PLAIN_VALUES["--verbosity"]) == set(VERBOSITY)
 
 
 def test_it_greets_once(printed: list[bytes]) -> None:
