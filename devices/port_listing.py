@@ -22,6 +22,16 @@ class SystemPort(Protocol):
     device: str
     vid: int | None
     pid: int | None
+    serial_number: str | None
+    location: str | None
+    """The socket, also through hubs."""
+
+
+def system_ports() -> Iterable[SystemPort]:
+    """What pyserial finds, with or without udev."""
+    from serial.tools.list_ports import comports
+
+    return comports()
 
 
 @frozen
@@ -37,13 +47,9 @@ class FoundPort:
 
 
 def list_ports(
-    system: Callable[[], Iterable[SystemPort]] | None = None, by_id: Path = _BY_ID
+    system: Callable[[], Iterable[SystemPort]] = system_ports, by_id: Path = _BY_ID
 ) -> tuple[FoundPort, ...]:
     """What is plugged in: boards first, then by name."""
-    if system is None:
-        from serial.tools.list_ports import comports
-
-        system = comports
     names = _stable_names(by_id)
     found = [
         FoundPort(each.device, names.get(os.path.realpath(each.device), each.device), _is_board(each))

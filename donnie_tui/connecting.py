@@ -227,12 +227,14 @@ def _serial_robot(
     on_event: Callable[[LinkNews, str], None] | None = None,
 ) -> SerialRobot:
     from devices.reset_line import reset_of
+    from devices.same_board import SameBoard
     from devices.serial_link import SerialLink
     from devices.serial_link.port import OpenPort
     from devices.serial_robot.robot import SerialRobot
 
     reset = reset_of(settings.reset_line, port)
-    link = SerialLink(port, on_event=on_event, open_port=partial(OpenPort, reset=reset))
+    open_port = SameBoard(partial(OpenPort, reset=reset))
+    link = SerialLink(port, on_event=on_event, open_port=open_port)
     return SerialRobot(link, robot_config(settings), pace=pace, watcher=watcher, start=start)
 
 

@@ -38,15 +38,16 @@ def connect_belt(settings: Settings, team: Team, words: Words, closing: ExitStac
     if settings.belt is None:
         return ()
     refuse_shared_port(settings, words)
-    from devices.belt.line import BeltNews, SerialBelt
+    from devices.belt.line import BeltNews, SerialBelt, open_line
     from devices.port_listing import stable_name
+    from devices.same_board import SameBoard
     from devices.serial_port import PortProblem
 
     def tell(news: BeltNews) -> None:
         team.chosen.hub.publish(Answered(words(f"belt-{news.value}")))
 
     try:
-        belt = SerialBelt(stable_name(settings.belt), tell)
+        belt = SerialBelt(stable_name(settings.belt), tell, SameBoard(open_line))
     except PortProblem as problem:
         return (words("belt-missing", port=settings.belt, reason=problem.reason),)
     closing.callback(belt.close)

@@ -13,6 +13,8 @@ class Plugged:
     device: str
     vid: int | None = None
     pid: int | None = None
+    serial_number: str | None = None
+    location: str | None = None
 
 
 def test_boards_come_first_and_are_known_by_vendor_and_product(tmp_path: Path) -> None:
