@@ -247,4 +247,6 @@ def look_at_settings(settings: Settings, environment: Mapping[str, str]) -> Iter
 def _short(value: object) -> str:
     if isinstance(value, bool):
         return "on" if value else "off"
+    if isinstance(value, Mapping):
+        value = ", ".join(f"{name} {each}" for name, each in value.items())
     return "max" if value is None else str(value)[:40]

@@ -420,7 +420,7 @@ def test_a_script_that_forgets_run_is_told(tmp_path: Path) -> None:
 
 @pytest.mark.parametrize(
     "garbage",
-    [b"\xff\xfe\x00\n\nRUN\n", b"\x1b[A\x07\n\n", b'SPEAK "\xed\xb3\xbf"\nRUN\n', b"(" * 5000 + b"\nRUN\n"],
+    [b"\xfd\xff\x00\n\nRUN\n", b"\x1b[A\x07\n\n", b'SPEAK "\xed\xb3\xbf"\nRUN\n', b"(" * 5000 + b"\nRUN\n"],
     ids=["bytes", "keys", "surrogate", "parentheses"],
 )
 def test_garbage_is_answered(garbage: bytes, tmp_path: Path) -> None:

@@ -7,7 +7,7 @@ SENTENCES: dict[str, Sentence] = {
     "command-to-come": Sentence(
         "The command {command} is not there yet.",
         "O comando {command} ainda não existe.",
-        "La orden {command} aún no existe.",
+        "El comando {command} aún no existe.",
     ),
     # --- wrong usage
     "bad-option": Sentence(
@@ -114,7 +114,7 @@ SENTENCES: dict[str, Sentence] = {
     "usage-commands": Sentence(
         "Commands, each with its own --help. A file of that name runs as ./NAME.",
         "Comandos, cada um com seu --help. Um arquivo com esse nome: ./NOME.",
-        "Órdenes, cada una con su --help. Un archivo con ese nombre: ./NOMBRE.",
+        "Comandos, cada uno con su --help. Un archivo con ese nombre: ./NOMBRE.",
     ),
     "usage-run": Sentence(
         "Run a program without asking anything.",
@@ -162,7 +162,7 @@ SENTENCES: dict[str, Sentence] = {
     "option-version": Sentence("tell the version", "dizer a versão", "decir la versión"),
     "option-help": Sentence("this help", "esta ajuda", "esta ayuda"),
     "option-trace": Sentence(
-        "an event for each statement", "um evento para cada comando", "un evento por cada orden"
+        "an event for each statement", "um evento para cada comando", "un evento por cada comando"
     ),
     "option-to": Sentence(
         "the language of the keywords", "a língua das palavras-chave", "el idioma de las palabras clave"

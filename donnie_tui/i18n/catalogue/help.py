@@ -6,7 +6,7 @@ SENTENCES: dict[str, Sentence] = {
     "help-list": Sentence(
         "{count} commands. {help} and a word tells more.",
         "{count} comandos. {help} e uma palavra diz mais.",
-        "{count} órdenes. {help} y una palabra dice más.",
+        "{count} comandos. {help} y una palabra dice más.",
     ),
     "help-purpose": Sentence("{word}: {purpose}", "{word}: {purpose}", "{word}: {purpose}"),
     "help-form": Sentence("Form: {form}", "Forma: {form}", "Forma: {form}"),
@@ -15,7 +15,7 @@ SENTENCES: dict[str, Sentence] = {
     "help-unknown": Sentence(
         "I do not know {topic}. {help} lists the commands.",
         "Não conheço {topic}. {help} lista os comandos.",
-        "No conozco {topic}. {help} lista las órdenes.",
+        "No conozco {topic}. {help} lista los comandos.",
     ),
     "help-unknown-near": Sentence(
         "I do not know {topic}. Did you mean {near}?",
@@ -23,7 +23,7 @@ SENTENCES: dict[str, Sentence] = {
         "No conozco {topic}. Quizá querías decir {near}.",
     ),
     # --- the words in a form that stand for something else
-    "form-commands": Sentence("commands", "comandos", "órdenes"),
+    "form-commands": Sentence("commands", "comandos", "comandos"),
     "form-condition": Sentence("condition", "condição", "condición"),
     "form-value": Sentence("value", "valor", "valor"),
     "form-name": Sentence("name", "nome", "nombre"),
@@ -78,7 +78,7 @@ SENTENCES: dict[str, Sentence] = {
     "purpose-HELP": Sentence(
         "lists the commands, explains one.",
         "lista os comandos, explica um.",
-        "lista las órdenes, explica una.",
+        "lista los comandos, explica uno.",
     ),
     "purpose-RUN": Sentence(
         "runs what was typed.", "executa o que foi digitado.", "ejecuta lo que se escribió."
@@ -92,6 +92,6 @@ SENTENCES: dict[str, Sentence] = {
         "repeats while it is true.", "repete enquanto é verdade.", "repite mientras es verdad."
     ),
     "purpose-PROCEDURE": Sentence(
-        "teaches a new command.", "ensina um comando novo.", "enseña una orden nueva."
+        "teaches a new command.", "ensina um comando novo.", "enseña un comando nuevo."
     ),
 }

@@ -239,7 +239,7 @@ SENTENCES: dict[str, Sentence] = {
     "class-name": Sentence("a name", "um nome", "un nombre"),
     "class-expression": Sentence("a value", "um valor", "un valor"),
     "class-text": Sentence("a text", "um texto", "un texto"),
-    "class-command": Sentence("a command", "um comando", "una orden"),
+    "class-command": Sentence("a command", "um comando", "un comando"),
     "class-comparison": Sentence("a comparison", "uma comparação", "una comparación"),
     "class-direction": Sentence("a direction", "uma direção", "una dirección"),
     "class-axis": Sentence("X, Y or A", "X, Y ou A", "X, Y o A"),

@@ -130,11 +130,14 @@ def test_of_a_robot_without_such_a_pin_nothing_is_told() -> None:
 
 def test_it_is_told_which_source_of_a_setting_won(tmp_path: Path) -> None:
     environment = {"DONNIE_RATE": "200", "XDG_CONFIG_HOME": str(tmp_path), "HOME": str(tmp_path)}
-    settings, _ = resolve({"speech": "off"}, environment, {"rate": "90", "theme": "light"})
+    settings, _ = resolve(
+        {"speech": "off"}, environment, {"rate": "90", "theme": "light", "cues": "step-forward 0, bump 50"}
+    )
     lines = told(list(look_at_settings(settings, environment)))
     assert "speech is off, from the command line." in lines
     assert "rate is 200, from DONNIE_RATE." in lines
     assert "theme is light, from the settings file." in lines
+    assert "cues is step-forward 0, bump 50, from the settings file." in lines
     assert lines[0].startswith("No settings file yet")
     assert not any(line.startswith("world ") for line in lines)
 

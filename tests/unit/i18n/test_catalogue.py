@@ -251,6 +251,12 @@ def test_everything_that_voice_and_sound_may_lack_has_a_sentence(code: NoticeCod
     assert code.value in SENTENCES
 
 
+def test_a_command_has_one_word_in_spanish() -> None:
+    two_words = re.compile(r"\b[oó]rden(es)?\b", re.IGNORECASE)
+
+    assert [code for code, each in SENTENCES.items() if two_words.search(each.es)] == []
+
+
 def test_every_sign_has_a_name() -> None:
     assert set(CODE_OF.values()) <= set(SENTENCES)
 
