@@ -120,7 +120,7 @@ class _Calibration:
             raise Unusable(
                 self._order.words(problem.code, path=problem.path, reason=problem.reason)
             ) from None
-        self._say(f"calibrate-{key.replace('_', '-')}", millimetres=f"{value * 1000:.2f}")
+        self._say(f"calibrate-{key.replace('_', '-')}", millimetres=value * 1000)
 
     # --- asking
 

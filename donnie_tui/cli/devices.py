@@ -67,7 +67,7 @@ def _lines(port: str, found: Found, words: Words) -> tuple[str, ...]:
             told = words("device-robot-unknown", port=port)
         case Found(Answer.ROBOT, int(millivolts)):
             low = "-low" if millivolts < LinkConfig().battery_low else ""
-            told = words(f"device-robot{low}", port=port, volts=f"{millivolts / 1000:.1f}")
+            told = words(f"device-robot{low}", port=port, volts=millivolts / 1000)
         case Found(Answer.BELT):
             return words("device-belt", port=port), words("devices-use-belt", port=port)
         case _:

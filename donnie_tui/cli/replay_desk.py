@@ -19,6 +19,7 @@ from donnie_tui.core.events import Answered, Stamped
 from donnie_tui.core.hub import Hub, Stream
 from donnie_tui.core.replay import Replay
 from donnie_tui.core.retelling import told_back, told_forward
+from donnie_tui.core.speeds import speed_words
 from donnie_tui.core.telling import facing
 from donnie_tui.i18n.words import Words
 from language.control import ExecutionControl
@@ -141,9 +142,7 @@ class ReplayDesk:
     def _change_speed(self, by: int) -> None:
         at = SPEEDS.index(self._replay.speed) if self._replay.speed in SPEEDS else len(SPEEDS) - 1
         self._replay.speed = SPEEDS[max(0, min(len(SPEEDS) - 1, at + by))]
-        speed = self._replay.speed
-        shown = self._words("speed-max") if speed is None else f"{speed:g}"
-        self._answer("replay-speed", speed=shown)
+        self._answer("replay-speed", speed=speed_words(self._replay.speed, self._words))
 
     def _where(self) -> None:
         self._answer("replay-at", at=self._timeline.at, events=len(self._timeline))

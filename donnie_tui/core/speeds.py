@@ -20,7 +20,7 @@ def slower(speed: float | None) -> float | None:
 
 
 def speed_words(speed: float | None, words: Wording) -> str:
-    return words("speed-max") if speed is None else f"{speed:g}"
+    return words("speed-max") if speed is None else words("decimal", number=speed)
 
 
 def _is_faster(one: float | None, other: float | None) -> bool:

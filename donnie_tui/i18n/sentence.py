@@ -1,6 +1,7 @@
 """One sentence of the catalogue: three languages side by side, and up to three levels of detail.
 
-Places are ``{name}``; ``{steps:step|steps}`` is the word that agrees with the number ``steps``.
+Places are ``{name}``; ``{steps:step|steps}`` is the word that agrees with the number ``steps``. A number with
+decimals is given as a ``float``, and told with the language's own sign; text is told as it is.
 """
 
 from __future__ import annotations
@@ -11,6 +12,7 @@ from typing import TypeAlias
 from devices.ports.values import frozen
 
 LANGUAGES = ("en", "pt", "es")
+_DECIMAL_SIGNS = {"en": ".", "pt": ",", "es": ","}
 DETAILS = ("brief", "normal", "full")
 
 Texts: TypeAlias = tuple[str, str, str]
@@ -35,16 +37,20 @@ class Sentence:
 class _Agreeing(Formatter):
     """``str.format`` in which ``{n:one|many}`` chooses a word by the number n."""
 
+    def __init__(self, decimal_sign: str) -> None:
+        self._decimal_sign = decimal_sign
+
     def format_field(self, value: object, format_spec: str) -> str:
-        if "|" not in format_spec:
-            return str(super().format_field(value, format_spec))
-        one, many = format_spec.split("|")
-        return one if value in (1, -1) else many
+        if "|" in format_spec:
+            one, many = format_spec.split("|")
+            return one if value in (1, -1) else many
+        told = str(super().format_field(value, format_spec))
+        return told.replace(".", self._decimal_sign) if isinstance(value, float) else told
 
 
-_FORMATTER = _Agreeing()
+_FORMATTERS = {language: _Agreeing(_DECIMAL_SIGNS[language]) for language in LANGUAGES}
 
 
-def filled(text: str, values: dict[str, object]) -> str:
+def filled(text: str, values: dict[str, object], language: str = "en") -> str:
     """The text with its places filled. Raises ``KeyError`` for a place without a value."""
-    return _FORMATTER.vformat(text, (), values) if "{" in text or "}" in text else text
+    return _FORMATTERS[language].vformat(text, (), values) if "{" in text or "}" in text else text

@@ -18,7 +18,7 @@ class Words:
 
     def __call__(self, code: str, **values: object) -> str:
         """The sentence of a code. Raises ``KeyError`` for a code that the catalogue lacks."""
-        return filled(SENTENCES[code].text(self.language, self.detail), values)
+        return filled(SENTENCES[code].text(self.language, self.detail), values, self.language)
 
     def knows(self, code: str) -> bool:
         """Whether the catalogue has the code."""

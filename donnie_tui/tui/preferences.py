@@ -77,6 +77,8 @@ class Preference:
         if self.key == "keys":
             pairs = understood(str(self.value))
             return ", ".join(f"{key_label(key)} {BY_NAME[name].word(words.language)}" for name, key in pairs)
+        if isinstance(self.value, float):
+            return words("decimal", number=self.value)
         return _as_value(self.value) or "-"
 
 

@@ -255,5 +255,5 @@ class Running:
         try:
             self._session.speed = read_speed(typed)
         except ValueError:
-            return Answer("screen-bad-speed", {"slowest": f"{SLOWEST:g}", "fastest": f"{FASTEST:g}"})
+            return Answer("screen-bad-speed", {"slowest": SLOWEST, "fastest": FASTEST})
         return None

@@ -21,6 +21,7 @@ _RUNNING = {
         "{lines} {lines:línea quedó|líneas quedaron} fuera.",
     ),
     "speed-max": Sentence("max", "max", "max"),
+    "decimal": Sentence("{number:g}", "{number:g}", "{number:g}"),
 }
 
 _PROGRAM = {

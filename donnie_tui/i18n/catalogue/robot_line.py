@@ -89,14 +89,14 @@ _DEVICES: dict[str, Sentence] = {
         "Pregunto a {count} {count:puerto|puertos}. Una placa USB se reinicia con eso.",
     ),
     "device-robot": Sentence(
-        "{port}: robot, original firmware, battery {volts} volts.",
-        "{port}: robô, firmware original, bateria {volts} volts.",
-        "{port}: robot, firmware original, batería {volts} voltios.",
+        "{port}: robot, original firmware, battery {volts:.1f} volts.",
+        "{port}: robô, firmware original, bateria {volts:.1f} volts.",
+        "{port}: robot, firmware original, batería {volts:.1f} voltios.",
     ),
     "device-robot-low": Sentence(
-        "{port}: robot, original firmware, battery low, {volts} volts.",
-        "{port}: robô, firmware original, bateria fraca, {volts} volts.",
-        "{port}: robot, firmware original, batería baja, {volts} voltios.",
+        "{port}: robot, original firmware, battery low, {volts:.1f} volts.",
+        "{port}: robô, firmware original, bateria fraca, {volts:.1f} volts.",
+        "{port}: robot, firmware original, batería baja, {volts:.1f} voltios.",
     ),
     "device-robot-unknown": Sentence(
         "{port}: robot, original firmware, battery unknown.",
@@ -271,14 +271,14 @@ _CALIBRATION: dict[str, Sentence] = {
         "Eso no puede ser. Lo dejo fuera.",
     ),
     "calibrate-wheel-radius": Sentence(
-        "Wheel radius {millimetres} millimetres, kept in the settings.",
-        "Raio da roda {millimetres} milímetros, guardado nas configurações.",
-        "Radio de la rueda {millimetres} milímetros, guardado en los ajustes.",
+        "Wheel radius {millimetres:.2f} millimetres, kept in the settings.",
+        "Raio da roda {millimetres:.2f} milímetros, guardado nas configurações.",
+        "Radio de la rueda {millimetres:.2f} milímetros, guardado en los ajustes.",
     ),
     "calibrate-axle-length": Sentence(
-        "Axle {millimetres} millimetres, kept in the settings.",
-        "Eixo {millimetres} milímetros, guardado nas configurações.",
-        "Eje {millimetres} milímetros, guardado en los ajustes.",
+        "Axle {millimetres:.2f} millimetres, kept in the settings.",
+        "Eixo {millimetres:.2f} milímetros, guardado nas configurações.",
+        "Eje {millimetres:.2f} milímetros, guardado en los ajustes.",
     ),
     "calibrate-nothing": Sentence(
         "Nothing was measured. Nothing has changed.",

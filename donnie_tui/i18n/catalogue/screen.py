@@ -260,8 +260,8 @@ _SETTINGS = {
     "setting-keys": Sentence("Keys", "Teclas", "Teclas"),
     "setting-speed-wanted": Sentence(
         "A number from 0.1 to 1000, or max:",
-        "Um número de 0.1 a 1000, ou max:",
-        "Un número de 0.1 a 1000, o max:",
+        "Um número de 0,1 a 1000, ou max:",
+        "Un número de 0,1 a 1000, o max:",
     ),
     "setting-keys-wanted": Sentence(
         "Actions and keys, such as run f9, step f10:",

@@ -97,9 +97,9 @@ _ANSWERS = {
     ),
     "screen-starting": Sentence(*first_screen.ONE_MOMENT),
     "screen-bad-speed": Sentence(
-        "A speed is a number from {slowest} to {fastest}, or max.",
-        "A velocidade é um número de {slowest} a {fastest}, ou max.",
-        "La velocidad es un número de {slowest} a {fastest}, o max.",
+        "A speed is a number from {slowest:g} to {fastest:g}, or max.",
+        "A velocidade é um número de {slowest:g} a {fastest:g}, ou max.",
+        "La velocidad es un número de {slowest:g} a {fastest:g}, o max.",
     ),
 }
 

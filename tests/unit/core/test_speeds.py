@@ -3,6 +3,7 @@
 from itertools import pairwise
 
 from donnie_tui.core.speeds import SPEEDS, faster, slower, speed_words
+from donnie_tui.i18n.sentence import LANGUAGES
 from donnie_tui.i18n.words import Words
 
 
@@ -21,3 +22,7 @@ def test_there_is_nothing_beyond_the_ends() -> None:
 
 def test_the_fastest_has_a_word() -> None:
     assert [speed_words(each, Words()) for each in (0.5, 5.0, None)] == ["0.5", "5", "max"]
+
+
+def test_a_speed_is_told_with_the_languages_decimal_sign() -> None:
+    assert [speed_words(0.5, Words(language)) for language in LANGUAGES] == ["0.5", "0,5", "0,5"]

@@ -34,6 +34,7 @@ from donnie_tui.i18n.catalogue import (
 from donnie_tui.i18n.catalogue.signs import CODE_OF
 from donnie_tui.i18n.first_words import CAUSES
 from donnie_tui.i18n.sentence import DETAILS, LANGUAGES, Sentence, filled
+from donnie_tui.i18n.words import Words
 from language.diagnostics import Kind
 from sim.worldfile.mistakes import Code
 
@@ -48,6 +49,7 @@ SAMPLES: dict[str, object] = {
     "crashed": "didn't crash",
     "degrees": 45,
     "done": 3,
+    "fastest": 1000.0,
     "facing": "north",
     "found": "FWD",
     "given": 3,
@@ -57,12 +59,15 @@ SAMPLES: dict[str, object] = {
     "line": 3,
     "lines": 4,
     "message": "I do not know FWD.",
+    "millimetres": 32.5,
     "name": "size",
     "number": 7,
     "seconds": 3,
+    "slowest": 0.1,
     "speed": 5,
     "steps": 12,
     "turns": 12,
+    "volts": 8.0,
     "wanted": 2,
     "x": 3,
     "y": 4,
@@ -226,6 +231,22 @@ def test_at_detail_brief_whatever_the_linear_mode_can_say_fits_forty_cells() -> 
 
     assert {"setting-unknown", "screen-not-formatted", "world-robot", "connect-instead"} <= codes
     assert sorted((code, text) for code, text in told if len(text) > 40) == []
+
+
+def test_a_number_with_decimals_has_the_sign_of_the_language_and_text_is_left_alone() -> None:
+    told = {each: Words(each)("device-robot", port="/dev/tty.1", volts=8.0) for each in LANGUAGES}
+
+    assert told["en"] == "/dev/tty.1: robot, original firmware, battery 8.0 volts."
+    assert told["pt"] == "/dev/tty.1: robô, firmware original, bateria 8,0 volts."
+    assert told["es"] == "/dev/tty.1: robot, firmware original, batería 8,0 voltios."
+
+
+def test_no_sentence_has_an_english_decimal_number_in_another_language() -> None:
+    """Also of those that are written into it; addresses, versions and names of files have letters beside."""
+    english = re.compile(r"(?<![\w.])\d+\.\d+(?![\w.])")
+    other = [(where, text) for where, text in all_texts() if not where.endswith(" en")]
+
+    assert [where for where, text in other if english.search(text)] == []
 
 
 def test_the_number_one_has_the_singular_in_every_language() -> None:
