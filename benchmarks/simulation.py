@@ -1,4 +1,4 @@
-"""How fast the simulator is: one command of one robot, commands of a program, and 1 to 1000 robots.
+"""How fast the simulator is: one command of one robot, a program's, pushing, and 1 to 1000 robots.
 
 One command is measured against one ray through the same world by pymunk's ``segment_query_first``,
 interleaved; medians, with the quarters as the spread. For many robots there is nothing here to measure
@@ -36,6 +36,7 @@ from sim.worldfile import load_text
 ROUNDS = 31
 COMMANDS = 400
 COUNTS = (1, 10, 100, 1000)
+PUSHED_STEPS = 20
 STACK = 256 * 1024
 """Bytes of stack of each of a thousand programs' threads."""
 
@@ -76,6 +77,7 @@ def main() -> None:
         _programs(asked.programs)
     else:
         _commands()
+        _pushing()
         for option in ("--robots", "--programs"):
             for count in COUNTS:
                 subprocess.run([sys.executable, __file__, option, str(count)], check=True)
@@ -159,6 +161,28 @@ def _seconds(work: Callable[[], None]) -> float:
     began = time.process_time()
     work()
     return time.process_time() - began
+
+
+# --- pushing
+
+
+def _pushing() -> None:
+    """A row of things, each of which pushes the next one: looked at anew in every tick."""
+    for count in (1, 5, 20):
+        robot = World(load_text(_row(count), Path("row.world"))).robot(pace=Freely())
+        robot.forward(PUSHED_STEPS + 3 * count)  # until all move
+        began = time.process_time()
+        pushed = robot.forward(PUSHED_STEPS).pushed
+        took = time.process_time() - began
+        print(f"pushing {len(pushed)} things: {took / PUSHED_STEPS * 1e3:.1f} ms a step")
+
+
+def _row(count: int) -> str:
+    """Things of two steps with gaps of a step."""
+    cans = (
+        f"model( size [ 0.1 0.1 0.2 ] pose [ {0.3 + 0.15 * i:.2f} 0 0 0 ] pushable 1 )" for i in range(count)
+    )
+    return "\n".join((ROBOT, "tester( pose [ 0 0 0 0 ] )", *cans))
 
 
 # --- many robots

@@ -171,8 +171,12 @@ def outline_contact(mover: Iterable[Edge], obstacle: Sequence[Edge]) -> tuple[fl
     Second: about how squarely they meet, from 0 (grazing) to 1.
     """
     nearest, squarely = inf, 1.0
+    starts = [min(other[0], other[2]) for other in obstacle]
     for mine in mover:
-        for other in obstacle:
+        end = max(mine[0], mine[2])
+        for other, start in zip(obstacle, starts, strict=True):
+            if start - end > nearest + 1e-9:  # farther than what was found
+                continue
             contact = min(_edge_gap(mine, other), nearest)
             if contact < nearest:
                 nearest, squarely = contact, max(_slope(mine), _slope(other))

@@ -6,7 +6,7 @@ that needs a closer look. ``careful`` looks at every step; both give the same (a
 
 from __future__ import annotations
 
-from collections.abc import Callable, Container
+from collections.abc import Callable, Container, Iterable
 from dataclasses import replace
 from math import floor, hypot, inf
 
@@ -121,9 +121,19 @@ class Mover:
 
         ``but``: roots that are not in the way.
         """
+        return self.contact_with_any(self.on_the_way(spot, angle, length), spot, angle, but)
+
+    def on_the_way(self, spot: Spot, angle: float, length: float) -> list[Part]:
+        """What can be met on the next ``length`` metres, and perhaps some more."""
         middle = spot.ahead(length / 2, angle)
+        return self._touchable(middle, self.body.radius + length / 2 + 2 * WIDEST_SKIN)
+
+    def contact_with_any(
+        self, parts: Iterable[Part], spot: Spot, angle: float, but: Container[int]
+    ) -> Contact:
+        """Which of ``parts`` is met first, those with the roots ``but`` not in the way."""
         nearest = NO_CONTACT
-        for part in self._touchable(middle, self.body.radius + length / 2 + 2 * WIDEST_SKIN):
+        for part in parts:
             if part.root in but:
                 continue
             metres = self._contact_with(part, spot, angle)

@@ -15,6 +15,7 @@ from tests.unit.sim.company import Company
 from tests.unit.sim.floors import scene
 
 Commands = list[tuple[str, int]]
+PLACES = ("alice", "bob")
 
 drives = st.sampled_from(['drive "diff"', 'drive "omni"', 'drive "car" wheelbase 0.3', 'drive "car"'])
 bounds = st.sampled_from(
@@ -36,6 +37,21 @@ programs = st.lists(
     min_size=1,
     max_size=4,
 )
+
+
+class Bounded:
+    """A pace that ends what doesn't end: the longest of these programs is asked some thousand times."""
+
+    def __init__(self) -> None:
+        self._left = 200_000
+
+    @property
+    def is_over(self) -> bool:
+        return self._left <= 0
+
+    def sleep(self, seconds: float) -> bool:  # noqa: ARG002 -- the port gives it
+        self._left -= 1
+        return self._left > 0
 
 
 def hall(kind: str, wheels: str, yaw: int, away: float, slant: int, thickness: float) -> Scene:
@@ -86,6 +102,7 @@ def test_nobody_passes_a_wall(
 ) -> None:
     it = hall(kind, wheels, yaw, away, slant, thickness)
     company = Company(it, speed=speed)
+    paces = {name: Bounded() for name in PLACES}
 
     def doing(program: Commands) -> object:
         def run(robot: SimulatedRobot) -> None:
@@ -99,7 +116,8 @@ def test_nobody_passes_a_wall(
         return run
 
     given_ = {"alice": both[0]} | ({} if both[1] is None else {"bob": both[1]})
-    company.run({name: doing(program) for name, program in given_.items()})  # type: ignore[misc]
+    company.run({name: doing(program) for name, program in given_.items()}, paces)  # type: ignore[misc]
+    assert not any(pace.is_over for pace in paces.values()), "a command goes on for ever"
 
 
 def test_a_robot_that_drives_straight_at_a_wall_stops_at_it_forward_and_backward() -> None:
