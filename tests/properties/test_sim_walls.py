@@ -2,10 +2,11 @@
 
 from math import cos, radians, sin
 
+import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from devices.ports.robot import RobotProblem
+from devices.ports.robot import RobotProblem, StoppedBy
 from sim.body import body_of
 from sim.geometry import overlapping, placed
 from sim.robot import SimulatedRobot
@@ -43,13 +44,13 @@ class Bounded:
     """A pace that ends what doesn't end: the longest of these programs is asked some thousand times."""
 
     def __init__(self) -> None:
-        self._left = 200_000
+        self._left = 10_000
 
     @property
     def is_over(self) -> bool:
         return self._left <= 0
 
-    def sleep(self, seconds: float) -> bool:  # noqa: ARG002 -- the port gives it
+    def sleep(self, seconds: float) -> bool:
         self._left -= 1
         return self._left > 0
 
@@ -129,3 +130,21 @@ def test_a_robot_that_drives_straight_at_a_wall_stops_at_it_forward_and_backward
             robot.turn(turned)
             walked = getattr(robot, command)(60).walked
             assert 14 <= walked < 20
+
+
+@pytest.mark.parametrize("thickness", [0.00001, 0.3])
+@pytest.mark.parametrize("wheels", ["", "acceleration_bounds [ -0.02 0.05 0 0 0 0 -90 90 ]"])
+def test_robots_that_feel_nothing_bump_into_the_wall_and_into_each_other(thickness: float, wheels: str) -> None:
+    """In company each goes in ticks; neither has a sensor that way, so that only its body stops it."""
+    it = hall("long", wheels, 0, 0.4, 0, thickness)
+    company, paces = Company(it), {name: Bounded() for name in PLACES}
+    ends = dict[str, object]()
+
+    def bump(robot: SimulatedRobot) -> None:
+        ends[robot.name] = robot.forward(40).stopped_by
+        stays_on_its_side(it, company, robot)
+
+    company.run(dict.fromkeys(PLACES, bump), paces)  # type: ignore[arg-type]
+
+    assert ends == dict.fromkeys(PLACES, StoppedBy.COLLISION)
+    assert not any(pace.is_over for pace in paces.values())
