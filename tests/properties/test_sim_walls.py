@@ -134,7 +134,9 @@ def test_a_robot_that_drives_straight_at_a_wall_stops_at_it_forward_and_backward
 
 @pytest.mark.parametrize("thickness", [0.00001, 0.3])
 @pytest.mark.parametrize("wheels", ["", "acceleration_bounds [ -0.02 0.05 0 0 0 0 -90 90 ]"])
-def test_robots_that_feel_nothing_bump_into_the_wall_and_into_each_other(thickness: float, wheels: str) -> None:
+def test_robots_that_feel_nothing_bump_into_the_wall_and_into_each_other(
+    thickness: float, wheels: str
+) -> None:
     """In company each goes in ticks; neither has a sensor that way, so that only its body stops it."""
     it = hall("long", wheels, 0, 0.4, 0, thickness)
     company, paces = Company(it), {name: Bounded() for name in PLACES}
