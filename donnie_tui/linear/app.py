@@ -144,6 +144,7 @@ class LinearMode:
         try:
             return self._talk(file, text, offers_to_remember)
         except SwitchMode:
+            self._desk.copies.forget()
             raise
         except OSError:  # the terminal is gone, or nobody reads any more
             self._desk.keep_for_later()

@@ -88,6 +88,10 @@ class Console:
             self._look_ahead()
         return reading and (0 in ready or bool(self._ahead))
 
+    def has_input(self) -> bool:
+        """Whether something was typed already; signals and nudges are left to whoever waits."""
+        return bool(self._ahead) or bool(select.select([0], [], [], 0)[0])
+
     def read(self) -> bytes:
         """What was typed; nothing once input has ended. Call it when ``wait`` said so."""
         ahead, self._ahead = self._ahead, b""

@@ -41,6 +41,8 @@ _YES = ("y", "yes", "s", "sim", "si", "sí")
 _NO = ("", "n", "no", "não", "nao")
 _ENOUGH = ("q", "quit", "s", "sair", "salir", "n", "no", "nao")
 """What ends an answer that is told page by page."""
+MOST_LINES_COPIED = 5000
+"""Lines that are written down anew with each that is typed."""
 
 
 @frozen
@@ -116,6 +118,8 @@ class Desk:
         """Where STEP BACK has come to; None once something new has happened."""
         self.tour_page = 1
         """Where TOUR goes on."""
+        self._copied = ""
+        """What was written down for the case of a crash."""
         self._ends = ends
         self._is_reading = self._told_beside = False
         """Whether a line is being typed, and a robot that runs beside the conversation told something."""
@@ -311,6 +315,7 @@ class Desk:
         if early is not None:
             self._is_reading = False
             return early
+        self._keep_copy()
         typed = self._reader.read(prompt if self._shown_prompt is None else self._shown_prompt, offered)
         self._is_reading = False
         self._after(typed)
@@ -381,10 +386,26 @@ class Desk:
 
     def keep_for_later(self) -> None:
         """Save what is not saved beside everything else; quietly, since nobody may be there to hear."""
-        unsaved = [each.text for each in self.all_programs() if not each.saved and each.lines]
-        if unsaved:
+        if unsaved := self._unsaved():
             with contextlib.suppress(DocumentError, OSError):
-                self.copies.keep("\n".join(unsaved))
+                self.copies.keep(unsaved)
+
+    def _keep_copy(self) -> None:
+        """While somebody thinks, what was typed is written down: the power may fail, Donnie may be killed."""
+        is_large = sum(len(each.lines) for each in self.all_programs()) > MOST_LINES_COPIED
+        if not self.has_terminal or is_large or self.console.has_input():
+            return
+        unsaved = self._unsaved()
+        if unsaved == self._copied:
+            return
+        self._copied = unsaved
+        if unsaved:
+            self.keep_for_later()
+        else:
+            self.copies.forget()
+
+    def _unsaved(self) -> str:
+        return "\n".join(each.text for each in self.all_programs() if not each.saved and each.lines)
 
     def all_programs(self) -> tuple[TypedProgram, ...]:
         """Of all robots, the one that is talked to first."""

@@ -331,6 +331,36 @@ def test_a_signal_to_leave_rescues_the_program(number: int, tmp_path: Path) -> N
     again.sees("1: FW 1\r\n2: FW 2\r\n> ")
 
 
+def test_what_was_typed_is_there_again_after_donnie_was_killed_in_mid_line(tmp_path: Path) -> None:
+    learner = Learner(tmp_path, language="es")
+    learner.enters("AV 1", "GD 90")
+    learner.sees_prompt()
+    learner.types("HABL")
+    learner.sees("HABL")
+    learner.child.kill(signal.SIGKILL)
+    learner.leaves()
+
+    again = Learner(tmp_path, language="es")
+    again.enters("RECUPERAR", "LISTAR")
+    again.sees("1: AV 1\r\n2: GD 90\r\n> ")
+    again.types(UP + UP + "\r")
+    again.sees("RECUPERAR")
+    again.sees("> ")
+    again.types("SALIR\r")
+
+    assert again.leaves() == 0
+    assert list((tmp_path / "state").rglob("unsaved-*")) == []
+
+
+def test_a_program_that_was_saved_leaves_no_copy(learner: Learner, tmp_path: Path) -> None:
+    learner.enters("FW 1")
+    learner.sees_prompt()
+    until(lambda: list((tmp_path / "state").rglob("unsaved-*")) != [])
+    learner.types("SAVE mine\r")
+    learner.sees_prompt()
+    until(lambda: list((tmp_path / "state").rglob("unsaved-*")) == [])
+
+
 def test_a_signal_to_leave_stops_the_running_program(tmp_path: Path) -> None:
     learner = Learner(tmp_path, "--events", "events.jsonl", speed="1")
     events = tmp_path / "events.jsonl"
