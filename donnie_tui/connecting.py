@@ -176,7 +176,13 @@ class Connection:
 
     def _make_serial(self, port: str, pace: Pace, watcher: Watcher) -> Connectable:
         return _serial_robot(
-            port, self._settings, pace, watcher=watcher, start=self._world.start(), on_event=self._tell
+            port,
+            self._settings,
+            pace,
+            watcher=watcher,
+            start=self._world.start(),
+            on_event=self._tell,
+            on_slow=lambda: self.search.on_slow(),
         )
 
     def _make_double(self, pace: Pace, watcher: Watcher) -> Connectable:
@@ -225,6 +231,7 @@ def _serial_robot(
     watcher: Watcher | None = None,
     start: Pose | None = None,
     on_event: Callable[[LinkNews, str], None] | None = None,
+    on_slow: Callable[[], object] | None = None,
 ) -> SerialRobot:
     from devices.reset_line import reset_of
     from devices.same_board import SameBoard
@@ -234,7 +241,7 @@ def _serial_robot(
 
     reset = reset_of(settings.reset_line, port)
     open_port = SameBoard(partial(OpenPort, reset=reset))
-    link = SerialLink(port, on_event=on_event, open_port=open_port)
+    link = SerialLink(port, on_event=on_event, open_port=open_port, on_slow=on_slow)
     return SerialRobot(link, robot_config(settings), pace=pace, watcher=watcher, start=start)
 
 

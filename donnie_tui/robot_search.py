@@ -5,6 +5,7 @@ Rule: nothing here takes a lock, for it is called by a signal's handler in the m
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from typing import Protocol
 
 
@@ -26,6 +27,8 @@ class Search:
         self._is_coming = is_coming
         self._is_given_up = False
         self._robot: Searchable | None = None
+        self.on_slow: Callable[[], object] = _nothing
+        """Tells that it goes on, where it takes longer than a second; in the thread that connects."""
 
     def expect(self) -> None:
         """It begins soon, and may be given up before. ``end`` is to follow."""
@@ -52,3 +55,6 @@ class Search:
         """Whatever came of it."""
         self._is_coming, self._robot = False, None
         self._is_given_up = False
+
+
+def _nothing() -> None: ...

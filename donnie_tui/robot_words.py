@@ -84,6 +84,7 @@ def _choose(donnie: Donnie, number: int, show: Callable[[], object]) -> None:
     robot = choices[number - 1].robot
     if robot != SIMULATED:
         donnie.connection.search.expect()
+        donnie.connection.search.on_slow = lambda: _tell_slow(donnie, show)
         _say(donnie, "connect-trying")
         show()
     try:
@@ -95,6 +96,11 @@ def _choose(donnie: Donnie, number: int, show: Callable[[], object]) -> None:
         _answer(donnie, sentence)
     if not missing:
         _connected(donnie)
+
+
+def _tell_slow(donnie: Donnie, show: Callable[[], object]) -> None:
+    _say(donnie, "connect-waiting")
+    show()
 
 
 def _connected(donnie: Donnie) -> None:

@@ -11,6 +11,7 @@ import logging
 import threading
 import time
 from collections.abc import Callable
+from math import inf
 
 from devices.ports.robot import LinkNews, RobotProblem
 from devices.serial_link.opening import Opening
@@ -30,6 +31,9 @@ PARTING = 0.1
 PATIENCE = 1.0
 """Seconds beyond the board's own time limit that ``connect`` waits, for the thread to say that it failed."""
 
+SLOW = 1.0
+"""Seconds of connecting after which whoever waits is told that it goes on."""
+
 _LOG = logging.getLogger(__name__)
 
 
@@ -48,12 +52,18 @@ class SerialLink:
         on_event: Callable[[LinkNews, str], None] | None = None,
         *,
         open_port: Callable[[str], OpenPort] = OpenPort,
+        on_slow: Callable[[], object] | None = None,
     ) -> None:
-        """``port``: a path or a pyserial URL. ``on_event`` is told the news, from the link's own thread."""
+        """``port``: a path or a pyserial URL. ``on_event`` is told the news, from the link's own thread.
+
+        ``on_slow`` is called once in the thread that connects, if that takes longer than a second.
+        """
         self.name = port
         self._config = config or LinkConfig()
         self._on_event = on_event
         self._open_port = open_port
+        self._on_slow = on_slow
+        self._slow_at = inf
         self._connection = Connection(self._config, lambda text: _LOG.debug("%s: %s", port, text))
         self._lock = threading.RLock()  # a signal's handler may close the link in the midst of anything
         self._answered = threading.Condition(self._lock)
@@ -116,6 +126,7 @@ class SerialLink:
         self._is_given_up = True  # the link's thread notifies at every look
 
     def _connect(self) -> None:
+        self._slow_at = self.now() + SLOW
         self._port = self._opened()
         with self._lock:
             self._connection.open(self.now())
@@ -128,12 +139,22 @@ class SerialLink:
 
     def _opened(self) -> OpenPort:
         try:
-            port = Opening(self.name, self._open_port).wait(lambda: self._is_given_up)
+            port = Opening(self.name, self._open_port).wait(self._is_left)
         except PortProblem as problem:
             raise RobotProblem(problem.fault.value, port=problem.port, reason=problem.reason) from problem
         if port is None:
             raise RobotProblem("given-up", port=self.name)
         return port
+
+    def _is_left(self) -> bool:
+        self._tell_if_slow()
+        return self._is_given_up
+
+    def _tell_if_slow(self) -> None:
+        if self.now() >= self._slow_at:
+            self._slow_at = inf
+            if self._on_slow is not None:
+                self._on_slow()
 
     def close(self) -> None:
         """Stop the robot, give that a moment to arrive, let go of the port. Any thread, any time."""
@@ -157,10 +178,14 @@ class SerialLink:
         self._thread.start()
 
     def _is_answered(self) -> bool:
-        seconds = self._config.first_answer + PATIENCE
+        ends = self.now() + self._config.first_answer + PATIENCE
+        while not self._is_decided_by(min(ends, self._slow_at)) and self.now() < ends:
+            self._tell_if_slow()
+        return self.state is LinkState.STREAMING and not self._is_given_up
+
+    def _is_decided_by(self, time: float) -> bool:
         with self._answered:
-            self._answered.wait_for(self._is_decided, seconds)
-            return self.state is LinkState.STREAMING and not self._is_given_up
+            return self._answered.wait_for(self._is_decided, time - self.now())
 
     def _is_decided(self) -> bool:
         return self._is_given_up or self.state in (LinkState.STREAMING, LinkState.LOST)

@@ -83,8 +83,10 @@ def run_linear(
         if donnie is None:
             search = Search(is_coming=not is_there)
             console.give_up = search.give_up
+            words = Words(settings.language, settings.verbosity)
+            search.on_slow = lambda: console.write(f"{words('connect-waiting')}\n")
             if not is_there:
-                console.write(f"{Words(settings.language, settings.verbosity)('connect-trying')}\n")
+                console.write(f"{words('connect-trying')}\n")
             donnie = _assembled(settings, search)
         console.give_up = donnie.connection.search.give_up
         ours.callback(donnie.close)

@@ -206,6 +206,9 @@ class DonnieApp(App[int], inherit_bindings=False):
         A learner's own world may be large, and takes as long as it takes.
         """
         slowly = self.set_timer(SLOW, self._tell_of_world)
+        if self.search is not None:
+            loop = asyncio.get_running_loop()
+            self.search.on_slow = lambda: loop.call_soon_threadsafe(self._tell_early, "connect-waiting")
         try:
             await asyncio.to_thread(self._assemble_and_keep)
             slowly.stop()

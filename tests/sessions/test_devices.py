@@ -362,6 +362,7 @@ def test_control_c_ends_a_command_that_looks_for_a_robot(
 def test_a_stop_key_gives_up_the_search_of_the_full_screen(tmp_path: Path, mute_port: str, keys: str) -> None:
     front_end = at_terminal(tmp_path, "--visual", *QUIET, "--robot", f"serial:{mute_port}")
     front_end.expect("I look for the robot")
+    front_end.expect("I wait for the robot. Ctrl\\+C gives up.")
     front_end.send("SPEAK 12")
     front_end.send(keys)
     front_end.expect("I no longer look for the robot")
@@ -378,6 +379,7 @@ def test_control_c_gives_up_the_search_of_the_linear_mode(
     learner = Learner(tmp_path, "--robot", f"serial:{mute_port}")
     for _ in range(1 if moment == "at the start" else 2):
         learner.sees("I look for the robot, some seconds.")
+        learner.sees("I wait for the robot. Ctrl+C gives up.")
         learner.child.sendintr()
         learner.sees("I no longer look for the robot.")
         learner.sees("I use the simulator instead. CONNECT tries again.")

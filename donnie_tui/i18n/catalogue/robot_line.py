@@ -176,6 +176,11 @@ _LINK: dict[str, Sentence] = {
         "Procuro o robô, alguns segundos.",
         "Busco el robot, unos segundos.",
     ),
+    "connect-waiting": Sentence(
+        "I wait for the robot. Ctrl+C gives up.",
+        "Espero o robô. Ctrl+C desiste.",
+        "Espero al robot. Ctrl+C lo deja.",
+    ),
     "connect-simulator": Sentence("I use the simulator.", "Uso o simulador.", "Uso el simulador."),
     "connect-instead": Sentence(
         "I use the simulator instead. CONNECT tries again.",

@@ -139,6 +139,27 @@ def test_connecting_can_be_given_up_and_tried_again(double: DoubleOnPty, moment:
     link.close()
 
 
+@pytest.mark.parametrize("where", ["opening", "answer"])
+def test_connecting_that_takes_longer_than_a_second_is_told_once_where_it_is_waited(where: str) -> None:
+    """Whoever is told gives it up: without that it would take a thousand seconds."""
+    told, may_open = list[threading.Thread](), threading.Event()
+
+    def tell() -> None:
+        told.append(threading.current_thread())
+        link.give_up()
+
+    def open_slowly(url: str) -> OpenPort:
+        assert where == "answer" or may_open.wait(PATIENCE)
+        return OpenPort(url)
+
+    link = SerialLink("loop://", LinkConfig(first_answer=1000.0), open_port=open_slowly, on_slow=tell)
+    with pytest.raises(RobotProblem):
+        link.connect()
+
+    may_open.set()
+    assert told == [threading.current_thread()]
+
+
 class SlowPort(OpenPort):
     """One that opens when it is let, as a network's does after some seconds."""
 
