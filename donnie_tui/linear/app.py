@@ -14,7 +14,7 @@ from pathlib import Path
 from donnie_tui import team_words
 from donnie_tui.bootstrap import Donnie, Unusable, assemble
 from donnie_tui.core.breakpoints import KeptBreakpoints
-from donnie_tui.core.filing import Copies
+from donnie_tui.core.copies import Copies
 from donnie_tui.core.typed_program import ProgramTooLong
 from donnie_tui.core.use_cases import When
 from donnie_tui.device_settings import SIMULATED
@@ -146,7 +146,7 @@ class LinearMode:
         try:
             return self._talk(file, text, offers_to_remember)
         except SwitchMode:
-            self._desk.copies.forget()
+            self._desk.forget_copies()
             raise
         except OSError:  # the terminal is gone, or nobody reads any more
             self._desk.keep_for_later()
@@ -409,7 +409,7 @@ class LinearMode:
             self._desk.answer("linear-goodbye")
         self._desk.show_told()
         if self._desk.leaving == 0:
-            self._desk.copies.forget()
+            self._desk.forget_copies()
 
 
 def _is_one_of(words: tuple[str, ...], line: str) -> bool:

@@ -13,9 +13,9 @@ from devices.ports.values import frozen
 from donnie_tui.bootstrap import Donnie
 from donnie_tui.core.answer_log import LONGEST_ANSWER, AnswerLog
 from donnie_tui.core.breakpoints import KeptBreakpoints
+from donnie_tui.core.copies import Copies
 from donnie_tui.core.documents import DocumentError
 from donnie_tui.core.events import TRANSIENT, Announced, Answered, Error, RunStarted, Stamped
-from donnie_tui.core.filing import Copies
 from donnie_tui.core.reading import ProgramText
 from donnie_tui.core.session import Session
 from donnie_tui.core.summing_up import SummingUp
@@ -80,6 +80,7 @@ class Desk:
         self.programs: dict[str, TypedProgram] = {}
         """Those of the robots that were talked to, by name; this one's is not up to date."""
         self.copies = copies
+        self._copies: dict[TypedProgram, Copies] = {}
         self.kept_breakpoints = kept_breakpoints
         self.habits = habits
         self.errors: list[Error] = []
@@ -118,7 +119,7 @@ class Desk:
         """Where STEP BACK has come to; None once something new has happened."""
         self.tour_page = 1
         """Where TOUR goes on."""
-        self._copied = ""
+        self._copied: tuple[tuple[str, str | None], ...] = ()
         """What was written down for the case of a crash."""
         self._ends = ends
         self._is_reading = self._told_beside = False
@@ -386,26 +387,34 @@ class Desk:
 
     def keep_for_later(self) -> None:
         """Save what is not saved beside everything else; quietly, since nobody may be there to hear."""
-        if unsaved := self._unsaved():
-            with contextlib.suppress(DocumentError, OSError):
-                self.copies.keep(unsaved)
+        for program in self.all_programs():
+            if not program.saved and program.lines:
+                path = Path(program.name) if program.name else None
+                with contextlib.suppress(DocumentError, OSError):
+                    self.copies_of(program).keep(program.text, path)
+            else:
+                self.copies_of(program).forget()
+
+    def copies_of(self, program: TypedProgram) -> Copies:
+        """Each robot's program has a copy of its own."""
+        if program not in self._copies:
+            self._copies[program] = self.copies.another() if self._copies else self.copies
+        return self._copies[program]
+
+    def forget_copies(self) -> None:
+        """Leaving on purpose: nothing is missed."""
+        for copies in self._copies.values():
+            copies.forget()
 
     def _keep_copy(self) -> None:
         """While somebody thinks, what was typed is written down: the power may fail, Donnie may be killed."""
         is_large = sum(len(each.lines) for each in self.all_programs()) > MOST_LINES_COPIED
         if not self.has_terminal or is_large or self.console.has_input():
             return
-        unsaved = self._unsaved()
-        if unsaved == self._copied:
-            return
-        self._copied = unsaved
-        if unsaved:
+        unsaved = tuple((each.text, each.name) for each in self.all_programs() if not each.saved)
+        if unsaved != self._copied:
+            self._copied = unsaved
             self.keep_for_later()
-        else:
-            self.copies.forget()
-
-    def _unsaved(self) -> str:
-        return "\n".join(each.text for each in self.all_programs() if not each.saved and each.lines)
 
     def all_programs(self) -> tuple[TypedProgram, ...]:
         """Of all robots, the one that is talked to first."""

@@ -84,13 +84,17 @@ def recover(desk: Desk) -> None:
 
 def _take_copy(desk: Desk, copy: Path) -> None:
     try:
-        text = desk.copies.take(copy)
+        found = desk.copies_of(desk.program).take(copy)
     except DocumentError as error:
         refuse(desk, error)
         return
-    desk.program.replace(text, None)
+    desk.program.replace(found.text, str(found.path) if found.path else None)
     desk.program.saved = False
-    desk.answer("answer-recovered", lines=len(desk.program.lines))
+    desk.bring_breakpoints()
+    if found.path is None:
+        desk.answer("answer-recovered", lines=len(desk.program.lines))
+    else:
+        desk.answer("answer-recovered-file", name=found.path.name, lines=len(desk.program.lines))
 
 
 def holds(path: Path, text: str) -> bool:

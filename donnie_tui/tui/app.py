@@ -13,7 +13,7 @@ import signal
 import sys
 import threading
 import traceback
-from collections.abc import Awaitable, Callable, Sequence
+from collections.abc import Awaitable, Callable, Coroutine, Sequence
 from contextlib import suppress
 from dataclasses import replace
 from pathlib import Path
@@ -43,6 +43,7 @@ from donnie_tui.tui.screens.workplace import Workplace
 from donnie_tui.tui.terminal import is_plain, use_mouse, wants_mouse
 from donnie_tui.tui.turns import Turns
 from donnie_tui.tui.widgets.command_line import CommandLine
+from donnie_tui.tui.widgets.editor import Editor
 
 if TYPE_CHECKING:
     from donnie_tui.bootstrap import Donnie
@@ -121,8 +122,8 @@ class DonnieApp(App[int], inherit_bindings=False):
         self._file, self._text = file, text
         self._assemble = assemble
         self.search = search
-        self._is_searching = False
-        """While ``assemble`` looks for a robot; what is typed then waits."""
+        self._is_searching = self.is_opening = False
+        """While ``assemble`` looks for a robot, or the first file is read: what is typed then waits."""
         self._found: Donnie | None = None
         """What it made."""
         self._folder = Path(folder or state_folder(os.environ)) / "unsaved"
@@ -217,7 +218,28 @@ class DonnieApp(App[int], inherit_bindings=False):
         except Exception as trouble:  # noqa: BLE001 -- as above
             self._fail_to_begin(trouble)
         self._is_searching = False
-        self._turns.do(lambda: None)
+        self._let_keys()
+
+    def begin_with(self, opening: Coroutine[None, None, None]) -> None:
+        """Keys are for what is opened; where that takes long, they are for what there is."""
+        self.is_opening = True
+        self.set_timer(SLOW, self._opened)
+        self.run_worker(self._open(opening), group="opening")
+
+    async def _open(self, opening: Coroutine[None, None, None]) -> None:
+        await opening
+        if self.work is not None:
+            self.work.look()
+        self._opened()
+
+    def _opened(self) -> None:
+        if self.is_opening:
+            self.is_opening = False
+            self._let_keys()
+
+    def _let_keys(self) -> None:
+        if not (self._is_searching or self.is_opening):
+            self._turns.do(lambda: None)
 
     @property
     def _has_shipped_world(self) -> bool:
@@ -312,11 +334,13 @@ class DonnieApp(App[int], inherit_bindings=False):
         is_typed = isinstance(event, (events.Key, events.Paste)) and not event.is_forwarded
         if is_typed and self.work is not None:
             self.work.key_pressed(event, self.focused)
+        elif isinstance(event, events.MouseDown) and self.work is not None:
+            self.work.display.acted()
         if is_typed and self._is_stop_key(event) and self._give_up_search():
             return
         if not is_typed or self._is_stop(event):
             await super().on_event(event)
-        elif self._turns.is_holding or self._is_searching:
+        elif self._turns.is_holding or self._is_searching or self.is_opening:
             self._turns.hold(event)
         else:
             await self._take(event)
@@ -421,7 +445,7 @@ class DonnieApp(App[int], inherit_bindings=False):
     async def choose_word(self, words: Sequence[str], below: Offset) -> tuple[str, str]:
         from donnie_tui.tui.screens.completions import Completions
 
-        return await self.push_screen_wait(Completions(words, below))
+        return await self.push_screen_wait(Completions(words, below, self._point))
 
     def show_outside(self, text: str) -> bool:
         """In the terminal's pager. False where there is none, or no terminal."""
@@ -444,19 +468,23 @@ class DonnieApp(App[int], inherit_bindings=False):
     ) -> str | None:
         from donnie_tui.tui.screens.question import Question
 
-        return await self.push_screen_wait(Question(asked, keys, value=value, accepts=accepts))
+        return await self.push_screen_wait(Question(asked, keys, self._point, value=value, accepts=accepts))
 
     async def press_key(
         self, asked: str, keys: str, behind: str, accepts: Callable[[str], str | None]
     ) -> str | None:
         from donnie_tui.tui.screens.key_capture import KeyCapture
 
-        return await self.push_screen_wait(KeyCapture(asked, keys, behind, accepts))
+        return await self.push_screen_wait(KeyCapture(asked, keys, behind, accepts, self._point))
 
     async def choose(self, title: str, keys: str, nothing: str, choices: Sequence[Choice]) -> str | None:
         from donnie_tui.tui.screens.chooser import Chooser
 
-        return await self.push_screen_wait(Chooser(title, keys, nothing, choices))
+        return await self.push_screen_wait(Chooser(title, keys, nothing, choices, self._point))
+
+    def _point(self, words: str) -> None:
+        if self.work is not None:
+            self.work.point(words)
 
     def show_help(self, title: str, lines: tuple[str, ...]) -> None:
         from donnie_tui.tui.screens.help import Help
@@ -494,6 +522,10 @@ class DonnieApp(App[int], inherit_bindings=False):
             self._wants_linear = True
         else:
             self.work.linear_typed()
+
+    def on_editor_line_finished(self, event: Editor.LineFinished) -> None:
+        if self.work is not None:
+            self.work.line_finished(event.row)
 
     def on_map_view_explored(self) -> None:
         if self.work is not None:
@@ -583,7 +615,7 @@ class DonnieApp(App[int], inherit_bindings=False):
     def keep_text(self) -> None:
         """Write down what is not saved, for the next start."""
         if self.work is not None:
-            self.work.files.keep_copy()
+            self.work.files.keep_copy_now()
 
     def panic(self, *_renderables: object) -> None:
         self._fatal_error()

@@ -51,6 +51,8 @@ class Display:
         self._kinds: dict[str, str] = {}
         self._answer = ""
         """The last sentence that was told, until somebody looks elsewhere."""
+        self._has_acted = False
+        """Whether somebody pressed anything since: what moves by itself leaves the sentence where it is."""
         self.show_world()
 
     def show_world(self) -> None:
@@ -145,6 +147,7 @@ class Display:
         self._show_inspector()
         answers = [text for text, kind in told if kind != "typed"]
         if answers:
+            self._has_acted = False
             self._answer = answers[-1] if answers[-1].endswith((".", "!", "?", ":")) else f"{answers[-1]}."
             self.say_status()
 
@@ -201,9 +204,14 @@ class Display:
         short = [f"{focus} {doings[1]}", doings[1], ""] if self._answer else []
         self._place.status.say(*(f" {self._answer} {rest}".replace("  ", " ") for rest in (*whole, *short)))
 
+    def acted(self) -> None:
+        """Somebody pressed a key or the mouse."""
+        self._has_acted = True
+
     def looked(self) -> None:
-        """Somebody looks elsewhere: what was answered before is not said again."""
-        self._answer = ""
+        """The focus or the cursor is elsewhere: who moved it has heard the last answer."""
+        if self._has_acted:
+            self._answer = ""
         self.say_status()
 
     def _focus_sentence(self) -> str:

@@ -14,8 +14,9 @@ from pathlib import Path
 from typing import Protocol, TypeVar
 
 from donnie_tui.core.breakpoints import KeptBreakpoints
-from donnie_tui.core.documents import DocumentError, program_to_save, write_program
-from donnie_tui.core.filing import Copies, Document
+from donnie_tui.core.copies import Copies, Rescued
+from donnie_tui.core.documents import DocumentError, program_to_save, read_program, write_program
+from donnie_tui.core.filing import Document, as_lines
 from donnie_tui.core.wording import Wording
 from donnie_tui.tui.recent import Recent
 from donnie_tui.tui.running import Answer
@@ -72,6 +73,7 @@ class Files:
         self._copies = make_copies()
         self._offered = self._copies.all_offered()
         self._copying_failed = False
+        self._bringing_up: dict[Copies, asyncio.Task[None]] = {}
         self._recent = recent
         self._kept_breakpoints = kept_breakpoints
         self.document = Document()
@@ -144,33 +146,40 @@ class Files:
 
     async def open(self, name: str) -> None:
         """Open a file, asking for its name where none is given."""
-        name = name or await self._desk.ask(self._words("ask-open"), accepts=self._wrong_to_open) or ""
-        if name and await self.is_safe_to_leave():
-            self.open_now(name)
-
-    def open_now(self, name: str) -> bool:
-        """Open a file without asking anything. False if it could not be read, which was told."""
         try:
-            path, text = self.document.read(name)
+            found = await self._read(name) if name else await self._asked_for()
         except DocumentError as error:
             self._desk.tell(_told(error))
-            return False
+            return
+        if found is not None and await self.is_safe_to_leave():
+            self._opened(*found)
+
+    def _opened(self, path: Path, text: str) -> None:
         self._become(path, text)
         self._remember(path)
         self._desk.tell(Answer("answer-opened", {"name": path.name, "lines": text.count("\n") + 1}))
         if self._desk.breakpoints:
             lines = ", ".join(map(str, sorted(self._desk.breakpoints)))
             self._desk.tell(Answer("break-lines", {"lines": lines}))
-        return True
 
-    def _wrong_to_open(self, name: str) -> str | None:
-        try:
-            if name:
-                self.document.read(name)
-        except DocumentError as error:
-            answer = _told(error)
-            return self._words(answer.code, **answer.values)
+    async def _asked_for(self) -> tuple[Path, str] | None:
+        """The file of a typed name; what is wrong with it is asked in its place. None: nothing is opened."""
+        asked, name = self._words("ask-open"), ""
+        while name := await self._desk.ask(asked, value=name) or "":
+            try:
+                return await self._read(name)
+            except DocumentError as error:
+                asked = self._words(error.code, path=error.path, reason=error.reason)
         return None
+
+    async def _read(self, name: str) -> tuple[Path, str]:
+        """Beside the screen. Raises ``DocumentError``; that somebody asked for something else is told."""
+        slow = Answer("slow-opening", {"name": Path(name).name or name})
+        try:
+            return await self._desk.patiently(lambda: self.document.read(name), slow)
+        except asyncio.CancelledError:
+            self._desk.tell(Answer("answer-unchanged"))
+            raise
 
     async def new(self) -> None:
         if await self.is_safe_to_leave():
@@ -180,18 +189,23 @@ class Files:
     def bring(self, text: str, name: str | None) -> None:
         """A program from the other mode: its file's name, and whatever it is now, saved or not."""
         path = Path(name) if name else None
-        saved = ""
-        if path is not None:
-            try:
-                _, saved = self.document.read(name or "")
-            except DocumentError:
-                saved = ""
-        self._become(path, saved)
         text = text.removesuffix("\n")
         self._desk.load(text, self._breakpoints_of(path, text))
+        self.document.become(path, "")
+
+    async def compare(self) -> None:
+        """Whether the program that was brought is as its file has it; until then it counts as changed."""
+        document = self.document
+        path = document.path
+        if path is not None:
+            saved = await self._desk.patiently(
+                lambda: _saved(path), Answer("slow-opening", {"name": path.name})
+            )
+            if document.path == path:
+                document.become(path, saved)
 
     def _become(self, path: Path | None, text: str) -> None:
-        self._copies.forget()
+        self._forget(self._copies)
         self._desk.load(text, self._breakpoints_of(path, text))
         self.document.become(path, self._desk.text)
 
@@ -270,22 +284,24 @@ class Files:
             self._desk.tell(_told(error))
             return False
         if self._desk.text == text and self.document is document:
-            program.copies.forget()
+            self._forget(program.copies)
             self.keep_breakpoints()
         self._remember(path)
         self._desk.tell(Answer("answer-saved", {"name": path.name, "lines": text.count("\n") + 1}))
         return True
 
     async def is_safe_to_leave(self) -> bool:
-        """Whether the text may go: it is saved, or was offered to be."""
-        async with self._saving:
-            pass  # what is being saved just now is not asked about
-        if not self.is_changed or not self._desk.text.strip():
-            return True
-        answer = await self._yes("ask-unsaved", self.name)
-        if answer is None:
-            return False
-        return await self.save("") if answer else True
+        """Whether the text may go: it is saved, or was offered to be; what is typed meanwhile too."""
+        while True:
+            async with self._saving:
+                pass  # what is being saved just now is not asked about
+            if not self.is_changed or not self._desk.text.strip():
+                return True
+            answer = await self._yes("ask-unsaved", self.name)
+            if not answer:
+                return answer is False
+            if not await self.save(""):
+                return False
 
     async def _yes(self, asked: str, name: str) -> bool | None:
         """The answer to a question, None if somebody went back."""
@@ -306,42 +322,96 @@ class Files:
     # --- copies
 
     def keep_copy(self) -> None:
-        """Write down what is not saved; told once if that fails."""
+        """Have what is not saved written down, beside the screen; told once if that fails."""
+        self._want_copy()
+        self._bring_up(self._copies)
+
+    def keep_copy_now(self) -> None:
+        """As ``keep_copy``, done once this returns: for whoever leaves. Quietly: who would hear it?"""
+        self._want_copy()
+        self.settle()
+
+    def settle(self) -> None:
+        """What is still to be written down or removed, of any program: done once this returns."""
+        for program in self._programs:
+            with contextlib.suppress(DocumentError):
+                program.copies.settle()
+
+    def _want_copy(self) -> None:
         text = self._desk.text
-        if not self.is_changed or not text.strip():
-            self._copies.forget()
-            return
+        if self.is_changed and text.strip():
+            self._copies.want(text, self.document.path)
+        else:
+            self._copies.want_none()
+
+    def _forget(self, copies: Copies) -> None:
+        copies.want_none()
+        self._bring_up(copies)
+
+    def _bring_up(self, copies: Copies) -> None:
+        """One at a time for each program, however slow the disk is."""
+        if copies not in self._bringing_up:
+            self._bringing_up[copies] = asyncio.ensure_future(self._settle(copies))
+
+    async def _settle(self, copies: Copies) -> None:
         try:
-            self._copies.keep(text)
-        except DocumentError as error:
-            if not self._copying_failed:
-                self._copying_failed = True
-                self._desk.tell(Answer("answer-not-kept", {"reason": error.reason}))
+            while copies.is_behind:
+                try:
+                    await asyncio.to_thread(copies.settle)
+                except DocumentError as error:
+                    self._tell_not_kept(error)
+        finally:
+            del self._bringing_up[copies]
+
+    def _tell_not_kept(self, error: DocumentError) -> None:
+        if not self._copying_failed:
+            self._copying_failed = True
+            self._desk.tell(Answer("answer-not-kept", {"reason": error.reason}))
 
     def give_up(self) -> None:
         """Leaving on purpose: no copy is needed."""
         for program in self._programs:
-            program.copies.forget()
+            self._forget(program.copies)
 
     async def recover(self) -> None:
         """Bring back what an earlier start left unsaved, the newest first; others one by one."""
         if not self._offered:
             self._desk.tell(Answer("answer-nothing-to-recover"))
-        elif await self.is_safe_to_leave():
-            self._recover_now(self._offered[0])
-
-    def _recover_now(self, copy: Path) -> None:
+            return
+        copy = self._offered[0]
         try:
-            text = self._copies.take(copy)
+            found, saved = await self._desk.patiently(
+                lambda: self._read_copy(copy), Answer("slow-opening", {"name": copy.name})
+            )
         except DocumentError as error:
             self._desk.tell(_told(error))
             return
-        self._offered = self._offered[1:]
-        self.document.become(None, "")
-        self._desk.load(text)
-        self._desk.tell(Answer("answer-recovered", {"lines": text.count("\n") + 1}))
+        if await self.is_safe_to_leave() and copy in self._offered:
+            self._recovered(copy, found, saved)
+
+    def _read_copy(self, copy: Path) -> tuple[Rescued, str]:
+        """What it holds, and what its file has now."""
+        found = self._copies.read(copy)
+        return found, _saved(found.path) if found.path is not None else ""
+
+    def _recovered(self, copy: Path, found: Rescued, saved: str) -> None:
+        self._offered.remove(copy)
+        self._desk.load(found.text, self._breakpoints_of(found.path, found.text))
+        self.document.become(found.path, saved)
+        self._copies.want(found.text, found.path, instead_of=copy)
+        self._bring_up(self._copies)
+        code = "answer-recovered" if found.path is None else "answer-recovered-file"
+        self._desk.tell(Answer(code, {"lines": found.text.count("\n") + 1, "name": self.name}))
         if self._offered:
             self._desk.tell(Answer("answer-rescued"))
+
+
+def _saved(path: Path) -> str:
+    """The text of a file as the editor would hold it; empty where it can't be read."""
+    try:
+        return as_lines(read_program(path))
+    except DocumentError:
+        return ""
 
 
 def _told(error: DocumentError) -> Answer:

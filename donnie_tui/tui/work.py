@@ -8,7 +8,7 @@ from __future__ import annotations
 
 import asyncio
 import os
-from collections.abc import Awaitable, Callable, Sequence
+from collections.abc import Awaitable, Callable, Coroutine, Sequence
 from pathlib import Path
 from typing import Protocol, TypeVar
 
@@ -19,14 +19,14 @@ from textual.timer import Timer
 from textual.widget import Widget
 
 from devices.ports.robot import Pose
-from donnie_tui import robot_words
+from donnie_tui import robot_words, sound_words
 from donnie_tui.bootstrap import Donnie
 from donnie_tui.core.answer_log import AnswerLog
 from donnie_tui.core.breakpoints import KeptBreakpoints
 from donnie_tui.core.completion import Completion, completion
+from donnie_tui.core.copies import Copies
 from donnie_tui.core.documents import DocumentError, write_program
 from donnie_tui.core.events import Answered, Error, Outcome, Pointed
-from donnie_tui.core.filing import Copies
 from donnie_tui.core.mistakes import LARGEST, mistakes
 from donnie_tui.core.retelling import told_back
 from donnie_tui.core.timeline import Timeline
@@ -55,6 +55,7 @@ from donnie_tui.tui.screens.workplace import Workplace
 from donnie_tui.tui.watch import Watch
 from language.control import ControlState
 from language.keywords import canonical
+from language.outline import block_depth
 
 T = TypeVar("T")
 
@@ -109,6 +110,8 @@ class Host(Protocol):
     def show_help(self, title: str, lines: tuple[str, ...]) -> None: ...
 
     def show_outside(self, text: str) -> bool: ...
+
+    def begin_with(self, opening: Coroutine[None, None, None]) -> None: ...
 
     def wear(self, settings: Settings) -> None: ...
 
@@ -173,8 +176,9 @@ class Work:
             self.display.note(self.words("keys-not-understood", entry=printable(entry[:40])))
         if text is not None:
             self.files.bring(text, str(file) if file else None)
+            self._host.begin_with(self.files.compare())
         elif file is not None:
-            self.files.open_now(str(file))
+            self._host.begin_with(self.files.open(str(file)))
         elif self.preferences.settings.tour and offers_tour(str(self._state_folder), os.environ):
             self.tell_sentences(self.words("tour-offer"))
         if self.files.offers_recovery:
@@ -212,6 +216,7 @@ class Work:
         """Any key ends what is being said, and is said itself where somebody wants that."""
         self._donnie.audible.hush()
         self._key_echo(event, focused)
+        self.display.acted()
 
     # --- what the actions ask for
 
@@ -298,8 +303,20 @@ class Work:
         """Another square of the map: said too, and shown in the status line."""
         pointer = self.workplace.map.pointer
         if pointer is not None and pointer.cell is not None:
-            self._donnie.session.hub.publish(Pointed(pointer.words(self.words)))
+            self.point(pointer.words(self.words))
         self.display.looked()
+
+    def point(self, words: str) -> None:
+        """Say what somebody looks at on the map or in a list; any key ends it, and it stands in no log."""
+        self._donnie.session.hub.publish(Pointed(words))
+
+    def line_finished(self, row: int) -> None:
+        """Enter was pressed in that row (from 0): a block that it opens or closes is heard."""
+        text = self.text
+        if self._donnie.audible.has_cues and len(text) <= LARGEST:
+            lines = text.split("\n")
+            depths = (block_depth("\n".join(lines[:end])) for end in (row, row + 1))
+            sound_words.chime_block(self._donnie, *depths)
 
     def step_back(self) -> None:
         """Show what was before: where everything was, and what is undone, in words."""
@@ -601,8 +618,10 @@ class Work:
         for session in self._donnie.team.sessions:
             if session.run is not None:
                 session.run.wait(_LAST_WORDS)
+        self.files.settle()
         return self._donnie
 
     def close(self) -> None:
-        """After the screen is gone: nothing is left running."""
+        """After the screen is gone: nothing is left running, nor to be written down."""
         self._donnie.close()
+        self.files.settle()

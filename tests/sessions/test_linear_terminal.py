@@ -331,6 +331,21 @@ def test_a_signal_to_leave_rescues_the_program(number: int, tmp_path: Path) -> N
     again.sees("1: FW 1\r\n2: FW 2\r\n> ")
 
 
+def test_a_rescued_program_has_its_file_again(tmp_path: Path) -> None:
+    (tmp_path / "walk.gd").write_text("FW 1\n")
+    learner = Learner(tmp_path)
+    learner.enters(f"OPEN {tmp_path / 'walk.gd'}", "FW 2")
+    learner.sees("Opened walk.gd, 1 line.\r\n> ")
+    learner.sees_prompt()
+    learner.child.kill(signal.SIGTERM)
+    learner.leaves()
+    again = Learner(tmp_path)
+    again.enters("RECOVER", "SAVE")
+    again.sees("Here walk.gd is again, 2 lines. SAVE saves it.")
+    again.sees("Saved walk.gd, 2 lines.")
+    assert (tmp_path / "walk.gd").read_text() == "FW 1\nFW 2\n"
+
+
 def test_what_was_typed_is_there_again_after_donnie_was_killed_in_mid_line(tmp_path: Path) -> None:
     learner = Learner(tmp_path, language="es")
     learner.enters("AV 1", "GD 90")

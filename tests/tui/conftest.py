@@ -131,7 +131,7 @@ def work(tmp_path: Path):
         try:
             async with app.run_test(size=size) as pilot:
                 desk = Desk(app, pilot)
-                await desk.until(lambda: app.work is not None, "the session")
+                await desk.until(lambda: app.work is not None and not app.is_opening, "the session")
                 await pilot.pause()
                 yield desk
         finally:

@@ -121,13 +121,13 @@ async def test_going_back_from_the_question_keeps_the_program(work):
 
 async def test_quitting_without_saving_leaves_no_copy(work, tmp_path):
     async with work("FW 2") as desk:
-        desk.app.work.files.keep_copy()
+        desk.app.work.files.keep_copy_now()
         assert list((tmp_path / "unsaved").iterdir())
         await desk.press("ctrl+q")
         await desk.answer("no")
         await desk.until(lambda: not desk.app.is_running, "the end")
 
-        assert list((tmp_path / "unsaved").iterdir()) == []
+    assert list((tmp_path / "unsaved").iterdir()) == []
 
 
 async def test_a_saved_program_is_left_without_a_question(work, program):
@@ -167,8 +167,9 @@ async def test_a_state_folder_that_can_t_be_written_is_told_once(work, tmp_path)
     (tmp_path / "unsaved").write_text("a file in its place")
     async with work("FW 1") as desk:
         desk.app.work.files.keep_copy()
-        desk.app.work.files.keep_copy()
         await desk.told("What you type can't be kept safe")
+        desk.app.work.files.keep_copy()
+        await desk.until(lambda: not desk.app.work.files._bringing_up, "the second try")
 
         assert sum("kept safe" in line for line in desk.log) == 1
 

@@ -10,6 +10,7 @@ from textual.app import App, ComposeResult
 from textual.widgets import TextArea
 
 from devices.ports.robot import Pose, StoppedBy
+from donnie_tui.core.copies import MOST_COPIES, Copies
 from donnie_tui.core.documents import DocumentError
 from donnie_tui.core.events import (
     Announced,
@@ -23,7 +24,7 @@ from donnie_tui.core.events import (
     Spoke,
     Stamped,
 )
-from donnie_tui.core.filing import MOST_COPIES, Copies, Document, as_lines
+from donnie_tui.core.filing import Document, as_lines
 from donnie_tui.core.speeds import SPEEDS
 from donnie_tui.i18n.catalogue import SENTENCES
 from donnie_tui.i18n.sentence import LANGUAGES
@@ -335,7 +336,7 @@ def test_a_copy_of_another_start_is_offered_and_the_own_one_is_not(tmp_path: Pat
     first.keep("FW 1")
     second.keep("FW 2")
 
-    assert second.take(second.offered()) == "FW 1"
+    assert second.take(second.offered()).text == "FW 1"
     assert second.offered() is None
 
 

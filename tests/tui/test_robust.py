@@ -11,7 +11,7 @@ from textual import events
 from textual.filter import Monochrome, NoColor
 
 from donnie_tui.bootstrap import assemble
-from donnie_tui.core.filing import Copies
+from donnie_tui.core.copies import Copies
 from donnie_tui.i18n import first_screen
 from donnie_tui.i18n.sentence import LANGUAGES
 from donnie_tui.i18n.words import Words
@@ -278,6 +278,6 @@ def test_a_copy_that_was_taken_is_this_start_s_own(tmp_path: Path):
     old.write_text("FW 1", encoding="utf-8")
     copies = Copies(tmp_path)
 
-    assert copies.take(old) == "FW 1"
+    assert copies.take(old).text == "FW 1"
     assert [each.read_text(encoding="utf-8") for each in tmp_path.iterdir()] == ["FW 1"]
     assert not old.exists()

@@ -1,10 +1,13 @@
 """Whatever takes longer than a second is told in words, while the screen goes on."""
 
+import signal
 import threading
 
 import pytest
 
 from donnie_tui.bootstrap import assemble
+from donnie_tui.core import copies, filing
+from donnie_tui.core.copies import Copies
 from donnie_tui.core.filing import Document
 from donnie_tui.settings import Settings
 from donnie_tui.tui import app as application
@@ -70,6 +73,134 @@ async def test_leaving_waits_for_what_is_being_saved(work, monkeypatch, tmp_path
         gate.set()
         await desk.until(lambda: not desk.app.is_running or desk.app._exit, "the end")
         assert path.read_text() == "FW 1\n"
+
+
+def _slow_disk(monkeypatch, gate):
+    """Files are read, and copies written, once the gate is open. Who waited at it, in a list."""
+    came = []
+
+    def slowly(done):
+        def do(*given):
+            came.append(done.__name__)
+            gate.wait(20)
+            return done(*given)
+
+        return do
+
+    for module, name in ((copies, "write_program"), (copies, "read_program"), (filing, "read_program")):
+        monkeypatch.setattr(module, name, slowly(getattr(module, name)))
+    return came
+
+
+async def test_a_copy_on_a_slow_disk_holds_no_typing_and_has_the_last_letters(
+    work, monkeypatch, tmp_path, gate
+):
+    came = _slow_disk(monkeypatch, gate)
+    async with work("FW 1") as desk:
+        await desk.press("a")
+        await desk.until(lambda: came, "the first copy is being written")
+        await desk.press("b", "c")
+        desk.app.work.files.keep_copy()
+        desk.app.work.files.keep_copy()
+        await desk.press("d")
+        desk.app.work.files.keep_copy()
+        assert desk.app.work.text == "abcdFW 1"
+        assert len(came) == 1, "one at a time"
+        gate.set()
+        await desk.until(lambda: _copies_in(tmp_path) == ["abcdFW 1"], "the last letters")
+
+
+async def test_whoever_is_gone_by_a_lost_line_has_left_the_last_copy(work, monkeypatch, tmp_path, gate):
+    came = _slow_disk(monkeypatch, gate)
+    async with work("FW 1") as desk:
+        await desk.press("a")
+        await desk.until(lambda: came, "a copy is being written")
+        await desk.press("b")
+        threading.Timer(0.1, gate.set).start()
+        desk.app._end(signal.SIGHUP)
+        assert _copies_in(tmp_path) == ["abFW 1"]
+
+
+async def test_a_copy_that_was_given_up_while_it_was_written_is_gone(work, monkeypatch, tmp_path, gate):
+    came = _slow_disk(monkeypatch, gate)
+    async with work("FW 1") as desk:
+        await desk.press("a")
+        await desk.until(lambda: came, "a copy is being written")
+        await desk.press("ctrl+q")
+        await desk.answer("no")
+        await desk.until(lambda: not desk.app.is_running or desk.app._exit, "the end")
+        gate.set()
+    assert _copies_in(tmp_path) == []
+
+
+async def test_a_file_that_comes_slowly_is_told_and_what_is_typed_meanwhile_is_asked_about(
+    work, monkeypatch, tmp_path, gate
+):
+    path = tmp_path / "walk.gd"
+    path.write_text("FW 1\n")
+    _slow_disk(monkeypatch, gate)
+    async with work() as desk:
+        await desk.type_line(f"OPEN {path}")
+        await desk.told("Opening walk.gd, it takes a while.")
+        desk.place.editor.focus()
+        await desk.press("x")
+        assert desk.app.work.text == "x"
+        gate.set()
+        await desk.answer("no")
+        await desk.told("Opened walk.gd, 1 line.")
+        assert desk.app.work.text == "FW 1"
+
+
+async def test_opening_is_given_up_by_asking_for_something_else_and_that_is_told(
+    work, monkeypatch, tmp_path, gate
+):
+    path = tmp_path / "walk.gd"
+    path.write_text("FW 1\n")
+    _slow_disk(monkeypatch, gate)
+    async with work() as desk:
+        await desk.type_line(f"OPEN {path}")
+        await desk.told("Opening walk.gd, it takes a while.")
+        await desk.type_line("GO TO 1")
+        await desk.told("Nothing was changed.")
+        gate.set()
+        await desk.pilot.pause(0.1)
+        assert desk.app.work.text == ""
+
+
+async def test_a_file_of_the_command_line_that_comes_slowly_leaves_the_screen_alive(
+    work, monkeypatch, tmp_path, gate
+):
+    path = tmp_path / "walk.gd"
+    path.write_text("FW 1\n")
+    _slow_disk(monkeypatch, gate)
+    async with work(file=path) as desk:
+        await desk.told("Opening walk.gd, it takes a while.")
+        await desk.type_line("POS")
+        await desk.told("> POS")
+        gate.set()
+        await desk.told("Opened walk.gd, 1 line.")
+
+
+async def test_a_program_comes_back_with_the_name_of_its_file(work, tmp_path):
+    path = tmp_path / "walk.gd"
+    path.write_text("FW 1\n")
+    lost = Copies(tmp_path / "unsaved")
+    lost.keep("FW 12", path)
+    async with work() as desk:
+        await desk.type_line("RECOVER")
+        await desk.told("Here walk.gd is again, 1 line.")
+        assert desk.app.work.files.document.path == path
+        assert "walk.gd, changed" in desk.screen
+        await desk.until(lambda: len(_copies_in(tmp_path)) == 1, "one copy, this start's own")
+        await desk.press("ctrl+s")
+        await desk.told("Saved walk.gd")
+        assert path.read_text() == "FW 12\n"
+        await desk.until(lambda: not _copies_in(tmp_path), "no copy is needed")
+
+
+def _copies_in(folder):
+    keeper = Copies(folder / "unsaved")
+    return [keeper.read(each).text for each in (folder / "unsaved").glob("*.gd")]
 
 
 async def test_a_huge_program_that_is_being_read_is_told(work, monkeypatch):

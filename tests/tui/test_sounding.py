@@ -2,7 +2,11 @@
 
 from __future__ import annotations
 
+import pytest
+
 from donnie_tui.audible import Audible
+from donnie_tui.core.events import Chimed, Event, Pointed
+from donnie_tui.core.hub import Hub
 
 
 async def test_any_key_ends_what_is_being_said(work) -> None:  # type: ignore[no-untyped-def]
@@ -11,6 +15,73 @@ async def test_any_key_ends_what_is_being_said(work) -> None:  # type: ignore[no
         before = desk.app.work.donnie.audible.hushed
         await desk.press("x")
         assert desk.app.work.donnie.audible.hushed > before
+
+
+@pytest.fixture
+def pointed(monkeypatch):  # type: ignore[no-untyped-def]
+    """What was said of what somebody looks at, and the cues of the front end, in their order."""
+    heard: list[str] = []
+    publish = Hub.publish
+
+    def listen(self: Hub, event: Event) -> None:
+        if isinstance(event, Pointed):
+            heard.append(event.text)
+        elif isinstance(event, Chimed):
+            heard.append(f"{event.name} {event.steps}")
+        publish(self, event)
+
+    monkeypatch.setattr(Hub, "publish", listen)
+    return heard
+
+
+async def test_each_row_of_a_list_is_said_as_it_is_reached_and_stands_in_no_log(work, pointed) -> None:  # type: ignore[no-untyped-def]
+    async with work("FW 1\nREPEAT 2\nFW 1\nEND REPEAT") as desk:
+        await desk.type_line("WORLDS")
+        await desk.until(lambda: pointed, "the title and the world that it is in")
+        assert "open_floor" in pointed[0]
+        del pointed[:]
+        hushed = desk.app.work.donnie.audible.hushed
+        await desk.press("down")
+        await desk.until(lambda: pointed, "the next world")
+        assert pointed == [desk.app.screen._fitting[desk.app.screen.rows.line].text]
+        assert desk.app.work.donnie.audible.hushed > hushed, "what was being said has ended"
+        assert not any(pointed[0] in line for line in desk.log)
+        await desk.press(*"qqq")
+        await desk.until(lambda: pointed[-1] == "Nothing of that name.", "that nothing fits")
+
+
+async def test_words_to_complete_and_questions_are_said_too(work, pointed) -> None:  # type: ignore[no-untyped-def]
+    async with work("R") as desk:
+        desk.place.editor.move_cursor((0, 1))
+        await desk.press("ctrl+space")
+        await desk.until(lambda: pointed, "the first word")
+        first = pointed[-1]
+        await desk.press("down")
+        await desk.until(lambda: pointed[-1] != first, "the second")
+        await desk.press("escape")
+        await desk.until(lambda: desk.app.screen is desk.place, "the workplace")
+        await desk.press("ctrl+o")
+        await desk.until(lambda: "?" in pointed[-1] or ":" in pointed[-1], "the question")
+
+
+async def test_enter_sounds_where_a_block_was_opened_or_closed(work, pointed, monkeypatch) -> None:  # type: ignore[no-untyped-def]
+    """As in the linear mode."""
+    monkeypatch.setattr(Audible, "has_cues", property(lambda _: True))
+    async with work() as desk:
+        await desk.press(*"FW 1", "enter", *"REPEAT 2", "enter")
+        await desk.until(lambda: len(pointed) == 1, "the block that was opened")
+        await desk.press(*"FW 1", "enter", *"END REPEAT", "enter")
+        await desk.until(lambda: len(pointed) == 2, "its end")
+        opened, closed = pointed
+        assert opened.startswith("block-opened ")
+        assert closed == opened.replace("opened", "closed")
+
+
+async def test_without_cues_enter_is_silent(work, pointed) -> None:  # type: ignore[no-untyped-def]
+    async with work() as desk:
+        await desk.press(*"REPEAT 2", "enter")
+        await desk.pilot.pause()
+        assert pointed == []
 
 
 async def test_quiet_is_answered_in_the_log(work) -> None:  # type: ignore[no-untyped-def]

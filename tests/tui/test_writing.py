@@ -161,6 +161,30 @@ async def test_search_goes_to_the_next_place_and_round(work):
         await desk.told("XYZ is not in the program.")
 
 
+async def test_the_line_that_was_found_stays_in_the_status_line_until_a_key_moves_on(work):
+    async with work("FW 1\nTR 90\nfw 2") as desk:
+        desk.place.editor.move_cursor((0, 1))
+        await desk.type_line("SEARCH fw")
+        await desk.until(lambda: desk.place.editor.line == 3, "the third line")
+        await desk.told("Line 3: fw 2")
+        for _ in range(3):
+            await desk.pilot.pause()
+        assert "Line 3: fw 2." in desk.status
+        await desk.press("up")
+        await desk.until(lambda: "Line 3: fw 2." not in desk.status, "another line")
+
+
+async def test_without_completion_a_word_is_still_listed_for_who_asks(work, tmp_path):
+    async with work(completion=False) as desk:
+        await desk.press(*"REPE")
+        await desk.pilot.pause()
+        assert desk.place.editor.suggestion == ""
+        await desk.press("right")
+        assert desk.app.work.text == "REPE"
+        await desk.press("ctrl+space")
+        await desk.until(lambda: desk.app.screen is not desk.place, "the list")
+
+
 async def test_replace_counts_and_is_one_thing_to_undo(work):
     async with work("FW 1 FW 2") as desk:
         await desk.type_line("REPLACE FW")

@@ -53,6 +53,11 @@ _PROGRAM = {
         "Aqui está de novo, {lines} {lines:linha|linhas}.",
         "Aquí está de nuevo, {lines} {lines:línea|líneas}.",
     ),
+    "answer-recovered-file": Sentence(
+        "Here {name} is again, {lines} {lines:line|lines}. SAVE saves it.",
+        "Aqui está {name} de novo, {lines} {lines:linha|linhas}. SALVAR salva.",
+        "Aquí está {name} de nuevo, {lines} {lines:línea|líneas}. GUARDAR lo guarda.",
+    ),
     "answer-nothing-to-recover": Sentence(
         "Nothing to recover.", "Nada para recuperar.", "Nada que recuperar."
     ),

@@ -6,7 +6,7 @@ stands on the row that Enter would choose, and ``>`` before it.
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from typing import ClassVar
 
 from textual.app import ComposeResult
@@ -68,12 +68,20 @@ class Chooser(ModalScreen[str | None]):
     ]
     AUTO_FOCUS = "#narrowing"
 
-    def __init__(self, title: str, keys: str, nothing: str, choices: Sequence[Choice]) -> None:
-        """``nothing`` is shown where no row fits what was typed."""
+    def __init__(
+        self,
+        title: str,
+        keys: str,
+        nothing: str,
+        choices: Sequence[Choice],
+        point: Callable[[str], object],
+    ) -> None:
+        """``nothing`` is shown where no row fits what was typed; ``point`` says the row that is chosen."""
         super().__init__()
         self._title_words, self._key_words, self._nothing = title, keys, nothing
         self._choices = tuple(choices)
         self._fitting = self._choices
+        self._point = point
         self.rows = _Rows(id="choices")
         self._typed = _Narrowing(self.rows)
 
@@ -87,6 +95,7 @@ class Chooser(ModalScreen[str | None]):
         self._show()
         current = next((at for at, each in enumerate(self._choices) if each.is_current), 0)
         self.rows.read_line(current)
+        self._say_row(f"{self._title_words} ")
 
     def on_input_changed(self, event: Input.Changed) -> None:
         from language.source import fold_name
@@ -99,6 +108,7 @@ class Chooser(ModalScreen[str | None]):
         self._typed.points_at_row = not words
         self._show()
         self.rows.read_line(0)
+        self._say_row()
 
     def _show(self) -> None:
         self.rows.show([each.text for each in self._fitting] or [self._nothing])
@@ -106,6 +116,10 @@ class Chooser(ModalScreen[str | None]):
     def action_choose_row(self, down: int) -> None:
         self._typed.points_at_row = True
         self.rows.read_line(min(max(0, self.rows.line + down), max(0, len(self._fitting) - 1)))
+        self._say_row()
+
+    def _say_row(self, before: str = "") -> None:
+        self._point(before + (self._fitting[self.rows.line].text if self._fitting else self._nothing))
 
     def on_input_submitted(self, event: Input.Submitted) -> None:
         event.stop()

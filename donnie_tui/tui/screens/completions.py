@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from typing import ClassVar
 
 from rich.cells import cell_len
@@ -33,9 +33,10 @@ class Completions(ModalScreen[tuple[str, str]]):
         Binding("tab", "take", show=False, priority=True),
     ]
 
-    def __init__(self, words: Sequence[str], below: Offset) -> None:
-        """``below``: where the cursor is, on the screen."""
+    def __init__(self, words: Sequence[str], below: Offset, point: Callable[[str], object]) -> None:
+        """``below``: where the cursor is, on the screen; ``point`` says the word that is chosen."""
         super().__init__()
+        self._point = point
         self._below = below
         self.list = _Words(*words, id="completions", markup=False, compact=True)
         self._width = max(map(cell_len, words)) + 2
@@ -53,6 +54,9 @@ class Completions(ModalScreen[tuple[str, str]]):
         self.list.styles.offset = (max(0, min(self._below.x, self.size.width - width)), y)
         self.list.highlighted = 0
         self.list.focus()
+
+    def on_option_list_option_highlighted(self, event: OptionList.OptionHighlighted) -> None:
+        self._point(str(event.option.prompt))
 
     def on_option_list_option_selected(self, event: OptionList.OptionSelected) -> None:
         self.dismiss((str(event.option.prompt), ""))

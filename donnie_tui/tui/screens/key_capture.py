@@ -35,9 +35,20 @@ class KeyCapture(ModalScreen[str | None]):
 
     AUTO_FOCUS = "#answer"
 
-    def __init__(self, asked: str, keys: str, behind: str, accepts: Callable[[str], str | None]) -> None:
-        """``behind`` is said after the menu key; ``accepts`` answers what is wrong with a key."""
+    def __init__(
+        self,
+        asked: str,
+        keys: str,
+        behind: str,
+        accepts: Callable[[str], str | None],
+        point: Callable[[str], object],
+    ) -> None:
+        """``behind`` is said after the menu key; ``accepts`` answers what is wrong with a key.
+
+        ``point`` says what is asked.
+        """
         super().__init__()
+        self._point = point
         self._asked, self._key_words, self._behind = asked, keys, behind
         self._accepts = accepts
         self._has_menu = False
@@ -49,6 +60,13 @@ class KeyCapture(ModalScreen[str | None]):
             yield _KeyLine(self._pressed)
             yield Static(f" {self._key_words}", id="question-keys", markup=False)
 
+    def on_mount(self) -> None:
+        self._point(self._asked)
+
+    def _say(self, words: str) -> None:
+        self._words.update(words)
+        self._point(words)
+
     def _pressed(self, key: str) -> None:
         if key == "escape":
             self.dismiss(None)
@@ -56,7 +74,7 @@ class KeyCapture(ModalScreen[str | None]):
             self.dismiss("")
         elif key == MENU and not self._has_menu:
             self._has_menu = True
-            self._words.update(self._behind)
+            self._say(self._behind)
         else:
             self._try(f"{MENU} {key}" if self._has_menu else key)
 
@@ -66,4 +84,4 @@ class KeyCapture(ModalScreen[str | None]):
         if wrong is None:
             self.dismiss(key)
         else:
-            self._words.update(wrong)
+            self._say(wrong)

@@ -21,9 +21,17 @@ class Question(ModalScreen[str | None]):
     AUTO_FOCUS = "#answer"
 
     def __init__(
-        self, asked: str, keys: str, *, value: str = "", accepts: Callable[[str], str | None] | None = None
+        self,
+        asked: str,
+        keys: str,
+        point: Callable[[str], object],
+        *,
+        value: str = "",
+        accepts: Callable[[str], str | None] | None = None,
     ) -> None:
+        """``point`` says what is asked."""
         super().__init__()
+        self._point = point
         self._asked = asked
         self._keys = keys
         self._value = value
@@ -35,12 +43,16 @@ class Question(ModalScreen[str | None]):
             yield InputLine(self._value, id="answer")
             yield Static(f" {self._keys}", id="question-keys", markup=False)
 
+    def on_mount(self) -> None:
+        self._point(f"{self._asked} {self._value}".strip())
+
     def on_input_submitted(self, event: Input.Submitted) -> None:
         event.stop()
         answer = event.value.strip()
         wrong = self._accepts(answer) if self._accepts else None
         if wrong:
             self.query_one("#asked", Static).update(wrong)
+            self._point(wrong)
         elif answer:
             self.dismiss(answer)
 

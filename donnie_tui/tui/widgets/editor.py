@@ -54,6 +54,13 @@ class Editor(TextArea):
     class LinearTyped(Message):
         """LINEAR and Enter, and nothing else: what the first line of the log asks for."""
 
+    class LineFinished(Message):
+        """Enter, in that row (from 0)."""
+
+        def __init__(self, row: int) -> None:
+            super().__init__()
+            self.row = row
+
     def __init__(self, *, id: str) -> None:  # noqa: A002 -- Textual's own name
         super().__init__(id=id, soft_wrap=True, tab_behavior="focus", show_line_numbers=True)
         self.cursor_blink = False
@@ -83,6 +90,8 @@ class Editor(TextArea):
             event.stop()
             event.prevent_default()
             self.post_message(self.LinearTyped())
+        elif event.key == "enter":
+            self.post_message(self.LineFinished(self.cursor_location[0]))
 
     def _is_way_to_linear(self) -> bool:
         return self.is_nobodys and len(self.text) < 20 and self.text.strip().casefold() in LINEAR_WORDS

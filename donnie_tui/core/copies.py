@@ -1,0 +1,175 @@
+"""A copy of what is not saved, for the case of a crash: what a crash left is offered at the next start.
+
+Copies are written into the state folder while somebody types, one file a program, and removed once the text
+is saved or given up on purpose. Rule: whoever types waits for no disk. ``want`` says what is to be kept,
+``settle`` writes it down, in whatever thread; the last one that was wanted is what is there at the end.
+"""
+
+from __future__ import annotations
+
+import contextlib
+import os
+import threading
+from pathlib import Path
+
+from devices.ports.values import frozen
+from donnie_tui.core.documents import DocumentError, read_program, write_program
+from donnie_tui.core.filing import as_lines
+
+MOST_COPIES = 20
+"""Copies that are kept; the oldest go first."""
+
+_PREFIX, _SUFFIX = "unsaved-", ".gd"
+_FILE = "-- What was not saved of the file: "
+"""The first line of a copy, with the path of the file; a comment of the language, for whoever looks."""
+
+
+@frozen
+class Rescued:
+    """What a copy holds."""
+
+    text: str
+    path: Path | None = None
+    """The file that it is the program of."""
+
+
+class Copies:
+    """The copy of one program, and those that others left in the same folder. Any thread may ask."""
+
+    def __init__(self, folder: Path, ours: set[Path] | None = None) -> None:
+        """``ours``: the copies of this start's programs, which are shared with ``another``."""
+        self._folder = folder
+        self._ours: set[Path] = set() if ours is None else ours
+        self._own: Path | None = None
+        self._wanted: Rescued | None = None
+        self._replaced: list[Path] = []
+        """Copies whose text is kept by this one."""
+        self.is_behind = False
+        """Whether the folder is not yet as it is wanted."""
+        self._writing = threading.Lock()
+
+    def another(self) -> Copies:
+        """For one more program, in the same folder."""
+        return Copies(self._folder, self._ours)
+
+    # --- what others left
+
+    def offered(self) -> Path | None:
+        """The newest copy that an earlier start left."""
+        return next(iter(self.all_offered()), None)
+
+    def all_offered(self) -> list[Path]:
+        """All of them, the newest first: there may have been several programs."""
+        return [each for each in self._newest_first() if each not in self._ours and not _is_in_use(each)]
+
+    def read(self, copy: Path) -> Rescued:
+        """What it holds; nothing changes. Raises ``DocumentError``."""
+        text = as_lines(read_program(copy))
+        first, _, rest = text.partition("\n")
+        if not first.startswith(_FILE):
+            return Rescued(text)
+        name = first.removeprefix(_FILE)
+        return Rescued(rest, Path(name) if name else None)
+
+    def take(self, copy: Path) -> Rescued:
+        """What it holds, written down anew as this start's own. Raises ``DocumentError``."""
+        found = self.read(copy)
+        self.want(found.text, found.path, instead_of=copy)
+        self.settle()
+        return found
+
+    # --- the own one
+
+    def want(self, text: str, path: Path | None = None, *, instead_of: Path | None = None) -> None:
+        """From now on this is to be kept. ``instead_of``: a copy which is removed once it is."""
+        if instead_of is not None:
+            self._replaced.append(instead_of)
+        self._wanted = Rescued(text, path)
+        self.is_behind = True
+
+    def want_none(self) -> None:
+        """The text is safe elsewhere, or given up."""
+        self._wanted = None
+        self.is_behind = True
+
+    def settle(self) -> None:
+        """Bring the folder up to what is wanted, by then. Raises ``DocumentError`` where it can't write."""
+        with self._writing:
+            while self.is_behind:
+                self.is_behind = False  # first: what is wanted meanwhile is one more round
+                self._bring_up(self._wanted)
+
+    def keep(self, text: str, path: Path | None = None) -> None:
+        """Write the text down at once. Raises ``DocumentError``."""
+        self.want(text, path)
+        self.settle()
+
+    def forget(self) -> None:
+        """Remove the copy at once."""
+        self.want_none()
+        self.settle()
+
+    def _bring_up(self, wanted: Rescued | None) -> None:
+        if wanted is None:
+            self._remove_own()
+        else:
+            self._write(wanted)
+        while self._replaced:
+            with contextlib.suppress(OSError):
+                self._replaced.pop().unlink()
+
+    def _remove_own(self) -> None:
+        own, self._own = self._own, None
+        if own is not None:
+            with contextlib.suppress(OSError):
+                own.unlink()
+            self._ours.discard(own)
+
+    def _write(self, wanted: Rescued) -> None:
+        try:
+            own = self._own = self._own or self._new()
+            self._ours.add(own)
+        except OSError as problem:
+            reason = problem.strerror or str(problem)
+            raise DocumentError("file-unwritable", str(self._folder), reason) from None
+        write_program(own, _with_file(wanted))
+
+    def _new(self) -> Path:
+        import tempfile  # slow to load, and few sessions write
+
+        self._folder.mkdir(parents=True, exist_ok=True)
+        handle, name = tempfile.mkstemp(dir=self._folder, prefix=f"{_PREFIX}{os.getpid()}-", suffix=_SUFFIX)
+        os.close(handle)
+        for old in [each for each in self._newest_first() if not _is_in_use(each)][MOST_COPIES:]:
+            with contextlib.suppress(OSError):
+                old.unlink()
+        return Path(name)
+
+    def _newest_first(self) -> list[Path]:
+        try:
+            found = [(each.stat().st_mtime, each) for each in self._folder.glob(f"{_PREFIX}*{_SUFFIX}")]
+        except OSError:
+            return []
+        return [each for _, each in sorted(found, reverse=True)]
+
+
+def _with_file(wanted: Rescued) -> str:
+    """The text of the copy. A path that would be no line of text is left out."""
+    name = str(wanted.path.absolute()) if wanted.path is not None else ""
+    if not name.isprintable():
+        name = ""
+    return f"{_FILE}{name}\n{wanted.text}" if name or wanted.text.startswith(_FILE) else wanted.text
+
+
+def _is_in_use(copy: Path) -> bool:
+    """Whether another process that still runs keeps this copy; its number is in the name."""
+    number = copy.name.removeprefix(_PREFIX).partition("-")[0]
+    if os.name != "posix" or not number.isdecimal() or int(number) in (0, os.getpid()):
+        return False
+    try:
+        os.kill(int(number), 0)
+    except PermissionError:
+        return True
+    except (OSError, OverflowError):
+        return False
+    return True
