@@ -34,6 +34,7 @@ from donnie_tui.world_choice import ChosenWorld, choose_world, files_of
 from donnie_tui.written import Written
 
 if TYPE_CHECKING:
+    from sim.mounted import Mounted
     from sim.picture import Picture
     from sim.world import World
 
@@ -76,6 +77,12 @@ class Donnie:
         from sim.picture import picture
 
         return picture(self.world.scene, self.team.chosen_name)
+
+    def mounted(self) -> tuple[Mounted, ...]:
+        """What the robot that is talked to has, in its world; nothing is known of a real one."""
+        from sim.mounted import mounted
+
+        return () if self.connection.is_real else mounted(self.world.scene, self.session.name)
 
     def picture_now(self) -> Picture:
         """The world as the robot that is talked to finds it now: others and things where they are."""

@@ -8,6 +8,7 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Mapping
 from dataclasses import replace
+from itertools import pairwise, takewhile
 from math import cos, radians, sin
 from typing import TYPE_CHECKING
 
@@ -21,6 +22,9 @@ if TYPE_CHECKING:
 RAY = "'"
 LONGEST_RAY = 100
 """Cells."""
+
+Line = tuple[tuple[float, float], ...]
+"""Points to the right of the robot and ahead of it, in steps."""
 
 _DEGREES_OF = {each.name.lower().replace("_", " "): each.value for each in Bearing}
 """As ``read`` events name the directions."""
@@ -105,6 +109,25 @@ class MapScene:
         changed = frozenset(rays) - self._rays
         self._rays = frozenset(rays)
         return changed
+
+    def show_fields(self, lines: Iterable[Line]) -> frozenset[Cell]:
+        """Lines in the robot's frame, such as the borders of a camera's view; each ends at the first wall."""
+        rays = set(self._rays)
+        for line in lines:
+            places = [self._place_of(*point) for point in line]
+            for start, end in pairwise(places):
+                way = (*cells_between(start, end, LONGEST_RAY), end)
+                rays.update(takewhile(lambda cell: self.grid.kind(cell) is not Kind.WALL, way))
+        changed = frozenset(rays) - self._rays
+        self._rays = frozenset(rays)
+        return changed
+
+    def _place_of(self, right: float, ahead: float) -> Cell:
+        """Of steps to the right and ahead of the robot."""
+        angle = radians(self._pose.heading)
+        east = right * cos(angle) + ahead * sin(angle)
+        north = ahead * cos(angle) - right * sin(angle)
+        return self.grid.cell_of(Pose(self._pose.x + east, self._pose.y + north, 0.0))
 
     # --- what is there
 

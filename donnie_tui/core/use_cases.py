@@ -136,6 +136,7 @@ USE_CASES = (
     UseCase("map_column", "MAP COLUMN", "MAPA COLUNA", "MAPA COLUMNA", _ALWAYS, "row", required=True),
     UseCase("map_picture", "MAP PICTURE", "MAPA IMAGEM", "MAPA IMAGEN", _ALWAYS),
     UseCase("trail", "TRAIL", "TRILHA", "RASTRO", _ALWAYS, "count"),
+    UseCase("sensors", "SENSORS", "SENSORES", "SENSORES", _ALWAYS),
     UseCase("robots", "ROBOTS", "ROBÔS", "ROBOTS", _ALWAYS),
     UseCase("robot", "ROBOT", "ROBÔ", "ROBOT", _ALWAYS, "robot", required=True),
     UseCase("start", "START", "INICIAR", "INICIAR"),

@@ -24,7 +24,7 @@ _WORDS_OF = {
     "reading": "read next back first last_line place up down next_same back_same outline",
     "said": "last last_word spell find show_log typed error error_next error_previous errors explain",
     "sounding": "quiet cues",
-    "surroundings": "where around map show_map map_row map_column map_picture trail world",
+    "surroundings": "where around map show_map map_row map_column map_picture trail sensors world",
     "robots": "robots robot start together stop_all grip release connect feel",
     "choices": "language detail set",
     "tour": "tour",

@@ -1,4 +1,4 @@
-"""The words about the robot and its world: WHERE, AROUND, MAP, TRAIL, WORLD. All sentences are the core's."""
+"""WHERE, AROUND, MAP, TRAIL, SENSORS, WORLD: about the robot and its world. All sentences are the core's."""
 
 from __future__ import annotations
 
@@ -6,6 +6,7 @@ from donnie_tui.core import map_words, numbers
 from donnie_tui.core.around import around_in_words, compass_point
 from donnie_tui.core.map_grid import FREE, MapGrid
 from donnie_tui.core.naming import shown_name
+from donnie_tui.core.sensor_words import sensors_in_words
 from donnie_tui.linear.arguments import Handler, alone, counted, numbers_in
 from donnie_tui.linear.desk import Desk
 from donnie_tui.linear.runs import Runs
@@ -75,6 +76,13 @@ def _trail(desk: Desk, count: int) -> None:
     desk.tell_of_robot(*desk.trail.in_words(count, desk.say))
 
 
+def _sensors(desk: Desk) -> None:
+    if desk.donnie.connection.is_real:
+        desk.answer("sensors-real")
+    else:
+        desk.tell(*sensors_in_words(desk.donnie.mounted(), shown_name(desk.session.name), desk.say))
+
+
 def _world(desk: Desk) -> None:
     """What its author says of the world, what stands in it, and what to try there."""
     about = desk.donnie.world.about(desk.say.language)
@@ -94,6 +102,7 @@ HANDLERS: dict[str, Handler] = {
     "map_row": _row,
     "map_column": _column,
     "map_picture": alone(_picture),
+    "sensors": alone(_sensors),
     "trail": counted(_trail, _DEFAULT_TRAIL),
     "world": alone(_world),
 }

@@ -94,6 +94,7 @@ KEYS: dict[str, tuple[str, ...]] = {
     "map_column": (),
     "map_picture": (),
     "trail": (),
+    "sensors": (),
     "world": (),
     "worlds": ("ctrl+k o",),
     "tour": (),

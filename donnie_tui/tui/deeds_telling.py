@@ -14,6 +14,7 @@ from donnie_tui.core.answer_log import spelled
 from donnie_tui.core.around import around_in_words, compass_point
 from donnie_tui.core.map_grid import MapGrid
 from donnie_tui.core.naming import shown_name
+from donnie_tui.core.sensor_words import sensors_in_words
 from donnie_tui.core.transcript import lines_of, said_by
 from donnie_tui.i18n.catalogue.signs import SPELLED_OF
 from donnie_tui.tui.running import Answer
@@ -82,6 +83,16 @@ class TellingDeeds:
     def trail(self, argument: str) -> None:
         count = next(iter(numbers_in(argument)), _TRAIL)
         self._tell_of_robot(*self._host.trail.in_words(max(1, count), self._host.words))
+
+    def sensors(self, _argument: str) -> None:
+        """In words, and on the map: what is seen by what sees wide, until the robot moves."""
+        donnie, words = self._host.donnie, self._host.words
+        if donnie.connection.is_real:
+            self._tell(words("sensors-real"))
+            return
+        devices = donnie.mounted()
+        self._host.display.show_fields([line for each in devices for line in each.lines])
+        self._tell(*sensors_in_words(devices, shown_name(donnie.session.name), words))
 
     # --- what was said
 

@@ -11,7 +11,7 @@ from devices.ports.robot import Pose
 from donnie_tui.bootstrap import Donnie
 from donnie_tui.core.events import Read
 from donnie_tui.core.map_grid import floor_size
-from donnie_tui.core.map_scene import MapScene
+from donnie_tui.core.map_scene import Line, MapScene
 from donnie_tui.core.naming import shown_name
 from donnie_tui.core.timeline import Timeline
 from donnie_tui.i18n.catalogue import SENTENCES
@@ -106,6 +106,10 @@ class Display:
         if mail.belt is not None:
             self._has_belt = True
             self._show_inspector()
+
+    def show_fields(self, lines: Iterable[Line]) -> None:
+        """What the robot's devices reach, in its frame, until it moves."""
+        self._place.map.update_cells(self.scene.show_fields(lines))
 
     def show_past(self, timeline: Timeline) -> None:
         """The map as it was at that position, or is at the end."""

@@ -37,6 +37,7 @@ TOPICS = (
     "devices",
     "files",
     "scenarios",
+    "sensors",
     "signs",
     "recordings",
     "explain",

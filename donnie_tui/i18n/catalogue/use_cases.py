@@ -92,6 +92,7 @@ _PURPOSES = {
     "map_column": ("That column.", "Essa coluna.", "Esa columna."),
     "map_picture": ("Draws with letters.", "Desenha com letras.", "Dibuja con letras."),
     "trail": ("The last moves.", "Os últimos movimentos.", "Los últimos movimientos."),
+    "sensors": ("What the robot has.", "O que o robô tem.", "Lo que el robot tiene."),
     "connect": ("Lists robots, or takes one.", "Lista robôs, ou escolhe um.", "Lista robots, o elige uno."),
     "feel": ("What the belt shows.", "O que o cinto mostra.", "Lo que da el cinturón."),
     "world": ("Tells about the world.", "Fala sobre o mundo.", "Habla sobre el mundo."),

@@ -1,0 +1,89 @@
+"""SENSORS: what a robot has, in words, and its fields of view on the map."""
+
+import pytest
+
+from devices.ports.robot import Pose
+from donnie_tui.core.map_grid import Cell, Kind
+from donnie_tui.core.map_scene import MapScene
+from donnie_tui.core.sensor_words import MOST, sensors_in_words
+from donnie_tui.i18n.words import Words
+from sim.mounted import Device, Mounted, mounted
+from sim.picture import picture
+from tests.unit.sim.floors import scene
+
+ROBOT = """
+define it position ( size [ 0.2 0.2 0.1 ] ranger( sensor( range [ 0 3 ] fov 15 pose [ 0.1 0 0 0 ] ) )
+  camera( range [ 0 1 ] fov [ 60 40 ] pantilt [ -90 0 ] )
+  blobfinder( range 5 fov 60 )
+  gripper( size [ 0.1 0.2 0.1 ] pose [ 0.15 0 0 0 ] paddle_size [ 0.5 0.1 0.4 ] ) )
+"""
+
+
+def test_each_device_is_told_with_its_view() -> None:
+    devices = mounted(scene(f'{ROBOT} it( name "al" pose [ 1 2 0 90 ] )'), "al")
+
+    assert sensors_in_words(devices, "al", Words("en", "normal")) == (
+        "al has:",
+        "Distance sensor ahead, 15 degrees wide, range 3 m.",
+        "Color camera ahead, 60 degrees wide, range 5 m.",
+        "Camera 90 right, 60 degrees wide, range 1 m. No picture is made.",
+        "Gripper ahead.",
+    )
+
+
+def test_a_robot_without_any_says_so() -> None:
+    it = scene('define it position( size [ 0.1 0.1 0.1 ] bumper( bcount 0 ) ) it( name "al" )')
+
+    assert sensors_in_words(mounted(it, "al"), "al", Words("en", "normal")) == ("al has no sensors.",)
+
+
+def test_a_thousand_sensors_are_told_with_an_end() -> None:
+    devices = [Mounted(Device.BUMPER, degrees) for degrees in range(1, 101)]
+
+    told = sensors_in_words(devices, "al", Words("pt", "normal"))
+
+    assert len(told) == MOST + 2
+    assert told[-1] == "E mais 80."
+
+
+@pytest.mark.parametrize("yaw", [0, 90, 225])
+def test_a_camera_looks_along_two_sides_and_an_arc_where_it_is_mounted(yaw: int) -> None:
+    """20 steps at 60 degrees: 10 to either side of the middle, 17.3 away. It looks to the right."""
+    (camera,) = (
+        each
+        for each in mounted(scene(f'{ROBOT} it( name "al" pose [ 3 -2 0 {yaw} ] )'), "al")
+        if each.device is Device.CAMERA
+    )
+
+    left, right, arc = camera.lines
+
+    assert left[1] == pytest.approx((20 * 3**0.5 / 2, 10))
+    assert right[1] == pytest.approx((20 * 3**0.5 / 2, -10))
+    assert (arc[0], arc[-1]) == (left[1], right[1])
+    assert all(x * x + y * y == pytest.approx(400) for x, y in arc)
+
+
+def test_the_paddles_of_a_gripper_are_two_lines_ahead() -> None:
+    """0.1 by 0.2 m, a tenth of it each paddle: 0.08 m to either side, from the middle to 0.2 m ahead."""
+    gripper = mounted(scene(f'{ROBOT} it( name "al" )'), "al")[-1]
+
+    assert [point for line in gripper.lines for point in line] == [
+        pytest.approx(each) for each in ((-1.6, 3), (-1.6, 4), (1.6, 3), (1.6, 4))
+    ]
+
+
+def test_the_field_of_view_is_on_the_map_up_to_a_wall_and_gone_when_the_robot_moves() -> None:
+    wall = "define wall model ( size [ 3 0.05 1 ] ) wall( pose [ 0 0.5 0 0 ] )"
+    it = scene(f'{ROBOT} {wall} it( name "al" pose [ 0 0 0 90 ] )')
+    shown = MapScene(picture(it), Pose(0, 0, 0))
+
+    changed = shown.show_fields([((0, 0), (0, 20)), ((0, 0), (20, 0))])
+
+    at = shown.cell_at
+    assert shown.kind(at(0, 9)) is Kind.RAY
+    assert shown.kind(at(20, 0)) is Kind.RAY
+    assert shown.kind(at(0, 11)) is not Kind.RAY
+    assert at(0, 5) in changed
+    assert isinstance(at(0, 5), Cell)
+    shown.move(Pose(0, 1, 0))
+    assert shown.kind(at(20, 0)) is not Kind.RAY
