@@ -53,6 +53,7 @@ if TYPE_CHECKING:
     from donnie_tui.tui.work import Work
 
 SHOW_CURSOR = "\x1b[?25h"
+WIPE = "\x1b[0m\x1b[H\x1b[2J"
 
 FAULT = "fault.txt"
 """Beside the copies: what went wrong at last, for whoever mends it."""
@@ -187,6 +188,9 @@ class DonnieApp(App[int], inherit_bindings=False):
         """Textual hides the terminal's cursor; braille displays and console readers need it."""
         if self._driver is not None:
             self._driver.write(SHOW_CURSOR)
+
+    def _set_pointer_shape(self, shape: str) -> None:
+        """Nobody asks for it, it costs bytes, and a console shows it as letters."""
 
     def _begin(self) -> None:
         """The screen is there; now what it shows. A failure is told by the caller, on the normal screen."""
@@ -566,9 +570,14 @@ class DonnieApp(App[int], inherit_bindings=False):
             self._lifeline = lifeline
 
     def on_unmount(self) -> None:
-        """A terminal can still get stuck on the way out; what has none needs nothing more."""
+        """A terminal can still get stuck on the way out; what has none needs nothing more.
+
+        A console has no other screen to go back to: what was painted must not be in the shell's way.
+        """
         if self.is_headless:
             self.end_lifeline()
+        elif self._driver is not None:
+            self._driver.write(WIPE)
 
     def end_lifeline(self) -> None:
         """In the main thread, once nothing is written to the screen any more."""

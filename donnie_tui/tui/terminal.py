@@ -28,11 +28,15 @@ def _is_listened_to() -> bool:
     return find_screen_reader(os.environ) is not None
 
 
+_WITHOUT_KEY_REPORTS = ("linux", "vt", "screen", "tmux")
+"""How the names of terminals begin that have never heard of key reports: some show a letter instead."""
+
+
 def prepare(settings: Settings, environment: MutableMapping[str, str] = os.environ) -> None:
     """No key reports or mouse pixels that only some terminals know; before Textual is imported."""
     environment.setdefault("TEXTUAL_SMOOTH_SCROLL", "0")
     environment.setdefault("TEXTUAL_ANIMATIONS", "none")
-    if is_plain(settings):
+    if is_plain(settings) or environment.get("TERM", "").startswith(_WITHOUT_KEY_REPORTS):
         environment.setdefault("TEXTUAL_DISABLE_KITTY_KEY", "1")
 
 

@@ -38,7 +38,9 @@ class Terminal:
         columns: int = 80,
         rows: int = 24,
         more: dict[str, str] | None = None,
+        controls: bool = False,
     ) -> None:
+        """``controls``: the line belongs to the program's session, which hears when it is lost."""
         self.screen = pyte.Screen(columns, rows)
         self._stream = pyte.ByteStream(self.screen)
         self.raw = b""
@@ -46,10 +48,13 @@ class Terminal:
         fcntl.ioctl(self._master, termios.TIOCSWINSZ, struct.pack("HHHH", rows, columns, 0, 0))
         self.attributes = termios.tcgetattr(slave)
         self._slave = slave
+        self._open = [slave, self._master]
         environment = {
             name: value
             for name, value in os.environ.items()
-            if not name.startswith(("TEXTUAL", "DONNIE", "NO_COLOR", "LC_", "LANG", "COLUMNS", "LINES"))
+            if not name.startswith(
+                ("TEXTUAL", "DONNIE", "NO_COLOR", "COLORTERM", "LC_", "LANG", "COLUMNS", "LINES")
+            )
         } | {
             "TERM": "xterm-256color",
             "HOME": str(state),
@@ -68,6 +73,7 @@ class Terminal:
             cwd=ROOT,
             env=environment,
             start_new_session=True,
+            preexec_fn=(lambda: fcntl.ioctl(0, termios.TIOCSCTTY, 0)) if controls else None,
         )
 
     def type(self, text: str) -> None:
@@ -108,16 +114,22 @@ class Terminal:
         if self.process.poll() is None:
             self.process.kill()
         self.process.wait()
-        os.close(self._master)
-        os.close(self._slave)
+        self.hang_up()
+
+    def hang_up(self) -> None:
+        """The line is lost: nobody reads any more, and nothing can be typed."""
+        while self._open:
+            os.close(self._open.pop())
 
 
 @pytest.fixture
 def terminal(tmp_path: Path) -> Iterator[Callable[..., Terminal]]:
     opened: list[Terminal] = []
 
-    def open_one(*arguments: str, columns: int = 80, rows: int = 24, **environment: str) -> Terminal:
-        opened.append(Terminal(list(arguments), tmp_path, columns, rows, environment))
+    def open_one(
+        *arguments: str, columns: int = 80, rows: int = 24, controls: bool = False, **environment: str
+    ) -> Terminal:
+        opened.append(Terminal(list(arguments), tmp_path, columns, rows, environment, controls))
         opened[-1].shows("Ready, speed")
         return opened[-1]
 
@@ -132,7 +144,13 @@ def left_as_found(terminal: Terminal) -> bool:
     for mode, switch in re.findall(rb"\x1b\[\?(\d+)([hl])", terminal.raw):
         switched[mode] = switch
     on = {mode for mode, switch in switched.items() if switch == b"h"} - {b"25", b"7"}
-    return not on and switched.get(b"25") == b"h" and terminal.attributes_now() == terminal.attributes
+    has_keys = terminal.raw.count(b"\x1b[>25u") > terminal.raw.count(b"\x1b[<u")
+    return (
+        not on
+        and not has_keys
+        and switched.get(b"25") == b"h"
+        and terminal.attributes_now() == terminal.attributes
+    )
 
 
 def test_a_procedure_is_typed_run_watched_stopped_and_left(terminal):
@@ -207,6 +225,21 @@ def test_a_signal_halts_keeps_the_text_and_gives_the_terminal_back(terminal, tmp
     assert [each.read_text(encoding="utf-8") for each in copies] == ["FW 1000"]
 
 
+@pytest.mark.parametrize("controls", [True, False], ids=["heard", "unheard"])
+def test_a_lost_line_halts_and_keeps_the_text(terminal, tmp_path, controls):
+    """As when SSH breaks off: nobody reads, nothing comes; with and without the signal that tells it."""
+    donnie = terminal("--speed", "1", controls=controls)
+    donnie.type("FW 1000")
+    donnie.shows("1  FW 1000")
+    donnie.type(F5)
+    donnie.shows("Running")
+    donnie.hang_up()
+
+    assert donnie.process.wait(LIMIT) == 128 + signal.SIGHUP
+    copies = list((tmp_path / ".local/state/donnie/unsaved").glob("*.gd"))
+    assert [each.read_text(encoding="utf-8") for each in copies] == ["FW 1000"]
+
+
 def test_the_size_of_the_terminal_may_change(terminal):
     donnie = terminal()
     for columns, rows in ((40, 12), (120, 40)):
@@ -266,9 +299,29 @@ def test_a_typed_key_costs_few_bytes(terminal):
     assert max(costs) <= 140
 
 
-@pytest.mark.parametrize("name", ["linux", "screen", "tmux-256color", "vt100"])
+KINDS = {"xterm-256color": 256, "linux": 16, "screen": 16, "tmux-256color": 256, "vt100": 16}
+"""Kinds of terminal, and how many colours they know at most."""
+
+CONTROL = re.compile(
+    rb"\x1b(?:\[[0-?]*[ -/]*[@-~]|[\]P_^X][^\x07\x1b]*(?:\x07|\x1b\\)|[^\[\]P_^X])"
+    rb"|[\x00-\x08\x0b\x0c\x0e-\x1a\x1c-\x1f]"
+)
+"""A control sequence, or a sign that moves nothing."""
+PLAIN_CONTROL = re.compile(rb"\x1b\[\??[0-9;]*[A-Za-z]")
+"""One that every terminal since the VT100 takes as one, whether it knows what it asks for or not."""
+ASKED = (b"\x1b[?2026$p", b"\x1b[?2048$p")
+"""What Textual asks before the first frame, which covers what a terminal might make of them."""
+
+
+@pytest.mark.parametrize("name", KINDS)
 def test_it_works_on_this_kind_of_terminal(terminal, name):
     donnie = terminal("--world", "living_room", TERM=name)
+    if name != "xterm-256color":
+        assert {each for each in CONTROL.findall(donnie.raw) if not PLAIN_CONTROL.fullmatch(each)} <= {*ASKED}
+    assert b"8;2;" not in donnie.raw
+    assert (b"8;5;" in donnie.raw) is (KINDS[name] == 256)
+    donnie.shows("F5 runs the program.")
+    donnie.shows("Living room")
     donnie.type('SPEAK "here"' + ENTER)
     donnie.shows("SPEAK")
     donnie.type("\x1b[15~" if name != "linux" else "\x1b[[E")
@@ -279,6 +332,9 @@ def test_it_works_on_this_kind_of_terminal(terminal, name):
 
     assert donnie.ended() == 0
     assert left_as_found(donnie)
+    what_is_left = "\n".join(line.rstrip() for line in donnie.screen.display).strip()
+    assert what_is_left.startswith("Screen reader?")  # the emulator has no other screen to leave for
+    assert what_is_left.endswith("The program is done.")
 
 
 def test_the_plain_layout_asks_for_no_mouse_and_no_key_reports(terminal):
@@ -322,16 +378,27 @@ RECTANGLE = (
 CTRL_K, F6, F7 = "\x0b", "\x1b[17~", "\x1b[18~"
 
 
+def steps_walked(donnie: Terminal) -> int:
+    """How many squares north of its trail's first one the robot is on the map; -1 where it is not seen."""
+    rows = [line[39:] for line in donnie.screen.display[1:14]]
+    robots = [(row, line.index("^")) for row, line in enumerate(rows) if "^" in line]
+    return sum(line[robots[0][1]] == "o" for line in rows[robots[0][0] :]) if len(robots) == 1 else -1
+
+
 def test_a_lesson_from_typing_to_leaving(terminal):
+    """Of a procedure of the manual: it is stopped while the robot is on its way."""
     donnie = terminal("--world", "living_room", "--speed", "2")
     donnie.type(ENTER.join(RECTANGLE))
     donnie.shows("7  RECTANGLE [9, 3]")
     donnie.type(F5)
-    donnie.shows("Running")
-    donnie.type(F6)
-    donnie.shows("Paused")
+    donnie.until(lambda: 1 <= steps_walked(donnie) < 9, "the robot on its way along the base")
     donnie.type(F8)
-    donnie.shows("Stopped at line")
+    donnie.shows("I was stopped.")
+    donnie.shows("Stopped at line 3.")
+    told = re.search(r"I walked only (\d) steps? forward. I was stopped.", "\n".join(donnie.screen.display))
+    assert told
+    assert 1 <= int(told[1]) < 9
+    assert steps_walked(donnie) == int(told[1])
     donnie.type(F7)
     donnie.shows("Line 1: PROCEDURE RECTANGLE")
     donnie.type(F7)
