@@ -189,6 +189,12 @@ class DonnieApp(App[int], inherit_bindings=False):
         if self._driver is not None:
             self._driver.write(SHOW_CURSOR)
 
+    def watch_app_focus(self, has_focus: bool) -> None:
+        """A page of a browser, or a window behind another, begins without the focus: nothing has it yet."""
+        place = self.workplace
+        if has_focus and place.is_mounted and self.screen is place and place.focused is None:
+            (place.command_line if place.is_plain else place.editor).focus()
+
     def _set_pointer_shape(self, shape: str) -> None:
         """Nobody asks for it, it costs bytes, and a console shows it as letters."""
 

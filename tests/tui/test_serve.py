@@ -58,10 +58,14 @@ async def test_a_page_shows_the_full_screen(server):
             assert page.status == 200
             assert "Donnie" in await page.text()
         async with session.ws_connect(f"{address}/ws?width=80&height=24") as terminal:
-            seen = b""
-            while b"Ready, speed" not in seen:
-                message = await terminal.receive(timeout=LIMIT)
-                seen += message.data if isinstance(message.data, bytes) else str(message.data).encode()
+            await until_sent(terminal, b"Ready, speed")
+
+
+async def until_sent(terminal: Any, text: bytes) -> None:
+    seen = b""
+    while text not in seen:
+        message = await terminal.receive(timeout=LIMIT)
+        seen += message.data if isinstance(message.data, bytes) else str(message.data).encode()
 
 
 def run(*arguments: str, **environment: str) -> tuple[int, str]:
@@ -137,6 +141,18 @@ class Page:
     async def value(self, expression: str) -> Any:
         return (await self.call("Runtime.evaluate", expression=expression))["result"].get("value")
 
+    async def type(self, letters: str) -> None:
+        """As a keyboard does, into the hidden text field that the page's terminal listens to."""
+        await self.value("document.querySelector('.xterm-helper-textarea').focus()")
+        for letter in letters:
+            key = {
+                "key": letter,
+                "code": f"Key{letter.upper()}",
+                "windowsVirtualKeyCode": ord(letter.upper()),
+            }
+            await self.call("Input.dispatchKeyEvent", type="keyDown", text=letter, **key)
+            await self.call("Input.dispatchKeyEvent", type="keyUp", **key)
+
     async def press(self, key: str, code: int) -> None:
         for kind in ("rawKeyDown", "keyUp"):
             await self.call("Input.dispatchKeyEvent", type=kind, key=key, windowsVirtualKeyCode=code)
@@ -168,3 +184,30 @@ async def test_a_browser_shows_the_workplace_and_tab_gives_it_the_keyboard(brows
         while await page.value("document.activeElement.tagName") != "TEXTAREA":
             await page.press("Tab", 9)
         assert await page.value("document.querySelectorAll('.xterm-text-layer').length") == 1
+
+
+@pytest.mark.skipif(CHROMIUM is None, reason="needs chromium")
+@pytest.mark.filterwarnings("ignore::ResourceWarning")
+async def test_letters_typed_in_a_browser_are_read_and_answered(browser):
+    """A page begins without the focus: once it has it, the program has it too."""
+    async with page_of(browser) as page:
+        await page.call("Network.enable")
+        await page.call("Emulation.setFocusEmulationEnabled", enabled=True)
+        await page.call("Page.reload")
+        await page.gets(b"Ready, speed")
+        while await page.value("document.querySelector('.xterm-helper-textarea') === null"):
+            pass
+        await page.type("fwq")
+        await page.gets(b"I do not know fwq.")
+
+
+@pytest.mark.filterwarnings("ignore::ResourceWarning")
+async def test_a_page_that_begins_without_the_focus_takes_letters(server):
+    async with (
+        aiohttp.ClientSession() as session,
+        session.ws_connect(f"http://localhost:{server}/ws?width=80&height=24") as terminal,
+    ):
+        await until_sent(terminal, b"Ready, speed")
+        for message in (["focus"], ["stdin", "fwq"]):
+            await terminal.send_json(message)
+        await until_sent(terminal, b"I do not know fwq.")
