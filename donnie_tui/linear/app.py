@@ -27,6 +27,7 @@ from donnie_tui.linear.habits import Habits, of_settings
 from donnie_tui.linear.holding import Goes, Wish
 from donnie_tui.linear.key_echo import KeyEcho
 from donnie_tui.linear.output import Output
+from donnie_tui.linear.patience import SLOW, SLOW_AGAIN, aside
 from donnie_tui.linear.reader import EditingReader, How, PlainReader, Typed
 from donnie_tui.linear.recall import Past
 from donnie_tui.linear.runs import Runs
@@ -87,7 +88,7 @@ def run_linear(
             search.on_slow = lambda: console.write(f"{words('connect-waiting')}\n")
             if not is_there:
                 console.write(f"{words('connect-trying')}\n")
-            donnie = _assembled(settings, search)
+            donnie = _awaited(console, settings, search, is_there=is_there)
         console.give_up = donnie.connection.search.give_up
         ours.callback(donnie.close)
         mode = LinearMode(donnie, console, Path(state_folder(os.environ)), habits)
@@ -97,6 +98,22 @@ def run_linear(
         except SwitchMode:
             ours.pop_all()
             raise
+
+
+def _awaited(console: Console, settings: Settings, search: Search, *, is_there: bool) -> Donnie:
+    """A robot that is looked for and a learner's own world take as long as they take; that is said."""
+    import worlds
+
+    if is_there and settings.world in worlds.names():
+        return _assembled(settings, search)
+    words, name = Words(settings.language, settings.verbosity), Path(settings.world).name
+    sentence = words("slow-world", name=name) if is_there else words("slow-connect")
+
+    def tell() -> None:
+        greeting.end_prompt()
+        console.write(f"{sentence}\n")
+
+    return aside(console, lambda: _assembled(settings, search), tell, first=SLOW if is_there else SLOW_AGAIN)
 
 
 def _assembled(settings: Settings, search: Search) -> Donnie:

@@ -13,6 +13,7 @@ from donnie_tui.core.documents import (
 )
 from donnie_tui.linear.arguments import Handler, alone
 from donnie_tui.linear.desk import Desk
+from donnie_tui.linear.patience import patiently
 from donnie_tui.linear.runs import Runs
 
 
@@ -28,7 +29,7 @@ def open_named(desk: Desk, name: str) -> None:
 
 def open_file(desk: Desk, path: Path) -> None:
     try:
-        text = read_program(path)
+        text = patiently(desk, lambda: read_program(path), "slow-opening", name=path.name)
     except DocumentError as error:
         refuse(desk, error)
         return
@@ -113,7 +114,8 @@ def _save(desk: Desk, path: Path) -> bool:
     if not may_replace(desk, path):
         desk.answer("answer-unchanged")
         return False
-    write_program(path, desk.program.text)
+    text = desk.program.text
+    patiently(desk, lambda: write_program(path, text), "slow-saving", name=path.name)
     desk.program.name, desk.program.saved = str(path), True
     desk.keep_breakpoints()
     desk.answer("answer-saved", name=path.name, lines=len(desk.program.lines))

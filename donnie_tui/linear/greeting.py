@@ -87,6 +87,11 @@ def withdraw() -> None:
     terminal, DONE.terminal = DONE.terminal, None
     if terminal is not None:
         terminal.give_back()  # type: ignore[attr-defined] # see Greeting.terminal
+    end_prompt()
+
+
+def end_prompt() -> None:
+    """Begin a new line, for what is to be said before anything is asked; the prompt comes again."""
     if DONE.has_prompt:
         DONE.has_prompt = False
         os.write(1, b"\n")

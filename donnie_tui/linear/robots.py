@@ -15,6 +15,7 @@ from donnie_tui.core.team import Assigned
 from donnie_tui.core.typed_program import TypedProgram
 from donnie_tui.linear.arguments import Handler, alone
 from donnie_tui.linear.desk import Desk
+from donnie_tui.linear.patience import SLOW_AGAIN, patiently
 from donnie_tui.linear.runs import Runs
 
 
@@ -70,7 +71,13 @@ def _use(deed: Deed) -> Handler:
 
 
 def _connect(desk: Desk, _: Runs, rest: str) -> None:
-    robot_words.connect(desk.donnie, rest, desk.show_told)
+    """That it is looked for is told at once, so that it goes on is told later."""
+    patiently(
+        desk,
+        lambda: robot_words.connect(desk.donnie, rest, desk.console.nudge),
+        "slow-connect",
+        first=SLOW_AGAIN,
+    )
 
 
 def _feel(desk: Desk, _: Runs, rest: str) -> None:

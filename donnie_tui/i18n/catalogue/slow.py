@@ -24,6 +24,11 @@ SENTENCES: dict[str, Sentence] = {
         "Gravando {name}, isso demora.",
         "Escribiendo {name}, esto tarda.",
     ),
+    "slow-connect": Sentence(
+        "I still look for the robot. Ctrl+C gives up.",
+        "Ainda procuro o robô. Ctrl+C desiste.",
+        "Todavía busco el robot. Ctrl+C desiste.",
+    ),
     "slow-world": Sentence(
         "Loading the world {name}, it takes a while.",
         "Carregando o mundo {name}, isso demora.",

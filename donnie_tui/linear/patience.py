@@ -1,0 +1,74 @@
+"""What may take long is done beside the conversation, which says after a second that it goes on.
+
+Rule: it is waited for in the main thread, so that signals count; who has to leave waits no longer.
+"""
+
+from __future__ import annotations
+
+import threading
+from collections.abc import Callable
+from typing import Generic, TypeVar
+
+from donnie_tui.linear.console import Console
+from donnie_tui.linear.desk import Desk
+
+T = TypeVar("T")
+
+SLOW, SLOW_AGAIN = 1.0, 10.0
+"""Seconds after which something that takes long is told, and then each time again."""
+
+
+class _Doing(Generic[T]):
+    """Something that is done in a thread of its own."""
+
+    def __init__(self, do: Callable[[], T], nudge: Callable[[], None]) -> None:
+        self._do, self._nudge = do, nudge
+        self._done: T
+        self._problem: BaseException | None = None
+        self.is_over = False
+        threading.Thread(target=self._run, name="beside", daemon=True).start()
+
+    def _run(self) -> None:
+        try:
+            self._done = self._do()
+        except BaseException as problem:  # noqa: BLE001 -- raised again by whoever waits
+            self._problem = problem
+        self.is_over = True
+        self._nudge()
+
+    def outcome(self) -> T:
+        if self._problem is not None:
+            raise self._problem
+        return self._done
+
+
+def aside(
+    console: Console,
+    do: Callable[[], T],
+    tell: Callable[[], object],
+    *,
+    first: float = SLOW,
+    show: Callable[[], object] = lambda: None,
+) -> T:
+    """Do it, and answer what it answers; ``tell`` each time that it is time to say that it goes on.
+
+    ``show`` prints what it tells itself. Raises what it raises, ``InterruptedError`` for a signal to leave.
+    """
+    doing = _Doing(do, console.nudge)
+    due = console.now() + first
+    while not doing.is_over:
+        console.wait(max(0.0, due - console.now()))
+        if console.leaving is not None and not doing.is_over:
+            raise InterruptedError
+        if console.now() >= due and not doing.is_over:
+            tell()
+            due = console.now() + SLOW_AGAIN
+        show()
+    return doing.outcome()
+
+
+def patiently(desk: Desk, do: Callable[[], T], code: str, *, first: float = SLOW, **values: object) -> T:
+    """As ``aside``, telling it with the sentence ``code``."""
+    return aside(
+        desk.console, do, lambda: desk.answer(code, **values), first=first, show=lambda: desk.show_told()
+    )

@@ -1,0 +1,55 @@
+"""What takes long says so after a second and each ten; by a clock that moves when one waits."""
+
+from __future__ import annotations
+
+import threading
+from typing import Any
+
+import pytest
+
+from donnie_tui.linear.patience import aside
+
+
+class Console:
+    """Time passes when somebody waits; the gate opens at a certain time."""
+
+    def __init__(self, opens_at: float) -> None:
+        self.time, self.leaving = 0.0, None
+        self.gate = threading.Event()
+        self._opens_at = opens_at
+        self._is_over = threading.Event()
+
+    def now(self) -> float:
+        return self.time
+
+    def nudge(self) -> None:
+        self._is_over.set()
+
+    def wait(self, seconds: float) -> None:
+        self.time += seconds
+        if self.time > self._opens_at:
+            self.gate.set()
+            self._is_over.wait(20)
+
+
+@pytest.mark.parametrize(("takes", "told"), [(0.5, []), (5, [1.0]), (25, [1.0, 11.0, 21.0])])
+def test_it_is_told_after_a_second_and_each_ten(takes: float, told: list[float]) -> None:
+    console: Any = Console(takes)
+    times: list[float] = []
+    done = aside(console, lambda: console.gate.wait(20), lambda: times.append(console.time))
+    assert done is True
+    assert times == told
+
+
+def test_what_it_raises_is_raised() -> None:
+    console: Any = Console(0)
+    with pytest.raises(ZeroDivisionError):
+        aside(console, lambda: 1 // 0, lambda: None)
+
+
+def test_whoever_has_to_leave_waits_no_longer() -> None:
+    console: Any = Console(100)
+    console.leaving = 15
+    with pytest.raises(InterruptedError):
+        aside(console, lambda: console.gate.wait(20), lambda: None)
+    console.gate.set()
