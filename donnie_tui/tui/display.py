@@ -205,7 +205,7 @@ class Display:
         doings = doing_sentences(self._running.doing, self._running.speed, self._words)
         focus = self._focus_sentence()
         whole = [f"{focus} {robot} {doing}" for doing in doings]
-        short = [f"{focus} {doings[1]}", doings[1], ""] if self._answer else []
+        short = [f"{focus} {doings[1]}", *([doings[1], ""] if self._answer else [focus])]
         self._place.status.say(*(f" {self._answer} {rest}".replace("  ", " ") for rest in (*whole, *short)))
 
     def acted(self) -> None:

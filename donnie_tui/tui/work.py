@@ -574,6 +574,9 @@ class Work:
         self._tell_end(event)
         self._intake.take()
         self._intake.write()
+        if event.errors and self.running.is_program:
+            self.display.acted()
+            self.display.looked()  # the status line is about the first mistake, not the one told last
         self.look()
 
     def _tell_end(self, event: Ended) -> None:

@@ -89,6 +89,7 @@ async def test_a_mistake(work, same):
         await desk.press("f5")
         await desk.told("Error, line 3")
         await desk.idle()
+        await desk.until(lambda: desk.place.editor.mistake, "the marks beside the program")
         await same(desk)
 
 

@@ -35,5 +35,9 @@ class Pane(Vertical):
         self._write()
 
     def _write(self) -> None:
-        mark = ">" if self.content.has_focus else " "
+        has_focus = self.content.has_focus
+        mark = ">" if has_focus else " "
+        self.set_class(
+            has_focus, "-chosen"
+        )  # Textual's focus-within stays behind when a list was open between
         self._heading.update(f"{mark}{self._title}", layout=False)
