@@ -20,7 +20,7 @@ async def test_the_first_row_of_the_log_leads_to_the_linear_mode(work):
 
 
 async def has_focus(desk, name: str) -> None:
-    """A key passes from the widget up to the application: on a busy machine it takes longer than the press."""
+    """A key passes from the widget up to the application: a busy machine has more to do than the press."""
     await desk.until(lambda: desk.app.focused is not None and desk.app.focused.id == name, name)
     await desk.pilot.pause()
 
