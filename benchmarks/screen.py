@@ -53,13 +53,14 @@ async def screen(world: str = "living_room", size: tuple[int, int] = (120, 40)) 
 class Bytes:
     """What the application would write to a terminal."""
 
-    def __init__(self, app: App[int]) -> None:
+    def __init__(self, app: DonnieApp) -> None:
         self.console = Console(file=io.StringIO(), force_terminal=True, color_system="truecolor", width=200)
         self.app = app
         self.count = 0
         app._display = self._display  # type: ignore[method-assign]  # where every update passes
 
     def _display(self, _screen: object, renderable: object) -> None:
+        renderable = self.app._painted.less(renderable)
         if renderable is not None and hasattr(renderable, "render_segments"):
             self.count += len(renderable.render_segments(self.console).encode())
 

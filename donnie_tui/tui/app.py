@@ -17,8 +17,9 @@ from collections.abc import Awaitable, Callable, Coroutine, Sequence
 from contextlib import suppress
 from dataclasses import replace
 from pathlib import Path
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
+from rich.console import RenderableType
 from rich.text import Text
 from textual import events
 from textual.app import App, SuspendNotSupported
@@ -41,6 +42,7 @@ from donnie_tui.tui.outside import leave_behind
 from donnie_tui.tui.printable import Printable
 from donnie_tui.tui.screens.workplace import Workplace
 from donnie_tui.tui.terminal import is_plain, use_mouse, wants_mouse
+from donnie_tui.tui.thrift import Painted
 from donnie_tui.tui.turns import Turns
 from donnie_tui.tui.widgets.command_line import CommandLine
 from donnie_tui.tui.widgets.editor import Editor
@@ -107,6 +109,7 @@ class DonnieApp(App[int], inherit_bindings=False):
         """The list of the keys behind a key, while one of them is waited for."""
         self._bind(settings.keys)
         self._turns = Turns(self, self._take)
+        self._painted = Painted()
         self._lifeline: Lifeline | None = None
         self.work: Work | None = None
         """None until it is loaded."""
@@ -194,6 +197,10 @@ class DonnieApp(App[int], inherit_bindings=False):
         place = self.workplace
         if has_focus and place.is_mounted and self.screen is place and place.focused is None:
             (place.command_line if place.is_plain else place.editor).focus()
+
+    def _display(self, screen: Screen[Any], renderable: RenderableType | None) -> None:
+        """Whatever is painted passes here. In the plain layout readers hear it: rows are written whole."""
+        super()._display(screen, renderable if self.workplace.is_plain else self._painted.less(renderable))
 
     def _set_pointer_shape(self, shape: str) -> None:
         """Nobody asks for it, it costs bytes, and a console shows it as letters."""

@@ -1,0 +1,138 @@
+"""What is sent to the terminal: of what is painted anew only the cells that changed. SSH has few bytes.
+
+Rule: a row that a program moves up by one, or a letter in a line, costs what differs from what stood there.
+Never in the plain layout: screen readers tell what is written, and half a word is no word.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Sequence
+from functools import lru_cache
+from itertools import groupby
+from typing import cast
+
+from rich.cells import cell_len
+from rich.color import ColorSystem
+from rich.console import Console, RenderableType
+from rich.control import Control
+from rich.style import Style
+from textual._compositor import ChopsUpdate, CompositorUpdate  # Textual's only name for what it paints
+from textual.strip import Strip
+
+_GAP = 16
+"""So many equal cells between two that changed cost less than going there."""
+_FIRST_COMBINING = "\u0300"
+_SOFT_HYPHEN = "\xad"
+
+Cell = tuple[str, Style]
+Piece = tuple[Style, str]
+"""A style, and a text with the way to its place."""
+
+
+class Painted:
+    """The cells that the terminal shows, as far as they are known."""
+
+    def __init__(self) -> None:
+        self._cells: dict[tuple[int, int], Cell] = {}
+
+    def less(self, update: RenderableType | None) -> RenderableType | None:
+        """The same, with what is there already left out."""
+        if isinstance(update, ChopsUpdate):
+            return cast(RenderableType, Changes(update, self))
+        if update is not None:
+            self._cells.clear()  # the whole screen, or something else
+        return update
+
+    def changes(self, x: int, y: int, strip: Strip) -> Iterator[Piece]:
+        """What makes the terminal show the strip there; from then on it does."""
+        cells = _cells_of(strip)
+        if cells is None:
+            for at in range(x, x + strip.cell_length):
+                self._cells.pop((at, y), None)
+            yield from _as_it_is(x, y, strip)
+            return
+        changed = [at for at, cell in enumerate(cells) if self._cells.get((x + at, y)) != cell]
+        self._cells.update({(x + at, y): cells[at] for at in changed})
+        for begin, end in _runs(changed):
+            yield from _pieces_of(x + begin, y, cells[begin:end])
+
+
+class Changes(CompositorUpdate):
+    """Textual's partial update, less what is there already. A style is said once, whatever wears it."""
+
+    def __init__(self, update: ChopsUpdate, painted: Painted) -> None:
+        self._update, self._painted = update, painted
+
+    def render_segments(self, console: Console) -> str:
+        by_style: dict[Style, list[str]] = {}
+        for x, y, strip in self._pieces():
+            for style, text in self._painted.changes(x, y, strip):
+                by_style.setdefault(style, []).append(text)
+        colours = console._color_system or ColorSystem.TRUECOLOR  # as Textual's strips ask for it
+        return "".join(
+            Strip.render_style(style, "".join(texts), colours) for style, texts in by_style.items()
+        )
+
+    def _pieces(self) -> Iterator[tuple[int, int, Strip]]:
+        """Column, row and cells of whatever is to be painted, from the beginning of its widget's row."""
+        update = self._update
+        for y, first, last in update.spans:
+            for end, (x, strip) in zip(update.chop_ends[y], update.chops[y].items(), strict=False):
+                if strip is not None and x <= last and end > first:
+                    yield x, y, strip if end <= last else strip.crop(0, last - x)
+
+
+def _runs(changed: Sequence[int]) -> Iterator[tuple[int, int]]:
+    """Pieces from the first to behind the last, near ones joined."""
+    begin = 0
+    for at in range(len(changed)):
+        is_last = at + 1 == len(changed)
+        if is_last or changed[at + 1] - changed[at] > _GAP:
+            yield changed[begin], changed[at] + 1
+            begin = at + 1
+
+
+def _cells_of(strip: Strip) -> list[Cell] | None:
+    """None where a letter may be wider than a cell, or have none."""
+    cells: list[Cell] = []
+    for text, style, control in strip:
+        if control or not _is_simple(text):
+            return None
+        look = style or Style.null()
+        blank = _of_blank(look)
+        cells.extend((letter, blank if letter == " " else look) for letter in text)
+    return cells
+
+
+def _is_simple(text: str) -> bool:
+    return text.isascii() or (max(text) < _FIRST_COMBINING and _SOFT_HYPHEN not in text)
+
+
+@lru_cache(1024)
+def _of_blank(style: Style) -> Style:
+    """What is seen of it on a blank: neighbours that differ in more are equal."""
+    if style.underline or style.underline2 or style.reverse or style.strike or style.overline or style.link:
+        return style
+    return Style(bgcolor=style.bgcolor)
+
+
+def _pieces_of(x: int, y: int, cells: Sequence[Cell]) -> Iterator[Piece]:
+    """One for each style; blanks take the style before them where nobody sees a difference."""
+    worn: list[Cell] = []
+    for letter, look in cells:
+        before = worn[-1][1] if worn else look
+        worn.append((letter, before if letter == " " and _of_blank(before) == look else look))
+    for look, run in groupby(worn, lambda cell: cell[1]):
+        text = "".join(letter for letter, _ in run)
+        yield look, _at(x, y) + text
+        x += len(text)
+
+
+def _as_it_is(x: int, y: int, strip: Strip) -> Iterator[Piece]:
+    for text, style, _control in strip:
+        yield style or Style.null(), _at(x, y) + text
+        x += cell_len(text)
+
+
+def _at(x: int, y: int) -> str:
+    return Control.move_to(x, y).segment.text
