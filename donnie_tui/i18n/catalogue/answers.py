@@ -57,6 +57,11 @@ _PROGRAM = {
         "Here {name} is again, {lines} {lines:line|lines}. SAVE saves it.",
         "Aqui está {name} de novo, {lines} {lines:linha|linhas}. SALVAR salva.",
         "Aquí está {name} de nuevo, {lines} {lines:línea|líneas}. GUARDAR lo guarda.",
+        brief=(
+            "{name}, {lines} {lines:line|lines}. SAVE saves it.",
+            "{name}, {lines} {lines:linha|linhas}. SALVAR salva.",
+            "{name}, {lines} {lines:línea|líneas}. GUARDAR lo guarda.",
+        ),
     ),
     "answer-nothing-to-recover": Sentence(
         "Nothing to recover.", "Nada para recuperar.", "Nada que recuperar."

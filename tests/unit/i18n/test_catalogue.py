@@ -69,6 +69,7 @@ SAMPLES: dict[str, object] = {
     "turns": 12,
     "volts": 8.0,
     "wanted": 2,
+    "width": 60,
     "x": 3,
     "y": 4,
 }
