@@ -57,7 +57,8 @@ def aside(
     doing = _Doing(do, console.nudge)
     due = console.now() + first
     while not doing.is_over:
-        console.wait(max(0.0, due - console.now()))
+        if console.leaving is None:
+            console.wait(max(0.0, due - console.now()))
         if console.leaving is not None and not doing.is_over:
             raise InterruptedError
         if console.now() >= due and not doing.is_over:

@@ -90,7 +90,7 @@ class EditingReader:
                 self._console.write(echo)
             if typed:
                 return typed
-            if not self._more_keys():
+            if not self._more_keys(at_once=self._is_woken(line)):
                 return Typed(line.text, How.CLOSED)
             if self._console.take_interrupt():
                 self._forget_keys()
@@ -98,6 +98,11 @@ class EditingReader:
             if not self._keys and self._has_news(line):
                 self._console.write(line.finish())
                 return Typed(line.text, How.NEWS)
+
+    def _is_woken(self, line: EditLine) -> bool:
+        """Whether what would wake us came already, where somebody else waited: it comes but once."""
+        console = self._console
+        return console.interrupted or console.has_news or (not line.text and console.lines_wait())
 
     def _has_news(self, line: EditLine) -> bool:
         """Whether something can't wait, or waits and nothing is typed."""
@@ -141,9 +146,13 @@ class EditingReader:
 
         ``is_wanted`` is asked with the line and whether it is the first one. The line is not read again; the
         others stay as they were typed. None if there is no such line.
+
+        Ctrl+C may come as a key, from before anybody listened for signals: it counts like the signal, which
+        drops what was typed before it.
         """
         if self._console.wait(0, reading=True):
             self._keys += self._decoder.feed(self._console.read())
+        self._heed_interrupting_key()
         keys, start = list(self._keys), 0
         for end, key in enumerate(keys):
             if key.act is Act.ENTER:
@@ -154,16 +163,21 @@ class EditingReader:
                 start = end + 1
         return None
 
-    def _more_keys(self) -> bool:
-        """Wait for keys or a signal. False once nothing more will come."""
+    def _heed_interrupting_key(self) -> None:
+        while any(key.act is Act.INTERRUPT for key in self._keys):
+            self._console.interrupted |= self._keys.popleft().act is Act.INTERRUPT
+
+    def _more_keys(self, *, at_once: bool) -> bool:
+        """Wait for keys or a signal; ``at_once``: only look. False once nothing more will come."""
         if self._console.leaving is not None:
             return False
         waiting = self._decoder.is_waiting
-        if self._console.wait(ESCAPE_DELAY if waiting else None, reading=True):
+        longest = ESCAPE_DELAY if waiting else None
+        if self._console.wait(0 if at_once else longest, reading=True):
             data = self._console.read()
             self._keys += self._decoder.feed(data)
             return bool(data)
-        if waiting:
+        if waiting and not at_once:
             self._keys += self._decoder.give_up_waiting()
         return self._console.leaving is None
 
@@ -232,7 +246,8 @@ class PlainReader:
                 return typed
             if self._ended or self._console.leaving is not None:
                 return Typed("", How.CLOSED)
-            if self._console.wait(reading=True):
+            is_woken = self._console.interrupted or self._console.has_news
+            if self._console.wait(0 if is_woken else None, reading=True):
                 self._take(self._console.read())
             elif self._console.take_interrupt():
                 return Typed("", How.INTERRUPTED)

@@ -223,9 +223,14 @@ class Runs:
                 self._expect_next_sign()
         elif self._console.now() >= self._sign_due:
             self._give_sign()
-        else:
+        elif not self._is_woken():
             left = min(HEARTBEAT, self._sign_due - self._console.now())
             self._console.wait(left, reading=self._desk.can_edit and self._desk.hears_live)
+
+    def _is_woken(self) -> bool:
+        """Whether what would end a wait came already, while keys were looked for: it wakes but once."""
+        must_go = self._ended or self._console.interrupted or self._console.leaving is not None
+        return must_go or (self._holding.is_held and not self._stopping)
 
     def _wait_for_more(self) -> None:
         until = self._console.now() + GRACE

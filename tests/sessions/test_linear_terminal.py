@@ -161,6 +161,21 @@ def test_control_c_stops_in_the_middle_of_a_movement(tmp_path: Path) -> None:
     learner.sees("Facing north.")
 
 
+@pytest.mark.parametrize("after", [0.0, 0.1, 0.2, 0.4, 0.8])
+def test_control_c_counts_while_the_session_still_loads(after: float, tmp_path: Path) -> None:
+    """Whether it comes as a key or as a signal, which drops what is typed and not read yet."""
+    learner = Learner(tmp_path, speed="5")
+    learner.sees_prompt()
+    learner.types("FW 20\r\r")
+    learner.child.delaybeforesend = after or None
+    learner.types(CTRL_C)
+    learner.child.expect(rb"(Stopped|Nothing is running|Line cleared)[^\n]*\n> ")
+    before = learner.child.before.decode()
+
+    assert not re.search(r"I walked 20 ", before)
+    assert after > 0 or b"Stopped" in learner.child.match[0]
+
+
 def test_an_endless_program_that_talks_is_stopped(learner: Learner) -> None:
     learner.enters("WHILE 1 == 1 DO", 'SPEAK "on and on"', "END WHILE", "RUN")
     learner.sees("on and on\r\non and on")

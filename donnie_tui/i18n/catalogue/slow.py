@@ -28,11 +28,21 @@ SENTENCES: dict[str, Sentence] = {
         "I still look for the robot. Ctrl+C gives up.",
         "Ainda procuro o robô. Ctrl+C desiste.",
         "Todavía busco el robot. Ctrl+C desiste.",
+        brief=(
+            "Still looking. Ctrl+C gives up.",
+            "Ainda procuro. Ctrl+C desiste.",
+            "Sigo buscando. Ctrl+C desiste.",
+        ),
     ),
     "slow-world": Sentence(
         "Loading the world {name}, it takes a while.",
         "Carregando o mundo {name}, isso demora.",
         "Cargando el mundo {name}, esto tarda.",
+        brief=(
+            "Loading {name}, wait a while.",
+            "Carregando {name}, isso demora.",
+            "Cargando {name}, esto tarda.",
+        ),
     ),
     "slow-world-done": Sentence(
         "The world {name} is there.", "O mundo {name} está pronto.", "El mundo {name} está listo."

@@ -26,6 +26,7 @@ class Console:
         self._is_over.set()
 
     def wait(self, seconds: float) -> None:
+        assert self.leaving is None, "nothing wakes us any more"
         self.time += seconds
         if self.time > self._opens_at:
             self.gate.set()
@@ -52,4 +53,17 @@ def test_whoever_has_to_leave_waits_no_longer() -> None:
     console.leaving = 15
     with pytest.raises(InterruptedError):
         aside(console, lambda: console.gate.wait(20), lambda: None)
+    console.gate.set()
+
+
+def test_whoever_has_to_leave_while_something_is_shown_waits_no_longer() -> None:
+    """A signal wakes but once, and whoever prints waits too."""
+    console: Any = Console(100)
+
+    def show() -> None:
+        console.leaving = 15
+
+    with pytest.raises(InterruptedError):
+        aside(console, lambda: console.gate.wait(20), lambda: None, show=show)
+    assert console.time == 1.0
     console.gate.set()
