@@ -12,16 +12,20 @@ import signal
 import subprocess
 import sys
 import time
+from array import array
 from collections.abc import Callable, Iterator
-from contextlib import contextmanager
+from contextlib import contextmanager, suppress
 from pathlib import Path
 
 import pytest
 
+from devices.audio_worker import process, worker
 from devices.audio_worker.conductor import State
 from devices.audio_worker.factory import make_audio, make_cue_player, make_speaker
+from devices.audio_worker.messages import Answer, Hush, Hushed, Say, Started, to_line
 from devices.audio_worker.notices import AudioNotice, NoticeCode
 from devices.audio_worker.service import AudioService, AudioSettings
+from devices.audio_worker.worker import AudioWorker
 from devices.ports.audio import Cue, Urgency, Utterance
 from devices.sound.silent import SilentCuePlayer
 from devices.sound.tones import CUE_NAMES
@@ -427,3 +431,46 @@ def test_speaking_makes_the_worker_grow_by_less_than_ten_megabytes_a_thousand_se
 
     assert rendered == 300
     assert grown < 3 * 1024 * 1024
+
+
+def test_a_worker_is_ended_with_the_player_that_it_started(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(process, "_MODULE", "tests.unit.audio.worker_with_a_player")
+    started = process.WorkerProcess("null", False, None, None, lambda _: None, lambda: None)
+    try:
+        assert eventually(lambda: len(group_of(started.pid)) == 2)
+        started.kill()
+        assert eventually(lambda: group_of(started.pid) == set())
+    finally:
+        with suppress(ProcessLookupError):
+            os.killpg(started.pid, signal.SIGKILL)
+
+
+class SilentPlayer:
+    """Takes a sentence and keeps it."""
+
+    def __init__(self) -> None:
+        self.spoken = 0
+
+    def speak(self, mono: array[int], on_end: Callable[[], None]) -> None:
+        self.spoken += 1
+
+    def hush(self, speech: bool, cues: bool) -> None: ...
+
+
+@pytest.mark.parametrize("is_silenced", [True, False])
+def test_what_is_silenced_while_it_is_rendered_does_not_sound(
+    monkeypatch: pytest.MonkeyPatch, is_silenced: bool
+) -> None:
+    def rendered(*_: object) -> array[int]:
+        if is_silenced:
+            made._obey(to_line(Hush(7, True, False)))
+        return array("h", [0] * 22_050)
+
+    answers: list[Answer] = []
+    made, player = AudioWorker(answers.append, "null", False, {}), SilentPlayer()
+    made._player = player  # type: ignore[assignment] # as far as it is asked
+    monkeypatch.setattr(worker, "_rendered", rendered)
+    made._speak(None, 0, Say(1, "Hello.", "en", 180, 50, 1.0))
+
+    assert answers == ([Hushed(7)] if is_silenced else [Started(1, 1.0)])
+    assert player.spoken == (not is_silenced)

@@ -71,6 +71,8 @@ AT_ROBOT = replace(SSH, has_real_robot=True)
     [
         ("auto", "here", SSH, SpeakPlace.HERE),
         ("auto", "here", AT_ROBOT, SpeakPlace.ROBOT),
+        ("auto", "here", replace(SSIP, has_real_robot=True), SpeakPlace.HERE),
+        ("auto", "here", replace(READER, has_real_robot=True), SpeakPlace.HERE),
         ("text", "here", AT_ROBOT, SpeakPlace.HERE),
         ("text", "robot", SSH, SpeakPlace.ROBOT),
         ("auto", "both", SSIP_HOME, SpeakPlace.BOTH),

@@ -134,6 +134,19 @@ def test_silence_ends_the_sentence_and_forgets_what_waits(stage: Stage) -> None:
     assert stage.steps() == []
 
 
+def test_a_sentence_lost_with_its_worker_is_not_said_after_a_silence(stage: Stage) -> None:
+    stage.get_ready()
+    stage.say("one")
+    stage.next_say()
+    stage.fail()
+    stage.conductor.hush_speech(stage.now)
+
+    assert stage.conductor.is_quiet
+    stage.steps()
+    stage.answer(SoundReady("fake"), VoiceReady(["en"]))
+    assert stage.steps() == []
+
+
 def test_what_is_said_after_a_silence_is_sent_after_it(stage: Stage) -> None:
     stage.get_ready()
     stage.say("one")

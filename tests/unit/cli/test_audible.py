@@ -25,6 +25,20 @@ HOME = Facts(
 ASKED = {"sound": Source.OPTION}
 
 
+class Noting(SilentSpeaker):
+    """Notes what it is to say, and how often it is silenced."""
+
+    def __init__(self) -> None:
+        self.said: list[str] = []
+        self.silenced = 0
+
+    def say(self, utterance: Utterance) -> None:
+        self.said.append(utterance.text)
+
+    def silence(self) -> None:
+        self.silenced += 1
+
+
 def facts(**changes: object) -> Facts:
     return replace(HOME, **changes)  # type: ignore[arg-type]
 
@@ -108,18 +122,45 @@ def test_a_file_that_can_not_be_written_is_told(tmp_path: Path) -> None:
         make_audible(Settings(speech="off", sound=wrong), Floor().session, Words(), closing)
 
 
+class TwoVoices:
+    """A speech-dispatcher and a voice of our own, in the place of real ones."""
+
+    def __init__(self, monkeypatch: pytest.MonkeyPatch) -> None:
+        self.server, self.own = Noting(), Noting()
+        monkeypatch.setattr(audible, "look_around", lambda **_: facts(has_ssip=True))
+        monkeypatch.setattr(audible, "ssip_address", lambda _: "somewhere")
+        monkeypatch.setattr("devices.ssip.speaker.SsipSpeaker", lambda *_: self.server)
+        monkeypatch.setattr("devices.audio_worker.factory.make_audio", lambda *_: Noting())
+        monkeypatch.setattr("devices.audio_worker.factory.make_speaker", lambda _: self.own)
+
+
+@pytest.mark.parametrize(
+    ("speak", "at_server", "own"),
+    [("here", ["Moved.", "Hi."], []), ("robot", ["Moved."], ["Hi."]), ("both", ["Moved.", "Hi."], ["Hi."])],
+)
+def test_each_voice_says_its_part_and_every_voice_is_silenced(
+    monkeypatch: pytest.MonkeyPatch, speak: str, at_server: list[str], own: list[str]
+) -> None:
+    voices, floor = TwoVoices(monkeypatch), Floor()
+    with ExitStack() as closing:
+        settings = Settings(speech="ssip", speak=speak, sound=False)
+        made = make_audible(settings, floor.session, Words(), closing)
+        floor.session.hub.publish(Announced("moved", "Moved."))
+        floor.session.hub.publish(Spoke("Hi."))
+        made.hush()
+
+    assert (voices.server.said, voices.own.said) == (at_server, own)
+    assert voices.server.silenced == 1
+    assert voices.own.silenced == bool(own)
+
+
 @pytest.mark.parametrize(
     ("hears", "heard"),
     [(Hears.ALL, ["Moved.", "Hi."]), (Hears.ANSWERS, ["Moved."]), (Hears.PROGRAM, ["Hi."])],
 )
 def test_the_words_of_speak_can_be_heard_elsewhere(hears: Hears, heard: list[str]) -> None:
-    class Noting(SilentSpeaker):
-        def say(self, utterance: Utterance) -> None:
-            said.append(utterance.text)
-
-    said: list[str] = []
-    floor = Floor()
-    floor.session.hub.subscribe(Voice(Noting(), Words(), hears))
+    noting, floor = Noting(), Floor()
+    floor.session.hub.subscribe(Voice(noting, Words(), hears))
     floor.session.hub.publish(Announced("moved", "Moved."))
     floor.session.hub.publish(Spoke("Hi."))
-    assert said == heard
+    assert noting.said == heard

@@ -67,6 +67,28 @@ def test_a_long_answer_comes_in_blocks_of_eighteen_with_a_rest_between() -> None
     assert paper.texts[-1].endswith("line 40\n> ")
 
 
+def test_a_block_of_nothing_but_numbers_has_a_word_since_orca_is_silent_about_digits() -> None:
+    paper = Paper()
+    numbers = [str(number) for number in range(1, 41)]
+    Output(paper, paced=True, of_numbers="{} numbers.".format).show(numbers, "> ")
+
+    assert [text.split("\n")[-2:] for text in paper.texts] == [
+        ["17 numbers.", ""],
+        ["17 numbers.", ""],
+        ["40", "> "],
+    ]
+    assert [text.count("\n") for text in paper.texts] == [18, 18, 6]
+    assert [line for text in paper.texts for line in text.split("\n") if line.isdigit()] == numbers
+
+
+def test_a_few_numbers_need_no_word_nor_do_numbers_among_words_or_in_a_pipe() -> None:
+    for lines, paced in ((["1", "2", "3"], True), (["1", "2", "-3", "4"], True), (["1"] * 50, False)):
+        paper = Paper()
+        Output(paper, paced=paced).show(lines)
+
+        assert paper.texts == ["".join(f"{line}\n" for line in lines)]
+
+
 def test_a_small_terminal_gets_smaller_blocks() -> None:
     paper = Paper(rows=10)
     Output(paper, paced=True).show(numbered(8))

@@ -16,6 +16,7 @@ from devices.ports.audio import Urgency, Utterance
 from devices.speech.dispatcher import Address, find_address, is_reachable, parse_address
 from devices.speech.voices import VoiceSettings
 from devices.ssip import conversation
+from devices.ssip.mailbox import Mailbox
 from devices.ssip.protocol import Event, EventKind, NotSsip, Reader, Reply, message_of, text
 from devices.ssip.speaker import SsipSpeaker, ssip_settings
 from tests.unit.ssip.server import Server
@@ -185,6 +186,20 @@ def test_what_was_cut_off_is_said_again_to_the_next_server(tmp_path: Path) -> No
     assert speaker.wait_until_quiet(10)
     speaker.close()
     assert [notice.code for notice in notices] == [NoticeCode.SSIP_LOST]
+
+
+def test_what_was_silenced_while_the_server_was_lost_is_not_said_again() -> None:
+    mailbox = Mailbox()
+    mailbox.offer(say("First."), 0.0)
+    assert mailbox.take() == say("First.")
+    mailbox.hush()
+    mailbox.put_back()
+    assert mailbox.take() is None
+    assert mailbox.wait_until_quiet(0)
+
+
+def test_a_missing_end_is_told_ten_seconds_after_the_slowest_voice_is_done() -> None:
+    assert (conversation.END_SECONDS, conversation.SECONDS_A_CHARACTER) == (10.0, 0.2)
 
 
 def test_without_a_server_it_is_told_once_and_nobody_waits(tmp_path: Path) -> None:
