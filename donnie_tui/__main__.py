@@ -6,6 +6,7 @@ import os
 import sys
 
 from donnie_tui.collecting import load_undisturbed
+from donnie_tui.hanging_up import hear_hang_up
 
 HIGHEST_STANDARD = 2
 """Input, output and errors are 0, 1 and 2."""
@@ -16,6 +17,7 @@ def main() -> int:
     try:
         load_undisturbed()
         _open_what_is_closed()
+        hear_hang_up()
         _greet_early()
         from donnie_tui.cli.main import main as command
 

@@ -133,7 +133,11 @@ class LinearMode:
         edits, attended = greeting.DONE.terminal is not None, os.isatty(0)
         self._past = Past(folder / "history" if edits else None)
         self._editing = EditingReader(console, self._past, self._candidates) if edits else None
-        output = Output(console, paced=os.isatty(1))
+        output = Output(
+            console,
+            paced=os.isatty(1),
+            of_numbers=lambda count: donnie.words("linear-numbers", count=count),
+        )
         kept_breakpoints = KeptBreakpoints(folder / BREAKPOINTS)
         ends = Ends(console, self._editing, PlainReader(console), output, told, attended, os.isatty(1))
         self._desk = Desk(donnie, ends, Copies(folder / "unsaved"), habits, kept_breakpoints)

@@ -1,16 +1,21 @@
 """What is printed, and when: whole lines, an answer and the prompt in one write, rests between blocks.
 
 A screen reader loses what scrolls by, and it says a prompt twice that comes in a write of its own. So the
-new line of Enter is held back until there is an answer, and no more than a screenful comes at once.
+new line of Enter is held back until there is an answer, and no more than a screenful comes at once. Orca
+takes a write of nothing but digits for something typed and keeps silent: such a block ends with a sentence.
 """
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from typing import Protocol
 
 REST = 0.3
 """Seconds of rest after each block of lines."""
 LARGEST_BLOCK = 18
+
+MANY_NUMBERS = 4
+"""Lines of a block that need a sentence, if they are nothing but digits. A few are not worth one."""
 
 
 class Paper(Protocol):
@@ -31,8 +36,10 @@ class Paper(Protocol):
 class Output:
     """Prints blocks of lines. ``paced`` is for people; a pipe needs no rests."""
 
-    def __init__(self, paper: Paper, *, paced: bool) -> None:
+    def __init__(self, paper: Paper, *, paced: bool, of_numbers: Callable[[int], str] = "{}".format) -> None:
+        """``of_numbers``: the sentence that tells how many numbers those were."""
         self._paper = paper
+        self._of_numbers = of_numbers
         self.paced = paced
         """Whether there are rests; may be changed at any time."""
         self._held = ""
@@ -49,21 +56,24 @@ class Output:
         Ctrl+C during a rest ends it, without the prompt; the answer is how many lines were not printed.
         ``to_the_end``: it ends the rests and nothing else.
         """
-        block, lines = self._next_block(lines)
+        block, lines = self._next_block(lines, prompt)
         while lines:
             self._write(block, "")
-            block, lines = self._next_block(lines)
+            block, lines = self._next_block(lines, prompt)
             if self._paper.interrupted and not to_the_end:
                 return len(block) + len(lines)
         self._write(block, prompt)
         return 0
 
-    def _next_block(self, lines: list[str]) -> tuple[list[str], list[str]]:
+    def _next_block(self, lines: list[str], prompt: str) -> tuple[list[str], list[str]]:
         """What may be printed now, after a rest if one is due, and what comes after it."""
         if not self.paced:
             return lines, []
         self._make_room(bool(lines))
-        block, rest = lines[: self._room], lines[self._room :]
+        size = self._room
+        if (prompt == "" or len(lines) > size) and are_silent(lines[:size]):
+            size -= 1  # for the sentence
+        block, rest = lines[:size], lines[size:]
         self._room -= len(block)
         return block, rest
 
@@ -80,6 +90,9 @@ class Output:
             self._paper.wait(left)
 
     def _write(self, block: list[str], prompt: str) -> None:
+        if self.paced and prompt == "" and are_silent(block):
+            block = [*block, self._of_numbers(len(block))]
+            self._room -= 1
         text = self._held + "".join(f"{line}\n" for line in block) + prompt
         self._held = ""
         if text:
@@ -90,3 +103,8 @@ class Output:
     def block_size(self) -> int:
         """Lines that are printed at once."""
         return max(1, min(self._paper.rows() - 6, LARGEST_BLOCK))
+
+
+def are_silent(lines: list[str]) -> bool:
+    """Whether Orca would not say them, and they are many."""
+    return len(lines) >= MANY_NUMBERS and all(line.replace(" ", "").isdigit() for line in lines)

@@ -62,6 +62,7 @@ LONG = (
     "OUTLINE",
     "PLACE",
     "EXPLAIN",
+    "SHOW LOG",
     "SET",
 )
 """More than forty: Gate 1 of the accessibility requirements."""

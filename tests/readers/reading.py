@@ -1,6 +1,6 @@
 """A learner with a screen reader: types a lesson into ``donnie --linear`` and writes down what was heard.
 
-Readers: ``yasr`` and ``fenrir`` speak, into a log instead of a voice; ``brltty`` shows 40 cells.
+Readers: ``yasr``, ``fenrir`` and ``orca`` speak, into a log instead of a voice; ``brltty`` shows 40 cells.
 """
 
 from __future__ import annotations
@@ -8,25 +8,33 @@ from __future__ import annotations
 import configparser
 import json
 import os
+import re
 import shutil
+import signal
 import subprocess
 import sys
 import time
+from collections import defaultdict
 from collections.abc import Callable, Mapping, Sequence
 from contextlib import ExitStack, suppress
+from dataclasses import replace
 from pathlib import Path
 
 import pexpect
 
-from tests.readers.hearing import Phase
+from tests.readers.hearing import Phase, shown
 
 HERE = Path(__file__).resolve().parent
 ROOT = HERE.parent.parent
 
 SILENCE = 0.6
-"""Seconds without a byte and without a word: the answer is over."""
+"""Seconds without a byte and without a word, once all was heard: the answer is over."""
+
+LONG_SILENCE = 4.0
+"""The same where something printed was not heard: on a busy machine a reader may only be late."""
 
 PATIENCE = 20.0
+START_PATIENCE = 90.0
 
 EACH_LINE = {"DONNIE_ENTER": "runs"}
 """Every complete line is a lesson's command, as in a terminal."""
@@ -36,6 +44,9 @@ AS_PROMPT = {**EACH_LINE, "DONNIE_PROMPT": "answer"}
 
 BRIEF = ("--verbosity", "brief")
 """Answers fit a display of 40 cells."""
+
+_AT_A_REST = re.compile(r"Those were \d+ numbers\.")
+"""Stands where a rest was, which is not the same in two sessions: no answer, neither printed nor heard."""
 
 _ABOUT_ITSELF = ("pychant is not installed", "Start Fenrir")
 """What Fenrir says at its start, of itself."""
@@ -50,6 +61,7 @@ class Listener:
     def __init__(
         self, reader: str, folder: Path, options: Sequence[str], variables: Mapping[str, str]
     ) -> None:
+        self._reader = reader
         self._folder, self._options, self._variables = folder, options, variables
         self._log = folder / "heard.jsonl"
         self._log.touch()
@@ -62,51 +74,63 @@ class Listener:
         )
         self.child.delaybeforesend = None
 
-    def take_lesson(self, commands: Sequence[str]) -> list[tuple[str, tuple[str, ...]]]:
-        """What was heard, or shown, after each command, the greeting first."""
-        self._settle(first=PATIENCE, until_words=True)
-        greeting = self._new_words()
-        return [("", greeting), *((command, self._after(command)) for command in commands)]
+    def take_lesson(self, printed: Sequence[Phase]) -> list[Phase]:
+        """The same with what was heard, or shown, after each command; the greeting is the first."""
+        greeting, *answers = printed
+        self._settle(greeting, first=START_PATIENCE)
+        return [self._heard_of(greeting), *map(self._after, answers)]
 
     def close(self) -> None:
+        """End the reader and the program, also where the reader holds the program's terminal open."""
+        end_all(below(self.child.pid))
         self.child.close(force=True)
         self._closing.close()
 
-    def _after(self, command: str) -> tuple[str, ...]:
-        for key in command:
+    def _after(self, printed: Phase) -> Phase:
+        for key in printed.command:
             self.child.send(key.encode())
             time.sleep(_A_KEY)
         self._settle()
         self._new_words()  # what a reader says of typing is no answer
         self.child.send(b"\r")
-        return self._answer()
+        self._settle(printed, first=PATIENCE)
+        return self._heard_of(printed)
 
-    def _answer(self) -> tuple[str, ...]:
-        self._settle(first=PATIENCE)
-        return self._new_words()
+    def _heard_of(self, printed: Phase) -> Phase:
+        return replace(printed, heard=self._new_words())
 
-    def _settle(self, first: float = 0.0, *, until_words: bool = False) -> None:
-        """Wait until something has come (``first`` seconds at most), and then until it is silent.
-
-        ``until_words``: until something was heard; a reader takes its time to start.
+    def _settle(self, printed: Phase | None = None, first: float = 0.0) -> None:
+        """Wait until something has come (``first`` seconds at most), and then until it is silent: for long,
+        unless all that was printed was heard.
         """
         began = last = time.monotonic()
         size, has_come = self._log.stat().st_size, False
-        while time.monotonic() - began < PATIENCE:
+        while time.monotonic() - began < max(first, PATIENCE):
             with suppress(pexpect.TIMEOUT):
                 self.child.read_nonblocking(65_536, timeout=0.05)
-                last, has_come = time.monotonic(), has_come or not until_words
+                last, has_come = time.monotonic(), True
             if self._log.stat().st_size != size:
                 size, last, has_come = self._log.stat().st_size, time.monotonic(), True
             quiet = time.monotonic() - last
-            if quiet >= SILENCE and (has_come or quiet >= first):
+            is_over = quiet >= SILENCE and (printed is None or self._is_all(printed))
+            if is_over or quiet >= (LONG_SILENCE if has_come else max(first, SILENCE)):
                 return
 
+    def _is_all(self, printed: Phase) -> bool:
+        so_far = replace(printed, heard=self._words_from(self._heard))
+        if self._reader == "brltty":
+            return not printed.printed or shown(so_far)
+        return len(so_far.heard_words) >= len(printed.printed_words)
+
     def _new_words(self) -> tuple[str, ...]:
-        lines = self._log.read_text(encoding="utf-8").splitlines()
-        new, self._heard = lines[self._heard :], len(lines)
-        said = (json.loads(line)["text"] for line in new)
-        return tuple(text for text in said if text.strip() not in _ABOUT_ITSELF)
+        new = self._words_from(self._heard)
+        self._heard = len(self._log.read_text(encoding="utf-8").splitlines())
+        return new
+
+    def _words_from(self, line: int) -> tuple[str, ...]:
+        new = self._log.read_text(encoding="utf-8").splitlines()[line:]
+        said = (_AT_A_REST.sub("", json.loads(each)["text"]) for each in new)
+        return tuple(text for text in said if text.strip() not in ("", *_ABOUT_ITSELF))
 
     # --- readers
 
@@ -160,6 +184,13 @@ class Listener:
         self._closing.callback(process.wait)
         self._closing.callback(process.kill)
 
+    def orca(self) -> list[str]:
+        (self._folder / "run").mkdir(mode=0o700)
+        return [
+            "xvfb-run", "-a", "-s", "-screen 0 1024x768x24", "dbus-run-session", "--",
+            _SYSTEM_PYTHON, str(HERE / "orca_desk.py"), str(self._folder), str(self._program),
+        ]  # fmt: skip
+
     def none(self) -> list[str]:
         """Nobody reads; for comparison."""
         return [str(self._program)]
@@ -192,8 +223,19 @@ class Listener:
             **kept,
             "HOME": str(self._folder),
             "SPEECH_LOG": str(self._log),
+            **self._of_a_desktop(),
             "TERM": "xterm-256color",
             "LC_ALL": "C.UTF-8",
+        }
+
+    def _of_a_desktop(self) -> dict[str, str]:
+        """Only Orca's reader looks at them."""
+        return {
+            "ORCA_START": str(self._folder / "start.jsonl"),
+            "ORCA_READY": str(self._folder / "ready"),
+            "XDG_RUNTIME_DIR": str(self._folder / "run"),
+            "GTK_MODULES": "gail:atk-bridge",
+            "NO_AT_BRIDGE": "0",
         }
 
 
@@ -201,6 +243,7 @@ _COMMANDS: dict[str, Callable[[Listener], list[str]]] = {
     "yasr": Listener.yasr,
     "fenrir": Listener.fenrir,
     "brltty": Listener.brltty,
+    "orca": Listener.orca,
     "none": Listener.none,
 }
 
@@ -229,9 +272,27 @@ def is_installed(reader: str) -> bool:
     return shutil.which(reader, path=f"{os.environ.get('PATH', '')}:/usr/sbin:/sbin") is not None
 
 
+def below(parent: int) -> list[int]:
+    """The processes that a process started, and those that they started."""
+    children = defaultdict[int, list[int]](list)
+    for each in Path("/proc").glob("[0-9]*/stat"):
+        with suppress(OSError):
+            children[int(each.read_text().rpartition(")")[2].split()[1])].append(int(each.parent.name))
+    found = [parent]
+    for each_pid in found:
+        found.extend(children[each_pid])
+    return found[1:]
+
+
+def end_all(pids: Sequence[int]) -> None:
+    for pid in pids:
+        with suppress(ProcessLookupError):
+            os.kill(pid, signal.SIGKILL)
+
+
 def printed_by(
     commands: Sequence[str], folder: Path, options: Sequence[str], variables: Mapping[str, str]
-) -> list[tuple[tuple[str, ...], str]]:
+) -> list[Phase]:
     """The lines that answer each command, and the prompt behind them, the greeting first: with no reader."""
     folder.mkdir(exist_ok=True)
     plain = Listener.__new__(Listener)
@@ -248,8 +309,10 @@ def printed_by(
         child.expect(rb"(?:\A|\n)((?:[0-9]+)?> )")
         text = child.before.decode().replace("\r", "")
         lines = text.split("\n")
-        answer = tuple(line for line in (lines[1:] if command else lines) if line)
-        answers.append((answer, child.match[1].decode()))
+        answer = tuple(
+            line for line in (lines[1:] if command else lines) if line and not _AT_A_REST.fullmatch(line)
+        )
+        answers.append(Phase(command, answer, (), child.match[1].decode()))
     child.close(force=True)
     return answers
 
@@ -267,10 +330,6 @@ def phases_of(
     work.mkdir()
     listener = Listener(reader, work, options, variables)
     try:
-        heard = listener.take_lesson(commands)
+        return listener.take_lesson(printed)
     finally:
         listener.close()
-    return [
-        Phase(command, lines, said, prompt)
-        for (lines, prompt), (command, said) in zip(printed, heard, strict=True)
-    ]

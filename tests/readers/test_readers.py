@@ -81,7 +81,7 @@ def has_voice_under(reader: str, folder: Path) -> bool:
     looking = threading.Thread(target=look, daemon=True)
     looking.start()
     try:
-        listener.take_lesson(("WHERE", "FW 2"))
+        listener.take_lesson([Phase(command, (), ()) for command in ("", "WHERE", "FW 2")])
     finally:
         is_over.set()
         looking.join()

@@ -221,6 +221,9 @@ _HELP = {
 }
 
 _PAGES = {
+    "linear-numbers": Sentence(
+        "Those were {count} numbers.", "Foram {count} números.", "Fueron {count} números."
+    ),
     "linear-more": Sentence(
         "More, {lines} {lines:line|lines}. Enter goes on, Q stops.",
         "Mais {lines} {lines:linha|linhas}. Enter segue, S para.",

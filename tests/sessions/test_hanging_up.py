@@ -1,0 +1,93 @@
+"""A closed terminal ends Donnie, also under a reader that gives its own end of it away, as YASR does."""
+
+from __future__ import annotations
+
+import os
+import signal
+import subprocess
+import sys
+from contextlib import suppress
+from pathlib import Path
+
+import pytest
+
+from donnie_tui.hanging_up import masters_of
+from tests.conftest import ROOT
+from tests.sessions.learner import until
+
+pytestmark = pytest.mark.skipif(sys.platform != "linux", reason="looks into /proc")
+
+LEAKING = """
+import fcntl, os, pty, sys, termios
+master, slave = os.openpty()
+os.set_inheritable(master, True)
+child = os.fork()
+if child == 0:
+    os.setsid()
+    fcntl.ioctl(slave, termios.TIOCSCTTY, 0)
+    for number in range(3):
+        os.dup2(slave, number)
+    os.closerange(slave, slave + 1)
+    os.execvp(sys.argv[1], sys.argv[1:])
+os.close(slave)
+os.write(1, f"{child}\\n".encode())
+while data := os.read(master, 4096):
+    os.write(1, data)
+"""
+"""A reader: it starts what it reads on a terminal, whose other end it gives away."""
+
+
+@pytest.mark.parametrize("shell", [(), ("/bin/sh", "-c", '"$@"; :', "-")], ids=["alone", "in_a_shell"])
+def test_donnie_ends_with_a_reader_that_gave_its_end_away(shell: tuple[str, ...], tmp_path: Path) -> None:
+    donnie = (sys.executable, "-m", "donnie_tui", "--linear", "--speech", "off", "--sound", "off")
+    environment = {
+        **os.environ,
+        "PYTHONPATH": str(ROOT),
+        "XDG_STATE_HOME": str(tmp_path),
+        "XDG_CONFIG_HOME": str(tmp_path),
+        "DONNIE_TOUR": "off",
+        "DONNIE_MARK": str(tmp_path),
+    }
+    reader = subprocess.Popen(
+        [sys.executable, "-c", LEAKING, *shell, *donnie],
+        stdin=subprocess.DEVNULL,
+        stdout=subprocess.PIPE,
+        env=environment,
+    )
+    assert reader.stdout is not None
+    child = int(reader.stdout.readline())
+    try:
+        seen = b""
+        while b"> " not in seen:
+            seen += os.read(reader.stdout.fileno(), 4_096)
+        assert donnies(tmp_path)
+        reader.kill()
+        reader.wait()
+        until(lambda: not donnies(tmp_path))
+    finally:
+        reader.kill()
+        for pid in (child, *donnies(tmp_path)):
+            with suppress(ProcessLookupError):
+                os.kill(pid, signal.SIGKILL)
+
+
+def donnies(mark: Path) -> list[int]:
+    """The Donnies of this test; one that ended has no command line."""
+    found = []
+    for each in Path("/proc").glob("[0-9]*"):
+        with suppress(OSError):
+            words = (each / "cmdline").read_bytes().split(b"\0")
+            is_ours = f"DONNIE_MARK={mark}".encode() in (each / "environ").read_bytes()
+            if is_ours and words[1:3] == [b"-m", b"donnie_tui"]:
+                found.append(int(each.name))
+    return found
+
+
+def test_the_end_of_another_terminal_is_nothing_of_ours() -> None:
+    ours, terminal = os.openpty()
+    other, another = os.openpty()
+    try:
+        assert masters_of(os.ttyname(terminal)) == [ours]
+    finally:
+        for number in (ours, terminal, other, another):
+            os.close(number)
