@@ -29,9 +29,15 @@ if TYPE_CHECKING:
     from devices.audio_worker.service import AudioService
     from devices.speech.voices import VoiceSettings
 
-NOTICE_FOR = {
+DECIDED_FOR = {
     ChannelReason.OVER_SSH: "voice-over-ssh",
     ChannelReason.SCREEN_READER: "voice-for-reader",
+    ChannelReason.READERS_VOICE: "voice-behind-reader",
+    ChannelReason.SPEECH_DISPATCHER: "voice-by-dispatcher",
+    ChannelReason.OWN_VOICE: "voice-own",
+}
+"""What was decided for who did not ask for anything, with the word that changes it."""
+NOTICE_FOR = {
     ChannelReason.NO_VOICE: "no-voice",
     ChannelReason.NO_SOUND_DEVICE: "no-sound-device",
     ChannelReason.NO_SPEECH_DISPATCHER: "no-speech-dispatcher",
@@ -95,6 +101,8 @@ class Audible:
         notice = NOTICE_FOR.get(self.choice.reason)
         self.notices: tuple[str, ...] = (self._words(notice),) if notice else ()
         """What is wanted and not possible, a sentence each."""
+        self.decided: str | None = DECIDED_FOR.get(self.choice.reason)
+        """The code of the sentence about what was decided unasked."""
 
     def close(self) -> None:
         """Be silent for good."""

@@ -5,6 +5,7 @@ What is heavy is imported where it is used, so that a command loads no more than
 
 from __future__ import annotations
 
+import os
 from contextlib import ExitStack
 from functools import partial
 from pathlib import Path
@@ -24,6 +25,8 @@ from donnie_tui.core.session import ResettableRobot, Session
 from donnie_tui.core.team import Team
 from donnie_tui.core.until_said import UntilSaid
 from donnie_tui.device_settings import SERIAL, SIMULATED
+from donnie_tui.first_start import is_new_decision
+from donnie_tui.folders import state_path
 from donnie_tui.i18n.words import Words
 from donnie_tui.moved_things import ThingWatch
 from donnie_tui.robot_search import Search
@@ -166,7 +169,8 @@ def assemble(
     except BaseException:
         closing.close()
         raise
-    notices = about_settings + audible.notices + about_devices
+    about_voice = audible.notices + (_decided(audible, words) if terminal else ())
+    notices = about_settings + about_voice + about_devices
     donnie = Donnie(
         team,
         words,
@@ -189,6 +193,12 @@ def assemble(
 
 def _sound_files(settings: Settings) -> tuple[Path, ...]:
     return (Path(settings.sound),) if isinstance(settings.sound, str) else ()
+
+
+def _decided(audible: Audible, words: Words) -> tuple[str, ...]:
+    """Who speaks and how to change it: at the first start, and when it is somebody else."""
+    code = audible.decided
+    return (words(code),) if code and is_new_decision(state_path(os.environ), code) else ()
 
 
 def _connect_robot(

@@ -44,6 +44,6 @@ TOUR = (
     "Primeira vez? PASSEIO mostra tudo.",
     "¿Primera vez? PASEO te muestra todo.",
 )
-"""At the first start, once."""
+"""At the first start, once, in the place of the hint: no more than two lines come before a prompt."""
 
 PROMPT = "> "

@@ -66,7 +66,7 @@ def greet(
     """Print the lines, and ``prompt`` where there is a terminal. Does nothing the second time.
 
     Without a prompt only the first line is printed: the second one will be about the file. ``tour``: whether
-    it may be offered, to somebody who is here for the first time.
+    it may be offered in the place of the hint, to somebody who is here for the first time.
     """
     if DONE.was_printed:
         return
@@ -76,9 +76,9 @@ def greet(
     if is_editable(environment):
         _take_terminal()
     at = _LANGUAGES.index(language)
-    lines = CAUSES[cause][at] + "\n" + ("" if prompt is None else HINT[at] + "\n")
-    if tour and DONE.has_prompt and offers_tour(state_path(environment), environment):
-        lines += TOUR[at] + "\n"
+    is_first = tour and DONE.has_prompt and offers_tour(state_path(environment), environment)
+    hint = (TOUR if is_first else HINT)[at]
+    lines = CAUSES[cause][at] + "\n" + ("" if prompt is None else hint + "\n")
     os.write(1, (lines + (prompt if prompt and DONE.has_prompt else "")).encode())
 
 

@@ -2,7 +2,7 @@
 
 from pathlib import Path
 
-from donnie_tui.first_start import MARKER, offers_tour
+from donnie_tui.first_start import MARKER, is_new_decision, offers_tour
 from tests.sessions.learner import Learner
 
 OFFER = "New here? TOUR shows you around."
@@ -28,7 +28,8 @@ def test_where_nothing_can_be_remembered_it_is_offered_all_the_same(tmp_path: Pa
 
 def test_the_linear_mode_offers_it_in_a_sentence_before_the_first_prompt(tmp_path: Path) -> None:
     first = Learner(tmp_path, DONNIE_TOUR="on")
-    first.sees(f"HELP lists the commands.\r\n{OFFER}\r\n> ")
+    first.sees_prompt()
+    assert first.lines[:-1] == ["Linear mode, from the option.", OFFER]  # L2: two lines
     first.types("TOUR\r")
     first.sees("Welcome. Donnie is a robot on a floor.")
     first.types("\x04")
@@ -48,3 +49,25 @@ def test_a_file_of_the_command_line_comes_first(tmp_path: Path) -> None:
     learner.leaves()
 
     assert OFFER not in learner.lines
+
+
+def test_what_was_decided_of_the_voice_is_told_once_and_again_when_it_is_another(tmp_path: Path) -> None:
+    """V1."""
+    folder, decisions = str(tmp_path / "state"), ("voice-own", "voice-own", "voice-over-ssh", "voice-own")
+    assert [is_new_decision(folder, each) for each in decisions] == [True, False, True, True]
+
+
+def test_beside_a_screen_reader_the_first_answer_says_how_to_change_that_and_the_prompt_has_two_lines(
+    tmp_path: Path,
+) -> None:
+    """L2, V1. A later start says nothing of it."""
+    decided = "Voice off, a screen reader runs. SET speech own turns it on."
+    for told in ([decided], []):
+        learner = Learner(tmp_path, "--speech", "auto", DONNIE_READER="1", SSH_CONNECTION="")
+        learner.sees_prompt()
+        assert len(learner.lines) == 3
+        learner.types("RUN\r")
+        learner.sees_prompt()
+        assert learner.lines[3:-1] == [*told, "Nothing to run."]
+        learner.types("\x04")
+        learner.leaves()

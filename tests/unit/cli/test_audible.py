@@ -3,6 +3,7 @@
 from contextlib import ExitStack
 from dataclasses import replace
 from pathlib import Path
+from types import SimpleNamespace
 
 import pytest
 
@@ -66,8 +67,8 @@ def test_cues_are_for_who_hears_them_or_asked_for_them(
     [
         ("off", HOME, ()),
         ("auto", facts(stdout_is_terminal=False), ()),
-        ("auto", facts(screen_reader="orca"), ("Voice off, a screen reader runs.",)),
-        ("auto", facts(over_ssh=True), ("Voice off over SSH.",)),
+        ("auto", facts(screen_reader="orca"), ()),
+        ("auto", facts(over_ssh=True), ()),
         ("ssip", HOME, ("No speech-dispatcher here. All is in print.",)),
         ("tts", facts(has_voice=False), ("No voice, espeak-ng is missing. Sounds and print work.",)),
         ("auto", facts(has_sound_device=False), ("No sound device. Everything is in print.",)),
@@ -82,6 +83,34 @@ def test_what_is_missing_is_told_once(
 
     assert made.notices == notices
     assert made.is_quiet_within(0)
+
+
+@pytest.mark.parametrize(
+    ("speech", "around", "told"),
+    [
+        ("auto", facts(screen_reader="orca"), "voice-for-reader"),
+        ("auto", facts(over_ssh=True), "voice-over-ssh"),
+        ("auto", facts(), "voice-own"),
+        ("auto", facts(has_ssip=True), "voice-by-dispatcher"),
+        ("auto", facts(has_ssip=True, screen_reader="orca", is_linear=False), "voice-behind-reader"),
+        ("tts", facts(), None),
+        ("off", facts(screen_reader="orca"), None),
+        ("auto", facts(stdout_is_terminal=False), None),
+    ],
+)
+def test_what_is_decided_unasked_has_a_sentence_with_the_word_that_changes_it(
+    monkeypatch: pytest.MonkeyPatch, speech: str, around: Facts, told: str | None
+) -> None:
+    """V1."""
+    monkeypatch.setattr(audible, "look_around", lambda **_: around)
+    monkeypatch.setattr(audible._Maker, "make", lambda *_: SimpleNamespace())
+    with ExitStack() as closing:
+        decided = make_audible(
+            Settings(speech=speech, sound=False), Floor().session, Words(), closing
+        ).decided
+
+    assert decided == told
+    assert decided is None or "SET speech " in Words()(decided)
 
 
 def test_what_is_told_goes_to_a_speech_dispatcher_that_is_there(
