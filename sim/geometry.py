@@ -162,7 +162,8 @@ def _face_contact(radius: float, edge: Edge, length: float) -> float:
         return inf
     contact = (nx * ax + ny * ay + radius) / nx
     along = ((contact - radius * nx - ax) * (bx - ax) + (-radius * ny - ay) * (by - ay)) / (length * length)
-    return contact if contact >= 0.0 and 0.0 <= along <= 1.0 else inf
+    # after a stop the two lie as far apart as they touch, but for what computing errs
+    return max(0.0, contact) if contact >= -1e-9 and 0.0 <= along <= 1.0 else inf
 
 
 def outline_contact(mover: Iterable[Edge], obstacle: Sequence[Edge]) -> tuple[float, float]:

@@ -2,7 +2,7 @@
 
 from math import cos, hypot, radians, sin
 
-from hypothesis import given, settings
+from hypothesis import example, given, settings
 from hypothesis import strategies as st
 
 from devices.ports.robot import STEP, Bearing, StoppedBy
@@ -54,6 +54,8 @@ commands = st.lists(
     min_size=1,
     max_size=12,
 )
+STOPPED_A_HAIR_SHORT = [("b", 11), ("f", 25), ("t", -200), ("t", -194), ("b", 41)]
+"""Its wall is touched twice: at the second time the disc lies 1e-17 m outside of what touches."""
 Thing = tuple[float, float, float, float, int]
 
 
@@ -64,6 +66,7 @@ def world(kind: str, around: list[Thing], yaw: int) -> Scene:
 
 
 @settings(max_examples=120, deadline=None)
+@example("octagon", [(-0.735, 0, 0.05, 0.6, 287)], 182, STOPPED_A_HAIR_SHORT)
 @given(st.sampled_from(sorted(ROBOTS)), things, st.integers(0, 359), commands)
 def test_a_robot_is_never_inside_a_thing(
     kind: str, around: list[Thing], yaw: int, program: list[tuple[str, int]]
