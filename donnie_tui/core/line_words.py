@@ -58,14 +58,24 @@ def inserted(program: TypedProgram, number: int, text: str, wording: Wording) ->
 
 
 def deleted(program: TypedProgram, first: int, last: int | None, wording: Wording) -> Edited:
-    """Lines ``first`` to ``last``, or ``first`` alone, are gone."""
+    """Lines ``first`` to ``last``, or ``first`` alone, are gone; what stands there now is told."""
     end, count = first if last is None else last, len(program.lines)
     if not 1 <= first <= end <= count:
         return Edited((no_such_line(count, first if not 1 <= first <= count else end, wording),))
     waiting = program.waiting
     program.delete(first, end)
-    told = wording("linear-deleted", lines=end - first + 1)
-    return Edited((told, *waits_again(program, waiting, wording)))
+    told = [gone(first, end, wording)]
+    is_followed = first <= len(program.lines)
+    if is_followed:
+        told.append(line_told(program, first, wording))
+    return Edited((*told, *waits_again(program, waiting, wording)), first if is_followed else None)
+
+
+def gone(first: int, last: int, wording: Wording) -> str:
+    """That lines ``first`` to ``last`` are no more."""
+    if first == last:
+        return wording("linear-deleted", line=first)
+    return wording("linear-deleted-lines", first=first, last=last)
 
 
 def moved(program: TypedProgram, first: int, last: int, to: int, wording: Wording) -> Edited:

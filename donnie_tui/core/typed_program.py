@@ -33,6 +33,17 @@ class ProgramTooLong(Exception):
 
 
 @frozen
+class _Before:
+    """The program before a change."""
+
+    lines: list[str]
+    run: int
+    """How many of them had run."""
+    runs: int
+    """How often anything had been run or rewound then."""
+
+
+@frozen
 class Batch:
     """What is to be run now: its text and the number of its first line."""
 
@@ -53,8 +64,10 @@ class TypedProgram:
         self._kept: list[str] | None = []
         self._run = 0
         self._size = 0
-        self._before: deque[list[str] | int] = deque(maxlen=MOST_UNDONE)
-        """The lines before each of the last changes; how many there were, where one was added behind them."""
+        self._runs = 0
+        """How often what has run became another part, but by changes."""
+        self._before: deque[_Before | int] = deque(maxlen=MOST_UNDONE)
+        """What was before each of the last changes; how many lines, where one was added behind them."""
 
     @property
     def saved(self) -> bool:
@@ -114,6 +127,7 @@ class TypedProgram:
 
     def batch_ran(self) -> None:
         self._run = len(self._lines)
+        self._runs += 1
 
     def batch_was_refused(self) -> bool:
         """After a mistake of form. True if the lines were kept for mending, False if there was but one."""
@@ -127,6 +141,7 @@ class TypedProgram:
     def rewind(self) -> None:
         """Let the whole program wait again."""
         self._run = 0
+        self._runs += 1
 
     def replace(self, text: str, name: str | None) -> None:
         """Another program takes its place, and waits."""
@@ -202,16 +217,21 @@ class TypedProgram:
         self._run = 0
 
     def undo(self) -> int | None:
-        """Take the last change back. The first line that is another one now, or None without a change."""
+        """Take the last change back. The first line that is another one now, or None without a change.
+
+        Lines that had run before the change have run again, unless something ran in between.
+        """
         if not self._before:
             return None
         before = self._before.pop()
         if isinstance(before, int):
             return self._take_back_last(before)
-        lines = before
-        same = _first_difference(lines, self._lines)
-        self.breakpoints = followed(self.breakpoints, self._lines, lines)
-        self._lines, self._run = lines, (0 if same < self._run else self._run)
+        same = _first_difference(before.lines, self._lines)
+        self.breakpoints = followed(self.breakpoints, self._lines, before.lines)
+        changes_what_ran = same < self._run
+        self._lines, self._run = before.lines, 0 if changes_what_ran else self._run
+        if before.runs == self._runs:
+            self._run = before.run
         return same + 1
 
     def _take_back_last(self, count: int) -> int:
@@ -222,13 +242,13 @@ class TypedProgram:
 
     def _keep(self) -> None:
         """Remember the lines as they are; of very long programs fewer changes can be taken back."""
-        self._before.append(self._lines.copy())
+        self._before.append(_Before(self._lines.copy(), self._run, self._runs))
         while len(self._before) > 1 and self._lines_kept > MOST_LINES_KEPT:
             self._before.popleft()
 
     @property
     def _lines_kept(self) -> int:
-        return sum(len(each) for each in self._before if not isinstance(each, int))
+        return sum(len(each.lines) for each in self._before if not isinstance(each, int))
 
     def _grow(self, line: str) -> None:
         """What was ever typed counts, so that no list of lines need be added up."""

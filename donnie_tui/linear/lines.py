@@ -38,8 +38,11 @@ def insert_line(desk: Desk, number: int, text: str) -> None:
 def delete_lines(desk: Desk, first: int | None, last: int | None) -> None:
     """Delete lines ``first`` to ``last``; without numbers, those that have not run."""
     if first is None:
-        deleted = desk.program.forget_waiting()
-        desk.answer("linear-deleted" if deleted else "linear-nothing-to-delete", lines=deleted)
+        deleted, left = desk.program.forget_waiting(), len(desk.program.lines)
+        if deleted:
+            desk.tell(line_words.gone(left + 1, left + deleted, desk.say))
+        else:
+            desk.answer("linear-nothing-to-delete")
     else:
         _tell_edit(desk, line_words.deleted(desk.program, first, last, desk.say))
 

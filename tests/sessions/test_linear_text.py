@@ -258,3 +258,27 @@ def test_one_huge_line_is_refused_once_and_the_others_are_done(tmp_path: Path) -
     lost = "The program is too long. That line is lost."
 
     assert done.stdout.decode().splitlines()[2:] == [lost, "I walked 1 step forward.", lost, "Goodbye."]
+
+
+def test_a_change_that_is_taken_back_lets_nothing_run_twice(tmp_path: Path) -> None:
+    assert told(tmp_path, "FW 1", "FW 2", "RUN", "CHANGE 1 FW 5", "UNDO", "FW 3", "RUN") == [
+        "I walked 1 step forward.",
+        "I walked 2 steps forward.",
+        "Line 1: FW 5",
+        "RUN runs all 2 lines again.",
+        "Line 1: FW 1",
+        "I walked 3 steps forward.",
+    ]
+
+
+def test_what_is_deleted_is_told_by_its_number_and_what_stands_there_now(tmp_path: Path) -> None:
+    """L39."""
+    program = ("FW 1", "FW 2", "FW 3", "FW 4", "FW 5", "FW 6")
+    assert told(tmp_path, *program, "DELETE 2", "DELETE 1 2", "DELETE 3", "DELETE") == [
+        "Line 2 deleted.",
+        "Line 2: FW 3",
+        "Lines 1 to 2 deleted.",
+        "Line 1: FW 4",
+        "Line 3 deleted.",
+        "Lines 1 to 2 deleted.",
+    ]

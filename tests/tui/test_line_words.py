@@ -20,10 +20,10 @@ def own_folders(tmp_path, monkeypatch):
         ("CHANGE 2 BK 2", "Line 2: BK 2", "FW 1\nBK 2\nFW 3\nFW 4"),
         ("INSERT 1 TR 90", "Line 1: TR 90", "TR 90\nFW 1\nFW 2\nFW 3\nFW 4"),
         ("INSERT 5 TR 90", "Line 5: TR 90", "FW 1\nFW 2\nFW 3\nFW 4\nTR 90"),
-        ("DELETE 2 3", "2 lines deleted.", "FW 1\nFW 4"),
-        ("DELETE 4", "1 line deleted.", "FW 1\nFW 2\nFW 3"),
-        ("DELETE 1 4", "4 lines deleted.", ""),
-        ("DELETE", "1 line deleted.", "FW 2\nFW 3\nFW 4"),
+        ("DELETE 2 3", "Lines 2 to 3 deleted.", "FW 1\nFW 4"),
+        ("DELETE 4", "Line 4 deleted.", "FW 1\nFW 2\nFW 3"),
+        ("DELETE 1 4", "Lines 1 to 4 deleted.", ""),
+        ("DELETE", "Line 1 deleted.", "FW 2\nFW 3\nFW 4"),
         ("MOVE 4 1", "Line 1: FW 4", "FW 4\nFW 1\nFW 2\nFW 3"),
         ("MOVE 1 2 5", "Line 4: FW 2", "FW 3\nFW 4\nFW 1\nFW 2"),
         ("CHANGE 9 FW 1", "There is no line 9. The last is 4.", PROGRAM),
@@ -45,7 +45,7 @@ async def test_an_end_of_line_behind_the_last_line_stays(work):
     async with work() as desk:
         desk.app.work.load("FW 1\nFW 2\n")
         await desk.type_line("DELETE 2")
-        await desk.told("1 line deleted.")
+        await desk.told("Line 2 deleted.")
         assert desk.place.editor.text == "FW 1\n"
 
         await desk.type_line("INSERT 2 BK 1")

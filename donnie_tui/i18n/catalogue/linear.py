@@ -79,10 +79,11 @@ _PROGRAM = {
         "{lines} {lines:line|lines}.", "{lines} {lines:linha|linhas}.", "{lines} {lines:línea|líneas}."
     ),
     "linear-no-lines": Sentence("No lines yet.", "Nenhuma linha ainda.", "Ninguna línea todavía."),
-    "linear-deleted": Sentence(
-        "{lines} {lines:line|lines} deleted.",
-        "{lines} {lines:linha apagada|linhas apagadas}.",
-        "{lines} {lines:línea borrada|líneas borradas}.",
+    "linear-deleted": Sentence("Line {line} deleted.", "Linha {line} apagada.", "Línea {line} borrada."),
+    "linear-deleted-lines": Sentence(
+        "Lines {first} to {last} deleted.",
+        "Linhas {first} a {last} apagadas.",
+        "Líneas {first} a {last} borradas.",
     ),
     "linear-waits-again": Sentence(
         "RUN runs all {lines} lines again.",

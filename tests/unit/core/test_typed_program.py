@@ -1,5 +1,7 @@
 """The program that is typed: what waits, what has run, what is saved, and the numbers of its lines."""
 
+from collections.abc import Callable
+
 import pytest
 
 from donnie_tui.core import typed_program
@@ -202,4 +204,29 @@ def test_taking_back_a_change_to_what_has_run_lets_all_wait_again() -> None:
     program.batch_ran()
 
     assert program.undo() == 2
+    assert program.waiting == 2
+
+
+def test_what_had_run_before_a_change_does_not_wait_again_once_the_change_is_taken_back() -> None:
+    program = typed("A", "B")
+    program.batch_ran()
+    program.change(1, "X")
+    program.add("C")
+    assert program.waiting == 3
+
+    program.undo()
+    program.undo()
+    assert (program.lines, program.waiting) == (("A", "B"), 0)
+
+
+@pytest.mark.parametrize("meanwhile", [TypedProgram.batch_ran, TypedProgram.rewind])
+def test_what_ran_in_between_counts_more_than_what_had_run_before_a_change(
+    meanwhile: Callable[[TypedProgram], None],
+) -> None:
+    program = typed("A", "B")
+    program.batch_ran()
+    program.change(1, "X")
+    meanwhile(program)
+
+    program.undo()
     assert program.waiting == 2
