@@ -32,6 +32,7 @@ VIEW_CASES = (
     UseCase("worlds", "WORLDS", "MUNDOS", "MUNDOS"),
     UseCase("theme", "THEME", "TEMA", "TEMA", _ALWAYS, "theme"),
     UseCase("plain", "PLAIN", "SIMPLES", "SENCILLO", _ALWAYS),
+    UseCase("redraw", "REDRAW", "REDESENHAR", "REDIBUJAR", _ALWAYS),
     UseCase("settings", "SETTINGS", "CONFIGURAÇÕES", "CONFIGURACIÓN", _ALWAYS),
     UseCase("change_keys", "CHANGE KEYS", "MUDAR TECLAS", "CAMBIAR TECLAS", _ALWAYS),
     UseCase("keys_here", "KEYS", "TECLAS", "TECLAS", _ALWAYS),

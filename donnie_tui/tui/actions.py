@@ -118,6 +118,7 @@ KEYS: dict[str, tuple[str, ...]] = {
     "set": (),
     "theme": ("ctrl+k y",),
     "plain": ("ctrl+k z",),
+    "redraw": ("ctrl+k f5",),
     "settings": ("ctrl+k comma",),
     "change_keys": (),
     "keys_here": ("ctrl+k 0",),

@@ -37,7 +37,7 @@ from donnie_tui.settings import LANGUAGES, Settings
 from donnie_tui.tui import themes
 from donnie_tui.tui.actions import MENU
 from donnie_tui.tui.key_table import KeyTable
-from donnie_tui.tui.lifeline import Lifeline, give_back
+from donnie_tui.tui.lifeline import BACK, Lifeline, give_back
 from donnie_tui.tui.outside import leave_behind
 from donnie_tui.tui.printable import Printable
 from donnie_tui.tui.screens.workplace import Workplace
@@ -201,6 +201,11 @@ class DonnieApp(App[int], inherit_bindings=False):
     def _display(self, screen: Screen[Any], renderable: RenderableType | None) -> None:
         """Whatever is painted passes here. In the plain layout readers hear it: rows are written whole."""
         super()._display(screen, renderable if self.workplace.is_plain else self._painted.less(renderable))
+
+    def repaint(self) -> None:
+        """All of it: something else may have written over the terminal."""
+        self.refresh()
+        self._show_cursor()
 
     def _set_pointer_shape(self, shape: str) -> None:
         """Nobody asks for it, it costs bytes, and a console shows it as letters."""
@@ -600,6 +605,8 @@ class DonnieApp(App[int], inherit_bindings=False):
     def _signalled(self, number: int) -> None:
         if number == signal.SIGINT:
             self._interrupt()
+        elif number == BACK:
+            self.repaint()
         elif number:
             self._end(number)
         elif self.work is not None:

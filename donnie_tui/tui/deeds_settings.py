@@ -59,6 +59,10 @@ class SettingsDeeds:
     def plain(self, _argument: str) -> None:
         self._host.prefer("plain", not self._host.workplace.is_plain)
 
+    def redraw(self, _argument: str) -> None:
+        self._host.repaint()
+        self._host.tell(Answer("screen-redrawn"))
+
     async def settings(self, _argument: str) -> None:
         """One setting after the other, until somebody goes back."""
         words = self._host.words

@@ -27,6 +27,9 @@ ANSWER = 0.3
 LEAVE = 2.0
 """Seconds in which the screen leaves by itself after a signal."""
 
+BACK = getattr(signal, "SIGCONT", -1)
+"""Told to the screen when the process goes on: whatever ran meanwhile wrote over it."""
+
 _LEAVING = ("SIGTERM", "SIGHUP", "SIGQUIT")
 
 
@@ -65,6 +68,7 @@ class Lifeline:
         self._found = {number: signal.signal(number, _woken) for number in numbers}
         if hasattr(signal, "SIGTSTP"):
             self._found[signal.SIGTSTP] = signal.signal(signal.SIGTSTP, self._rest)
+            self._found[BACK] = signal.signal(BACK, self._back)
         self._reading, self._writing = os.pipe()
         os.set_blocking(self._reading, False)
         os.set_blocking(self._writing, False)
@@ -96,6 +100,13 @@ class Lifeline:
             own(number, frame)
         else:
             suspend(after_stop=False)
+
+    def _back(self, number: int, frame: FrameType | None) -> None:
+        """Textual takes the terminal again, but paints nothing where the size is what it was."""
+        own = self._found[number]
+        if callable(own):
+            own(number, frame)
+        self._tell(number)
 
     # --- the thread
 

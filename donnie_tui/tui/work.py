@@ -117,6 +117,8 @@ class Host(Protocol):
 
     def enter_world(self, name: str) -> None: ...
 
+    def repaint(self) -> None: ...
+
     def leave(self, code: int = 0, *, for_linear: bool = False) -> None: ...
 
 
@@ -414,6 +416,9 @@ class Work:
         """Outside the full screen, in the pager: there the terminal's own ways of reading work."""
         if not self._host.show_outside(self.log_text):
             self.tell(Answer("screen-no-pager"))
+
+    def repaint(self) -> None:
+        self._host.repaint()
 
     def show_lines(self, title: str, lines: Sequence[str]) -> None:
         self._host.show_help(self.words("lines-title", title=title), tuple(lines))

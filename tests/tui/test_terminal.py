@@ -251,6 +251,46 @@ def test_the_size_of_the_terminal_may_change(terminal):
     donnie.shows("No variables.")
 
 
+def written_over(donnie: Terminal) -> tuple[str, ...]:
+    """What the idle screen showed, before something else wrote into all of its rows."""
+    while donnie.read(0.5):
+        pass
+    before = tuple(donnie.screen.display)
+    donnie._stream.feed(b"".join(b"\x1b[%d;1HMessage from root" % row for row in range(1, 25)))
+    return before
+
+
+def test_what_something_else_wrote_over_the_screen_goes_away_when_it_is_painted_anew(terminal):
+    donnie = terminal()
+    before = written_over(donnie)
+    donnie.type("\x0b\x1b[15~")
+    donnie.shows("The screen is painted anew.")
+
+    donnie.until(lambda: "Message from root" not in "\n".join(donnie.screen.display), "the screen anew")
+    assert donnie.screen.display[:14] == list(before[:14])
+
+
+def test_a_process_that_goes_on_paints_the_whole_screen(terminal):
+    donnie = terminal()
+    donnie.process.send_signal(signal.SIGTSTP)
+    os.waitpid(donnie.process.pid, os.WUNTRACED)
+    before = written_over(donnie)
+    donnie.process.send_signal(signal.SIGCONT)
+
+    donnie.until(lambda: tuple(donnie.screen.display) == before, "the screen as it was")
+    assert not donnie.screen.cursor.hidden
+
+
+def test_after_a_change_of_size_nothing_is_left_that_something_else_wrote(terminal):
+    donnie = terminal()
+    written_over(donnie)
+    donnie.screen.resize(24, 90)
+    fcntl.ioctl(donnie._master, termios.TIOCSWINSZ, struct.pack("HHHH", 24, 90, 0, 0))
+    donnie.process.send_signal(signal.SIGWINCH)
+
+    donnie.until(lambda: "Message from root" not in "\n".join(donnie.screen.display), "the screen anew")
+
+
 def test_a_world_that_is_not_there_is_one_sentence_and_code_2(tmp_path):
     donnie = Terminal(["--world", "none_such"], tmp_path)
     try:

@@ -157,6 +157,9 @@ _EDITOR = {
         "Não há um paginador aqui; SALVAR REGISTRO grava o registro num arquivo.",
         "No hay un paginador aquí; GUARDAR REGISTRO escribe el registro en un archivo.",
     ),
+    "screen-redrawn": Sentence(
+        "The screen is painted anew.", "A tela foi pintada de novo.", "La pantalla se pintó de nuevo."
+    ),
     "screen-is-visual": Sentence(
         "This is the full screen.", "Esta é a tela cheia.", "Esta es la pantalla completa."
     ),
@@ -372,6 +375,7 @@ _ACTIONS = {
             "Uma coluna, ou todos os painéis.",
             "Una columna, o todos los paneles.",
         ),
+        ("redraw", "Paints the screen anew.", "Pinta a tela de novo.", "Vuelve a pintar la pantalla."),
         ("settings", "Lists all settings.", "Lista as configurações.", "Lista la configuración."),
         ("manual", "Shows the manual.", "Mostra o manual.", "Muestra el manual."),
         (
