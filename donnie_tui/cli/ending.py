@@ -5,9 +5,10 @@ from __future__ import annotations
 import signal
 import threading
 from collections.abc import Callable, Iterator
-from contextlib import contextmanager
+from contextlib import closing, contextmanager
 from types import FrameType
 
+from donnie_tui.deputy import Deputy
 from donnie_tui.suspending import suspend
 
 _SIGNALS = ("SIGINT", "SIGTERM", "SIGHUP", "SIGQUIT")
@@ -15,23 +16,37 @@ _SIGNALS = ("SIGINT", "SIGTERM", "SIGHUP", "SIGQUIT")
 _MOMENT = 0.05
 """Seconds within which a signal ends the voice too."""
 
+_LONGEST_REST = 2.0
+"""Seconds that the main thread waits for a rest to begin; it may hold what the stop before it needs."""
+
 _LONGEST_SPEECH = 2400
 """Moments that the voice may take behind the end: two minutes."""
 
 
 @contextmanager
 def stopped_by_signals(stop: Callable[[], None]) -> Iterator[threading.Event]:
-    """Any of them, any number of times, calls ``stop`` and sets the event."""
+    """Any of them, any number of times, sets the event and has ``stop`` called, in another thread."""
     stopped = threading.Event()
 
-    def heard(_number: int, _frame: FrameType | None) -> None:
+    def heed() -> None:
         stopped.set()
         stop()
 
-    numbers = [getattr(signal, name) for name in _SIGNALS if hasattr(signal, name)]
-    before = {number: signal.signal(number, heard) for number in numbers}
-    try:
+    with closing(Deputy()) as deputy, heard_signals(lambda: deputy.do(heed)):
         yield stopped
+
+
+@contextmanager
+def heard_signals(heard: Callable[[], None]) -> Iterator[None]:
+    """Any of them calls ``heard``, in the midst of whatever the main thread does: it must take no lock."""
+
+    def handle(_number: int, _frame: FrameType | None) -> None:
+        heard()
+
+    numbers = [getattr(signal, name) for name in _SIGNALS if hasattr(signal, name)]
+    before = {number: signal.signal(number, handle) for number in numbers}
+    try:
+        yield
     finally:
         for number, handler in before.items():
             signal.signal(number, handler)
@@ -39,10 +54,10 @@ def stopped_by_signals(stop: Callable[[], None]) -> Iterator[threading.Event]:
 
 @contextmanager
 def stopped_by_suspension(stop: Callable[[], bool]) -> Iterator[threading.Event]:
-    """Ctrl+Z calls ``stop`` first; the event is set if that says that it had something to stop."""
+    """Ctrl+Z calls ``stop`` first, in another thread; the event is set if it had something to stop."""
     stopped = threading.Event()
 
-    def heard(_number: int, _frame: FrameType | None) -> None:
+    def rest() -> None:
         has_stopped = stop()
         if has_stopped:
             stopped.set()
@@ -52,11 +67,12 @@ def stopped_by_suspension(stop: Callable[[], bool]) -> Iterator[threading.Event]
     if number is None or signal.getsignal(number) is signal.SIG_IGN:
         yield stopped
         return
-    before = signal.signal(number, heard)
-    try:
-        yield stopped
-    finally:
-        signal.signal(number, before)
+    with closing(Deputy()) as deputy:
+        before = signal.signal(number, lambda *_: deputy.see_done(rest, _LONGEST_REST))
+        try:
+            yield stopped
+        finally:
+            signal.signal(number, before)
 
 
 def let_speak(is_quiet_within: Callable[[float], bool], stopped: threading.Event) -> None:

@@ -8,13 +8,12 @@ from __future__ import annotations
 import os
 import threading
 from collections.abc import Callable, Mapping, Sequence
-from itertools import count
 from typing import TextIO, cast
 
 from donnie_tui.bootstrap import Donnie, assemble
 from donnie_tui.cli import codes
 from donnie_tui.cli.assigning import assign, read_programs
-from donnie_tui.cli.ending import let_speak, stopped_by_signals, stopped_by_suspension
+from donnie_tui.cli.ending import heard_signals, let_speak, stopped_by_signals, stopped_by_suspension
 from donnie_tui.cli.order import Order
 from donnie_tui.cli.output import Guarded, Output
 from donnie_tui.core.events import Answered, Outcome, Stamped
@@ -67,22 +66,24 @@ def _run(order: Order, files: Sequence[str], *, trace: bool) -> int:
 
 def _assembled(order: Order) -> Donnie:
     """With its robot. A signal meanwhile ends that as a failure does: what was opened is stopped."""
-    search, signals = Search(), count()
+    search, given_up = Search(), False
 
     def give_up() -> None:
-        if next(signals) == 0 and not search.give_up():  # one more must not end the closing
+        nonlocal given_up
+        is_first, given_up = not given_up, True
+        if is_first and not search.give_up():  # one more must not end the closing
             raise KeyboardInterrupt
 
-    with stopped_by_signals(give_up) as stopped:
+    with heard_signals(give_up):
         try:
             donnie = assemble(
                 order.settings, terminal=False, out=cast(TextIO, Guarded(order.output)), search=search
             )
         except Unusable:
-            if stopped.is_set():
+            if given_up:
                 raise KeyboardInterrupt from None
             raise
-        if stopped.is_set():  # too late for the search
+        if given_up:  # too late for the search
             donnie.close()
             raise KeyboardInterrupt
     return donnie

@@ -2,8 +2,8 @@
 
 Rule: signals do nothing by themselves but wake whoever waits; what follows from them is decided in the
 main thread, between two steps and never in the middle of one. The exceptions are a terminal that takes no
-more output and a search for a robot: then Ctrl+C could not be noticed, so it calls ``stop_at_once`` or
-``give_up`` itself.
+more output and a search for a robot: then Ctrl+C could not be noticed, so it has ``stop_at_once``
+called in another thread, or calls ``give_up``, which takes no lock, itself.
 """
 
 from __future__ import annotations
@@ -15,6 +15,7 @@ import signal
 import time
 from collections.abc import Callable
 
+from donnie_tui.deputy import Deputy
 from donnie_tui.linear.terminal import Terminal, size
 from donnie_tui.suspending import suspend
 
@@ -51,6 +52,7 @@ class Console:
         """What stands on the current line, to be written again after a suspension."""
         self._terminal = terminal
         self._is_writing = False
+        self._deputy = Deputy()
         self._reading_end, self._writing_end = os.pipe()
         os.set_blocking(self._reading_end, False)
         os.set_blocking(self._writing_end, False)
@@ -166,7 +168,7 @@ class Console:
             self._has_given_up = self._has_given_up or number == signal.SIGINT
         if number != signal.SIGTSTP and self._is_writing:
             self._is_writing = False
-            self.stop_at_once()
+            self._deputy.do(self.stop_at_once)
 
     # --- writing
 
@@ -191,6 +193,7 @@ class Console:
         signal.set_wakeup_fd(self._found_fd)
         for number, handler in self._found.items():
             signal.signal(number, handler)
+        self._deputy.close()
         os.close(self._reading_end)
         os.close(self._writing_end)
 

@@ -1,0 +1,102 @@
+"""A signal interrupts the main thread in the midst of anything: what it asks for never waits for that."""
+
+from __future__ import annotations
+
+import os
+import signal
+import threading
+from collections.abc import Callable
+
+import pytest
+
+from donnie_tui.cli import ending
+from donnie_tui.cli.ending import stopped_by_signals, stopped_by_suspension
+from donnie_tui.linear.console import Console
+
+PATIENCE = 5
+
+
+class Held:
+    """A lock that the main thread holds while the signal comes, and that the stop needs."""
+
+    def __init__(self) -> None:
+        self.lock = threading.Lock()
+        self.got: list[bool] = []
+
+    def stop(self) -> bool:
+        got = self.lock.acquire(timeout=PATIENCE)
+        self.got.append(got)
+        if got:
+            self.lock.release()
+        return got
+
+    def interrupted_by(self, *numbers: signal.Signals) -> None:
+        with self.lock:
+            for number in numbers:
+                signal.raise_signal(number)
+
+
+def test_a_stop_gets_the_lock_that_the_interrupted_code_held() -> None:
+    held = Held()
+    with stopped_by_signals(lambda: _nothing(held.stop())) as stopped:
+        held.interrupted_by(signal.SIGINT, signal.SIGTERM, signal.SIGINT)
+        assert stopped.wait(PATIENCE)
+
+    assert held.got == [True, True, True], "all is done when it is left"
+
+
+def test_a_stop_that_fails_is_not_the_last_one(caplog: pytest.LogCaptureFixture) -> None:
+    done: list[str] = []
+
+    def stop() -> None:
+        done.append("stop")
+        if len(done) == 1:
+            raise OSError
+
+    with stopped_by_signals(stop):
+        signal.raise_signal(signal.SIGINT)
+        signal.raise_signal(signal.SIGINT)
+
+    assert done == ["stop", "stop"]
+    assert "what a signal asked for failed" in caplog.text
+
+
+@pytest.mark.skipif(not hasattr(signal, "SIGTSTP"), reason="no Ctrl+Z here")
+def test_a_rest_begins_behind_the_stop_that_needed_what_was_held(monkeypatch: pytest.MonkeyPatch) -> None:
+    held, rests = Held(), list[list[bool]]()
+    monkeypatch.setattr(ending, "suspend", lambda **_: rests.append(list(held.got)))
+    monkeypatch.setattr(ending, "_LONGEST_REST", 0.01)
+    with stopped_by_suspension(held.stop) as rested:
+        held.interrupted_by(signal.SIGTSTP)
+
+    assert rests == [[True]]
+    assert rested.is_set()
+
+
+def test_a_terminal_that_takes_nothing_lets_a_stop_have_what_the_writer_holds(
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    held, console = Held(), Console(None)
+    console.stop_at_once = lambda: _nothing(held.stop())
+
+    def full(_number: int, data: memoryview) -> int:
+        held.interrupted_by(signal.SIGINT, signal.SIGINT)
+        return len(data)
+
+    try:
+        monkeypatch.setattr("donnie_tui.linear.console.os.write", _once(full))
+        console.write("x")
+    finally:
+        monkeypatch.undo()
+        console.close()
+
+    assert held.got == [True]
+
+
+def _once(full: Callable[[int, memoryview], int]) -> Callable[[int, memoryview], int]:
+    write = os.write
+    return lambda number, data: full(number, data) if number == 1 else write(number, data)
+
+
+def _nothing(_: object) -> None:
+    return
