@@ -33,11 +33,15 @@ def _robot(desk: Desk, _: Runs, rest: str) -> bool:
     return bool(rest)
 
 
-def _start(desk: Desk, _: Runs, rest: str) -> bool:
+def _start(desk: Desk, runs: Runs, rest: str) -> bool:
+    """Nothing is waited for but what a mistake of form makes of it: else the robot is still busy with that."""
+    text = desk.program.text
     if rest:
         return False
-    if desk.program.text.strip():
-        team_words.start(desk.donnie, desk.program.text, _name(desk.program))
+    if text.strip():
+        run = team_words.start(desk.donnie, text, _name(desk.program))
+        if desk.session.parse(text).program is None:
+            runs.watch_deed(lambda: run)
     else:
         desk.answer("answer-nothing-to-run")
     return True

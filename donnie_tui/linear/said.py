@@ -128,7 +128,7 @@ def _explain(desk: Desk) -> None:
         desk.answer("answer-no-errors")
         return
     error = desk.errors[-1 if desk.error_at is None else desk.error_at]
-    desk.answer(f"explain-{error.kind}")
+    desk.answer_of_robot(f"explain-{error.kind}")
     desk.answer(f"mend-{error.kind}")
     if desk.program.lines[error.line - 1 : error.line] == (error.source_line,):
         go_to(desk, error.line)

@@ -78,7 +78,7 @@ def _trail(desk: Desk, count: int) -> None:
 
 def _sensors(desk: Desk) -> None:
     if desk.donnie.connection.is_real:
-        desk.answer("sensors-real")
+        desk.answer_of_robot("sensors-real")
     else:
         desk.tell(*sensors_in_words(desk.donnie.mounted(), shown_name(desk.session.name), desk.say))
 

@@ -13,7 +13,9 @@ MOST_LINES = 6
 
 
 def _tour(desk: Desk) -> None:
-    """From where it was left."""
+    """From where it was left; whoever tries things must know which robot does them."""
+    if desk.donnie.team.has_several:
+        desk.answer("robot-chosen", name=desk.session.name)
     _page(desk, desk.tour_page)
 
 

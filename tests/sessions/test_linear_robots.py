@@ -73,6 +73,17 @@ def test_what_is_told_of_the_world_says_for_which_robot(tmp_path: Path) -> None:
     ]
 
 
+def test_what_is_told_of_sensors_mistakes_and_on_the_tour_says_for_which_robot(tmp_path: Path) -> None:
+    typed = "ROBOT bob\nSENSORS\nNEAR\nFWD 1\n\nEXPLAIN\nTOUR\nQUIT\n"
+    done = donnie(tmp_path, "--linear", *QUIET, "--world", "two_robots", typed=typed)
+
+    told = done.stdout.decode().splitlines()
+    assert "bob has:" in told
+    assert "bob: No things within 10 steps." in told
+    assert "bob: Donnie does not know this word." in told
+    assert told[told.index("Welcome. Donnie is a robot on a floor.") - 1] == "You talk to bob."
+
+
 def test_a_program_with_a_mistake_does_not_begin(tmp_path: Path) -> None:
     typed = "FWD 2\nFW 1\nSTART\nDELETE 1\nSTART\nNEW\nQUIT\n"
     done = donnie(tmp_path, "--linear", *QUIET, "--speed", "max", typed=typed)

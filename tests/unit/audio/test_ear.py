@@ -13,6 +13,7 @@ from devices.speech.ear import for_the_ear
         ("At -4, 1.", "At minus 4, 1.", "At menos 4, 1.", "At menos 4, 1."),
         ("(-2)", "( minus 2)", "( menos 2)", "( menos 2)"),
         ("5-3", "5 minus 3", "5 menos 3", "5 menos 3"),
+        ("x-3", "x minus 3", "x menos 3", "x menos 3"),
         ("x - 3", "x minus 3", "x menos 3", "x menos 3"),
         ("-x", "minus x", "menos x", "menos x"),
         ("\u22123", "minus 3", "menos 3", "menos 3"),

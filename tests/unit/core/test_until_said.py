@@ -31,3 +31,12 @@ def test_a_voice_that_hangs_holds_nobody_for_ever() -> None:
     until_said.is_quiet_within = lambda seconds: asked.append(seconds) is not None
     until_said.wait(lambda: True)
     assert sum(asked) <= LONGEST + SLICE
+
+
+def test_a_stop_is_looked_for_each_twentieth_of_a_second_and_half_a_minute_is_the_longest() -> None:
+    asked: list[float] = []
+    until_said = UntilSaid()
+    until_said.is_quiet_within = lambda seconds: asked.append(seconds) is not None
+    until_said.wait(lambda: True)
+
+    assert asked == [0.05] * 600

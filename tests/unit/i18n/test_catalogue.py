@@ -101,6 +101,35 @@ WORDLESS = {"kind-answer"}
 """Labels that are left out on purpose."""
 
 
+AS_IN_ENGLISH = {
+    "cell-robot": ("pt", "es"),
+    "cue-volume": ("pt",),
+    "doctor-reset-package-remedy": ("pt", "es"),
+    "doctor-version": ("pt", "es"),
+    "help-program-words": ("pt", "es"),
+    "help-typed-robot": ("pt", "es"),
+    "help-typed-text-file": ("pt", "es"),
+    "inspector-variables": ("es",),
+    "key-linear": ("pt",),
+    "key-robots": ("es",),
+    "key-show_variables": ("es",),
+    "kind-error": ("es",),
+    "kind-link": ("es",),
+    "pane-inspector": ("es",),
+    "reading-colour": ("es",),
+    "report-title": ("pt", "es"),
+    "setting-mouse": ("pt",),
+    "speed-max": ("pt", "es"),
+    "spell-tilde": ("es",),
+    "status-inspector": ("es",),
+    "thing-cone": ("pt",),
+    "value-speech-ssip": ("pt", "es"),
+    "value-verbosity-normal": ("pt", "es"),
+    "world-robots": ("es",),
+}
+"""Texts with the same words in these languages, names among them."""
+
+
 def all_texts() -> Iterator[tuple[str, str]]:
     for code, sentence in SENTENCES.items():
         for detail in DETAILS:
@@ -149,6 +178,25 @@ def test_a_sentence_begins_with_a_word() -> None:
 
     told = [(where, text) for where, text in texts if not LEGEND.match(where)]
     assert [where for where, text in told if not text.lstrip("¿¡")[0].isalnum()] == []
+
+
+def test_no_sentence_stands_in_english_where_another_language_belongs() -> None:
+    """Words that are the same there are listed; names and files have none to translate."""
+
+    def has_words(text: str) -> bool:
+        return re.search("[A-Za-z]{3}", re.sub(r"\{[^}]*\}", "", text)) is not None
+
+    same = {
+        f"{code} {language}"
+        for code, sentence in SENTENCES.items()
+        for detail in DETAILS
+        for language in ("pt", "es")
+        if has_words(sentence.text("en", detail))
+        and sentence.text(language, detail) == sentence.text("en", detail)
+    }
+    assert same == {
+        f"{code} {language}" for code, languages in AS_IN_ENGLISH.items() for language in languages
+    }
 
 
 def test_every_topic_is_found() -> None:

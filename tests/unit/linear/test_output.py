@@ -96,6 +96,13 @@ def test_a_small_terminal_gets_smaller_blocks() -> None:
     assert [text.count("\n") for text in paper.texts] == [4, 4]
 
 
+def test_a_large_terminal_gets_no_larger_blocks_than_a_reader_keeps_up_with() -> None:
+    paper = Paper(rows=50)
+    Output(paper, paced=True).show(numbered(40))
+
+    assert [text.count("\n") for text in paper.texts] == [18, 18, 4]
+
+
 def test_lines_that_come_one_by_one_are_paced_too() -> None:
     paper = Paper()
     output = Output(paper, paced=True)
