@@ -34,7 +34,7 @@ def _robot(desk: Desk, _: Runs, rest: str) -> bool:
 
 
 def _start(desk: Desk, runs: Runs, rest: str) -> bool:
-    """Nothing is waited for but what a mistake of form makes of it: else the robot is still busy with that."""
+    """Nothing is waited for but what a mistake of form makes of it: else the robot is busy with that."""
     text = desk.program.text
     if rest:
         return False
