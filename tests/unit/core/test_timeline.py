@@ -12,6 +12,7 @@ from donnie_tui.core.events import (
     Event,
     Moved,
     Passing,
+    PlacedThing,
     Read,
     Reset,
     Spoke,
@@ -140,6 +141,19 @@ def test_a_trail_begins_anew_with_a_reset() -> None:
     timeline.back()
     timeline.back()
     assert timeline.trail() == (Pose(0, 1, 0),)
+
+
+def test_things_go_back_to_where_they_were() -> None:
+    first, second = (PlacedThing("box", Pose(x, 0, 0)) for x in (1, 2))
+    stamped = [Stamped(1, 0.0, ThingsMoved((first,))), Stamped(2, 0.0, ThingsMoved((second,)))]
+    timeline = Timeline(stamped)
+    timeline.go_to(2)
+
+    there = [timeline.things]
+    while timeline.back():
+        there.append(timeline.things)
+
+    assert there == [(second,), (first,), ()]
 
 
 def test_each_robot_has_its_own_place_and_is_named() -> None:

@@ -199,6 +199,18 @@ def test_a_car_bumps_on_its_circle() -> None:
     assert turned.pose.x * 0.05 < 0.35
 
 
+def test_a_car_that_sees_an_obstacle_on_its_circle_stops_before_it() -> None:
+    """0.1 m from its middle to the sensor: less than a step is left before the wall, and nothing touches."""
+    sonar = "ranger( sensor( pose [ 0.1 0 0 0 ] range [ 0 3 ] fov 0 samples 1 ) )"
+    car = driven(f'drive "car" wheelbase 0.5 {sonar}', "model( size [ 4 0.1 1 ] pose [ 0 0.45 0 0 ] )")
+
+    turned = car.turn(90)
+
+    assert turned.stopped_by is StoppedBy.OBSTACLE
+    assert 0 < turned.turned < 90
+    assert turned.pose.y * 0.05 < 0.4 - 0.1 - 0.05
+
+
 def test_a_car_with_a_wide_circle_tells_every_ten_degrees() -> None:
     diary = Diary()
     text = 'define it position ( size [ 0.2 0.1 0.1 ] drive "car" wheelbase 8 )\nit( pose [ 0 0 0 90 ] )'
@@ -234,6 +246,17 @@ def test_the_same_seed_errs_the_same_and_another_otherwise() -> None:
 
     assert run(7) == run(7)
     assert run(7) != run(8)
+
+
+def test_the_error_is_to_either_side_by_half_of_what_the_world_says() -> None:
+    settings = 'localization "odom" odom_error [ 0.2 0 0 0.4 ]'
+
+    robots = [driven(settings, seed=seed) for seed in range(1, 41)]
+    along = [robot.forward(100).pose.y for robot in robots]
+    turns = [robot.turn(100).pose.heading for robot in robots]
+
+    assert 90 <= min(along) < 92 < 108 < max(along) <= 110
+    assert 80 <= min(turns) < 84 < 116 < max(turns) <= 120
 
 
 def test_without_a_seed_nothing_errs() -> None:

@@ -59,6 +59,13 @@ def test_things_beside_the_way_stay() -> None:
     assert things(world) == []
 
 
+def test_a_thing_is_pushed_over_a_floor_that_is_drawn_as_a_box() -> None:
+    world = World(scene(PUSHER + "model( size [ 4 4 0.5 ] )" + BOX.format(0.3, 0)))
+
+    assert world.robot(pace=Unpaced()).forward(10).walked == 10
+    assert things(world) == [(0.65, 0)]
+
+
 def test_nothing_is_pushed_into_another_robot() -> None:
     world = World(scene(PUSHER + BOX.format(0.3, 0) + 'blind( name "bob" pose [ 0.6 0 0 0 ] )'))
 
@@ -174,6 +181,23 @@ def test_gripping_says_what_is_the_matter() -> None:
     assert robot.grip().outcome is Grip.NOTHING_THERE
 
 
+def test_what_was_released_is_no_part_of_the_body_any_more() -> None:
+    """It goes as far towards a wall behind it as one that never held anything."""
+    behind = WALL.format(-0.6)
+    world = World(scene(GRIPPER + "ball( pose [ 0.23 0 0 0 ] )" + behind))
+    robot, never = (world.robot(pace=Unpaced()), World(scene(GRIPPER + behind)).robot(pace=Unpaced()))
+    assert (robot.grip().outcome, robot.release().outcome) == (Grip.GRIPPED, Grip.RELEASED)
+
+    ends = []
+    for each in (robot, never):
+        each.backward(2)
+        each.turn(180)
+        ends.append(each.forward(20))
+
+    assert ends[0] == ends[1]
+    assert ends[0].walked > 2
+
+
 def test_a_robot_without_a_gripper_says_so() -> None:
     robot = World(scene(PUSHER)).robot(pace=Unpaced())
 
@@ -195,6 +219,30 @@ def test_what_one_holds_another_cannot_take_nor_push() -> None:
     assert met.stopped_by is StoppedBy.COLLISION
     assert bob.grip().outcome is Grip.NOTHING_THERE
     assert things(world) == []
+
+
+def test_what_one_holds_is_a_wall_to_another_that_comes_between_its_paddles() -> None:
+    narrow = "define narrow position ( size [ 0.2 0.02 0.1 ] ranger( sonar( pose [ 0 0 0 90 ] ) ) )\n"
+    ball = "ball( pose [ 0.23 0 0 0 ] pushable 1 )"
+    world = World(scene(GRIPPER + narrow + ball + 'narrow( name "bob" pose [ 0.6 0 0 180 ] )'))
+    assert world.robot(pace=Unpaced()).grip().outcome is Grip.GRIPPED
+
+    met = world.robot("bob", pace=Unpaced()).forward(20)
+
+    assert met.stopped_by is StoppedBy.COLLISION
+    assert met.pose.x * 0.05 == pytest.approx(0.23 + 0.025 + 0.1, abs=0.001)
+    assert things(world) == []
+
+
+def test_what_one_holds_stays_in_its_gripper_when_another_is_reset() -> None:
+    world = World(scene(GRIPPER + "ball( pose [ 0.23 0 0 0 ] )" + 'blind( name "bob" pose [ 0 2 0 0 ] )'))
+    robot, bob = world.robot(pace=Unpaced()), world.robot("bob", pace=Unpaced())
+    robot.grip()
+    robot.turn(90)
+
+    bob.reset()
+
+    assert things(world) == [(0, -0.23)]
 
 
 def test_a_robot_is_never_pushed_whatever_its_file_says() -> None:

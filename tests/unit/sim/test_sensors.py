@@ -231,6 +231,19 @@ def test_colours_are_compared_as_stage_compares_them_and_told_as_families() -> N
     assert [s.colour for s in it.scan()] == ["green", "blue"]
 
 
+def test_of_more_colours_than_their_count_only_the_first_are_seen() -> None:
+    things = [
+        f'thing( pose [ {x} 1 0 0 ] color "{name}" )'
+        for x, name in ((-0.3, "red"), (0, "green"), (0.3, "blue"))
+    ]
+    it = robot(
+        IDEAL.replace("colors_count 3", "colors_count 2") + "ideal( pose [ 0 0 0 90 ] )" + "\n".join(things)
+    )
+
+    assert it.colours == {"red", "green"}
+    assert {seen.colour for seen in it.scan()} == {"red", "green"}
+
+
 def test_blob_return_zero_is_invisible_to_the_camera() -> None:
     it = robot(IDEAL + 'ideal( pose [ 0 0 0 90 ] ) box( blob_return 0 color "red" pose [ 0 1 0 0 ] )')
 

@@ -108,6 +108,41 @@ def test_two_that_see_nothing_bump_into_each_other_and_both_can_leave() -> None:
     assert {moved.stopped_by for moved in left.values()} == {None}
 
 
+@pytest.mark.parametrize("further", [0.001, 0.003, 0.004, 0.006])
+def test_two_that_come_to_the_same_place_in_one_tick_do_not_reach_into_each_other(further: float) -> None:
+    """Both found the last bit of the way free; who goes second finds it taken."""
+    blind = f'blind( name "alice" pose [ 0 0 0 0 ] ) blind( name "bob" pose [ {1 + further} 0 0 180 ] )'
+    company, ends = Company(scene(BOX_ROBOT + blind)), {}
+
+    def walks(robot: SimulatedRobot) -> None:
+        ends[robot.name] = robot.forward(20)
+
+    company.run({"alice": walks, "bob": walks})
+
+    assert {moved.stopped_by for moved in ends.values()} == {StoppedBy.COLLISION}
+    assert 0 <= (ends["bob"].pose.x - ends["alice"].pose.x) * 0.05 - 0.2 < 0.001
+
+
+def test_after_a_reset_the_time_of_the_world_goes_on() -> None:
+    company = Company(scene(APART))
+
+    def anew(robot: SimulatedRobot) -> None:
+        robot.wait(3)
+        robot.reset()
+        company.log.append(("alice", robot.time()))
+        robot.wait(2)
+        company.log.append(("alice", robot.time()))
+
+    def waits(robot: SimulatedRobot) -> None:
+        for _ in range(3):
+            robot.wait(2)
+            company.log.append(("bob", robot.time()))
+
+    log = company.run({"alice": anew, "bob": waits})
+
+    assert log == [("bob", 2), ("alice", 0), ("bob", 4), ("alice", 2), ("bob", 6)]
+
+
 def test_a_robot_that_did_not_join_acts_at_once_and_holds_up_nobody() -> None:
     world = World(scene(APART))
     alice, bob = (world.robot(name, pace=Unpaced()) for name in ("alice", "bob"))
