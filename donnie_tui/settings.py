@@ -289,6 +289,11 @@ def _one_of(words: tuple[str, ...]) -> Callable[[str], str]:
     return read
 
 
+def _read_speech(text: str) -> str:
+    """``on`` is the own voice, whatever would be chosen."""
+    return "tts" if text.strip().lower() == "on" else _one_of(SPEECH)(text)
+
+
 def _read_progress(text: str) -> str:
     if not 0 <= int(text) <= LONGEST_PROGRESS:
         raise ValueError(text)
@@ -333,7 +338,7 @@ KEYS = (
     Key("lang", "language", _read_language, "en, pt, es"),
     Key("speed", "speed", read_speed, f"{SLOWEST:g}-{FASTEST:g}, max"),
     Key("seed", "seed", _read_seed, "0, 1, 2 ..."),
-    Key("speech", "speech", _one_of(SPEECH), ", ".join(SPEECH)),
+    Key("speech", "speech", _read_speech, ", ".join(SPEECH)),
     Key("sound", "sound", read_sound, SOUND_WANTED),
     Key("speak", "speak", _one_of(SPEAK), ", ".join(SPEAK)),
     Key("rate", "rate", read_rate, RATE_WANTED),

@@ -38,6 +38,9 @@ CUE_WORDS: Mapping[str, Spelled] = {
 
 _SWITCH: Mapping[object, Spelled] = {False: ("off", "não", "no"), True: ("on", "sim", "sí")}
 
+_ALSO: Mapping[str, tuple[tuple[object, Spelled], ...]] = {"speech": (("tts", _SWITCH[True]),)}
+"""What is understood besides, and not offered."""
+
 SETTINGS: Mapping[str, tuple[Spelled, Mapping[object, Spelled]]] = {
     "speech": (
         ("speech", "fala", "voz"),
@@ -215,7 +218,7 @@ def set_sound(donnie: Donnie, field: str, typed: str) -> None:
 
 def _read(field: str, typed: str) -> str | int | bool | None:
     folded = fold_name(typed)
-    for value, words in SETTINGS[field][1].items():
+    for value, words in (*SETTINGS[field][1].items(), *_ALSO.get(field, ())):
         if folded and folded in map(fold_name, (*words, str(value))):
             assert isinstance(value, str | bool)
             return value

@@ -19,6 +19,13 @@ def test_without_any_source_the_defaults_count() -> None:
     assert notices == ()
 
 
+def test_speech_on_is_the_own_voice() -> None:
+    """V1: ``speech = auto / on / off``."""
+    assert resolve({}, {}, {"speech": "on"})[0].speech == "tts"
+    assert resolve({"speech": "ON"}, {}, {})[0].speech == "tts"
+    assert resolve({}, {}, {"speech": "off"})[0].speech == "off"
+
+
 @pytest.mark.parametrize(
     ("options", "variables", "file", "speed", "source"),
     [

@@ -143,6 +143,7 @@ def test_a_block_sounds_higher_the_deeper_it_is_and_closing_sounds_otherwise(hom
         ("eco palavras", "key_echo", "words", "Set echo: words.", "words"),
         ("wait on", "wait_for_speech", True, "Set wait: on.", "on"),
         ("speech off", "speech", "off", "Set speech: off.", "off"),
+        ("speech on", "speech", "tts", "Set speech: own.", "tts"),
     ],
 )
 def test_a_setting_counts_at_once_and_is_kept(
