@@ -6,10 +6,12 @@ goes on without it. What writes is loaded for who asked for it: few do.
 
 from __future__ import annotations
 
+import os
 from collections.abc import Callable
 from contextlib import ExitStack, suppress
 from pathlib import Path
-from typing import TYPE_CHECKING, TextIO
+from stat import S_ISFIFO
+from typing import TYPE_CHECKING, TextIO, cast
 
 import worlds
 from donnie_tui import __version__
@@ -24,6 +26,10 @@ from donnie_tui.world_choice import ChosenWorld, files_of
 if TYPE_CHECKING:
     from donnie_tui.core.recording import Header
     from donnie_tui.world_bundle import WorldBundle
+
+
+HIGHEST_STANDARD = 2
+"""Standard output is waited for: who reads a whole run there wants all of it."""
 
 
 class Written:
@@ -47,7 +53,7 @@ class Written:
         out = standard_output if name == "-" else self._open(name)
         if out is None:
             raise Unusable(self._words("events-need-run"))
-        self._subscribe_lines(out, name)
+        self._subscribe_lines(self._not_waited_for(out), name)
 
     def recording(self, world: ChosenWorld) -> None:
         """Everything that is needed to tell it again and to run it again, if somebody asked."""
@@ -79,6 +85,16 @@ class Written:
         except OSError as problem:
             raise self._unwritable("Log", problem) from None
         self._hub.subscribe(ToldLog(out, self._words))
+
+    def _not_waited_for(self, out: TextIO) -> TextIO:
+        """A pipe with a name may have a reader that does not read: nobody waits for that one."""
+        if not is_named_pipe(out):
+            return out
+        from donnie_tui.core.slow_reader import SlowReader
+
+        reader = SlowReader(out.fileno())
+        self._closing.callback(reader.close)
+        return cast(TextIO, reader)
 
     def _header(self, world: ChosenWorld) -> Header:
         from donnie_tui.core.recording import Header
@@ -131,6 +147,14 @@ def bundle_of(world: ChosenWorld, settings: Settings) -> WorldBundle:
     robots = list(world.scene.robot_names)
     folders = (*settings.world_folders, worlds.SCENES)
     return pack(world.name, world.path, [str(each) for each in files_of(world)], folders, robots)
+
+
+def is_named_pipe(out: TextIO) -> bool:
+    """Whether it was opened by its name, and not as our standard output."""
+    try:
+        return out.fileno() > HIGHEST_STANDARD and S_ISFIFO(os.fstat(out.fileno()).st_mode)
+    except (OSError, AttributeError, ValueError):  # no file at all
+        return False
 
 
 def _reason(problem: OSError | ValueError) -> str:

@@ -3,7 +3,9 @@
 from __future__ import annotations
 
 import json
+import os
 import signal
+import threading
 from pathlib import Path
 from typing import Any
 
@@ -293,3 +295,28 @@ def test_a_signal_stops_every_robot(tmp_path: Path) -> None:
     ended = [each for each in records(b"".join(seen) + rest) if each["event"] == "run_ended"]
     assert (running.returncode, complaints) == (130, b"")
     assert {(each["robot"], each["outcome"]) for each in ended} == {("alice", "stopped"), ("bob", "stopped")}
+
+
+@pytest.mark.parametrize("is_read", [True, False])
+def test_a_pipe_of_events_that_nobody_reads_holds_no_program(is_read: bool, tmp_path: Path) -> None:
+    """Who reads it gets every line; 4,000 are more than a pipe holds."""
+    os.mkfifo(tmp_path / "events")
+    end = os.open(tmp_path / "events", os.O_RDWR)  # so that it opens at once
+    (tmp_path / "a.gd").write_text("REPEAT 4000 TIMES\nSPEAK 1\nEND REPEAT\nSPEAK 2")
+    read = bytearray()
+
+    def take() -> None:
+        while b'"run_ended"' not in read or not read.endswith(b"\n"):
+            read.extend(os.read(end, 4_096))
+
+    taking = threading.Thread(target=take, daemon=True)
+    if is_read:
+        taking.start()
+    ended = donnie(tmp_path, "run", *QUIET, "--events", "events", "a.gd")
+    if is_read:
+        taking.join(PATIENCE)
+        assert len([each for each in records(bytes(read)) if each["event"] == "spoke"]) == 4_001
+    os.close(end)
+
+    assert ended.returncode == 0
+    assert ended.stdout.decode().split() == ["1"] * 4_000 + ["2"]

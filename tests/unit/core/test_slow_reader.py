@@ -1,0 +1,71 @@
+"""Lines for somebody who reads slowly, or not at all, or goes away."""
+
+from __future__ import annotations
+
+import os
+import threading
+from collections.abc import Iterator
+
+import pytest
+
+from donnie_tui.core import slow_reader
+from donnie_tui.core.slow_reader import SlowReader
+
+Pipe = tuple[int, int]
+
+
+@pytest.fixture
+def pipe() -> Iterator[Pipe]:
+    ends = os.pipe()
+    yield ends
+    for each in ends:
+        os.close(each)
+
+
+def test_all_lines_come_in_their_order_also_those_that_wait_at_the_end(pipe: Pipe) -> None:
+    lines = [f"{number} {'é' * 50}\n" for number in range(5_000)]  # more than a pipe holds
+    reader, read = SlowReader(pipe[1]), bytearray()
+
+    def take() -> None:
+        while not read.endswith(lines[-1].encode()):
+            read.extend(os.read(pipe[0], 1_000))
+
+    for line in lines:
+        reader.write(line)
+    taking = threading.Thread(target=take)
+    taking.start()
+    reader.close()
+    taking.join()
+    assert read.decode() == "".join(lines)
+
+
+def test_who_does_not_read_holds_nobody_and_is_told_of_once_too_much_waits(
+    pipe: Pipe, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr(slow_reader, "PATIENCE", 0.0)
+    reader = SlowReader(pipe[1])
+    with pytest.raises(OSError, match=os.strerror(11)):
+        for _ in range(2 * slow_reader.MOST_WAITING):
+            reader.write("a line that is as long as an event\n")
+    reader.close()
+
+
+def test_a_reader_that_waits_at_the_end_is_not_waited_for_long(
+    pipe: Pipe, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr(slow_reader, "PATIENCE", 0.0)
+    reader = SlowReader(pipe[1])
+    reader.write("a" * 1_000_000)
+    reader.close()
+    assert reader.closed
+
+
+def test_a_reader_that_went_away_is_told_as_a_file_that_takes_no_more() -> None:
+    here, there = os.pipe()
+    os.close(here)
+    reader = SlowReader(there)
+    with pytest.raises(BrokenPipeError):
+        while True:
+            reader.write("a line\n")
+    reader.close()
+    os.close(there)
