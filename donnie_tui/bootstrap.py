@@ -113,11 +113,15 @@ class Donnie:
         return bool(self._written.lost)
 
     def stop_real_robot(self) -> bool:
-        """Before this process rests: a board would drive on by itself. True if it had something to stop."""
-        if not (self.connection.is_real and self.team.running):
-            return False
-        self.team.stop()
-        return True
+        """Before this process rests: a board would drive on by itself. True if it had something to stop.
+
+        Returns once the robot stands, or all was done that can be; also where it was stopped before.
+        """
+        is_running = self.connection.is_real and bool(self.team.running)
+        if is_running:
+            self.team.stop()
+        self.connection.wait_until_standing()
+        return is_running
 
     def close(self) -> None:
         """The robots stop first, whatever else takes its time."""

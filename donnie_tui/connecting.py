@@ -41,6 +41,9 @@ class Connectable(ResettableRobot, Protocol):
     def give_up(self) -> None:
         """Have ``connect`` end at once. A signal's handler may do it."""
 
+    def wait_until_standing(self) -> None:
+        """Behind a stop: until the robot stands. A signal's handler may do it."""
+
     def close(self) -> None: ...
 
 
@@ -122,6 +125,12 @@ class Connection:
                 raise Unusable(" ".join(self._told(problem))) from None
             finally:
                 self.search.end()
+
+    def wait_until_standing(self) -> None:
+        """Behind a stop, before this process rests or ends: until the robot stands, some 1.3 s at most."""
+        robot = self._now.robot
+        if robot is not None:
+            robot.wait_until_standing()
 
     def close(self) -> None:
         """Let go of the line; the robot is stopped."""

@@ -17,6 +17,7 @@ from typing import Protocol
 from devices.belt.frame import BAUD, OFF, frame
 from devices.belt.sender import PERIOD, BeltSender
 from devices.serial_port import GONE, PortProblem, open_port
+from devices.telling import Telling
 
 _LOG = logging.getLogger(__name__)
 
@@ -60,9 +61,9 @@ class SerialBelt:
     def __init__(
         self, port: str, on_news: Callable[[BeltNews], None], opened: Callable[[str], Line] = open_line
     ):
-        """Opens the port. Raises ``PortProblem``. ``on_news`` is called in the belt's own thread."""
+        """Opens the port. Raises ``PortProblem``. ``on_news`` is called in a thread of its own."""
         self._port = port
-        self._on_news = on_news
+        self._telling = Telling(port, on_news)
         self._open = opened
         self._line: Line | None = opened(port)
         self._sender = BeltSender()
@@ -130,7 +131,7 @@ class SerialBelt:
     def _lose(self, problem: Exception) -> None:
         _LOG.info("the belt's line failed: %s", problem)
         self._close_line()
-        self._on_news(BeltNews.LOST)
+        self._telling.tell(BeltNews.LOST)
 
     def _try_again(self) -> None:
         with self._changed:
@@ -143,7 +144,7 @@ class SerialBelt:
             return
         with self._changed:
             self._sender.start_over()
-        self._on_news(BeltNews.RESTORED)
+        self._telling.tell(BeltNews.RESTORED)
 
     def _turn_off(self) -> None:
         """Whatever happened before: the last thing on the line is a dark frame."""

@@ -76,6 +76,11 @@ class DoubleOnPty:
             for end in ends or ():
                 os.close(end)
 
+    def disturb(self, data: bytes) -> None:
+        """Give the board bytes that nobody wrote: noise, or half of a frame."""
+        with self._lock:
+            self.board.receive(data)
+
     def _live(self) -> None:
         then = time.monotonic()
         while not self._ending.wait(TURN):

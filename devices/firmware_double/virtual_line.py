@@ -14,11 +14,11 @@ from devices.wire.commands import Drive
 from devices.wire.connection import Action, Connection, Need, Write
 from devices.wire.link_config import LinkConfig
 from devices.wire.link_state import LinkState
+from devices.wire.stopping import LONGEST_STOP
 from devices.wire.telemetry import Telemetry
 
 LOOK = 0.01
 """Seconds between two looks at the line, as on a real one."""
-PARTING = 0.1
 
 
 class VirtualLine:
@@ -98,11 +98,19 @@ class VirtualLine:
     def give_up(self) -> None:
         """Of no effect: connecting takes no real time."""
 
+    def wait_until_standing(self) -> None:
+        """Of no effect: the board rests while nobody moves its time along."""
+
+    def wait_until_told(self) -> None:
+        """Of no effect: what happens is told where the time is moved along."""
+
     def close(self) -> None:
         if self.state is LinkState.CLOSED:
             return
         self.stop()
-        self.advance(PARTING)
+        ends = self._now + LONGEST_STOP
+        while not self._connection.is_standing and self._now < ends:
+            self._look()
         self._connection.close(self._now)
         self._is_open = False
 

@@ -17,17 +17,17 @@ from devices.ports.robot import LinkNews, RobotProblem
 from devices.serial_link.opening import Opening
 from devices.serial_link.port import OpenPort
 from devices.serial_port import GONE, PortProblem, reason_of
+from devices.telling import Telling
 from devices.wire.commands import STOP, Drive
 from devices.wire.connection import Connection, Need, Write
 from devices.wire.link_config import LinkConfig
 from devices.wire.link_state import LinkState
+from devices.wire.stopping import LONGEST_STOP
 from devices.wire.telemetry import Telemetry
 
 LOOK = 0.01
 """Seconds between two looks at the port: some eight frames come in that time."""
 SHORTEST = 0.001
-PARTING = 0.1
-"""Seconds that a stop is given to reach the board before the port is closed."""
 PATIENCE = 1.0
 """Seconds beyond the board's own time limit that ``connect`` waits, for the thread to say that it failed."""
 
@@ -54,13 +54,14 @@ class SerialLink:
         open_port: Callable[[str], OpenPort] = OpenPort,
         on_slow: Callable[[], object] | None = None,
     ) -> None:
-        """``port``: a path or a pyserial URL. ``on_event`` is told the news, from the link's own thread.
+        """``port``: a path or a pyserial URL. ``on_event`` is told the news in order, in a thread of
+        its own: it may wait for whatever it likes.
 
         ``on_slow`` is called once in the thread that connects, if that takes longer than a second.
         """
         self.name = port
         self._config = config or LinkConfig()
-        self._on_event = on_event
+        self._telling = Telling(port, on_event)
         self._open_port = open_port
         self._on_slow = on_slow
         self._slow_at = inf
@@ -156,18 +157,34 @@ class SerialLink:
             if self._on_slow is not None:
                 self._on_slow()
 
+    def wait_until_standing(self) -> None:
+        """Until a stop is over: the wheels stand, or all that can be done was. Any thread, any time."""
+        ends = self.now() + LONGEST_STOP
+        while not self._is_standing() and self.now() < ends:
+            _pause(LOOK)
+
+    def _is_standing(self) -> bool:
+        with self._lock:
+            return self._connection.is_standing
+
+    def wait_until_told(self) -> None:
+        """Until the news were heard, half a second at most."""
+        self._telling.wait()
+
     def close(self) -> None:
-        """Stop the robot, give that a moment to arrive, let go of the port. Any thread, any time."""
-        thread, self._thread = self._thread, None
+        """Stop the robot, wait until it stands, let go of the port. Any thread, any time; what is interrupted
+        is done again at the end of the process."""
+        thread = self._thread
         if thread is None:
             return
-        atexit.unregister(self.close)
         self.stop()
-        self._closing.wait(PARTING)
+        self.wait_until_standing()
         self._closing.set()
         self._wanted.set()
-        if thread is not threading.current_thread():
-            thread.join(PATIENCE)
+        thread.join(PATIENCE)
+        self.wait_until_told()
+        self._thread = None
+        atexit.unregister(self.close)
 
     # --- the link's own thread
 
@@ -266,14 +283,7 @@ class SerialLink:
         with self._lock:
             news = self._connection.take_news()
         for kind, reason in news:
-            self._tell_one(kind, reason or self.name)
-
-    def _tell_one(self, kind: LinkNews, reason: str) -> None:
-        try:
-            if self._on_event is not None:
-                self._on_event(kind, reason)
-        except Exception:  # noqa: BLE001 -- whoever listens must not be able to leave the robot without its line
-            _LOG.exception("a listener failed")
+            self._telling.tell(kind, reason or self.name)
 
     def _wait(self) -> None:
         with self._lock:

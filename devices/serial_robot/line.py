@@ -10,7 +10,7 @@ from devices.wire.telemetry import Telemetry
 
 
 class RobotLine(Protocol):
-    """A line to a board. Every method may be called from any thread and returns at once, but two."""
+    """A line to a board. Every method may be called from any thread and returns at once, but four."""
 
     @property
     def name(self) -> str:
@@ -47,5 +47,12 @@ class RobotLine(Protocol):
     def give_up(self) -> None:
         """Have ``connect`` end at once, with the problem ``given-up``. Any thread, a signal's handler too."""
 
+    def wait_until_standing(self) -> None:
+        """Until the robot stands after a stop, or all was done that can be: some 1.3 seconds at most, at once
+        if it stands. A line whose time goes on only while it is driven returns at once."""
+
+    def wait_until_told(self) -> None:
+        """Until what was to be told of the line was heard, half a second at most."""
+
     def close(self) -> None:
-        """Stop the robot, wait a moment, let go of the port. Never raises."""
+        """Stop the robot, wait until it stands, let go of the port. Never raises."""

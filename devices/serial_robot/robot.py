@@ -101,8 +101,12 @@ class SerialRobot:
         """Have ``connect`` end at once, with ``given-up``. Any thread, a signal's handler too."""
         self._line.give_up()
 
+    def wait_until_standing(self) -> None:
+        """Behind a stop, before nobody looks after the robot any more. Any thread, a signal's handler too."""
+        self._line.wait_until_standing()
+
     def close(self) -> None:
-        """Stop the robot and let go of the port. Any thread; never raises."""
+        """Stop the robot, see it stand and let go of the port. Any thread; never raises."""
         self._line.close()
 
     def reset(self) -> None:
@@ -215,18 +219,24 @@ class SerialRobot:
     def _end_of(self, movement: Movement) -> StoppedBy | None:
         if movement.stopped_by is StoppedBy.LINK:
             self._lost_the_line = True
+            self._line.wait_until_told()
         return movement.stopped_by
 
     def _need_the_line(self) -> None:
         if self._lost_the_line or self._line.state is not LinkState.STREAMING:
             self._lost_the_line = False
-            raise RobotProblem("link-lost", port=self._line.name)
+            raise self._link_lost()
 
     def _need_the_same_line(self, era: int) -> None:
         """A line that was lost meanwhile is another one, even if it is back by now."""
         if self._line.telemetry.era != era or self._line.state is not LinkState.STREAMING:
             self._lost_the_line = True
-            raise RobotProblem("link-lost", port=self._line.name)
+            raise self._link_lost()
+
+    def _link_lost(self) -> RobotProblem:
+        """That it was lost is told before what follows from it."""
+        self._line.wait_until_told()
+        return RobotProblem("link-lost", port=self._line.name)
 
     # --- waiting and sensing
 

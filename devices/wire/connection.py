@@ -100,6 +100,12 @@ class Connection:
         self._millivolts: int | None = None
         self._now = 0.0
 
+    @property
+    def is_standing(self) -> bool:
+        """Whether nothing is left to be done for a stop: all was said, and the wheels were seen to stand."""
+        is_mute = self.state in (LinkState.CLOSED, LinkState.OPENING)
+        return self._stopping.is_over and (is_mute or not self._outbox.has_stops)
+
     # --- the owner's side: what happened to the port
 
     def open(self, now: float) -> None:

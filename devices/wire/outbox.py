@@ -38,6 +38,11 @@ class Outbox:
         """Whether everything was written, but for what is repeated."""
         return not (self._must_flush or self._must_configure or self._stops or self._waiting)
 
+    @property
+    def has_stops(self) -> bool:
+        """Whether a stop was asked for that was not written as often as it must."""
+        return self._stops > 0
+
     def flush(self) -> None:
         """Have zeros sent before anything else, to end what the board may hold half of."""
         self._must_flush = True

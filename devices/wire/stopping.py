@@ -12,6 +12,9 @@ from math import inf
 from devices.wire.link_config import LinkConfig
 from devices.wire.outbox import Outbox
 
+LONGEST_STOP = 1.3
+"""Seconds after which all was done that can be: twice ``runaway`` and a moment, with the usual times."""
+
 
 class _Stage(Enum):
     STANDING = auto()

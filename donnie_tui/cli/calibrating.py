@@ -151,6 +151,7 @@ def _halted(robot: MeasurableRobot) -> bool:
     halting = threading.Thread(target=robot.halt, daemon=True)
     halting.start()
     halting.join(_HALTED_WITHIN)
+    robot.wait_until_standing()
     return True
 
 

@@ -54,14 +54,15 @@ def heard_signals(heard: Callable[[], None]) -> Iterator[None]:
 
 @contextmanager
 def stopped_by_suspension(stop: Callable[[], bool]) -> Iterator[threading.Event]:
-    """Ctrl+Z calls ``stop`` first, in another thread; the event is set if it had something to stop."""
+    """Ctrl+Z calls ``stop`` first, in another thread; it returns once all stands. The event is set if it had
+    something to stop."""
     stopped = threading.Event()
 
     def rest() -> None:
         has_stopped = stop()
         if has_stopped:
             stopped.set()
-        suspend(after_stop=has_stopped)
+        suspend()
 
     number = getattr(signal, "SIGTSTP", None)
     if number is None or signal.getsignal(number) is signal.SIG_IGN:

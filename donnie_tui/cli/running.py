@@ -8,6 +8,7 @@ from __future__ import annotations
 import os
 import threading
 from collections.abc import Callable, Mapping, Sequence
+from contextlib import closing
 from typing import TextIO, cast
 
 from donnie_tui.bootstrap import Donnie, assemble
@@ -58,7 +59,7 @@ def _run(order: Order, files: Sequence[str], *, trace: bool) -> int:
         _tell_notices(order.settings, donnie, output)
         with_words = order.settings.events != "-"
         donnie.session.hub.subscribe(_printer(donnie, output, with_words=with_words))
-        code = _run_to_the_end(donnie, assigned, output, trace)
+        code = _run_to_the_end(donnie, assigned, output, trace)  # it closes behind itself
         return codes.UNUSABLE if donnie.has_lost_output else code
     finally:
         donnie.close()
@@ -95,21 +96,32 @@ def _run_to_the_end(donnie: Donnie, programs: Mapping[str, Assigned], output: Ou
     with (
         stopped_by_signals(donnie.team.stop) as stopped,
         stopped_by_suspension(donnie.stop_real_robot) as rested,
+        closing(donnie),  # one more signal must not end that
     ):
         started = donnie.team.start_together(programs, trace=trace, hooked=False)
         for each in started:
-            _await_end(each, stopped)
+            _await_end(each, stopped, donnie)
         if rested.is_set():
             output.complaint(donnie.words("suspended-stopped"))
         let_speak(donnie.is_quiet_within, stopped)
     return max(codes.FAILED if each.outcome is None else _CODE_OF[each.outcome] for each in started)
 
 
-def _await_end(run: Run, stopped: threading.Event) -> None:
-    """Wait for the run. One that was stopped and can't end, because nobody reads what it says, is left."""
+def _await_end(run: Run, stopped: threading.Event, donnie: Donnie) -> None:
+    """Wait for the run. One that was stopped and can't end, because nobody reads what it says, is left,
+    once its robot stands."""
     while not run.wait(_GLANCE):
         if stopped.is_set() and not run.wait(_LAST_WORDS):
-            os._exit(codes.STOPPED)
+            _leave_at_once(donnie)
+
+
+def _leave_at_once(donnie: Donnie) -> None:
+    """Nothing else is closed: whatever else there is may hang as well."""
+    try:
+        donnie.team.stop()
+        donnie.connection.close()
+    finally:
+        os._exit(codes.STOPPED)
 
 
 def _printer(donnie: Donnie, output: Output, *, with_words: bool) -> Callable[[Stamped], None]:

@@ -145,6 +145,7 @@ class LinearMode:
         self._desk.take_again = self._take_again
         self._runs = Runs(self._desk, told, self._wish_of, self._live)
         self._console = console
+        console.before_suspending = donnie.stop_real_robot
         if attended:
             console.on_key = donnie.audible.hush
         if self._editing:

@@ -3,7 +3,7 @@
 Rule: signals do nothing by themselves but wake whoever waits; what follows from them is decided in the
 main thread, between two steps and never in the middle of one. The exceptions are a terminal that takes no
 more output and a search for a robot: then Ctrl+C could not be noticed, so it has ``stop_at_once``
-called in another thread, or calls ``give_up``, which takes no lock, itself.
+called in another thread (Ctrl+Z ``before_suspending``), or calls ``give_up``, which takes no lock, itself.
 """
 
 from __future__ import annotations
@@ -40,8 +40,8 @@ class Console:
         self.give_up: Callable[[], bool] = _nothing_waits
         """Ends a search for a robot, during which nobody waits here; whether there was one."""
         self._has_given_up = False
-        self.before_suspending: Callable[[], bool] = _nothing_waits
-        """Stops what can't be left alone; whether there was such a thing."""
+        self.before_suspending: Callable[[], object] = _nothing
+        """Stops what can't be left alone, and returns once it stands."""
         self.on_key: Callable[[], None] | None = None
         """Called as soon as something is typed, Ctrl+C included, though nobody may read it for a while."""
         self.lines_wait: Callable[[], bool] = _nothing_waits
@@ -155,18 +155,22 @@ class Console:
 
     def _suspend(self) -> None:
         """Ctrl+Z: no robot drives, the terminal as it was, until we are brought back."""
-        has_stopped = self.before_suspending()
+        self.before_suspending()
         if self._terminal:
             self._terminal.give_back()
-        suspend(after_stop=has_stopped)
+        suspend()
         if self._terminal:
             self._terminal.take()
             self.write(self.repaint())
 
     def _heard(self, number: int, frame: object) -> None:  # noqa: ARG002 -- a signal handler is given both
-        if number != signal.SIGTSTP and self.give_up():
+        if number == signal.SIGTSTP:
+            if self._is_writing:  # we rest once output is taken again; the robot can't wait for that
+                self._deputy.do(self.before_suspending)
+            return
+        if self.give_up():
             self._has_given_up = self._has_given_up or number == signal.SIGINT
-        if number != signal.SIGTSTP and self._is_writing:
+        if self._is_writing:
             self._is_writing = False
             self._deputy.do(self.stop_at_once)
 

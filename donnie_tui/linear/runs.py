@@ -201,7 +201,7 @@ class Runs:
             else:
                 self._print_what_comes()
         self._console.stop_at_once = lambda: None
-        self._console.before_suspending = lambda: False
+        self._console.before_suspending = self._desk.donnie.stop_real_robot
         if self._stopping and self._console.pressed_interrupt():
             self._heed_interrupt()
         if run.outcome is Outcome.STOPPED and self._console.leaving is None:
@@ -268,14 +268,14 @@ class Runs:
         if not self._stopping:
             self.stop()
 
-    def _stop_real_robot(self) -> bool:
-        """Before Ctrl+Z; told when the learner is back."""
+    def _stop_real_robot(self) -> None:
+        """Before Ctrl+Z: returns once the robot stands; told when the learner is back."""
         if not self._desk.donnie.connection.is_real:
-            return False
+            return
         if not self._stopping:
             self._rested = True
             self.stop()
-        return True
+        self._desk.donnie.connection.wait_until_standing()
 
     def stop(self) -> None:
         """Remember where, and stop."""

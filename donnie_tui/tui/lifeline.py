@@ -40,7 +40,7 @@ class Lifeline:
         self,
         *,
         halt: Callable[[], object],
-        before_rest: Callable[[], bool],
+        before_rest: Callable[[], object],
         tell: Callable[[int], object],
         on_stuck: Callable[[], object],
         part: Callable[[int], object],
@@ -92,14 +92,12 @@ class Lifeline:
 
     def _rest(self, number: int, frame: FrameType | None) -> None:
         """Textual gives the terminal back before it rests; the robot comes before that."""
-        has_stopped = self._before_rest()
-        if has_stopped:
-            threading.Event().wait(ANSWER)
+        self._before_rest()
         own = self._found[signal.SIGTSTP]
         if callable(own):
             own(number, frame)
         else:
-            suspend(after_stop=False)
+            suspend()
 
     def _back(self, number: int, frame: FrameType | None) -> None:
         """Textual takes the terminal again, but paints nothing where the size is what it was."""

@@ -140,6 +140,126 @@ def test_control_z_stops_the_robot_of_the_linear_mode(tmp_path: Path, robot: Dou
     learner.sees("Stopped")
 
 
+def half_a_frame(robot: DoubleOnPty) -> None:
+    """The board takes what is said next for the rest of fifty bytes, the stops as well."""
+    robot.disturb(bytes.fromhex("aabb3228"))
+
+
+@pytest.mark.parametrize("number", [signal.SIGINT, signal.SIGTERM], ids=lambda each: each.name)
+def test_a_run_leaves_no_robot_that_half_a_frame_keeps_from_hearing_the_stop(
+    tmp_path: Path, robot: DoubleOnPty, number: signal.Signals
+) -> None:
+    """Nor does an impatient second signal."""
+    process = start(tmp_path, "run", program(tmp_path, LONG_WALK), *serial(robot), *QUIET)
+    assert until(lambda: robot.board.is_driving)
+    half_a_frame(robot)
+    process.send_signal(number)
+    assert until(lambda: STOP + STOP in robot.heard)
+    process.send_signal(number)
+
+    assert process.wait(PATIENCE) == 130
+    assert not robot.board.is_driving
+
+
+def test_a_run_that_rests_leaves_no_robot_that_half_a_frame_keeps_from_hearing_the_stop(
+    tmp_path: Path, robot: DoubleOnPty
+) -> None:
+    process = start(tmp_path, "run", program(tmp_path, LONG_WALK), *serial(robot), *QUIET)
+    assert until(lambda: robot.board.is_driving)
+    half_a_frame(robot)
+    process.send_signal(signal.SIGTSTP)
+
+    assert is_suspended(process.pid)
+    assert not robot.board.is_driving
+    process.kill()
+    process.communicate()
+
+
+@pytest.mark.parametrize(
+    "number", [signal.SIGHUP, signal.SIGTERM, signal.SIGTSTP], ids=lambda each: each.name
+)
+def test_the_linear_mode_leaves_no_robot_that_half_a_frame_keeps_from_hearing_the_stop(
+    tmp_path: Path, robot: DoubleOnPty, number: signal.Signals
+) -> None:
+    learner = Learner(tmp_path, *serial(robot), program(tmp_path, LONG_WALK))
+    learner.sees("Robot connected.")
+    learner.sees_prompt()
+    learner.types("RUN\r")
+    assert until(lambda: robot.board.is_driving)
+    half_a_frame(robot)
+    learner.child.kill(number)
+
+    if number is signal.SIGTSTP:
+        assert is_suspended(learner.child.pid)
+        assert not robot.board.is_driving
+        learner.child.kill(signal.SIGKILL)
+    else:
+        learner.leaves()
+        assert not robot.board.is_driving
+
+
+@contextlib.contextmanager
+def terminal_that_takes_nothing(child: pexpect.spawn) -> Iterator[None]:
+    """As after Ctrl+S, or over a network that hangs."""
+    terminal = os.open(Path(f"/proc/{child.pid}/fd/1").readlink(), os.O_RDWR | os.O_NOCTTY)
+    termios.tcflow(terminal, termios.TCOOFF)
+    try:
+        yield
+    finally:
+        termios.tcflow(terminal, termios.TCOON)
+        os.close(terminal)
+
+
+def is_stuck(child: pexpect.spawn) -> Callable[[], bool]:
+    """Whether a thread of it waits for the terminal."""
+    waits = ("tty", "wait_woken", "n_tty_write")
+    threads = Path(f"/proc/{child.pid}/task")
+    return lambda: any((each / "wchan").read_text() in waits for each in threads.iterdir())
+
+
+@pytest.mark.parametrize("number", [signal.SIGINT, signal.SIGTERM], ids=lambda each: each.name)
+def test_a_run_whose_news_nobody_reads_stops_its_robot_and_ends(
+    tmp_path: Path, robot: DoubleOnPty, number: signal.Signals
+) -> None:
+    """Whoever prints the news hangs, the run as well, and the board is in the middle of half a frame."""
+    run = pexpect.spawn(
+        sys.executable,
+        [*COMMAND[1:], "run", program(tmp_path, "FW 300\n"), *serial(robot), *QUIET],
+        env=environment(tmp_path),
+        cwd=str(tmp_path),
+        timeout=PATIENCE,
+    )
+    assert until(lambda: robot.board.is_driving)
+    with terminal_that_takes_nothing(run):
+        robot.board.millivolts = 6000
+        assert until(is_stuck(run))
+        half_a_frame(robot)
+        run.kill(number)
+
+        assert until(lambda: not run.isalive())
+        assert not robot.board.is_driving
+    assert run.exitstatus == 130
+
+
+def test_control_z_stops_the_robot_of_the_linear_mode_although_its_terminal_takes_nothing(
+    tmp_path: Path, robot: DoubleOnPty
+) -> None:
+    learner = Learner(tmp_path, *serial(robot), program(tmp_path, "FW 300\n"))
+    learner.sees("Robot connected.")
+    learner.sees_prompt()
+    learner.types("RUN\r")
+    assert until(lambda: robot.board.is_driving)
+    with terminal_that_takes_nothing(learner.child):
+        robot.board.millivolts = 6000
+        assert until(is_stuck(learner.child))
+        learner.child.kill(signal.SIGTSTP)
+
+        assert until(lambda: not robot.board.is_driving)
+    assert is_suspended(learner.child.pid)
+    learner.child.kill(signal.SIGCONT)
+    learner.sees("You left with Ctrl+Z, so I stopped the robot.")
+
+
 def is_full(screen: pexpect.spawn) -> Callable[[], bool]:
     """Whether nothing was added to what waits at the terminal, in several looks."""
     waiting: list[int] = []

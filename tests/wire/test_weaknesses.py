@@ -11,6 +11,7 @@ from itertools import pairwise
 import pytest
 
 from devices.firmware_double.board import SimulatedBoard
+from devices.firmware_double.faults import BadWire
 from devices.firmware_double.surroundings import OpenFloor, Place, Switch
 from devices.firmware_double.virtual_line import VirtualLine
 from devices.ports.robot import LinkNews, RobotProblem
@@ -598,6 +599,54 @@ def test_a_port_that_takes_nothing_is_lost_and_greeted_with_zeros_and_a_stop_whe
     assert bench.sent_since(asked)[:3] == [FILLER, CONFIGURE, STOP]
     assert bench.news == [LinkNews.CONNECTED, LinkNews.LOST, LinkNews.RESTORED]
     assert not bench.board.is_driving
+
+
+# --- shutdown
+
+
+def test_shutdown_waits_until_a_board_in_the_middle_of_half_a_frame_stands() -> None:
+    bench = Bench()
+    bench.drive(0.5)
+    bench.board.receive(HALF_A_FRAME)
+    began = bench.line.now()
+
+    bench.line.close()
+
+    assert not bench.board.is_driving
+    assert bench.line.now() - began < 1.3
+
+
+def test_shutdown_of_a_robot_that_stands_takes_as_long_as_two_stops() -> None:
+    bench = Bench()
+    bench.line.advance(0.5)
+    began = bench.line.now()
+
+    bench.line.close()
+
+    assert bench.sent_since(began) == [STOP, STOP]
+    assert bench.line.now() - began < 0.1
+
+
+def test_shutdown_of_a_board_that_hears_nothing_any_more_ends() -> None:
+    bench = Bench()
+    bench.drive(0.5)
+    bench.line.wire = BadWire(cut=1.0, seed=1)
+    bench.line.close()
+
+    assert bench.line.state is LinkState.CLOSED
+
+
+def test_ranges_of_before_a_loss_are_forgotten() -> None:
+    """Somebody may have carried the robot: what was far may be near now."""
+    bench = Bench()
+    bench.line.advance(1.0)
+    assert bench.line.telemetry.ranges
+
+    bench.board.is_mute = True
+    bench.line.advance(0.6)
+
+    assert bench.news == [LinkNews.CONNECTED, LinkNews.LOST]
+    assert bench.line.telemetry.ranges == ()
 
 
 # --- battery and ping

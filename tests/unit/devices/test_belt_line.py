@@ -194,6 +194,22 @@ def test_an_idle_belt_that_is_unplugged_is_told_and_found_again(
     belt.close()
 
 
+def test_a_listener_that_hangs_does_not_hold_the_belt(
+    line: FakeLine, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr("devices.belt.line.RETRY", 0.001)
+    is_read, second = threading.Event(), FakeLine()
+    lines = [second, line]
+    belt = SerialBelt("nowhere", lambda news: is_read.wait() and None, lambda _: lines.pop())
+    line.fault = OSError(5, "gone")
+    belt.show(FRONT)
+
+    assert second.wait_for(lambda: frame(FRONT) in second.written)
+    belt.close()
+    assert second.written[-1] == frame(OFF)
+    is_read.set()
+
+
 def test_a_belt_that_showed_nothing_is_turned_off_all_the_same(belt: SerialBelt, line: FakeLine) -> None:
     """Another program may have left its motors on."""
     belt.close()

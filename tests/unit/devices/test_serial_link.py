@@ -30,6 +30,8 @@ from devices.wire.link_state import LinkState
 from tests.conftest import ROOT
 
 FAR = 1e9
+HALF_A_FRAME = bytes.fromhex("aabb3228")
+"""A header that announces fifty bytes."""
 PATIENCE = 15.0
 """Seconds that anything may take on a busy machine."""
 
@@ -290,6 +292,46 @@ def test_a_listener_that_fails_does_not_take_the_line_with_it(double: DoubleOnPt
     assert until(lambda: double.board.is_driving)
     link.close()
     assert until(lambda: not double.board.is_driving)
+
+
+def test_a_listener_that_hangs_does_not_hold_the_line(double: DoubleOnPty) -> None:
+    """As one that prints on a terminal that takes nothing: the robot is stopped all the same."""
+    is_read = threading.Event()
+    link = SerialLink(double.path, None, lambda news, reason: is_read.wait() and None)
+    link.connect()
+    link.drive(link.permit(), Drive.FORWARD, FAR)
+    assert until(lambda: double.board.is_driving)
+
+    assert until(lambda: not double.board.is_driving)  # nobody renewed it
+    link.close()
+    assert link.state is LinkState.CLOSED
+    is_read.set()
+
+
+def test_shutdown_in_the_middle_of_half_a_frame_waits_until_the_wheels_stand(double: DoubleOnPty) -> None:
+    """The board takes the stops for the rest of a frame of fifty bytes."""
+    link = SerialLink(double.path)
+    link.connect()
+    link.drive(link.permit(), Drive.FORWARD, FAR)
+    assert until(lambda: double.board.is_driving)
+    double.disturb(HALF_A_FRAME)
+
+    link.close()
+
+    assert not double.board.is_driving
+
+
+def test_shutdown_of_a_line_that_was_lost_ends(double: DoubleOnPty) -> None:
+    news = News()
+    link = SerialLink(double.path, LinkConfig(reopen=1000.0), news)
+    link.connect()
+    link.drive(link.permit(), Drive.FORWARD, FAR)
+    double.unplug()
+    assert news.wait_for(LinkNews.LOST)
+
+    link.close()
+
+    assert link.state is LinkState.CLOSED
 
 
 def test_a_thread_that_is_gone_leaves_no_motor_on(double: DoubleOnPty, link: SerialLink) -> None:
