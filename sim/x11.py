@@ -17,7 +17,9 @@ def nearest_name(name: str) -> str:
     """The known name that was probably meant, or an empty string."""
     if len(name) > 40:
         return ""
-    return next(iter(get_close_matches(folded(name), COLOURS, 1, 0.7)), "")
+    meant = folded(name)
+    near = get_close_matches(meant, COLOURS, 1, 0.7)
+    return near[0] if near else next((known for known in COLOURS if sorted(known) == sorted(meant)), "")
 
 
 def folded(name: str) -> str:

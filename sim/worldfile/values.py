@@ -6,15 +6,19 @@ import re
 from collections.abc import Mapping
 from difflib import get_close_matches
 from math import degrees
+from typing import TYPE_CHECKING
 
-from sim.colours import Colour
+from sim.colours import FAMILIES, Colour
 from sim.placement import Placement
 from sim.report import Note, NoteKind
 from sim.worldfile import tree
 from sim.worldfile.entities import Setting
 from sim.worldfile.mistakes import Code, WorldError
 from sim.worldfile.properties import UNUSED, nearest_property, types_of
-from sim.x11 import nearest_name, rgb
+from sim.x11 import folded, nearest_name, rgb
+
+if TYPE_CHECKING:
+    from random import Random
 
 Size = tuple[float, float, float]
 """Metres along x, y and z."""
@@ -38,6 +42,7 @@ class ValueReader:
         self.notes: list[Note] = []
         self._noted: set[tuple[str, str, int, int]] = set()
         self._checked: set[int] = set()
+        self._chance: Random | None = None
 
     def use_units(self, settings: Mapping[str, Setting]) -> None:
         self.metres = _UNITS[self.choice(settings, "unit_length", "m", tuple(_UNITS))]
@@ -151,7 +156,8 @@ class ValueReader:
     def colour(self, settings: Mapping[str, Setting], default: Colour) -> Colour:
         """``color``, else ``color_rgba``."""
         if (setting := settings.get("color")) is not None:
-            return self.named_colour(setting, self.string(settings, "color", ""))
+            name = self.string(settings, "color", "")
+            return self._any_colour(setting) if folded(name) == "random" else self.named_colour(setting, name)
         if (setting := settings.get("color_rgba")) is None:
             return default
         levels = [min(1.0, max(0.0, _number(setting, item))) for item in _items(setting, 3, 4)]
@@ -165,6 +171,14 @@ class ValueReader:
             self.note(NoteKind.WARNING, "unknown-colour", setting, **details)
             return Colour("red", 1.0, 0.0, 0.0)
         return Colour(name, *(level / 255 for level in levels))
+
+    def _any_colour(self, setting: Setting) -> Colour:
+        """One of those that the language has a word for: the same file gives the same ones each time."""
+        from random import Random  # loaded where there is chance
+
+        self._chance = self._chance or Random(0)
+        self.note(NoteKind.WARNING, "random-colour", setting)
+        return self.named_colour(setting, FAMILIES[int(self._chance.random() * len(FAMILIES))])
 
     def colours(self, settings: Mapping[str, Setting]) -> tuple[Colour, ...]:
         setting = settings.get("colors")

@@ -4,6 +4,7 @@ from pathlib import Path
 
 import pytest
 
+from sim.colours import FAMILIES
 from sim.report import NoteKind
 from sim.scene import Model, Scene
 from sim.worldfile import load_text, load_world
@@ -127,6 +128,23 @@ def test_an_unknown_colour_is_red_and_a_warning_with_the_nearest_name() -> None:
     assert scene.models[0].colour.family == "red"
     assert (note.kind, note.code, note.line, note.column) == (NoteKind.WARNING, "unknown-colour", 2, 9)
     assert note.details == {"name": "gren", "nearest": "green"}
+
+
+@pytest.mark.parametrize(("typed", "meant"), [("rde", "red"), ("bleu", "blue"), ("xyz", "")])
+def test_a_slip_in_a_short_colour_is_known_too(typed: str, meant: str) -> None:
+    assert load(f'model ( color "{typed}" )').report.notes[0].details["nearest"] == meant
+
+
+def test_a_random_colour_is_one_of_the_languages_the_same_each_time_and_told_once() -> None:
+    text = 'define ball model ( color "random" )\n' + "ball ( ) " * 60 + 'model ( color "Random" )'
+    scene, again = load(text), load(text)
+
+    taken = [model.colour for model in scene.models]
+    assert taken == [model.colour for model in again.models]
+    assert {colour.name for colour in taken} == set(FAMILIES)
+    assert all(colour.family == colour.name for colour in taken)
+    told = [(note.kind, note.line) for note in scene.report.notes if note.code == "random-colour"]
+    assert told == [(NoteKind.WARNING, 1), (NoteKind.WARNING, 2)]
 
 
 @pytest.mark.parametrize(

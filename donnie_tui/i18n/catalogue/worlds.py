@@ -208,6 +208,11 @@ SENTENCES: dict[str, Sentence] = {
         "a cor {name} não é conhecida. Você quis dizer {nearest}?",
         "el color {name} no se conoce. Quizá querías decir {nearest}.",
     ),
+    "note-random-colour": Sentence(
+        "the colour random is one of seven, each time the same.",
+        "a cor random é uma de sete, sempre a mesma.",
+        "el color random es uno de siete, siempre el mismo.",
+    ),
     "note-lone-sensor": Sentence(
         "the lone sensor became a ranger.",
         "o sensor sozinho virou um ranger.",

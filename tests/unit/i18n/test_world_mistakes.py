@@ -51,6 +51,7 @@ NOTES = {
     "not-simulated": {"name": "arm", "type": "gripper"},
     "second-define": {"name": "wall"},
     "unknown-colour": {"name": "gren", "nearest": "green"},
+    "random-colour": {},
     "lone-sensor": {"name": "sonar"},
     "walls-made-solid": {"name": "wall"},
     "not-utf8": {"path": "a.world"},
