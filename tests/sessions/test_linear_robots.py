@@ -1,8 +1,11 @@
 """Several robots in the linear mode: the learner talks to one, each has its own program, all can run."""
 
+import signal
+import subprocess
+import threading
 from pathlib import Path
 
-from tests.sessions.command import QUIET, donnie
+from tests.sessions.command import COMMAND, PATIENCE, QUIET, donnie, environment
 
 TYPED = """ROBOTS
 FW 2
@@ -91,3 +94,34 @@ def test_a_program_with_a_mistake_does_not_begin(tmp_path: Path) -> None:
 
     assert "Error, line 1, column 1: I do not know FWD." in said
     assert said.count("donnie begins.") == 1
+
+
+def test_ctrl_c_is_the_way_out_for_a_pipe_whose_robot_is_held_up_by_an_endless_program(
+    tmp_path: Path,
+) -> None:
+    """The sentence says so; what stands behind in the pipe is read then."""
+    learner = subprocess.Popen(
+        [*COMMAND, "--linear", *QUIET, "--speed", "max", "--world", "two_robots"],
+        stdin=subprocess.PIPE,
+        stdout=subprocess.PIPE,
+        cwd=tmp_path,
+        env=environment(tmp_path),
+    )
+    assert learner.stdin and learner.stdout
+    learner.stdin.write(
+        b"VAR a\nWHILE 1 > 0 DO\na = a + 1\nEND WHILE\nSTART\nROBOT bob\nFW 1\nRUN\nWHERE\nQUIT\n"
+    )
+    learner.stdin.close()
+    too_long = threading.Timer(PATIENCE, learner.kill)
+    too_long.start()
+    with learner:
+        told = iter(learner.stdout.readline, b"")
+        way_out = b"The others wait for alice: it computes and does not move. Ctrl+C stops all.\n"
+        assert any(line == way_out for line in told)
+        learner.send_signal(signal.SIGINT)
+        assert [line.decode().strip() for line in told if b"Still" not in line] == [
+            "bob: Stopped.",
+            "bob: Position 0, 30. Facing south.",
+            "Goodbye.",
+        ]
+    too_long.cancel()

@@ -122,10 +122,14 @@ SENTENCES: dict[str, Sentence] = _cut_short() | {
     "robot-started": Sentence("{name} begins.", "{name} começa.", "{name} empieza."),
     "robot-busy": Sentence("{name} is busy.", "{name} está ocupado.", "{name} está ocupado."),
     "holds-up": Sentence(
-        "The others wait for {name}: its program computes and does not move.",
-        "Os outros esperam por {name}: seu programa calcula e não anda.",
-        "Los demás esperan a {name}: su programa calcula y no se mueve.",
-        brief=("The others wait for {name}.", "Os outros esperam por {name}.", "Los demás esperan a {name}."),
+        "The others wait for {name}: it computes and does not move. Ctrl+C stops all.",
+        "Os outros esperam por {name}: calcula e não anda. Ctrl+C para todos.",
+        "Los demás esperan a {name}: calcula y no se mueve. Ctrl+C detiene todo.",
+        brief=(
+            "All wait for {name}. Ctrl+C stops it.",
+            "Esperam por {name}. Ctrl+C para todos.",
+            "Esperan a {name}. Ctrl+C detiene todo.",
+        ),
     ),
     "robot-listed": Sentence(
         "{name}: {x}, {y}, facing {facing}.",

@@ -58,9 +58,9 @@ class Watched(Hall):
 @pytest.mark.parametrize(
     ("language", "sentence"),
     [
-        ("en", "The others wait for alice: its program computes and does not move."),
-        ("pt", "Os outros esperam por alice: seu programa calcula e não anda."),
-        ("es", "Los demás esperan a alice: su programa calcula y no se mueve."),
+        ("en", "The others wait for alice: it computes and does not move. Ctrl+C stops all."),
+        ("pt", "Os outros esperam por alice: calcula e não anda. Ctrl+C para todos."),
+        ("es", "Los demás esperan a alice: calcula y no se mueve. Ctrl+C detiene todo."),
     ],
 )
 def test_who_holds_the_others_up_is_told_once(language: str, sentence: str) -> None:
