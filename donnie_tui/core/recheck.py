@@ -124,36 +124,46 @@ class _Checking:
     # --- a segment
 
     def _segment(self, how: HowStarted) -> _Segment:
+        """What a stopped run's last deed came to depends on the stop. Of a run without any, it may depend on
+        that whether it began at all: it had no turn while the first one computed."""
         first = self._at
-        names: set[str | None] = set(how.together) or {self._events[first].robot}
+        first_robot, deeds = self._events[first].robot, set[str | None]()
+        names: set[str | None] = set(how.together) or {first_robot}
         starts: dict[str | None, Stamped] = {}
         ended, cuts, intruder = 0, list[int](), None
-        last_deeds: dict[str | None, int] = {}
+        limits: dict[str | None, int] = {}
         index = first
         while index < len(self._events) and ended < len(names):
             stamped = self._events[index]
             match stamped.event:
                 case RunStarted() if stamped.robot in names and stamped.robot not in starts:
                     starts[stamped.robot] = stamped
+                    limits[stamped.robot] = index if index > first else index + 1
                 case RunStarted() if intruder is None:
                     intruder = index
                 case Moved() | Turned() | Waited():
-                    last_deeds[stamped.robot] = index
+                    limits[stamped.robot] = index
+                    deeds.add(stamped.robot)
                 case RunEnded(outcome=outcome) if stamped.robot in names:
                     ended += 1
                     if outcome is Outcome.STOPPED:
-                        cuts.append(last_deeds.get(stamped.robot, index))
+                        cuts.append(limits.get(stamped.robot, index))
+                case Announced():
+                    pass  # the stop itself is told so
+                case _ if stamped.robot == first_robot and stamped.robot not in deeds:
+                    limits[stamped.robot] = index + 1
             index += 1
         if ended < len(names):  # the recording ends before the run did
-            cuts.append(index)
+            cuts.append(index if len(starts) == len(names) else first)
         return _Segment(first, starts, index, min(cuts, default=None), intruder)
 
     def _run(self, segment: _Segment) -> Verdict | None:
         """Run it. None if it is the same, as far as it can be."""
         limits = [each for each in (segment.cut, segment.intruder) if each is not None]
         self._until = min([segment.end, *limits])
-        for run in self._start(segment.starts):
-            run.wait()
+        if self._until > segment.first:  # nothing would stop them otherwise
+            for run in self._start(segment.starts):
+                run.wait()
         with self._lock:
             if self._difference is None and self._at < self._until:
                 self._difference = Verdict(Result.DIFFERENT, self._at)
@@ -209,7 +219,7 @@ class _Checking:
                 self._difference = Verdict(Result.DIFFERENT, self._at, stamped)
             self._at += 1
             is_over = self._at >= self._until or self._difference is not None
-        if is_over and not isinstance(stamped.event, RunEnded):
+        if is_over:
             self._team.stop()
 
     def _skip_questions(self, stamped: Stamped) -> None:

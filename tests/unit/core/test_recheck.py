@@ -5,8 +5,9 @@ import threading
 import pytest
 
 from donnie_tui.core.events import TRANSIENT, Moved, RunStarted, Spoke, Stamped
-from donnie_tui.core.recheck import Result, recheck
+from donnie_tui.core.recheck import Result, Verdict, recheck
 from donnie_tui.core.replay import LONGEST_PAUSE, Replay, moments_of
+from donnie_tui.core.team import Assigned
 from donnie_tui.core.timeline import Timeline
 from donnie_tui.i18n.words import Words
 from language.control import ExecutionControl
@@ -86,6 +87,43 @@ def test_a_recording_that_ends_in_the_middle_of_a_run_is_the_same_up_to_there() 
     cut = next(index for index, each in enumerate(events) if isinstance(each.event, Spoke)) + 1
 
     assert recheck(events[:cut], Hall().team, Words()).result is Result.STOPPED
+
+
+ENDLESS = "VAR a = 1 WHILE a > 0 DO a = a + 1 END WHILE"
+
+
+@pytest.mark.parametrize(
+    "other", ["FW 3", 'SPEAK "x" WAIT 3', "FW", ENDLESS], ids=["moves", "speaks", "wrong", "endless"]
+)
+@pytest.mark.parametrize("before", ["", "SPEAK 1 ", "FW 1 "], ids=["silent", "speaks", "moves"])
+def test_a_program_that_gave_nobody_a_turn_is_stopped_where_it_was(before: str, other: str) -> None:
+    hall = Hall()
+    programs = {"alice": Assigned(before + ENDLESS, "a.gd"), "Bob": Assigned(other, "b.gd")}
+    count, computes = (len(before.split()) and 1) + 1, threading.Event()
+    hall.team.stream.subscribe(lambda _: computes.set() if len(recorded(hall)) >= count else None)
+    runs = hall.team.start_together(programs)
+    assert computes.wait(PATIENCE)
+    hall.team.stop()
+    assert all(each.wait(PATIENCE) for each in runs)
+    events, again = recorded(hall), Hall().team
+
+    verdicts = list[Verdict]()
+    checking = threading.Thread(target=lambda: verdicts.append(recheck(events, again, Words())), daemon=True)
+    checking.start()
+    checking.join(PATIENCE)
+    again.stop()
+
+    assert [each.result for each in verdicts] == [Result.STOPPED]
+    assert verdicts[0].index >= 1
+
+
+def test_a_recording_that_ends_before_all_of_them_began_can_not_be_run_again() -> None:
+    hall = Hall()
+    hall.run("SPEAK 1", "SPEAK 2")
+
+    verdict = recheck(recorded(hall)[:1], Hall().team, Words())
+
+    assert (verdict.result, verdict.index) == (Result.STOPPED, 0)
 
 
 def test_the_moments_of_runs_follow_each_other_and_those_of_several_robots_lie_beside_each_other() -> None:
