@@ -69,6 +69,11 @@ _MAP = {
         "^ > v < is {name}, looking north, east, south, west; / and \\ between them.",
         "^ > v < é {name}, virado para norte, leste, sul, oeste; / e \\ entre eles.",
         "^ > v < es {name}, mirando al norte, este, sur, oeste; / y \\ entre ellos.",
+        brief=(
+            "^ > v < is {name}; / and \\ in between.",
+            "^ > v < é {name}; / e \\ entre eles.",
+            "^ > v < es {name}; / y \\ entre ellos.",
+        ),
     ),
     "legend-start": Sentence("A is the start.", "A é o início.", "A es el inicio."),
     "legend-trail": Sentence("o is the trail.", "o é o rastro.", "o es el rastro."),
@@ -76,7 +81,7 @@ _MAP = {
     "legend-ray": Sentence(
         "' is where a sensor looked last.",
         "' é por onde um sensor olhou por último.",
-        "' es por donde miró un sensor por último.",
+        "' es donde miró un sensor por último.",
     ),
     "legend-free": Sentence(". is free floor.", ". é chão livre.", ". es suelo libre."),
     "screen-names-on": Sentence("Names on the map.", "Nomes no mapa.", "Nombres en el mapa."),
