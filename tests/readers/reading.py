@@ -90,7 +90,7 @@ class Listener:
         for key in printed.command:
             self.child.send(key.encode())
             time.sleep(_A_KEY)
-        self._settle()
+        self._settle(echo=len(printed.command))
         self._new_words()  # what a reader says of typing is no answer
         self.child.send(b"\r")
         self._settle(printed, first=PATIENCE)
@@ -99,21 +99,21 @@ class Listener:
     def _heard_of(self, printed: Phase) -> Phase:
         return replace(printed, heard=self._new_words())
 
-    def _settle(self, printed: Phase | None = None, first: float = 0.0) -> None:
+    def _settle(self, printed: Phase | None = None, first: float = 0.0, echo: int = 0) -> None:
         """Wait until something has come (``first`` seconds at most), and then until it is silent: for long,
-        unless all that was printed was heard.
+        unless all that was printed was heard, and ``echo`` bytes of what was typed came back.
         """
         began = last = time.monotonic()
         size, has_come = self._log.stat().st_size, False
         while time.monotonic() - began < max(first, PATIENCE):
             with suppress(pexpect.TIMEOUT):
-                self.child.read_nonblocking(65_536, timeout=0.05)
+                echo -= len(self.child.read_nonblocking(65_536, timeout=0.05))
                 last, has_come = time.monotonic(), True
             if self._log.stat().st_size != size:
                 size, last, has_come = self._log.stat().st_size, time.monotonic(), True
             quiet = time.monotonic() - last
-            is_over = quiet >= SILENCE and (printed is None or self._is_all(printed))
-            if is_over or quiet >= (LONG_SILENCE if has_come else max(first, SILENCE)):
+            is_over = quiet >= SILENCE and echo <= 0 and (printed is None or self._is_all(printed))
+            if is_over or quiet >= (LONG_SILENCE if has_come or echo > 0 else max(first, SILENCE)):
                 return
 
     def _is_all(self, printed: Phase) -> bool:

@@ -1,6 +1,6 @@
 """What a screen reader makes of the linear mode (Gate 1 of the accessibility requirements, a short lesson).
 
-The long lesson: ``python -m tests.readers.gate yasr`` (or ``fenrir``, or ``brltty``).
+The long lesson: ``python -m tests.readers.gate yasr`` (or ``fenrir``, ``orca``, ``brltty``).
 """
 
 from __future__ import annotations
@@ -22,8 +22,9 @@ from tests.sessions.learner import until
 OPTIONS = ("--world", "living_room")
 
 
-def needs(reader: str) -> pytest.MarkDecorator:
-    return pytest.mark.skipif(not is_installed(reader), reason=f"needs {reader}")
+def needs(*programs: str) -> pytest.MarkDecorator:
+    """A reader, and what it needs itself."""
+    return pytest.mark.skipif(not all(map(is_installed, programs)), reason=f"needs {', '.join(programs)}")
 
 
 @needs("yasr")
@@ -37,6 +38,14 @@ def test_fenrir_says_every_answer_once_with_little_noise(tmp_path: Path) -> None
     heard = score(phases_of("fenrir", SHORT, tmp_path, OPTIONS))
     assert heard.once == 1.0
     assert heard.noise <= 0.05
+
+
+@needs("orca", "lxterminal", "xvfb-run", "dbus-run-session", "openbox", "xdotool")
+def test_orca_says_forty_lone_numbers_and_what_comes_after(tmp_path: Path) -> None:
+    """L9: Orca takes a block of nothing but digits for typing."""
+    count = "FOR VAR i = 1; i <= 40; i = i + 1 DO SPEAK i END FOR"
+    heard = score(phases_of("orca", ("FW 2", count, "SHOW LOG", "WHERE"), tmp_path, OPTIONS))
+    assert (heard.once, heard.in_order, heard.clean, heard.noise) == (1.0, 1.0, heard.phases, 0.0)
 
 
 @needs("brltty")
