@@ -147,7 +147,8 @@ class Display:
     def write(self, lines: Iterable[tuple[str, str]]) -> None:
         """Lines with the codes of their kinds."""
         told = list(lines)
-        self._place.log_lines([(text, self._kind_words(kind)) for text, kind in told])
+        seen = [each for each in told if each[1] != "typed"] if self._place.is_plain else told
+        self._place.log_lines([(text, self._kind_words(kind)) for text, kind in seen])
         self._show_inspector()
         answers = [text for text, kind in told if kind != "typed"]
         if answers:
@@ -199,7 +200,13 @@ class Display:
         )
 
     def say_status(self) -> None:
-        """Where the focus is, where Donnie is, what the program does."""
+        """Where the focus is, where Donnie is, what the program does.
+
+        Of what a listener has just heard in the log nothing is said again: there it is the focus alone.
+        """
+        if self._place.is_plain and self._place.log_is_seen:
+            self._place.status.say(f" {self._focus_sentence()}")
+            return
         session = self._donnie.session
         robot = robot_sentence(session.hub.robot, self._pose, self._words, session.teller)
         doings = doing_sentences(self._running.doing, self._running.speed, self._words)

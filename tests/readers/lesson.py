@@ -1,4 +1,4 @@
-"""A lesson at ``donnie --linear``: what a learner types, command by command, in a world with things in it."""
+"""A lesson at Donnie's command line: what a learner types, command by command, in a world with things."""
 
 from __future__ import annotations
 
@@ -17,6 +17,22 @@ SHORT = (
     "POS",
 )
 """A dozen, for every test run."""
+
+OF_THE_SCREEN = (
+    "FW x",
+    "FW 3",
+    "SCAN",
+    "TR 90",
+    "SPEAK 2 + 3",
+    "SPEAK 2 + 3",
+    "STATE",
+    "FOR VAR i = 1; i <= 12; i = i + 1 DO SPEAK 100 + i END FOR",
+    "STATE",
+    "FOR VAR i = 1; i <= 40; i = i + 1 DO SPEAK 200 + i END FOR",
+    "STATE",
+)
+"""Eleven: T7 of the accessibility requirements. The mistake comes first: after other lines the linear mode
+counts them too. No number is told twice: Fenrir passes over a line that stands there already."""
 
 LONG = (
     *SHORT,

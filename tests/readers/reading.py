@@ -1,4 +1,5 @@
-"""A learner with a screen reader: types a lesson into ``donnie --linear`` and writes down what was heard.
+"""A learner with a screen reader: types a lesson into ``donnie --linear``, or into the command line of the
+plain full screen, and writes down what was heard.
 
 Readers: ``yasr``, ``fenrir`` and ``orca`` speak, into a log instead of a voice; ``brltty`` shows 40 cells.
 """
@@ -42,6 +43,10 @@ EACH_LINE = {"DONNIE_ENTER": "runs"}
 AS_PROMPT = {**EACH_LINE, "DONNIE_PROMPT": "answer"}
 """The last line of an answer stands before the cursor, where a braille display looks."""
 
+LINEAR = ("--linear",)
+FULL_SCREEN = ("--visual", "--plain")
+"""The modes; the command line has the focus in both."""
+
 BRIEF = ("--verbosity", "brief")
 """Answers fit a display of 40 cells."""
 
@@ -59,8 +64,14 @@ class Listener:
     """One session under a reader, with options and variables for Donnie."""
 
     def __init__(
-        self, reader: str, folder: Path, options: Sequence[str], variables: Mapping[str, str]
+        self,
+        reader: str,
+        folder: Path,
+        options: Sequence[str],
+        variables: Mapping[str, str],
+        mode: Sequence[str] = LINEAR,
     ) -> None:
+        self._mode = mode
         self._reader = reader
         self._folder, self._options, self._variables = folder, options, variables
         self._log = folder / "heard.jsonl"
@@ -200,7 +211,7 @@ class Listener:
     def _write_program(self) -> Path:
         variables = "".join(f"export {name}={value}\n" for name, value in self._variables.items())
         options = " ".join(
-            ("--linear", "--speech", "off", "--sound", "off", "--speed", "max", *self._options)
+            (*self._mode, "--speech", "off", "--sound", "off", "--speed", "max", *self._options)
         )
         return self._script(
             "program.sh",
@@ -296,6 +307,7 @@ def printed_by(
     """The lines that answer each command, and the prompt behind them, the greeting first: with no reader."""
     folder.mkdir(exist_ok=True)
     plain = Listener.__new__(Listener)
+    plain._mode = LINEAR
     plain._folder, plain._options, plain._variables = folder, options, variables
     plain._log = folder / "heard.jsonl"
     program = plain._write_program()
@@ -323,12 +335,13 @@ def phases_of(
     folder: Path,
     options: Sequence[str] = (),
     variables: Mapping[str, str] = EACH_LINE,
+    mode: Sequence[str] = LINEAR,
 ) -> list[Phase]:
-    """The lesson under a reader, against what it prints."""
+    """The lesson under a reader, against what the linear mode prints: the full screen tells the same."""
     printed = printed_by(commands, folder / "plain", options, {**variables, "DONNIE_PROMPT": "short"})
     work = folder / reader
     work.mkdir()
-    listener = Listener(reader, work, options, variables)
+    listener = Listener(reader, work, options, variables, mode)
     try:
         return listener.take_lesson(printed)
     finally:

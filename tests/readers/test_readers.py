@@ -15,8 +15,16 @@ import pytest
 
 from devices.speech.probe import find_screen_reader
 from tests.readers.hearing import Phase, is_whole, score, shown
-from tests.readers.lesson import SHORT
-from tests.readers.reading import AS_PROMPT, BRIEF, EACH_LINE, Listener, is_installed, phases_of
+from tests.readers.lesson import OF_THE_SCREEN, SHORT
+from tests.readers.reading import (
+    AS_PROMPT,
+    BRIEF,
+    EACH_LINE,
+    FULL_SCREEN,
+    Listener,
+    is_installed,
+    phases_of,
+)
 from tests.sessions.learner import until
 
 OPTIONS = ("--world", "living_room")
@@ -46,6 +54,14 @@ def test_orca_says_forty_lone_numbers_and_what_comes_after(tmp_path: Path) -> No
     count = "FOR VAR i = 1; i <= 40; i = i + 1 DO SPEAK i END FOR"
     heard = score(phases_of("orca", ("FW 2", count, "SHOW LOG", "WHERE"), tmp_path, OPTIONS))
     assert (heard.once, heard.in_order, heard.clean, heard.noise) == (1.0, 1.0, heard.phases, 0.0)
+
+
+@needs("fenrir")
+def test_fenrir_says_the_answers_of_the_plain_full_screen_with_little_noise(tmp_path: Path) -> None:
+    """T7."""
+    heard = score(phases_of("fenrir", OF_THE_SCREEN, tmp_path, OPTIONS, mode=FULL_SCREEN)[1:])
+    assert heard.clean >= 8
+    assert heard.noise <= 0.05
 
 
 @needs("brltty")

@@ -299,6 +299,33 @@ async def test_the_plain_layout_is_one_column_with_the_command_line_first(work):
         assert order == ["command", "editor", "log", "map", "inspector"]
 
 
+async def test_the_plain_layout_shows_each_answer_once_and_nothing_else(work):
+    """A reader tells what is written: no kind, no repeated command, no sentence again in the status line."""
+    async with work("", plain=True) as desk:
+        await desk.type_line("FW 3")
+        await desk.told("I walked 3 steps forward.")
+        await desk.idle()
+        await desk.until(lambda: "I walked 3 steps forward." in desk.screen, "the answer")
+
+        assert desk.status.strip() == "Command line."
+        assert not any("FW 3" in line for line in desk.log)
+        assert "moved" not in desk.screen
+
+
+async def test_the_plain_log_lets_no_row_go_by_unseen(work):
+    async with work("", plain=True) as desk:
+        seen = set()
+
+        def all_told():
+            seen.update(line.strip() for line in desk.screen.splitlines())
+            return "20" in seen
+
+        await desk.type_line("REPEAT 1 TIMES FOR VAR i = 1; i <= 20; i = i + 1 DO SPEAK i END FOR END REPEAT")
+        await desk.until(all_told, "the last number")
+
+        assert {str(number) for number in range(1, 21)} <= seen
+
+
 async def test_the_map_has_the_plain_screen_to_itself(work):
     async with work("FW 1", plain=True, world="living_room") as desk:
         await desk.type_line("SHOW MAP")

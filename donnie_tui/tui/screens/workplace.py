@@ -100,8 +100,13 @@ class Workplace(Screen[None]):
     def set_plain(self, plain: bool) -> None:
         self.set_class(plain, "-plain")
         self.editor.show_line_numbers = not plain
+        self.log_rows.suit_listeners(plain)
         self._arrange()
         self._give_room()
+
+    @property
+    def log_is_seen(self) -> bool:
+        return self.log_rows.size.height > 0
 
     @property
     def focus_chain(self) -> list[Widget]:

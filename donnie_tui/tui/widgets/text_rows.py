@@ -20,9 +20,15 @@ from textual.geometry import Offset, Region, Size
 from textual.message import Message
 from textual.scroll_view import ScrollView
 from textual.strip import Strip
+from textual.timer import Timer
 
 MOST_LINES = 100_000
 """Lines that are kept; beyond, the oldest tenth is forgotten."""
+
+REST = 0.3
+"""Seconds between two screenfuls for those who listen: a reader tells what stands there when it looks."""
+_FLOOD = 200
+"""Rows; whatever tells more at once is not to be heard line by line."""
 
 _KIND_WIDTH = 10
 _NARROW = 56
@@ -57,6 +63,10 @@ class TextRows(ScrollView, can_focus=True):
         self._heights: list[int] = []
         """How many rows each line takes."""
         self._wrapped_at = 0
+        self._is_listened_to = False
+        self._resting: Timer | None = None
+        self._heard = 0
+        """So many rows were shown to those who listen."""
         self._row: int | None = None if follows else 0
         """The row being read; None is the newest, whatever comes."""
 
@@ -140,15 +150,22 @@ class TextRows(ScrollView, can_focus=True):
                 (self._row_kinds, rows),
             ):
                 del column[:count]
+            self._heard = max(0, self._heard - rows)
             if self._row is not None:
                 self._row = max(0, self._row - rows)
         return has_too_many
 
     # --- rows
 
+    def suit_listeners(self, wanted: bool) -> None:
+        """No kinds behind the lines, which a reader would say; and no row goes by before it was seen."""
+        if wanted != self._is_listened_to:
+            self._is_listened_to = wanted
+            self.on_resize()
+
     @property
     def _shows_kinds(self) -> bool:
-        return self.size.width >= _NARROW
+        return not self._is_listened_to and self.size.width >= _NARROW
 
     @property
     def _text_width(self) -> int:
@@ -167,6 +184,7 @@ class TextRows(ScrollView, can_focus=True):
         width = self._text_width
         for text, kind in zip(self._lines, self._kinds, strict=True):
             self._wrap(text, kind, width)
+        self._heard = len(self._rows)
         if self._row is not None:
             self._row = min(self._row, max(0, len(self._rows) - 1))
 
@@ -196,8 +214,29 @@ class TextRows(ScrollView, can_focus=True):
 
     def _follow(self) -> None:
         """Show the row that is being read."""
-        place = Region(0, self.row, 1, 1)
+        if self._resting is not None and not self.has_focus:
+            return
+        row = self.row
+        if self._is_listened_to and self._row is None and not self.has_focus:
+            row = self._next_stop()
+        place = Region(0, row, 1, 1)
         self.scroll_to_region(place, animate=False, force=True, immediate=True)
+
+    def _next_stop(self) -> int:
+        """A screenful further at most, and then a rest; a flood is not waited for."""
+        height, newest = self.size.height, self.row
+        if self._heard >= len(self._rows):
+            return newest
+        is_flood = newest - self._heard > _FLOOD
+        stop = newest if is_flood else min(newest, self._heard + max(1, height) - 1)
+        in_sight = min(newest, self.scroll_offset.y + height - 1)
+        self._heard = max(stop, in_sight) + 1
+        self._resting = self.set_timer(REST, self._rested)
+        return stop
+
+    def _rested(self) -> None:
+        self._resting = None
+        self._follow()
 
     @property
     def cursor_screen_offset(self) -> Offset:
