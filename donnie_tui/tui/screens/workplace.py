@@ -106,7 +106,7 @@ class Workplace(Screen[None]):
 
     @property
     def log_is_seen(self) -> bool:
-        return self.log_rows.size.height > 0
+        return self.log_pane.region.height > 0 and self.log_rows.region.height > 0
 
     @property
     def focus_chain(self) -> list[Widget]:

@@ -225,7 +225,7 @@ class TextRows(ScrollView, can_focus=True):
     def _next_stop(self) -> int:
         """A screenful further at most, and then a rest; a flood is not waited for."""
         height, newest = self.size.height, self.row
-        if self._heard >= len(self._rows):
+        if self._heard >= len(self._rows) or not height:
             return newest
         is_flood = newest - self._heard > _FLOOD
         stop = newest if is_flood else min(newest, self._heard + max(1, height) - 1)
