@@ -40,7 +40,7 @@ def _message(error: WorldError, words: Phrasing) -> str:
     expected = _either([_thing(each, words) for each in error.expected], words)
     values = {"found": "", "expected": expected, "name": "", "given": "", "limit": "", "path": ""}
     found = str(error.details.get("found", ""))
-    filled = {**values, **error.details, "found": words(CODE_OF[found]) if found in CODE_OF else found}
+    filled = {**values, **error.details, "found": _found(found, words)}
     return words(_code(error, found, expected), **filled)
 
 
@@ -52,6 +52,13 @@ def _code(error: WorldError, found: str, expected: str) -> str:
     if code != "unexpected" or not 0 < len(error.expected) <= 4:
         return f"world-{code}"
     return "world-unexpected-expecting" if found else "world-unexpected-end"
+
+
+def _found(found: str, words: Phrasing) -> str:
+    """What stands there; a lone character that nothing shows, by what it is."""
+    if len(found) == 1 and not found.isprintable():
+        return words("world-control-character")
+    return words(CODE_OF[found]) if found in CODE_OF else found
 
 
 def _thing(expected: str, words: Phrasing) -> str:

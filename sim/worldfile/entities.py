@@ -20,6 +20,8 @@ MODEL_TYPES = frozenset(
     | {"lightindicator", "blinkenlight"}
 )
 BUILT_IN = MODEL_TYPES | {"sensor", "window", "block"}
+_RENAMED = {"laser": "ranger"}
+"""What older versions of Stage called it."""
 MOST_ENTITIES = 100_000
 """Models, sensors and blocks of a world together."""
 MOST_SETTINGS = 1_000_000
@@ -131,5 +133,6 @@ class Expander:
 
     def _unknown(self, name: str, place: tuple[str, int, int]) -> WorldError:
         known = sorted(self._types | self._macros.keys())
-        nearest = next(iter(get_close_matches(name, known, 1, 0.7)), "") if len(name) < 60 else ""
+        close = get_close_matches(name, known, 1, 0.7) if len(name) < 60 else []
+        nearest = _RENAMED.get(name) or next(iter(close), "")
         return WorldError(Code.UNKNOWN_TYPE, *place, ("type",), found=name[:60], nearest=nearest)

@@ -146,6 +146,8 @@ def _limits(read: ValueReader, settings: Settings, name: str) -> Limits | None:
 
 def _bounds(setting: Setting, pair: tuple[float, ...], unit: float) -> Bounds:
     low, high = pair[0] * unit, pair[1] * unit
+    if low > high:
+        raise mistake(Code.WRONG_ORDER, setting, name=setting.property.name)
     if not -1e6 <= low <= high <= 1e6:
         raise mistake(Code.OUT_OF_RANGE, setting, name=setting.property.name)
     return low, high

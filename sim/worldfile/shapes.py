@@ -30,7 +30,7 @@ def block(reader: ValueReader, entity: Entity) -> Polygon:
             entity.line,
             entity.column,
             ("3",),
-            given=count,
+            given=int(count) if count == int(count) else count,
             limit=MOST_POINTS,
         )
     points = tuple(_point(reader, entity, i) for i in range(int(count)))

@@ -111,7 +111,9 @@ class ValueReader:
         if setting is None:
             return default
         low, high = self.pair(setting)
-        if not 0 <= low <= high:
+        if low > high:
+            raise mistake(Code.WRONG_ORDER, setting, name=name)
+        if low < 0:
             raise mistake(Code.OUT_OF_RANGE, setting, name=name)
         return low, high
 

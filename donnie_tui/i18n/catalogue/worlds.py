@@ -73,9 +73,9 @@ SENTENCES: dict[str, Sentence] = {
         "La imagen {path} está fuera de la carpeta del mundo. DONNIE_WORLDS puede permitir más carpetas.",
     ),
     "world-bitmap-unreadable": Sentence(
-        "I can't read the picture {path}.",
-        "Não consigo ler a imagem {path}.",
-        "No puedo leer la imagen {path}.",
+        "I can't read the picture {path}. It should be {expected}.",
+        "Não consigo ler a imagem {path}. Deveria ser {expected}.",
+        "No puedo leer la imagen {path}. Debería ser {expected}.",
     ),
     "world-unknown-character": Sentence(
         "I can't use {found} here.", "Não posso usar {found} aqui.", "No puedo usar {found} aquí."
@@ -153,14 +153,24 @@ SENTENCES: dict[str, Sentence] = {
         "{name} é pequeno ou grande demais.",
         "{name} es demasiado pequeño o grande.",
     ),
+    "world-wrong-order": Sentence(
+        "{name} takes the smaller number first.",
+        "{name} recebe primeiro o número menor.",
+        "{name} recibe primero el número menor.",
+    ),
     "world-unknown-word": Sentence(
-        "{name} does not know {found}.", "{name} não conhece {found}.", "{name} no conoce {found}."
+        "{name} takes {expected}, not {found}.",
+        "{name} recebe {expected}, não {found}.",
+        "{name} recibe {expected}, no {found}.",
     ),
     "world-missing-point": Sentence("{name} is missing.", "Falta {name}.", "Falta {name}."),
     "world-too-few-points": Sentence(
-        "A block needs 3 points, not {given}.",
-        "Um bloco precisa de 3 pontos, não {given}.",
-        "Un bloque necesita 3 puntos, no {given}.",
+        "A block needs 3 to {limit} points, not {given}.",
+        "Um bloco precisa de 3 a {limit} pontos, não {given}.",
+        "Un bloque necesita de 3 a {limit} puntos, no {given}.",
+    ),
+    "world-control-character": Sentence(
+        "a control character", "um caractere de controle", "un carácter de control"
     ),
     "world-expected-number": Sentence("a number", "um número", "un número"),
     "world-expected-string": Sentence("a text in quotes", "um texto entre aspas", "un texto entre comillas"),

@@ -26,6 +26,35 @@ def test_a_misspelt_model_gets_the_nearest_name() -> None:
     assert told("modle()").endswith("I do not know the model modle. Did you mean model?")
 
 
+EXPECTED = {
+    'unit_length "inch"': "unit_length takes m, cm or mm, not inch.",
+    'position( drive "tank" )': "drive takes diff, omni or car, not tank.",
+    "ranger( sensor( range [ 5 0 ] ) )": "range takes the smaller number first.",
+    "position( laser() )": "I do not know the model laser. Did you mean ranger?",
+    "model( block( points 2 ) )": "A block needs 3 to 2000 points, not 2.",
+    "model( \x07 )": "I can't use a control character here.",
+    "\x1b[2J": "I can't use a control character here.",
+}
+
+
+@pytest.mark.parametrize("text", EXPECTED)
+def test_a_mistake_says_what_was_expected(text: str) -> None:
+    assert told(text).split(": ", 1)[1] == EXPECTED[text]
+
+
+@pytest.mark.parametrize("language", LANGUAGES)
+def test_the_words_that_a_setting_takes_are_told_in_each_language(language: str) -> None:
+    assert "diff, omni " in told('position( drive "tank" )', language)
+
+
+def test_what_is_no_picture_is_told_with_the_kinds_that_are(tmp_path: Path) -> None:
+    (tmp_path / "plan.png").write_text("no picture")
+    with pytest.raises(WorldError) as caught:
+        load_text('model ( bitmap "plan.png" )', tmp_path / "top.world")
+
+    assert "PNG, JPEG, " in world_mistake(caught.value, Words("en"))
+
+
 def test_a_mistake_is_told_in_each_language() -> None:
     sentences = {told("model(", language) for language in LANGUAGES}
 
