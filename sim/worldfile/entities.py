@@ -56,7 +56,12 @@ class _Macro:
     define: tree.Define
 
 
-_Bodies = list[tuple[str, tuple[tree.Item, ...]]]
+_Names = frozenset[str]
+
+_Bodies = list[tuple[str, tuple[tree.Item, ...], _Names]]
+"""Files, what stands there, and the macros in whose bodies that is."""
+
+_NOWHERE: _Names = frozenset()
 
 
 class Expander:
@@ -83,7 +88,7 @@ class Expander:
                     self.settings[setting.name] = Setting(placed.file, setting)
                 case tree.Instance() as instance:
                     instances.append((placed.file, instance))
-        return tuple(self._entity(file, instance, 0) for file, instance in instances)
+        return tuple(self._entity(file, instance, 0, _NOWHERE) for file, instance in instances)
 
     def _define(self, file: str, define: tree.Define) -> None:
         if define.name in self._macros:
@@ -93,18 +98,19 @@ class Expander:
         else:
             self._macros[define.name] = _Macro(file, define)
 
-    def _entity(self, file: str, instance: tree.Instance, depth: int) -> Entity:
+    def _entity(self, file: str, instance: tree.Instance, depth: int, within: _Names) -> Entity:
+        """``within``: the macros in whose bodies it stands."""
         self._count(file, instance, depth)
-        built_in, bodies = self._bodies(file, instance)
+        built_in, bodies = self._bodies(file, instance, within)
         settings: dict[str, Setting] = {}
         children: list[Entity] = []
-        for body_file, body in bodies:
+        for body_file, body, inside in bodies:
             for item in body:
                 self._replayed += 1
                 if isinstance(item, tree.Property):
                     settings[item.name] = Setting(body_file, item)
                 else:
-                    children.append(self._entity(body_file, item, depth + 1))
+                    children.append(self._entity(body_file, item, depth + 1, inside))
         place = (file, instance.line, instance.column)
         return Entity(built_in, instance.type, *place, settings, tuple(children))
 
@@ -115,16 +121,16 @@ class Expander:
         if depth > DEEPEST_MODEL:
             raise WorldError(Code.NESTED_TOO_DEEP, file, instance.line, instance.column, limit=DEEPEST_MODEL)
 
-    def _bodies(self, file: str, instance: tree.Instance) -> tuple[str, _Bodies]:
+    def _bodies(self, file: str, instance: tree.Instance, within: _Names) -> tuple[str, _Bodies]:
         """The built-in type below ``instance``, and the bodies to replay, the innermost base first."""
-        bodies: _Bodies = [(file, instance.body)]
+        bodies: _Bodies = [(file, instance.body, within)]
         name, place = instance.type, (file, instance.line, instance.column)
         seen: set[str] = set()
         while (macro := self._macros.get(name)) is not None and not (name in seen and name in self._types):
-            if name in seen:
+            if name in seen or name in within:
                 raise WorldError(Code.DEFINE_CYCLE, *place, found=name)
             seen.add(name)
-            bodies.append((macro.file, macro.define.body))
+            bodies.append((macro.file, macro.define.body, within | {name}))
             name = macro.define.base
             place = (macro.file, macro.define.base_line, macro.define.base_column)
         if name not in self._types:

@@ -32,6 +32,15 @@ BROKEN = [
     ("define chair modle ( )\nchair ( )", Code.UNKNOWN_TYPE, 1, 14, ("type",)),
     ("define a b ( )\ndefine b a ( )\na ( )", Code.DEFINE_CYCLE, 2, 10, ()),
     ("define a a ( )\na ( )", Code.DEFINE_CYCLE, 1, 10, ()),
+    ("define a ranger ( a ( ) )\na ( )", Code.DEFINE_CYCLE, 1, 19, ()),
+    ("define a model ( b ( ) )\ndefine b model ( a ( ) )\na ( )", Code.DEFINE_CYCLE, 2, 18, ()),
+    (
+        "define a model ( c ( ) )\ndefine c b ( )\ndefine b model ( a ( ) )\nc ( )",
+        Code.DEFINE_CYCLE,
+        1,
+        18,
+        (),
+    ),
     ('model ( pose "here" )', Code.WRONG_TYPE, 1, 14, ("tuple",)),
     ("model ( name 5 )", Code.WRONG_TYPE, 1, 14, ("string",)),
     ("model ( obstacle_return [ 1 ] )", Code.WRONG_TYPE, 1, 25, ("number",)),
@@ -77,6 +86,12 @@ def test_an_unknown_type_names_the_nearest() -> None:
         load_text("define armchair model ( )\narmchiar ( )", Path("x.world"))
 
     assert caught.value.details == {"found": "armchiar", "nearest": "armchair"}
+
+
+def test_a_thing_may_stand_on_one_of_its_kind() -> None:
+    scene = load_text("define a model ( )\ndefine b a ( a ( a ( ) ) )\na ( b ( a ( ) ) )", Path("x.world"))
+
+    assert len(scene.models) == 5
 
 
 def test_a_mistake_in_an_included_file_is_told_there(tmp_path: Path) -> None:
