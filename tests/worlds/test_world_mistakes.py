@@ -37,8 +37,8 @@ BROKEN = [
     (
         "define a model ( c ( ) )\ndefine c b ( )\ndefine b model ( a ( ) )\nc ( )",
         Code.DEFINE_CYCLE,
-        1,
-        18,
+        2,
+        10,
         (),
     ),
     ('model ( pose "here" )', Code.WRONG_TYPE, 1, 14, ("tuple",)),
