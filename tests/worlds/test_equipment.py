@@ -134,7 +134,7 @@ def test_things_may_be_pushed_gripped_weighed_and_seen_at_their_height_only() ->
         ('position ( localization "map" )', ("unknown-word", 25)),
         ("position ( drive 3 )", ("wrong-type", 18)),
         ("position ( velocity_bounds [ 1 2 3 ] )", ("wrong-count", 28)),
-        ("position ( velocity_bounds [ 2 1 0 0 0 0 0 0 ] )", ("out-of-range", 28)),
+        ("position ( velocity_bounds [ 2 1 0 0 0 0 0 0 ] )", ("wrong-order", 28)),
         ("position ( odom_error [ 1 2 ] )", ("wrong-count", 23)),
         ('gripper ( paddle_state [ "open" "ajar" ] )', ("unknown-word", 24)),
         ("gripper ( paddle_state 1 )", ("wrong-type", 24)),
