@@ -38,6 +38,8 @@ class ChosenWorld:
     """What a configuration file offers, and under which addresses."""
     physical_port: str | None = None
     """The serial port of the real robot that a configuration file asks for."""
+    stands_in_for: str = ""
+    """The configuration file that has no world; what was loaded is only there to draw its robot on."""
 
     def about(self, language: str) -> worlds.About | None:
         """Title, description and task; None for a file of the learner's own."""
@@ -83,10 +85,12 @@ def _configured(path: Path, words: Words, folders: tuple[Path, ...]) -> ChosenWo
         raise Unusable(world_mistake(error, words)) from None
     if found.scene is not None and found.world is not None:
         name, place, scene = found.world.name, found.world, found.scene
+        instead_of = ""
     else:
+        instead_of = path.name
         name, place = path.name, worlds.path(WITHOUT_WORLD)
         scene = _load(place, words, folders)
-    return ChosenWorld(name, place, scene, False, found.offers, found.physical_port)
+    return ChosenWorld(name, place, scene, False, found.offers, found.physical_port, instead_of)
 
 
 def _looks_like_a_file(name: str) -> bool:

@@ -20,7 +20,7 @@ from donnie_tui.core.naming import name_of
 from donnie_tui.i18n.words import Words
 from donnie_tui.i18n.world_mistakes import world_note
 from donnie_tui.unusable import Unusable
-from donnie_tui.world_choice import ChosenWorld, choose_world
+from donnie_tui.world_choice import WITHOUT_WORLD, ChosenWorld, choose_world
 
 if TYPE_CHECKING:
     from sim.picture import Picture
@@ -47,12 +47,23 @@ def tell_world(order: Order) -> int:
     """In the form that was asked for, in words if none was."""
     arguments, words = order.invocation.arguments, order.words
     world = choose_world(arguments.name or order.settings.world, words, order.settings.world_folders)
+    is_told = not any(getattr(arguments, each) not in (None, False) for each in ("json", "map", "svg", "brf"))
+    for sentence in _without_world(world, words):
+        (order.output.line if is_told else order.output.complaint)(sentence)
     if arguments.json:
         order.output.text(_json(world) + "\n")
         return codes.DONE
     for line in _lines(arguments, world, words):
         order.output.line(line)
     return codes.DONE
+
+
+def _without_world(world: ChosenWorld, words: Words) -> tuple[str, ...]:
+    """That there is only a real robot, and on which floor it is drawn."""
+    if not world.stands_in_for:
+        return ()
+    values = {"name": world.stands_in_for, "port": world.physical_port, "floor": WITHOUT_WORLD}
+    return (words("world-real-only", **values),)
 
 
 def _lines(arguments: object, world: ChosenWorld, words: Words) -> tuple[str, ...]:

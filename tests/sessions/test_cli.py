@@ -176,6 +176,19 @@ def test_a_world_as_json_has_its_models_as_stage_would_build_them(printed: Print
     assert {"type", "name", "parent", "global_pose", "size", "color", "blocks", "block_area"} <= set(robot)
 
 
+def test_a_configuration_of_a_real_robot_says_that_it_has_no_world(printed: Printed) -> None:
+    write("serial.cfg", 'driver ( name "donnie" provides [ "position2d:0" ] port "/dev/ttyS0" )')
+    sentence = "serial.cfg asks for the robot at /dev/ttyS0 and has no world. "
+
+    for way in ((), ("--report",)):
+        assert printed.by("world", "serial.cfg", *way) == 0
+        assert printed.out.startswith(sentence)
+    for way in (("--map",), ("--json",)):
+        assert printed.by("world", "serial.cfg", *way) == 0
+        assert sentence not in printed.out
+        assert printed.err.startswith(sentence)
+
+
 def test_a_report_tells_what_was_ignored(printed: Printed) -> None:
     write("b.world", 'model( name "x" colr "red" )')
 

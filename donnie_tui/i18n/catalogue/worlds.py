@@ -268,6 +268,11 @@ SENTENCES: dict[str, Sentence] = {
     ),
     "note-no-robot": Sentence("The world has no robot.", "O mundo não tem robô.", "El mundo no tiene robot."),
     # --- a world in words
+    "world-real-only": Sentence(
+        "{name} asks for the robot at {port} and has no world. Here is {floor}, on which it is drawn.",
+        "{name} pede o robô em {port} e não tem mundo. Aqui está {floor}, em que ele é desenhado.",
+        "{name} pide el robot en {port} y no tiene mundo. Aquí está {floor}, en el que se dibuja.",
+    ),
     "world-title": Sentence("{name}: {title}.", "{name}: {title}.", "{name}: {title}."),
     "world-task": Sentence("Task: {task}", "Tarefa: {task}", "Tarea: {task}"),
     "world-endless": Sentence(
