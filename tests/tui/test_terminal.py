@@ -130,7 +130,7 @@ def terminal(tmp_path: Path) -> Iterator[Callable[..., Terminal]]:
         *arguments: str, columns: int = 80, rows: int = 24, controls: bool = False, **environment: str
     ) -> Terminal:
         opened.append(Terminal(list(arguments), tmp_path, columns, rows, environment, controls))
-        opened[-1].shows("Ready, speed")
+        opened[-1].shows("Command line." if "--plain" in arguments else "Ready, speed")
         return opened[-1]
 
     yield open_one
