@@ -57,18 +57,23 @@ class Deeds:
         self.run(argument)
 
     def stop(self, _argument: str) -> None:
+        self._host.to_present()
         self._host.tell(self._host.running.stop())
 
     def pause(self, _argument: str) -> None:
+        self._host.to_present()
         self._host.tell(self._host.running.pause_or_continue())
 
     def continue_(self, _argument: str) -> None:
+        self._host.to_present()
         self._host.tell(self._host.running.go_on())
 
     def step(self, _argument: str) -> None:
+        self._host.to_present()
         self._host.tell(self._host.running.step(*self._program))
 
     def step_over(self, _argument: str) -> None:
+        self._host.to_present()
         self._host.tell(self._host.running.step_over(*self._program))
 
     def step_back(self, _argument: str) -> None:
@@ -80,9 +85,11 @@ class Deeds:
         if not (line.isdecimal() and len(line) < 8 and 1 <= int(line) <= editor.line_count):
             self._host.tell(Answer("answer-no-line", {"line": line[:20], "last": editor.line_count}))
         else:
+            self._host.to_present()
             self._host.tell(self._host.running.run_to(int(line), *self._program))
 
     def reset(self, _argument: str) -> None:
+        self._host.to_present()
         self._host.tell(self._host.running.reset())
         self._host.show_pose()
 

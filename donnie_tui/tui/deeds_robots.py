@@ -63,6 +63,7 @@ class RobotDeeds:
 
     def stop_all(self, _argument: str) -> None:
         others = [each for each in self._host.donnie.team.running if each is not self._host.donnie.session]
+        self._host.to_present()
         answer = self._host.running.stop()
         if others:
             team_words.stop_all(self._host.donnie)

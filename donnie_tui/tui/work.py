@@ -330,7 +330,7 @@ class Work:
         self.display.show_past(timeline)
         self.tell_sentences(told_back(undone, timeline, self.words))
 
-    def _to_present(self) -> None:
+    def to_present(self) -> None:
         """Whatever is done now is done from where the robot really is."""
         if self._timeline is not None:
             self._timeline.go_to(len(self._timeline))
@@ -468,6 +468,7 @@ class Work:
     def robot_chosen(self) -> None:
         """Another robot is talked to: the map shows its way."""
         self.running.look_again()
+        self._timeline = None
         self.display.show_world()
         self.display.begin(self._donnie.session.pose, fresh=True)
         self.display.show_past(self._donnie.chronicle.timeline())
@@ -524,7 +525,7 @@ class Work:
 
     def began(self, event: Began) -> None:
         """What waits in the mailbox is this run's: the end of the last one took everything."""
-        self._to_present()
+        self.to_present()
         self._expect_reading(SLOW)
         self.display.begin(event.pose, fresh=self.running.is_program)
         if self._watching is None:
@@ -554,6 +555,7 @@ class Work:
         """It holds before a statement: say which, and put the cursor there."""
         frames = self.running.frames
         if self.running.doing is Doing.PAUSED and frames and self.running.is_program:
+            self.to_present()
             self._intake.take()
             self._tell_line(frames[0].line)
             self._intake.take()
@@ -568,6 +570,7 @@ class Work:
 
     def ended(self, event: Ended) -> None:
         self._forget_reading()
+        self.to_present()
         self.running.ended()
         self.errors = event.errors
         self._intake.take()

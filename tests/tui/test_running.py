@@ -317,3 +317,30 @@ async def test_a_look_at_a_program_paints_only_what_is_new(work, monkeypatch):
         place.log_lines([("one more line", "")])
         await desk.pilot.pause(0.1)
         assert set(log) == {shown - 1, shown}
+
+
+# --- going on after a look into the past
+
+
+def trail(desk) -> list[str]:
+    return [row.strip(".") for row in desk.map_rows() if row.strip(".")]
+
+
+@pytest.mark.parametrize("key", ["f6", "f7", "f8"])
+async def test_going_on_after_a_look_into_the_past_goes_on_from_the_present(work, key):
+    async with work("FW 3\nTR 90\nFW 4\nTR 90\nSPEAK 1\nWAIT 1000", speed=None) as desk:
+        for line in ("Line 1:", "Line 2:", "Line 3:", "Line 4:", "Line 5:"):
+            await desk.press("f7")
+            await desk.told(line)
+        here = ["oooov", "o", "o", "A"]
+        assert trail(desk) == here
+        for _ in range(4):
+            desk.app.work.do("step_back")
+        assert trail(desk) == ["^"]
+
+        await desk.press(key)
+
+        await desk.until(lambda: trail(desk) == here, "the present")
+        desk.app.work.do("stop")
+        await desk.idle()
+        assert trail(desk) == here
