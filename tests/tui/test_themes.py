@@ -68,6 +68,8 @@ async def test_every_text_that_is_painted_has_a_contrast_of_seven(work, name):
         desk.place.editor.focus()
         await desk.press("shift+up", "shift+right")
         faint |= too_faint(desk.app)
+        await desk.press("ctrl+a")
+        faint |= too_faint(desk.app)
         for key, leave in (("f1", "escape"), ("ctrl+p", "escape"), ("ctrl+n", "escape")):
             await desk.press(key)
             await desk.until(lambda: desk.app.screen is not desk.place, key)
@@ -77,6 +79,30 @@ async def test_every_text_that_is_painted_has_a_contrast_of_seven(work, name):
             await desk.until(lambda: desk.app.screen is desk.place, leave)
 
         assert faint == {}
+
+
+@pytest.mark.parametrize("name", themes.NAMES)
+async def test_selected_text_has_the_colours_of_what_is_chosen_whatever_its_syntax(work, name):
+    """In the terminal's own look: its own two colours, the other way round."""
+    async with work('FW 5\n\nSPEAK "a"', size=(80, 24)) as desk:
+        desk.app.theme = name
+        desk.place.editor.focus()
+        await desk.press("ctrl+a")
+        await desk.pilot.pause()
+        editor = desk.place.editor
+        rows = [editor.render_line(y).crop(editor.gutter_width) for y in range(4)]
+        chosen = [[each for each in row if each.style.reverse or name in RGB][:3] for row in rows]
+        words = themes.theme(name).variables
+
+        assert "".join(each.text for each in chosen[0]).startswith("FW 5")
+        for segment in [*chosen[0], chosen[1][0], chosen[2][0]]:
+            if not segment.text.strip() and segment is not chosen[1][0]:
+                continue
+            style = segment.style
+            if name == themes.TERMINAL:
+                assert (style.reverse, style.color.is_default, style.bgcolor.is_default) == (True,) * 3
+            else:
+                assert (style.color.name, style.bgcolor.name) == (words["on-chosen"], words["chosen"])
 
 
 @pytest.mark.parametrize("name", RGB)

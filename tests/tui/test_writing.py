@@ -380,3 +380,17 @@ async def test_a_program_holds_where_its_breakpoint_has_moved_to(work):
         desk.place.editor.insert("TR 90\n", (0, 0))
         await desk.press("f5")
         await desk.told("Line 3: FW 2")
+
+
+async def test_in_the_plain_layout_the_marks_have_columns_of_their_own(work):
+    async with work("FW 5\nTR 90", plain=True) as desk:
+        editor = desk.place.editor
+        editor.focus()
+        editor.toggle_breakpoint(1)
+        await desk.press("end")
+        await desk.pilot.pause()
+
+        assert [editor.render_line(y).text.rstrip() for y in range(3)] == [" BFW 5", "  TR 90", ""]
+        assert editor.render_line(0).cell_length == editor.size.width
+        assert editor.cursor_screen_offset.x == editor.content_region.x + len(" BFW 5")
+        assert " BFW 5" in desk.screen

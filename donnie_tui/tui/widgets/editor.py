@@ -11,6 +11,7 @@ import re
 from collections.abc import Callable, Mapping, Sequence
 from typing import TYPE_CHECKING, ClassVar
 
+from rich.cells import cell_len
 from rich.segment import Segment
 from rich.style import Style
 from textual import events
@@ -36,6 +37,9 @@ HERE, CALLER, BREAK, MISTAKE, HINT = ">", "*", "B", "!", "?"
 MARKS = 2
 """Columns for marks."""
 
+_EMPTY_LINE = "▌"
+"""What Textual paints in a selected line without text, in a colour that may be the background's."""
+
 LEAST_TYPED = 2
 """Letters before a word is offered."""
 LEAST_NOTE = 12
@@ -47,7 +51,7 @@ LINEAR_WORDS = frozenset(BY_NAME["linear"].word(each).casefold() for each in LAN
 class Editor(TextArea):
     """The text and its marks."""
 
-    COMPONENT_CLASSES: ClassVar[set[str]] = {"editor--note"}
+    COMPONENT_CLASSES: ClassVar[set[str]] = {"editor--note", "editor--chosen"}
 
     BINDINGS: ClassVar[list[BindingType]] = [Binding("ctrl+a", "select_all", show=False)]
 
@@ -264,7 +268,7 @@ class Editor(TextArea):
         return super().gutter_width + MARKS
 
     def render_line(self, y: int) -> Strip:
-        strip = super().render_line(y)
+        strip = self._with_selection(self._with_gutter(super().render_line(y)), y)
         line, is_first, is_last = self._line_at(y)
         if line and is_last and line in self._notes:
             strip = self._with_note(strip, self._notes[line])
@@ -273,6 +277,36 @@ class Editor(TextArea):
             return strip
         style = next(iter(strip)).style or Style()
         return Strip.join([Strip([Segment(marks, style + Style(bold=True))]), strip.crop(MARKS)])
+
+    def _with_gutter(self, strip: Strip) -> Strip:
+        """Textual has columns for numbers only where there are numbers; the marks want theirs everywhere."""
+        if self.show_line_numbers:
+            return strip
+        first = next(iter(strip), None)
+        gutter = Strip([Segment(" " * MARKS, (first and first.style) or self.rich_style)])
+        return Strip.join([gutter, strip]).crop(0, self.size.width)
+
+    def _with_selection(self, strip: Strip, y: int) -> Strip:
+        """The chosen columns in the colours for it, over those of the syntax, which Textual leaves there."""
+        row, (first, last) = y + self.scroll_offset.y, self._chosen
+        if first == last or not first.y <= row <= last.y:
+            return strip
+        text_end = max(cell_len(strip.text.rstrip()), self.gutter_width + 1)
+        begin = self.gutter_width + (first.x if row == first.y else 0)
+        end = self.gutter_width + last.x if row == last.y else max(text_end, begin)
+        look = self.get_component_rich_style("editor--chosen", partial=True)
+        chosen = strip.crop(begin, end)
+        painted = Strip([Segment(each.text, (each.style or Style()) + look) for each in chosen])
+        if painted.text == _EMPTY_LINE:
+            painted = Strip([Segment(" ", each.style) for each in painted])
+        return Strip.join([strip.crop(0, begin), painted, strip.crop(end)])
+
+    @property
+    def _chosen(self) -> tuple[Offset, Offset]:
+        """Where the selection begins and ends in the wrapped text, in cells."""
+        first, last = sorted(self.selection)
+        wrapped = self.wrapped_document
+        return wrapped.location_to_offset(first), wrapped.location_to_offset(last)
 
     def _marks_of(self, line: int) -> str:
         note = self._notes.get(line)
