@@ -167,6 +167,42 @@ async def test_f4_shows_the_inspector_and_goes_back(work):
         assert "Map:" in desk.screen
 
 
+async def the_map_is_seen(desk) -> None:
+    await has_focus(desk, "map")
+    await desk.until(lambda: desk.place.map.region.width >= 20 and "Map:" in desk.screen, "the map")
+    x, y = caret(desk)
+    assert desk.place.map.region.contains(x, y)
+
+
+@pytest.mark.parametrize("size", [(80, 24), (80, 15), (100, 30)])
+@pytest.mark.parametrize("way", ["SHOW MAP", "shift+tab"])
+async def test_the_map_comes_back_when_it_is_asked_for_in_the_inspector_s_place(work, size, way):
+    async with work("FW 1", size=size, world="living_room") as desk:
+        await desk.press("f4")
+        await has_focus(desk, "inspector")
+        if way == "SHOW MAP":
+            await desk.type_line(way)
+        else:
+            await desk.press(way)
+
+        await the_map_is_seen(desk)
+
+
+async def test_a_focus_on_the_map_or_the_inspector_is_seen_in_a_smaller_terminal_too(work):
+    async with work("FW 1", size=(120, 40)) as desk:
+        await desk.press("f4", "shift+tab")
+        await has_focus(desk, "map")
+        await desk.pilot.resize_terminal(80, 24)
+        await the_map_is_seen(desk)
+
+        await desk.pilot.resize_terminal(120, 40)
+        await desk.press("tab")
+        await has_focus(desk, "inspector")
+        await desk.pilot.resize_terminal(80, 24)
+        await desk.until(lambda: "Variables" in desk.screen or "variables" in desk.screen, "the inspector")
+        await has_focus(desk, "inspector")
+
+
 @pytest.mark.parametrize(
     ("typed", "focused"), [("show map", "map"), ("SHOW LOG", "log"), ("Show Program", "editor")]
 )

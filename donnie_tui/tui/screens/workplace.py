@@ -134,11 +134,17 @@ class Workplace(Screen[None]):
     def toggle_inspector(self) -> None:
         """Show it, in the map's place where there is no room for both; or go back from it."""
         if self.inspector.has_focus:
-            self.remove_class("-inspecting")
+            self._inspect(False)
             self.go_to(self.program_pane)
         else:
-            self.add_class("-inspecting")
+            self._inspect(True)
             self.go_to(self.inspector_pane)
+
+    def _inspect(self, inspecting: bool) -> None:
+        """Whether the inspector has the map's place, where there is room for one of them."""
+        if inspecting != self.has_class("-inspecting"):
+            self.set_class(inspecting, "-inspecting")
+            self._give_room()
 
     def on_descendant_focus(self, _event: DescendantFocus) -> None:
         pane = self.focused_pane
@@ -148,10 +154,14 @@ class Workplace(Screen[None]):
 
     def on_resize(self, event: Resize) -> None:
         self.set_class(_is_small(event.size), "-one-pane")
+        if self.map.has_focus or self.inspector.has_focus:
+            self._inspect(self.inspector.has_focus)
         self._arrange()
         self._give_room()
 
     def _bring_up(self, pane: Pane) -> None:
+        if pane is self.map_pane:
+            self._inspect(False)
         if pane is not self._shown:
             self._shown = pane
             self._arrange()
@@ -175,7 +185,7 @@ class Workplace(Screen[None]):
         grid = self.map.grid
         wanted = grid.bounds.width if grid else 0
         fits = LEAST_PROGRAM + wanted + 1 <= self.size.width < WIDE and wanted >= LEAST_MAP
-        free = not self.has_class("-one-pane") and not self.is_plain
+        free = not self.has_class("-one-pane") and not self.has_class("-inspecting") and not self.is_plain
         self.map_pane.styles.width = wanted if fits and free else None
 
     def log_lines(self, lines: Iterable[tuple[str, str]]) -> None:
