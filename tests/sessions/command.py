@@ -23,6 +23,7 @@ def environment(folder: Path, changes: Mapping[str, str] | None = None) -> dict[
         "XDG_STATE_HOME": str(folder / "state"),
         "LC_ALL": "C.UTF-8",
         "DONNIE_TOUR": "off",
+        "DONNIE_PLAIN": "off",  # a screen reader of this machine would change the layout
     }
     return {**kept, **own, **(changes or {})}
 

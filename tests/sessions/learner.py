@@ -27,6 +27,7 @@ class Learner:
             "LC_ALL": "C.UTF-8",
             "TERM": "xterm",
             "DONNIE_TOUR": "off",
+            "DONNIE_PLAIN": "off",  # a screen reader of this machine would change the layout
         } | more
         quiet = ["--speech", "off", "--sound", "off", "--lang", language, "--speed", speed]
         self.child: pexpect.spawn[bytes] = pexpect.spawn(
