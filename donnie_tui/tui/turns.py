@@ -21,7 +21,10 @@ from textual.timer import Timer
 ROUNDS = 3
 """From the widget up to the application: a key that a binding takes, what it submits, what that posts."""
 PATIENCE = 0.5
-"""Seconds after which it is done anyway: a widget on the way may have gone."""
+"""Seconds between two looks at how far the deed has come."""
+LOOKS = 4
+"""That many looks without a step, and it is done anyway: a widget on the way may have gone. A slow machine
+makes steps, and only one look however long it stands still."""
 
 Deed: TypeAlias = Callable[[], None]
 
@@ -34,7 +37,10 @@ class Turns:
         self._feed = feed
         self._held: deque[Event] = deque()
         self._deed: Deed | None = None
+        self._then: deque[tuple[Deed, int]] = deque()
+        """What else is to be done, and for how many rounds that goes."""
         self._patience: Timer | None = None
+        self._steps = 0
 
     @property
     def is_holding(self) -> bool:
@@ -47,11 +53,12 @@ class Turns:
 
     def do(self, deed: Deed, rounds: int = ROUNDS) -> None:
         """Do it once everything that came before has been."""
-        if self._patience is not None:
-            self._patience.stop()
+        if self._deed is not None:
+            self._then.append((deed, rounds))
+            return
         self._deed = deed
-        self._patience = self._app.set_timer(PATIENCE, self._act)
         self._pass_on(self._first(), deed, rounds)
+        self._look_later(deed, LOOKS)
 
     def follow(self, *, submits: bool) -> None:
         """What comes now waits until the last key has done what it does; ``submits``: by way of a message."""
@@ -63,19 +70,39 @@ class Turns:
 
     def _pass_on(self, pump: MessagePump, deed: Deed, rounds: int) -> None:
         """To the end of one queue after the other, as keys that nobody takes go."""
+        self._steps += deed is self._deed
         if pump is not self._app:
             pump.call_later(self._pass_on, pump._parent or self._app, deed, rounds)
         elif rounds:
             pump.call_later(self._pass_on, self._first(), deed, rounds - 1)
-        elif deed is self._deed:
-            pump.call_later(self._act)
+        else:
+            pump.call_later(self._act, deed)
 
-    async def _act(self) -> None:
-        deed, self._deed = self._deed, None
+    def _look_later(self, deed: Deed, looks: int) -> None:
+        steps = self._steps
+        self._patience = self._app.set_timer(PATIENCE, lambda: self._look(deed, looks, steps))
+
+    def _look(self, deed: Deed, looks: int, steps: int) -> None:
+        """In the timer's own task, which ends when the timer is stopped: nothing is done here."""
+        if deed is not self._deed:
+            return
+        if self._steps != steps:
+            self._look_later(deed, LOOKS)
+        elif looks > 1:
+            self._look_later(deed, looks - 1)
+        else:
+            self._app.call_later(self._act, deed)
+
+    async def _act(self, deed: Deed) -> None:
+        """Once: what was done already, because it took too long to come, may still come."""
+        if deed is not self._deed:
+            return
+        self._deed = None
         if self._patience is not None:
             self._patience.stop()
             self._patience = None
-        if deed is not None:
-            deed()
+        deed()
+        if self._then and self._deed is None:
+            self.do(*self._then.popleft())
         while self._held and self._deed is None:
             await self._feed(self._held.popleft())

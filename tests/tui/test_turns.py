@@ -1,0 +1,142 @@
+"""Keys in their turn, with queues that are emptied by hand and a clock that is moved by hand."""
+
+import asyncio
+from collections import deque
+from collections.abc import Awaitable, Callable
+from functools import partial
+from types import SimpleNamespace
+
+from donnie_tui.tui.turns import LOOKS, Turns
+
+
+class Pump:
+    """What has a queue."""
+
+    def __init__(self, parent: "Pump | None" = None) -> None:
+        self._parent = parent
+        self.queue: deque[Callable[[], Awaitable[None] | None]] = deque()
+
+    def call_later(self, do, *given) -> None:
+        self.queue.append(partial(do, *given))
+
+    async def work(self, most: int = 1000) -> None:
+        while self.queue and most:
+            most -= 1
+            waiting = self.queue.popleft()()
+            if waiting is not None:
+                await waiting
+
+
+class Timer:
+    """As Textual's: what it calls runs in a task of its own, which ends when it is stopped."""
+
+    def __init__(self, call: Callable[[], object]) -> None:
+        self._call = call
+        self._task: asyncio.Task | None = None
+
+    async def ring(self) -> None:
+        async def ringing() -> None:
+            waiting = self._call()
+            if waiting is not None:
+                await waiting
+
+        self._task = asyncio.create_task(ringing())
+        await asyncio.wait([self._task])
+
+    def stop(self) -> None:
+        if self._task is not None:
+            self._task.cancel()
+
+
+class Application(Pump):
+    """An application with a widget that has the focus, and what was done in it."""
+
+    def __init__(self) -> None:
+        super().__init__()
+        self.focused = Pump(self)
+        self.timers: list[Timer] = []
+        self.done: list[str] = []
+        self.turns = Turns(self, self._feed)
+
+    def set_timer(self, _seconds: float, call: Callable[[], object]) -> Timer:
+        self.timers.append(Timer(call))
+        return self.timers[-1]
+
+    async def _feed(self, key: SimpleNamespace) -> None:
+        await asyncio.sleep(0)
+        self.done.append(key.name)
+        if key.name.startswith("F"):
+            self.turns.do(partial(self.done.append, f"{key.name} done"))
+
+    def press(self, *names: str) -> None:
+        for name in names:
+            self.turns.hold(SimpleNamespace(name=name))
+
+    def do(self, name: str) -> None:
+        self.turns.do(partial(self.done.append, name))
+
+    async def patience_ends(self) -> None:
+        for _ in range(LOOKS):
+            await self.timers[-1].ring()
+
+    async def go_on(self) -> None:
+        for _ in range(100):
+            await self.focused.work()
+            await self.work()
+
+
+async def test_on_a_slow_machine_a_deed_does_not_overtake_the_letters_before_it():
+    app = Application()
+    app.focused.call_later(app.done.append, "letter")
+    app.do("run")
+    for _ in range(LOOKS - 1):
+        await app.timers[-1].ring()
+    await app.focused.work(1)  # a step, at last
+    await app.work(1)
+
+    for _ in range(LOOKS - 1):
+        await app.timers[-1].ring()
+
+    assert app.done == ["letter"]
+    await app.go_on()
+    assert app.done == ["letter", "run"]
+
+
+async def test_what_waits_behind_a_deed_whose_widget_has_gone_is_done_once_and_all_of_it():
+    app = Application()
+    app.do("run")
+    app.focused = Pump(app)  # the other one is gone, with its queue
+    app.press("a", "b", "c")
+    await app.patience_ends()
+    await app.work()
+
+    assert app.done == ["run", "a", "b", "c"]
+    assert not app.turns.is_holding
+
+
+async def test_a_deed_that_comes_after_its_patience_is_not_done_again_nor_the_next_one_early():
+    app = Application()
+    app.do("run")
+    slow, app.focused = app.focused, Pump(app)
+    await app.patience_ends()
+    await app.work()
+    app.focused.call_later(app.done.append, "letter")
+    app.do("save")
+    for _ in range(20):  # the first one's way, to its end
+        await slow.work()
+        await app.work()
+
+    assert app.done == ["run"]
+    await app.go_on()
+    assert app.done == ["run", "letter", "save"]
+
+
+async def test_a_deed_behind_another_one_waits_for_it_and_none_is_lost():
+    app = Application()
+    app.do("run")
+    app.do("save")
+    app.press("a", "F", "b")
+    await app.go_on()
+
+    assert app.done == ["run", "save", "a", "F", "F done", "b"]
+    assert not app.turns.is_holding
