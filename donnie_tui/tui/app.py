@@ -27,7 +27,7 @@ from textual.binding import Binding, BindingsMap
 from textual.geometry import Offset
 from textual.screen import Screen
 from textual.timer import Timer
-from textual.widgets import Input
+from textual.widgets import Input, TextArea
 
 from donnie_tui.device_settings import SERIAL
 from donnie_tui.folders import state_folder
@@ -200,7 +200,13 @@ class DonnieApp(App[int], inherit_bindings=False):
 
     def _display(self, screen: Screen[Any], renderable: RenderableType | None) -> None:
         """Whatever is painted passes here. In the plain layout readers hear it: rows are written whole."""
-        super()._display(screen, renderable if self.workplace.is_plain else self._painted.less(renderable))
+        is_typing = isinstance(screen.focused, (TextArea, Input))
+        thrifty = self._painted.less(
+            renderable,
+            rows=self.workplace.is_plain,
+            typing=self.cursor_position if is_typing else None,
+        )
+        super()._display(screen, thrifty)
 
     def repaint(self) -> None:
         """All of it: something else may have written over the terminal."""

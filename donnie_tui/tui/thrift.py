@@ -1,7 +1,8 @@
 """What is sent to the terminal: of what is painted anew only the cells that changed. SSH has few bytes.
 
 Rule: a row that a program moves up by one, or a letter in a line, costs what differs from what stood there.
-Never in the plain layout: screen readers tell what is written, and half a word is no word.
+In the plain layout screen readers tell what is written, and half a sentence is none: there a row that differs
+is written whole, but for the letters that are being typed in it.
 """
 
 from __future__ import annotations
@@ -17,10 +18,13 @@ from rich.console import Console, RenderableType
 from rich.control import Control
 from rich.style import Style
 from textual._compositor import ChopsUpdate, CompositorUpdate  # Textual's only name for what it paints
+from textual.geometry import Offset
 from textual.strip import Strip
 
 _GAP = 16
 """So many equal cells between two that changed cost less than going there."""
+_MOST_TYPED = 2
+"""Rows that a typed letter changes: its own, and the status."""
 _FIRST_COMBINING = "\u0300"
 _SOFT_HYPHEN = "\xad"
 
@@ -35,15 +39,31 @@ class Painted:
     def __init__(self) -> None:
         self._cells: dict[tuple[int, int], Cell] = {}
 
-    def less(self, update: RenderableType | None) -> RenderableType | None:
-        """The same, with what is there already left out."""
+    def less(
+        self, update: RenderableType | None, *, rows: bool = False, typing: Offset | None = None
+    ) -> RenderableType | None:
+        """The same, with what is there already left out. ``rows``: a row that differs is written whole.
+
+        ``typing``: where the cursor stands in a text that is typed; letters that come there stay letters.
+        """
         if isinstance(update, ChopsUpdate):
-            return cast(RenderableType, Changes(update, self))
+            return cast(RenderableType, Changes(update, self, rows=rows, typing=typing))
         if update is not None:
             self._cells.clear()  # the whole screen, or something else
         return update
 
-    def changes(self, x: int, y: int, strip: Strip) -> Iterator[Piece]:
+    def differs(self, x: int, y: int, strip: Strip, *, letters: bool = False) -> int | None:
+        """The first column that differs from what is shown, in its look or in its ``letters``; None: none."""
+        cells = _cells_of(strip)
+        if cells is None:
+            return x
+        for at, cell in enumerate(cells, x):
+            shown = self._cells.get((at, y))
+            if shown is None or (shown[0] != cell[0] if letters else shown != cell):
+                return at
+        return None
+
+    def changes(self, x: int, y: int, strip: Strip, *, rows: bool = False) -> Iterator[Piece]:
         """What makes the terminal show the strip there; from then on it does."""
         cells = _cells_of(strip)
         if cells is None:
@@ -53,6 +73,10 @@ class Painted:
             return
         changed = [at for at, cell in enumerate(cells) if self._cells.get((x + at, y)) != cell]
         self._cells.update({(x + at, y): cells[at] for at in changed})
+        if rows and changed:
+            end = max(changed[-1], *(at for at, (letter, _) in enumerate(cells) if letter != " "), 0) + 1
+            yield from _pieces_of(x, y, cells[:end])
+            return
         for begin, end in _runs(changed):
             yield from _pieces_of(x + begin, y, cells[begin:end])
 
@@ -60,18 +84,34 @@ class Painted:
 class Changes(CompositorUpdate):
     """Textual's partial update, less what is there already. A style is said once, whatever wears it."""
 
-    def __init__(self, update: ChopsUpdate, painted: Painted) -> None:
-        self._update, self._painted = update, painted
+    def __init__(
+        self, update: ChopsUpdate, painted: Painted, *, rows: bool = False, typing: Offset | None = None
+    ) -> None:
+        self._update, self._painted, self._rows, self._typing = update, painted, rows, typing
 
     def render_segments(self, console: Console) -> str:
         by_style: dict[Style, list[str]] = {}
-        for x, y, strip in self._pieces():
-            for style, text in self._painted.changes(x, y, strip):
+        pieces = list(self._pieces())
+        typed = self._typed_row(pieces) if self._rows and self._typing else None
+        for x, y, strip in pieces:
+            for style, text in self._painted.changes(x, y, strip, rows=self._rows and y != typed):
                 by_style.setdefault(style, []).append(text)
         colours = console._color_system or ColorSystem.TRUECOLOR  # as Textual's strips ask for it
         return "".join(
             Strip.render_style(style, "".join(texts), colours) for style, texts in by_style.items()
         )
+
+    def _typed_row(self, pieces: Sequence[tuple[int, int, Strip]]) -> int | None:
+        """The row of the cursor, where what differs are letters there; other rows would move as well."""
+        cursor = self._typing
+        differing = {
+            y: (x, strip) for x, y, strip in pieces if self._painted.differs(x, y, strip) is not None
+        }
+        if cursor is None or cursor.y not in differing or len(differing) > _MOST_TYPED:
+            return None
+        x, strip = differing[cursor.y]
+        first = self._painted.differs(x, cursor.y, strip, letters=True)
+        return cursor.y if first is not None and first >= cursor.x - 2 else None
 
     def _pieces(self) -> Iterator[tuple[int, int, Strip]]:
         """Column, row and cells of whatever is to be painted, from the beginning of its widget's row."""

@@ -7,9 +7,10 @@ from rich.console import Console
 from rich.segment import Segment
 from rich.style import Style
 from textual._compositor import ChopsUpdate
+from textual.geometry import Offset
 from textual.strip import Strip
 
-from donnie_tui.tui.thrift import Painted
+from donnie_tui.tui.thrift import Changes, Painted
 
 COLUMNS, ROWS = 30, 4
 CONSOLE = Console(force_terminal=True, color_system="truecolor")
@@ -81,16 +82,54 @@ def test_after_the_whole_screen_was_painted_nothing_is_known():
     assert painted.less(update(0, 0, strip)).render_segments(CONSOLE) == sent
 
 
-async def test_in_the_plain_layout_rows_are_written_whole(work, monkeypatch):
-    """A reader tells what is written: half a row is no sentence."""
-    asked = []
-    monkeypatch.setattr(Painted, "less", lambda _self, update: asked.append(update) or update)
-    async with work("FW 1", plain=True) as desk:
-        await desk.press("f5")
-        await desk.told("The program is done.")
-    assert asked == []
+def sent(painted: Painted, text: str, *, row: int = 0, typing: Offset | None = None) -> str:
+    strip = Strip([Segment(text.ljust(20), STYLES[0])])
+    return painted.less(update(0, row, strip), rows=True, typing=typing).render_segments(CONSOLE)
 
-    async with work("FW 1", plain=False) as desk:
-        await desk.press("f5")
-        await desk.told("The program is done.")
-    assert asked != []
+
+def test_where_rows_are_written_whole_only_those_that_differ_are():
+    """A reader tells what is written: half a row is no sentence."""
+    painted = Painted()
+    sent(painted, "I walked 4 steps.")
+
+    assert sent(painted, "I walked 4 steps.") == ""
+    assert "I walked 5 steps." in sent(painted, "I walked 5 steps.")
+    assert "I walked 5" in sent(painted, "I walked 5")  # and what was behind it is gone
+    assert sent(painted, "I walked 5") == ""
+
+
+def test_where_rows_are_written_whole_a_typed_letter_is_a_letter():
+    painted = Painted()
+    sent(painted, "FW 1")
+
+    assert "FW" not in sent(painted, "FW 12", typing=Offset(5, 0))
+    assert "FW 123" in sent(painted, "FW 123", typing=Offset(3, 1))
+    assert "BK 123" in sent(painted, "BK 123", typing=Offset(6, 0))
+
+
+async def test_a_typed_key_in_the_plain_layout_costs_at_most_140_bytes(work, monkeypatch):
+    """At the end of a line, in the program and in the command line."""
+    seen: list[str] = []
+    plain: list[bool] = []
+    less = Painted.less
+
+    def heard(self, update, **how):
+        plain.append(how["rows"])
+        smaller = less(self, update, **how)
+        if isinstance(smaller, Changes):
+            seen.append(smaller.render_segments(CONSOLE))
+        return smaller
+
+    monkeypatch.setattr(Painted, "less", heard)
+    async with work("FW 1\nTR 90\n", plain=True) as desk:
+        for widget in (desk.place.editor, desk.place.command_line):
+            widget.focus()
+            for key in ("end", "space", *"bk 12"):
+                await desk.press(key)
+                await desk.pilot.pause()
+                seen.clear()
+            await desk.press("3")
+            await desk.pilot.pause(0.2)
+
+            assert 0 < len("".join(seen).encode()) <= 140, seen
+    assert all(plain)
