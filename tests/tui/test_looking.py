@@ -91,6 +91,43 @@ async def test_the_map_follows_a_robot_that_leaves_the_picture(work):
         assert "o>" in "\n".join(row[40:] for row in strips_text(desk)[1:14])
 
 
+async def test_a_map_that_was_explored_follows_the_robot_again_and_keeps_the_square_for_later(work):
+    async with work("TR 90\nFW 28") as desk:
+        await desk.press("tab", "left")
+        await desk.until(lambda: desk.place.map.is_exploring, "exploring")
+        square = desk.place.map.pointer.cell
+        await desk.press("shift+tab")
+        await has_focus(desk, "editor")
+        await desk.press("f5")
+        await desk.told("The program is done.")
+        await desk.pilot.pause()
+        assert "o>" in "\n".join(row[40:] for row in strips_text(desk)[1:14])
+        await desk.type_line("FW 30")
+        await desk.told("I walked 30 steps forward.")
+        await desk.idle()
+        await desk.pilot.pause()
+        assert "o>" in "\n".join(row[40:] for row in strips_text(desk)[1:14]), "after a typed command too"
+
+        desk.place.map.focus()
+        await has_focus(desk, "map")
+        assert desk.place.map.pointer.cell == square
+        x, y = caret(desk)
+        assert desk.place.map.region.contains(x, y)
+
+
+async def test_while_a_square_is_explored_the_map_stays_with_it(work):
+    async with work("TR 90\nFW 28") as desk:
+        await desk.press("tab", "left")
+        await desk.until(lambda: desk.place.map.is_exploring, "exploring")
+        await desk.press("f5")
+        await desk.told("The program is done.")
+        await desk.pilot.pause()
+
+        x, y = caret(desk)
+        assert desk.place.map.region.contains(x, y)
+        assert "Map, -1, 0:" in desk.status
+
+
 async def test_exploring_names_the_cell_and_home_goes_back_to_the_robot(work):
     async with work(world="living_room") as desk:
         await desk.press("tab", "right")

@@ -1,8 +1,9 @@
 """The map: a window on the floor that follows the robot or shows all of it, and repaints only what changed.
 
 The terminal's own cursor stands on the robot, or on the square that is being explored, while the map has the
-focus. A step is two columns wide where the world fits so, because cells are twice as high as wide. What is
-where, and what it is called, the core knows; here it is painted.
+focus; only so long the window stays with that square. A step is two columns wide where the world fits so,
+because cells are twice as high as wide. What is where, and what it is called, the core knows; here it is
+painted.
 """
 
 from __future__ import annotations
@@ -105,7 +106,7 @@ class MapView(ScrollView, can_focus=True):
         elif squares:
             self.refresh(*map(self._region_of, squares))
             self._write_names(squares)
-            if not self.is_exploring:
+            if self._followed == self.scale.robot:
                 self._follow(self.scale.robot)
 
     @property
@@ -168,7 +169,7 @@ class MapView(ScrollView, can_focus=True):
         floor = Size(self._columns * bounds.width, bounds.height)
         self.virtual_size = Size(floor.width + self._rulers.x, floor.height + self._rulers.y)
         self._written = self._labels(self.scale, self._columns) if self._labels else {}
-        self._follow(self._square, centre=True)
+        self._follow(self._followed, centre=True)
         self.refresh()
 
     def _choose_factor(self, room: Size) -> None:
@@ -195,6 +196,17 @@ class MapView(ScrollView, can_focus=True):
         """The square under the cursor: the robot's, unless another one is being explored."""
         assert self.scale is not None and self.pointer is not None
         return self.scale.square_of(self.pointer.here)
+
+    @property
+    def _followed(self) -> Cell:
+        """The square that is to be seen: who looks elsewhere than at the map explores nothing on it."""
+        assert self.scale is not None
+        return self._square if self.has_focus else self.scale.robot
+
+    def on_focus(self) -> None:
+        """The square that was explored last is still the one under the cursor."""
+        if self.scale is not None:
+            self._follow(self._square)
 
     def _follow(self, square: Cell, *, centre: bool = False) -> None:
         """Scroll no further than needed while it moves; on a new floor, put it into the middle."""
