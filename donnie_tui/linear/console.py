@@ -46,6 +46,8 @@ class Console:
         """Called as soon as something is typed, Ctrl+C included, though nobody may read it for a while."""
         self.lines_wait: Callable[[], bool] = _nothing_waits
         """Whether something was told that is printed as soon as no line is being typed."""
+        self.when_idle: Callable[[], None] | None = None
+        """Called before somebody waits, with nothing typed that was not read."""
         self._ahead = b""
         """What was typed where nobody was reading."""
         self.repaint: Callable[[], str] = str
@@ -83,7 +85,10 @@ class Console:
         """Wait for a signal, a nudge, or (``reading``) input, at most so long. True if there is input."""
         is_watching = reading or (self.on_key is not None and len(self._ahead) < MOST_AHEAD)
         watched = [self._reading_end, 0] if is_watching else [self._reading_end]
-        ready, _, _ = select.select(watched, [], [], 0 if reading and self._ahead else seconds)
+        at_once = seconds == 0 or (reading and bool(self._ahead))
+        if self.when_idle and not at_once and not (is_watching and _has_typed()):
+            self.when_idle()
+        ready, _, _ = select.select(watched, [], [], 0 if at_once else seconds)
         if self._reading_end in ready:
             self._take_signals()
         if 0 in ready and not reading:
@@ -92,7 +97,7 @@ class Console:
 
     def has_input(self) -> bool:
         """Whether something was typed already; signals and nudges are left to whoever waits."""
-        return bool(self._ahead) or bool(select.select([0], [], [], 0)[0])
+        return bool(self._ahead) or _has_typed()
 
     def read(self) -> bytes:
         """What was typed; nothing once input has ended. Call it when ``wait`` said so."""
@@ -200,6 +205,10 @@ class Console:
         self._deputy.close()
         os.close(self._reading_end)
         os.close(self._writing_end)
+
+
+def _has_typed() -> bool:
+    return bool(select.select([0], [], [], 0)[0])
 
 
 def _nothing() -> None:

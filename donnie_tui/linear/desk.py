@@ -28,6 +28,7 @@ from donnie_tui.linear.console import Console
 from donnie_tui.linear.habits import Habits, Page, Prompt
 from donnie_tui.linear.output import LARGEST_BLOCK, Output
 from donnie_tui.linear.reader import How, Reader, Typed
+from donnie_tui.linear.safekeeping import Safekeeping
 from donnie_tui.linear.told import Told
 from language.source import fold_name
 
@@ -119,8 +120,7 @@ class Desk:
         """Where STEP BACK has come to; None once something new has happened."""
         self.tour_page = 1
         """Where TOUR goes on."""
-        self._copied: tuple[tuple[str, str | None], ...] = ()
-        """What was written down for the case of a crash."""
+        self._safekeeping = Safekeeping(self.console, self._unsaved, self.keep_for_later)
         self._ends = ends
         self._is_reading = self._told_beside = False
         """Whether a line is being typed, and a robot that runs beside the conversation told something."""
@@ -134,6 +134,7 @@ class Desk:
 
     def close(self) -> None:
         """Hear no more: somebody else goes on with the session."""
+        self._safekeeping.end()
         for leave in self._unsubscribe:
             leave()
 
@@ -403,18 +404,18 @@ class Desk:
 
     def forget_copies(self) -> None:
         """Leaving on purpose: nothing is missed."""
+        self._safekeeping.end()
         for copies in self._copies.values():
             copies.forget()
 
     def _keep_copy(self) -> None:
-        """While somebody thinks, what was typed is written down: the power may fail, Donnie may be killed."""
+        """What was typed is written down: the power may fail, Donnie may be killed."""
         is_large = sum(len(each.lines) for each in self.all_programs()) > MOST_LINES_COPIED
-        if not self.has_terminal or is_large or self.console.has_input():
-            return
-        unsaved = tuple((each.text, each.name) for each in self.all_programs() if not each.saved)
-        if unsaved != self._copied:
-            self._copied = unsaved
-            self.keep_for_later()
+        if self.has_terminal and not is_large:
+            self._safekeeping.look()
+
+    def _unsaved(self) -> tuple[tuple[str, str | None], ...]:
+        return tuple((each.text, each.name) for each in self.all_programs() if not each.saved)
 
     def all_programs(self) -> tuple[TypedProgram, ...]:
         """Of all robots, the one that is talked to first."""

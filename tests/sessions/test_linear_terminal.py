@@ -363,12 +363,15 @@ def test_a_rescued_program_has_its_file_again(tmp_path: Path) -> None:
     assert (tmp_path / "walk.gd").read_text() == "FW 1\nFW 2\n"
 
 
+def copies(folder: Path) -> list[Path]:
+    return list((folder / "state").rglob("unsaved-*.gd"))
+
+
 def test_what_was_typed_is_there_again_after_donnie_was_killed_in_mid_line(tmp_path: Path) -> None:
     learner = Learner(tmp_path, language="es")
-    learner.enters("AV 1", "GD 90")
-    learner.sees_prompt()
-    learner.types("HABL")
-    learner.sees("HABL")
+    learner.types("AV 1\rGD 90\rHABL")
+    learner.sees("> HABL")
+    until(lambda: [each.read_text() for each in copies(tmp_path)] == ["AV 1\nGD 90\n"])
     learner.child.kill(signal.SIGKILL)
     learner.leaves()
 
