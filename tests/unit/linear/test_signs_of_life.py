@@ -51,6 +51,7 @@ def signs(seconds: float, interval: float, monkeypatch: pytest.MonkeyPatch) -> l
     desk: Any = SimpleNamespace(
         console=console,
         session=SimpleNamespace(hub=hub),
+        donnie=SimpleNamespace(stop_real_robot=bool),
         habits=SimpleNamespace(progress=interval),
         watched=[],
         say=None,

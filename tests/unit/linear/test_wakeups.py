@@ -107,7 +107,7 @@ class Watched:
         self.desk: Any = SimpleNamespace(
             console=self.console,
             session=session,
-            donnie=SimpleNamespace(team=team),
+            donnie=SimpleNamespace(team=team, stop_real_robot=bool),
             habits=SimpleNamespace(progress=0),
             watched=[],
             say=None,
