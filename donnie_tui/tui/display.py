@@ -21,6 +21,7 @@ from donnie_tui.tui.key_table import KeyTable
 from donnie_tui.tui.running import Doing, Running
 from donnie_tui.tui.screens.workplace import Workplace
 from donnie_tui.tui.situation import doing_sentences, inspector_lines, robot_sentence
+from donnie_tui.tui.widgets.text_rows import LOOKS
 from language.runtime import Frame
 
 _OFFERED = {
@@ -160,7 +161,10 @@ class Display:
         """What the log calls a kind; looked up once each, a flood has few kinds."""
         if kind not in self._kinds:
             code = f"kind-{kind}"
-            self._kinds[kind] = self._words(code) if code in SENTENCES else kind
+            words = self._words(code) if code in SENTENCES else kind
+            self._kinds[kind] = words
+            if kind in LOOKS:
+                self._place.log_rows.looks[words] = LOOKS[kind]
         return self._kinds[kind]
 
     # --- all the rest

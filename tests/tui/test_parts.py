@@ -236,7 +236,26 @@ async def test_long_lines_are_broken_at_blanks_and_nothing_is_lost():
         shown = [rows._rows[i] for i in range(rows.row_count)]
 
         assert all(len(row) <= 29 for row in shown)
-        assert "".join(shown).replace(" ", "") == text.replace(" ", "")
+        assert "".join(shown).replace(" ", "") == f"says:{text}".replace(" ", "")
+
+
+async def test_where_there_is_little_room_the_kind_stands_before_the_sentence():
+    async with Rows().run_test(size=(40, 10)) as pilot:
+        rows = pilot.app.query_one(TextRows)
+        rows.append([("Hello.", "says"), ("Obstacle ahead.", "obstacle"), ("Ready.", "")])
+        await pilot.pause()
+        assert [rows.render_line(y).text.strip(" >") for y in range(3)] == [
+            "says: Hello.",
+            "Obstacle ahead.",
+            "Ready.",
+        ]
+
+        await pilot.resize_terminal(80, 10)
+        await pilot.pause()
+        assert [rows.render_line(y).text.split() for y in range(2)] == [
+            ["Hello.", "says"],
+            ["Obstacle", "ahead.", "obstacle"],
+        ]
 
 
 async def test_rows_are_broken_anew_when_the_size_changes():

@@ -13,6 +13,9 @@ LEAST_TEXT, LEAST_BORDER = 7.0, 4.5
 BORDERS = set("▔▁▊▎─│┌┐└┘━┃▀▄█▌▐")
 RGB = tuple(name for name in themes.NAMES if name != themes.TERMINAL)
 
+KINDS = ("error", "obstacle", "spoke", "typed", "moved")
+KIND_WORDS = ("error", "obstacle", "says", "typed", "moved")
+
 PROGRAM = """\
 PROCEDURE WALK: n DO -- a comment
 SPEAK "text" FW n
@@ -103,6 +106,27 @@ async def test_selected_text_has_the_colours_of_what_is_chosen_whatever_its_synt
                 assert (style.reverse, style.color.is_default, style.bgcolor.is_default) == (True,) * 3
             else:
                 assert (style.color.name, style.bgcolor.name) == (words["on-chosen"], words["chosen"])
+
+
+@pytest.mark.parametrize("size", [(80, 24), (40, 16)], ids=["wide", "narrow"])
+@pytest.mark.parametrize("name", [*RGB, themes.TERMINAL])
+async def test_each_kind_of_line_in_the_log_has_its_look_and_its_words(work, name, size):
+    async with work("", size=size) as desk:
+        desk.app.theme = name
+        desk.app.work.display.write(("Sentence.", kind) for kind in KINDS)
+        desk.place.go_to(desk.place.log_pane)
+        await desk.until(lambda: len(desk.place.log_rows.lines) > len(KINDS), "the log")
+        desk.place.command_line.focus()
+        await desk.pilot.pause()
+        rows = desk.place.log_rows
+        seen = [rows._segments(rows.row_count - len(KINDS) + at) for at in range(len(KINDS))]
+        said = [next(each for each in row if each.text in KIND_WORDS) for row in seen]
+        looks = [(each.style.color, each.style.bold, each.style.italic) for each in said]
+
+        assert [each.text for each in said] == list(KIND_WORDS)
+        assert len(set(looks)) == len(KINDS)
+        if name in RGB:
+            assert too_faint(desk.app) == {}
 
 
 @pytest.mark.parametrize("name", RGB)

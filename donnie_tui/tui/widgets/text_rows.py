@@ -1,4 +1,5 @@
-"""Rows of text to read: the log, the inspector, the help. Each line may have its kind in words at the right.
+"""Rows of text to read: the log, the inspector, the help. Each line may have its kind in words at the right,
+or before the sentence where there is little room.
 
 Made for programs that talk without end: lines are kept as texts, wrapped only where they are too long, and
 painted only where they are seen. One row is being read: the terminal's own cursor stands on it while the
@@ -32,13 +33,26 @@ _FLOOD = 200
 
 _KIND_WIDTH = 10
 _NARROW = 56
-"""Columns below which the kinds are left out, so that sentences keep their room."""
+"""Columns below which the kinds stand before the sentences, so that these keep their room."""
+
+LOOKS = {
+    "error": "error",
+    "obstacle": "warning",
+    "collision": "warning",
+    "stopped": "warning",
+    "spoke": "says",
+    "typed": "typed",
+}
+"""The looks of the kinds that have one; of all others it is ``kind``. The words say the same."""
 
 
 class TextRows(ScrollView, can_focus=True):
     """Shows lines with their kinds; both are given as the words to show. ``follows``: a log."""
 
-    COMPONENT_CLASSES: ClassVar[set[str]] = {"text-rows--kind", "text-rows--row"}
+    COMPONENT_CLASSES: ClassVar[set[str]] = {
+        "text-rows--row",
+        *(f"text-rows--{look}" for look in ("kind", *LOOKS.values())),
+    }
 
     BINDINGS: ClassVar[list[BindingType]] = [
         Binding("up", "row(-1)", show=False),
@@ -62,7 +76,9 @@ class TextRows(ScrollView, can_focus=True):
         """A row each; the kind stands in the first row of its line."""
         self._heights: list[int] = []
         """How many rows each line takes."""
-        self._wrapped_at = 0
+        self.looks: dict[str, str] = {}
+        """Of the words of a kind, where it has a look of its own."""
+        self._wrapped_at = (0, True)
         self._is_listened_to = False
         self._resting: Timer | None = None
         self._heard = 0
@@ -173,7 +189,7 @@ class TextRows(ScrollView, can_focus=True):
         return max(1, width - _KIND_WIDTH - 1 if self._shows_kinds else width)
 
     def _wrap(self, text: str, kind: str, width: int) -> None:
-        rows = _wrapped(text, width)
+        rows = _wrapped(text if self._shows_kinds else _with_kind(text, kind), width)
         self._rows.extend(rows)
         self._row_kinds.append(kind)
         self._row_kinds.extend([""] * (len(rows) - 1))
@@ -189,8 +205,8 @@ class TextRows(ScrollView, can_focus=True):
             self._row = min(self._row, max(0, len(self._rows) - 1))
 
     def on_resize(self) -> None:
-        if self._wrapped_at != self._text_width:
-            self._wrapped_at = self._text_width
+        if self._wrapped_at != (self._text_width, self._shows_kinds):
+            self._wrapped_at = self._text_width, self._shows_kinds
             line = self.line
             self._rewrap()
             if self._row is not None:
@@ -285,13 +301,15 @@ class TextRows(ScrollView, can_focus=True):
     def _segments(self, row: int) -> list[Segment]:
         style, text = self._style(row), self._rows[row]
         here = self.is_read and row == self.row
-        kind_style = style if here else style + self._look("kind")
-        segments = [Segment(">" if here else " ", style), Segment(text, style)]
-        kind = self._row_kinds[row]
-        if kind and self._shows_kinds:
-            gap = " " * (self._text_width + 1 - cell_len(text))
-            segments += [Segment(gap, style), Segment(kind[:_KIND_WIDTH], kind_style)]
-        return segments
+        kind = self._row_kinds[row][:_KIND_WIDTH]
+        look = style if here else style + self._look(self.looks.get(self._row_kinds[row], "kind"))
+        before = Segment(">" if here else " ", style)
+        if not self._shows_kinds and kind:
+            return [before, Segment(text[: len(kind)], look), Segment(text[len(kind) :], style)]
+        if not kind:
+            return [before, Segment(text, style)]
+        gap = " " * (self._text_width + 1 - cell_len(text))
+        return [before, Segment(text, style), Segment(gap, style), Segment(kind, look)]
 
     def _style(self, row: int) -> Style:
         here = self.is_read and row == self.row
@@ -299,6 +317,12 @@ class TextRows(ScrollView, can_focus=True):
 
     def _look(self, name: str) -> Style:
         return self.get_component_rich_style(f"text-rows--{name}", partial=True)
+
+
+def _with_kind(text: str, kind: str) -> str:
+    """The kind before a sentence that doesn't begin with it."""
+    short = kind[:_KIND_WIDTH]
+    return text if text.casefold().startswith(short.casefold()) else f"{short}: {text}"
 
 
 def _wrapped(text: str, width: int) -> tuple[str, ...]:
