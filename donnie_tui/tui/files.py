@@ -308,7 +308,7 @@ class Files:
         question = self._words(asked, name=name)
 
         def unclear(typed: str) -> str | None:
-            return None if self._understood(typed) is not None else question
+            return None if self._understood(typed) is not None else f"{self._words('ask-yes-no')} {question}"
 
         typed = await self._desk.ask(question, accepts=unclear)
         return None if typed is None else self._understood(typed)

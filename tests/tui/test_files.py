@@ -260,3 +260,17 @@ async def test_all_programs_that_a_crash_left_are_brought_back_one_by_one(work, 
         await desk.until(lambda: desk.app.work.text == "FW 1", "the other one")
         await desk.type_line("RECOVER")
         await desk.told("Nothing to recover.")
+
+
+async def test_a_wrong_answer_to_yes_or_no_is_told_and_typed_over(work, tmp_path):
+    there = tmp_path / "there.gd"
+    there.write_text("FW 1")
+    async with work("FW 2") as desk:
+        await desk.type_line(f"SAVE AS {there}")
+        await desk.answer("perhaps")
+        asked = desk.app.screen.query_one("#asked")
+        await desk.until(lambda: str(asked.render()).startswith("Type yes or no."), "the way to answer")
+        await desk.press("n", "o", "enter")
+        await desk.until(lambda: desk.app.screen is desk.place, "the answer")
+
+        assert there.read_text() == "FW 1"

@@ -106,6 +106,7 @@ _ANSWERS = {
 _QUESTIONS = {
     "ask-open": Sentence("File to open:", "Arquivo para abrir:", "Archivo para abrir:"),
     "ask-save": Sentence("Save as:", "Salvar como:", "Guardar como:"),
+    "ask-yes-no": Sentence("Type yes or no.", "Digite sim ou não.", "Escribe sí o no."),
     "ask-replace": Sentence(
         "{name} exists. Replace it? yes or no:",
         "{name} já existe. Substituir? sim ou não:",

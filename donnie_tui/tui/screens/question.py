@@ -44,6 +44,7 @@ class Question(ModalScreen[str | None]):
             yield Static(f" {self._keys}", id="question-keys", markup=False)
 
     def on_mount(self) -> None:
+        self.query_one(InputLine).select_all()  # what is proposed is typed over
         self._point(f"{self._asked} {self._value}".strip())
 
     def on_input_submitted(self, event: Input.Submitted) -> None:
@@ -52,6 +53,7 @@ class Question(ModalScreen[str | None]):
         wrong = self._accepts(answer) if self._accepts else None
         if wrong:
             self.query_one("#asked", Static).update(wrong)
+            self.query_one(InputLine).select_all()
             self._point(wrong)
         elif answer:
             self.dismiss(answer)
