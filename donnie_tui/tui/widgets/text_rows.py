@@ -78,7 +78,7 @@ class TextRows(ScrollView, can_focus=True):
         """How many rows each line takes."""
         self.looks: dict[str, str] = {}
         """Of the words of a kind, where it has a look of its own."""
-        self._wrapped_at = (0, True)
+        self._wrapped_at = (0, True, False)
         self._is_listened_to = False
         self._resting: Timer | None = None
         self._heard = 0
@@ -184,12 +184,20 @@ class TextRows(ScrollView, can_focus=True):
         return not self._is_listened_to and self.size.width >= _NARROW
 
     @property
+    def _begins_with_kinds(self) -> bool:
+        return not self._is_listened_to and not self._shows_kinds
+
+    @property
+    def _look_of_rows(self) -> tuple[int, bool, bool]:
+        return self._text_width, self._shows_kinds, self._begins_with_kinds
+
+    @property
     def _text_width(self) -> int:
         width = self.size.width - 1
         return max(1, width - _KIND_WIDTH - 1 if self._shows_kinds else width)
 
     def _wrap(self, text: str, kind: str, width: int) -> None:
-        rows = _wrapped(text if self._shows_kinds else _with_kind(text, kind), width)
+        rows = _wrapped(_with_kind(text, kind) if self._begins_with_kinds else text, width)
         self._rows.extend(rows)
         self._row_kinds.append(kind)
         self._row_kinds.extend([""] * (len(rows) - 1))
@@ -205,8 +213,8 @@ class TextRows(ScrollView, can_focus=True):
             self._row = min(self._row, max(0, len(self._rows) - 1))
 
     def on_resize(self) -> None:
-        if self._wrapped_at != (self._text_width, self._shows_kinds):
-            self._wrapped_at = self._text_width, self._shows_kinds
+        if self._wrapped_at != self._look_of_rows:
+            self._wrapped_at = self._look_of_rows
             line = self.line
             self._rewrap()
             if self._row is not None:
@@ -304,10 +312,10 @@ class TextRows(ScrollView, can_focus=True):
         kind = self._row_kinds[row][:_KIND_WIDTH]
         look = style if here else style + self._look(self.looks.get(self._row_kinds[row], "kind"))
         before = Segment(">" if here else " ", style)
-        if not self._shows_kinds and kind:
-            return [before, Segment(text[: len(kind)], look), Segment(text[len(kind) :], style)]
-        if not kind:
+        if not kind or self._is_listened_to:
             return [before, Segment(text, style)]
+        if not self._shows_kinds:
+            return [before, Segment(text[: len(kind)], look), Segment(text[len(kind) :], style)]
         gap = " " * (self._text_width + 1 - cell_len(text))
         return [before, Segment(text, style), Segment(gap, style), Segment(kind, look)]
 
