@@ -269,7 +269,7 @@ def is_full(screen: pexpect.spawn) -> Callable[[], bool]:
         screen.setwinsize(60, 200 - len(waiting) // 5 % 2)
         told = fcntl.ioctl(screen.child_fd, termios.FIONREAD, b"\0" * 4)
         waiting.append(int.from_bytes(told, sys.byteorder))
-        return waiting[-1] > 0 and len(waiting) > 60 and len(set(waiting[-60:])) == 1
+        return waiting[-1] > 0 and len(waiting) > 300 and len(set(waiting[-300:])) == 1
 
     return look
 
