@@ -109,12 +109,14 @@ class Lifeline:
     # --- the thread
 
     def _watch(self) -> None:
+        due = time.monotonic() + LOOK
         while not self._ended.is_set():
             ready, _, _ = select.select([self._reading], [], [], LOOK)
             if ready:
                 self._take_signals()
-            else:
+            if time.monotonic() >= due:  # many signals must not put it off
                 self._look_at_output()
+                due = time.monotonic() + LOOK
             if self._leaving is not None and time.monotonic() >= self._until and not self._ended.is_set():
                 self._part(self._leaving)
 

@@ -295,8 +295,9 @@ def unread_screen(folder: Path, robot: DoubleOnPty) -> pexpect.spawn:
 
 def test_a_screen_that_takes_nothing_stops_the_robot_by_itself(tmp_path: Path, robot: DoubleOnPty) -> None:
     screen = unread_screen(tmp_path, robot)
+    painted_again = is_full(screen)
 
-    assert until(lambda: not robot.board.is_driving)
+    assert until(lambda: (painted_again(), not robot.board.is_driving)[1])
     assert screen.isalive()
     screen.kill(signal.SIGKILL)
 
