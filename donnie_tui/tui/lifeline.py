@@ -21,7 +21,8 @@ from donnie_tui.suspending import suspend
 LOOK = 0.5
 """Seconds between two looks at the output."""
 MOST_LOOKS = 5
-"""So many at the same waiting piece, and the terminal takes nothing any more."""
+"""So many at the same waiting piece, and the terminal takes nothing any more. Told again after as many: a key
+may have started a robot meanwhile."""
 ANSWER = 0.3
 """Seconds in which the screen stops a program by itself, and tells where."""
 LEAVE = 2.0
@@ -149,7 +150,7 @@ class Lifeline:
         head = _first(writer)
         self._looks = self._looks + 1 if head is not None and head is self._head else 0
         self._head = head
-        if self._looks == MOST_LOOKS:
+        if self._looks and self._looks % MOST_LOOKS == 0:
             self._on_stuck()
             if not writer.is_alive():
                 self._leave(self._leavings[-2] if len(self._leavings) > 1 else self._leavings[0])

@@ -14,6 +14,7 @@ import time
 from collections.abc import Callable, Iterator
 from contextlib import suppress
 from pathlib import Path
+from statistics import median
 
 import pyte
 import pytest
@@ -336,7 +337,7 @@ def test_a_typed_key_costs_few_bytes(terminal):
         while donnie.read(0.2):
             costs[-1] += 1
 
-    assert max(costs) <= 140
+    assert median(costs) <= 100  # on a busy machine something late may fall into one of them
 
 
 KINDS = {"xterm-256color": 256, "linux": 16, "screen": 16, "tmux-256color": 256, "vt100": 16}

@@ -77,6 +77,7 @@ def test_many_threads_are_heard_in_one_order_without_gaps() -> None:
         thread.start()
     for thread in threads:
         thread.join()
+    hub.wait_until_heard(30.0)
 
     assert first == second == list(range(1, 1201))
 
