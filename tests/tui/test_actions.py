@@ -48,7 +48,7 @@ async def back_to_the_workplace(desk) -> None:
         await desk.pilot.pause()
 
 
-async def test_every_word_does_something_that_is_seen_or_told(work):
+async def test_every_word_is_answered_in_the_log_or_by_a_screen_of_its_own(work):
     async with work(PROGRAM, world="living_room") as desk:
         silent = []
         for action in ACTIONS:
@@ -58,16 +58,13 @@ async def test_every_word_does_something_that_is_seen_or_told(work):
             await desk.pilot.pause()
             desk.place.command_line.focus()
             await desk.pilot.pause()
-            before = (desk.screen, len(desk.log))
+            before = len(desk.log)
             typed = f"{action.word('en')} {ARGUMENTS.get(action.name, '')}".strip()
             desk.app.on_command_line_typed(type(desk.place.command_line).Typed(typed))
             for _ in range(50):
                 await desk.pilot.pause(0.02)
-                if (
-                    desk.app.screen is not desk.place
-                    or desk.screen != before[0]
-                    or any(line.strip() != typed for line in desk.log[before[1] :])
-                ):
+                answers = (line for line in desk.log[before:] if line.strip() not in ("", typed))
+                if desk.app.screen is not desk.place or any(answers):
                     break
             else:
                 silent.append(action.name)
