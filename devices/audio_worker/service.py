@@ -15,7 +15,8 @@ from dataclasses import field
 from pathlib import Path
 from typing import assert_never
 
-from devices.audio_worker.conductor import Conductor, State
+from devices.audio_worker.conductor import Conductor
+from devices.audio_worker.lifetime import State
 from devices.audio_worker.messages import Answer
 from devices.audio_worker.notices import AudioNotice
 from devices.audio_worker.process import WorkerProcess

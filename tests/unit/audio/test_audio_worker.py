@@ -20,8 +20,8 @@ from pathlib import Path
 import pytest
 
 from devices.audio_worker import process, worker
-from devices.audio_worker.conductor import State
 from devices.audio_worker.factory import make_audio, make_cue_player, make_speaker
+from devices.audio_worker.lifetime import State
 from devices.audio_worker.messages import Answer, Hush, Hushed, Say, Started, to_line
 from devices.audio_worker.notices import AudioNotice, NoticeCode
 from devices.audio_worker.service import AudioService, AudioSettings
@@ -222,7 +222,7 @@ def test_where_there_is_no_worker_speaker_and_cues_are_silent() -> None:
 
 PARENT = """
 import sys
-from devices.audio_worker.conductor import State
+from devices.audio_worker.lifetime import State
 from devices.audio_worker.factory import AudioSettings, make_audio
 audio = make_audio(AudioSettings(device={device!r}), lambda notice: None)
 audio.warm_up()

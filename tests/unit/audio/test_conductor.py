@@ -2,7 +2,8 @@
 
 import pytest
 
-from devices.audio_worker.conductor import Conductor, State
+from devices.audio_worker.conductor import Conductor
+from devices.audio_worker.lifetime import State
 from devices.audio_worker.messages import (
     Answer,
     Finished,
