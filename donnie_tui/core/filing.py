@@ -5,6 +5,7 @@ from __future__ import annotations
 from pathlib import Path
 
 from donnie_tui.core.documents import (
+    DocumentError,
     program_to_open,
     program_to_save,
     read_program,
@@ -54,3 +55,11 @@ class Document:
 def as_lines(text: str) -> str:
     """The text as the editor holds it: lines end with a newline, and there is none after the last."""
     return "\n".join(text.split("\r\n")).replace("\r", "\n").removesuffix("\n")
+
+
+def saved_text(path: Path) -> str:
+    """The text of a file as the editor would hold it; empty where it can't be read."""
+    try:
+        return as_lines(read_program(path))
+    except DocumentError:
+        return ""

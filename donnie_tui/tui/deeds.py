@@ -132,16 +132,16 @@ class Deeds:
         return self._host.files.open(argument) if self._is_idle() else None
 
     async def save(self, argument: str) -> None:
-        await self._host.files.save(argument)
+        await self._host.files.saving.save(argument)
 
     async def save_as(self, argument: str) -> None:
-        await self._host.files.save_as(argument)
+        await self._host.files.saving.save_as(argument)
 
     def new(self, _argument: str) -> Awaitable[None] | None:
         return self._host.files.new() if self._is_idle() else None
 
     def recover(self, _argument: str) -> Awaitable[None] | None:
-        return self._host.files.recover() if self._is_idle() else None
+        return self._host.files.recovering.recover() if self._is_idle() else None
 
     def _is_idle(self) -> bool:
         """Whether nothing runs; told if something does."""

@@ -73,7 +73,7 @@ class AroundDeeds:
         subject = report_text.Subject(
             lines, host.pose, host.donnie.picture_now(), host.trail, words.help(None)[1:]
         )
-        await host.files.write_beside(wanted[1], report_text.report(*wanted, subject, words))
+        await host.files.saving.write_beside(wanted[1], report_text.report(*wanted, subject, words))
 
     def tour(self, _argument: str) -> None:
         self._host.show_tour()
@@ -83,7 +83,7 @@ class AroundDeeds:
 
     async def save_log(self, argument: str) -> None:
         name = argument or await self._host.ask(self._host.words("ask-save-log"), value="log.txt")
-        if name and await self._host.files.may_replace(Path(name)):
+        if name and await self._host.files.saving.may_replace(Path(name)):
             self._host.save_log(name)
 
 

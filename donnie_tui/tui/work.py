@@ -183,7 +183,7 @@ class Work:
             self._host.begin_with(self.files.open(str(file)))
         elif self.preferences.settings.tour and offers_tour(str(self._state_folder), os.environ):
             self.tell_sentences(self.words("tour-offer"))
-        if self.files.offers_recovery:
+        if self.files.recovering.is_offered:
             self.display.note(self.words("answer-rescued"))
         self.look()
 
@@ -614,7 +614,7 @@ class Work:
     def _forget_copy(self) -> None:
         if self._copying is not None:
             self._copying.stop()
-        self.files.give_up()
+        self.files.copies.give_up()
 
     # --- ending
 
@@ -629,10 +629,10 @@ class Work:
         for session in self._donnie.team.sessions:
             if session.run is not None:
                 session.run.wait(_LAST_WORDS)
-        self.files.settle()
+        self.files.copies.settle()
         return self._donnie
 
     def close(self) -> None:
         """After the screen is gone: nothing is left running, nor to be written down."""
         self._donnie.close()
-        self.files.settle()
+        self.files.copies.settle()

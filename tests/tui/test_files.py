@@ -169,7 +169,7 @@ async def test_a_state_folder_that_can_t_be_written_is_told_once(work, tmp_path)
         desk.app.work.files.keep_copy()
         await desk.told("What you type can't be kept safe")
         desk.app.work.files.keep_copy()
-        await desk.until(lambda: not desk.app.work.files._bringing_up, "the second try")
+        await desk.until(lambda: not desk.app.work.files.copies._bringing_up, "the second try")
 
         assert sum("kept safe" in line for line in desk.log) == 1
 

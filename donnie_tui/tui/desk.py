@@ -1,0 +1,62 @@
+"""What a file is opened onto: the text in the editor, and the person whom the file actions ask and tell."""
+
+from __future__ import annotations
+
+from collections.abc import Awaitable, Callable
+from typing import Protocol, TypeVar
+
+from donnie_tui.core.documents import DocumentError
+from donnie_tui.core.wording import Wording
+from donnie_tui.tui.running import Answer
+from language.source import fold_name
+
+T = TypeVar("T")
+
+
+class Desk(Protocol):
+    """What a file is opened onto: an editor, and somebody to ask."""
+
+    @property
+    def text(self) -> str: ...
+
+    @property
+    def breakpoints(self) -> frozenset[int]: ...
+
+    def load(self, text: str, breakpoints: frozenset[int] = frozenset()) -> None: ...
+
+    def patiently(self, do: Callable[[], T], slow: Answer) -> Awaitable[T]: ...
+
+    def tell(self, answer: Answer) -> None: ...
+
+    def ask(
+        self, asked: str, value: str = "", accepts: Callable[[str], str | None] | None = None
+    ) -> Awaitable[str | None]: ...
+
+
+def told(error: DocumentError) -> Answer:
+    """What went wrong with a file."""
+    return Answer(error.code, {"path": error.path, "reason": error.reason})
+
+
+class YesOrNo:
+    """Questions about a file that are answered with yes or no, in the learner's language."""
+
+    def __init__(self, desk: Desk, words: Wording) -> None:
+        self._desk = desk
+        self._words = words
+
+    async def ask(self, asked: str, name: str) -> bool | None:
+        """The answer to a question, None if somebody went back."""
+        question = self._words(asked, name=name)
+
+        def unclear(typed: str) -> str | None:
+            return None if self._understood(typed) is not None else f"{self._words('ask-yes-no')} {question}"
+
+        typed = await self._desk.ask(question, accepts=unclear)
+        return None if typed is None else self._understood(typed)
+
+    def _understood(self, typed: str) -> bool | None:
+        folded = fold_name(typed)
+        if folded in map(fold_name, self._words("answers-yes").split()):
+            return True
+        return False if folded in map(fold_name, self._words("answers-no").split()) else None

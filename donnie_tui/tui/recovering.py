@@ -1,0 +1,72 @@
+"""Bringing back what an earlier start left unsaved."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+from donnie_tui.core.breakpoints import KeptBreakpoints
+from donnie_tui.core.copies import Rescued
+from donnie_tui.core.documents import DocumentError
+from donnie_tui.core.filing import saved_text
+from donnie_tui.tui.copy_keeping import CopyKeeping
+from donnie_tui.tui.desk import Desk, told
+from donnie_tui.tui.open_programs import OpenPrograms
+from donnie_tui.tui.running import Answer
+from donnie_tui.tui.saving import Saving
+
+
+class Recovering:
+    """The copies that an earlier start left, the newest first."""
+
+    def __init__(
+        self,
+        desk: Desk,
+        programs: OpenPrograms,
+        copies: CopyKeeping,
+        saving: Saving,
+        kept_breakpoints: KeptBreakpoints,
+    ) -> None:
+        self._desk = desk
+        self._programs = programs
+        self._copies = copies
+        self._saving = saving
+        self._kept_breakpoints = kept_breakpoints
+        self._offered = programs.copies.all_offered()
+
+    @property
+    def is_offered(self) -> bool:
+        """Whether there is one."""
+        return bool(self._offered)
+
+    async def recover(self) -> None:
+        """Bring back the newest, as the program in the editor; others one by one."""
+        if not self._offered:
+            self._desk.tell(Answer("answer-nothing-to-recover"))
+            return
+        copy = self._offered[0]
+        try:
+            found, saved = await self._desk.patiently(
+                lambda: self._read(copy), Answer("slow-opening", {"name": copy.name})
+            )
+        except DocumentError as error:
+            self._desk.tell(told(error))
+            return
+        if await self._saving.is_safe_to_leave() and copy in self._offered:
+            self._bring_back(copy, found, saved)
+
+    def _read(self, copy: Path) -> tuple[Rescued, str]:
+        """What it holds, and what its file has now."""
+        found = self._programs.copies.read(copy)
+        return found, saved_text(found.path) if found.path is not None else ""
+
+    def _bring_back(self, copy: Path, found: Rescued, saved: str) -> None:
+        self._offered.remove(copy)
+        lines = found.text.count("\n") + 1
+        self._desk.load(found.text, self._kept_breakpoints.of(found.path, lines))
+        self._programs.document.become(found.path, saved)
+        self._programs.copies.want(found.text, found.path, instead_of=copy)
+        self._copies.bring_up(self._programs.copies)
+        code = "answer-recovered" if found.path is None else "answer-recovered-file"
+        self._desk.tell(Answer(code, {"lines": lines, "name": self._programs.name}))
+        if self._offered:
+            self._desk.tell(Answer("answer-rescued"))
