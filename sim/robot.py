@@ -42,7 +42,8 @@ if TYPE_CHECKING:
 
 
 class SimulatedRobot:
-    """One robot of a world. All but ``halt``, ``pose``, ``time`` and ``speed`` is the program's thread's."""
+    """One robot of a world. All but ``halt``, ``pose``, ``time``, ``speed`` and ``known_distances`` is the
+    program's thread's."""
 
     def __init__(
         self,
@@ -159,6 +160,9 @@ class SimulatedRobot:
         """RobotProblem ``no-sensor`` (bearing) if nothing looks there."""
         self._clock.begin()
         return self._mover.senses.steps(self._mover.around, self._vehicle.here.truth, bearing, self._chance)
+
+    def known_distances(self) -> dict[Bearing, int]:
+        return self._mover.senses.all_steps(self._mover.around, self._vehicle.here.truth)
 
     def scan(self) -> tuple[Sighting, ...]:
         """RobotProblem ``no-eyes`` if it has none."""

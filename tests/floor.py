@@ -20,13 +20,13 @@ PATIENCE = 20
 """Seconds in which a program of a test ends."""
 
 
-def floor(*things: tuple[str, float, float]) -> Scene:
-    """A floor without walls. A thing is a colour and a place in steps."""
+def floor(*things: tuple[str, float, float], noise: float = 0.0) -> Scene:
+    """A floor without walls. A thing is a colour and a place in steps. ``noise``: of the sonars, metres."""
     models = "\n".join(
         f'thing( name "thing{number}" pose [ {x * 0.05} {y * 0.05} 0 0 ] color "{colour}" )'
         for number, (colour, x, y) in enumerate(things, 1)
     )
-    return load_text(_FLOOR + models, Path("floor.world"))
+    return load_text(_FLOOR.replace("fov 15", f"fov 15 noise [ 0 {noise} 0 ]") + models, Path("floor.world"))
 
 
 class Floor:
@@ -39,10 +39,12 @@ class Floor:
         detail: str = "normal",
         terminal: bool = False,
         speed: float | None = None,
+        noise: float = 0.0,
+        seed: int = 0,
     ) -> None:
         self.words = Words(language, detail)
-        make_robot = partial(_robot, floor(*things), speed)
-        self.session = Session(make_robot, self.words, world="floor", seed=0, terminal=terminal)
+        make_robot = partial(_robot, floor(*things, noise=noise), speed, seed)
+        self.session = Session(make_robot, self.words, world="floor", seed=seed, terminal=terminal)
         self.stream: list[Stamped] = []
         self.session.hub.subscribe(self.stream.append)
 
@@ -67,8 +69,8 @@ class Floor:
         return "".join(as_line(each) for each in self.stream if not isinstance(each.event, TRANSIENT))
 
 
-def _robot(scene: Scene, speed: float | None, pace: Pace, watcher: Watcher) -> SimulatedRobot:
-    return World(scene).robot(pace=pace, watcher=watcher, speed=speed)
+def _robot(scene: Scene, speed: float | None, seed: int, pace: Pace, watcher: Watcher) -> SimulatedRobot:
+    return World(scene, seed=seed).robot(pace=pace, watcher=watcher, speed=speed)
 
 
 _SENSORS = "".join(f"sonar( pose [ 0 0 0 {-angle} ] )\n" for angle in (0, 45, -45, 180, 135, -135))

@@ -1,13 +1,14 @@
 """What every robot can do, simulated or real, and the values it answers with.
 
 Steps and degrees are the learner's units and exist only at this border: a step is 0.05 m, the heading
-is a compass (0 north, 90 east, clockwise). Every method of ``Robot`` except ``halt`` and ``where``
-blocks the program's thread until it is done, and returns early, with ``StoppedBy.USER``, once the
-pace that the robot was made with tells it to.
+is a compass (0 north, 90 east, clockwise). The methods of ``Robot`` are the program's thread's, which they
+block until it is done; they return early, with ``StoppedBy.USER``, once the pace that the robot was made with
+tells them to. Any thread may ask ``pose``, ``time`` and ``known_distances``, and may ``halt``.
 """
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from enum import Enum
 from typing import Protocol
 
@@ -216,6 +217,13 @@ class Robot(Protocol):
 
     def distance(self, bearing: Bearing) -> int:
         """Whole steps from that sensor to the nearest obstacle in its cone, or the sensor's maximum."""
+
+    def known_distances(self) -> Mapping[Bearing, int]:
+        """What is known of the distances just now, for who only looks, also while a command goes on.
+
+        Nothing happens for it: no command begins, nothing is sent or drawn by lot, so it has no noise.
+        Bearings that no sensor looks to, or whose sensor has told nothing, are missing.
+        """
 
     def scan(self) -> tuple[Sighting, ...]:
         """What is visible from 90 degrees left to 90 right, from left to right."""

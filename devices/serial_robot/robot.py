@@ -44,8 +44,8 @@ PICTURE = 0.05
 
 
 class SerialRobot:
-    """One robot at the end of a line. All but ``halt``, ``pose``, ``time`` and ``speed`` is the program's
-    thread's."""
+    """One robot at the end of a line. All but ``halt``, ``pose``, ``time``, ``speed`` and ``known_distances``
+    is the program's thread's."""
 
     def __init__(
         self,
@@ -269,6 +269,10 @@ class SerialRobot:
         if sonar is None:
             raise RobotProblem("no-sensor", bearing=bearing.name.lower().replace("_", " "))
         return steps_told(self._measured(sonar, era))
+
+    def known_distances(self) -> dict[Bearing, int]:
+        """What the sonars told last; of a line that was lost nothing is known."""
+        return self._senses.known(self._line.telemetry)
 
     def scan(self) -> tuple[Sighting, ...]:
         """What the sonar on the head meets, from left to right; without colours or names.

@@ -63,6 +63,12 @@ class Senses:
             return None
         return centimetres(telemetry.ranges[-1], sonar, self._config.farthest)
 
+    def known(self, telemetry: Telemetry) -> dict[Bearing, int]:
+        """Whole steps, for each bearing whose sonar has told something."""
+        sonars = ((bearing, self.sonar_at(bearing)) for bearing in Bearing)
+        told = ((each, self.newest(telemetry, sonar)) for each, sonar in sonars if sonar is not None)
+        return {bearing: steps_told(distance) for bearing, distance in told if distance is not None}
+
     def ahead(self, telemetry: Telemetry, sonar: int | None, needed: float, sense: int) -> Ahead:
         """Whether ``needed`` steps from here are free, going forward (``sense`` 1) or backward (-1).
 

@@ -1,12 +1,14 @@
 """The belt follows what the robot's sensors tell as it moves: the same with a real robot and a simulated one.
 
 Everything goes out as ``belt`` events, and only changes do; who has no belt reads or hears them. Called in
-the program's thread, where the robot may be asked.
+the program's thread. Rule: the robot does and reads the same with the belt on as with it off.
 """
 
 from __future__ import annotations
 
-from devices.ports.robot import Bearing, Robot, RobotProblem
+from collections.abc import Mapping
+
+from devices.ports.robot import Bearing, Robot
 from donnie_tui.core import belt
 from donnie_tui.core.belt import BeltSettings, Levels
 from donnie_tui.core.events import BeltShown, CueSounded
@@ -24,7 +26,7 @@ class BeltFeeling:
         self._settings = settings
         self._shown: Levels = belt.OFF
         self._levels: dict[Bearing, int] = {}
-        self._steps: dict[Bearing, int] = {}
+        self._steps: Mapping[Bearing, int] = {}
         self.is_on = False
 
     def switch(self, on: bool) -> None:
@@ -49,7 +51,7 @@ class BeltFeeling:
         """The robot has moved a little: what changed is shown; what came a level nearer strikes first."""
         if not self.is_on:
             return
-        before, self._steps = self._steps, self._distances()
+        before, self._steps = self._steps, self._robot.known_distances()
         levels = {bearing: self._settings.level(steps) for bearing, steps in self._steps.items()}
         nearer = frozenset(each for each in levels if each in before and levels[each] > self._levels[each])
         self._levels = levels
@@ -78,13 +80,3 @@ class BeltFeeling:
     def _sound(self, bearing: Bearing) -> None:
         degrees = float(bearing.value if bearing.value <= 180 else bearing.value - 360)
         self._hub.publish(CueSounded(_CUE, degrees, float(self._steps[bearing])))
-
-    def _distances(self) -> dict[Bearing, int]:
-        """Of the sensors that the robot has, and that answer."""
-        found = {}
-        for bearing in Bearing:
-            try:
-                found[bearing] = self._robot.distance(bearing)
-            except RobotProblem:
-                continue
-        return found

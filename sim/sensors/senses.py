@@ -56,6 +56,14 @@ class Senses:
         farthest = max(int(each.maximum * 100 + 0.5) for each in rangers)
         return min(near, default=farthest) // CENTIMETRES_A_STEP
 
+    def all_steps(self, around: Around, spot: Spot) -> dict[Bearing, int]:
+        """The same for every bearing that something looks to, exact."""
+        return {
+            bearing: self.steps(around, spot, bearing)
+            for bearing, rangers in self.by_bearing.items()
+            if rangers
+        }
+
     def look(self, around: Around, spot: Spot) -> tuple[Seen, ...]:
         """The coloured things in view, from left to right. RobotProblem ``no-eyes``: it has no blobfinder."""
         if self.eyes is None:

@@ -178,6 +178,27 @@ def test_a_sensor_tells_whole_steps_to_what_is_there(kept: Kept) -> None:
     assert kept.robot.distance(Bearing.BACK) == 60
 
 
+def test_what_is_known_of_the_distances_is_what_the_sensors_tell(kept: Kept) -> None:
+    asked = {bearing: kept.robot.distance(bearing) for bearing in Bearing}
+
+    known = kept.robot.known_distances()
+
+    assert known.keys() == asked.keys()
+    assert all(known[bearing] == pytest.approx(steps, abs=1) for bearing, steps in asked.items())
+
+
+def test_who_looks_at_the_distances_hinders_no_command(kept: Kept) -> None:
+    """A halt that came before counts as well."""
+
+    def halt_and_look() -> None:
+        kept.robot.halt()
+        kept.robot.known_distances()
+
+    kept.progress.stops = halt_and_look
+
+    assert kept.robot.forward(9).stopped_by is StoppedBy.USER
+
+
 def test_waiting_takes_the_robots_time(kept: Kept) -> None:
     before = kept.robot.time()
 

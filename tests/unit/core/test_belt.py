@@ -9,7 +9,17 @@ from donnie_tui.core import belt
 from donnie_tui.core.belt import OFF, BeltSettings, bump, felt, in_words, presence, pulse, rows
 from donnie_tui.core.belt_telling import BeltTelling
 from donnie_tui.core.belt_watching import ChosenBelt
-from donnie_tui.core.events import Answered, BeltShown, CueSounded, Moved, Outcome, RunEnded, Stamped
+from donnie_tui.core.events import (
+    Answered,
+    BeltShown,
+    CueSounded,
+    Event,
+    Moved,
+    Outcome,
+    RunEnded,
+    RunStarted,
+    Stamped,
+)
 from donnie_tui.core.team import Team
 from donnie_tui.i18n.words import Words
 from tests.floor import Floor
@@ -122,6 +132,32 @@ def test_a_pulse_comes_and_what_was_felt_is_felt_again() -> None:
     floor.run("BELT ON VIBRATE BL")
 
     assert shown(floor) == [FRONT_ROW * 2, pulse(Bearing.BACK_LEFT), FRONT_ROW * 2, OFF]
+
+
+def test_what_a_program_reads_in_a_noisy_world_is_the_same_with_and_without_the_belt() -> None:
+    """What the belt feels draws nothing of the noise that the program's readings are to have."""
+
+    def happened(switched: str) -> list[Event]:
+        floor = Floor(("red", 0, 30), ("blue", 25, 9), noise=0.5, seed=7)
+        floor.run(f"BELT {switched} REPEAT 4 TIMES FW 2 TR 30 SPEAK DISTANCE F SPEAK DISTANCE FR END REPEAT")
+        return [
+            each
+            for each in floor.events
+            if not isinstance(each, RunStarted | BeltShown) and getattr(each, "code", "") != "belt"
+            if not (isinstance(each, CueSounded) and each.name == "belt")
+        ]
+
+    assert happened("ON") == happened("OFF")
+
+
+def test_a_stop_in_the_midst_of_a_walk_counts_with_the_belt_on() -> None:
+    floor = Floor(("red", 0, 900))
+    floor.session.hub.subscribe(
+        lambda it: floor.session.stop() if it.event == CueSounded("step-forward", 0.0, None) else None
+    )
+    floor.run("BELT ON FW 500")
+
+    assert [each.walked for each in floor.events if isinstance(each, Moved)] == [1]
 
 
 @pytest.mark.parametrize("program", ["BELT ON FW 1", "BELT ON SPEAK q", "BELT ON QUIT", "BELT ON FW 1 / 0"])

@@ -568,6 +568,29 @@ def test_a_sensor_that_is_not_fitted_is_told_to_be_missing() -> None:
     assert (told.value.code, told.value.values) == ("no-sensor", {"bearing": "back"})
 
 
+def test_what_is_known_of_the_distances_costs_no_time_and_sends_nothing() -> None:
+    """A sonar that has told nothing yet, or isn't fitted, is missing."""
+    sonars = Sonars(far=32.0)
+    sonars.far[4] = lambda place: 0.0
+    real = Real(sonars, RobotConfig(sonars=(None, Bearing.FRONT, None, None, Bearing.BACK, None)))
+    real.robot.wait(0.5)
+    before, real.line.written = real.robot.time(), []
+
+    assert real.robot.known_distances() == {Bearing.FRONT: 6}
+    assert (real.robot.time(), real.line.written) == (before, [])
+
+
+def test_of_a_line_that_is_lost_no_distance_is_known() -> None:
+    real = Real(wall_ahead(7))
+    real.robot.wait(0.5)
+    assert real.robot.known_distances()[Bearing.FRONT] == 7
+
+    real.line.is_plugged = False
+    real.line.advance(0.1)
+
+    assert real.robot.known_distances() == {}
+
+
 def test_a_scan_tells_what_the_sonar_on_the_head_meets_and_no_colour() -> None:
     sonars = Sonars()
     real = Real(sonars)
