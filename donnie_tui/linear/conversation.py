@@ -1,0 +1,160 @@
+"""One conversation in the linear mode: lines are typed, run and answered.
+
+Rules: nothing that stands printed is ever changed; leaving is always possible; whatever ends the session,
+the robot stops and no typed program is lost.
+"""
+
+from __future__ import annotations
+
+import os
+import signal
+from pathlib import Path
+
+from donnie_tui.bootstrap import Donnie
+from donnie_tui.core.breakpoints import KeptBreakpoints
+from donnie_tui.core.copies import Copies
+from donnie_tui.folders import BREAKPOINTS
+from donnie_tui.linear import files, greeting
+from donnie_tui.linear.console import Console
+from donnie_tui.linear.desk import Desk, Ends
+from donnie_tui.linear.habits import Habits
+from donnie_tui.linear.key_echo import KeyEcho
+from donnie_tui.linear.leaving import Leaving
+from donnie_tui.linear.output import Output
+from donnie_tui.linear.reader import EditingReader, How, PlainReader, Typed
+from donnie_tui.linear.recall import Past
+from donnie_tui.linear.told import Told
+from donnie_tui.linear.typed_lines import TypedLines
+from donnie_tui.linear.while_running import WhileRunning
+from donnie_tui.switching import SwitchMode
+
+
+class Conversation:
+    """From the first prompt to the goodbye."""
+
+    def __init__(self, donnie: Donnie, console: Console, folder: Path, habits: Habits) -> None:
+        """``folder`` keeps what was typed before and what could not be saved."""
+        told = Told(console.nudge)
+        edits, attended = greeting.DONE.terminal is not None, os.isatty(0)
+        self._past = Past(folder / "history" if edits else None)
+        editing = EditingReader(console, self._past, self._candidates) if edits else None
+        output = Output(
+            console,
+            paced=os.isatty(1),
+            of_numbers=lambda count: donnie.words("linear-numbers", count=count),
+        )
+        kept_breakpoints = KeptBreakpoints(folder / BREAKPOINTS)
+        ends = Ends(console, editing, PlainReader(console), output, told, attended, os.isatty(1))
+        self._desk = Desk(donnie, ends, Copies(folder / "unsaved"), habits, kept_breakpoints)
+        self._desk.past = self._past.lines
+        self._desk.take_again = self._take_again
+        self._leaving = Leaving(self._desk)
+        meanwhile = WhileRunning(self._desk, told, self._past, editing)
+        self._runs = meanwhile.runs
+        self._lines = TypedLines(self._desk, self._runs, self._leaving)
+        self._console = console
+        console.before_suspending = donnie.stop_real_robot
+        if attended:
+            console.on_key = donnie.audible.hush
+        if editing:
+            editing.on_key = KeyEcho(donnie.audible, donnie.words)
+        self._desk.apply_habits()
+
+    def close(self) -> None:
+        """Hear no more of the session."""
+        self._runs.close()
+        self._desk.close()
+
+    def until_left(
+        self, file: Path | None, text: str | None = None, *, offers_to_remember: bool = False
+    ) -> int:
+        """Read and answer until something ends it. The exit code.
+
+        ``offers_to_remember``: somebody came here by a word and may want to begin here the next time.
+        """
+        try:
+            return self._talk(file, text, offers_to_remember)
+        except SwitchMode:
+            self._desk.forget_copies()
+            raise
+        except OSError:  # the terminal is gone, or nobody reads any more
+            self._desk.keep_for_later()
+            return 128 + (self._console.leaving or signal.SIGHUP)
+        except BaseException:
+            self._desk.keep_for_later()
+            raise
+        finally:
+            self._past.trim()
+
+    def _talk(self, file: Path | None, text: str | None, offers_to_remember: bool) -> int:
+        desk = self._desk
+        is_shown = greeting.DONE.has_prompt
+        greeting.DONE.has_prompt = False
+        if text is not None:
+            self._take_over(text, file)
+        elif file is not None:
+            files.open_file(desk, file)
+        self._tell_notices()
+        if offers_to_remember:
+            from donnie_tui.linear import modes
+
+            modes.offer_to_remember(desk, linear=True)
+        while desk.leaving is None:
+            self._take(desk.read(self._prompt(), shown=is_shown))
+            is_shown = False
+        self._leaving.say_goodbye()
+        return desk.leaving
+
+    def _take_over(self, text: str, file: Path | None) -> None:
+        """The program that the full screen left; it is saved if its file says the same."""
+        program = self._desk.program
+        program.replace(text, str(file) if file else None)
+        program.saved = files.holds(file, text) if file else not text.strip()
+        self._desk.bring_breakpoints()
+        if program.lines:
+            self._desk.answer("linear-lines", lines=len(program.lines))
+
+    def _tell_notices(self) -> None:
+        """What had to be done without. Where the prompt stands already, it comes with the first answer.
+
+        What is about the robot and the belt comes at once: whoever types must know which robot will move.
+        """
+        desk = self._desk
+        desk.tell(*desk.donnie.notices)
+        self._console.has_news = bool(desk.donnie.about_devices)
+        if desk.is_attended and desk.copies.offered():
+            desk.answer("answer-rescued")
+
+    def _prompt(self) -> str:
+        in_program = self._desk.is_attended and not self._desk.next_line
+        depth = self._desk.program.depth if in_program else 0
+        return self._desk.habits.prompt_at(depth)
+
+    def _candidates(self, before: str) -> tuple[str, ...]:
+        """For Tab. Loaded when somebody presses it."""
+        from donnie_tui.linear.completion import candidates
+
+        return candidates(self._desk, before)
+
+    def _take(self, typed: Typed) -> None:
+        if self._desk.leaving is None and self._console.leaving is not None:
+            self._leaving.leave_by_signal(self._console.leaving)
+            return
+        match typed.how:
+            case How.CLOSED:
+                self._leaving.close()
+            case How.INTERRUPTED:
+                self._leaving.interrupt(typed.text)
+            case How.TOO_LONG:
+                self._desk.answer("linear-too-long")
+            case How.ENTER:
+                self._past.remember(typed.text)
+                self._lines.take(typed.text)
+            case How.ESCAPE:
+                self._past.remember(typed.text)
+                self._lines.take_and_run(typed.text)
+
+    def _take_again(self, line: str) -> None:
+        """A line that was typed before, chosen by its number."""
+        self._past.remember(line)
+        self._lines.take(line)

@@ -1,0 +1,63 @@
+"""How a conversation ends: by a word, by the end of the input, by Ctrl+C in a script, by a signal.
+
+Rule: a program that would be missed is saved or given up first; where nobody can be asked, it is kept.
+"""
+
+from __future__ import annotations
+
+from donnie_tui import team_words
+from donnie_tui.linear import files
+from donnie_tui.linear.desk import Desk
+
+_INTERRUPTED = 130
+"""The exit code that shells give for Ctrl+C."""
+
+
+class Leaving:
+    """Sets the exit code at the desk, which ends the conversation."""
+
+    def __init__(self, desk: Desk) -> None:
+        self._desk = desk
+
+    def close(self) -> None:
+        """Ctrl+D, or the end of the input."""
+        desk = self._desk
+        waiting = desk.program.waiting if desk.program.is_waiting else 0
+        if waiting and not desk.is_attended:
+            desk.answer("linear-did-not-run", lines=waiting)
+        self.leave(0)
+
+    def leave(self, code: int) -> None:
+        """Leave, once a program that would be missed is saved or given up."""
+        desk = self._desk
+        desk.leaving = code
+        for program in desk.all_programs():
+            would_be_missed = desk.is_attended and program.is_worth_saving
+            if would_be_missed and desk.ask_yes("linear-ask-save", lines=len(program.lines)):
+                desk.program = program
+                files.save_named(desk, "")
+
+    def leave_by_signal(self, number: int) -> None:
+        self._desk.donnie.team.stop()
+        self._desk.keep_for_later()
+        self._desk.leaving = 128 + number
+
+    def interrupt(self, line: str) -> None:
+        """Ctrl+C where nothing runs: it clears the line. A script is ended by it."""
+        desk = self._desk
+        desk.next_line = None
+        if desk.donnie.team.running:
+            team_words.stop_all(desk.donnie)
+        elif not desk.is_attended:
+            desk.leaving = _INTERRUPTED
+        elif line:
+            desk.answer("linear-cleared")
+        else:
+            desk.answer("linear-nothing-to-stop")
+
+    def say_goodbye(self) -> None:
+        if self._desk.leaving == 0:
+            self._desk.answer("linear-goodbye")
+        self._desk.show_told()
+        if self._desk.leaving == 0:
+            self._desk.forget_copies()

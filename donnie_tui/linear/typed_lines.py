@@ -1,0 +1,94 @@
+"""What a line does that is typed while no program runs: a word is done, anything else joins the program."""
+
+from __future__ import annotations
+
+from donnie_tui.core.typed_program import ProgramTooLong
+from donnie_tui.linear import commands
+from donnie_tui.linear.desk import Desk
+from donnie_tui.linear.leaving import Leaving
+from donnie_tui.linear.runs import Runs
+from language import keywords
+
+
+class TypedLines:
+    """Takes one line after the other."""
+
+    def __init__(self, desk: Desk, runs: Runs, leaving: Leaving) -> None:
+        self._desk = desk
+        self._runs = runs
+        self._leaving = leaving
+        self._quit_was_refused = False
+
+    def take_and_run(self, line: str) -> None:
+        """ESC: what stands there is finished, and everything runs."""
+        if not line.strip() or self.take(line):
+            self._runs.run_waiting()
+
+    def take(self, line: str) -> bool:
+        """Do a word, or add the line to the program. Whether it was added and nothing more."""
+        then, self._desk.next_line = self._desk.next_line, None
+        words = line.split()
+        first = keywords.canonical(words[0]) if words else None
+        if then and then(line):
+            pass
+        elif not words:
+            self._run_unless_open()
+        elif first == "RUN" and len(words) == 1:
+            self._runs.run_waiting()
+        elif first in ("QUIT", "EXIT") and len(words) == 1:
+            self._quit(line)
+        elif first == "HELP":
+            commands.say_help(self._desk, " ".join(words[1:]))
+        elif commands.answer_of_screen(line, self._desk):
+            pass
+        elif found := commands.find(line):
+            commands.do(*found, self._desk, self._runs)
+        elif not commands.is_probably_ours(line, self._desk):
+            return self._add(line)
+        return False
+
+    def _add(self, line: str) -> bool:
+        self._quit_was_refused = False
+        hears_blocks = self._desk.is_attended and self._desk.donnie.audible.has_cues
+        before = self._desk.program.depth if hears_blocks else 0
+        try:
+            self._desk.program.add(line)
+        except ProgramTooLong:
+            self._desk.answer("linear-too-long")
+            return False
+        if hears_blocks:
+            from donnie_tui import sound_words
+
+            sound_words.chime_block(self._desk.donnie, before, self._desk.program.depth)
+        if self._desk.habits.enter and not self._desk.program.open_block:
+            self._runs.run_waiting()
+        return True
+
+    def _run_unless_open(self) -> None:
+        """An empty line runs what waits, but not half a block."""
+        program = self._desk.program
+        block = program.open_block
+        if block:
+            self._desk.answer("linear-still-open", opener=self._spelled(block.kind), line=block.line)
+        elif program.is_waiting:
+            self._runs.run_waiting()
+
+    def _quit(self, line: str) -> None:
+        """QUIT runs what waits, then leaves; where that can't be run, a second one leaves all the same."""
+        desk, block = self._desk, self._desk.program.open_block
+        if self._quit_was_refused:
+            self._leaving.leave(0)
+        elif block is None:
+            self._run_and_quit(line)
+        elif self._add(line):
+            desk.answer("linear-quit-in-block", opener=self._spelled(block.kind))
+
+    def _run_and_quit(self, line: str) -> None:
+        desk = self._desk
+        self._runs.run_waiting(last=line)
+        if desk.leaving is not None:
+            self._leaving.leave(desk.leaving)
+        self._quit_was_refused = desk.program.is_waiting
+
+    def _spelled(self, canonical: str) -> str:
+        return keywords.spelling(canonical, self._desk.say.language)
