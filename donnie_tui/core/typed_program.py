@@ -9,6 +9,7 @@ mistake of form nothing has run: one line is forgotten (the learner types it aga
 from __future__ import annotations
 
 from collections import deque
+from collections.abc import Sequence
 
 from devices.ports.values import frozen
 from donnie_tui.core.breakpoints import followed, shifted
@@ -226,7 +227,7 @@ class TypedProgram:
         before = self._before.pop()
         if isinstance(before, int):
             return self._take_back_last(before)
-        same = _first_difference(before.lines, self._lines)
+        same = first_difference(before.lines, self._lines)
         self.breakpoints = followed(self.breakpoints, self._lines, before.lines)
         changes_what_ran = same < self._run
         self._lines, self._run = before.lines, 0 if changes_what_ran else self._run
@@ -266,7 +267,8 @@ class TypedProgram:
             self._run = 0
 
 
-def _first_difference(one: list[str], other: list[str]) -> int:
+def first_difference(one: Sequence[str], other: Sequence[str]) -> int:
+    """Where the first line is that is not the same in both; the length of the shorter without one."""
     pairs = enumerate(zip(one, other, strict=False))
     return next((at for at, (left, right) in pairs if left != right), min(len(one), len(other)))
 

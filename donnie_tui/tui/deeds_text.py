@@ -9,6 +9,7 @@ from donnie_tui.core.documents import lines_in
 from donnie_tui.core.mistakes import mended
 from donnie_tui.core.reading import ProgramText, line_in_words, place_in_words
 from donnie_tui.core.transcript import printable
+from donnie_tui.core.typed_program import first_difference, lines_of
 from donnie_tui.tui.deeds_telling import numbers_in
 from donnie_tui.tui.running import Answer
 from donnie_tui.tui.screens.chooser import Choice
@@ -73,9 +74,8 @@ class TextDeeds:
             self._searched = wanted
             self._search(wanted)
 
-    def search_again(self, _argument: str) -> None:
-        if self._searched:
-            self._search(self._searched)
+    async def search_again(self, _argument: str) -> None:
+        await self.search(self._searched)
 
     def _search(self, wanted: str) -> None:
         """From the cursor on, and once round; accents and size of letters don't matter."""
@@ -107,7 +107,17 @@ class TextDeeds:
         self._host.tell(Answer("screen-replaced", {"count": count}))
 
     def undo(self, _argument: str) -> None:
+        """The last change is taken back; the first line that is another one now is told."""
+        before = lines_of(self._editor.text)
         self._editor.undo()
+        after = lines_of(self._editor.text)
+        row = first_difference(before, after)
+        if before == after:
+            self._host.tell(Answer("answer-unchanged"))
+        elif row < len(after):
+            self._host.tell(Answer("answer-line", {"line": row + 1, "text": self._line(row)}))
+        else:
+            self._host.tell(Answer("linear-lines", {"lines": len(after)}))
 
     # --- layout
 

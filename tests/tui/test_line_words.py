@@ -41,6 +41,18 @@ async def test_a_word_changes_the_lines_and_undo_takes_it_back(work, typed, told
         await desk.until(lambda: desk.place.editor.text == PROGRAM, "the text as it was")
 
 
+@pytest.mark.parametrize(
+    ("typed", "told"),
+    [("CHANGE 2 BK 2", "Line 2: FW 2"), ("INSERT 5 TR 90", "4 lines."), ("", "Nothing was changed.")],
+)
+async def test_undo_tells_the_first_line_that_is_another_one_now(work, typed, told):
+    async with work(PROGRAM) as desk:
+        await desk.type_line(typed)
+        await desk.idle()
+        await desk.type_line("UNDO")
+        await desk.told(told)
+
+
 async def test_an_end_of_line_behind_the_last_line_stays(work):
     async with work() as desk:
         desk.app.work.load("FW 1\nFW 2\n")
