@@ -1,7 +1,7 @@
 """Text to tree, or to all mistakes of form at once.
 
 A text without a mistake is read once, by the tables that lark made (tables.py). Only when that meets a
-mistake does recovery.py read the tokens again, to find all of them; so mistakes cost those who make them.
+mistake does the recovery read the tokens again, to find all of them; so mistakes cost those who make them.
 Rule: whatever the text, the answer is a program or mistakes, in time and memory linear in its length.
 """
 
@@ -56,7 +56,7 @@ def parse(source: str, *, first_line: int = 1, colours: frozenset[str] | None = 
 def _mistakes(
     lexed: Lexed, known: tuple[Diagnostic, ...], first_line: int, colours: frozenset[str] | None
 ) -> tuple[Diagnostic, ...]:
-    from language.recovery import mistakes_in  # only texts with mistakes need it
+    from language.recovery.finder import mistakes_in  # only texts with mistakes need it
 
     return mistakes_in(lexed, known + _nested_too_deeply(lexed), first_line, colours)
 

@@ -13,6 +13,9 @@ from language.keywords import canonical_of_terminal
 from language.lexer import KIND
 from language.tables import ACTIONS, END, GOTOS, NONTERMINALS, RULES, START, TERMINALS
 
+_SCAN = KIND["SCAN"]
+"""Stands for any command; the automaton takes all in the same places."""
+
 _NONTERMINAL = {name: number for number, name in enumerate(NONTERMINALS)}
 
 _BEGIN_EXPRESSIONS = frozenset(("NAME", "NUMBER", "SIGN", "LPAR", "DISTANCE", "POS", "COLOR"))
@@ -49,6 +52,10 @@ class Automaton:
     def accepts(self, kind: int) -> bool:
         """Whether a token of this kind may come next."""
         return _shift(self.states, kind) is not None
+
+    def is_between_commands(self) -> bool:
+        """Whether the text up to here is complete, and a command may come next."""
+        return self.accepts(_SCAN)
 
     def feed(self, kind: int) -> None:
         """Move on over a token that is accepted."""

@@ -1,0 +1,68 @@
+"""What stands where a command may begin, and begins none."""
+
+from __future__ import annotations
+
+from language.diagnostics import Kind
+from language.keywords import is_reserved
+from language.lexer import NUMBER, STRING
+from language.nearby import Near, nearest_keyword, whole_of
+from language.recovery.arguments import follows_taker, read_bad_argument
+from language.recovery.going_on import can_open, read_as, skip_command
+from language.recovery.kinds import ASSIGN, LPAR, SIGN
+from language.recovery.pairs import pair_meant, pair_with_misspelt_first
+from language.recovery.reading import Reading
+from language.recovery.reserved import is_assigned_to_keyword, tell_reserved
+
+
+def read_unknown_command(reading: Reading) -> None:
+    token = reading.token
+    if follows_taker(reading):
+        read_bad_argument(reading)
+        return
+    pair = pair_with_misspelt_first(reading)
+    near, width = (pair, 2) if pair else (_command_meant(reading, token[5]), 1)
+    code = "call-brackets" if reading.following[0] == LPAR and near is None else ""
+    reading.begun = reading.at
+    reading.tell(Kind.UNKNOWN_COMMAND, token, code, ("command",), near.text if near else "")
+    read_as(reading, near, width)
+
+
+def _command_meant(reading: Reading, typed: str) -> Near | None:
+    """The nearest word that leaves all ENDs what they are, or else the nearest one."""
+    words = reading.automaton.acceptable()
+    whole = whole_of(typed, words)
+    if whole:
+        return whole
+    fitting = frozenset(word for word in words if can_open(reading, word, 1))
+    near = nearest_keyword(typed, fitting, reading.language)
+    return near or nearest_keyword(typed, words, reading.language)
+
+
+def read_unknown_pair(reading: Reading) -> None:
+    """RIGHT without TURN, GIRAR DIRETA, PARA FRENT."""
+    token = reading.token
+    near, width = pair_meant(reading)
+    reading.begun = reading.at
+    if reading.tokens[reading.at + width][0] == ASSIGN:
+        tell_reserved(reading, token)
+        near = None
+    else:
+        reading.tell(Kind.UNKNOWN_COMMAND, token, "", ("command",), near.text if near else "")
+    read_as(reading, near, width)
+
+
+def read_stray(reading: Reading) -> None:
+    """Something that no command begins with, and with which the one before can't go on."""
+    token, before = reading.token, reading.before
+    if follows_taker(reading) and token[0] in (NUMBER, STRING):
+        read_bad_argument(reading)
+        return
+    if is_assigned_to_keyword(reading):
+        tell_reserved(reading, before)
+    elif reading.following[0] == ASSIGN and is_reserved(token[5]):
+        tell_reserved(reading, token)
+    else:
+        code = "text-plus" if before[0] == STRING and token[0] == SIGN else ""
+        reading.tell(Kind.SYNTAX, token, code, reading.automaton.expected())
+    reading.at += 1
+    skip_command(reading)

@@ -1,0 +1,101 @@
+"""ENDs and ELSE: which block they belong to, and which ones have none."""
+
+from __future__ import annotations
+
+from language.blocks import ENDS, OPENERS
+from language.diagnostics import Kind
+from language.keywords import spelling
+from language.lexer import END, KIND, Token
+from language.recovery.going_on import skip_rest_of_line
+from language.recovery.kinds import ELSE
+from language.recovery.open_blocks import (
+    Block,
+    Closing,
+    best_closing,
+    close,
+    ends_ahead,
+    innermost,
+    kinds_of,
+    mistakes_ahead,
+)
+from language.recovery.pairs import pair_meant
+from language.recovery.reading import Reading
+
+
+def read_end(reading: Reading) -> None:
+    token = reading.token
+    end, meant, width = ENDS.get(token[0], ""), "", 1
+    if token[0] == END:
+        end, meant, width = _end_meant(reading)
+    reading.begun = reading.at
+    closing = _closing(reading, token, end, meant, width)
+    for read_as in close(reading.blocks, end, closing):
+        _feed_end(reading, read_as)
+    reading.at += width
+    if token[0] == END:
+        skip_rest_of_line(reading, token[3])
+
+
+def _end_meant(reading: Reading) -> tuple[str, str, int]:
+    """For an END without its word: the block that is meant, the words for it, how many were written."""
+    near, width = pair_meant(reading)
+    if near and width == 2:
+        return near.terminal.removeprefix("END_"), near.text, 2
+    opener = OPENERS.get(reading.following[0])
+    if opener and reading.blocks and opener == reading.blocks[-1].kind:
+        return opener, spelling(f"END {opener}", reading.language), 2
+    return "", "", 1
+
+
+def _closing(reading: Reading, token: Token, end: str, meant: str, width: int) -> Closing:
+    """How to read an END, which is told if it does not fit."""
+    if not reading.blocks:
+        reading.tell(Kind.WRONG_END, token, "stray-end", ("command",))
+        return Closing.STRAY
+    block = reading.blocks[-1]
+    if token[0] != END and block.kind in (end, ""):
+        return Closing.INNERMOST
+    if block.kind:
+        _tell_about_end(reading, Kind.WRONG_END, token, block, meant)
+    closing = best_closing(kinds_of(reading.blocks), end, reading.tokens[reading.at + width :])
+    return Closing.INNERMOST if token[0] == END and closing is Closing.STRAY else closing
+
+
+def tell_missing_ends(reading: Reading) -> None:
+    """At the end of the text: each block that is open still, outermost first."""
+    for block in reading.blocks:
+        if block.kind:
+            _tell_about_end(reading, Kind.MISSING_END, block.token, block)
+
+
+def _tell_about_end(reading: Reading, kind: Kind, token: Token, block: Block, meant: str = "") -> None:
+    details: dict[str, str | int] = {"opener": block.kind, "opener_line": block.token[3]}
+    reading.tell(kind, token, "", (f"END {block.kind}",), meant, details)
+
+
+def read_else(reading: Reading) -> None:
+    if reading.automaton.accepts(ELSE) and reading.blocks[-1].kind == "IF":
+        reading.begin()
+        reading.go_on()
+        return
+    reading.begun = reading.at
+    reading.tell(Kind.SYNTAX, reading.token, "stray-else", reading.automaton.expected())
+    _close_blocks_in_if(reading)
+    reading.at += 1
+
+
+def _close_blocks_in_if(reading: Reading) -> None:
+    """Before an ELSE: end the blocks inside the innermost IF, if fewer mistakes follow then."""
+    kinds, ahead = kinds_of(reading.blocks), ends_ahead(reading.tokens[reading.at :])
+    outer = kinds[: innermost(kinds, "IF") + 1] if "IF" in kinds else kinds
+    if len(outer) == len(kinds) or mistakes_ahead(outer, ahead) >= mistakes_ahead(kinds, ahead):
+        return
+    while len(reading.blocks) > len(outer):
+        _feed_end(reading, reading.blocks.pop().read_as)
+    if reading.automaton.accepts(ELSE):
+        reading.automaton.feed(ELSE)
+
+
+def _feed_end(reading: Reading, read_as: str) -> None:
+    if read_as:
+        reading.automaton.feed(KIND[f"END_{read_as}"])
