@@ -41,7 +41,7 @@ def _work(
         from donnie_tui.tui.terminal import prepare
 
         prepare(settings)
-        from donnie_tui.tui.app import run_full_screen
+        from donnie_tui.tui.full_screen import run_full_screen
 
         return run_full_screen(settings, file, text=text, donnie=donnie)
     from donnie_tui.linear.app import run_linear

@@ -9,9 +9,7 @@ import pytest
 
 from tests.conftest import ROOT
 
-FRONT_END = (
-    "import donnie_tui.cli.main, donnie_tui.cli.front_ends, donnie_tui.tui.terminal, donnie_tui.tui.app"
-)
+FRONT_END = "import donnie_tui.cli.main, donnie_tui.cli.front_ends, donnie_tui.tui.full_screen"
 LINEAR = "from donnie_tui.cli.main import main; main(['--linear', '--speech', 'off', '--sound', 'off'])"
 
 

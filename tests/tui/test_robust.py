@@ -16,7 +16,8 @@ from donnie_tui.i18n import first_screen
 from donnie_tui.i18n.sentence import LANGUAGES
 from donnie_tui.i18n.words import Words
 from donnie_tui.settings import Settings
-from donnie_tui.tui.app import FAULT, DonnieApp
+from donnie_tui.tui.app import DonnieApp
+from donnie_tui.tui.ending import FAULT
 from donnie_tui.tui.key_table import KeyTable
 from donnie_tui.tui.running import Doing
 from donnie_tui.tui.screens.help import help_text

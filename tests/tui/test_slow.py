@@ -10,8 +10,7 @@ from donnie_tui.core import copies, filing
 from donnie_tui.core.copies import Copies
 from donnie_tui.core.filing import Document
 from donnie_tui.settings import Settings
-from donnie_tui.tui import app as application
-from donnie_tui.tui import deeds_text
+from donnie_tui.tui import beginning, deeds_text
 from donnie_tui.tui import work as work_module
 from tests.tui import conftest
 
@@ -20,7 +19,7 @@ from tests.tui import conftest
 def soon(monkeypatch, tmp_path):
     """What is slow is slow at once."""
     monkeypatch.setattr(work_module, "SLOW", 0.01)
-    monkeypatch.setattr(application, "SLOW", 0.01)
+    monkeypatch.setattr(beginning, "SLOW", 0.01)
     monkeypatch.setenv("XDG_CONFIG_HOME", str(tmp_path / "config"))
 
 
@@ -117,7 +116,7 @@ async def test_whoever_is_gone_by_a_lost_line_has_left_the_last_copy(work, monke
         await desk.until(lambda: came, "a copy is being written")
         await desk.press("b")
         threading.Timer(0.1, gate.set).start()
-        desk.app._end(signal.SIGHUP)
+        desk.app.ending.leave(signal.SIGHUP)
         assert _copies_in(tmp_path) == ["abFW 1"]
 
 
@@ -231,7 +230,7 @@ async def test_a_program_that_changes_while_it_is_laid_out_stays_as_it_is(work, 
 
 
 async def test_a_large_world_is_told_while_it_loads_and_when_it_is_there(work, monkeypatch, gate):
-    tell = application.DonnieApp._tell_early
+    tell = beginning.Beginning._tell_early
 
     def told(self, code, **values):
         tell(self, code, **values)
@@ -241,7 +240,7 @@ async def test_a_large_world_is_told_while_it_loads_and_when_it_is_there(work, m
         gate.wait(20)
         return assemble(Settings(world="open_floor", speech="off", sound=False, speed=None), **others)
 
-    monkeypatch.setattr(application.DonnieApp, "_tell_early", told)
+    monkeypatch.setattr(beginning.Beginning, "_tell_early", told)
     monkeypatch.setattr(conftest, "assemble", slowly)
     async with work(world="my/large.world") as desk:
         assert "Loading the world large.world, it takes a while." in desk.log

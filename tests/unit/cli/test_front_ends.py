@@ -13,7 +13,7 @@ from donnie_tui.i18n.words import Words
 from donnie_tui.linear import app as linear
 from donnie_tui.settings import Settings
 from donnie_tui.switching import SwitchMode
-from donnie_tui.tui import app as screen
+from donnie_tui.tui import full_screen as screen
 
 LIVING = object()
 """Stands for the session that goes along."""

@@ -1,0 +1,108 @@
+"""The application as the work sees it: time, questions, other screens, and the ways out.
+
+Rule: what is asked is said too, by ``point``. Other screens are loaded when they are first shown.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Coroutine, Sequence
+from typing import TYPE_CHECKING
+
+from textual.app import App, SuspendNotSupported
+from textual.geometry import Offset
+from textual.message import Message
+from textual.timer import Timer
+
+from donnie_tui.settings import Settings
+from donnie_tui.tui.key_table import KeyTable
+from donnie_tui.tui.screens.workplace import Workplace
+
+if TYPE_CHECKING:
+    from donnie_tui.tui.screens.chooser import Choice
+
+
+class ScreenHost:
+    """What ``work.Host`` asks for. ``next_world`` and ``left_for_linear`` tell how the screen was left."""
+
+    def __init__(
+        self,
+        app: App[int],
+        workplace: Workplace,
+        key_table: KeyTable,
+        *,
+        begin_with: Callable[[Coroutine[None, None, None]], None],
+        wear: Callable[[Settings], None],
+        repaint: Callable[[], None],
+        point: Callable[[str], None],
+    ) -> None:
+        self._app = app
+        self.workplace, self.key_table = workplace, key_table
+        self.begin_with, self.wear, self.repaint = begin_with, wear, repaint
+        self._point = point
+        self.next_world = ""
+        """The world in which the screen is to come back."""
+        self.left_for_linear = False
+
+    def post_message(self, message: Message) -> bool:
+        return self._app.post_message(message)
+
+    def later(self, seconds: float, do: Callable[[], None]) -> Timer:
+        return self._app.set_timer(seconds, do)
+
+    def every(self, seconds: float, do: Callable[[], None]) -> Timer:
+        return self._app.set_interval(seconds, do)
+
+    # --- questions
+
+    async def ask(
+        self, asked: str, keys: str, value: str, accepts: Callable[[str], str | None] | None
+    ) -> str | None:
+        from donnie_tui.tui.screens.question import Question
+
+        question = Question(asked, keys, self._point, value=value, accepts=accepts)
+        return await self._app.push_screen_wait(question)
+
+    async def press_key(
+        self, asked: str, keys: str, behind: str, accepts: Callable[[str], str | None]
+    ) -> str | None:
+        from donnie_tui.tui.screens.key_capture import KeyCapture
+
+        return await self._app.push_screen_wait(KeyCapture(asked, keys, behind, accepts, self._point))
+
+    async def choose(self, title: str, keys: str, nothing: str, choices: Sequence[Choice]) -> str | None:
+        from donnie_tui.tui.screens.chooser import Chooser
+
+        return await self._app.push_screen_wait(Chooser(title, keys, nothing, choices, self._point))
+
+    async def choose_word(self, words: Sequence[str], below: Offset) -> tuple[str, str]:
+        from donnie_tui.tui.screens.completions import Completions
+
+        return await self._app.push_screen_wait(Completions(words, below, self._point))
+
+    # --- something to read
+
+    def show_help(self, title: str, lines: tuple[str, ...]) -> None:
+        from donnie_tui.tui.screens.help import Help
+
+        self._app.push_screen(Help(title, lines))
+
+    def show_outside(self, text: str) -> bool:
+        """In the terminal's pager. False where there is none, or no terminal."""
+        from donnie_tui.tui.outside import show_in_pager
+
+        try:
+            with self._app.suspend():
+                return show_in_pager(text)
+        except SuspendNotSupported:
+            return False
+
+    # --- ways out
+
+    def enter_world(self, name: str) -> None:
+        """The screen is left for a moment, and comes back in that world."""
+        self.next_world = name
+        self._app.exit(0)
+
+    def leave(self, code: int = 0, *, for_linear: bool = False) -> None:
+        self.left_for_linear = for_linear
+        self._app.exit(code)
