@@ -11,31 +11,25 @@ from __future__ import annotations
 import os
 from collections.abc import Awaitable, Callable
 from pathlib import Path
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
 
-from rich.console import RenderableType
 from rich.text import Text
 from textual import events
-from textual.app import App
-from textual.geometry import Offset
 from textual.screen import Screen
-from textual.widgets import Input, TextArea
 
 from donnie_tui.folders import state_folder
 from donnie_tui.i18n import first_screen
 from donnie_tui.robot_search import Search
 from donnie_tui.settings import LANGUAGES, Settings
-from donnie_tui.tui import themes
 from donnie_tui.tui.beginning import Beginning
 from donnie_tui.tui.ending import Ending
 from donnie_tui.tui.key_table import KeyTable
 from donnie_tui.tui.keyboard import STOPS, Keyboard, bindings
-from donnie_tui.tui.printable import Printable
 from donnie_tui.tui.screen_host import ScreenHost
 from donnie_tui.tui.screens.workplace import Workplace
 from donnie_tui.tui.session_behind import SessionBehind
 from donnie_tui.tui.terminal import is_plain, use_mouse, wants_mouse
-from donnie_tui.tui.thrift import Painted
+from donnie_tui.tui.terminal_app import TerminalApp
 from donnie_tui.tui.widgets.command_line import CommandLine
 from donnie_tui.tui.widgets.editor import Editor
 
@@ -44,11 +38,10 @@ if TYPE_CHECKING:
     from donnie_tui.tui.bridge import Began, Ended
     from donnie_tui.tui.work import Work
 
-SHOW_CURSOR = "\x1b[?25h"
 WIPE = "\x1b[0m\x1b[H\x1b[2J"
 
 
-class DonnieApp(App[int], inherit_bindings=False):
+class DonnieApp(TerminalApp, inherit_bindings=False):
     """One learner at one terminal."""
 
     CSS_PATH = "styles/donnie.tcss"
@@ -68,16 +61,7 @@ class DonnieApp(App[int], inherit_bindings=False):
 
         ``search``: what gives up the search for a robot, where ``assemble`` looks for one.
         """
-        super().__init__(ansi_color=True if "NO_COLOR" in os.environ else None)  # the filters ask at once
-        self.animation_level = "none"
-        for name in themes.NAMES:
-            self.register_theme(themes.theme(name))
-        self.theme = themes.TERMINAL if self.no_color else themes.name_of(settings.theme)
-        self._read_with = self.get_css_variables()
-        """The colours and sizes with which the style sheets were read last."""
-        self.stylesheet.set_variables(self._read_with)
-        self._filters.append(Printable())
-        self._painted = Painted()
+        super().__init__(settings)
         self._settings, self._file, self._text = settings, file, text
         self._language = LANGUAGES.index(settings.language)
         self._folder = Path(folder or state_folder(os.environ)) / "unsaved"
@@ -164,8 +148,7 @@ class DonnieApp(App[int], inherit_bindings=False):
 
     def wear(self, settings: Settings) -> None:
         """The look, the layout and the keys that somebody chose."""
-        if not self.no_color:
-            self.theme = themes.name_of(settings.theme)
+        self.wear_theme(settings)
         if settings.plain is not None:
             self.workplace.set_plain(settings.plain)
         self._language = LANGUAGES.index(settings.language)
@@ -177,33 +160,14 @@ class DonnieApp(App[int], inherit_bindings=False):
         self.key_table.choose(chosen)
         self._bindings = bindings(self.key_table, self.COMMAND_PALETTE_BINDING)
 
-    def get_theme_variable_defaults(self) -> dict[str, str]:
-        """Before a theme of ours is chosen the style sheet is read with Textual's own."""
-        return themes.theme(themes.DARK).variables
-
-    def refresh_css(self, animate: bool = True) -> None:
-        """Not as the application begins, when Textual asks for it too: nothing has changed by then."""
-        variables = self.get_css_variables()
-        if variables != self._read_with:
-            self._read_with = variables
-            super().refresh_css(animate)
-
     def get_default_screen(self) -> Screen[None]:
         return self.workplace
 
     def on_mount(self) -> None:
         self.ending.begin()
-        self.app_resume_signal.subscribe(self, lambda _: self._show_cursor())
+        self.app_resume_signal.subscribe(self, lambda _: self.show_cursor())
         self.beginning.greet(self.key_table)
         self.call_after_refresh(self.beginning.begin)
-
-    def on_ready(self) -> None:
-        self._show_cursor()
-
-    def _show_cursor(self) -> None:
-        """Textual hides the terminal's cursor; braille displays and console readers need it."""
-        if self._driver is not None:
-            self._driver.write(SHOW_CURSOR)
 
     def watch_app_focus(self, has_focus: bool) -> None:
         """A page of a browser, or a window behind another, begins without the focus: nothing has it yet."""
@@ -211,33 +175,9 @@ class DonnieApp(App[int], inherit_bindings=False):
         if has_focus and place.is_mounted and self.screen is place and place.focused is None:
             (place.command_line if place.is_plain else place.editor).focus()
 
-    def _display(self, screen: Screen[Any], renderable: RenderableType | None) -> None:
-        """Whatever is painted passes here. In the plain layout readers hear it: rows are written whole."""
-        is_typing = isinstance(screen.focused, (TextArea, Input))
-        thrifty = self._painted.less(
-            renderable,
-            rows=self.workplace.is_plain,
-            typing=self.cursor_position if is_typing else None,
-        )
-        super()._display(screen, thrifty)
-
-    def repaint(self) -> None:
-        """All of it: something else may have written over the terminal."""
-        self.refresh()
-        self._show_cursor()
-
-    def _set_pointer_shape(self, shape: str) -> None:
-        """Nobody asks for it, it costs bytes, and a console shows it as letters."""
-
     @property
-    def cursor_position(self) -> Offset:
-        """Where the terminal's own cursor stands: where the widget with the focus says, at every update."""
-        place = getattr(self.focused, "cursor_screen_offset", None) if self.is_running else None
-        return place if isinstance(place, Offset) else Offset(0, 0)
-
-    @cursor_position.setter
-    def cursor_position(self, _place: Offset) -> None:
-        """Textual's editor and input line write here, also without the focus: not what is asked."""
+    def is_read_by_rows(self) -> bool:
+        return self.workplace.is_plain
 
     # --- doing
 
