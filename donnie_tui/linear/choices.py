@@ -97,8 +97,8 @@ def _change(desk: Desk, field: str, typed: str) -> bool:
         value = habits.read(field, typed)
     except ValueError:
         return _say_choices(desk, field)
-    setattr(desk.habits, field, value)
-    desk.apply_habits()
+    setattr(desk.ends.habits, field, value)
+    desk.ends.apply_habits()
     try:
         remember(field, habits.kept_as(field, value), os.environ)
     except DocumentError as error:
@@ -108,7 +108,7 @@ def _change(desk: Desk, field: str, typed: str) -> bool:
 
 
 def _say_habit(desk: Desk, field: str) -> None:
-    at, value = LANGUAGES.index(desk.say.language), getattr(desk.habits, field)
+    at, value = LANGUAGES.index(desk.say.language), getattr(desk.ends.habits, field)
     name = habits.SPELLINGS[field][0][at]
     if field != "progress":
         desk.answer(f"habit-{field}", name=name, value=habits.spelled(field, value, at))

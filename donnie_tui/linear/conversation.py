@@ -16,7 +16,8 @@ from donnie_tui.core.copies import Copies
 from donnie_tui.folders import BREAKPOINTS
 from donnie_tui.linear import files, greeting
 from donnie_tui.linear.console import Console
-from donnie_tui.linear.desk import Desk, Ends
+from donnie_tui.linear.desk import Desk
+from donnie_tui.linear.ends import Ends
 from donnie_tui.linear.habits import Habits
 from donnie_tui.linear.key_echo import KeyEcho
 from donnie_tui.linear.leaving import Leaving
@@ -44,8 +45,8 @@ class Conversation:
             of_numbers=lambda count: donnie.words("linear-numbers", count=count),
         )
         kept_breakpoints = KeptBreakpoints(folder / BREAKPOINTS)
-        ends = Ends(console, editing, PlainReader(console), output, told, attended, os.isatty(1))
-        self._desk = Desk(donnie, ends, Copies(folder / "unsaved"), habits, kept_breakpoints)
+        ends = Ends(console, editing, PlainReader(console), output, told, habits, attended, os.isatty(1))
+        self._desk = Desk(donnie, ends, Copies(folder / "unsaved"), kept_breakpoints)
         self._desk.past = self._past.lines
         self._desk.take_again = self._take_again
         self._leaving = Leaving(self._desk)
@@ -58,7 +59,7 @@ class Conversation:
             console.on_key = donnie.audible.hush
         if editing:
             editing.on_key = KeyEcho(donnie.audible, donnie.words)
-        self._desk.apply_habits()
+        ends.apply_habits()
 
     def close(self) -> None:
         """Hear no more of the session."""
@@ -75,13 +76,13 @@ class Conversation:
         try:
             return self._talk(file, text, offers_to_remember)
         except SwitchMode:
-            self._desk.forget_copies()
+            self._desk.programs.forget_copies()
             raise
         except OSError:  # the terminal is gone, or nobody reads any more
-            self._desk.keep_for_later()
+            self._desk.programs.keep_for_later()
             return 128 + (self._console.leaving or signal.SIGHUP)
         except BaseException:
-            self._desk.keep_for_later()
+            self._desk.programs.keep_for_later()
             raise
         finally:
             self._past.trim()
@@ -100,7 +101,7 @@ class Conversation:
 
             modes.offer_to_remember(desk, linear=True)
         while desk.leaving is None:
-            self._take(desk.read(self._prompt(), shown=is_shown))
+            self._take(desk.asking.read(self._prompt(), shown=is_shown))
             is_shown = False
         self._leaving.say_goodbye()
         return desk.leaving
@@ -110,7 +111,7 @@ class Conversation:
         program = self._desk.program
         program.replace(text, str(file) if file else None)
         program.saved = files.holds(file, text) if file else not text.strip()
-        self._desk.bring_breakpoints()
+        self._desk.programs.bring_breakpoints()
         if program.lines:
             self._desk.answer("linear-lines", lines=len(program.lines))
 
@@ -122,13 +123,13 @@ class Conversation:
         desk = self._desk
         desk.tell(*desk.donnie.notices)
         self._console.has_news = bool(desk.donnie.about_devices)
-        if desk.is_attended and desk.copies.offered():
+        if desk.is_attended and desk.programs.copies.offered():
             desk.answer("answer-rescued")
 
     def _prompt(self) -> str:
         in_program = self._desk.is_attended and not self._desk.next_line
         depth = self._desk.program.depth if in_program else 0
-        return self._desk.habits.prompt_at(depth)
+        return self._desk.ends.habits.prompt_at(depth)
 
     def _candidates(self, before: str) -> tuple[str, ...]:
         """For Tab. Loaded when somebody presses it."""

@@ -33,9 +33,9 @@ def open_file(desk: Desk, path: Path) -> None:
     except DocumentError as error:
         refuse(desk, error)
         return
-    if desk.may_lose_program():
+    if _may_lose_program(desk):
         desk.program.replace(text, str(path))
-        desk.bring_breakpoints()
+        desk.programs.bring_breakpoints()
         desk.answer("answer-opened", name=path.name, lines=len(desk.program.lines))
         _tell_breakpoints(desk)
     else:
@@ -53,7 +53,7 @@ def save_named(desk: Desk, name: str) -> bool:
     if not desk.program.lines:
         desk.answer("linear-nothing-to-save")
         return False
-    name = name or desk.program.name or (desk.ask("linear-ask-name") if desk.is_attended else "")
+    name = name or desk.program.name or (desk.asking.ask("linear-ask-name") if desk.is_attended else "")
     if not name:
         desk.answer("answer-unchanged")
         return False
@@ -65,7 +65,7 @@ def save_named(desk: Desk, name: str) -> bool:
 
 
 def new_program(desk: Desk) -> None:
-    if desk.may_lose_program():
+    if _may_lose_program(desk):
         desk.program.clear()
         desk.answer("answer-new")
     else:
@@ -74,10 +74,10 @@ def new_program(desk: Desk) -> None:
 
 def recover(desk: Desk) -> None:
     """Open what was rescued when Donnie had to leave. It counts as unsaved."""
-    copy = desk.copies.offered()
+    copy = desk.programs.copies.offered()
     if copy is None:
         desk.answer("answer-nothing-to-recover")
-    elif not desk.may_lose_program():
+    elif not _may_lose_program(desk):
         desk.answer("answer-unchanged")
     else:
         _take_copy(desk, copy)
@@ -85,13 +85,13 @@ def recover(desk: Desk) -> None:
 
 def _take_copy(desk: Desk, copy: Path) -> None:
     try:
-        found = desk.copies_of(desk.program).take(copy)
+        found = desk.programs.copies_of(desk.program).take(copy)
     except DocumentError as error:
         refuse(desk, error)
         return
     desk.program.replace(found.text, str(found.path) if found.path else None)
     desk.program.saved = False
-    desk.bring_breakpoints()
+    desk.programs.bring_breakpoints()
     if found.path is None:
         desk.answer("answer-recovered", lines=len(desk.program.lines))
     else:
@@ -117,7 +117,7 @@ def _save(desk: Desk, path: Path) -> bool:
     text = desk.program.text
     patiently(desk, lambda: write_program(path, text), "slow-saving", name=path.name)
     desk.program.name, desk.program.saved = str(path), True
-    desk.keep_breakpoints()
+    desk.programs.keep_breakpoints()
     desk.answer("answer-saved", name=path.name, lines=len(desk.program.lines))
     return True
 
@@ -126,7 +126,7 @@ def may_replace(desk: Desk, path: Path) -> bool:
     """A file that is not the program's own is replaced only by somebody who wants it."""
     if str(path) == desk.program.name or not desk.is_attended or not path.exists():
         return True
-    return desk.ask_yes("linear-ask-replace", name=path.name)
+    return desk.asking.ask_yes("linear-ask-replace", name=path.name)
 
 
 def _open(desk: Desk, _: Runs, rest: str) -> bool:
@@ -150,3 +150,10 @@ HANDLERS: dict[str, Handler] = {
     "new": alone(new_program),
     "recover": alone(recover),
 }
+
+
+def _may_lose_program(desk: Desk) -> bool:
+    """Whether the typed program may be replaced; asks where somebody would miss it."""
+    if not (desk.is_attended and desk.program.is_worth_saving):
+        return True
+    return desk.asking.ask_yes("linear-ask-lose", lines=len(desk.program.lines))

@@ -93,7 +93,7 @@ class Holding:
         """Say where the program is, and ask until it is clear how to go on."""
         self._tell()
         while True:
-            wish = self._wish_of(self._desk.read(PROMPT))
+            wish = self._wish_of(self._desk.asking.read(PROMPT))
             if wish is not None:
                 self._go(wish)
                 return wish

@@ -31,15 +31,15 @@ class Leaving:
         """Leave, once a program that would be missed is saved or given up."""
         desk = self._desk
         desk.leaving = code
-        for program in desk.all_programs():
+        for program in desk.programs.all():
             would_be_missed = desk.is_attended and program.is_worth_saving
-            if would_be_missed and desk.ask_yes("linear-ask-save", lines=len(program.lines)):
-                desk.program = program
+            if would_be_missed and desk.asking.ask_yes("linear-ask-save", lines=len(program.lines)):
+                desk.programs.current = program
                 files.save_named(desk, "")
 
     def leave_by_signal(self, number: int) -> None:
         self._desk.donnie.team.stop()
-        self._desk.keep_for_later()
+        self._desk.programs.keep_for_later()
         self._desk.leaving = 128 + number
 
     def interrupt(self, line: str) -> None:
@@ -58,6 +58,6 @@ class Leaving:
     def say_goodbye(self) -> None:
         if self._desk.leaving == 0:
             self._desk.answer("linear-goodbye")
-        self._desk.show_told()
+        self._desk.showing.show_told()
         if self._desk.leaving == 0:
-            self._desk.forget_copies()
+            self._desk.programs.forget_copies()

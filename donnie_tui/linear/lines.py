@@ -23,7 +23,7 @@ def change_line(desk: Desk, number: int, text: str) -> None:
     if text or not 1 <= number <= len(lines):
         _change(desk, number, text)
     else:
-        desk.offered = lines[number - 1].strip()
+        desk.asking.offered = lines[number - 1].strip()
         _ask_for_line(desk, number, "linear-edit", lambda typed: _change(desk, number, typed))
 
 
@@ -74,7 +74,7 @@ def _tell_edit(desk: Desk, edit: line_words.Edited) -> None:
 
 
 def _ask_for_line(desk: Desk, number: int, code: str, then: Callable[[str], None]) -> None:
-    desk.answer(code if desk.can_edit else "linear-type-line", line=number)
+    desk.answer(code if desk.ends.can_edit else "linear-type-line", line=number)
     desk.next_line = partial(_take, then)
 
 

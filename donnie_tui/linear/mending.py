@@ -66,7 +66,7 @@ def _replace(desk: Desk, _: Runs, rest: str) -> bool:
     if not count:
         desk.answer("screen-not-found", word=word)
         return True
-    instead = desk.ask("ask-replace-by", word=word)
+    instead = desk.asking.ask("ask-replace-by", word=word)
     if not _rewrite(desk, desk.program.text.replace(rest, instead)):
         return True
     desk.answer("screen-replaced", count=count)

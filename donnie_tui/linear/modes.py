@@ -18,11 +18,11 @@ def _linear(desk: Desk) -> None:
 
 
 def _visual(desk: Desk) -> None:
-    if not desk.has_terminal:
+    if not desk.ends.has_terminal:
         desk.answer("linear-no-screen")
         return
     offer_to_remember(desk, linear=False)
-    desk.show_told()
+    desk.showing.show_told()
     raise SwitchMode(desk.program.text, desk.program.name, desk.donnie)
 
 
@@ -32,7 +32,7 @@ def offer_to_remember(desk: Desk, *, linear: bool) -> None:
     greeting.DONE.offered.add(linear)
     if was_asked or not desk.is_attended:
         return
-    if not desk.ask_yes("mode-ask-linear" if linear else "mode-ask-visual"):
+    if not desk.asking.ask_yes("mode-ask-linear" if linear else "mode-ask-visual"):
         return
     try:
         remember("linear", linear, os.environ)

@@ -71,5 +71,5 @@ def aside(
 def patiently(desk: Desk, do: Callable[[], T], code: str, *, first: float = SLOW, **values: object) -> T:
     """As ``aside``, telling it with the sentence ``code``."""
     return aside(
-        desk.console, do, lambda: desk.answer(code, **values), first=first, show=lambda: desk.show_told()
+        desk.console, do, lambda: desk.answer(code, **values), first=first, show=desk.showing.show_told
     )

@@ -25,7 +25,7 @@ def sign_of_life(desk: Desk) -> None:
 
 def _walked(desk: Desk) -> int:
     """Steps since the robot last stood."""
-    before, now = desk.trail.last_pose, desk.session.pose
+    before, now = desk.heard.trail.last_pose, desk.session.pose
     return round(hypot(now.x - before.x, now.y - before.y)) if before else 0
 
 

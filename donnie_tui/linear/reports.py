@@ -31,7 +31,7 @@ def _report(desk: Desk, _: Runs, rest: str) -> bool:
 
 def _subject(desk: Desk) -> Subject:
     words = desk.say.help(None)[1:]
-    return Subject(desk.program.lines, desk.session.pose, desk.donnie.picture_now(), desk.trail, words)
+    return Subject(desk.program.lines, desk.session.pose, desk.donnie.picture_now(), desk.heard.trail, words)
 
 
 def _write(desk: Desk, name: str, text: str) -> None:

@@ -26,8 +26,7 @@ def _robots(desk: Desk) -> None:
 def _robot(desk: Desk, _: Runs, rest: str) -> bool:
     before = desk.session.name
     if rest and team_words.choose_robot(desk.donnie, rest):
-        desk.programs[before] = desk.program
-        desk.program = desk.programs.setdefault(desk.session.name, TypedProgram())
+        desk.programs.change_robot(before)
         if desk.program.lines:
             desk.answer("linear-lines", lines=len(desk.program.lines))
     return bool(rest)
@@ -50,8 +49,7 @@ def _start(desk: Desk, runs: Runs, rest: str) -> bool:
 def _together(desk: Desk, runs: Runs, rest: str) -> bool:
     if rest:
         return False
-    desk.programs[desk.session.name] = desk.program
-    for name, program in desk.programs.items():
+    for name, program in desk.programs.by_robot().items():
         desk.donnie.team.give(name, Assigned(program.text, _name(program)))
     runs.watch_together(lambda: team_words.start_together(desk.donnie))
     return True

@@ -63,10 +63,10 @@ def _continue(desk: Desk) -> None:
 
 def _step_back(desk: Desk) -> None:
     """What happened last, undone in words; once more goes further back."""
-    if desk.timeline is None:
-        desk.timeline = desk.donnie.chronicle.timeline()
-    undone = desk.timeline.step_back()
-    desk.tell(told_back(undone, desk.timeline, desk.say))
+    if desk.heard.timeline is None:
+        desk.heard.timeline = desk.donnie.chronicle.timeline()
+    undone = desk.heard.timeline.step_back()
+    desk.tell(told_back(undone, desk.heard.timeline, desk.say))
 
 
 def _break(desk: Desk, _: Runs, rest: str) -> bool:
@@ -88,7 +88,7 @@ def _break(desk: Desk, _: Runs, rest: str) -> bool:
 def _toggle_breakpoint(desk: Desk, line: int) -> None:
     desk.program.breakpoints ^= {line}
     desk.answer("break-set" if line in desk.program.breakpoints else "break-gone", line=line)
-    desk.keep_breakpoints()
+    desk.programs.keep_breakpoints()
     run = desk.session.run
     if run is not None:
         run.control.break_at(desk.program.breakpoints)

@@ -13,7 +13,8 @@ from pathlib import Path
 
 from donnie_tui.core.events import TYPED, Outcome, RunEnded, Stamped
 from donnie_tui.core.runner import Run
-from donnie_tui.linear.desk import GRACE, Desk
+from donnie_tui.linear.asking import GRACE
+from donnie_tui.linear.desk import Desk
 from donnie_tui.linear.holding import Goes, Holding, Wish
 from donnie_tui.linear.output import LARGEST_BLOCK
 from donnie_tui.linear.progress import sign_of_life
@@ -80,7 +81,8 @@ class Runs:
             program.batch_ran()
             self._tell_hints(batch.text)
         elif program.batch_was_refused():
-            self._desk.answer("linear-kept", line=self._desk.errors[0].line if self._desk.errors else 1)
+            errors = self._desk.heard.errors
+            self._desk.answer("linear-kept", line=errors[0].line if errors else 1)
 
     def run_all(self, *, begin: Callable[[ExecutionControl], None] | None = None) -> None:
         """Run the whole program from the start of the world."""
@@ -215,17 +217,17 @@ class Runs:
         if self._live():
             if self._stopping:
                 self._left_out += self._told.trim(LARGEST_BLOCK)
-            self._desk.show_block()
+            self._desk.showing.show_block()
         elif self._told:
             self._wait_for_more()
             if not self._ended:
-                self._left_out += self._desk.show_block()
+                self._left_out += self._desk.showing.show_block()
                 self._expect_next_sign()
         elif self._console.now() >= self._sign_due:
             self._give_sign()
         elif not self._is_woken():
             left = min(HEARTBEAT, self._sign_due - self._console.now())
-            self._console.wait(left, reading=self._desk.can_edit and self._desk.hears_live)
+            self._console.wait(left, reading=self._desk.ends.hears_live)
 
     def _is_woken(self) -> bool:
         """Whether what would end a wait came already, while keys were looked for: it wakes but once."""
@@ -243,14 +245,14 @@ class Runs:
     # --- a sign of life
 
     def _expect_sign(self, seconds: float) -> None:
-        self._sign_due = self._console.now() + (seconds if self._desk.habits.progress else NEVER)
+        self._sign_due = self._console.now() + (seconds if self._desk.ends.habits.progress else NEVER)
 
     def _expect_next_sign(self) -> None:
-        self._expect_sign(max(FIRST_SIGN, self._desk.habits.progress))
+        self._expect_sign(max(FIRST_SIGN, self._desk.ends.habits.progress))
 
     def _give_sign(self) -> None:
         sign_of_life(self._desk)
-        self._desk.show_told()
+        self._desk.showing.show_told()
         self._expect_next_sign()
 
     # --- stopping and pausing
@@ -284,15 +286,15 @@ class Runs:
 
     def remember_stop(self) -> None:
         """It is about to be stopped: remember where; whatever it still tells must not wait for us."""
-        self._stopping = self._desk.is_hurrying = True
+        self._stopping = self._desk.showing.is_hurrying = True
         frames = self._desk.session.frames
         self._stopped_at = frames[0].line if frames else None
         self._told.let_pass()
 
     def _begin_new_line(self) -> None:
         """A terminal that edits by itself has shown Ctrl+C."""
-        if not self._desk.can_edit:
-            self._desk.hold_newline()
+        if not self._desk.ends.can_edit:
+            self._desk.ends.hold_newline()
 
     def _tell_stopped(self) -> None:
         if self._rested:

@@ -20,7 +20,7 @@ def _last(desk: Desk, which: int) -> None:
     """The answer before this one, or the ``which``-th last."""
     answer = desk.answers.last(which)
     if answer:
-        desk.is_repeating = True
+        desk.showing.is_repeating = True
         desk.tell(*answer)
     else:
         desk.answer("answer-nothing-said")
@@ -40,7 +40,7 @@ def _last_word(desk: Desk) -> None:
 
 def _say_spelled(desk: Desk, text: str) -> None:
     if text:
-        desk.is_repeating = True
+        desk.showing.is_repeating = True
         desk.tell(*spelled(text[:LONGEST_SPELLED], SPELLED_OF, desk.say))
     else:
         desk.answer("answer-nothing-said")
@@ -53,7 +53,7 @@ def _find(desk: Desk, word: str) -> bool:
     if not found:
         desk.answer("find-none", word=word[:40])
         return True
-    desk.is_repeating = True
+    desk.showing.is_repeating = True
     desk.answer("find-count", count=len(found))
     desk.tell(*found)
     return True
@@ -64,7 +64,7 @@ def _show_log(desk: Desk) -> None:
     answers = [desk.answers.last(which) for which in range(min(SHOWN, len(desk.answers)), 0, -1)]
     if not answers:
         desk.answer("answer-nothing-said")
-    desk.is_repeating = bool(answers)
+    desk.showing.is_repeating = bool(answers)
     for answer in answers:
         desk.tell(*answer)
 
@@ -100,34 +100,35 @@ def _do_again(desk: Desk, lines: list[str], chosen: str) -> bool:
 
 def _error(desk: Desk, move: int = 0) -> None:
     """The error told last, or one before or after it; the reading place goes along."""
-    if not desk.errors:
+    heard = desk.heard
+    if not heard.errors:
         desk.answer("answer-no-errors")
         return
-    now = len(desk.errors) - 1 if desk.error_at is None else desk.error_at
+    now = len(heard.errors) - 1 if heard.error_at is None else heard.error_at
     wanted = now + move
-    if desk.error_at is None and move > 0:
+    if heard.error_at is None and move > 0:
         wanted = 0
-    if not 0 <= wanted < len(desk.errors):
-        desk.answer("answer-no-more-errors", number=now + 1, count=len(desk.errors))
+    if not 0 <= wanted < len(heard.errors):
+        desk.answer("answer-no-more-errors", number=now + 1, count=len(heard.errors))
         return
-    desk.error_at = wanted
-    desk.place = desk.errors[wanted].line
-    desk.tell(*lines_of(desk.errors[wanted], desk.say))
+    heard.error_at = wanted
+    desk.place = heard.errors[wanted].line
+    desk.tell(*lines_of(heard.errors[wanted], desk.say))
 
 
 def _errors(desk: Desk) -> None:
-    if not desk.errors:
+    if not desk.heard.errors:
         desk.answer("answer-no-errors")
-    for error in desk.errors:
+    for error in desk.heard.errors:
         desk.tell(*lines_of(error, desk.say))
 
 
 def _explain(desk: Desk) -> None:
     """The error again in plain words, and what to do, with an example."""
-    if not desk.errors:
+    if not desk.heard.errors:
         desk.answer("answer-no-errors")
         return
-    error = desk.errors[-1 if desk.error_at is None else desk.error_at]
+    error = desk.heard.errors[-1 if desk.heard.error_at is None else desk.heard.error_at]
     desk.answer_of_robot(f"explain-{error.kind}")
     desk.answer(f"mend-{error.kind}")
     if desk.program.lines[error.line - 1 : error.line] == (error.source_line,):

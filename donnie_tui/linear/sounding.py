@@ -12,15 +12,15 @@ def _quiet(desk: Desk) -> None:
     """LAST still means what was being said."""
     if desk.session.run is None:
         sound_words.quiet(desk.donnie)
-        desk.is_repeating = True
+        desk.showing.is_repeating = True
     else:
         desk.donnie.audible.hush_all()
-        desk.print_now("quiet")
+        desk.showing.print_now("quiet")
 
 
 def _cues(desk: Desk, _: Runs, rest: str) -> None:
     for seconds in sound_words.play_cues(desk.donnie, rest):
-        desk.show_told()
+        desk.showing.show_told()
         if _is_disturbed(desk, seconds):
             break
 

@@ -24,7 +24,7 @@ def _where(desk: Desk) -> None:
     facing = desk.session.teller.facing(pose)
     desk.answer_of_robot("position", facing=facing, x=numbers.whole(pose.x), y=numbers.whole(pose.y))
     if desk.say.detail == "full":
-        desk.tell(*desk.trail.in_words(1, desk.say))
+        desk.tell(*desk.heard.trail.in_words(1, desk.say))
 
 
 def _around(desk: Desk, _: Runs, rest: str) -> bool:
@@ -32,7 +32,7 @@ def _around(desk: Desk, _: Runs, rest: str) -> bool:
     point = compass_point(rest)
     if rest and point is None:
         return False
-    clock = desk.habits.clock and not rest
+    clock = desk.ends.habits.clock and not rest
     desk.tell_of_robot(*around_in_words(_grid(desk), desk.session.pose, desk.say, compass=point, clock=clock))
     return True
 
@@ -69,11 +69,11 @@ def _column(desk: Desk, _: Runs, rest: str) -> bool:
 
 
 def _picture(desk: Desk) -> None:
-    desk.tell_of_robot(*map_words.picture_in_letters(_grid(desk), desk.say, desk.habits.free or FREE))
+    desk.tell_of_robot(*map_words.picture_in_letters(_grid(desk), desk.say, desk.ends.habits.free or FREE))
 
 
 def _trail(desk: Desk, count: int) -> None:
-    desk.tell_of_robot(*desk.trail.in_words(count, desk.say))
+    desk.tell_of_robot(*desk.heard.trail.in_words(count, desk.say))
 
 
 def _sensors(desk: Desk) -> None:

@@ -60,7 +60,7 @@ class TypedLines:
             from donnie_tui import sound_words
 
             sound_words.chime_block(self._desk.donnie, before, self._desk.program.depth)
-        if self._desk.habits.enter and not self._desk.program.open_block:
+        if self._desk.ends.habits.enter and not self._desk.program.open_block:
             self._runs.run_waiting()
         return True
 

@@ -72,7 +72,7 @@ class WhileRunning:
 
     def _live(self) -> bool:
         """Do a line that was typed for the running program, if there is one. Whether it was."""
-        if self._editing is None or not self._desk.hears_live:
+        if self._editing is None or not self._desk.ends.hears_live:
             return False
         line = self._editing.take_ahead(
             lambda typed, is_first: _is_one_of(_LIVE if is_first else _URGENT, typed)

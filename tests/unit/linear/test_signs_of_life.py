@@ -52,12 +52,10 @@ def signs(seconds: float, interval: float, monkeypatch: pytest.MonkeyPatch) -> l
         console=console,
         session=SimpleNamespace(hub=hub),
         donnie=SimpleNamespace(stop_real_robot=bool),
-        habits=SimpleNamespace(progress=interval),
+        ends=SimpleNamespace(habits=SimpleNamespace(progress=interval), can_edit=True, hears_live=False),
         watched=[],
         say=None,
-        can_edit=True,
-        hears_live=False,
-        show_told=_nothing,
+        showing=SimpleNamespace(show_told=_nothing),
     )
     monkeypatch.setattr(runs, "sign_of_life", lambda _: told_at.append(round(console.time, 3)))
     made = Runs(desk, Told(_nothing), lambda _: None, lambda: False)

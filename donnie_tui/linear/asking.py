@@ -1,0 +1,105 @@
+"""Reads a line: at the prompt, or in answer to a question. What was told is printed before."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+
+from donnie_tui.i18n.first_words import PROMPT
+from donnie_tui.linear.ends import Ends
+from donnie_tui.linear.hearing import Hearing
+from donnie_tui.linear.reader import How, Typed
+from donnie_tui.linear.showing import Showing
+
+GRACE = 0.025
+"""Seconds that a line waits for the ones after it, so that an answer and the prompt go out together."""
+
+_YES = ("y", "yes", "s", "sim", "si", "sí")
+_NO = ("", "n", "no", "não", "nao")
+
+
+class Asking:
+    """Asks whoever types."""
+
+    def __init__(
+        self,
+        ends: Ends,
+        heard: Hearing,
+        showing: Showing,
+        answer: Callable[..., None],
+        tell: Callable[..., None],
+        before_typing: Callable[[], None],
+    ) -> None:
+        """``answer`` tells a sentence by its code, ``tell`` lines; ``before_typing`` is done at prompts."""
+        self._ends = ends
+        self._console = ends.console
+        self._heard = heard
+        self._showing = showing
+        self._answer, self._tell = answer, tell
+        self._before_typing = before_typing
+        self.offered = ""
+        """The text that is offered for editing with the next prompt."""
+
+    def read(self, prompt: str, *, shown: bool = False) -> Typed:
+        """Print what was told and the prompt, unless it is ``shown`` already, and read a line."""
+        while True:
+            typed = self._read(prompt, shown=shown)
+            if typed.how not in (How.CHOICES, How.NEWS):
+                return typed
+            if typed.how is How.CHOICES:
+                self._tell_choices(typed)
+            else:
+                self._console.rest(GRACE)
+            self.offered = typed.text
+            shown = False
+
+    def ask(self, code: str, **values: object) -> str:
+        """The answer to a question; empty if there is none."""
+        self._answer(code, **values)
+        typed = self.read(PROMPT)
+        return typed.text.strip() if typed.how in (How.ENTER, How.ESCAPE) else ""
+
+    def ask_yes(self, code: str, **values: object) -> bool:
+        """Whether the answer is yes."""
+        answer = self.ask(code, **values).casefold()
+        while answer not in _YES + _NO:
+            answer = self.ask("linear-yes-or-no").casefold()
+        return answer in _YES
+
+    def _read(self, prompt: str, *, shown: bool) -> Typed:
+        offered, self.offered = self.offered if self._ends.can_edit else "", ""
+        self._showing.prompt = None
+        self._heard.line_begins()
+        if not shown:
+            self._console.has_news = False
+            self._show_whole(prompt, offered)
+        self._showing.is_hurrying = False
+        early = self._showing.take_early()
+        if early is not None:
+            self._heard.line_ended()
+            return early
+        self._before_typing()
+        shown_prompt = self._showing.prompt
+        typed = self._ends.reader.read(prompt if shown_prompt is None else shown_prompt, offered)
+        self._heard.line_ended()
+        self._ends.end_line(typed)
+        return typed
+
+    def _show_whole(self, prompt: str, offered: str) -> None:
+        """Print what was told and the prompt; after Ctrl+C, how much was left out and the prompt.
+
+        Where a program was just stopped little is left, and it is where and why: a second Ctrl+C ends no
+        more than its rests.
+        """
+        left_out = self._showing.show_told(prompt + offered)
+        if self._showing.is_hurrying:
+            self._console.take_interrupt()
+        if left_out:
+            self._console.take_interrupt()
+            self._answer("answer-left-out", lines=left_out)
+            self._showing.show_told(prompt + offered)
+
+    def _tell_choices(self, typed: Typed) -> None:
+        """Tab found several words: how many, and each on a line; the typed line is offered again."""
+        self._answer("linear-choices", count=len(typed.choices))
+        self._tell(*typed.choices)
+        self._showing.is_repeating = True
