@@ -9,11 +9,10 @@ from __future__ import annotations
 import os
 from collections.abc import Callable
 from contextlib import ExitStack
-from dataclasses import replace
 from typing import TYPE_CHECKING, Protocol
 
 from devices.ports.audio import CuePlayer, Speaker, Urgency, Utterance
-from devices.ports.values import frozen
+from devices.ports.values import frozen, replace
 from devices.speech.choose import Channel, ChannelReason, Choice, SpeakPlace, Surroundings, choose_channel
 from devices.speech.probe import look_around, ssip_address
 from donnie_tui.core.events import Answered, SoundSwitched, Stamped

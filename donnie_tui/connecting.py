@@ -8,13 +8,12 @@ from __future__ import annotations
 
 import threading
 from collections.abc import Callable
-from dataclasses import replace
 from functools import partial
 from typing import TYPE_CHECKING, Protocol
 
 from devices.port_listing import list_ports, stable_name
 from devices.ports.robot import LinkNews, Pace, Pose, RobotProblem, Watcher
-from devices.ports.values import mutable
+from devices.ports.values import mutable, replace
 from donnie_tui.core.events import Link
 from donnie_tui.core.session import Busy, ResettableRobot, Session
 from donnie_tui.device_settings import DOUBLE, SERIAL, SIMULATED

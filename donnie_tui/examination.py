@@ -11,12 +11,11 @@ import os
 import shutil
 import sys
 from collections.abc import Callable, Iterator, Mapping
-from dataclasses import field
 from importlib.metadata import PackageNotFoundError, version
 from pathlib import Path
 from typing import TYPE_CHECKING
 
-from devices.ports.values import frozen
+from devices.ports.values import field, frozen
 from devices.sound.own_sounds import load, unknown_names
 from devices.speech.choose import Channel, choose_channel
 from devices.speech.probe import look_around

@@ -4,13 +4,13 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Mapping
 from contextlib import contextmanager
-from dataclasses import replace
 from pathlib import Path
 from tempfile import TemporaryDirectory
 from typing import TYPE_CHECKING
 
 import worlds
 from devices.ports.robot import Bearing
+from devices.ports.values import replace
 from donnie_tui.core.recording import Header
 from donnie_tui.i18n.words import Words
 from donnie_tui.i18n.world_mistakes import world_mistake

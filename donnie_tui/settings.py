@@ -9,11 +9,10 @@ from __future__ import annotations
 import math
 import os
 from collections.abc import Callable, Mapping
-from dataclasses import field
 from enum import Enum
 from pathlib import Path
 
-from devices.ports.values import frozen
+from devices.ports.values import field, frozen
 from donnie_tui.device_settings import (
     BUMPERS_WANTED,
     COLUMNS_WANTED,

@@ -8,9 +8,8 @@ it is used first, and as it was typed.
 from __future__ import annotations
 
 from collections.abc import Collection, Iterable, Iterator
-from dataclasses import field
 
-from devices.ports.values import mutable
+from devices.ports.values import field, mutable
 from language import syntax
 from language.diagnostics import Diagnostic, Kind, Severity
 from language.keywords import argument_spelling, spelling

@@ -11,10 +11,9 @@ LanguageError             the family
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import field
 from enum import Enum
 
-from devices.ports.values import frozen
+from devices.ports.values import field, frozen
 from language.syntax import Span
 
 MOST_MISTAKES = 100

@@ -9,11 +9,10 @@ A token is a plain tuple, because a program has many: kind, start, end, line, co
 from __future__ import annotations
 
 import re
-from dataclasses import field
 from functools import cache
 from typing import TypeAlias
 
-from devices.ports.values import frozen
+from devices.ports.values import field, frozen
 from language.diagnostics import Diagnostic, Kind
 from language.keywords import END_WORDS, FIRST_OF_SEVERAL, argument
 from language.keywords import TERMINALS as WORD_TERMINALS

@@ -7,11 +7,10 @@ place. After an action was cut short by a stop, the runtime raises ``Stopped`` a
 
 from __future__ import annotations
 
-from dataclasses import field
 from typing import Any, Protocol
 
 from devices.ports.robot import Bearing
-from devices.ports.values import frozen, mutable
+from devices.ports.values import field, frozen, mutable
 from language.syntax import Axis
 
 

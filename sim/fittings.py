@@ -5,10 +5,9 @@ Metres, kilograms, seconds, and degrees counter-clockwise, each in the frame of 
 
 from __future__ import annotations
 
-from dataclasses import field
 from enum import Enum
 
-from devices.ports.values import frozen
+from devices.ports.values import field, frozen
 from sim.colours import Colour
 from sim.placement import Placement
 

@@ -7,11 +7,10 @@ that needs a closer look. ``careful`` looks at every step; both give the same (a
 from __future__ import annotations
 
 from collections.abc import Callable, Container, Iterable
-from dataclasses import replace
 from math import floor, hypot, inf
 
 from devices.ports.robot import STEP, Bearing, StoppedBy
-from devices.ports.values import frozen
+from devices.ports.values import frozen, replace
 from sim.body import Body, Outline, body_of
 from sim.geometry import disc_contact, edges, outline_contact, overlapping, placed, seen_from, turn_contact
 from sim.ground import Ground

@@ -3,8 +3,8 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import replace
 
+from devices.ports.values import replace
 from sim.geometry import direction
 from sim.placement import Placement
 from sim.scene import Model, Scene

@@ -7,12 +7,11 @@ stands in the middle of a cell. Walls are ``#``, free floor is ``.``, things hav
 from __future__ import annotations
 
 from collections.abc import Iterable, Iterator
-from dataclasses import field
 from math import ceil, floor
 from string import ascii_lowercase
 
 from devices.ports.robot import STEP
-from devices.ports.values import frozen
+from devices.ports.values import field, frozen
 from sim.geometry import Point
 from sim.raster import Raster, covered
 from sim.scene import Model, Scene

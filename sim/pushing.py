@@ -7,10 +7,9 @@ pushed into a wall, another robot, or what another robot holds. Turning pushes n
 from __future__ import annotations
 
 from collections.abc import Container, Sequence
-from dataclasses import replace
 from math import inf
 
-from devices.ports.values import frozen
+from devices.ports.values import frozen, replace
 from sim.geometry import Edge, Point, direction, edges, outline_contact, overlapping, seen_from
 from sim.ground import Ground
 from sim.motion import WIDEST_SKIN, Contact, Mover, less_skin

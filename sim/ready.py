@@ -11,11 +11,11 @@ import io
 import os
 import pickle
 from collections.abc import Callable, Iterable
-from dataclasses import fields, is_dataclass, replace
 from pathlib import Path
 from typing import Any
 from zlib import crc32
 
+from devices.ports.values import replace
 from sim.scene import Scene
 
 SUFFIX = ".scene"
@@ -71,6 +71,8 @@ class _Pickler(pickle.Pickler):
     """Values become calls of their classes, so that a class of another shape is noticed."""
 
     def reducer_override(self, value: Any) -> Any:
+        from dataclasses import fields, is_dataclass  # as a scene is made only, not as it is read
+
         if is_dataclass(value) and not isinstance(value, type):
             return type(value), tuple(getattr(value, each.name) for each in fields(value))
         return NotImplemented

@@ -3,10 +3,9 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import field
 from enum import Enum
 
-from devices.ports.values import frozen
+from devices.ports.values import field, frozen
 
 
 class NoteKind(Enum):

@@ -11,7 +11,6 @@ from __future__ import annotations
 import threading
 import time
 from collections.abc import Callable, Mapping
-from dataclasses import field
 from pathlib import Path
 from typing import assert_never
 
@@ -22,7 +21,7 @@ from devices.audio_worker.notices import AudioNotice
 from devices.audio_worker.process import WorkerProcess
 from devices.audio_worker.steps import Kill, Send, Start, Step, Tell
 from devices.ports.audio import Cue, Utterance
-from devices.ports.values import frozen
+from devices.ports.values import field, frozen
 from devices.sound.player import AUTO_DEVICE
 from devices.speech.voices import VoiceSettings
 

@@ -10,12 +10,11 @@ from __future__ import annotations
 import math
 from array import array
 from collections.abc import Mapping
-from dataclasses import replace
 from functools import lru_cache
 from types import MappingProxyType
 
 from devices.ports.audio import Cue
-from devices.ports.values import frozen
+from devices.ports.values import frozen, replace
 
 SAMPLE_RATE = 22_050
 """Frames a second, the rate of espeak-ng's voices."""

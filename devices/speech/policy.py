@@ -13,10 +13,10 @@ from __future__ import annotations
 
 import re
 from collections import deque
-from dataclasses import replace
 from enum import Enum, auto
 
 from devices.ports.audio import Urgency, Utterance
+from devices.ports.values import replace
 
 REPEAT_WINDOW = 0.5
 """Seconds within which the same text is said once (S7)."""

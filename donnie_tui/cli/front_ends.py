@@ -2,10 +2,10 @@
 
 from __future__ import annotations
 
-from dataclasses import replace
 from pathlib import Path
 from typing import TYPE_CHECKING
 
+from devices.ports.values import replace
 from donnie_tui.cli.mode import cause_of_linear, surroundings
 from donnie_tui.cli.order import Order
 from donnie_tui.settings import Settings

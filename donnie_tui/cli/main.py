@@ -5,8 +5,8 @@ from __future__ import annotations
 import os
 import sys
 from collections.abc import Callable, Mapping
-from dataclasses import replace
 
+from devices.ports.values import replace
 from donnie_tui.cli import codes
 from donnie_tui.cli.arguments import TO_COME, Invocation, WrongUsage, language_before_parsing, understand
 from donnie_tui.cli.order import Order

@@ -8,11 +8,10 @@ upper row of seven comes first. Pure.
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import field
 from types import MappingProxyType
 
 from devices.ports.robot import Bearing
-from devices.ports.values import frozen
+from devices.ports.values import field, frozen
 from donnie_tui.core.wording import Wording
 
 COLUMNS = 7

@@ -6,15 +6,13 @@ now, for a moving picture, depends on the clock of the machine; the others are a
 
 from __future__ import annotations
 
-import dataclasses
 import re
 from collections.abc import Mapping
-from dataclasses import field
 from enum import Enum
 from typing import ClassVar, TypeAlias
 
 from devices.ports.robot import Grip, Met, Pose, Pushed, StoppedBy
-from devices.ports.values import frozen
+from devices.ports.values import field, frozen
 
 
 class Outcome(Enum):
@@ -330,6 +328,8 @@ def as_record(stamped: Stamped, *, whole: bool = False) -> dict[str, object]:
 
 
 def _fields(value: object, whole: bool) -> dict[str, object]:
+    import dataclasses  # slow to load, and few write events
+
     return {
         each.name: _plain(getattr(value, each.name), whole)
         for each in dataclasses.fields(value)  # type: ignore[arg-type] # only given dataclasses

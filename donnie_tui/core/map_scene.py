@@ -7,12 +7,12 @@ robot moves. What was pushed or held is shown where it is now; its old place is 
 from __future__ import annotations
 
 from collections.abc import Iterable, Mapping
-from dataclasses import replace
 from itertools import pairwise, takewhile
 from math import cos, radians, sin
 from typing import TYPE_CHECKING
 
 from devices.ports.robot import Bearing, Pose
+from devices.ports.values import replace
 from donnie_tui.core.events import PlacedThing, Read, Scanned
 from donnie_tui.core.map_grid import FREE, Bounds, Cell, Kind, MapGrid, arrow_of, cells_between
 

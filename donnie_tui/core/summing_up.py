@@ -13,10 +13,9 @@ from __future__ import annotations
 
 from collections import deque
 from collections.abc import Callable
-from dataclasses import field
 from typing import Protocol
 
-from devices.ports.values import mutable
+from devices.ports.values import field, mutable
 from donnie_tui.core.events import Announced, Moved, RunEnded, Stamped, Turned
 from donnie_tui.core.transcript import printable, told_lines
 from donnie_tui.core.wording import Wording

@@ -6,10 +6,9 @@ first value of each is the default.
 
 from __future__ import annotations
 
-from dataclasses import fields
 from enum import Enum
 
-from devices.ports.values import mutable
+from devices.ports.values import field_names, mutable
 from donnie_tui.i18n.first_words import PROMPT
 from donnie_tui.settings import LONGEST_PROGRESS, Settings
 from language.source import fold_name
@@ -131,8 +130,8 @@ def choices(field: str, at: int) -> str:
 def of_settings(settings: Settings) -> Habits:
     """What the settings say; they were read, so every value is one of those that there are."""
     habits = Habits()
-    for each in fields(Habits):
-        setattr(habits, each.name, read(each.name, getattr(settings, each.name)))
+    for name in field_names(Habits):
+        setattr(habits, name, read(name, getattr(settings, name)))
     return habits
 
 

@@ -7,10 +7,10 @@ the terminal is given back.
 from __future__ import annotations
 
 import sys
-from dataclasses import replace
 from pathlib import Path
 from typing import TYPE_CHECKING
 
+from devices.ports.values import replace
 from donnie_tui.device_settings import SERIAL
 from donnie_tui.robot_search import Search
 from donnie_tui.settings import Settings

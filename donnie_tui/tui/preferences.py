@@ -6,10 +6,9 @@ Pure but for the settings file. Whoever applies a choice to the screen asks here
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import replace
 from typing import Any
 
-from devices.ports.values import frozen
+from devices.ports.values import frozen, replace
 from donnie_tui import settings_file
 from donnie_tui.core.documents import DocumentError
 from donnie_tui.i18n.words import Words

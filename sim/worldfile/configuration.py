@@ -4,11 +4,10 @@ from __future__ import annotations
 
 import re
 from collections.abc import Iterator, Mapping
-from dataclasses import replace
 from difflib import get_close_matches
 from pathlib import Path
 
-from devices.ports.values import frozen
+from devices.ports.values import frozen, replace
 from sim.report import LoadReport, Note, NoteKind
 from sim.scene import Scene
 from sim.worldfile.addresses import DEFAULT_PORT, Address, address

@@ -7,9 +7,9 @@ is meant, so such a robot gets another name; ``Model.name`` stays what Stage has
 from __future__ import annotations
 
 from collections.abc import Iterable
-from dataclasses import replace
 from unicodedata import combining, normalize
 
+from devices.ports.values import replace
 from sim.report import Note, NoteKind
 from sim.scene import Model
 

@@ -6,13 +6,13 @@ import inspect
 import pickle
 import threading
 from collections.abc import Callable
-from dataclasses import FrozenInstanceError, dataclass, field, fields, is_dataclass, replace
+from dataclasses import FrozenInstanceError, dataclass, fields, is_dataclass
 from enum import Enum
 from typing import Any, ClassVar
 
 import pytest
 
-from devices.ports.values import frozen, mutable
+from devices.ports.values import FEW, field, field_names, frozen, mutable, replace
 
 
 class Shape:
@@ -32,10 +32,20 @@ class Plain:
     y: float = 2.5
 
 
+THEIR_FIELDS = {Shape: {"seen": dataclasses.field(default_factory=dict, compare=False, repr=False)}}
+"""As the standard library wants them."""
+
+
+def twins_of(written: type) -> tuple[type, type]:
+    """A class for us and the same for the standard library."""
+    body = {**vars(written)}
+    ours, theirs = (type(written.__name__, (), each) for each in (body, body | THEIR_FIELDS.get(written, {})))
+    return ours, theirs
+
+
 def made_of(written: type) -> tuple[Any, Any]:
     """The same class as a value, and as the standard library makes it; nothing was asked of either yet."""
-    twins = (type(written.__name__, (), {**vars(written)}) for _ in range(2))
-    for_us, for_them = twins
+    for_us, for_them = twins_of(written)
     return frozen(for_us), dataclass(frozen=True, slots=True)(for_them)
 
 
@@ -55,6 +65,7 @@ QUESTIONS: dict[str, Callable[[Any], object]] = {
     "fields": lambda kind: [(each.name, each.type, each.default) for each in fields(kind)],
     "is a dataclass": lambda kind: (is_dataclass(kind), is_dataclass(kind(1))),
     "replace": lambda kind: (replace(kind(1), y=0.0).x, replace(kind(1), y=0.0).y),
+    "their replace": lambda kind: dataclasses.replace(kind(1), y=0.0).y,
     "as a dict": lambda kind: dataclasses.asdict(kind(1)),
     "match": lambda kind: kind.__match_args__,
     "slots": lambda kind: (kind.__slots__, hasattr(kind(1), "__dict__")),
@@ -74,7 +85,7 @@ def test_a_value_answers_as_the_standard_library_would(written: type, question: 
 @pytest.mark.parametrize("question", sorted(QUESTIONS.keys() - {"hash"}))
 @pytest.mark.parametrize("written", [Shape, Plain])
 def test_what_can_change_answers_as_the_standard_library_would(written: type, question: str) -> None:
-    for_us, for_them = (type(written.__name__, (), {**vars(written)}) for _ in range(2))
+    for_us, for_them = twins_of(written)
 
     assert QUESTIONS[question](mutable(for_us)) == QUESTIONS[question](dataclass(slots=True)(for_them))
 
@@ -103,24 +114,45 @@ def test_a_value_does_not_change() -> None:
     assert kept == Kept(1)
 
 
-@pytest.mark.parametrize("arguments", [(), (1, 2.0, 3, 4, 5)])
-def test_too_few_and_too_many_arguments_are_a_type_error(arguments: tuple[object, ...]) -> None:
+@pytest.mark.parametrize("made_before", [0, FEW])
+@pytest.mark.parametrize(
+    ("arguments", "names"),
+    [((), {}), ((), {"y": 1.0}), ((1, 2.0, 3), {}), ((1,), {"z": 3}), ((1,), {"x": 1})],
+)
+def test_too_few_too_many_and_unknown_arguments_are_a_type_error(
+    arguments: tuple[object, ...], names: dict[str, object], made_before: int
+) -> None:
     ours, _ = made_of(Plain)
+    for _ in range(made_before):
+        ours(1)
 
     with pytest.raises(TypeError):
-        ours(*arguments)
+        ours(*arguments, **names)
 
 
-def test_fields_that_the_constructor_takes_by_name_or_not_at_all_are_as_usual() -> None:
-    @frozen
-    class Odd:
-        x: int
-        y: int = field(default=1, kw_only=True)
-        z: int = field(default=2, init=False)
+def test_the_values_that_a_written_constructor_makes_are_those_of_before() -> None:
+    ours, theirs = made_of(Shape)
+    ways = (lambda kind: kind(1), lambda kind: kind(1, 3.0, seen={"a": 1}), lambda kind: kind(y=2.0, x=5))
+    for way in ways:
+        first = way(ours)
+        rest = [way(ours) for _ in range(FEW)]
+        assert rest == [first] * FEW
+        assert {repr(each) for each in rest} == {repr(way(theirs))}
 
-    assert (Odd(5, y=3).y, Odd(5).z) == (3, 2)
-    with pytest.raises(TypeError):
-        Odd(5, 3)  # type: ignore[misc] # that is the point
+
+def test_fields_that_are_given_by_name_only_or_not_at_all_are_refused() -> None:
+    with pytest.raises(TypeError, match="no kw_only"):
+        field(default=1, kw_only=True)
+    with pytest.raises(TypeError, match="no init"):
+        field(default=2, init=False)
+
+
+def test_a_field_of_the_standard_library_is_refused_and_does_not_become_the_content() -> None:
+    with pytest.raises(TypeError, match=r"Wrong\.x"):
+
+        @frozen
+        class Wrong:
+            x: int = dataclasses.field(default=1)
 
 
 def test_a_value_that_was_asked_for_its_fields_first_is_equal_to_one_that_was_not() -> None:
@@ -134,8 +166,9 @@ def test_a_value_that_was_asked_for_its_fields_first_is_equal_to_one_that_was_no
 
 def test_every_value_has_a_container_of_its_own() -> None:
     ours, _ = made_of(Shape)
+    made = [ours(1).seen for _ in range(2 * FEW)]
 
-    assert ours(1).seen is not ours(1).seen
+    assert len({id(each) for each in made}) == len(made)
 
 
 def test_what_the_class_says_itself_is_kept() -> None:
@@ -170,7 +203,7 @@ def test_what_a_class_inherits_is_kept() -> None:
     class Child(Base):
         x: int
 
-    assert fields(Child)[0].name == "x"
+    assert (fields(Child)[0].name, field_names(Child)) == ("x", ("x",))
     assert (Child(1) == Child(2), hash(Child(1))) == (True, 7)
 
 
@@ -191,9 +224,10 @@ def test_a_value_checks_itself_once_it_is_made() -> None:
             if self.x % 2:
                 raise ValueError
 
-    assert Even(2).x == 2
-    with pytest.raises(ValueError):
-        Even(3)
+    for _ in range(2 * FEW):
+        assert Even(2).x == 2
+        with pytest.raises(ValueError):
+            Even(3)
 
 
 @pytest.mark.parametrize("protocol", range(2, pickle.HIGHEST_PROTOCOL + 1))
@@ -218,11 +252,24 @@ def test_threads_may_make_the_first_values_of_a_class_at_once() -> None:
         assert made == [ours(1)] * 4
 
 
-def test_a_class_with_a_value_already_made_knows_its_signature() -> None:
+def test_a_class_of_which_many_values_were_made_knows_its_signature() -> None:
     ours, theirs = made_of(Plain)
-    ours(1)
+    for _ in range(FEW + 1):
+        ours(1)
 
     assert list(inspect.signature(ours).parameters) == list(inspect.signature(theirs).parameters)
+
+
+def test_values_may_be_equal_to_nothing_but_themselves() -> None:
+    @frozen
+    class Thing:
+        x: int
+        __eq__ = object.__eq__
+        __hash__ = object.__hash__
+
+    one = Thing(1)
+
+    assert (one == Thing(1), one == one, len({one, Thing(1)})) == (False, True, 2)
 
 
 def test_members_of_enums_are_defaults_as_they_are() -> None:
