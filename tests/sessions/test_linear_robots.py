@@ -53,10 +53,15 @@ def test_the_learner_chooses_whom_to_talk_to_and_all_run_together(tmp_path: Path
     ]
 
 
-def test_in_a_world_with_one_robot_nothing_is_named(tmp_path: Path) -> None:
-    done = donnie(tmp_path, "--linear", *QUIET, "--speed", "max", typed="ROBOTS\nFW 1\n\nGRIP\nQUIT\n")
+def _told(folder: Path, *options: str, typed: str) -> list[str]:
+    """The lines of a conversation that ends by itself."""
+    return donnie(folder, "--linear", *QUIET, *options, typed=typed).stdout.decode().splitlines()
 
-    assert done.stdout.decode().splitlines()[2:-1] == [
+
+def test_in_a_world_with_one_robot_nothing_is_named(tmp_path: Path) -> None:
+    told = _told(tmp_path, "--speed", "max", typed="ROBOTS\nFW 1\n\nGRIP\nQUIT\n")
+
+    assert told[2:-1] == [
         "There is one robot, donnie.",
         "I walked 1 step forward.",
         "I have no gripper.",
@@ -65,9 +70,8 @@ def test_in_a_world_with_one_robot_nothing_is_named(tmp_path: Path) -> None:
 
 def test_what_is_told_of_the_world_says_for_which_robot(tmp_path: Path) -> None:
     typed = "ROBOT bob\nMAP\nMAP ROW 30\nAROUND\nTRAIL\nQUIT\n"
-    done = donnie(tmp_path, "--linear", *QUIET, "--world", "two_robots", typed=typed)
+    told = _told(tmp_path, "--world", "two_robots", typed=typed)
 
-    told = done.stdout.decode().splitlines()
     assert [line for line in told if line.startswith("bob: ")] == [
         "bob: 33 by 43 steps, walls included.",
         "bob: Row 30, from -16: wall, 15 free, bob, 15 free, wall.",
@@ -78,9 +82,8 @@ def test_what_is_told_of_the_world_says_for_which_robot(tmp_path: Path) -> None:
 
 def test_what_is_told_of_sensors_mistakes_and_on_the_tour_says_for_which_robot(tmp_path: Path) -> None:
     typed = "ROBOT bob\nSENSORS\nNEAR\nFWD 1\n\nEXPLAIN\nTOUR\nQUIT\n"
-    done = donnie(tmp_path, "--linear", *QUIET, "--world", "two_robots", typed=typed)
+    told = _told(tmp_path, "--world", "two_robots", typed=typed)
 
-    told = done.stdout.decode().splitlines()
     assert "bob has:" in told
     assert "bob: No things within 10 steps." in told
     assert "bob: Donnie does not know this word." in told
@@ -89,8 +92,7 @@ def test_what_is_told_of_sensors_mistakes_and_on_the_tour_says_for_which_robot(t
 
 def test_a_program_with_a_mistake_does_not_begin(tmp_path: Path) -> None:
     typed = "FWD 2\nFW 1\nSTART\nDELETE 1\nSTART\nNEW\nQUIT\n"
-    done = donnie(tmp_path, "--linear", *QUIET, "--speed", "max", typed=typed)
-    said = done.stdout.decode().splitlines()
+    said = _told(tmp_path, "--speed", "max", typed=typed)
 
     assert "Error, line 1, column 1: I do not know FWD." in said
     assert said.count("donnie begins.") == 1

@@ -256,28 +256,27 @@ def test_long_output_comes_in_blocks_with_a_rest_between(learner: Learner) -> No
     assert all(line.isdigit() or re.fullmatch(r"Those were \d+ numbers\.", line) for line in told)
 
 
+def _says(learner: Learner, line: str, answer: str) -> None:
+    """The learner says a line to the held program, and is answered."""
+    learner.types(f"{line}\r")
+    learner.sees(answer)
+
+
 def test_a_program_is_stepped_through(learner: Learner) -> None:
     learner.enters("VAR x = 2", "FW x", "TR 90", "STEP")
     learner.sees("Line 1: VAR x = 2\r\n> ")
-    learner.types("\r")
-    learner.sees("Line 2: FW x\r\n> ")
-    learner.types("WHERE\r")
-    learner.sees("Position 0, 0. Facing north.\r\n> ")
-    learner.types("\r")
-    learner.sees("I walked 2 steps forward.\r\nLine 3: TR 90\r\n> ")
-    learner.types("RUN\r")
-    learner.sees("I turned 90 degrees to the right.\r\n> ")
+    _says(learner, "", "Line 2: FW x\r\n> ")
+    _says(learner, "WHERE", "Position 0, 0. Facing north.\r\n> ")
+    _says(learner, "", "I walked 2 steps forward.\r\nLine 3: TR 90\r\n> ")
+    _says(learner, "RUN", "I turned 90 degrees to the right.\r\n> ")
 
 
 def test_the_reading_place_is_the_line_where_a_program_holds(learner: Learner) -> None:
     learner.enters("FW 1", "TR 90", "FW 2", "STEP")
     learner.sees("Line 1: FW 1\r\n> ")
-    learner.types("\r")
-    learner.sees("Line 2: TR 90\r\n> ")
-    learner.types("PLACE\r")
-    learner.sees("Line 2 of 3, level 0.\r\n> ")
-    learner.types("READ\r")
-    learner.sees("Line 2: TR 90\r\n> ")
+    _says(learner, "", "Line 2: TR 90\r\n> ")
+    _says(learner, "PLACE", "Line 2 of 3, level 0.\r\n> ")
+    _says(learner, "READ", "Line 2: TR 90\r\n> ")
 
 
 def test_quit_runs_what_waits_and_leaves(learner: Learner) -> None:
