@@ -11,8 +11,9 @@ import ast
 from collections.abc import Collection
 
 from language.building import binary, call, constant, load
-from language.expressions import VARIABLE, Expressions
+from language.expressions import Expressions
 from language.syntax import Binary, Declare, Expression, For, Name, Number
+from language.translated_names import VARIABLE
 
 
 def counts(loop: For, written: Collection[str], expressions: Expressions) -> bool:

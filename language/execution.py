@@ -22,8 +22,8 @@ from language.levels import Level, Levels, variables_in
 from language.runnable import MOST_FRAMES, Trace
 from language.runtime import Actions, Frame, Memory
 from language.stack import DEEPEST_CALL, first_link
-from language.statements import EARLIER, PARAMETER, WANTED
 from language.syntax import Axis
+from language.translated_names import EARLIER, PARAMETER, procedure_taking, wanted_at
 from language.units import Unit
 from language.warming import warm_up
 
@@ -57,7 +57,7 @@ class Execution:
         """With how many arguments each procedure is called."""
         for name, count in frozenset[tuple[str, int]]().union(*(unit.calls for unit in units)):
             self._counts[name].add(count)
-        self._wanted = {line: f"{WANTED}{line}" for unit in units for line in unit.lines}
+        self._wanted = {line: wanted_at(line) for unit in units for line in unit.lines}
         """For each line at which it can be held, the name of what says whether it is."""
         self._globals = self._make_globals()
         self._bind_earlier()
@@ -217,7 +217,7 @@ class Execution:
     def _bind(self, unit: Unit) -> None:
         """Make the procedure callable with the right number of arguments, and refused with any other."""
         for given in self._counts[unit.name]:
-            self._globals[f"p_{unit.name}_{given}"] = self._callable(unit, given)
+            self._globals[procedure_taking(unit.name, given)] = self._callable(unit, given)
 
     def _callable(self, unit: Unit, given: int) -> Callable[..., None]:
         wanted = len(unit.declared.procedure.parameters)

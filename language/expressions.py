@@ -32,15 +32,13 @@ from language.building import (
 )
 from language.growth import SENSOR_BITS
 from language.syntax import Binary, Colour, Condition, Distance, Expression, Name, Negative, Number, Position
+from language.translated_names import VARIABLE
 
 SMALL = 2**30 - 1
 """CPython compares numbers up to this fastest."""
 
 _DEEPEST = 60
 """Levels of Python's syntax tree in one expression."""
-
-VARIABLE = "v_"
-"""What the Python name of a variable begins with."""
 
 
 @frozen

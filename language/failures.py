@@ -9,6 +9,7 @@ from language.levels import Level, call_sites
 from language.mistakes import diagnostic, undeclared_procedure, undeclared_variable
 from language.stack import DEEPEST_CALL
 from language.syntax import Call, Name
+from language.translated_names import procedure_taking
 
 
 def failure_of(
@@ -50,8 +51,10 @@ def _undeclared(levels: list[Level], procedures: Collection[str]) -> Diagnostic 
     level = levels[-1]
     unit, own = level.unit, level.variables()
     node = unit.node(level.site)
-    if isinstance(node, Call) and f"p_{node.name.name}_{len(node.arguments)}" not in level.frame.f_globals:
-        return undeclared_procedure(unit.program, node.name, procedures)
+    if isinstance(node, Call):
+        procedure = procedure_taking(node.name.name, len(node.arguments))
+        if procedure not in level.frame.f_globals:
+            return undeclared_procedure(unit.program, node.name, procedures)
     if not isinstance(node, Name) or node.name in own:
         node = unit.node(level.next_site())
     if not isinstance(node, Name):

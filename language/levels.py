@@ -13,8 +13,8 @@ from typing import TypeAlias
 
 from devices.ports.values import mutable
 from language.diagnostics import CallSite
-from language.expressions import VARIABLE
 from language.runtime import Frame
+from language.translated_names import VARIABLE
 from language.units import Unit
 
 _Entry: TypeAlias = tuple[FrameType, int | None]

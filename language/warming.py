@@ -13,7 +13,7 @@ from types import FunctionType
 from typing import Any, NoReturn
 
 from language.stack import DEEPEST_CALL, first_link
-from language.statements import WANTED
+from language.translated_names import wanted_at
 from language.units import Unit
 
 _ENTRIES = 8
@@ -27,7 +27,7 @@ def warm_up(units: tuple[Unit, ...]) -> None:
     """Enter each unit often enough. Each begins with a checkpoint, or with a hook if it does anything."""
     attention: dict[str, Any] = {"flag": True, "check": _leave, "hook": _leave}
     for unit in units:
-        attention |= {f"{WANTED}{line}": DEEPEST_CALL for line in unit.lines}
+        attention |= {wanted_at(line): DEEPEST_CALL for line in unit.lines}
         function = FunctionType(unit.code, attention)
         for _ in range(_ENTRIES):
             with suppress(_Left):
