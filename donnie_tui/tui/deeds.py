@@ -26,6 +26,7 @@ class Deeds:
 
     def __init__(self, host: WorkHost) -> None:
         self._host = host
+        self._robots = RobotDeeds(host)
         self._parts = (
             self,
             MapDeeds(host),
@@ -34,7 +35,7 @@ class Deeds:
             LineDeeds(host),
             AroundDeeds(host),
             SettingsDeeds(host),
-            RobotDeeds(host),
+            self._robots,
         )
 
     def do(self, name: str, argument: str) -> Awaitable[None] | None:
@@ -57,27 +58,27 @@ class Deeds:
         self.run(argument)
 
     def stop(self, _argument: str) -> None:
-        self._host.to_present()
+        self._host.past.to_present()
         self._host.tell(self._host.running.stop())
 
     def pause(self, _argument: str) -> None:
-        self._host.to_present()
+        self._host.past.to_present()
         self._host.tell(self._host.running.pause_or_continue())
 
     def continue_(self, _argument: str) -> None:
-        self._host.to_present()
+        self._host.past.to_present()
         self._host.tell(self._host.running.go_on())
 
     def step(self, _argument: str) -> None:
-        self._host.to_present()
+        self._host.past.to_present()
         self._host.tell(self._host.running.step(*self._program))
 
     def step_over(self, _argument: str) -> None:
-        self._host.to_present()
+        self._host.past.to_present()
         self._host.tell(self._host.running.step_over(*self._program))
 
     def step_back(self, _argument: str) -> None:
-        self._host.step_back()
+        self._host.past.step_back()
 
     def run_to(self, argument: str) -> None:
         editor = self._host.workplace.editor
@@ -85,13 +86,13 @@ class Deeds:
         if not (line.isdecimal() and len(line) < 8 and 1 <= int(line) <= editor.line_count):
             self._host.tell(Answer("answer-no-line", {"line": line[:20], "last": editor.line_count}))
         else:
-            self._host.to_present()
+            self._host.past.to_present()
             self._host.tell(self._host.running.run_to(int(line), *self._program))
 
     def reset(self, _argument: str) -> None:
-        self._host.to_present()
+        self._host.past.to_present()
         self._host.tell(self._host.running.reset())
-        self._host.show_pose()
+        self._host.following.show_pose()
 
     def watch(self, argument: str) -> None:
         """A variable is told at each change; again, no more; without a name, which are."""
@@ -118,13 +119,10 @@ class Deeds:
         speed = speed_words(self._host.running.speed, self._host.words)
         self._host.tell(Answer("answer-speed", {"speed": speed}))
 
-    # --- the robot and the belt
+    # --- the robot
 
     def connect(self, argument: str) -> Awaitable[None] | None:
-        return self._host.connect(argument) if self._is_idle() else None
-
-    def feel(self, argument: str) -> None:
-        self._host.feel(argument)
+        return self._robots.connect_to(argument) if self._is_idle() else None
 
     # --- files
 
@@ -165,10 +163,10 @@ class Deeds:
         self._host.workplace.toggle_inspector()
 
     def help(self, _argument: str) -> None:
-        self._host.show_help()
+        self._host.pages.show_help()
 
     def keys_here(self, _argument: str) -> None:
-        self._host.show_keys_here()
+        self._host.pages.show_keys_here()
 
     # --- leaving
 

@@ -7,8 +7,10 @@ from typing import TYPE_CHECKING
 
 import worlds
 from donnie_tui.core import report_text
+from donnie_tui.core.documents import DocumentError, write_program
 from donnie_tui.core.typed_program import lines_of
 from donnie_tui.core.wording import Wording
+from donnie_tui.tui.desk import told
 from donnie_tui.tui.running import Answer
 from donnie_tui.tui.screens.chooser import Choice
 
@@ -25,9 +27,9 @@ class AroundDeeds:
     async def manual(self, argument: str) -> None:
         """The language, chapter by chapter; with a word, what is said of it."""
         if argument:
-            self._host.show_lines(argument, self._host.words.help(argument))
+            self._host.pages.show_lines(argument, self._host.words.help(argument))
         else:
-            self._host.show_manual()
+            self._host.pages.show_manual()
 
     async def recent(self, _argument: str) -> None:
         paths = self._host.files.recent
@@ -52,13 +54,13 @@ class AroundDeeds:
 
     async def worlds(self, _argument: str) -> None:
         """The worlds that ship, with what their authors say of them, and what to try there."""
-        words, here = self._host.words, self._host.world_name
+        words, here = self._host.words, self._host.donnie.world.name
         rows = [
             Choice(name, _world_row(name, worlds.about(name, words.language), words), name == here)
             for name in worlds.names()
         ]
         chosen = await self._host.choose(words("ask-worlds"), rows)
-        is_elsewhere = chosen is not None and chosen != self._host.world_name
+        is_elsewhere = chosen is not None and chosen != self._host.donnie.world.name
         if chosen and is_elsewhere and await self._host.files.are_safe_to_leave():
             self._host.change_world(chosen)
 
@@ -76,15 +78,33 @@ class AroundDeeds:
         await host.files.saving.write_beside(wanted[1], report_text.report(*wanted, subject, words))
 
     def tour(self, _argument: str) -> None:
-        self._host.show_tour()
+        self._host.pages.show_tour()
 
     def open_log(self, _argument: str) -> None:
-        self._host.open_log()
+        """In the pager: there the terminal's own ways of reading work."""
+        if not self._host.pages.show_outside(self._log_text):
+            self._host.tell(Answer("screen-no-pager"))
 
     async def save_log(self, argument: str) -> None:
         name = argument or await self._host.ask(self._host.words("ask-save-log"), value="log.txt")
         if name and await self._host.files.saving.may_replace(Path(name)):
-            self._host.save_log(name)
+            self._save_log(name)
+
+    def _save_log(self, name: str) -> None:
+        """All that was told, as plain text."""
+        host = self._host
+        try:
+            write_program(Path(name).expanduser(), self._log_text)
+        except DocumentError as problem:
+            host.tell(told(problem))
+        except (OSError, ValueError, RuntimeError) as problem:
+            host.tell(Answer("file-unwritable", {"path": name, "reason": str(problem)}))
+        else:
+            host.tell(Answer("answer-saved", {"name": name, "lines": len(host.workplace.log_rows.lines)}))
+
+    @property
+    def _log_text(self) -> str:
+        return "".join(f"{line}\n" for line in self._host.workplace.log_rows.lines)
 
 
 def _world_row(name: str, about: worlds.About, words: Wording) -> str:

@@ -36,7 +36,7 @@ class LineDeeds:
         told = line_words.listed(lines, first, last, words, many=MOST_TOLD)
         if len(told) > MOST_TOLD:
             self._host.tell_sentences(told[0])
-            self._host.show_lines(words("key-show_program"), told)
+            self._host.pages.show_lines(words("key-show_program"), told)
         else:
             self._host.tell_sentences(*told)
 

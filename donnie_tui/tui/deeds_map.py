@@ -93,4 +93,4 @@ class MapDeeds:
     def legend(self, _argument: str) -> None:
         if self._map.scale is not None:
             lines = legend(self._map.scale.scene, self._host.words)
-            self._host.show_lines(self._host.words("legend-title"), lines)
+            self._host.pages.show_lines(self._host.words("legend-title"), lines)

@@ -1,4 +1,4 @@
-"""What the actions about several robots and the gripper do. RUN, STOP and the keys go to the chosen robot.
+"""What the actions about robots, the belt and the gripper do. RUN, STOP and the keys go to the chosen robot.
 
 The text of the editor is nobody's own: RUN gives it to whoever is talked to, and TOGETHER starts all that
 were given one.
@@ -6,9 +6,10 @@ were given one.
 
 from __future__ import annotations
 
+import asyncio
 from typing import TYPE_CHECKING
 
-from donnie_tui import team_words
+from donnie_tui import robot_words, team_words
 from donnie_tui.core.handling import Deed
 from donnie_tui.core.team import Assigned
 from donnie_tui.tui.screens.chooser import Choice
@@ -39,7 +40,7 @@ class RobotDeeds:
             return
         self._give_text()
         if team_words.choose_robot(self._host.donnie, name):
-            self._host.robot_chosen()
+            self._host.following.robot_chosen()
 
     async def _chosen(self) -> str | None:
         """From a list of all, each with where it is and whether its program runs."""
@@ -63,12 +64,30 @@ class RobotDeeds:
 
     def stop_all(self, _argument: str) -> None:
         others = [each for each in self._host.donnie.team.running if each is not self._host.donnie.session]
-        self._host.to_present()
+        self._host.past.to_present()
         answer = self._host.running.stop()
         if others:
             team_words.stop_all(self._host.donnie)
         else:
             self._host.tell(answer)
+
+    async def connect_to(self, argument: str) -> None:
+        """Another robot, by its number or from a list. It takes some seconds, in which the screen goes on."""
+        argument = argument or await self._choose_connection() or ""
+        if not argument:
+            return
+        await asyncio.to_thread(robot_words.connect, self._host.donnie, argument)
+        self._host.following.show_pose()
+
+    async def _choose_connection(self) -> str | None:
+        """The number of a robot: the simulator, the boards that are plugged in, each with its state."""
+        found = await asyncio.to_thread(robot_words.choices_in_words, self._host.donnie)
+        rows = [Choice(str(number), *row) for number, row in enumerate(found, 1)]
+        return await self._host.choose(self._host.words("ask-connect"), rows)
+
+    def feel(self, argument: str) -> None:
+        """The belt in words."""
+        robot_words.feel(self._host.donnie, argument)
 
     def grip(self, _argument: str) -> None:
         team_words.use_gripper(self._host.donnie, Deed.GRIP)

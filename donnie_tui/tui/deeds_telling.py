@@ -54,7 +54,7 @@ class TellingDeeds:
         return MapGrid(donnie.picture_now(), self._host.pose, shown_name(donnie.session.name))
 
     def where(self, _argument: str) -> None:
-        self._host.tell_position()
+        self._host.donnie.session.teller.position(self._host.pose)
 
     def around(self, argument: str) -> None:
         pose = self._host.pose
@@ -78,7 +78,7 @@ class TellingDeeds:
 
     def map_picture(self, _argument: str) -> None:
         lines = map_words.picture_in_letters(self._grid, self._host.words)
-        self._host.show_lines(self._host.words("key-show_map"), lines)
+        self._host.pages.show_lines(self._host.words("key-show_map"), lines)
 
     def trail(self, argument: str) -> None:
         count = next(iter(numbers_in(argument)), _TRAIL)
@@ -141,7 +141,7 @@ class TellingDeeds:
     # --- mistakes
 
     def errors(self, _argument: str) -> None:
-        errors = self._host.errors
+        errors = self._host.following.errors
         if not errors:
             self._host.tell(Answer("answer-no-errors"))
         for error in errors:
@@ -157,7 +157,7 @@ class TellingDeeds:
         self._tell_error(self._error - 1)
 
     def _tell_error(self, which: int) -> None:
-        errors = self._host.errors
+        errors = self._host.following.errors
         if not errors:
             self._host.tell(Answer("answer-no-errors"))
             return
@@ -176,7 +176,7 @@ class TellingDeeds:
 
     def explain(self, _argument: str) -> None:
         """The last mistake in plain words, and what to do."""
-        errors = self._host.errors
+        errors = self._host.following.errors
         if not errors:
             self._host.tell(Answer("answer-no-errors"))
             return
@@ -185,5 +185,12 @@ class TellingDeeds:
         self._tell(self._host.words(f"explain-{error.kind}"), self._host.words(f"mend-{error.kind}"))
 
     def world(self, _argument: str) -> None:
-        """The world in words."""
-        self._host.tell_world()
+        """What its author says of it, and what stands in it."""
+        world = self._host.donnie.world
+        about = world.about(self._host.words.language)
+        if about is not None:
+            self._host.tell(Answer("world-title", {"name": world.name, "title": about.title}))
+            self._tell(*about.description.replace(". ", ".\n").splitlines())
+        self.map("")
+        if about is not None:
+            self._host.tell(Answer("world-task", {"task": about.task}))

@@ -34,7 +34,7 @@ class TextDeeds:
     async def complete(self, _argument: str) -> None:
         editor = self._editor
         editor.focus()
-        found = self._host.completion(editor.text, editor.offset_of_cursor)
+        found = self._host.while_typing.completion(editor.text, editor.offset_of_cursor)
         if not found.words:
             self._host.tell(Answer("screen-nothing-to-complete"))
             return
@@ -46,7 +46,7 @@ class TextDeeds:
 
     def fix(self, _argument: str) -> None:
         """What was probably meant, in the place of what stands there."""
-        self._host.check_now()
+        self._host.while_typing.check_now()
         mistake = self._editor.next_mistake
         if mistake is None or not mistake.meant:
             self._host.tell(Answer("screen-nothing-to-fix" if mistake is None else "screen-no-fix"))
@@ -54,7 +54,7 @@ class TextDeeds:
         text = mended(self._editor.text, mistake)
         self._put(text, mistake.start + len(mistake.meant))
         self._host.tell(Answer("screen-fixed", {"line": mistake.line, "word": mistake.meant}))
-        self._host.check_now()
+        self._host.while_typing.check_now()
 
     def break_(self, argument: str) -> None:
         line = next(iter(numbers_in(argument)), self._editor.line)

@@ -1,33 +1,84 @@
-"""The work, as far as actions need it: what they may ask for, and whom they may tell."""
+"""Between whom the work stands: the application, as far as the work needs it, and the work, as far as its
+parts and the actions need it. What they may ask for, and whom they may tell.
+"""
 
 from __future__ import annotations
 
-from collections.abc import Awaitable, Callable, Sequence
+from collections.abc import Awaitable, Callable, Coroutine, Sequence
 from typing import Protocol, TypeVar
 
 from textual.geometry import Offset
+from textual.message import Message
+from textual.timer import Timer
 
 from devices.ports.robot import Pose
 from donnie_tui.bootstrap import Donnie
 from donnie_tui.core.answer_log import AnswerLog
-from donnie_tui.core.completion import Completion
-from donnie_tui.core.events import Error
 from donnie_tui.core.trail import Trail
 from donnie_tui.i18n.words import Words
+from donnie_tui.settings import Settings
 from donnie_tui.tui.display import Display
 from donnie_tui.tui.files import Files
+from donnie_tui.tui.following import Following
 from donnie_tui.tui.key_table import KeyTable
+from donnie_tui.tui.pages import Pages
+from donnie_tui.tui.past import Past
 from donnie_tui.tui.preferences import Preferences
 from donnie_tui.tui.running import Answer, Running
 from donnie_tui.tui.screens.chooser import Choice
 from donnie_tui.tui.screens.workplace import Workplace
 from donnie_tui.tui.watch import Watch
+from donnie_tui.tui.while_typing import WhileTyping
 
 T = TypeVar("T")
 
 
+class Host(Protocol):
+    """The application, as far as the work needs it."""
+
+    @property
+    def workplace(self) -> Workplace: ...
+
+    @property
+    def key_table(self) -> KeyTable: ...
+
+    def post_message(self, message: Message) -> bool: ...
+
+    def later(self, seconds: float, do: Callable[[], None]) -> Timer: ...
+
+    def every(self, seconds: float, do: Callable[[], None]) -> Timer: ...
+
+    def ask(
+        self, asked: str, keys: str, value: str, accepts: Callable[[str], str | None] | None
+    ) -> Awaitable[str | None]: ...
+
+    def choose(
+        self, title: str, keys: str, nothing: str, choices: Sequence[Choice]
+    ) -> Awaitable[str | None]: ...
+
+    def press_key(
+        self, asked: str, keys: str, behind: str, accepts: Callable[[str], str | None]
+    ) -> Awaitable[str | None]: ...
+
+    def choose_word(self, words: Sequence[str], below: Offset) -> Awaitable[tuple[str, str]]: ...
+
+    def show_help(self, title: str, lines: tuple[str, ...]) -> None: ...
+
+    def show_outside(self, text: str) -> bool: ...
+
+    def begin_with(self, opening: Coroutine[None, None, None]) -> None: ...
+
+    def wear(self, settings: Settings) -> None: ...
+
+    def enter_world(self, name: str) -> None: ...
+
+    def repaint(self) -> None: ...
+
+    def leave(self, code: int = 0, *, for_linear: bool = False) -> None: ...
+
+
 class WorkHost(Protocol):
-    """What ``Work`` is to the deeds."""
+    """What ``Work`` is to the deeds, and to its parts."""
 
     words: Words
     workplace: Workplace
@@ -38,7 +89,10 @@ class WorkHost(Protocol):
     preferences: Preferences
     answers: AnswerLog
     trail: Trail
-    errors: tuple[Error, ...]
+    past: Past
+    pages: Pages
+    following: Following
+    while_typing: WhileTyping
 
     @property
     def pose(self) -> Pose: ...
@@ -46,34 +100,13 @@ class WorkHost(Protocol):
     @property
     def donnie(self) -> Donnie: ...
 
-    def robot_chosen(self) -> None: ...
-
-    def to_present(self) -> None: ...
-
     # --- telling and asking
 
     def tell(self, answer: Answer | None) -> None: ...
 
     def tell_sentences(self, *sentences: str) -> None: ...
 
-    def tell_position(self) -> None: ...
-
-    def tell_world(self) -> None: ...
-
-    def show_lines(self, title: str, lines: Sequence[str]) -> None: ...
-
-    def show_manual(self) -> None: ...
-
-    def show_help(self) -> None: ...
-
-    def show_keys_here(self) -> None: ...
-
-    def show_tour(self) -> None: ...
-
     def change_world(self, name: str) -> None: ...
-
-    @property
-    def world_name(self) -> str: ...
 
     def ask(
         self, asked: str, value: str = "", accepts: Callable[[str], str | None] | None = None
@@ -90,29 +123,11 @@ class WorkHost(Protocol):
 
     def choose_word(self, words: Sequence[str], below: Offset) -> Awaitable[tuple[str, str]]: ...
 
-    # --- the text, the settings, the log
+    # --- typing and choosing
 
     def typed(self, text: str) -> Awaitable[None] | None: ...
 
-    def completion(self, text: str, at: int) -> Completion: ...
-
-    def check_now(self) -> None: ...
-
     def prefer(self, key: str, typed: object) -> None: ...
-
-    def open_log(self) -> None: ...
-
-    def save_log(self, name: str) -> None: ...
-
-    # --- the robot
-
-    def show_pose(self) -> None: ...
-
-    def step_back(self) -> None: ...
-
-    def connect(self, argument: str) -> Awaitable[None]: ...
-
-    def feel(self, argument: str) -> None: ...
 
     # --- the screen
 

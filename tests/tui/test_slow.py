@@ -10,15 +10,14 @@ from donnie_tui.core import copies, filing
 from donnie_tui.core.copies import Copies
 from donnie_tui.core.filing import Document
 from donnie_tui.settings import Settings
-from donnie_tui.tui import beginning, deeds_text
-from donnie_tui.tui import work as work_module
+from donnie_tui.tui import beginning, deeds_text, patience
 from tests.tui import conftest
 
 
 @pytest.fixture(autouse=True)
 def soon(monkeypatch, tmp_path):
     """What is slow is slow at once."""
-    monkeypatch.setattr(work_module, "SLOW", 0.01)
+    monkeypatch.setattr(patience, "SLOW", 0.01)
     monkeypatch.setattr(beginning, "SLOW", 0.01)
     monkeypatch.setenv("XDG_CONFIG_HOME", str(tmp_path / "config"))
 

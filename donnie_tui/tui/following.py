@@ -1,0 +1,140 @@
+"""Following the programs: what the beginning, the holding and the end of a run do at the screen.
+
+Rule: programs run in their own threads and reach the screen through the bridge's mailbox; nothing here waits
+for them.
+"""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+from textual.message import Message
+from textual.timer import Timer
+
+from donnie_tui.core.events import Error, Outcome
+from donnie_tui.tui.bridge import Began, Ended
+from donnie_tui.tui.intake import FLUSH, Intake
+from donnie_tui.tui.patience import Reminder
+from donnie_tui.tui.running import Answer, Doing
+from language.control import ControlState
+
+if TYPE_CHECKING:
+    from donnie_tui.tui.host import Host, WorkHost
+
+
+class Paused(Message):
+    """The running program holds."""
+
+
+class Following:
+    """Keeps the screen up with the programs of the robot that is talked to."""
+
+    def __init__(self, work: WorkHost, host: Host, intake: Intake) -> None:
+        self._work = work
+        self._host = host
+        self._intake = intake
+        self.errors: tuple[Error, ...] = ()
+        """The mistakes of the last run."""
+        self._watching: Timer | None = None
+        self._reading: Reminder | None = None
+
+    # --- one run
+
+    def began(self, event: Began) -> None:
+        """What waits in the mailbox is this run's: the end of the last one took everything."""
+        work = self._work
+        work.past.to_present()
+        self._expect_reading()
+        work.display.begin(event.pose, fresh=work.running.is_program)
+        if self._watching is None:
+            self._watching = self._host.every(FLUSH, work.look)
+        work.look()
+
+    def _expect_reading(self) -> None:
+        self._forget_reading()
+        if self._work.running.is_program:
+            self._reading = Reminder(self._host, self._tell_reading)
+
+    def _forget_reading(self) -> None:
+        if self._reading is not None:
+            self._reading.stop()
+            self._reading = None
+
+    def _tell_reading(self) -> None:
+        """A huge program is still being read and checked: nothing of it has run yet."""
+        running = self._work.running
+        if running.doing is Doing.RUNNING and not running.frames:
+            self._work.tell(Answer("slow-reading", {"lines": self._work.workplace.editor.line_count}))
+        else:
+            self._forget_reading()
+
+    def told(self, state: ControlState) -> None:
+        """A pause began or ended; told in any thread."""
+        if state is ControlState.PAUSED:
+            self._host.post_message(Paused())
+
+    def paused(self) -> None:
+        """It holds before a statement: say which, and put the cursor there."""
+        running = self._work.running
+        frames = running.frames
+        if running.doing is Doing.PAUSED and frames and running.is_program:
+            self._work.past.to_present()
+            self._intake.take()
+            self._tell_line(frames[0].line)
+            self._intake.take()
+            self._intake.write()
+        self._work.look()
+
+    def _tell_line(self, line: int) -> None:
+        editor = self._work.workplace.editor
+        editor.go_to(line)
+        text = editor.document.get_line(min(line, editor.line_count) - 1).strip()
+        self._work.tell(Answer("answer-line", {"line": line, "text": text}))
+
+    def ended(self, event: Ended) -> None:
+        work = self._work
+        self._forget_reading()
+        work.past.to_present()
+        work.running.ended()
+        self.errors = event.errors
+        self._intake.take()
+        work.display.move((event.event.pose,))
+        self._watch_no_more()
+        work.watch.end(work.donnie.session, event.event.variables)
+        self._tell_end(event)
+        self._intake.take()
+        self._intake.write()
+        if event.errors and work.running.is_program:
+            work.display.acted()
+            work.display.looked()  # the status line is about the first mistake, not the one told last
+        work.look()
+
+    def _watch_no_more(self) -> None:
+        if self._watching is not None:
+            self._watching.stop()
+            self._watching = None
+
+    def _tell_end(self, event: Ended) -> None:
+        work, outcome = self._work, event.event.outcome
+        if event.errors and work.running.is_program:
+            work.workplace.editor.go_to(event.errors[0].line, event.errors[0].column)
+        if outcome is Outcome.STOPPED:
+            work.tell(work.running.stopped)
+        elif outcome is Outcome.COMPLETED and work.running.is_program:
+            work.tell(Answer("screen-done", of_robot=True))
+
+    # --- which robot, and where it stands
+
+    def robot_chosen(self) -> None:
+        """Another robot is talked to: the map shows its way."""
+        work = self._work
+        work.running.look_again()
+        work.display.show_world()
+        work.display.begin(work.pose, fresh=True)
+        work.past.forget()
+        work.look()
+
+    def show_pose(self) -> None:
+        """After a reset: the robot stands at its start."""
+        if self._work.running.doing is Doing.READY:
+            self._work.display.begin(self._work.pose, fresh=True)
