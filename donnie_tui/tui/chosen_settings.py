@@ -9,16 +9,18 @@ from donnie_tui.tui.preferences import AUDIBLE
 from donnie_tui.tui.running import Answer
 
 if TYPE_CHECKING:
-    from donnie_tui.tui.host import Host, WorkHost
+    from donnie_tui.tui.while_typing import WhileTyping
+    from donnie_tui.tui.workbench import Host, Workbench
 
 
 class ChosenSettings:
     """Brings the work up to the preferences."""
 
-    def __init__(self, work: WorkHost, host: Host, intake: Intake) -> None:
+    def __init__(self, work: Workbench, host: Host, intake: Intake, typing: WhileTyping) -> None:
         self._work = work
         self._host = host
         self._intake = intake
+        self._typing = typing
         self._offer_words()
         self._pace_motion()
 
@@ -42,7 +44,7 @@ class ChosenSettings:
         if key == "lang":
             work.words.language = settings.language
             work.display.relabel()
-            work.while_typing.check_now()
+            self._typing.check_now()
         elif key == "verbosity":
             work.words.detail = settings.verbosity
         elif key == "speed":
@@ -58,7 +60,7 @@ class ChosenSettings:
 
     def _offer_words(self) -> None:
         wanted = self._work.preferences.settings.completion
-        self._work.workplace.editor.complete = self._work.while_typing.completion if wanted else None
+        self._work.workplace.editor.complete = self._typing.completion if wanted else None
 
     def _pace_motion(self) -> None:
         is_calm = self._work.preferences.settings.motion == "reduced"

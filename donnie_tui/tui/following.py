@@ -19,7 +19,8 @@ from donnie_tui.tui.running import Answer, Doing
 from language.control import ControlState
 
 if TYPE_CHECKING:
-    from donnie_tui.tui.host import Host, WorkHost
+    from donnie_tui.tui.past import Past
+    from donnie_tui.tui.workbench import Host, Workbench
 
 
 class Paused(Message):
@@ -29,10 +30,11 @@ class Paused(Message):
 class Following:
     """Keeps the screen up with the programs of the robot that is talked to."""
 
-    def __init__(self, work: WorkHost, host: Host, intake: Intake) -> None:
+    def __init__(self, work: Workbench, host: Host, intake: Intake, past: Past) -> None:
         self._work = work
         self._host = host
         self._intake = intake
+        self._past = past
         self.errors: tuple[Error, ...] = ()
         """The mistakes of the last run."""
         self._watching: Timer | None = None
@@ -43,7 +45,7 @@ class Following:
     def began(self, event: Began) -> None:
         """What waits in the mailbox is this run's: the end of the last one took everything."""
         work = self._work
-        work.past.to_present()
+        self._past.to_present()
         self._expect_reading()
         work.display.begin(event.pose, fresh=work.running.is_program)
         if self._watching is None:
@@ -78,7 +80,7 @@ class Following:
         running = self._work.running
         frames = running.frames
         if running.doing is Doing.PAUSED and frames and running.is_program:
-            self._work.past.to_present()
+            self._past.to_present()
             self._intake.take()
             self._tell_line(frames[0].line)
             self._intake.take()
@@ -94,7 +96,7 @@ class Following:
     def ended(self, event: Ended) -> None:
         work = self._work
         self._forget_reading()
-        work.past.to_present()
+        self._past.to_present()
         work.running.ended()
         self.errors = event.errors
         self._intake.take()
@@ -131,7 +133,7 @@ class Following:
         work.running.look_again()
         work.display.show_world()
         work.display.begin(work.pose, fresh=True)
-        work.past.forget()
+        self._past.forget()
         work.look()
 
     def show_pose(self) -> None:

@@ -11,7 +11,7 @@ from donnie_tui.tui.screens.help import help_text
 from language.keywords import canonical
 
 if TYPE_CHECKING:
-    from donnie_tui.tui.host import Host, WorkHost
+    from donnie_tui.tui.workbench import Host, Workbench
 
 PAGES, MOST_LINES = 9, 6
 """Of the tour in the catalogue."""
@@ -20,7 +20,7 @@ PAGES, MOST_LINES = 9, 6
 class Pages:
     """Shows them."""
 
-    def __init__(self, work: WorkHost, host: Host) -> None:
+    def __init__(self, work: Workbench, host: Host) -> None:
         self._work = work
         self._words = work.words
         self._host = host

@@ -12,13 +12,13 @@ from donnie_tui.core.timeline import Timeline
 from donnie_tui.tui.running import Answer, Doing
 
 if TYPE_CHECKING:
-    from donnie_tui.tui.host import WorkHost
+    from donnie_tui.tui.workbench import Workbench
 
 
 class Past:
     """The moment that the map shows."""
 
-    def __init__(self, work: WorkHost) -> None:
+    def __init__(self, work: Workbench) -> None:
         self._work = work
         self._timeline: Timeline | None = None
         """None while it shows the present."""

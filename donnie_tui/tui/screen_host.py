@@ -22,7 +22,7 @@ if TYPE_CHECKING:
 
 
 class ScreenHost:
-    """What ``work.Host`` asks for. ``next_world`` and ``left_for_linear`` tell how the screen was left."""
+    """``workbench.Host`` of the work. ``next_world`` and ``left_for_linear`` tell how it was left."""
 
     def __init__(
         self,

@@ -16,7 +16,7 @@ from donnie_tui.core.mistakes import LARGEST, mistakes
 from language.outline import block_depth
 
 if TYPE_CHECKING:
-    from donnie_tui.tui.host import Host, WorkHost
+    from donnie_tui.tui.workbench import Host, Workbench
 
 CHECK_AFTER = 0.4
 """Seconds without typing after which mistakes are marked."""
@@ -28,7 +28,7 @@ COPY_AFTER = 1.0
 class WhileTyping:
     """Told of each edit."""
 
-    def __init__(self, work: WorkHost, host: Host) -> None:
+    def __init__(self, work: Workbench, host: Host) -> None:
         self._work = work
         self._host = host
         self._editor = work.workplace.editor

@@ -35,7 +35,6 @@ from donnie_tui.tui.deeds import Deeds
 from donnie_tui.tui.display import Display
 from donnie_tui.tui.files import Files
 from donnie_tui.tui.following import Following
-from donnie_tui.tui.host import Host
 from donnie_tui.tui.intake import Intake
 from donnie_tui.tui.key_echo import KeyEcho
 from donnie_tui.tui.key_table import KeyTable, not_understood
@@ -47,6 +46,7 @@ from donnie_tui.tui.running import Answer, Running
 from donnie_tui.tui.screens.chooser import Choice
 from donnie_tui.tui.watch import Watch
 from donnie_tui.tui.while_typing import WhileTyping
+from donnie_tui.tui.workbench import Host
 from language.control import ControlState
 from language.keywords import canonical
 
@@ -94,9 +94,9 @@ class Work:
         self.trail = Trail(lambda: donnie.session.hub.robot)
         self.past = Past(self)
         self.pages = Pages(self, host)
-        self.following = Following(self, host, self._intake)
+        self.following = Following(self, host, self._intake, self.past)
         self.while_typing = WhileTyping(self, host)
-        self._chosen = ChosenSettings(self, host, self._intake)
+        self._chosen = ChosenSettings(self, host, self._intake, self.while_typing)
         self._deeds = Deeds(self)
         self._hear_no_more = donnie.team.stream.subscribe(bridge)
         self._follow_no_more = donnie.team.stream.subscribe(self.trail.hear)
