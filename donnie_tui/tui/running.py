@@ -7,10 +7,10 @@ values, or by None where the program itself will answer.
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping
-from dataclasses import dataclass, field
+from dataclasses import dataclass
 from enum import Enum
 
-from devices.ports.values import frozen
+from devices.ports.values import field, frozen
 from donnie_tui.core import speeds
 from donnie_tui.core.runner import Run
 from donnie_tui.core.session import Busy, Session
