@@ -30,7 +30,9 @@ def gate():
     gate.set()
 
 
-async def test_a_disk_that_takes_its_time_is_told_and_holds_nobody_up(work, monkeypatch, tmp_path, gate):
+@pytest.fixture
+def slow_saving(monkeypatch, gate):
+    """Programs are saved once the gate is open."""
     write = Document.write
 
     def slowly(self, path, text):
@@ -38,37 +40,38 @@ async def test_a_disk_that_takes_its_time_is_told_and_holds_nobody_up(work, monk
         write(self, path, text)
 
     monkeypatch.setattr(Document, "write", slowly)
+    return gate
+
+
+async def _begin_saving(desk, path):
+    """Until it is told that it takes a while."""
+    await desk.type_line(f"SAVE {path}")
+    await desk.told(f"Saving {path.name}, it takes a while.")
+
+
+async def test_a_disk_that_takes_its_time_is_told_and_holds_nobody_up(work, tmp_path, slow_saving):
     path = tmp_path / "walk.gd"
     async with work("FW 1") as desk:
-        await desk.type_line(f"SAVE {path}")
-        await desk.told("Saving walk.gd, it takes a while.")
+        await _begin_saving(desk, path)
         desk.place.editor.focus()
         await desk.press("x")
         assert desk.app.work.text == "xFW 1"
         assert not path.exists()
-        gate.set()
+        slow_saving.set()
         await desk.told("Saved walk.gd, 1 line.")
         assert path.read_text() == "FW 1\n"
         assert desk.app.work.files.is_changed, "what was typed meanwhile is not saved"
 
 
-async def test_leaving_waits_for_what_is_being_saved(work, monkeypatch, tmp_path, gate):
-    write = Document.write
-
-    def slowly(self, path, text):
-        gate.wait(20)
-        write(self, path, text)
-
-    monkeypatch.setattr(Document, "write", slowly)
+async def test_leaving_waits_for_what_is_being_saved(work, tmp_path, slow_saving):
     path = tmp_path / "walk.gd"
     async with work("FW 1") as desk:
-        await desk.type_line(f"SAVE {path}")
-        await desk.told("Saving walk.gd, it takes a while.")
+        await _begin_saving(desk, path)
         await desk.press("ctrl+q")
         await desk.pilot.pause()
         assert desk.app.is_running
         assert desk.app.screen is desk.place, "nothing is asked"
-        gate.set()
+        slow_saving.set()
         await desk.until(lambda: not desk.app.is_running or desk.app._exit, "the end")
         assert path.read_text() == "FW 1\n"
 
