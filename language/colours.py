@@ -4,8 +4,7 @@ from __future__ import annotations
 
 from language.diagnostics import Diagnostic, Kind
 from language.keywords import argument
-from language.lexer import Lexed, Token
-from language.syntax import Span
+from language.lexer import Lexed, Token, span_of
 
 
 def unseen_colours(lexed: Lexed, colours: frozenset[str] | None) -> tuple[Diagnostic, ...]:
@@ -23,12 +22,11 @@ def _english(token: Token) -> str:
 
 
 def _unseen(source: str, token: Token, colours: frozenset[str]) -> Diagnostic:
-    _, start, end, line, column, _ = token
     return Diagnostic(
         Kind.BAD_ARGUMENT,
-        Span(start, end, line, column),
+        span_of(token),
         code="unseen-colour",
-        found=source[start:end],
+        found=source[token[1] : token[2]],
         expected=("colour",),
         details={"word": "COLOR", "wanted": ", ".join(sorted(colours))},
     )

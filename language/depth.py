@@ -7,8 +7,7 @@ from __future__ import annotations
 
 from language.blocks import ENDS, OPENERS
 from language.diagnostics import Diagnostic, Kind
-from language.lexer import END, KIND, Token
-from language.syntax import Span
+from language.lexer import END, KIND, Token, span_of
 
 MOST_BLOCKS = 200
 MOST_PARENTHESES = 200
@@ -58,5 +57,4 @@ def _too_deep_parenthesis(tokens: list[Token]) -> list[Diagnostic]:
 
 
 def _too_deep(token: Token, code: str, limit: int) -> Diagnostic:
-    _, start, end, line, column, _ = token
-    return Diagnostic(Kind.TOO_DEEP, Span(start, end, line, column), code, details={"limit": limit})
+    return Diagnostic(Kind.TOO_DEEP, span_of(token), code, details={"limit": limit})

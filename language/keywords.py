@@ -150,7 +150,9 @@ def _arguments() -> dict[str, dict[str, Argument]]:
 
 _arguments_by_terminal = _arguments()
 
-TERMINALS: Mapping[str, str] = MappingProxyType({folded: rows[0].terminal for folded, rows in _words.items()})
+TERMINAL_OF_WORD: Mapping[str, str] = MappingProxyType(
+    {folded: rows[0].terminal for folded, rows in _words.items()}
+)
 """Folded word, one blank between its parts, to its terminal in the grammar."""
 
 FIRST_OF_SEVERAL = frozenset(folded.split()[0] for folded in _words if " " in folded)

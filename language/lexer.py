@@ -14,8 +14,7 @@ from typing import TypeAlias
 
 from devices.ports.values import field, frozen
 from language.diagnostics import Diagnostic, Kind
-from language.keywords import END_WORDS, FIRST_OF_SEVERAL, argument
-from language.keywords import TERMINALS as WORD_TERMINALS
+from language.keywords import END_WORDS, FIRST_OF_SEVERAL, TERMINAL_OF_WORD, argument
 from language.source import MARK, UNSEEN, column, fold, line_ends, widthless
 from language.syntax import Span
 from language.tables import TERMINALS as TERMINALS
@@ -58,11 +57,11 @@ _PIECES = (
 _comment = re.compile(r"(?:--|[\u2013\u2014\u2015])[^\r\n]*")
 _begins_assignment_or_call = re.compile(r"\s*(?:=(?!=)|\[)")
 
-_single = {word: KIND[terminal] for word, terminal in WORD_TERMINALS.items() if " " not in word}
+_single = {word: KIND[terminal] for word, terminal in TERMINAL_OF_WORD.items() if " " not in word}
 _fragments = {
     word: END if word in END_WORDS else FRAGMENT for word in FIRST_OF_SEVERAL if word not in _single
 }
-_pairs = {tuple(word.split()): KIND[terminal] for word, terminal in WORD_TERMINALS.items() if " " in word}
+_pairs = {tuple(word.split()): KIND[terminal] for word, terminal in TERMINAL_OF_WORD.items() if " " in word}
 _known = {
     " ": _BLANK,
     UNSEEN: _BLANK,
@@ -116,6 +115,11 @@ def lex(source: str, first_line: int = 1, blamed_quote: int | None = None) -> Le
         lexer.open_string(blamed_quote)
     lexer.read(lexer.position, len(source))
     return lexer.lexed()
+
+
+def span_of(token: Token) -> Span:
+    _, start, end, line, start_column, _ = token
+    return Span(start, end, line, start_column)
 
 
 def without_comments(text: str) -> str:

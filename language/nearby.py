@@ -12,8 +12,7 @@ from collections.abc import Collection, Iterable
 from functools import cache, lru_cache
 
 from devices.ports.values import frozen
-from language.keywords import TERMINALS as WORD_TERMINALS
-from language.keywords import all_words, argument, folded_word, languages_of
+from language.keywords import TERMINAL_OF_WORD, all_words, argument, folded_word, languages_of
 from language.lexer import TAKES
 from language.source import fold_name
 from language.tables import TERMINALS
@@ -107,17 +106,17 @@ def _is_near(folded: str, other: str, slips: int) -> bool:
 
 def _run_together(folded: str, terminals: frozenset[str]) -> Near | None:
     for text, phrase in _without_blanks().items():
-        if folded == text and WORD_TERMINALS[folded_word(phrase)] in terminals:
-            return Near(phrase, WORD_TERMINALS[folded_word(phrase)])
+        if folded == text and TERMINAL_OF_WORD[folded_word(phrase)] in terminals:
+            return Near(phrase, TERMINAL_OF_WORD[folded_word(phrase)])
     number = re.fullmatch(r"([^\W\d_]+)(\d+)", folded)
-    if number and WORD_TERMINALS.get(number[1]) in terminals:
-        return Near(f"{number[1].upper()} {number[2]}", WORD_TERMINALS[number[1]], complete=True)
+    if number and TERMINAL_OF_WORD.get(number[1]) in terminals:
+        return Near(f"{number[1].upper()} {number[2]}", TERMINAL_OF_WORD[number[1]], complete=True)
     return _keyword_and_argument(folded, terminals)
 
 
 def _keyword_and_argument(folded: str, terminals: frozenset[str]) -> Near | None:
     for cut in range(len(folded) - 1, 2, -1):
-        terminal = WORD_TERMINALS.get(folded[:cut])
+        terminal = TERMINAL_OF_WORD.get(folded[:cut])
         taken = _taken_by().get(terminal or "")
         if terminal and taken and terminal in terminals and argument(taken, folded[cut:]):
             return Near(f"{folded[:cut]} {folded[cut:]}".upper(), terminal, complete=True)
@@ -126,16 +125,16 @@ def _keyword_and_argument(folded: str, terminals: frozenset[str]) -> Near | None
 
 @cache
 def _written() -> dict[str, str]:
-    return {word: WORD_TERMINALS[folded_word(word)] for word in all_words()}
+    return {word: TERMINAL_OF_WORD[folded_word(word)] for word in all_words()}
 
 
 @cache
 def _wholes() -> dict[str, list[Near]]:
     found: dict[str, list[Near]] = {}
     for text in (word for word in all_words() if " " in word):
-        near = Near(text, WORD_TERMINALS[folded_word(text)])
+        near = Near(text, TERMINAL_OF_WORD[folded_word(text)])
         found.setdefault(folded_word(text).split()[1], []).append(near)
-    return {second: pairs for second, pairs in found.items() if second not in WORD_TERMINALS}
+    return {second: pairs for second, pairs in found.items() if second not in TERMINAL_OF_WORD}
 
 
 @cache

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from language.keywords import TERMINALS, all_words, folded_word
+from language.keywords import TERMINAL_OF_WORD, all_words, folded_word
 from language.lexer import FRAGMENT, NAME
 from language.nearby import Near, nearest, nearest_pair, slips_allowed, slips_in
 from language.recovery.kinds import ASSIGN
@@ -39,4 +39,4 @@ def _is_near(typed: str, second: str) -> bool:
 
 
 def _near(pair: str) -> Near:
-    return Near(pair, TERMINALS[folded_word(pair)])
+    return Near(pair, TERMINAL_OF_WORD[folded_word(pair)])

@@ -11,13 +11,12 @@ from functools import cached_property
 
 from language.blocks import OPENERS
 from language.diagnostics import Diagnostic, Kind
-from language.lexer import KIND, STRING, Lexed, Token, without_comments
+from language.lexer import KIND, STRING, Lexed, Token, span_of, without_comments
 from language.origin import language_of, languages_in
 from language.recovery.automaton import Automaton
 from language.recovery.kinds import HEAD_ENDS
 from language.recovery.open_blocks import Block
 from language.source import Lines
-from language.syntax import Span
 
 
 class Reading:
@@ -115,9 +114,8 @@ class Reading:
         """A mistake, unless it may follow from one that was told."""
         if kind is not Kind.MISSING_END and self._is_flawed():
             return
-        _, start, end, line, column, _ = token
-        span = Span(start, end, line, column)
-        self.found.append(Diagnostic(kind, span, code, self.typed(token), expected, meant, details or {}))
+        typed = self.typed(token)
+        self.found.append(Diagnostic(kind, span_of(token), code, typed, expected, meant, details or {}))
 
     def _is_flawed(self) -> bool:
         """Whether something in this command was told already."""
