@@ -19,7 +19,7 @@ from language.control import ControlState, ExecutionControl
 from language.diagnostics import Kind, LanguageError, QuitRequested, Refused, Stopped
 from language.failures import failure_of
 from language.levels import Level, Levels, variables_in
-from language.runnable import MOST_FRAMES, Trace
+from language.runnable import Trace, told_levels
 from language.runtime import Actions, Frame, Memory
 from language.stack import DEEPEST_CALL, first_link
 from language.syntax import Axis
@@ -84,8 +84,7 @@ class Execution:
     def frames(self) -> tuple[Frame, ...]:
         """The levels, innermost first, seen from any thread."""
         levels = self._levels.of_frame(sys._current_frames().get(self._thread))
-        told = levels if len(levels) <= MOST_FRAMES else [levels[0], *levels[1 - MOST_FRAMES :]]
-        return tuple(level.told() for level in reversed(told))
+        return tuple(level.told() for level in told_levels(levels))
 
     def _failure(self, error: BaseException) -> LanguageError | None:
         """What an exception means; the memory is true afterwards."""

@@ -14,7 +14,7 @@ from language.arithmetic import checked, divide
 from language.control import ControlState, ExecutionControl
 from language.diagnostics import CallSite, Diagnostic, Kind, ProgramError, QuitRequested, Refused, Stopped
 from language.mistakes import diagnostic, undeclared_procedure, undeclared_variable
-from language.runnable import MOST_FRAMES, Runnable, Trace
+from language.runnable import Runnable, Trace, told_levels
 from language.runtime import Actions, Frame, Memory
 from language.scopes import Declared
 from language.stack import DEEPEST_CALL, make_room
@@ -151,10 +151,9 @@ class _PlainRun:
             self._memory.variables = dict(program.variables)
 
     def frames(self) -> tuple[Frame, ...]:
-        levels = list(self._levels)
-        told = levels if len(levels) <= MOST_FRAMES else [levels[0], *levels[1 - MOST_FRAMES :]]
         return tuple(
-            Frame(level.procedure, level.line, tuple(level.variables.items())) for level in reversed(told)
+            Frame(level.procedure, level.line, tuple(level.variables.items()))
+            for level in told_levels(list(self._levels))
         )
 
     # --- statements

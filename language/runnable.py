@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable
-from typing import Protocol, TypeAlias
+from typing import Protocol, TypeAlias, TypeVar
 
 from language.control import ExecutionControl
 from language.runtime import Actions, Frame, Memory
@@ -11,8 +11,10 @@ from language.runtime import Actions, Frame, Memory
 Trace: TypeAlias = Callable[[int, int, int], None]
 """Told the line, the column and the number of open calls before each statement."""
 
-MOST_FRAMES = 100
+_MOST_FRAMES = 100
 """What ``frames`` tells of a deep recursion."""
+
+_Level = TypeVar("_Level")
 
 
 class Runnable(Protocol):
@@ -32,3 +34,9 @@ class Runnable(Protocol):
 
         Of a recursion deeper than 100 only the innermost frames and the program are told.
         """
+
+
+def told_levels(levels: list[_Level]) -> list[_Level]:
+    """Of levels from the program inwards those that ``frames`` tells, innermost first."""
+    told = levels if len(levels) <= _MOST_FRAMES else [levels[0], *levels[1 - _MOST_FRAMES :]]
+    return told[::-1]
