@@ -7,15 +7,14 @@ it is used first, and as it was typed.
 
 from __future__ import annotations
 
-from collections.abc import Collection, Iterable, Iterator
+from collections.abc import Iterable, Iterator
 
-from devices.ports.values import field, mutable
+from devices.ports.values import field, mutable, replace
 from language import syntax
 from language.diagnostics import Diagnostic, Kind, Severity
 from language.keywords import argument_spelling, spelling
 from language.lexer import lex
-from language.mistakes import as_declared
-from language.nearby import nearest
+from language.mistakes import diagnostic, undeclared_procedure, undeclared_variable
 from language.origin import language_of
 from language.syntax import Expression, Name, Program, Statement, blocks_of
 
@@ -115,31 +114,21 @@ class _Names:
         for scope in self._scopes:
             for name in _firsts(scope.used):
                 if name.name not in scope.declared:
-                    yield self._undeclared(name, scope)
+                    yield _as_hint(self._undeclared(name, scope))
         for name in _firsts(call.name for call in self._calls):
             if name.name not in self._procedures:
-                yield self._undeclared_procedure(name)
+                found = undeclared_procedure(self._program, name, self._procedures, most_compared=None)
+                yield _as_hint(found)
         for call in self._calls:
             yield from self._about_call(call)
         for statement in self._typed_only:
-            found = self._program.typed(statement.span)
-            yield Diagnostic(Kind.TERMINAL_ONLY, statement.span, found=found, severity=Severity.HINT)
+            yield _as_hint(diagnostic(self._program, statement.span, Kind.TERMINAL_ONLY, {}))
 
     def _undeclared(self, name: Name, scope: _Scope) -> Diagnostic:
-        details: dict[str, str | int] = {"name": self._program.typed(name.span)}
-        if scope.procedure and name.name in self._main.declared:
-            details["in_procedure"] = scope.procedure
-        meant = "" if "in_procedure" in details else self._meant(name, scope.declared)
-        return self._about_name(Kind.UNDECLARED_VARIABLE, name, meant, details)
-
-    def _undeclared_procedure(self, name: Name) -> Diagnostic:
-        details: dict[str, str | int] = {"name": self._program.typed(name.span)}
-        meant = self._meant(name, self._procedures)
-        return self._about_name(Kind.UNDECLARED_PROCEDURE, name, meant, details)
-
-    def _meant(self, name: Name, declared: Collection[str]) -> str:
-        near = nearest(name.name, sorted(declared))
-        return as_declared(self._program, near) if near else ""
+        of_program = self._main.declared
+        return undeclared_variable(
+            self._program, name, scope.declared, scope.procedure, of_program, most_compared=None
+        )
 
     def _about_call(self, call: syntax.Call) -> Iterator[Diagnostic]:
         declared = self._procedures.get(call.name.name, [])
@@ -148,11 +137,12 @@ class _Names:
         if len(counts) == 1 and given not in counts:
             name = self._program.typed(call.name.span)
             details: dict[str, str | int] = {"name": name, "wanted": counts.pop(), "given": given}
-            yield self._about_name(Kind.WRONG_ARGUMENT_COUNT, call.name, "", details)
+            found = diagnostic(self._program, call.name.span, Kind.WRONG_ARGUMENT_COUNT, details)
+            yield _as_hint(found)
 
-    def _about_name(self, kind: Kind, name: Name, meant: str, details: dict[str, str | int]) -> Diagnostic:
-        found = self._program.typed(name.span)
-        return Diagnostic(kind, name.span, found=found, meant=meant, details=details, severity=Severity.HINT)
+
+def _as_hint(mistake: Diagnostic) -> Diagnostic:
+    return replace(mistake, severity=Severity.HINT)
 
 
 def _firsts(names: Iterable[Name]) -> Iterator[Name]:
