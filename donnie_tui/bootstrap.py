@@ -112,6 +112,11 @@ class Donnie:
         """Whether something that was asked for could not be written; it was told when that happened."""
         return bool(self._written.lost)
 
+    @property
+    def file_of_this_world(self) -> str | None:
+        """What is being recorded here, which going on in another world would begin anew."""
+        return self._written.of_this_session
+
     def stop_real_robot(self) -> bool:
         """Before this process rests: a board would drive on by itself. True if it had something to stop.
 

@@ -45,6 +45,11 @@ class Written:
         self._words = words
         self._closing = closing
 
+    @property
+    def of_this_session(self) -> str | None:
+        """The file that another session would begin anew, if there is one."""
+        return self._settings.record or self._settings.events
+
     def events(self, standard_output: TextIO | None) -> None:
         """As JSON lines, to standard output or a file; nowhere if nobody asked."""
         name = self._settings.events

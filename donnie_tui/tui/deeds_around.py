@@ -53,7 +53,13 @@ class AroundDeeds:
             files.turn_to(None if chosen == "new" else int(chosen))
 
     async def worlds(self, _argument: str) -> None:
-        """The worlds that ship, with what their authors say of them, and what to try there."""
+        """The worlds that ship, with what their authors say of them, and what to try there.
+
+        Whoever records this one stays in it: what was recorded would be lost.
+        """
+        if self._host.donnie.file_of_this_world is not None:
+            self._host.tell(Answer("world-kept", {"path": self._host.donnie.file_of_this_world}))
+            return
         words, here = self._host.words, self._host.donnie.world.name
         rows = [
             Choice(name, _world_row(name, worlds.about(name, words.language), words), name == here)

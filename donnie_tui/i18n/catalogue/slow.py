@@ -48,6 +48,14 @@ SENTENCES: dict[str, Sentence] = {
         "The world {name} is there.", "O mundo {name} está pronto.", "El mundo {name} está listo."
     ),
     "world-going": Sentence("I go to {name}.", "Vou para {name}.", "Voy a {name}."),
+    "world-kept": Sentence(
+        "I stay in this world: {path} is being written, and another world would begin it anew. "
+        "Leave with QUIT, then start donnie with --world.",
+        "Fico neste mundo: {path} está sendo escrito, e outro mundo o começaria de novo. "
+        "Saia com SAIR e depois inicie o donnie com --world.",
+        "Me quedo en este mundo: {path} se está escribiendo, y otro mundo lo empezaría de nuevo. "
+        "Sal con SALIR y después inicia donnie con --world.",
+    ),
     "text-changed-meanwhile": Sentence(
         "The program was changed meanwhile, so I left it as it is.",
         "O programa mudou enquanto isso, então deixei como está.",
