@@ -51,9 +51,14 @@ class Deputy:
 
     def _work(self) -> None:
         while (deed := self._deeds.get()) is not None:
-            try:
-                deed()
-            except Exception:  # the next signal must be heeded all the same
-                import logging  # slow to load, and not needed as long as all is well
+            attempt(deed)
 
-                logging.getLogger(__name__).exception("what a signal asked for failed")
+
+def attempt(deed: Deed) -> None:
+    """Do it; a failure is logged, and nothing else: the next signal must be heeded all the same."""
+    try:
+        deed()
+    except Exception:
+        import logging  # slow to load, and not needed as long as all is well
+
+        logging.getLogger(__name__).exception("what a signal asked for failed")

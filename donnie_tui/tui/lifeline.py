@@ -1,7 +1,8 @@
 """What stops the robots when the screen can't: a thread that hears the signals and watches the output.
 
 A terminal that takes no output holds the main thread, and with it every key and every handler of the event
-loop. Rule: nothing here waits for that thread. What is left of the process after a signal is ended in time.
+loop. Rules: nothing here waits for that thread, and whatever fails, the next signal is heeded. What is left of
+the process after a signal is ended in time.
 """
 
 from __future__ import annotations
@@ -13,9 +14,11 @@ import threading
 import time
 from collections.abc import Callable
 from contextlib import suppress
+from functools import partial
 from types import FrameType
 from typing import Any
 
+from donnie_tui.deputy import attempt
 from donnie_tui.suspending import suspend
 
 LOOK = 0.5
@@ -116,10 +119,10 @@ class Lifeline:
             if ready:
                 self._take_signals()
             if time.monotonic() >= due:  # many signals must not put it off
-                self._look_at_output()
+                attempt(self._look_at_output)
                 due = time.monotonic() + LOOK
             if self._leaving is not None and time.monotonic() >= self._until and not self._ended.is_set():
-                self._part(self._leaving)
+                attempt(partial(self._part, self._leaving))
 
     def _take_signals(self) -> None:
         with suppress(BlockingIOError):
@@ -134,15 +137,15 @@ class Lifeline:
 
     def _interrupt(self, number: int) -> None:
         self.answered.clear()
-        self._tell(number)
+        attempt(partial(self._tell, number))
         if not self.answered.wait(ANSWER):
-            self._halt()
+            attempt(self._halt)
 
     def _leave(self, number: int) -> None:
-        self._halt()
+        attempt(self._halt)
         if self._leaving is None:
             self._leaving, self._until = number, time.monotonic() + LEAVE
-            self._tell(number)
+            attempt(partial(self._tell, number))
 
     def _look_at_output(self) -> None:
         """Whether a piece of output waits that waited at the last look too."""

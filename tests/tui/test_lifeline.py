@@ -1,35 +1,87 @@
-"""The thread that watches the output, without a screen."""
+"""The thread that hears the signals and watches the output, without a screen."""
 
+import signal
 import threading
+from collections.abc import Callable
 from queue import Queue
 from types import SimpleNamespace
+from typing import Any
+
+import pytest
 
 from donnie_tui.tui import lifeline
 from donnie_tui.tui.lifeline import Lifeline
 
 
-def test_output_that_stays_stuck_is_told_again_and_again(monkeypatch):
-    """A key may have started a robot since it was told first."""
-    monkeypatch.setattr(lifeline, "LOOK", 0.001)
-    told, twice = list[None](), threading.Event()
-    waiting: Queue[str] = Queue()
-    waiting.put("what the terminal does not take")
+class Told:
+    """Notes what it is called with, and fails each time if it has to."""
 
-    def on_stuck() -> None:
-        told.append(None)
-        if len(told) == 2:
-            twice.set()
+    def __init__(self, failing: bool = False, times: int = 1) -> None:
+        self.all: list[int] = []
+        self.enough = threading.Event()
+        self._failing, self._times = failing, times
 
-    line = Lifeline(
-        halt=lambda: None,
-        before_rest=lambda: None,
-        tell=lambda number: None,
-        on_stuck=on_stuck,
-        part=lambda number: None,
-        writer=lambda: SimpleNamespace(_queue=waiting, is_alive=lambda: True),
+    def __call__(self, number: int = 0) -> None:
+        self.all.append(number)
+        if len(self.all) == self._times:
+            self.enough.set()
+        if self._failing:
+            raise RuntimeError("it was meant to fail")
+
+
+def made(
+    *,
+    halt: Callable[[], object] = lambda: None,
+    tell: Callable[[int], object] = lambda number: None,
+    on_stuck: Callable[[], object] = lambda: None,
+    part: Callable[[int], object] = lambda number: None,
+    writer: Callable[[], Any] = lambda: None,
+) -> Lifeline:
+    return Lifeline(
+        halt=halt, before_rest=lambda: None, tell=tell, on_stuck=on_stuck, part=part, writer=writer
     )
+
+
+@pytest.mark.parametrize("failing", [False, True])
+def test_output_that_stays_stuck_is_told_again_and_again(monkeypatch, failing):
+    """A key may have started a robot since it was told first; the first telling may have failed."""
+    monkeypatch.setattr(lifeline, "LOOK", 0.001)
+    stuck, waiting = Told(failing, times=2), Queue[str]()
+    waiting.put("what the terminal does not take")
+    line = made(on_stuck=stuck, writer=lambda: SimpleNamespace(_queue=waiting, is_alive=lambda: True))
     line.begin()
     try:
-        assert twice.wait(30)
+        assert stuck.enough.wait(30)
+    finally:
+        line.end()
+
+
+@pytest.mark.parametrize("failing", ["halt", "tell", "part"])
+def test_whatever_fails_the_process_is_ended_after_a_signal(monkeypatch, failing):
+    monkeypatch.setattr(lifeline, "LOOK", 0.001)
+    monkeypatch.setattr(lifeline, "LEAVE", 0.0)
+    halt, tell, part = Told(failing == "halt"), Told(failing == "tell"), Told(failing == "part", times=2)
+    line = made(halt=halt, tell=tell, part=part)
+    line.begin()
+    try:
+        signal.raise_signal(signal.SIGTERM)
+        assert part.enough.wait(30)
+    finally:
+        line.end()
+
+    assert halt.all == [0]
+    assert tell.all == [signal.SIGTERM]
+    assert set(part.all) == {signal.SIGTERM}
+
+
+def test_the_robot_is_halted_where_the_screen_can_not_be_told(monkeypatch):
+    monkeypatch.setattr(lifeline, "ANSWER", 0.0)
+    halt = Told(times=2)
+    line = made(halt=halt, tell=Told(failing=True))
+    line.begin()
+    try:
+        signal.raise_signal(signal.SIGINT)
+        signal.raise_signal(signal.SIGINT)
+        assert halt.enough.wait(30)
     finally:
         line.end()
