@@ -1,8 +1,8 @@
 """What stops the robots when the screen can't: a thread that hears the signals and watches the output.
 
 A terminal that takes no output holds the main thread, and with it every key and every handler of the event
-loop. Rules: nothing here waits for that thread, and whatever fails, the next signal is heeded. What is left of
-the process after a signal is ended in time.
+loop. Rules: nothing here waits for that thread; whatever fails, the next signal is heeded. What is left of the
+process after a signal is ended in time.
 """
 
 from __future__ import annotations
@@ -91,8 +91,9 @@ class Lifeline:
         with suppress(OSError):
             os.write(self._writing, b"\0")
         self._thread.join(LEAVE)
-        os.close(self._reading)
-        os.close(self._writing)
+        if not self._thread.is_alive():  # else it would read from whatever gets the number next
+            os.close(self._reading)
+            os.close(self._writing)
 
     def _rest(self, number: int, frame: FrameType | None) -> None:
         """Textual gives the terminal back before it rests; the robot comes before that."""

@@ -59,7 +59,7 @@ def test_output_that_stays_stuck_is_told_again_and_again(monkeypatch, failing):
 @pytest.mark.parametrize("failing", ["halt", "tell", "part"])
 def test_whatever_fails_the_process_is_ended_after_a_signal(monkeypatch, failing):
     monkeypatch.setattr(lifeline, "LOOK", 0.001)
-    monkeypatch.setattr(lifeline, "LEAVE", 0.0)
+    monkeypatch.setattr(lifeline, "LEAVE", 0.01)
     halt, tell, part = Told(failing == "halt"), Told(failing == "tell"), Told(failing == "part", times=2)
     line = made(halt=halt, tell=tell, part=part)
     line.begin()
