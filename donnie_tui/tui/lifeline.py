@@ -1,8 +1,8 @@
 """What stops the robots when the screen can't: a thread that hears the signals and watches the output.
 
 A terminal that takes no output holds the main thread, and with it every key and every handler of the event
-loop. Rules: nothing here waits for that thread; whatever fails, the next signal is heeded. What is left of the
-process after a signal is ended in time.
+loop. Rules: nothing here waits for that thread; whatever fails, the next signal is heeded. What is left of
+the process after a signal is ended in time.
 """
 
 from __future__ import annotations
