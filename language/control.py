@@ -81,7 +81,7 @@ class ExecutionControl:
         self._clock = clock
         self._changed = threading.Condition(threading.Lock())
         self._state = ControlState.RUNNING
-        self._line = 0
+        self._run_to_line = 0
         self._breakpoints: frozenset[int] = frozenset()
         self._held_at = _NOWHERE
         self._held_depth = inf
@@ -199,7 +199,7 @@ class ExecutionControl:
 
     def holds_on_lines(self) -> frozenset[int]:
         """The breakpoints, and the line that ``run_to`` asked for while that counts."""
-        asked = {self._line} if self._state is ControlState.RUNNING_TO else set[int]()
+        asked = {self._run_to_line} if self._state is ControlState.RUNNING_TO else set[int]()
         return self._breakpoints | asked
 
     @property
@@ -219,7 +219,7 @@ class ExecutionControl:
             case ControlState.STEPPING_OVER:
                 return depth <= self._over_depth or line in self._breakpoints
             case ControlState.RUNNING_TO:
-                return line == self._line or line in self._breakpoints
+                return line == self._run_to_line or line in self._breakpoints
             case ControlState.RUNNING:
                 return line in self._breakpoints
             case _:
@@ -241,7 +241,7 @@ class ExecutionControl:
         with self._changed:
             before = self._state
             if request is Request.RUN_TO:
-                self._line = line
+                self._run_to_line = line
             elif request is Request.STEP_OVER and before is not ControlState.STEPPING_OVER:
                 self._over_depth = self._held_depth if before is ControlState.PAUSED else inf
             after = self._apply(request)

@@ -13,7 +13,7 @@ from collections.abc import Collection
 
 from language.blocks import ENDS, OPENERS
 from language.lexer import DISTANCE, KIND, NAME, NUMBER, Comment, Lexed, Token
-from language.source import line_ends
+from language.source import COMMENT_MARK, line_ends
 from language.translation import Translation
 
 INDENT = "  "
@@ -26,7 +26,7 @@ _OPERAND_ENDS = frozenset(KIND[name] for name in ("RPAR", "DIRECTION", "AXIS", "
     NUMBER,
     DISTANCE,
 }
-_mark = re.compile(r"--|[\u2013\u2014\u2015]")
+_mark = re.compile(COMMENT_MARK)
 
 
 def laid_out(lexed: Lexed, starts: Collection[int], translation: Translation) -> str:

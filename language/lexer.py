@@ -15,7 +15,7 @@ from typing import TypeAlias
 from devices.ports.values import field, frozen
 from language.diagnostics import Diagnostic, Kind
 from language.keywords import END_WORDS, FIRST_OF_SEVERAL, TERMINAL_OF_WORD, argument
-from language.source import MARK, UNSEEN, column, fold, line_ends, widthless
+from language.source import COMMENT_MARK, DASHES, MARK, UNSEEN, column, fold, line_ends, widthless
 from language.syntax import Span
 from language.tables import TERMINALS as TERMINALS
 
@@ -50,11 +50,11 @@ _SIGNS = {
 }
 _QUOTES = "\u201c\u201d\u201e\u201f"
 _PIECES = (
-    r" +|[\w{mark}]+|\r\n?|\n|==|<>|<=|>=|(?:--|[\u2013\u2014])[^\r\n]*"
+    r" +|[\w{mark}]+|\r\n?|\n|==|<>|<=|>=|(?:--|[{dashes}])[^\r\n]*"
     r'|"[^"]*"|[{quotes}][^{quotes}]*[{quotes}]|[^\S\r\n]+'
     r"|'[^'\r\n]*'|\u2018[^\u2019\r\n]*\u2019|."
 )
-_comment = re.compile(r"(?:--|[\u2013\u2014\u2015])[^\r\n]*")
+_comment = re.compile(COMMENT_MARK + r"[^\r\n]*")
 _begins_assignment_or_call = re.compile(r"\s*(?:=(?!=)|\[)")
 
 _single = {word: KIND[terminal] for word, terminal in TERMINAL_OF_WORD.items() if " " not in word}
@@ -75,7 +75,8 @@ _known = {
 @cache
 def _pieces(is_ascii: bool) -> re.Pattern[str]:
     mark = "" if is_ascii else MARK
-    return re.compile(_PIECES.format(mark=mark, quotes=_QUOTES), re.DOTALL | (re.ASCII if is_ascii else 0))
+    pieces = _PIECES.format(mark=mark, quotes=_QUOTES, dashes=DASHES)
+    return re.compile(pieces, re.DOTALL | (re.ASCII if is_ascii else 0))
 
 
 @frozen
@@ -187,7 +188,7 @@ class _Lexer:
             return NUMBER if piece.isdigit() and piece.isascii() and len(piece) <= MOST_DIGITS else _STRANGE
         elif first == '"' or first in _QUOTES:
             return _TEXT if len(piece) > 1 else _OPEN
-        elif piece[:2] == "--" or first in "\u2013\u2014":
+        elif piece[:2] == "--" or first in DASHES:
             return _COMMENT
         else:
             kind = _BLANK if piece.isspace() else _STRANGE

@@ -7,10 +7,11 @@ place. After an action was cut short by a stop, the runtime raises ``Stopped`` a
 
 from __future__ import annotations
 
-from typing import Any, Protocol
+from typing import Protocol
 
 from devices.ports.robot import Bearing
 from devices.ports.values import field, frozen, mutable
+from language.scopes import Declared
 from language.syntax import Axis
 
 
@@ -61,8 +62,8 @@ class Memory:
 
     variables: dict[str, int] = field(default_factory=dict)
     """By folded name."""
-    procedures: dict[str, Any] = field(default_factory=dict)
-    """By folded name; what the compiler made of them, opaque to everybody else."""
+    procedures: dict[str, Declared] = field(default_factory=dict)
+    """By folded name."""
 
 
 @frozen

@@ -20,7 +20,10 @@ UNSEEN = "\u200b"
 """Stands for every character without width in a folded text; it counts as white space."""
 
 DASHES = "\u2013\u2014"
-"""Begin a comment, as two hyphens do."""
+"""Begin a comment in a folded text, as two hyphens do."""
+
+COMMENT_MARK = f"(?:--|[{DASHES}\u2015])"
+"""What begins a comment in a text as it was typed, for a regular expression."""
 
 _FOLD_CACHE_LIMIT = 4096
 
@@ -76,7 +79,7 @@ class Lines:
     """Where the lines of a text begin. CR, LF and CR LF end a line, and nothing else does."""
 
     def __init__(self, text: str, first_line: int = 1) -> None:
-        self._starts = [0, *(match.end() for match in _line_end.finditer(text))]
+        self._starts = [0, *line_ends(text)]
         self._widthless = widthless(fold(text))
         self._first_line = first_line
 
