@@ -3,8 +3,10 @@
 Rules: every listener hears every event in the same order, also when a listener publishes in answer to
 one; a publisher never waits for a screen, so listeners must be quick. Threads may publish at any time.
 Whoever publishes delivers what was queued up to its own event and no more: what others queue meanwhile is
-delivered by a thread of the stream, so that nobody works for others without end. A program that tells more
-than is read waits behind its event (``gates``), outside of any delivery: that holds nobody else.
+delivered by a thread of the stream, so that nobody works for others without end. A program goes on once its
+event was delivered, by whichever thread: what is answered to it comes before what the program tells next, so
+that a run is the same whoever else tells something meanwhile. A program that tells more than is read waits
+behind its event (``gates``), outside of any delivery: that holds nobody else.
 Where a world has several robots, each has a channel into the one stream.
 """
 
@@ -27,6 +29,8 @@ MOST_WAITING = 10_000
 """Events that wait to be delivered before a program is slowed down."""
 LONGEST_HOLD = 0.05
 """Seconds that it waits then for each event; a listener that hangs holds no program for ever."""
+LONGEST_TURN = 0.5
+"""Seconds that it waits for another thread to deliver its event; for a listener that hangs, once."""
 LAST_WORD = 2.0
 """Seconds that a run waits at its end until everybody has heard of it."""
 
@@ -65,6 +69,8 @@ class Stream:
         """How many threads wait for something to be delivered."""
         self._deliverer = _NOBODY
         """The thread that delivers."""
+        self._hangs_at = -1
+        """How many had been delivered when a program last gave up waiting for its event."""
         self._last_own: float = 0
         """The last event that this one has to deliver."""
         self._gates: tuple[Gate, ...] = ()
@@ -85,12 +91,14 @@ class Stream:
                 return
         self._deliver()
 
-    def publish(self, event: Event, t: float, robot: str | None, own: _Listeners) -> None:
-        """Tell the channel's ``own`` listeners, then everybody."""
+    def publish(self, event: Event, t: float, robot: str | None, own: _Listeners) -> int:
+        """Tell the channel's ``own`` listeners, then everybody. Answers its place in the order."""
         with self._lock:
-            if not self._queue(self._stamp(event, t, robot), own):
-                return
-        self._deliver()
+            is_ours = self._queue(self._stamp(event, t, robot), own)
+            place = self._queued
+        if is_ours:
+            self._deliver()
+        return place
 
     # --- programs that tell faster than anybody reads
 
@@ -102,10 +110,13 @@ class Stream:
     def _remove_gate(self, gate: Gate) -> None:
         self._gates = tuple(each for each in self._gates if each != gate)
 
-    def wait_for_room(self, robot: str | None) -> None:
-        """In the thread of that robot's program, behind an event of it; never in the midst of a delivery."""
+    def wait_for_room(self, robot: str | None, place: int) -> None:
+        """In the thread of that robot's program, behind its event at ``place``; never in the midst of a
+        delivery."""
         if self._delivers_here():
             return
+        if self._delivered < place and self._delivered != self._hangs_at:
+            self._wait_for_delivery(place)
         if len(self._waiting) > MOST_WAITING:
             self._wait_for(lambda: len(self._waiting) <= MOST_WAITING, LONGEST_HOLD)
         for gate in self._gates:
@@ -118,11 +129,17 @@ class Stream:
         until = self._queued
         self._wait_for(lambda: self._delivered >= until, seconds)
 
-    def _wait_for(self, happened: Callable[[], bool], seconds: float) -> None:
+    def _wait_for_delivery(self, place: int) -> None:
+        if not self._wait_for(lambda: self._delivered >= place, LONGEST_TURN):
+            self._hangs_at = self._delivered
+
+    def _wait_for(self, happened: Callable[[], bool], seconds: float) -> bool:
+        """Whether it happened in time."""
         with self._moved:
             self._awaited += 1
-            self._moved.wait_for(happened, seconds)
+            has_happened = self._moved.wait_for(happened, seconds)
             self._awaited -= 1
+        return has_happened
 
     # --- delivering
 
@@ -226,9 +243,9 @@ class Hub:
         What a front end answers is no robot's. A program waits here where it tells more than is read.
         """
         robot = None if isinstance(event, (Answered, Pointed, Chimed)) else self.robot
-        self._stream.publish(event, self._clock(), robot, self._own)
+        place = self._stream.publish(event, self._clock(), robot, self._own)
         if self._program == threading.get_ident():
-            self._stream.wait_for_room(self.robot)
+            self._stream.wait_for_room(self.robot, place)
 
     def add_gate(self, gate: Gate) -> Leave:
         """As the stream does."""

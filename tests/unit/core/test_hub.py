@@ -222,6 +222,34 @@ def test_a_program_that_tells_too_much_waits_behind_its_event_and_holds_nobody()
     assert heard[-1] == Spoke("more")
 
 
+def test_what_is_answered_to_a_program_comes_before_what_it_tells_next_whoever_else_told(
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    """Else a recording would depend on when somebody pressed a key."""
+    monkeypatch.setattr("donnie_tui.core.hub.LONGEST_TURN", 20.0, raising=False)
+    hub, blocked, heard = new_hub(), Blocked(), list[Event]()
+    hub.subscribe(blocked)
+    hub.subscribe(lambda stamped: heard.append(stamped.event))
+    hub.subscribe(lambda stamped: hub.publish(Spoke("answer")) if stamped.event == Spoke("first") else None)
+    other = in_thread(lambda: hub.publish(Answered("Speed 2.")))
+    assert blocked.hangs.wait(20)
+
+    def program() -> None:
+        hub.hold_back_here()
+        hub.publish(Spoke("first"))
+        hub.publish(Spoke("next"))
+
+    running = in_thread(program)
+    while not hub._stream._waiting:
+        threading.Event().wait(0.001)
+    blocked.let_go()
+    running.join(20)
+    other.join(20)
+    hub.wait_until_heard(20)
+
+    assert heard == [Answered("Speed 2."), Spoke("first"), Spoke("answer"), Spoke("next")]
+
+
 def test_a_listener_that_hangs_for_ever_slows_a_program_but_does_not_hold_it() -> None:
     stream, blocked = Stream(), Blocked()
     alice, bob = Hub(lambda: 0.0, "alice", stream), Hub(lambda: 0.0, "bob", stream)
