@@ -31,8 +31,18 @@ class Near:
     """Whether more than one token was run together in it."""
 
 
+def near_keyword(text: str) -> Near:
+    """A keyword as it is written."""
+    return Near(text, TERMINAL_OF_WORD[folded_word(text)])
+
+
 def slips_allowed(length: int) -> int:
     return 0 if length < 2 else 1 if length < 6 else 2 if length < 9 else 3
+
+
+def has_few_slips(typed: str, meant: str) -> bool:
+    """Whether a folded word has no more slips than one of its length may have."""
+    return slips_in(typed, meant) <= slips_allowed(len(typed))
 
 
 def nearest(word: str, candidates: Iterable[str], preferred: Collection[str] = ()) -> str | None:
@@ -63,19 +73,19 @@ def nearest_keyword(word: str, terminals: frozenset[str], language: str) -> Near
     return None if len(folded) > LONGEST else _nearest_keyword(folded, terminals, language)
 
 
-def whole_of(second: str, terminals: frozenset[str]) -> Near | None:
+def pair_ending_with(second: str, terminals: frozenset[str]) -> Near | None:
     """The keyword of two words whose second one stands alone: FRENTE, DIREITA. None if there are several."""
-    found = _wholes().get(fold_name(second), [])
+    found = _pairs_by_second().get(fold_name(second), [])
     return found[0] if len(found) == 1 and found[0].terminal in terminals else None
 
 
 def nearest_pair(first: str, second: str, terminals: frozenset[str]) -> Near | None:
     """The keyword of two words whose second one was written and whose first one is misspelt: GIRA DIREITA."""
-    found = whole_of(second, terminals)
+    found = pair_ending_with(second, terminals)
     if found is None:
         return None
     written, folded = folded_word(found.text).split()[0], fold_name(first)
-    is_near = len(folded) <= LONGEST and slips_in(folded, written) <= slips_allowed(len(folded))
+    is_near = len(folded) <= LONGEST and has_few_slips(folded, written)
     return found if is_near else None
 
 
@@ -105,9 +115,9 @@ def _is_near(folded: str, other: str, slips: int) -> bool:
 
 
 def _run_together(folded: str, terminals: frozenset[str]) -> Near | None:
-    for text, phrase in _without_blanks().items():
-        if folded == text and TERMINAL_OF_WORD[folded_word(phrase)] in terminals:
-            return Near(phrase, TERMINAL_OF_WORD[folded_word(phrase)])
+    pair = _pairs_without_blank().get(folded)
+    if pair and pair.terminal in terminals:
+        return pair
     number = re.fullmatch(r"([^\W\d_]+)(\d+)", folded)
     if number and TERMINAL_OF_WORD.get(number[1]) in terminals:
         return Near(f"{number[1].upper()} {number[2]}", TERMINAL_OF_WORD[number[1]], complete=True)
@@ -129,17 +139,16 @@ def _written() -> dict[str, str]:
 
 
 @cache
-def _wholes() -> dict[str, list[Near]]:
+def _pairs_by_second() -> dict[str, list[Near]]:
     found: dict[str, list[Near]] = {}
     for text in (word for word in all_words() if " " in word):
-        near = Near(text, TERMINAL_OF_WORD[folded_word(text)])
-        found.setdefault(folded_word(text).split()[1], []).append(near)
+        found.setdefault(folded_word(text).split()[1], []).append(near_keyword(text))
     return {second: pairs for second, pairs in found.items() if second not in TERMINAL_OF_WORD}
 
 
 @cache
-def _without_blanks() -> dict[str, str]:
-    return {folded_word(word).replace(" ", ""): word for word in all_words() if " " in word}
+def _pairs_without_blank() -> dict[str, Near]:
+    return {folded_word(word).replace(" ", ""): near_keyword(word) for word in all_words() if " " in word}
 
 
 @cache

@@ -5,7 +5,7 @@ from __future__ import annotations
 from language.diagnostics import Kind
 from language.keywords import is_reserved
 from language.lexer import NUMBER, STRING
-from language.nearby import Near, nearest_keyword, whole_of
+from language.nearby import Near, nearest_keyword, pair_ending_with
 from language.recovery.arguments import follows_taker, read_bad_argument
 from language.recovery.going_on import can_open, read_as, skip_command
 from language.recovery.kinds import ASSIGN, LPAR, SIGN
@@ -30,9 +30,9 @@ def read_unknown_command(reading: Reading) -> None:
 def _command_meant(reading: Reading, typed: str) -> Near | None:
     """The nearest word that leaves all ENDs what they are, or else the nearest one."""
     words = reading.automaton.acceptable()
-    whole = whole_of(typed, words)
-    if whole:
-        return whole
+    pair = pair_ending_with(typed, words)
+    if pair:
+        return pair
     fitting = frozenset(word for word in words if can_open(reading, word, 1))
     near = nearest_keyword(typed, fitting, reading.language)
     return near or nearest_keyword(typed, words, reading.language)

@@ -2,9 +2,9 @@
 
 from __future__ import annotations
 
-from language.keywords import TERMINAL_OF_WORD, all_words, folded_word
+from language.keywords import all_words, folded_word
 from language.lexer import FRAGMENT, NAME
-from language.nearby import Near, nearest, nearest_pair, slips_allowed, slips_in
+from language.nearby import Near, has_few_slips, near_keyword, nearest, nearest_pair
 from language.recovery.kinds import ASSIGN
 from language.recovery.reading import Reading
 
@@ -29,14 +29,6 @@ def pair_meant(reading: Reading) -> tuple[Near | None, int]:
     pairs = [each for each in all_words() if folded_word(each).startswith(f"{token[5]} ")]
     if following[0] in (NAME, FRAGMENT) and following[3] == token[3]:
         pair = nearest(f"{token[5]} {following[5]}", pairs)
-        if pair and _is_near(following[5], folded_word(pair).split()[1]):
-            return _near(pair), 2
-    return (_near(pairs[0]) if token[0] == FRAGMENT else None), 1
-
-
-def _is_near(typed: str, second: str) -> bool:
-    return slips_in(typed, second) <= slips_allowed(len(typed))
-
-
-def _near(pair: str) -> Near:
-    return Near(pair, TERMINAL_OF_WORD[folded_word(pair)])
+        if pair and has_few_slips(following[5], folded_word(pair).split()[1]):
+            return near_keyword(pair), 2
+    return (near_keyword(pairs[0]) if token[0] == FRAGMENT else None), 1
