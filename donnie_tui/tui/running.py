@@ -175,10 +175,14 @@ class Running:
     def stop(self) -> Answer | None:
         if self._run is None:
             return _NOTHING_RUNS
-        frames = self.frames
-        self._own.stopped_line = frames[0].line if frames else 0
+        self.note_line()
         self._session.stop()
         return None
+
+    def note_line(self) -> None:
+        """Where a program is that is about to be stopped. Any thread."""
+        if frames := self.frames:
+            self._own.stopped_line = frames[0].line
 
     @property
     def stopped(self) -> Answer:

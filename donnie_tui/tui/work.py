@@ -295,6 +295,8 @@ class Work:
         self._host.enter_world(name)
 
     def halt(self) -> None:
+        """All robots. Any thread."""
+        self.running.note_line()
         self._donnie.team.stop()
 
     def hand_over(self) -> Donnie:

@@ -16,6 +16,7 @@ from donnie_tui.i18n import first_screen
 from donnie_tui.i18n.sentence import LANGUAGES
 from donnie_tui.i18n.words import Words
 from donnie_tui.settings import Settings
+from donnie_tui.tui import lifeline
 from donnie_tui.tui.app import DonnieApp
 from donnie_tui.tui.ending import FAULT
 from donnie_tui.tui.key_table import KeyTable
@@ -254,7 +255,9 @@ def test_the_help_lists_each_word_once_and_the_palette(language):
     assert any("Ctrl+P" in line for line in lines)
 
 
-async def test_an_interrupt_from_elsewhere_stops_as_the_key_does(work):
+@pytest.mark.parametrize("patience", [0.0, 60.0], ids=["halted before the screen answers", "answered"])
+async def test_an_interrupt_from_elsewhere_stops_as_the_key_does(work, monkeypatch, patience):
+    monkeypatch.setattr(lifeline, "ANSWER", patience)
     async with work(WAITING, speed=1.0) as desk:
         await desk.press("f5")
         await desk.doing(Doing.RUNNING)
