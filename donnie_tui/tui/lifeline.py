@@ -18,7 +18,7 @@ from functools import partial
 from types import FrameType
 from typing import Any
 
-from donnie_tui.deputy import attempt
+from donnie_tui.deputy import Deputy, attempt
 from donnie_tui.suspending import suspend
 
 LOOK = 0.5
@@ -30,6 +30,8 @@ ANSWER = 0.3
 """Seconds in which the screen stops a program by itself, and tells where."""
 LEAVE = 2.0
 """Seconds in which the screen leaves by itself after a signal."""
+LONGEST_REST = 2.0
+"""Seconds that the main thread waits before it rests; it may hold what the robot's stop needs."""
 
 BACK = getattr(signal, "SIGCONT", -1)
 """Told to the screen when the process goes on: whatever ran meanwhile wrote over it."""
@@ -70,6 +72,7 @@ class Lifeline:
         numbers = [getattr(signal, name) for name in ("SIGINT", *_LEAVING) if hasattr(signal, name)]
         self._leavings = numbers[1:]
         self._found = {number: signal.signal(number, _woken) for number in numbers}
+        self._deputy = Deputy()
         if hasattr(signal, "SIGTSTP"):
             self._found[signal.SIGTSTP] = signal.signal(signal.SIGTSTP, self._rest)
             self._found[BACK] = signal.signal(BACK, self._back)
@@ -91,13 +94,14 @@ class Lifeline:
         with suppress(OSError):
             os.write(self._writing, b"\0")
         self._thread.join(LEAVE)
+        self._deputy.close()
         if not self._thread.is_alive():  # else it would read from whatever gets the number next
             os.close(self._reading)
             os.close(self._writing)
 
     def _rest(self, number: int, frame: FrameType | None) -> None:
         """Textual gives the terminal back before it rests; the robot comes before that."""
-        self._before_rest()
+        self._deputy.see_done(self._before_rest, LONGEST_REST)
         own = self._found[signal.SIGTSTP]
         if callable(own):
             own(number, frame)

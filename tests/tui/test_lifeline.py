@@ -2,7 +2,7 @@
 
 import signal
 import threading
-from collections.abc import Callable
+from collections.abc import Callable, Iterator
 from queue import Queue
 from types import SimpleNamespace
 from typing import Any
@@ -32,13 +32,14 @@ class Told:
 def made(
     *,
     halt: Callable[[], object] = lambda: None,
+    before_rest: Callable[[], object] = lambda: None,
     tell: Callable[[int], object] = lambda number: None,
     on_stuck: Callable[[], object] = lambda: None,
     part: Callable[[int], object] = lambda number: None,
     writer: Callable[[], Any] = lambda: None,
 ) -> Lifeline:
     return Lifeline(
-        halt=halt, before_rest=lambda: None, tell=tell, on_stuck=on_stuck, part=part, writer=writer
+        halt=halt, before_rest=before_rest, tell=tell, on_stuck=on_stuck, part=part, writer=writer
     )
 
 
@@ -85,3 +86,44 @@ def test_the_robot_is_halted_where_the_screen_can_not_be_told(monkeypatch):
         assert halt.enough.wait(30)
     finally:
         line.end()
+
+
+@pytest.fixture
+def rested() -> Iterator[list[str]]:
+    """What ends in a rest notes it here instead."""
+    order = list[str]()
+    found = signal.signal(signal.SIGTSTP, lambda *_: order.append("rest"))
+    yield order
+    signal.signal(signal.SIGTSTP, found)
+
+
+def test_control_z_rests_once_the_robot_has_been_stopped(rested):
+    line = made(before_rest=lambda: rested.append("stop"))
+    line.begin()
+    try:
+        signal.raise_signal(signal.SIGTSTP)
+    finally:
+        line.end()
+
+    assert rested == ["stop", "rest"]
+
+
+def test_control_z_rests_although_the_main_thread_holds_what_the_stop_needs(monkeypatch, rested):
+    """The handler interrupts it in the midst of anything."""
+    monkeypatch.setattr(lifeline, "LONGEST_REST", 0.01)
+    held, stopped = threading.Lock(), threading.Event()
+
+    def stop() -> None:
+        with held:
+            stopped.set()
+
+    line = made(before_rest=stop)
+    line.begin()
+    try:
+        with held:
+            signal.raise_signal(signal.SIGTSTP)
+        assert stopped.wait(30)
+    finally:
+        line.end()
+
+    assert rested == ["rest"]
