@@ -38,6 +38,8 @@ class Asking:
         self._before_typing = before_typing
         self.offered = ""
         """The text that is offered for editing with the next prompt."""
+        self.has_ended = False
+        """Whether in place of the last answer the input ended."""
 
     def read(self, prompt: str, *, shown: bool = False) -> Typed:
         """Print what was told and the prompt, unless it is ``shown`` already, and read a line."""
@@ -54,16 +56,26 @@ class Asking:
 
     def ask(self, code: str, **values: object) -> str:
         """The answer to a question; empty if there is none."""
-        self._answer(code, **values)
-        typed = self.read(PROMPT)
-        return typed.text.strip() if typed.how in (How.ENTER, How.ESCAPE) else ""
+        return self._answer_to(code, **values) or ""
 
     def ask_yes(self, code: str, **values: object) -> bool:
         """Whether the answer is yes."""
-        answer = self.ask(code, **values).casefold()
-        while answer not in _YES + _NO:
-            answer = self.ask("linear-yes-or-no").casefold()
-        return answer in _YES
+        return self.decide(code, **values) is True
+
+    def decide(self, code: str, **values: object) -> bool | None:
+        """Yes or no; None for no answer: Ctrl+C, Escape alone, the end of the input, a signal to leave."""
+        answer = self._answer_to(code, **values)
+        while answer is not None and answer.casefold() not in _YES + _NO:
+            answer = self._answer_to("linear-yes-or-no")
+        return None if answer is None else answer.casefold() in _YES
+
+    def _answer_to(self, code: str, **values: object) -> str | None:
+        self._answer(code, **values)
+        typed = self.read(PROMPT)
+        text = typed.text.strip()
+        self.has_ended = typed.how is How.CLOSED
+        is_answered = typed.how is How.ENTER or (typed.how is How.ESCAPE and text)
+        return text if is_answered else None
 
     def _read(self, prompt: str, *, shown: bool) -> Typed:
         offered, self.offered = self.offered if self._ends.can_edit else "", ""

@@ -1,11 +1,13 @@
 """How a conversation ends: by a word, by the end of the input, by Ctrl+C in a script, by a signal.
 
-Rule: a program that would be missed is saved or given up first; where nobody can be asked, it is kept.
+Rule: a program that would be missed is saved or given up first; who does neither stays. Where nobody can be
+asked, a copy of it is kept.
 """
 
 from __future__ import annotations
 
 from donnie_tui import team_words
+from donnie_tui.core.typed_program import TypedProgram
 from donnie_tui.linear import files
 from donnie_tui.linear.desk import Desk
 
@@ -18,6 +20,7 @@ class Leaving:
 
     def __init__(self, desk: Desk) -> None:
         self._desk = desk
+        self._keeps_copies = False
 
     def close(self) -> None:
         """Ctrl+D, or the end of the input."""
@@ -28,14 +31,36 @@ class Leaving:
         self.leave(0)
 
     def leave(self, code: int) -> None:
-        """Leave, once a program that would be missed is saved or given up."""
+        """Leave, once a program that would be missed is saved or given up; else stay."""
         desk = self._desk
-        desk.leaving = code
-        for program in desk.programs.all():
-            would_be_missed = desk.is_attended and program.is_worth_saving
-            if would_be_missed and desk.asking.ask_yes("linear-ask-save", lines=len(program.lines)):
-                desk.programs.current = program
-                files.save_named(desk, "")
+        is_settled = all(map(self._is_settled, desk.programs.all()))
+        if desk.console.leaving is not None:
+            self.leave_by_signal(desk.console.leaving)
+        elif is_settled:
+            desk.leaving = code
+        elif desk.asking.has_ended:
+            self._leave_with_copies(code)
+        else:
+            desk.leaving = None
+            desk.answer("linear-stays")
+
+    def _is_settled(self, program: TypedProgram) -> bool:
+        """Whether nobody would miss it any more."""
+        desk = self._desk
+        if not (desk.is_attended and program.is_worth_saving):
+            return True
+        wants_to_save = desk.asking.decide("linear-ask-save", lines=len(program.lines))
+        if not wants_to_save:
+            return wants_to_save is False
+        with desk.programs.as_current(program):
+            return files.save_named(desk, "")
+
+    def _leave_with_copies(self, code: int) -> None:
+        """The input ended at the question: to stay and ask again would never end."""
+        self._keeps_copies = True
+        self._desk.programs.keep_for_later()
+        self._desk.answer("answer-rescued")
+        self._desk.leaving = code
 
     def leave_by_signal(self, number: int) -> None:
         self._desk.donnie.team.stop()
@@ -59,5 +84,5 @@ class Leaving:
         if self._desk.leaving == 0:
             self._desk.answer("linear-goodbye")
         self._desk.showing.show_told()
-        if self._desk.leaving == 0:
+        if self._desk.leaving == 0 and not self._keeps_copies:
             self._desk.programs.forget_copies()

@@ -6,7 +6,7 @@ Rule: no typed line is lost, whether the power fails, Donnie is killed or the te
 from __future__ import annotations
 
 import contextlib
-from collections.abc import Callable
+from collections.abc import Callable, Iterator
 from pathlib import Path
 
 from donnie_tui.core.breakpoints import KeptBreakpoints
@@ -56,6 +56,15 @@ class Programs:
         """Of all robots, the one that is talked to first."""
         others = (each for name, each in self._by_robot.items() if name != self._robot())
         return (self.current, *others)
+
+    @contextlib.contextmanager
+    def as_current(self, program: TypedProgram) -> Iterator[None]:
+        """For a while that one is the current one, whoever is talked to."""
+        before, self.current = self.current, program
+        try:
+            yield
+        finally:
+            self.current = before
 
     # --- breakpoints
 

@@ -128,6 +128,12 @@ _FILES = {
             "¿Perder {lines} {lines:línea|líneas}, s o n? Enter: no.",
         ),
     ),
+    "linear-stays": Sentence(
+        "Not saved, so Donnie stays open.",
+        "Não foi salvo: o Donnie continua aberto.",
+        "No se guardó: Donnie sigue abierto.",
+        brief=("Not saved. Donnie stays.", "Não foi salvo. Donnie fica.", "No se guardó. Donnie se queda."),
+    ),
     "linear-ask-save": Sentence(
         "{lines} {lines:line is|lines are} not saved. Save first, y or n? Enter means no.",
         "{lines} {lines:linha não foi salva|linhas não foram salvas}. Salvar, s ou n? Enter é não.",

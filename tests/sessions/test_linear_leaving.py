@@ -1,0 +1,122 @@
+"""At the question whether to save first nothing is lost, whatever is answered, or nothing at all."""
+
+from __future__ import annotations
+
+import signal
+from pathlib import Path
+
+import pytest
+
+from tests.sessions.learner import Learner
+
+CTRL_C, CTRL_D, ESC = "\x03", "\x04", "\x1b"
+FIVE = ("FW 1", "FW 2", "FW 3", "FW 4", "FW 5")
+TEXT = "".join(f"{line}\n" for line in FIVE)
+QUESTION = "Save first, y or n? Enter means no.\r\n> "
+STAYS = "Not saved, so Donnie stays open.\r\n> "
+
+
+def copied(folder: Path) -> list[str]:
+    return sorted(each.read_text() for each in (folder / "state").rglob("unsaved-*.gd"))
+
+
+@pytest.fixture
+def asked(tmp_path: Path) -> Learner:
+    """Five lines are typed, and somebody wants to leave."""
+    learner = Learner(tmp_path)
+    learner.enters(*FIVE)
+    learner.sees_prompt()
+    learner.types(CTRL_D)
+    learner.sees(QUESTION)
+    return learner
+
+
+def test_who_says_no_leaves_without_a_copy(asked: Learner, tmp_path: Path) -> None:
+    asked.types("n\r")
+
+    assert asked.leaves() == 0
+    assert copied(tmp_path) == []
+
+
+IN_VAIN = {
+    "interrupt": (CTRL_C,),
+    "escape": (ESC,),
+    "no name": ("y\r", "\r"),
+    "interrupt at the name": ("y\r", CTRL_C),
+    "no such folder": ("y\r", "no folder/mine\r"),
+}
+
+
+@pytest.mark.parametrize("answers", IN_VAIN.values(), ids=IN_VAIN)
+def test_who_answers_nothing_or_can_not_save_stays_with_the_program(
+    asked: Learner, answers: tuple[str, ...]
+) -> None:
+    for keys in answers[:-1]:
+        asked.types(keys)
+        asked.sees_prompt()
+    asked.types(answers[-1])
+    asked.sees(STAYS)
+    asked.types("LIST\r")
+    asked.sees("5: FW 5\r\n> ")
+
+
+def test_who_stayed_saves_and_leaves(asked: Learner, tmp_path: Path) -> None:
+    asked.types(CTRL_C)
+    asked.sees(STAYS)
+    asked.types(CTRL_D)
+    asked.sees(QUESTION)
+    asked.types("y\rmine\r")
+
+    assert asked.leaves() == 0
+    assert (tmp_path / "mine.gd").read_text() == TEXT
+    assert copied(tmp_path) == []
+
+
+def test_quit_in_a_program_asks_as_well_and_stays(tmp_path: Path) -> None:
+    learner = Learner(tmp_path)
+    learner.enters(*FIVE, "QUIT")
+    learner.sees(QUESTION)
+    learner.types(CTRL_C)
+    learner.sees(STAYS)
+    learner.types("LIST\r")
+    learner.sees("5: FW 5\r\n> ")
+
+
+@pytest.mark.parametrize("number", [signal.SIGTERM, signal.SIGHUP])
+@pytest.mark.parametrize("before", ["", "y\r"], ids=["save", "name"])
+def test_a_signal_to_leave_at_a_question_leaves_a_copy(
+    asked: Learner, tmp_path: Path, before: str, number: int
+) -> None:
+    if before:
+        asked.types(before)
+        asked.sees_prompt()
+    asked.child.kill(number)
+
+    assert asked.leaves() == 128 + number
+    assert copied(tmp_path) == [TEXT]
+
+
+def test_the_end_of_the_input_at_the_question_leaves_a_copy(asked: Learner, tmp_path: Path) -> None:
+    asked.types(CTRL_D)
+    asked.sees("A program was rescued. RECOVER opens it.")
+
+    assert asked.leaves() == 0
+    assert copied(tmp_path) == [TEXT]
+
+
+def test_of_several_robots_no_program_is_lost_and_the_one_talked_to_stays_so(tmp_path: Path) -> None:
+    learner = Learner(tmp_path, "--world", "two_robots")
+    learner.enters("ROBOT alice", *FIVE, "ROBOT bob", *reversed(FIVE))
+    learner.sees_prompt()
+    learner.types(CTRL_D)
+    learner.sees(QUESTION)
+    learner.types("y\rmine\r")
+    learner.sees(QUESTION)
+    learner.types("y\r")
+    learner.sees_prompt()
+    learner.child.kill(signal.SIGTERM)
+
+    assert learner.leaves() == 128 + signal.SIGTERM
+    assert sorted([*copied(tmp_path), (tmp_path / "mine.gd").read_text()]) == sorted(
+        [TEXT, "".join(f"{line}\n" for line in reversed(FIVE))]
+    )
