@@ -5,6 +5,7 @@ from __future__ import annotations
 import os
 import threading
 from collections.abc import Iterator
+from pathlib import Path
 
 import pytest
 
@@ -44,10 +45,42 @@ def test_who_does_not_read_holds_nobody_and_is_told_of_once_too_much_waits(
 ) -> None:
     monkeypatch.setattr(slow_reader, "PATIENCE", 0.0)
     reader = SlowReader(pipe[1])
+    line = "a line that is as long as an event\n"
     with pytest.raises(OSError, match=os.strerror(11)):
-        for _ in range(2 * slow_reader.MOST_WAITING):
-            reader.write("a line that is as long as an event\n")
+        for _ in range(2 * slow_reader.MOST_WAITING // len(line)):
+            reader.write(line)
     reader.close()
+
+
+def test_long_lines_are_too_much_sooner(pipe: Pipe, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(slow_reader, "PATIENCE", 0.0)
+    reader, taken = SlowReader(pipe[1]), 0
+    with pytest.raises(OSError, match=os.strerror(11)):
+        for _ in range(100):
+            taken += reader.write("a" * 1_000_000)
+    reader.close()
+    assert taken <= slow_reader.MOST_WAITING + 1_000_000
+
+
+def test_what_nobody_took_in_time_is_written_into_no_file_that_is_opened_later(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """The system gives the number of a closed file to the next one."""
+    monkeypatch.setattr(slow_reader, "PATIENCE", 0.0)
+    here, there = os.pipe()
+    reader = SlowReader(there)
+    for _ in range(3):
+        reader.write("a" * 1_000_000)
+    os.read(here, 1)
+    reader.close()
+    os.close(there)
+    number = os.open(tmp_path / "another", os.O_CREAT | os.O_WRONLY)
+    taken = 1 + sum(len(piece) for piece in iter(lambda: os.read(here, 65_536), b""))
+    assert number == there
+    assert taken == 1_000_000
+    assert os.fstat(number).st_size == 0
+    os.close(here)
+    os.close(number)
 
 
 def test_a_reader_that_waits_at_the_end_is_not_waited_for_long(
