@@ -15,6 +15,7 @@ from __future__ import annotations
 import threading
 from collections import deque
 from collections.abc import Callable
+from enum import Enum, auto
 from math import inf
 from typing import Protocol, TypeAlias
 
@@ -37,6 +38,13 @@ LAST_WORD = 2.0
 _NOBODY = 0
 _HANDED_OVER = -1
 """Who delivers where it is no thread that is known yet."""
+
+
+class _End(Enum):
+    """Why a thread delivers no more. Its own: behind the lock another one may deliver already."""
+
+    NOTHING_WAITS = auto()
+    OTHERS_WAIT = auto()
 
 
 class _Listeners:
@@ -165,24 +173,24 @@ class Stream:
 
     def _deliver(self) -> None:
         """Up to the last event of this thread; then another one goes on."""
-        while (entry := self._next()) is not None:
+        while not isinstance(entry := self._next(), _End):
             self._tell(*entry)
             self._delivered += 1
-        if self._deliverer == _HANDED_OVER:
+        if entry is _End.OTHERS_WAIT:
             threading.Thread(target=self._deliver_rest, name="stream", daemon=True).start()
 
-    def _next(self) -> tuple[Stamped, tuple[Listener, ...]] | None:
-        """The next event for this thread to deliver."""
+    def _next(self) -> tuple[Stamped, tuple[Listener, ...]] | _End:
+        """The next event for this thread to deliver; else whether it has to find another one."""
         with self._lock:
             if self._awaited:
                 self._moved.notify_all()
             if not self._waiting:
                 self._deliverer = _NOBODY
-                return None
+                return _End.NOTHING_WAITS
             number, stamped, own = self._waiting[0]
             if number > self._last_own:
                 self._deliverer = _HANDED_OVER
-                return None
+                return _End.OTHERS_WAIT
             self._waiting.popleft()
             return stamped, own.all + self._listeners.all
 

@@ -151,8 +151,8 @@ class Blocked:
         self._go_on.set()
 
 
-def in_thread(deed: Callable[[], None]) -> threading.Thread:
-    thread = threading.Thread(target=deed, daemon=True)
+def in_thread(deed: Callable[[], None], name: str | None = None) -> threading.Thread:
+    thread = threading.Thread(target=deed, name=name, daemon=True)
     thread.start()
     return thread
 
@@ -191,6 +191,58 @@ def test_nobody_delivers_what_others_tell_without_end() -> None:
     assert deliverers[0] == first.ident
     assert not {first.ident, threading.get_ident()} & set(deliverers[1:])
     assert blocked.heard == [1, 2, 3]
+
+
+class TwoAtOnce(Stream):
+    """Its thread ``a`` has delivered its event and stands still until ``b`` finds that others have to go on."""
+
+    def __init__(self) -> None:
+        super().__init__()
+        self.handed_over, self.may_hand_over = threading.Event(), threading.Event()
+        self.a_is_through = threading.Event()
+        self.beginnings = 0
+
+    def _next(self):
+        found = super()._next()
+        if isinstance(found, tuple):
+            return found
+        if threading.current_thread().name == "a":
+            self.a_is_through.set()
+            assert self.handed_over.wait(20)
+        elif threading.current_thread().name == "b":
+            self.handed_over.set()
+            assert self.may_hand_over.wait(20)
+        return found
+
+    def _deliver_rest(self) -> None:
+        self.beginnings += 1
+        assert self.may_hand_over.wait(20)
+        super()._deliver_rest()
+
+
+def test_only_one_thread_goes_on_delivering() -> None:
+    """Who has nothing left to deliver takes another one's hand-over for none of its own."""
+    stream, heard = TwoAtOnce(), list[Event]()
+    hub = Hub(lambda: 0.0, None, stream)
+
+    def listen(stamped: Stamped) -> None:
+        heard.append(stamped.event)
+        if stamped.event == Spoke("b"):
+            in_thread(lambda: hub.publish(Spoke("c"))).join(20)
+
+    hub.subscribe(listen)
+    a = in_thread(lambda: hub.publish(Spoke("a")), "a")
+    assert stream.a_is_through.wait(20)
+    b = in_thread(lambda: hub.publish(Spoke("b")), "b")
+    a.join(20)
+    stream.may_hand_over.set()
+    b.join(20)
+    for each in threading.enumerate():
+        if each.name == "stream":
+            each.join(20)
+
+    assert stream.beginnings == 1
+    assert heard == [Spoke("a"), Spoke("b"), Spoke("c")]
 
 
 def test_a_program_that_tells_too_much_waits_behind_its_event_and_holds_nobody() -> None:
