@@ -194,7 +194,7 @@ def test_nobody_delivers_what_others_tell_without_end() -> None:
 
 
 class TwoAtOnce(Stream):
-    """Its thread ``a`` has delivered its event and stands still until ``b`` finds that others have to go on."""
+    """Its thread ``a`` has delivered its own and stands still until ``b`` finds that others have to go on."""
 
     def __init__(self) -> None:
         super().__init__()
