@@ -32,7 +32,13 @@ class Desk:
         self.say = donnie.words
         self.donnie = donnie
         self.ends = ends
-        self.programs = Programs(lambda: self.session.name, copies, kept_breakpoints, ends.console)
+        self.programs = Programs(
+            lambda: self.session.name,
+            copies,
+            kept_breakpoints,
+            ends.console,
+            lambda error: self.answer("answer-not-kept", reason=error.reason),
+        )
         self.answers = AnswerLog()
         self.heard = Hearing(donnie, ends)
         self.showing = Showing(ends, self.say, self.answers)
@@ -101,7 +107,7 @@ class Desk:
             self.session.hub.publish(Answered(line, at_once=self.answers_first))
 
     def _keep_copy(self) -> None:
-        if self.ends.has_terminal:
+        if self.is_attended:
             self.programs.keep_copy()
 
 

@@ -85,7 +85,8 @@ def recover(desk: Desk) -> None:
 
 def _take_copy(desk: Desk, copy: Path) -> None:
     try:
-        found = desk.programs.copies_of(desk.program).take(copy)
+        copies = desk.programs.copies_of(desk.program)
+        found = patiently(desk, lambda: copies.take(copy), "slow-opening", name=copy.name)
     except DocumentError as error:
         refuse(desk, error)
         return

@@ -11,23 +11,27 @@ from pathlib import Path
 
 from donnie_tui.core.breakpoints import KeptBreakpoints
 from donnie_tui.core.copies import Copies
+from donnie_tui.core.copies_beside import CopiesBeside
 from donnie_tui.core.documents import DocumentError
 from donnie_tui.core.typed_program import TypedProgram
 from donnie_tui.linear.safekeeping import Quiet, Safekeeping
-
-MOST_LINES_COPIED = 5000
-"""Lines that are written down anew with each that is typed."""
 
 
 class Programs:
     """Those of a conversation: the one of the robot that is talked to, and the others'."""
 
     def __init__(
-        self, robot: Callable[[], str], copies: Copies, kept_breakpoints: KeptBreakpoints, console: Quiet
+        self,
+        robot: Callable[[], str],
+        copies: Copies,
+        kept_breakpoints: KeptBreakpoints,
+        console: Quiet,
+        not_kept: Callable[[DocumentError], None],
     ) -> None:
         """``robot`` tells the name of the one that is talked to, ``console`` when there is time.
 
-        ``copies`` keep a program which can't be kept otherwise.
+        ``copies`` keep a program which can't be kept otherwise; ``not_kept`` is told once, in another
+        thread, why that fails.
         """
         self.current = TypedProgram()
         """Of the robot that is talked to."""
@@ -37,7 +41,9 @@ class Programs:
         """Of the robots that were talked to; this one's is not up to date."""
         self._copies: dict[TypedProgram, Copies] = {}
         self._kept_breakpoints = kept_breakpoints
-        self._safekeeping = Safekeeping(console, self._unsaved, self.keep_for_later)
+        self._not_kept, self._has_failed = not_kept, False
+        self._beside = CopiesBeside(self._tell_failure)
+        self._safekeeping = Safekeeping(console, self._unsaved, self._keep_beside)
 
     def close(self) -> None:
         self._safekeeping.end()
@@ -81,17 +87,33 @@ class Programs:
 
     def keep_copy(self) -> None:
         """What was typed is written down: the power may fail, Donnie may be killed."""
-        if sum(len(each.lines) for each in self.all()) <= MOST_LINES_COPIED:
-            self._safekeeping.look()
+        self._safekeeping.look()
 
     def keep_for_later(self) -> None:
         """Save what is not saved beside everything else; quietly, since nobody may be there to hear."""
+        for copies in self._wanted():
+            with contextlib.suppress(DocumentError, OSError):
+                copies.settle()
+
+    def _keep_beside(self) -> None:
+        """As ``keep_for_later``, while whoever types goes on."""
+        for copies in self._wanted():
+            self._beside.bring_up(copies)
+
+    def _wanted(self) -> Iterator[Copies]:
+        """The copies of each program, which know now what is wanted of them."""
         for program in self.all():
-            if not program.saved and program.lines:
-                with contextlib.suppress(DocumentError, OSError):
-                    self.copies_of(program).keep(program.text, _path_of(program))
+            copies = self.copies_of(program)
+            if program.saved or not program.lines:
+                copies.want_none()
             else:
-                self.copies_of(program).forget()
+                copies.want(program.text, _path_of(program))
+            yield copies
+
+    def _tell_failure(self, error: DocumentError) -> None:
+        if not self._has_failed:
+            self._has_failed = True
+            self._not_kept(error)
 
     def copies_of(self, program: TypedProgram) -> Copies:
         """Each robot's program has a copy of its own."""

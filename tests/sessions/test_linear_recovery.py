@@ -1,0 +1,27 @@
+"""Whatever ends a conversation on a terminal, what was typed is there again the next time."""
+
+from __future__ import annotations
+
+import signal
+from pathlib import Path
+
+from tests.sessions.learner import Learner, until
+
+
+def copied(folder: Path) -> list[str]:
+    return [each.read_text() for each in (folder / "state").rglob("unsaved-*.gd")]
+
+
+def test_a_program_of_thousands_of_lines_is_there_again_after_donnie_was_killed(tmp_path: Path) -> None:
+    many = "FW 1\n" * 6000
+    (tmp_path / "long.gd").write_text(many)
+    learner = Learner(tmp_path)
+    learner.enters(f"OPEN {tmp_path / 'long.gd'}", "FW 2")
+    learner.sees_prompt()
+    until(lambda: [each.endswith(f"{many}FW 2\n") for each in copied(tmp_path)] == [True])
+    learner.child.kill(signal.SIGKILL)
+    learner.leaves()
+
+    again = Learner(tmp_path)
+    again.enters("RECOVER")
+    again.sees("Here long.gd is again, 6001 lines.")
