@@ -193,6 +193,11 @@ def typed_form(case: UseCase, wording: Wording) -> str:
     return " ".join(filter(None, (case.word(wording.language), argument)))
 
 
+def not_understood(case: UseCase, wording: Wording) -> str:
+    """What is told where nobody knows what stands behind its word."""
+    return wording("linear-like-this", example=typed_form(case, wording))
+
+
 def help_line(case: UseCase, wording: Wording, keys: str = "") -> str:
     """The line of help for it: how it is typed, its keys where there are any, what it is for."""
     behind = f" ({keys})" if keys else ""

@@ -39,6 +39,11 @@ def _folded(variables: Iterable[tuple[str, int]]) -> dict[str, int]:
     return {fold_name(name): value for name, value in variables}
 
 
+def may_be_watched(typed: str) -> bool:
+    """Whether a variable can be called that."""
+    return typed.isidentifier()
+
+
 def toggle_watch(watched: list[str], typed: str, wording: Wording) -> tuple[str, ...]:
     """Watch the variable from now on, or no more; without a name, which are watched. What is told of it."""
     known = next((each for each in watched if fold_name(each) == fold_name(typed)), None)

@@ -81,7 +81,7 @@ def answer_of_screen(line: str, desk: Desk) -> bool:
 def do(case: UseCase, rest: str, desk: Desk, runs: Runs) -> None:
     """Do it; if what stands behind the word can't be understood, show how it is said."""
     if _handler(case.name)(desk, runs, rest) is False:
-        desk.answer("linear-like-this", example=use_cases.typed_form(case, desk.say))
+        desk.tell(use_cases.not_understood(case, desk.say))
 
 
 def say_help(desk: Desk, topic: str) -> None:

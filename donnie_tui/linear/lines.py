@@ -6,7 +6,8 @@ from collections.abc import Callable
 from functools import partial
 
 from donnie_tui.core import line_words
-from donnie_tui.linear.arguments import Handler, alone, number_and_text, numbers_in, pair
+from donnie_tui.core.typed_arguments import number_and_text, numbers_in
+from donnie_tui.linear.arguments import Handler, alone
 from donnie_tui.linear.desk import Desk
 from donnie_tui.linear.output import LARGEST_BLOCK
 from donnie_tui.linear.runs import Runs
@@ -109,29 +110,34 @@ def warning_of_all(handler: Handler) -> Handler:
 def _list(desk: Desk, _: Runs, rest: str) -> bool:
     given = numbers_in(rest, most=2)
     if given is not None:
-        list_lines(desk, *pair(given))
+        list_lines(desk, *_pair(given))
     return given is not None
+
+
+def _pair(given: tuple[int, ...]) -> tuple[int | None, int | None]:
+    first, last = (*given, None, None)[:2]
+    return first, last
 
 
 def _delete(desk: Desk, _: Runs, rest: str) -> bool:
     given = numbers_in(rest, most=2)
     if given is not None:
-        delete_lines(desk, *pair(given))
+        delete_lines(desk, *_pair(given))
     return given is not None
 
 
 def _change_word(desk: Desk, _: Runs, rest: str) -> bool:
-    number, text = number_and_text(rest)
-    if number is not None:
-        change_line(desk, number, text)
-    return number is not None
+    given = number_and_text(rest)
+    if given is not None:
+        change_line(desk, *given)
+    return given is not None
 
 
 def _insert_word(desk: Desk, _: Runs, rest: str) -> bool:
-    number, text = number_and_text(rest)
-    if number is not None:
-        insert_line(desk, number, text)
-    return number is not None
+    given = number_and_text(rest)
+    if given is not None:
+        insert_line(desk, *given)
+    return given is not None
 
 
 def _move(desk: Desk, _: Runs, rest: str) -> bool:

@@ -8,7 +8,8 @@ from __future__ import annotations
 from collections.abc import Callable
 
 from donnie_tui.core.reading import ProgramText, line_in_words, outline_in_words, place_in_words
-from donnie_tui.linear.arguments import Handler, alone, numbers_in
+from donnie_tui.core.typed_arguments import number_in
+from donnie_tui.linear.arguments import Handler, alone
 from donnie_tui.linear.desk import Desk
 from donnie_tui.linear.runs import Runs
 
@@ -43,10 +44,10 @@ def _refuse(desk: Desk, number: int) -> None:
 
 
 def _read(desk: Desk, _: Runs, rest: str) -> bool:
-    given = numbers_in(rest, most=1)
-    if given is not None:
-        go_to(desk, given[0] if given else max(1, desk.place))
-    return given is not None
+    line = number_in(rest, max(1, desk.place))
+    if line is not None:
+        go_to(desk, line)
+    return line is not None
 
 
 def _step_to(name: str, where: Callable[[Desk], int]) -> Handler:

@@ -7,7 +7,8 @@ from donnie_tui.core.around import around_in_words, compass_point
 from donnie_tui.core.map_grid import FREE, MapGrid
 from donnie_tui.core.naming import shown_name
 from donnie_tui.core.sensor_words import sensors_in_words
-from donnie_tui.linear.arguments import Handler, alone, counted, numbers_in
+from donnie_tui.core.typed_arguments import numbers_in
+from donnie_tui.linear.arguments import Handler, alone, counted
 from donnie_tui.linear.desk import Desk
 from donnie_tui.linear.runs import Runs
 

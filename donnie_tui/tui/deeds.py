@@ -1,5 +1,6 @@
 """What each action of the table does. One method an action, by its name; ``argument`` is what was typed
-after its word, empty where it came from a key.
+after its word, empty where it came from a key. Rule: one that can't understand it answers False and does
+nothing, as in the linear mode; how the word is typed is then told here.
 """
 
 from __future__ import annotations
@@ -7,7 +8,11 @@ from __future__ import annotations
 from collections.abc import Awaitable
 from typing import TYPE_CHECKING
 
+from donnie_tui.core import use_cases
 from donnie_tui.core.speeds import speed_words
+from donnie_tui.core.typed_arguments import number_in
+from donnie_tui.core.watching import may_be_watched
+from donnie_tui.tui.actions import BY_NAME
 from donnie_tui.tui.deeds_around import AroundDeeds
 from donnie_tui.tui.deeds_lines import LineDeeds
 from donnie_tui.tui.deeds_map import MapDeeds
@@ -41,9 +46,19 @@ class Deeds:
     def do(self, name: str, argument: str) -> Awaitable[None] | None:
         """Do the action. Raises ``AttributeError`` for a name that is not in the table."""
         part = next((each for each in self._parts if hasattr(each, name)), self)
-        done: Awaitable[None] | None = getattr(part, name)(argument)
+        done = getattr(part, name)(argument)
         self._host.look()
-        return done
+        if isinstance(done, Awaitable):
+            return self._finish(name, done)
+        self._answer(name, done)
+        return None
+
+    async def _finish(self, name: str, doing: Awaitable[bool | None]) -> None:
+        self._answer(name, await doing)
+
+    def _answer(self, name: str, understood: bool | None) -> None:
+        if understood is False:
+            self._host.tell_sentences(use_cases.not_understood(BY_NAME[name].case, self._host.words))
 
     # --- running
 
@@ -80,23 +95,29 @@ class Deeds:
     def step_back(self, _argument: str) -> None:
         self._host.past.step_back()
 
-    def run_to(self, argument: str) -> None:
+    def run_to(self, argument: str) -> bool:
         editor = self._host.workplace.editor
-        line = argument or str(editor.line)
-        if not (line.isdecimal() and len(line) < 8 and 1 <= int(line) <= editor.line_count):
-            self._host.tell(Answer("answer-no-line", {"line": line[:20], "last": editor.line_count}))
+        line = number_in(argument, editor.line)
+        if line is None:
+            return False
+        if not 1 <= line <= editor.line_count:
+            self._host.tell(Answer("answer-no-line", {"line": line, "last": editor.line_count}))
         else:
             self._host.past.to_present()
-            self._host.tell(self._host.running.run_to(int(line), *self._program))
+            self._host.tell(self._host.running.run_to(line, *self._program))
+        return True
 
     def reset(self, _argument: str) -> None:
         self._host.past.to_present()
         self._host.tell(self._host.running.reset())
         self._host.following.show_pose()
 
-    def watch(self, argument: str) -> None:
+    def watch(self, argument: str) -> bool:
         """A variable is told at each change; again, no more; without a name, which are."""
-        self._host.tell_sentences(*self._host.watch.toggle(argument.strip()))
+        if argument and not may_be_watched(argument):
+            return False
+        self._host.tell_sentences(*self._host.watch.toggle(argument))
+        return True
 
     # --- speed
 

@@ -70,18 +70,18 @@ class AroundDeeds:
         if chosen and is_elsewhere and await self._host.files.are_safe_to_leave():
             self._host.change_world(chosen)
 
-    async def report(self, argument: str) -> None:
+    async def report(self, argument: str) -> bool:
         """REPORT map map.html; with .csv a table."""
         wanted = report_text.asked(argument)
         if wanted is None:
-            self._host.tell(Answer("action-report"))
-            return
+            return False
         host, words = self._host, self._host.words
         lines = tuple(lines_of(host.workplace.editor.text))
         subject = report_text.Subject(
             lines, host.pose, host.donnie.picture_now(), host.trail, words.help(None)[1:]
         )
         await host.files.saving.write_beside(wanted[1], report_text.report(*wanted, subject, words))
+        return True
 
     def tour(self, _argument: str) -> None:
         self._host.pages.show_tour()

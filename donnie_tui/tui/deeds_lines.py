@@ -11,9 +11,8 @@ from typing import TYPE_CHECKING
 
 from donnie_tui.core import line_words
 from donnie_tui.core.line_words import Edited
+from donnie_tui.core.typed_arguments import number_and_text, numbers_in
 from donnie_tui.core.typed_program import TypedProgram, lines_of
-from donnie_tui.tui.deeds_telling import numbers_in
-from donnie_tui.tui.running import Answer
 
 if TYPE_CHECKING:
     from donnie_tui.tui.host import WorkHost
@@ -29,9 +28,11 @@ class LineDeeds:
         self._host = host
         self._editor = host.workplace.editor
 
-    def list(self, argument: str) -> None:
+    def list(self, argument: str) -> bool:
         """All lines, one, or those from one to another."""
-        given, lines, words = numbers_in(argument), lines_of(self._editor.text), self._host.words
+        given, lines, words = numbers_in(argument, most=2), lines_of(self._editor.text), self._host.words
+        if given is None:
+            return False
         first, last = (*given, None, None)[:2]
         told = line_words.listed(lines, first, last, words, many=MOST_TOLD)
         if len(told) > MOST_TOLD:
@@ -39,43 +40,49 @@ class LineDeeds:
             self._host.pages.show_lines(words("key-show_program"), told)
         else:
             self._host.tell_sentences(*told)
+        return True
 
-    async def change(self, argument: str) -> None:
+    async def change(self, argument: str) -> bool:
         """CHANGE 3 FW 2; without a text the line is offered for editing."""
-        number, text = _number_and_text(argument)
-        if number is None:
-            self._tell_form("change")
-            return
+        given = number_and_text(argument)
+        if given is None:
+            return False
+        number, text = given
         lines = lines_of(self._editor.text)
         if not text and 1 <= number <= len(lines):
             asked = self._host.words("linear-edit", line=number)
             text = await self._host.ask(asked, value=lines[number - 1].strip()) or ""
         self._edit(lambda program: line_words.changed(program, number, text, self._host.words))
+        return True
 
-    async def insert(self, argument: str) -> None:
+    async def insert(self, argument: str) -> bool:
         """INSERT 3 FW 2; without a text it is asked for."""
-        number, text = _number_and_text(argument)
-        if number is None:
-            self._tell_form("insert")
-            return
+        given = number_and_text(argument)
+        if given is None:
+            return False
+        number, text = given
         if not text and 1 <= number <= len(lines_of(self._editor.text)) + 1:
             text = await self._host.ask(self._host.words("linear-type-line", line=number)) or ""
         self._edit(lambda program: line_words.inserted(program, number, text, self._host.words))
+        return True
 
-    def delete(self, argument: str) -> None:
+    def delete(self, argument: str) -> bool:
         """The line of the cursor, one line, or those from one to another."""
-        first, last = (*(numbers_in(argument) or (self._editor.line,)), None)[:2]
+        given = numbers_in(argument, most=2)
+        if given is None:
+            return False
+        first, last = (*(given or (self._editor.line,)), None)[:2]
         self._edit(lambda program: line_words.deleted(program, first or 0, last, self._host.words))
+        return True
 
-    def move(self, argument: str) -> None:
+    def move(self, argument: str) -> bool:
         """MOVE 5 2: line 5 before line 2. MOVE 5 7 2: lines 5 to 7."""
-        given = numbers_in(argument)
-        if len(given) not in (2, 3):
-            self._tell_form("move")
-            return
-        self._edit(
-            lambda program: line_words.moved(program, given[0], given[-2], given[-1], self._host.words)
-        )
+        given = numbers_in(argument, most=3)
+        if given is None or len(given) < 2:
+            return False
+        first, last, to = given[0], given[-2], given[-1]
+        self._edit(lambda program: line_words.moved(program, first, last, to, self._host.words))
+        return True
 
     def _edit(self, edit: Callable[[TypedProgram], Edited]) -> None:
         program = TypedProgram()
@@ -85,12 +92,3 @@ class LineDeeds:
         if done.line is not None:
             self._editor.go_to(done.line)
         self._host.tell_sentences(*done.sentences)
-
-    def _tell_form(self, name: str) -> None:
-        """How it is typed."""
-        self._host.tell(Answer(f"action-{name}"))
-
-
-def _number_and_text(typed: str) -> tuple[int | None, str]:
-    word, _blank, text = typed.partition(" ")
-    return next(iter(numbers_in(word)), None), text.strip()

@@ -6,6 +6,7 @@ The sentences are the core's, the same as in the linear mode.
 from __future__ import annotations
 
 import asyncio
+from collections.abc import Callable, Sequence
 from typing import TYPE_CHECKING
 
 from donnie_tui import sound_words
@@ -16,6 +17,8 @@ from donnie_tui.core.map_grid import MapGrid
 from donnie_tui.core.naming import shown_name
 from donnie_tui.core.sensor_words import sensors_in_words
 from donnie_tui.core.transcript import lines_of, said_by
+from donnie_tui.core.typed_arguments import count_in, numbers_in
+from donnie_tui.core.wording import Wording
 from donnie_tui.i18n.catalogue.signs import SPELLED_OF
 from donnie_tui.tui.running import Answer
 from donnie_tui.tui.screens.chooser import Choice
@@ -25,17 +28,6 @@ if TYPE_CHECKING:
 
 _TRAIL = 5
 """Moves that TRAIL tells without a number."""
-_FARTHEST = 10**7
-
-
-def numbers_in(typed: str) -> tuple[int, ...]:
-    """The whole numbers at the beginning of what was typed."""
-    found = []
-    for word in typed.replace(",", " ").split():
-        if not (word.lstrip("-").isdecimal() and len(word) < 9):
-            break
-        found.append(max(-_FARTHEST, min(_FARTHEST, int(word))))
-    return tuple(found)
 
 
 class TellingDeeds:
@@ -56,33 +48,47 @@ class TellingDeeds:
     def where(self, _argument: str) -> None:
         self._host.donnie.session.teller.position(self._host.pose)
 
-    def around(self, argument: str) -> None:
-        pose = self._host.pose
-        point = (compass_point(argument) or 0) if argument else None
-        self._tell_of_robot(*around_in_words(self._grid, pose, self._host.words, compass=point))
+    def around(self, argument: str) -> bool:
+        point = compass_point(argument)
+        if argument and point is None:
+            return False
+        self._tell_of_robot(*around_in_words(self._grid, self._host.pose, self._host.words, compass=point))
+        return True
 
-    def map(self, argument: str) -> None:
-        place, words, pose = numbers_in(argument), self._host.words, self._host.pose
-        if len(place) == 2:
-            self._tell_of_robot(map_words.square_in_words(self._grid, *place, pose, words))
+    def map(self, argument: str) -> bool:
+        place, words, pose = numbers_in(argument, most=2), self._host.words, self._host.pose
+        if place is None or len(place) == 1:
+            return False
+        if place:
+            x, y = place
+            self._tell_of_robot(map_words.square_in_words(self._grid, x, y, pose, words))
         else:
             self._tell_of_robot(*map_words.map_in_words(self._grid.picture, pose, words))
+        return True
 
-    def map_row(self, argument: str) -> None:
-        for number in numbers_in(argument)[:1]:
-            self._tell_of_robot(*map_words.row_in_words(self._grid, number, self._host.words))
+    def map_row(self, argument: str) -> bool:
+        return self._tell_squares(map_words.row_in_words, argument)
 
-    def map_column(self, argument: str) -> None:
-        for number in numbers_in(argument)[:1]:
-            self._tell_of_robot(*map_words.column_in_words(self._grid, number, self._host.words))
+    def map_column(self, argument: str) -> bool:
+        return self._tell_squares(map_words.column_in_words, argument)
+
+    def _tell_squares(
+        self, in_words: Callable[[MapGrid, int, Wording], tuple[str, ...]], argument: str
+    ) -> bool:
+        given = numbers_in(argument, most=1)
+        if given:
+            self._tell_of_robot(*in_words(self._grid, given[0], self._host.words))
+        return bool(given)
 
     def map_picture(self, _argument: str) -> None:
         lines = map_words.picture_in_letters(self._grid, self._host.words)
         self._host.pages.show_lines(self._host.words("key-show_map"), lines)
 
-    def trail(self, argument: str) -> None:
-        count = next(iter(numbers_in(argument)), _TRAIL)
-        self._tell_of_robot(*self._host.trail.in_words(max(1, count), self._host.words))
+    def trail(self, argument: str) -> bool:
+        count = count_in(argument, _TRAIL)
+        if count is not None:
+            self._tell_of_robot(*self._host.trail.in_words(count, self._host.words))
+        return count is not None
 
     def sensors(self, _argument: str) -> None:
         """In words, and on the map: what is seen by what sees wide, until the robot moves."""
@@ -96,33 +102,46 @@ class TellingDeeds:
 
     # --- what was said
 
-    def last(self, argument: str) -> None:
-        which = next(iter(numbers_in(argument)), 1)
-        self._tell(*(self._host.answers.last(which) or (self._host.words("answer-nothing-said"),)))
+    def last(self, argument: str) -> bool:
+        which = count_in(argument, 1)
+        if which is not None:
+            self._tell(*(self._host.answers.last(which) or (self._host.words("answer-nothing-said"),)))
+        return which is not None
 
     def last_word(self, _argument: str) -> None:
         line = next(iter(self._host.answers.last()[-1:]), "")
         word = next(iter(line.split()[-1:]), "").strip(".,:;!?")
         self._tell(word or self._host.words("answer-nothing-said"))
 
-    def spell(self, argument: str) -> None:
-        which = next(iter(numbers_in(argument)), 1)
-        line = next(iter(self._host.answers.last(which)[-1:]), "")
-        self._tell(*spelled(line, SPELLED_OF, self._host.words))
+    def spell(self, argument: str) -> bool:
+        which = count_in(argument, 1)
+        if which is not None:
+            line = next(iter(self._host.answers.last(which)[-1:]), "")
+            self._tell(*spelled(line, SPELLED_OF, self._host.words))
+        return which is not None
 
-    def find(self, argument: str) -> None:
+    def find(self, argument: str) -> bool:
+        if not argument:
+            return False
         found = self._host.answers.found(argument)
         self._tell(*(found or (self._host.words("find-none", word=argument[:40]),)))
         self._host.workplace.log_rows.search(argument)
+        return True
 
-    async def typed(self, argument: str) -> None:
+    async def typed(self, argument: str) -> bool:
         """The lines typed last, the newest first; the chosen one is done again."""
         lines = self._host.workplace.command_line.past[:-1]  # without this one
-        if not lines:
+        count = count_in(argument, max(1, len(lines)))
+        if count is None:
+            return False
+        if lines:
+            await self._choose_again(lines[-count:])
+        else:
             self._host.tell(Answer("linear-nothing-typed"))
-            return
-        count = max(1, next(iter(numbers_in(argument)), len(lines)))
-        rows = [Choice(each, each) for each in dict.fromkeys(reversed(lines[-count:]))]
+        return True
+
+    async def _choose_again(self, lines: Sequence[str]) -> None:
+        rows = [Choice(each, each) for each in dict.fromkeys(reversed(lines))]
         chosen = await self._host.choose(self._host.words("key-typed"), rows)
         again = self._host.typed(chosen) if chosen else None
         if again is not None:

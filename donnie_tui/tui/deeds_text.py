@@ -9,8 +9,8 @@ from donnie_tui.core.documents import lines_in
 from donnie_tui.core.mistakes import mended
 from donnie_tui.core.reading import ProgramText, line_in_words, place_in_words
 from donnie_tui.core.transcript import printable
+from donnie_tui.core.typed_arguments import number_in
 from donnie_tui.core.typed_program import first_difference, lines_of
-from donnie_tui.tui.deeds_telling import numbers_in
 from donnie_tui.tui.running import Answer
 from donnie_tui.tui.screens.chooser import Choice
 from language.formatter import formatted
@@ -56,11 +56,17 @@ class TextDeeds:
         self._host.tell(Answer("screen-fixed", {"line": mistake.line, "word": mistake.meant}))
         self._host.while_typing.check_now()
 
-    def break_(self, argument: str) -> None:
-        line = next(iter(numbers_in(argument)), self._editor.line)
-        if not 1 <= line <= self._editor.line_count:
-            self._host.tell(Answer("answer-no-line", {"line": line}))
-            return
+    def break_(self, argument: str) -> bool:
+        line = number_in(argument, self._editor.line)
+        if line is None:
+            return False
+        if 1 <= line <= self._editor.line_count:
+            self._toggle_breakpoint(line)
+        else:
+            self._host.tell(Answer("answer-no-line", {"line": line, "last": self._editor.line_count}))
+        return True
+
+    def _toggle_breakpoint(self, line: int) -> None:
         is_set = self._editor.toggle_breakpoint(line)
         self._host.running.breakpoints_changed()
         self._host.files.keep_breakpoints()
@@ -155,10 +161,12 @@ class TextDeeds:
 
     # --- moving
 
-    async def go_to(self, argument: str) -> None:
+    async def go_to(self, argument: str) -> bool:
         typed = argument or await self._host.ask(self._host.words("ask-line"))
-        for line in numbers_in(typed or "")[:1]:
+        line = number_in(typed or "", self._editor.line)
+        if typed and line is not None:
             self._go_to(min(max(1, line), self._editor.line_count))
+        return line is not None
 
     async def outline(self, _argument: str) -> None:
         lines = self._text.outline_lines
@@ -194,8 +202,15 @@ class TextDeeds:
         self._editor.focus()
         self._host.tell_sentences(line_in_words(text.line(line), before, self._host.words))
 
-    def read(self, argument: str) -> None:
-        self._go_to(next(iter(numbers_in(argument)), self._editor.line))
+    def read(self, argument: str) -> bool:
+        line, last = number_in(argument, self._editor.line), len(self._text)
+        if line is None:
+            return False
+        if argument and not 1 <= line <= last:
+            self._host.tell(Answer("answer-no-line", {"line": line, "last": last}))
+        else:
+            self._go_to(line)
+        return True
 
     def next(self, _argument: str) -> None:
         self._go_to(self._editor.line + 1)

@@ -29,6 +29,8 @@ def own_folders(tmp_path, monkeypatch):
         ("CHANGE 9 FW 1", "There is no line 9. The last is 4.", PROGRAM),
         ("DELETE 0", "There is no line 0. The last is 4.", PROGRAM),
         ("LIST 2", "2: FW 2", PROGRAM),
+        ("DELETE abc", "I did not understand. Type DELETE 2 5.", PROGRAM),
+        ("FIND", "I did not understand. Type FIND wall.", PROGRAM),
     ],
 )
 async def test_a_word_changes_the_lines_and_undo_takes_it_back(work, typed, told, text):
@@ -148,3 +150,29 @@ async def test_a_report_is_written_and_another_file_replaced_only_after_a_questi
         await desk.answer("no")
         await desk.told("Nothing was changed.")
         assert (tmp_path / "lines.csv").read_text() == written
+
+
+NUMBERED = (
+    *("BREAK", "UNTIL", "READ", "GO TO", "LIST", "CHANGE", "INSERT", "DELETE", "MOVE", "MAP", "MAP ROW"),
+    *("MAP COLUMN", "TRAIL", "LAST", "SPELL", "TYPED"),
+)
+
+
+async def test_what_is_not_understood_behind_a_word_does_nothing_and_is_told(work):
+    """As in the linear mode: it is not taken for nothing, which DELETE would do to the line of the cursor."""
+    async with work(PROGRAM) as desk:
+        for word in (*NUMBERED, "AROUND", "WATCH"):
+            before = len(desk.log)
+            await desk.type_line(f"{word} --3")
+            await desk.until(lambda before=before: len(desk.log) > before + 1, f"an answer to {word}")
+            assert desk.log[-1].startswith(f"I did not understand. Type {word}"), word
+
+        assert desk.place.editor.text == PROGRAM
+        assert not desk.place.editor.breakpoints
+
+
+@pytest.mark.parametrize("typed", ["BREAK 99", "UNTIL 99", "READ 99"])
+async def test_a_line_that_is_not_there_is_told_with_the_last_one(work, typed):
+    async with work(PROGRAM) as desk:
+        await desk.type_line(typed)
+        await desk.told("There is no line 99. The last is 4.")
