@@ -7,7 +7,7 @@ from collections.abc import Callable
 from pathlib import Path
 
 from donnie_tui.bootstrap import Donnie
-from donnie_tui.core.documents import DocumentError
+from donnie_tui.core.documents import DocumentError, exists
 from donnie_tui.core.events import Answered
 from donnie_tui.core.session import Busy
 from donnie_tui.device_settings import SIMULATED
@@ -61,7 +61,7 @@ def _choice_in_words(donnie: Donnie, number: int, choice: Choice) -> str:
     port = choice.robot.partition(":")[2]
     if choice.robot == donnie.connection.robot:
         code = "connect-choice-now"
-    elif port and not Path(port).exists():
+    elif port and not exists(Path(port)):
         code = "connect-choice-missing"
     elif port and not os.access(port, os.R_OK | os.W_OK):
         code = "connect-choice-forbidden"

@@ -12,6 +12,7 @@ from typing import TYPE_CHECKING
 import worlds
 from devices.ports.robot import STEP, Pose
 from devices.ports.values import frozen
+from donnie_tui.core.documents import exists
 from donnie_tui.i18n.words import Words
 from donnie_tui.i18n.world_mistakes import world_mistake
 from donnie_tui.unusable import Unusable
@@ -69,7 +70,7 @@ def choose_world(name_or_file: str, words: Words, folders: tuple[Path, ...] = ()
         scene = ready.read(path) or _load(path, words, folders)
         return ChosenWorld(name_or_file, path, scene, ships=True)
     path = Path(name_or_file)
-    if not _looks_like_a_file(name_or_file) and not path.exists():
+    if not _looks_like_a_file(name_or_file) and not exists(path):
         raise Unusable(_unknown_world(name_or_file, words))
     if path.suffix.lower() == ".cfg":
         return _configured(path, words, folders)

@@ -38,8 +38,8 @@ def program_to_open(name: str) -> Path:
     """The file that somebody means who types ``name``: that one, or the one with the suffix of programs."""
     path = _typed_path(name)
     suffixed = path.with_name(path.name + SUFFIX)
-    found = suffixed if not _exists(path) and _exists(suffixed) else path
-    if _exists(found) and not (found.is_file() or found.is_dir()):
+    found = suffixed if not exists(path) and exists(suffixed) else path
+    if exists(found) and not (found.is_file() or found.is_dir()):
         raise DocumentError("file-not-text", str(found))  # reading a device or a pipe may wait for ever
     return found
 
@@ -50,7 +50,7 @@ def program_to_save(name: str) -> Path:
     Raises ``DocumentError``, also for what is in use, so that nobody is asked whether to replace that.
     """
     path = _typed_path(name)
-    meant = path if path.suffix or _exists(path) else path.with_name(path.name + SUFFIX)
+    meant = path if path.suffix or exists(path) else path.with_name(path.name + SUFFIX)
     if is_in_use(meant):
         raise DocumentError("file-in-use", str(meant))
     return meant
@@ -67,7 +67,8 @@ def _typed_path(name: str) -> Path:
         return path
 
 
-def _exists(path: Path) -> bool:
+def exists(path: Path) -> bool:
+    """Whether anything is there; never what can't even be looked for, as a name that is too long."""
     try:
         return path.exists()
     except OSError:

@@ -15,7 +15,7 @@ from donnie_tui.device_settings import SIMULATED
 from donnie_tui.folders import state_folder
 from donnie_tui.i18n.words import Words
 from donnie_tui.linear import greeting
-from donnie_tui.linear.console import Console
+from donnie_tui.linear.console import Console, Gone
 from donnie_tui.linear.conversation import Conversation
 from donnie_tui.linear.habits import of_settings
 from donnie_tui.linear.patience import SLOW, SLOW_AGAIN, aside
@@ -65,7 +65,10 @@ def run_linear(
             search.on_slow = lambda: console.write(f"{words('connect-waiting')}\n")
             if not is_there:
                 console.write(f"{words('connect-trying')}\n")
-            donnie = _awaited(console, settings, search, is_there=is_there)
+            try:
+                donnie = _awaited(console, settings, search, is_there=is_there)
+            except Gone:
+                return console.code_when_gone
         console.give_up = donnie.connection.search.give_up
         ours.callback(donnie.close)
         talk = Conversation(donnie, console, Path(state_folder(os.environ)), habits)

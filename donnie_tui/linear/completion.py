@@ -38,10 +38,10 @@ def _files(typed: str) -> tuple[str, ...]:
     folder, _, name = typed.rpartition("/")
     try:
         found = sorted(Path(folder or ("/" if typed.startswith("/") else ".")).iterdir())
+        names = [f"{each.name}/" if each.is_dir() else each.name for each in found]
     except OSError:
         return ()
     before = f"{folder}/" if "/" in typed else ""
-    names = [f"{each.name}/" if each.is_dir() else each.name for each in found]
     return tuple(
         before + each for each in names if each.startswith(name) and (name or not each.startswith("."))
     )[:MOST]

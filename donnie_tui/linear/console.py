@@ -25,6 +25,13 @@ MOST_AHEAD = 64 * 1024
 _HEARD = (signal.SIGINT, signal.SIGTSTP, *_LEAVING)
 
 
+class Gone(Exception):
+    """Nobody is there any more: the terminal takes nothing, or a signal wants us to leave.
+
+    No ``OSError``: what goes wrong with a file ends no conversation.
+    """
+
+
 class Console:
     """Standard input and output with their signals. ``close`` leaves everything as it was found."""
 
@@ -69,6 +76,11 @@ class Console:
             self._terminal.take()
         elif self._terminal:
             self._terminal.give_back()
+
+    @property
+    def code_when_gone(self) -> int:
+        """The exit code after ``Gone``."""
+        return 128 + (self.leaving or signal.SIGHUP)
 
     # --- waiting
 
@@ -182,12 +194,16 @@ class Console:
     # --- writing
 
     def write(self, text: str) -> None:
-        """Write all of it at once. Raises ``BrokenPipeError`` where nobody listens any more."""
+        """Write all of it at once. Raises ``Gone`` where nobody listens any more."""
         data = memoryview(text.encode("utf-8", "replace"))
         while data:
             self._is_writing = True
-            written = os.write(1, data)
-            self._is_writing = False
+            try:
+                written = os.write(1, data)
+            except OSError:
+                raise Gone from None
+            finally:
+                self._is_writing = False
             data = data[written:]
 
     def columns(self) -> int:

@@ -7,7 +7,6 @@ the robot stops and no typed program is lost.
 from __future__ import annotations
 
 import os
-import signal
 from pathlib import Path
 
 from donnie_tui.bootstrap import Donnie
@@ -15,7 +14,7 @@ from donnie_tui.core.breakpoints import KeptBreakpoints
 from donnie_tui.core.copies import Copies
 from donnie_tui.folders import BREAKPOINTS
 from donnie_tui.linear import files, greeting
-from donnie_tui.linear.console import Console
+from donnie_tui.linear.console import Console, Gone
 from donnie_tui.linear.desk import Desk
 from donnie_tui.linear.ends import Ends
 from donnie_tui.linear.habits import Habits
@@ -78,9 +77,9 @@ class Conversation:
         except SwitchMode:
             self._desk.programs.forget_copies()
             raise
-        except OSError:  # the terminal is gone, or nobody reads any more
+        except Gone:
             self._desk.programs.keep_for_later()
-            return 128 + (self._console.leaving or signal.SIGHUP)
+            return self._console.code_when_gone
         except BaseException:
             self._desk.programs.keep_for_later()
             raise

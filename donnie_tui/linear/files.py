@@ -6,6 +6,7 @@ from pathlib import Path
 
 from donnie_tui.core.documents import (
     DocumentError,
+    exists,
     program_to_open,
     program_to_save,
     read_program,
@@ -125,7 +126,7 @@ def _save(desk: Desk, path: Path) -> bool:
 
 def may_replace(desk: Desk, path: Path) -> bool:
     """A file that is not the program's own is replaced only by somebody who wants it."""
-    if str(path) == desk.program.name or not desk.is_attended or not path.exists():
+    if str(path) == desk.program.name or not desk.is_attended or not exists(path):
         return True
     return desk.asking.ask_yes("linear-ask-replace", name=path.name)
 

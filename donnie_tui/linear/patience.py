@@ -9,7 +9,7 @@ import threading
 from collections.abc import Callable
 from typing import Generic, TypeVar
 
-from donnie_tui.linear.console import Console
+from donnie_tui.linear.console import Console, Gone
 from donnie_tui.linear.desk import Desk
 
 T = TypeVar("T")
@@ -52,7 +52,7 @@ def aside(
 ) -> T:
     """Do it, and answer what it answers; ``tell`` each time that it is time to say that it goes on.
 
-    ``show`` prints what it tells itself. Raises what it raises, ``InterruptedError`` for a signal to leave.
+    ``show`` prints what it tells itself. Raises what it raises, ``Gone`` for a signal to leave.
     """
     doing = _Doing(do, console.nudge)
     due = console.now() + first
@@ -60,7 +60,7 @@ def aside(
         if console.leaving is None:
             console.wait(max(0.0, due - console.now()))
         if console.leaving is not None and not doing.is_over:
-            raise InterruptedError
+            raise Gone
         if console.now() >= due and not doing.is_over:
             tell()
             due = console.now() + SLOW_AGAIN

@@ -530,6 +530,8 @@ def test_a_signal_ends_a_front_end_that_looks_for_a_robot(tmp_path: Path, mute_p
         front_end.close()
 
         assert "No robot answers" not in front_end.before.decode()
+        assert "Traceback" not in front_end.before.decode()
+        assert front_end.exitstatus == 128 + signal.SIGTERM
 
 
 # --- several programs, one port

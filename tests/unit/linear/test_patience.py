@@ -7,6 +7,7 @@ from typing import Any
 
 import pytest
 
+from donnie_tui.linear.console import Gone
 from donnie_tui.linear.patience import aside
 
 
@@ -51,7 +52,7 @@ def test_what_it_raises_is_raised() -> None:
 def test_whoever_has_to_leave_waits_no_longer() -> None:
     console: Any = Console(100)
     console.leaving = 15
-    with pytest.raises(InterruptedError):
+    with pytest.raises(Gone):
         aside(console, lambda: console.gate.wait(20), lambda: None)
     console.gate.set()
 
@@ -63,7 +64,7 @@ def test_whoever_has_to_leave_while_something_is_shown_waits_no_longer() -> None
     def show() -> None:
         console.leaving = 15
 
-    with pytest.raises(InterruptedError):
+    with pytest.raises(Gone):
         aside(console, lambda: console.gate.wait(20), lambda: None, show=show)
     assert console.time == 1.0
     console.gate.set()
