@@ -8,10 +8,11 @@ from collections.abc import Callable, Mapping
 
 from devices.ports.values import replace
 from donnie_tui.cli import codes
-from donnie_tui.cli.arguments import TO_COME, Invocation, WrongUsage, language_before_parsing, understand
+from donnie_tui.cli.arguments import TO_COME, Invocation, WrongUsage
 from donnie_tui.cli.order import Order
 from donnie_tui.cli.output import Output
 from donnie_tui.cli.overwriting import refuse_overwriting
+from donnie_tui.cli.understanding import language_before_parsing, understand
 from donnie_tui.i18n.words import Words
 from donnie_tui.settings import FRONT_END_SPEED, BadOption, Notice, Settings, resolve
 from donnie_tui.settings_file import read_settings

@@ -1,8 +1,12 @@
 """Options stand before or behind the command; the first word that is neither is the command or the file."""
 
 import pytest
+from hypothesis import given
+from hypothesis import strategies as st
 
-from donnie_tui.cli.arguments import COMMANDS, TO_COME, WrongUsage, understand
+from donnie_tui.cli.arguments import COMMANDS, TO_COME, WrongUsage
+from donnie_tui.cli.parsers import parser_of
+from donnie_tui.cli.understanding import plainly, understand
 from donnie_tui.i18n.words import Words
 
 
@@ -97,3 +101,26 @@ def test_help_is_told_where_its_letter_stands_among_others(
         understand(line.split(), Words())
 
     assert Words()("option-speech") in capsys.readouterr().out
+
+
+_PIECES = (
+    *("--linear", "-t", "-T", "--visual", "--plain", "-m", "-M", "-l", "-L", "-ml", "-f", "--", "-", "-1"),
+    *("--world", "--world=", "--world=maze", "--speed", "max", "--lang", "--lan", "--events", "=", "a=b"),
+    *("walk.gd", "run", "maze", "", "two words", "--odd", "--odd=1", "--=1", "--sound", "on"),
+)
+
+
+@given(st.lists(st.sampled_from(_PIECES), max_size=6))
+def test_what_is_understood_without_argparse_is_what_argparse_understands(line: list[str]) -> None:
+    plain = plainly(line)
+
+    if plain is not None:
+        assert vars(plain) == vars(parser_of("", lambda _code: "").parse_args(line))
+
+
+@pytest.mark.parametrize(
+    "line",
+    ["", "walk.gd", "--linear --speech off --sound=on --world maze a.gd", "-t -m -l", "--visual --plain"],
+)
+def test_what_is_plain_needs_no_argparse(line: str) -> None:
+    assert plainly(line.split()) is not None
