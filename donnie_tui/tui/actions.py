@@ -170,6 +170,8 @@ CASES = USE_CASES + VIEW_CASES
 ACTIONS = tuple(Action(each, () if each.hidden else KEYS[each.name]) for each in CASES if each.name in KEYS)
 BY_NAME = {each.name: each for each in reversed(ACTIONS)}
 _BY_CASE = {each.case: each for each in ACTIONS}
+DONE_HERE = tuple(_BY_CASE)
+"""The use cases that the screen does."""
 
 
 def find(typed: str) -> tuple[Action, str] | None:

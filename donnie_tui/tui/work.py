@@ -28,7 +28,7 @@ from donnie_tui.folders import BREAKPOINTS
 from donnie_tui.i18n.words import Words
 from donnie_tui.settings import Settings
 from donnie_tui.tui import patience
-from donnie_tui.tui.actions import find
+from donnie_tui.tui.actions import DONE_HERE, find
 from donnie_tui.tui.bridge import Began, Bridge, Ended, LogLine
 from donnie_tui.tui.chosen_settings import ChosenSettings
 from donnie_tui.tui.deeds import Deeds
@@ -130,7 +130,7 @@ class Work:
         found = find(text)
         if found is not None:
             return self.do(found[0].name, found[1])
-        if not self._explain(text):
+        if not self._explain(text) and not self._is_slip(text):
             self.tell(self.running.command(text, self.words("typed-program")))
             self.look()
         return None
@@ -143,6 +143,16 @@ class Work:
             return False
         self.tell(Answer(f"action-{found[0].name}"))
         return True
+
+    def _is_slip(self, typed: str) -> bool:
+        """A slip in a word of the screen is answered with that word, as in the linear mode."""
+        from donnie_tui.core.unknown_words import unknown_word
+
+        session, lines = self._donnie.session, self.text.split("\n")
+        unknown = unknown_word(typed, lines, DONE_HERE, self.words.language, session.parse)
+        if unknown is not None:
+            self.tell(Answer("help-unknown-near", {"topic": unknown.word, "near": unknown.meant}))
+        return unknown is not None
 
     def key_pressed(self, event: Event, focused: Widget | None) -> None:
         """Any key ends what is being said, and is said itself where somebody wants that."""

@@ -176,3 +176,30 @@ async def test_a_line_that_is_not_there_is_told_with_the_last_one(work, typed):
     async with work(PROGRAM) as desk:
         await desk.type_line(typed)
         await desk.told("There is no line 99. The last is 4.")
+
+
+@pytest.mark.parametrize(
+    ("typed", "told"),
+    [
+        ("listt 2", "I do not know listt. Did you mean LIST?"),
+        ("ZOM IN", "I do not know ZOM IN. Did you mean ZOOM IN?"),
+    ],
+)
+async def test_a_slip_in_a_word_of_the_screen_is_answered_with_that_word(work, typed, told):
+    async with work(PROGRAM) as desk:
+        await desk.type_line(typed)
+        await desk.told(told)
+        assert desk.app.work.running.doing is Doing.READY
+
+
+async def test_a_slip_in_a_word_of_godonnie_is_answered_by_the_language(work):
+    async with work(PROGRAM) as desk:
+        await desk.type_line("FWW 2")
+        await desk.told("Error, line 1, column 1: I do not know FWW.")
+        await desk.told("Did you mean FW?")
+
+
+async def test_a_name_of_the_program_is_no_slip(work):
+    async with work("PROCEDURE LISTT DO\nFW 1\nEND PROCEDURE\nLISTT") as desk:
+        await desk.type_line("LISTT")
+        await desk.told("Error, line 1, column 1: I do not know LISTT.")
