@@ -29,6 +29,7 @@ from donnie_tui.core.events import (
     RunStarted,
     Scanned,
     SeenGroup,
+    Sensed,
     SoundSwitched,
     Spoke,
     Stamped,
@@ -99,6 +100,7 @@ class Announcer:
                 | ThingsMoved()
                 | Reset()
                 | Passing()
+                | Sensed()
                 | Answered()
                 | Pointed()
                 | Chimed()

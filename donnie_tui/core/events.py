@@ -1,7 +1,8 @@
 """The events: everything that happens, as values. Names and fields are a contract (scripts rely on them).
 
-The transient ones are the exception, neither numbered nor recorded: ``Passing``, where the robot is just
-now, for a moving picture, depends on the clock of the machine; the others are about the front end.
+The transient ones are the exception, neither numbered nor recorded: ``Passing`` and ``Sensed``, where the
+robot is just now and what is around it, are for a living picture and depend on the clock of the machine; the
+others are about the front end.
 """
 
 from __future__ import annotations
@@ -11,7 +12,7 @@ from collections.abc import Mapping
 from enum import Enum
 from typing import ClassVar, TypeAlias
 
-from devices.ports.robot import Grip, Met, Pose, Pushed, StoppedBy
+from devices.ports.robot import Bearing, Grip, Met, Pose, Pushed, StoppedBy
 from devices.ports.values import field, frozen
 
 
@@ -240,6 +241,13 @@ class Passing:
 
 
 @frozen
+class Sensed:
+    """What is known of the distances around the robot, in steps, told because somebody looks; transient."""
+
+    distances: Mapping[Bearing, int]
+
+
+@frozen
 class Answered:
     """What a front end answers to a word of its own, such as "Saved."; told and spoken; transient."""
 
@@ -266,7 +274,7 @@ class Chimed:
     steps: float | None = None
 
 
-TRANSIENT = (Passing, Answered, Pointed, Chimed)
+TRANSIENT = (Passing, Sensed, Answered, Pointed, Chimed)
 
 Event: TypeAlias = (
     RunStarted
@@ -288,6 +296,7 @@ Event: TypeAlias = (
     | Error
     | RunEnded
     | Passing
+    | Sensed
     | Answered
     | Pointed
     | Chimed

@@ -17,7 +17,7 @@ from donnie_tui.core.announcer import Announcer
 from donnie_tui.core.belt import BeltSettings
 from donnie_tui.core.belt_feeling import BeltFeeling
 from donnie_tui.core.documents import lines_in
-from donnie_tui.core.events import HowStarted, Outcome, Reset, RunStarted
+from donnie_tui.core.events import HowStarted, Outcome, Reset, RunStarted, Sensed
 from donnie_tui.core.handling import Deed, DeedRun, MovedThings
 from donnie_tui.core.hub import Hub, Stream
 from donnie_tui.core.runner import Readable, Run, Stage, TakesTurns
@@ -301,6 +301,10 @@ class Session:
     @property
     def pose(self) -> Pose:
         return self._robot.pose()
+
+    def tell_distances(self) -> None:
+        """Publish what is known of the distances around the robot, for who looks. Nothing else happens."""
+        self.hub.publish(Sensed(self._robot.known_distances()))
 
     @property
     def world(self) -> str:

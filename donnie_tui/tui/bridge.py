@@ -9,12 +9,12 @@ from __future__ import annotations
 
 import threading
 from collections import deque
-from collections.abc import Callable
+from collections.abc import Callable, Mapping
 from typing import NamedTuple
 
 from textual.message import Message
 
-from devices.ports.robot import Pose, StoppedBy
+from devices.ports.robot import Bearing, Pose, StoppedBy
 from devices.ports.values import frozen
 from donnie_tui.core.events import (
     Announced,
@@ -32,6 +32,7 @@ from donnie_tui.core.events import (
     RunEnded,
     RunStarted,
     Scanned,
+    Sensed,
     Spoke,
     Stamped,
     ThingsMoved,
@@ -70,6 +71,11 @@ class Mail:
     """Where the other robots are now."""
     things: tuple[PlacedThing, ...] | None = None
     """What is elsewhere than at the start of the world; None if nothing was moved since."""
+    distances: Mapping[Bearing, int] | None = None
+    """What is known of them now; None if that was not told since."""
+
+
+NO_MAIL = Mail((), 0, (), (), None)
 
 
 class Happened(Message):
@@ -126,9 +132,12 @@ class Bridge:
         self._looks: deque[Read | Scanned] = deque(maxlen=MOST_LOOKS)
         self._others: dict[str, Pose] = {}
         self._things: tuple[PlacedThing, ...] | None = None
+        self._distances: Mapping[Bearing, int] | None = None
         self._errors: deque[Error] = deque(maxlen=100)
         self._stopped_by: StoppedBy | None = None
         self._awake = False
+        self._is_beginning = False
+        """Whether a run has begun that the screen has not begun yet."""
 
     def __call__(self, stamped: Stamped) -> None:
         """Told by the stream, in the thread that published."""
@@ -160,6 +169,8 @@ class Bridge:
                     self._belt = levels
                 case ThingsMoved(places=places):
                     self._things = places
+                case Sensed(distances=distances):
+                    self._distances = distances
                 case Error():
                     self._errors.append(event)
                 case _:
@@ -200,6 +211,7 @@ class Bridge:
     def _wake(self, event: Event, is_own: bool) -> None:
         match event:
             case RunStarted(program=program) if is_own:
+                self._is_beginning = True
                 self._post(Began(program, self._pose()))
             case RunEnded() if is_own:
                 self._post(Ended(event, self._taken_errors()))
@@ -216,7 +228,8 @@ class Bridge:
     @property
     def _has_mail(self) -> bool:
         moved = self._poses or self._others or self._things is not None
-        return bool(self._lines or moved or self._readings or self._looks)
+        sensed = self._readings or self._looks or self._distances is not None
+        return bool(self._lines or moved or sensed)
 
     def _taken_errors(self) -> tuple[Error, ...]:
         with self._lock:
@@ -224,9 +237,15 @@ class Bridge:
             self._errors.clear()
         return errors
 
+    def begun(self) -> None:
+        """The screen shows the beginning of the run: what is in the mailbox may follow. In its thread."""
+        self._is_beginning = False
+
     def take(self) -> Mail:
-        """Empty the mailbox: for the screen, in its thread."""
+        """Empty the mailbox: for the screen, in its thread. What happens in a run waits for its beginning."""
         with self._lock:
+            if self._is_beginning:
+                return NO_MAIL
             readings = tuple(self._readings.values())
             mail = Mail(
                 tuple(self._lines),
@@ -237,12 +256,13 @@ class Bridge:
                 tuple(self._looks),
                 tuple(self._others.items()),
                 self._things,
+                self._distances,
             )
             self._lines.clear()
             self._poses.clear()
             self._readings.clear()
             self._looks.clear()
             self._others.clear()
-            self._things = None
+            self._things = self._distances = None
             self._missed, self._belt, self._awake = 0, None, False
         return mail

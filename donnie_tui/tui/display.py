@@ -1,13 +1,13 @@
 """What the workplace shows of the session: titles, marks, map, inspector, status line, keys, log.
 
-Knows what was seen last (pose, readings, belt) and nothing about how it came.
+Knows what was seen last (pose, distances, readings, belt) and nothing about how it came.
 """
 
 from __future__ import annotations
 
-from collections.abc import Iterable
+from collections.abc import Iterable, Mapping
 
-from devices.ports.robot import Pose
+from devices.ports.robot import Bearing, Pose
 from donnie_tui.bootstrap import Donnie
 from donnie_tui.core.events import Read
 from donnie_tui.core.map_grid import floor_size
@@ -47,6 +47,7 @@ class Display:
         self._files = files
         self._pose = donnie.session.pose
         self._readings: dict[tuple[str, str], Read] = {}
+        self._distances: Mapping[Bearing, int] = {}
         self._has_belt = False
         """Whether a belt has shown anything yet."""
         self._kinds: dict[str, str] = {}
@@ -104,8 +105,9 @@ class Display:
         for look in mail.looks:
             self._place.map.update_cells(self.scene.look_along(look))
         self._readings.update({(each.sensor, each.argument): each for each in mail.readings})
-        if mail.belt is not None:
-            self._has_belt = True
+        self._has_belt = self._has_belt or mail.belt is not None
+        self._distances = self._distances if mail.distances is None else mail.distances
+        if mail.belt is not None or mail.distances is not None:
             self._show_inspector()
 
     def show_fields(self, lines: Iterable[Line]) -> None:
@@ -200,7 +202,7 @@ class Display:
         readings = tuple(self._readings.values())
         belt = self._donnie.belt_telling.rows() if self._has_belt else ()
         self._place.inspector.show(
-            inspector_lines(self._running.frames, variables, readings, belt, self._words)
+            inspector_lines(self._running.frames, variables, self._distances, readings, belt, self._words)
         )
 
     def say_status(self) -> None:

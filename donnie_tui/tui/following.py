@@ -48,6 +48,7 @@ class Following:
         self._past.to_present()
         self._expect_reading()
         work.display.begin(event.pose, fresh=work.running.is_program)
+        self._intake.begun()
         if self._watching is None:
             self._watching = self._host.every(FLUSH, work.look)
         work.look()
@@ -81,6 +82,7 @@ class Following:
         frames = running.frames
         if running.doing is Doing.PAUSED and frames and running.is_program:
             self._past.to_present()
+            self._work.ask_distances()
             self._intake.take()
             self._tell_line(frames[0].line)
             self._intake.take()
@@ -99,6 +101,7 @@ class Following:
         self._past.to_present()
         work.running.ended()
         self.errors = event.errors
+        work.ask_distances()
         self._intake.take()
         work.display.move((event.event.pose,))
         self._watch_no_more()

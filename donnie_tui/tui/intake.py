@@ -50,6 +50,11 @@ class Intake:
         elif self._taking is None:
             self._taking = self._set_timer(due, self.take)
 
+    def begun(self) -> None:
+        """A run is shown to have begun: take what has happened in it so far."""
+        self._bridge.begun()
+        self.take()
+
     def take(self) -> None:
         """Empty the mailbox now."""
         if self._taking is not None:

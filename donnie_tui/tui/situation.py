@@ -7,8 +7,9 @@ from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
 
-from devices.ports.robot import Pose
+from devices.ports.robot import Bearing, Pose
 from donnie_tui.core import numbers
+from donnie_tui.core.actions import bearing_name
 from donnie_tui.core.events import Read
 from donnie_tui.core.speeds import speed_words
 from donnie_tui.core.telling import Teller
@@ -44,16 +45,21 @@ def doing_sentences(doing: Doing, speed: float | None, words: Wording) -> tuple[
 def inspector_lines(
     frames: Sequence[Frame],
     variables: Mapping[str, int],
+    distances: Mapping[Bearing, int],
     readings: Sequence[Read],
     belt: Sequence[str],
     words: Wording,
 ) -> tuple[str, ...]:
-    """Variables, calls, the last reading of each sensor, the belt: in words, and as two rows of seven."""
+    """Variables, calls, the distances and the belt now, and last what the program read of each sensor.
+
+    The belt is in words, and as two rows of seven.
+    """
     return (
         *_variables(frames[0].variables if frames else tuple(variables.items()), words),
         *_calls(frames, words),
-        *_readings(readings, words),
+        *_distances(distances, words),
         *belt,
+        *_readings(readings, words),
     )
 
 
@@ -84,6 +90,21 @@ def _call(frame: Frame, words: Wording) -> str:
     return words("inspector-call", name=frame.procedure, line=frame.line)
 
 
+def _distances(distances: Mapping[Bearing, int], words: Wording) -> tuple[str, ...]:
+    """From the front to the right and round."""
+    if not distances:
+        return ()
+    lines = (
+        words("inspector-reading", what=_where(bearing_name(bearing), words), value=distances[bearing])
+        for bearing in sorted(distances, key=lambda each: each.value)
+    )
+    return (words("inspector-distances"), *lines)
+
+
+def _where(bearing: str, words: Wording) -> str:
+    return words(f"where-{bearing.replace(' ', '-')}")
+
+
 def _readings(readings: Sequence[Read], words: Wording) -> tuple[str, ...]:
     if not readings:
         return ()
@@ -93,7 +114,7 @@ def _readings(readings: Sequence[Read], words: Wording) -> tuple[str, ...]:
 def _reading(read: Read, words: Wording) -> str:
     where = read.argument
     if read.sensor == "distance":
-        where = words(f"where-{read.argument.replace(' ', '-')}")
+        where = _where(read.argument, words)
     elif read.sensor == "colour":
         where = words(f"colour-{read.argument}")
     return words("inspector-reading", what=words(f"reading-{read.sensor}", where=where), value=read.value)

@@ -30,7 +30,7 @@ from donnie_tui.i18n.catalogue import SENTENCES
 from donnie_tui.i18n.sentence import LANGUAGES
 from donnie_tui.i18n.words import Words
 from donnie_tui.tui.actions import ACTIONS, BY_NAME, find, key_label
-from donnie_tui.tui.bridge import MOST_LINES, Began, Bridge, Ended, Happened, LogLine
+from donnie_tui.tui.bridge import MOST_LINES, NO_MAIL, Began, Bridge, Ended, Happened, LogLine
 from donnie_tui.tui.deeds import Deeds
 from donnie_tui.tui.deeds_around import AroundDeeds
 from donnie_tui.tui.deeds_lines import LineDeeds
@@ -192,6 +192,19 @@ def test_poses_come_from_every_thread_and_wake_the_screen_once():
     assert len(listener.take().poses) == 800
 
 
+def test_what_happens_in_a_run_waits_until_its_beginning_is_shown():
+    """Else the way that the robot went would be wiped away with the last one's."""
+    listener, posted = bridge()
+    told(listener, Answered("Saved."), RunStarted("p", "w", "d", 0, "0"), Passing(HERE))
+    assert listener.take() == NO_MAIL
+
+    listener.begun()
+    mail = listener.take()
+
+    assert [type(each) for each in posted] == [Happened, Began]
+    assert (mail.poses, [each.text for each in mail.lines]) == ((HERE,), ["Saved."])
+
+
 def test_the_end_of_a_run_brings_its_mistakes():
     listener, posted = bridge()
     mistake = Error("syntax", 2, 5, "What?", None)
@@ -200,6 +213,7 @@ def test_the_end_of_a_run_brings_its_mistakes():
     assert isinstance(posted[0], Began)
     assert isinstance(posted[-1], Ended)
     assert posted[-1].errors == (mistake,)
+    listener.begun()
     assert listener.take().lines[0] == LogLine("Error, line 2, column 5: What?", "error")
 
 

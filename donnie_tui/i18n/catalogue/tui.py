@@ -73,6 +73,7 @@ _INSPECTOR = {
     "inspector-calls": Sentence("Calls:", "Chamadas:", "Llamadas:"),
     "inspector-call": Sentence("{name}, line {line}", "{name}, linha {line}", "{name}, línea {line}"),
     "inspector-main": Sentence("program, line {line}", "programa, linha {line}", "programa, línea {line}"),
+    "inspector-distances": Sentence("Distances now:", "Distâncias agora:", "Distancias ahora:"),
     "inspector-readings": Sentence("Last readings:", "Últimas leituras:", "Últimas lecturas:"),
     "inspector-reading": Sentence("{what}: {value}", "{what}: {value}", "{what}: {value}"),
     "reading-distance": Sentence("distance {where}", "distância {where}", "distancia {where}"),

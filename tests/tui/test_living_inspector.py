@@ -1,0 +1,94 @@
+"""The distances in the inspector: those of the place where the robot is, whether its program asked or not."""
+
+import re
+
+from donnie_tui.core.events import Sensed
+from donnie_tui.tui.running import Doing
+
+
+def ahead(desk) -> int:
+    """What the inspector says of it."""
+    return int(re.search(r"^ahead: (\d+)$", "\n".join(desk.place.inspector.lines), re.MULTILINE)[1])
+
+
+def known(desk) -> list[str]:
+    """What the inspector should say, in its order."""
+    distances = desk.app.work.donnie.session._robot.known_distances()
+    return [str(distances[bearing]) for bearing in sorted(distances, key=lambda each: each.value)]
+
+
+def shown(desk) -> list[str]:
+    lines = desk.place.inspector.lines
+    first = lines.index("Distances now:") + 1
+    return [line.split(": ")[1] for line in lines[first : first + 6]]
+
+
+async def test_the_distances_are_there_before_anything_runs(work):
+    async with work(world="living_room", size=(120, 40)) as desk:
+        lines = desk.place.inspector.lines
+
+        assert lines[1:4] == ("Distances now:", "ahead: 24", "ahead right: 35")
+        assert shown(desk) == known(desk)
+
+
+async def test_they_follow_a_robot_that_moves_and_are_right_where_it_stops(work):
+    async with work("FW 30", world="corridor", size=(120, 40), speed=2.0) as desk:
+        start = ahead(desk)
+        await desk.press("f5")
+        await desk.until(lambda: ahead(desk) <= start - 2, "they follow")
+        assert desk.app.work.running.doing is Doing.RUNNING
+
+        await desk.press("f8")
+        await desk.idle()
+
+        assert shown(desk) == known(desk)
+
+
+async def test_they_are_right_where_a_program_holds_and_where_it_ends(work):
+    async with work("FW 3\nTR 90\nFW 2", world="living_room", size=(120, 40)) as desk:
+        start = shown(desk)
+        desk.place.editor.go_to(3)
+        await desk.press("f10")
+        await desk.told("Line 3: FW 2")
+        held = shown(desk)
+        assert held == known(desk) != start
+
+        await desk.press("f6")
+        await desk.told("The program is done.")
+
+        assert shown(desk) == known(desk) != held
+
+
+async def test_they_are_those_of_the_robot_that_is_talked_to(work):
+    async with work(world="two_robots", size=(120, 40)) as desk:
+        await desk.type_line("FW 4")
+        await desk.told("alice: I walked 4 steps forward.")
+        await desk.idle()
+        of_alice = shown(desk)
+        await desk.type_line("ROBOT bob")
+        await desk.told("You talk to bob.")
+
+        await desk.until(lambda: shown(desk) == known(desk), "those of bob")
+        assert shown(desk) != of_alice
+
+
+async def test_a_robot_without_rangers_has_no_distances(work):
+    async with work(world="bigbob1", size=(120, 40)) as desk:
+        assert desk.place.inspector.lines == ("No variables.",)
+
+
+async def test_who_listens_is_not_told_each_distance_that_a_moving_robot_goes_through(work):
+    async with work("FW 30", world="corridor", plain=True, speed=5.0) as desk:
+        session = desk.app.work.donnie.session
+        heard: list[Sensed] = []
+        desk.app.work.donnie.team.stream.subscribe(
+            lambda it: heard.append(it.event) if isinstance(it.event, Sensed) else None
+        )
+        await desk.press("f5")
+        await desk.until(lambda: session.pose.y > 3, "the robot is on its way")
+        assert not any(each.distances != heard[0].distances for each in heard)
+
+        await desk.press("f8")
+        await desk.idle()
+
+        assert shown(desk) == known(desk)
