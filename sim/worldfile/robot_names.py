@@ -24,15 +24,15 @@ def with_names(
     indices = set(robots)
     wheeled = [model for model in models if model.type == "position" and model.parent is None]
     order = sorted(wheeled, key=lambda model: model.index not in indices)
-    fine = {_folded(model.name) for model in order if _is_speakable(model.name)}
-    taken, aliases, notes = set[str](), dict[int, str](), list[Note]()
+    numbering = _Numbering({_folded(model.name) for model in order if _is_speakable(model.name)})
+    kept, aliases, notes = set[str](), dict[int, str](), list[Note]()
     for model in order:
         speakable = _is_speakable(model.name)
-        if speakable and _folded(model.name) not in taken:
-            taken.add(_folded(model.name))
+        folded = _folded(model.name)
+        if speakable and folded not in kept:
+            kept.add(folded)
             continue
-        alias = _free(_stem(model), 2 if speakable else 1, taken | fine)
-        taken.add(_folded(alias))
+        alias = numbering.free(_stem(model), 2 if speakable else 1)
         aliases[model.index] = alias
         if model.index in indices:
             code = "robot-renamed" if speakable else "robot-without-name"
@@ -53,11 +53,23 @@ def _stem(model: Model) -> str:
     return model.kind if model.kind != model.type else "robot"
 
 
-def _free(stem: str, first: int, taken: set[str]) -> str:
-    number = first
-    while _folded(f"{stem}{number}") in taken:
-        number += 1
-    return f"{stem}{number}"
+class _Numbering:
+    """Names that nobody has yet. It goes on where it was with each stem: a file may have many robots."""
+
+    def __init__(self, taken: set[str]) -> None:
+        """``taken`` are folded."""
+        self._taken = taken
+        self._next: dict[tuple[str, int], int] = {}
+
+    def free(self, stem: str, first: int) -> str:
+        """The stem with the lowest number from ``first`` on that is free, which is taken from now on."""
+        folded = _folded(stem)
+        number = self._next.get((folded, first), first)
+        while f"{folded}{number}" in self._taken:
+            number += 1
+        self._taken.add(f"{folded}{number}")
+        self._next[folded, first] = number + 1
+        return f"{stem}{number}"
 
 
 def _folded(name: str) -> str:

@@ -1,6 +1,10 @@
 """Every robot of a world has a name of its own that can be said and typed, whatever its file calls it."""
 
 from pathlib import Path
+from typing import Literal
+from unicodedata import normalize
+
+import pytest
 
 from donnie_tui.bootstrap import make_team
 from donnie_tui.cli.main import main
@@ -9,7 +13,7 @@ from donnie_tui.settings import Settings
 from donnie_tui.world_choice import ChosenWorld
 from sim.picture import picture
 from sim.scene import Scene
-from sim.worldfile import load_text
+from sim.worldfile import load_text, robot_names
 
 SENSOR = "ranger( sensor( range [ 0 2 ] fov 20 ) )"
 ROBOT = "position( {name} size [ 0.1 0.1 0.2 ] {more} pose [ {x} 0 0 90 ] " + SENSOR + " )\n"
@@ -40,6 +44,18 @@ def test_names_that_differ_in_case_or_accents_only_are_told_apart() -> None:
 
 def test_a_name_that_can_not_be_typed_is_replaced() -> None:
     assert scene('name "a=b"', 'name "c:0"', 'name "  "').robot_names == ("robot1", "robot2", "robot3")
+
+
+def test_many_robots_of_one_name_are_numbered_without_counting_anew(monkeypatch: pytest.MonkeyPatch) -> None:
+    looked_at: list[str] = []
+
+    def normalized(form: Literal["NFKD"], text: str) -> str:
+        looked_at.append(text)
+        return normalize(form, text)
+
+    monkeypatch.setattr(robot_names, "normalize", normalized)
+    assert scene(*['name "r"'] * 300).robot_names[-1] == "r300"
+    assert len(looked_at) <= 4 * 300
 
 
 def test_each_robot_is_found_by_the_name_that_it_is_called() -> None:
