@@ -86,10 +86,11 @@ class Written:
 
         try:
             Path("Log").mkdir(exist_ok=True)
-            out = self._open(str(next_log(Path("Log"))))
+            name = str(next_log(Path("Log")))
+            out = self._open(name)
         except OSError as problem:
             raise self._unwritable("Log", problem) from None
-        self._hub.subscribe(ToldLog(out, self._words))
+        self._hub.subscribe(ToldLog(out, self._words, self._teller_of_loss(name)))
 
     def _not_waited_for(self, out: TextIO) -> TextIO:
         """A pipe with a name may have a reader that does not read: nobody waits for that one."""

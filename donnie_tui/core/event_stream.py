@@ -7,6 +7,7 @@ from collections.abc import Callable
 from typing import TextIO
 
 from donnie_tui.core.events import TRANSIENT, Stamped, as_record
+from donnie_tui.core.line_file import LineFile
 
 
 class JsonLines:
@@ -19,21 +20,12 @@ class JsonLines:
         self, out: TextIO, on_failure: Callable[[OSError], None] | None = None, *, whole: bool = False
     ) -> None:
         """``whole``: the events can be made again from the lines."""
-        self._out = out
-        self._on_failure = on_failure
+        self._file = LineFile(out, on_failure)
         self._whole = whole
-        self._has_failed = False
 
     def __call__(self, stamped: Stamped) -> None:
-        if isinstance(stamped.event, TRANSIENT) or self._has_failed or self._out.closed:
-            return
-        try:
-            self._out.write(as_line(stamped, whole=self._whole))
-            self._out.flush()
-        except OSError as problem:
-            self._has_failed = True
-            if self._on_failure:
-                self._on_failure(problem)
+        if not isinstance(stamped.event, TRANSIENT) and self._file.takes_more:
+            self._file.write(as_line(stamped, whole=self._whole))
 
 
 def as_line(stamped: Stamped, *, whole: bool = False) -> str:

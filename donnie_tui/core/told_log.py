@@ -3,30 +3,32 @@
 from __future__ import annotations
 
 import re
+from collections.abc import Callable
 from pathlib import Path
 from typing import TextIO
 
 from donnie_tui.core.events import Stamped
+from donnie_tui.core.line_file import LineFile
 from donnie_tui.core.transcript import told_lines
 from donnie_tui.core.wording import Wording
 
 
 class ToldLog:
-    """Writes what is told, a line each. A disk that is full ends the log and nothing else."""
+    """Writes what is told, a line each.
 
-    def __init__(self, out: TextIO, wording: Wording) -> None:
-        self._out = out
+    A disk that is full ends the log and nothing else; ``on_failure`` is told once.
+    """
+
+    def __init__(
+        self, out: TextIO, wording: Wording, on_failure: Callable[[OSError], None] | None = None
+    ) -> None:
+        self._file = LineFile(out, on_failure)
         self._wording = wording
 
     def __call__(self, stamped: Stamped) -> None:
         lines = told_lines(stamped, self._wording)
-        if not lines or self._out.closed:
-            return
-        try:
-            self._out.write("".join(f"{line}\n" for line in lines))
-            self._out.flush()
-        except OSError:
-            return
+        if lines and self._file.takes_more:
+            self._file.write("".join(f"{line}\n" for line in lines))
 
 
 def next_log(folder: Path) -> Path:
