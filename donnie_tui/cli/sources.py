@@ -6,7 +6,7 @@ import sys
 from pathlib import Path
 
 from devices.ports.values import frozen
-from donnie_tui.core.documents import LARGEST, DocumentError, decode, read_program
+from donnie_tui.core.documents import LARGEST, DocumentError, decode, read_to_the_end
 from donnie_tui.i18n.words import Words
 from donnie_tui.unusable import Unusable
 
@@ -26,7 +26,7 @@ def read_source(name: str, words: Words) -> Source:
     try:
         if name == "-":
             return Source("-", _standard_input(), None)
-        return Source(name, read_program(Path(name)), Path(name))
+        return Source(name, read_to_the_end(Path(name)), Path(name))
     except DocumentError as error:
         raise Unusable(words(error.code, path=error.path, reason=error.reason)) from None
 

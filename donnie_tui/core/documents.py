@@ -38,10 +38,7 @@ def program_to_open(name: str) -> Path:
     """The file that somebody means who types ``name``: that one, or the one with the suffix of programs."""
     path = _typed_path(name)
     suffixed = path.with_name(path.name + SUFFIX)
-    found = suffixed if not exists(path) and exists(suffixed) else path
-    if exists(found) and not (found.is_file() or found.is_dir()):
-        raise DocumentError("file-not-text", str(found))  # reading a device or a pipe may wait for ever
-    return found
+    return suffixed if not exists(path) and exists(suffixed) else path
 
 
 def program_to_save(name: str) -> Path:
@@ -76,7 +73,14 @@ def exists(path: Path) -> bool:
 
 
 def read_program(path: Path) -> str:
-    """The text of a program. Raises ``DocumentError``."""
+    """The text of a program in a file: who converses waits for no pipe. Raises ``DocumentError``."""
+    if exists(path) and not (path.is_file() or path.is_dir()):
+        raise DocumentError("file-not-text", str(path))
+    return read_to_the_end(path)
+
+
+def read_to_the_end(path: Path) -> str:
+    """As ``read_program``, a pipe too, which is waited for."""
     try:
         if path.is_dir():
             raise DocumentError("file-is-folder", str(path))

@@ -14,7 +14,7 @@ from donnie_tui.core.documents import (
 )
 from donnie_tui.linear.arguments import Handler, alone
 from donnie_tui.linear.desk import Desk
-from donnie_tui.linear.patience import patiently
+from donnie_tui.linear.patience import GivenUp, patiently
 from donnie_tui.linear.runs import Runs
 
 
@@ -30,9 +30,12 @@ def open_named(desk: Desk, name: str) -> None:
 
 def open_file(desk: Desk, path: Path) -> None:
     try:
-        text = patiently(desk, lambda: read_program(path), "slow-opening", name=path.name)
+        text = patiently(desk, lambda: read_program(path), "slow-opening", may_be_left=True, name=path.name)
     except DocumentError as error:
         refuse(desk, error)
+        return
+    except GivenUp:
+        desk.answer("answer-unchanged")
         return
     if _may_lose_program(desk):
         desk.program.replace(text, str(path))

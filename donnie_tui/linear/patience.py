@@ -1,6 +1,7 @@
 """What may take long is done beside the conversation, which says after a second that it goes on.
 
-Rule: it is waited for in the main thread, so that signals count; who has to leave waits no longer.
+Rule: it is waited for in the main thread, so that signals count; who has to leave waits no longer, nor who
+gives up by Ctrl+C what may be left undone.
 """
 
 from __future__ import annotations
@@ -16,6 +17,10 @@ T = TypeVar("T")
 
 SLOW, SLOW_AGAIN = 1.0, 10.0
 """Seconds after which something that takes long is told, and then each time again."""
+
+
+class GivenUp(Exception):
+    """Ctrl+C was pressed; what is done beside may still come to its end, unheard."""
 
 
 class _Doing(Generic[T]):
@@ -49,18 +54,24 @@ def aside(
     *,
     first: float = SLOW,
     show: Callable[[], object] = lambda: None,
+    may_be_left: bool = False,
 ) -> T:
     """Do it, and answer what it answers; ``tell`` each time that it is time to say that it goes on.
 
-    ``show`` prints what it tells itself. Raises what it raises, ``Gone`` for a signal to leave.
+    ``show`` prints what it tells itself. Raises what it raises, ``Gone`` for a signal to leave,
+    and for Ctrl+C ``GivenUp`` where it ``may_be_left`` since it changes nothing.
     """
     doing = _Doing(do, console.nudge)
     due = console.now() + first
+
+    def must_end() -> bool:
+        return console.leaving is not None or (may_be_left and console.interrupted)
+
     while not doing.is_over:
-        if console.leaving is None:
+        if not must_end():
             console.wait(max(0.0, due - console.now()))
-        if console.leaving is not None and not doing.is_over:
-            raise Gone
+        if must_end() and not doing.is_over:
+            raise _why(console)
         if console.now() >= due and not doing.is_over:
             tell()
             due = console.now() + SLOW_AGAIN
@@ -68,8 +79,28 @@ def aside(
     return doing.outcome()
 
 
-def patiently(desk: Desk, do: Callable[[], T], code: str, *, first: float = SLOW, **values: object) -> T:
+def _why(console: Console) -> Exception:
+    if console.leaving is not None:
+        return Gone()
+    console.take_interrupt()
+    return GivenUp()
+
+
+def patiently(
+    desk: Desk,
+    do: Callable[[], T],
+    code: str,
+    *,
+    first: float = SLOW,
+    may_be_left: bool = False,
+    **values: object,
+) -> T:
     """As ``aside``, telling it with the sentence ``code``."""
     return aside(
-        desk.console, do, lambda: desk.answer(code, **values), first=first, show=desk.showing.show_told
+        desk.console,
+        do,
+        lambda: desk.answer(code, **values),
+        first=first,
+        show=desk.showing.show_told,
+        may_be_left=may_be_left,
     )

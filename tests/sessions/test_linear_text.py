@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import os
 import subprocess
 from pathlib import Path
 
@@ -25,6 +26,13 @@ def test_what_was_probably_meant_takes_the_place_of_a_mistake(tmp_path: Path) ->
         "Line 2: TR 90",
         "No mistakes were found.",
     ]
+
+
+def test_a_pipe_is_no_program_and_holds_no_prompt(tmp_path: Path) -> None:
+    os.mkfifo(tmp_path / "pipe")
+
+    done = donnie(tmp_path, "--linear", *QUIET, "pipe", typed="SPEAK 7\nRUN\n")
+    assert done.stdout.decode().splitlines()[1:3] == ["pipe is no text.", "7"]
 
 
 def test_words_are_found_from_the_reading_place_on_and_once_round(tmp_path: Path) -> None:

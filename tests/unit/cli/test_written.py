@@ -23,7 +23,7 @@ def test_a_log_that_takes_no_more_is_told_once_and_counts_as_lost(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     monkeypatch.chdir(tmp_path)
-    monkeypatch.setattr(told_log, "next_log", lambda folder: FULL)  # noqa: ARG005 -- as it is called
+    monkeypatch.setattr(told_log, "next_log", lambda folder: FULL)
     hub, words, told = Hub(lambda: 0.0), Words(), list[str]()
     hub.subscribe(lambda stamped: told.extend(told_lines(stamped, words)))
     with ExitStack() as closing:

@@ -1,6 +1,7 @@
 """Program files are read in any likely encoding, and written so that nothing is lost."""
 
 import os
+import threading
 from pathlib import Path
 
 import pytest
@@ -13,6 +14,7 @@ from donnie_tui.core.documents import (
     program_to_open,
     program_to_save,
     read_program,
+    read_to_the_end,
     write_program,
 )
 
@@ -58,7 +60,7 @@ def test_a_device_without_an_end_is_too_large() -> None:
         pytest.skip("needs an endless device")
 
     with pytest.raises(DocumentError) as caught:
-        read_program(Path("/dev/zero"))
+        read_to_the_end(Path("/dev/zero"))
 
     assert caught.value.code == "file-too-large"
 
@@ -133,8 +135,18 @@ def test_nothing_that_a_terminal_obeys_comes_out_of_a_file() -> None:
 def test_a_pipe_is_not_opened_because_reading_it_may_wait_for_ever(tmp_path: Path) -> None:
     os.mkfifo(tmp_path / "pipe")
 
-    with pytest.raises(DocumentError):
-        program_to_open(str(tmp_path / "pipe"))
+    with pytest.raises(DocumentError) as caught:
+        read_program(program_to_open(str(tmp_path / "pipe")))
+    assert caught.value.code == "file-not-text"
+
+
+def test_a_command_reads_a_pipe_to_its_end(tmp_path: Path) -> None:
+    os.mkfifo(tmp_path / "pipe")
+    writing = threading.Thread(target=lambda: (tmp_path / "pipe").write_text("FW 1"))
+    writing.start()
+
+    assert read_to_the_end(tmp_path / "pipe") == "FW 1"
+    writing.join()
 
 
 def test_a_device_or_a_pipe_is_not_replaced_by_a_file(tmp_path: Path) -> None:

@@ -8,20 +8,24 @@ from typing import Any
 import pytest
 
 from donnie_tui.linear.console import Gone
-from donnie_tui.linear.patience import aside
+from donnie_tui.linear.patience import GivenUp, aside
 
 
 class Console:
     """Time passes when somebody waits; the gate opens at a certain time."""
 
     def __init__(self, opens_at: float) -> None:
-        self.time, self.leaving = 0.0, None
+        self.time, self.leaving, self.interrupted = 0.0, None, False
         self.gate = threading.Event()
         self._opens_at = opens_at
         self._is_over = threading.Event()
 
     def now(self) -> float:
         return self.time
+
+    def take_interrupt(self) -> bool:
+        interrupted, self.interrupted = self.interrupted, False
+        return interrupted
 
     def nudge(self) -> None:
         self._is_over.set()
@@ -68,3 +72,25 @@ def test_whoever_has_to_leave_while_something_is_shown_waits_no_longer() -> None
         aside(console, lambda: console.gate.wait(20), lambda: None, show=show)
     assert console.time == 1.0
     console.gate.set()
+
+
+def test_whoever_gives_up_what_may_be_left_waits_no_longer() -> None:
+    console: Any = Console(100)
+
+    def press_control_c() -> None:
+        console.interrupted = True
+
+    with pytest.raises(GivenUp):
+        aside(console, lambda: console.gate.wait(20), lambda: None, show=press_control_c, may_be_left=True)
+    assert console.time == 1.0
+    console.gate.set()
+
+
+def test_what_changes_something_is_waited_for_after_control_c_too() -> None:
+    console: Any = Console(5)
+
+    def press_control_c() -> None:
+        console.interrupted = True
+
+    assert aside(console, lambda: console.gate.wait(20), lambda: None, show=press_control_c)
+    assert console.interrupted, "it counts behind"
