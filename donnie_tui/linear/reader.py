@@ -141,11 +141,10 @@ class EditingReader:
 
     # --- while a program runs
 
-    def take_ahead(self, is_wanted: Callable[[str, bool], bool]) -> str | None:
+    def take_ahead(self, is_wanted: Callable[[str], bool]) -> str | None:
         """The first whole line typed meanwhile that is wanted now, wherever it stands among those that wait.
 
-        ``is_wanted`` is asked with the line and whether it is the first one. The line is not read again; the
-        others stay as they were typed. None if there is no such line.
+        The line is not read again; the others stay as they were typed. None if there is no such line.
 
         Ctrl+C may come as a key, from before anybody listened for signals: it counts like the signal, which
         drops what was typed before it.
@@ -157,7 +156,7 @@ class EditingReader:
         for end, key in enumerate(keys):
             if key.act is Act.ENTER:
                 text = _plain_text(keys[start:end])
-                if text is not None and is_wanted(text, start == 0):
+                if text is not None and is_wanted(text):
                     self._keys = deque(keys[:start] + keys[end + 1 :])
                     return text
                 start = end + 1

@@ -19,9 +19,7 @@ from language import keywords
 _GOES = {"step": Goes.STEP, "step_over": Goes.OVER, "continue_": Goes.ON, "stop": Goes.STOP}
 """How a held program goes on by a word."""
 _LIVE = ("stop", "stop_all", "robots", "pause", "slower", "faster", "speed", "quiet")
-"""What is done at once while a program runs."""
-_URGENT = ("stop", "stop_all", "pause", "quiet")
-"""Also before lines that wait to be read."""
+"""What is done at once while a program runs, also before lines that wait to be read."""
 
 
 class WhileRunning:
@@ -36,32 +34,21 @@ class WhileRunning:
         """The programs that are listened to."""
 
     def _wish_of(self, typed: Typed) -> Wish | None:
-        """What a line means to a program that is held between two steps."""
+        """What a line means to a program that is held between two steps; any other word is done."""
         line = typed.text.strip()
+        wish = _wish(typed.how, line)
+        if wish is None:
+            self._do_while_held(typed.how, line)
+        return wish
+
+    def _do_while_held(self, how: How, line: str) -> None:
         found = commands.find(line)
-        canonical = keywords.canonical(line)
-        if typed.how in (How.INTERRUPTED, How.CLOSED) or canonical in ("QUIT", "EXIT"):
-            return Wish(Goes.STOP)
-        if typed.how is How.TOO_LONG:
+        if how is How.TOO_LONG:
             self._desk.answer("linear-too-long")
-            return None
-        if typed.how is How.ESCAPE or canonical == "RUN":
-            return Wish(Goes.ON)
-        if not line:
-            return Wish(Goes.STEP)
-        if found is None:
+        elif found is None or found[0].when is When.IDLE:
             self._refuse_while_held(line)
-            return None
-        case, rest = found
-        if case.name in _GOES and not rest:
-            return Wish(_GOES[case.name])
-        if case.name == "run_to" and rest.isdecimal() and len(rest) < 9:
-            return Wish(Goes.UNTIL, int(rest))
-        if case.when is When.IDLE:
-            self._refuse_while_held(line)
-            return None
-        commands.do(case, rest, self._desk, self.runs)
-        return None
+        else:
+            commands.do(*found, self._desk, self.runs)
 
     def _refuse_while_held(self, line: str) -> None:
         words = line.split()
@@ -74,9 +61,7 @@ class WhileRunning:
         """Do a line that was typed for the running program, if there is one. Whether it was."""
         if self._editing is None or not self._desk.ends.hears_live:
             return False
-        line = self._editing.take_ahead(
-            lambda typed, is_first: _is_one_of(_LIVE if is_first else _URGENT, typed)
-        )
+        line = self._editing.take_ahead(_counts_at_once)
         found = commands.find(line) if line else None
         if line is None or found is None:
             return False
@@ -89,6 +74,23 @@ class WhileRunning:
         return True
 
 
-def _is_one_of(words: tuple[str, ...], line: str) -> bool:
+def _wish(how: How, line: str) -> Wish | None:
+    """How the held program is to go on; None where the line says nothing about that."""
+    word = keywords.canonical(line)
+    if how in (How.INTERRUPTED, How.CLOSED) or word in ("QUIT", "EXIT"):
+        return Wish(Goes.STOP)
+    if how is How.ESCAPE or word == "RUN":
+        return Wish(Goes.ON)
+    if how is How.ENTER and not line:
+        return Wish(Goes.STEP)
+    case, rest = commands.find(line) or (None, "")
+    if case is not None and case.name in _GOES and not rest:
+        return Wish(_GOES[case.name])
+    if case is not None and case.name == "run_to" and rest.isdecimal() and len(rest) < 9:
+        return Wish(Goes.UNTIL, int(rest))
+    return None
+
+
+def _counts_at_once(line: str) -> bool:
     found = commands.find(line)
-    return found is not None and found[0].name in words
+    return found is not None and found[0].name in _LIVE

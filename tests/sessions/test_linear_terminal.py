@@ -237,6 +237,19 @@ def test_stop_reaches_a_program_past_other_lines_that_wait(learner: Learner) -> 
     learner.sees("I walked 2 steps forward.\r\n77\r\n")
 
 
+@pytest.mark.parametrize(
+    ("word", "answer"),
+    [("FASTER", "Speed "), ("SLOWER", "Speed "), ("SPEED 3", "Speed 3."), ("ROBOTS", "There is")],
+)
+def test_a_word_counts_at_once_past_other_lines_that_wait(word: str, answer: str, learner: Learner) -> None:
+    learner.enters("WHILE 1 == 1 DO", "WAIT 100000", "END WHILE", "RUN")
+    learner.sees("Waiting ")
+    learner.types(f"FW 2\rSPEAK 77\r{word}\r")
+    learner.sees(answer)
+    learner.types("STOP\rRUN\r")
+    learner.sees("I walked 2 steps forward.\r\n77\r\n")
+
+
 def test_control_c_at_the_prompt_clears_the_line_and_never_leaves(learner: Learner) -> None:
     learner.sees_prompt()
     learner.types("FW 3")

@@ -78,14 +78,14 @@ def editor(console: Any) -> EditingReader:
 @pytest.mark.parametrize("typed", [b"\x03", b"FW 1\r\x03", b"PAUSE\r\x03", b"SPE\x03\x03"])
 def test_ctrl_c_that_comes_as_a_key_counts_like_the_signal(typed: bytes) -> None:
     console: Any = Console(typed)
-    assert editor(console).take_ahead(lambda *_: True) is None
+    assert editor(console).take_ahead(lambda _: True) is None
     assert console.interrupted
 
 
 def test_what_is_typed_after_ctrl_c_stays_and_what_was_typed_before_goes() -> None:
     console: Any = Console(b"FW 1\r\x03FW 2\r")
     reader = editor(console)
-    assert reader.take_ahead(lambda *_: False) is None
+    assert reader.take_ahead(lambda _: False) is None
     console.take_interrupt()
     assert reader.read("> ").text == "FW 2"
 
