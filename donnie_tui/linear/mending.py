@@ -2,8 +2,8 @@
 
 from __future__ import annotations
 
+from donnie_tui.core import finding
 from donnie_tui.core.mistakes import mended, mistakes
-from donnie_tui.core.transcript import printable
 from donnie_tui.core.typed_program import ProgramTooLong
 from donnie_tui.i18n.catalogue.manual import CHAPTERS
 from donnie_tui.i18n.sentence import LANGUAGES
@@ -13,10 +13,6 @@ from donnie_tui.linear.lines import warning_of_all
 from donnie_tui.linear.reading import go_to
 from donnie_tui.linear.runs import Runs
 from language.formatter import formatted
-from language.source import fold_name
-
-LONGEST_TOLD = 40
-"""Characters of a word that is told not to be there."""
 
 
 def _fix(desk: Desk) -> None:
@@ -43,13 +39,11 @@ def _search(desk: Desk, _: Runs, rest: str) -> bool:
     desk.searched = rest or desk.searched
     if not desk.searched:
         return False
-    wanted, lines = fold_name(desk.searched), desk.program.lines
-    order = [*range(desk.place + 1, len(lines) + 1), *range(1, min(desk.place, len(lines)) + 1)]
-    found = next((number for number in order if wanted in fold_name(lines[number - 1])), None)
-    if found is None:
-        desk.answer("screen-not-found", word=printable(desk.searched[:LONGEST_TOLD]))
+    place = finding.found_from(desk.program.lines, desk.searched, desk.place)
+    if place is None:
+        desk.tell(finding.not_found(desk.searched, desk.say))
     else:
-        go_to(desk, found)
+        go_to(desk, place.row + 1)
     return True
 
 
@@ -62,11 +56,10 @@ def _replace(desk: Desk, _: Runs, rest: str) -> bool:
     if not rest:
         return False
     count = desk.program.text.count(rest)
-    word = printable(rest[:LONGEST_TOLD])
     if not count:
-        desk.answer("screen-not-found", word=word)
+        desk.tell(finding.not_found(rest, desk.say))
         return True
-    instead = desk.asking.ask("ask-replace-by", word=word)
+    instead = desk.asking.ask("ask-replace-by", word=finding.told(rest))
     if not _rewrite(desk, desk.program.text.replace(rest, instead)):
         return True
     desk.answer("screen-replaced", count=count)

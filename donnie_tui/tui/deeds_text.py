@@ -5,6 +5,9 @@ from __future__ import annotations
 from collections.abc import Callable
 from typing import TYPE_CHECKING
 
+from textual.widgets.text_area import Selection
+
+from donnie_tui.core import finding
 from donnie_tui.core.documents import lines_in
 from donnie_tui.core.mistakes import mended
 from donnie_tui.core.reading import ProgramText, line_in_words, place_in_words
@@ -84,33 +87,28 @@ class TextDeeds:
         await self.search(self._searched)
 
     def _search(self, wanted: str) -> None:
-        """From the cursor on, and once round; accents and size of letters don't matter."""
-        at = self._found(wanted, self._editor.offset_of_cursor)
-        if at is None:
-            self._host.tell(Answer("screen-not-found", {"word": printable(wanted[:40])}))
+        """From the cursor on, and once round: what is found is selected, and its line told."""
+        editor = self._editor
+        place = finding.found_from(editor.document.lines, wanted, *editor.cursor_location)
+        if place is None:
+            self._host.tell_sentences(finding.not_found(wanted, self._host.words))
             return
-        row, column = self._editor.location_of(at)
-        self._editor.focus()
-        self._editor.selection = type(self._editor.selection)((row, column), (row, column + len(wanted)))
-        self._host.tell(Answer("answer-line", {"line": row + 1, "text": self._line(row)}))
-
-    def _found(self, wanted: str, start: int) -> int | None:
-        text, folded = self._editor.text.casefold(), wanted.casefold()
-        at = text.find(folded, start)
-        at = text.find(folded) if at < 0 else at
-        return None if at < 0 else at
+        editor.focus()
+        editor.selection = Selection((place.row, place.start), (place.row, place.end))
+        self._host.tell(Answer("answer-line", {"line": place.row + 1, "text": self._line(place.row)}))
 
     async def replace(self, argument: str) -> None:
         wanted = argument or await self._host.ask(self._host.words("ask-search"), value=self._searched)
         if not wanted:
             return
-        instead = await self._host.ask(self._host.words("ask-replace-by", word=wanted))
-        if instead is None:
-            return
         count = self._editor.text.count(wanted)
-        if count:
+        if not count:
+            self._host.tell_sentences(finding.not_found(wanted, self._host.words))
+            return
+        instead = await self._host.ask(self._host.words("ask-replace-by", word=finding.told(wanted)))
+        if instead is not None:
             self._put(self._editor.text.replace(wanted, instead), self._editor.offset_of_cursor)
-        self._host.tell(Answer("screen-replaced", {"count": count}))
+            self._host.tell(Answer("screen-replaced", {"count": count}))
 
     def undo(self, _argument: str) -> None:
         """The last change is taken back; the first line that is another one now is told."""

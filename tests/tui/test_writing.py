@@ -185,6 +185,22 @@ async def test_without_completion_a_word_is_still_listed_for_who_asks(work, tmp_
         await desk.until(lambda: desk.app.screen is not desk.place, "the list")
 
 
+@pytest.mark.parametrize("wanted", ["olá", "OLA"])
+async def test_a_word_is_found_without_its_accents_and_selected_where_it_stands(work, wanted):
+    """Letters that are longer in capitals stand before it, and on its line."""
+    async with work('SPEAK "ßßß"\nSPEAK "ß Olá"') as desk:
+        await desk.type_line(f"SEARCH {wanted}")
+        await desk.told('Line 2: SPEAK "ß Olá"')
+        assert desk.place.editor.selected_text == "Olá"
+
+
+async def test_what_stands_nowhere_is_not_asked_about(work):
+    async with work("FW 1") as desk:
+        await desk.type_line("REPLACE BK")
+        await desk.told("BK is not in the program.")
+        assert desk.app.screen is desk.place
+
+
 async def test_replace_counts_and_is_one_thing_to_undo(work):
     async with work("FW 1 FW 2") as desk:
         await desk.type_line("REPLACE FW")
