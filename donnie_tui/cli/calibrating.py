@@ -23,6 +23,7 @@ from donnie_tui.cli.ending import stopped_by_suspension
 from donnie_tui.cli.order import Order
 from donnie_tui.connecting import MeasurableRobot, make_measurable, robot_config
 from donnie_tui.core.documents import DocumentError
+from donnie_tui.lost_readers import ReaderWatch
 from donnie_tui.robot_choice import sentences_of
 from donnie_tui.settings_file import remember
 from donnie_tui.unusable import Unusable
@@ -169,7 +170,8 @@ def _ended_by_signals() -> Iterator[None]:
     numbers = [getattr(signal, name) for name in ("SIGTERM", "SIGHUP", "SIGQUIT") if hasattr(signal, name)]
     before = {number: signal.signal(number, end) for number in numbers}
     try:
-        yield
+        with closing(ReaderWatch()):
+            yield
     finally:
         for number, handler in before.items():
             signal.signal(number, handler)

@@ -9,6 +9,7 @@ from contextlib import closing, contextmanager
 from types import FrameType
 
 from donnie_tui.deputy import Deputy
+from donnie_tui.lost_readers import ReaderWatch
 from donnie_tui.suspending import suspend
 
 _SIGNALS = ("SIGINT", "SIGTERM", "SIGHUP", "SIGQUIT")
@@ -38,7 +39,10 @@ def stopped_by_signals(stop: Callable[[], None]) -> Iterator[threading.Event]:
 
 @contextmanager
 def heard_signals(heard: Callable[[], None]) -> Iterator[None]:
-    """Any of them calls ``heard``, in the midst of whatever the main thread does: it must take no lock."""
+    """Any of them calls ``heard``, in the midst of whatever the main thread does: it must take no lock.
+
+    The loss of whoever reads the output is one of them.
+    """
 
     def handle(_number: int, _frame: FrameType | None) -> None:
         heard()
@@ -46,7 +50,8 @@ def heard_signals(heard: Callable[[], None]) -> Iterator[None]:
     numbers = [getattr(signal, name) for name in _SIGNALS if hasattr(signal, name)]
     before = {number: signal.signal(number, handle) for number in numbers}
     try:
-        yield
+        with closing(ReaderWatch()):
+            yield
     finally:
         for number, handler in before.items():
             signal.signal(number, handler)

@@ -17,6 +17,7 @@ from collections.abc import Callable
 
 from donnie_tui.deputy import Deputy
 from donnie_tui.linear.terminal import Terminal, size
+from donnie_tui.lost_readers import ReaderWatch
 from donnie_tui.suspending import suspend
 
 _LEAVING = (signal.SIGTERM, signal.SIGHUP, signal.SIGQUIT)
@@ -67,6 +68,7 @@ class Console:
         os.set_blocking(self._writing_end, False)
         self._found = {number: signal.signal(number, self._heard) for number in _HEARD}
         self._found_fd = signal.set_wakeup_fd(self._writing_end, warn_on_full_buffer=False)
+        self._watch = ReaderWatch()
         if terminal:
             terminal.take()
 
@@ -213,6 +215,7 @@ class Console:
         return size()[1]
 
     def close(self) -> None:
+        self._watch.close()
         if self._terminal:
             self._terminal.give_back()
         signal.set_wakeup_fd(self._found_fd)

@@ -1,0 +1,57 @@
+"""Without a terminal no signal tells that the line is lost: that nobody reads the output counts as one."""
+
+from __future__ import annotations
+
+import subprocess
+from collections.abc import Iterator
+from pathlib import Path
+
+import pytest
+
+from devices.firmware_double.board import SimulatedBoard
+from devices.firmware_double.on_pty import DoubleOnPty
+from tests.sessions.command import COMMAND, PATIENCE, QUIET, environment, start
+from tests.sessions.test_devices import LONG_WALK, program, serial, until
+
+
+@pytest.fixture
+def robot() -> Iterator[DoubleOnPty]:
+    with DoubleOnPty(SimulatedBoard(boot_loader=0.1)) as double:
+        yield double
+
+
+@pytest.mark.parametrize("lost", ["stdout", "stderr"])
+def test_a_run_that_nobody_reads_any_more_stops_its_robot(
+    tmp_path: Path, robot: DoubleOnPty, lost: str
+) -> None:
+    """In the middle of a walk, before the next line would find out."""
+    process = start(tmp_path, "run", program(tmp_path, LONG_WALK), *serial(robot), *QUIET)
+    assert until(lambda: robot.board.is_driving)
+
+    getattr(process, lost).close()
+
+    assert until(lambda: not robot.board.is_driving)
+    assert process.wait(PATIENCE) == 130
+
+
+def test_the_linear_mode_that_nobody_reads_any_more_stops_its_robot(
+    tmp_path: Path, robot: DoubleOnPty
+) -> None:
+    process = subprocess.Popen(
+        [*COMMAND, "--linear", program(tmp_path, LONG_WALK), *serial(robot), *QUIET],
+        stdin=subprocess.PIPE,
+        stdout=subprocess.PIPE,
+        stderr=subprocess.STDOUT,
+        cwd=tmp_path,
+        env=environment(tmp_path),
+    )
+    assert process.stdin is not None
+    assert process.stdout is not None
+    process.stdin.write(b"RUN\n")
+    process.stdin.flush()
+    assert until(lambda: robot.board.is_driving)
+
+    process.stdout.close()
+
+    assert until(lambda: not robot.board.is_driving)
+    assert process.wait(PATIENCE) == 129
