@@ -211,6 +211,10 @@ class Link:
     reason: str
 
 
+INTERNAL = "internal"
+"""The kind of an error that is no mistake of the program: a fault of ours. The others are the language's."""
+
+
 @frozen
 class Error:
     """A mistake in the program. ``source_line`` is the line as typed, for those who print the error."""

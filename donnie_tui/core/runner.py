@@ -12,7 +12,7 @@ from typing import Protocol, TypeAlias, runtime_checkable
 
 from devices.ports.robot import Robot
 from devices.ports.values import frozen
-from donnie_tui.core.events import Announced, Error, Outcome, RunEnded, RunStarted, Statement
+from donnie_tui.core.events import INTERNAL, Announced, Error, Outcome, RunEnded, RunStarted, Statement
 from donnie_tui.core.hub import Hub
 from donnie_tui.core.wording import Wording
 from language.compiler import Runnable
@@ -190,7 +190,7 @@ class Run:
         frames = self.frames()
         line = frames[0].line if frames else self._first_line
         self._stage.hub.publish(
-            Error("internal", line, 1, self._stage.wording("internal-error"), None, self._source_line(line))
+            Error(INTERNAL, line, 1, self._stage.wording("internal-error"), None, self._source_line(line))
         )
 
     def _source_line(self, line: int) -> str:

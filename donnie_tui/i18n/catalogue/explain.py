@@ -178,6 +178,18 @@ _EXPLAINED: dict[str, tuple[Texts, Texts]] = {
             "Pero ese robot no puede eso ahora.",
         ),
     ),
+    "internal": (
+        (
+            "The fault is Donnie's, not yours.",
+            "A falha é do Donnie, não sua.",
+            "La falla es de Donnie, no tuya.",
+        ),
+        (
+            "Save it, then start Donnie again.",
+            "Salve e inicie o Donnie de novo.",
+            "Guárdalo e inicia Donnie otra vez.",
+        ),
+    ),
     "unused-value": (
         (
             "The sensor was read for nobody.",
