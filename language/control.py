@@ -181,8 +181,9 @@ class ExecutionControl:
             self._hold_if(lambda: self._holds_at(line, depth), depth, (line, column))
         if self._state is ControlState.STOPPING:
             raise Stopped
-        if self._look is not None:
-            self._look()
+        look = self._look  # read once: another thread may take it away
+        if look is not None:
+            look()
 
     def ended(self) -> None:
         """The program is over, however it ended."""

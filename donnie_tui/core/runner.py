@@ -75,11 +75,13 @@ class Run:
         self._memory = memory
         self._trace = trace
         self._over = threading.Event()
+        self.has_begun = False
 
     def start(self, then: Callable[[Run], None]) -> None:
         """Begin; ``then`` is called in the program's thread, before ``wait`` returns."""
         thread = threading.Thread(target=self._run, args=(then,), name=f"program {self.name}", daemon=True)
         thread.start()
+        self.has_begun = True
 
     def wait(self, seconds: float | None = None) -> bool:
         """Wait for the end. False if it has not come in time."""

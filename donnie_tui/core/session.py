@@ -147,9 +147,13 @@ class Session:
             text, name, fresh=fresh, hooked=hooked, trace=trace, first_line=first_line, terminal=terminal
         )
         run.control.look_before_each(each_statement if hooked else None)
-        if prepare:
-            prepare(run.control)
-        self.begin(run)
+        try:
+            if prepare:
+                prepare(run.control)
+            self.begin(run)
+        except BaseException:
+            self.give_up(run)
+            raise
         return run
 
     def claim(
@@ -196,7 +200,11 @@ class Session:
     def use_gripper(self, deed: Deed) -> Run:
         """Close or open the robot's gripper, as a run of its own. Raises ``Busy`` while a program runs."""
         run = self.claim("", deed.value, deed=deed)
-        self.begin(run)
+        try:
+            self.begin(run)
+        except BaseException:
+            self.give_up(run)
+            raise
         return run
 
     def begin(self, run: Run) -> None:
@@ -204,7 +212,10 @@ class Session:
         run.start(then=self._release)
 
     def give_up(self, run: Run) -> None:
-        """A run that was claimed and will not begin."""
+        """A run that was claimed and did not begin; one that did is stopped, and ends by itself."""
+        if run.has_begun:
+            self.stop()
+            return
         self._release(run)
         if isinstance(self._robot, TakesTurns):
             self._robot.leave()

@@ -38,7 +38,15 @@ def run_full_screen(
     ``SwitchMode`` if the learner goes to the linear mode, ``Unusable`` if the world or a device can't be
     used.
     """
+    found = sys.getswitchinterval()
     sys.setswitchinterval(SWITCH)
+    try:
+        return _through_worlds(settings, file, text, donnie)
+    finally:
+        sys.setswitchinterval(found)
+
+
+def _through_worlds(settings: Settings, file: Path | None, text: str | None, donnie: Donnie | None) -> int:
     if donnie:
         donnie.audible.move_to(is_linear=False)
     while True:

@@ -1,6 +1,9 @@
 """The full screen from its start to its end, through other worlds."""
 
 import asyncio
+import sys
+
+import pytest
 
 from donnie_tui.settings import Settings
 from donnie_tui.tui import full_screen
@@ -56,3 +59,20 @@ def test_another_world_has_the_same_program(monkeypatch, tmp_path):
 
     assert begin(monkeypatch, work_through) == 0
     assert seen == [("open_floor", ""), ("maze", WALK)]
+
+
+def test_the_threads_take_turns_as_before_once_the_screen_is_left(monkeypatch, tmp_path):
+    monkeypatch.setenv("XDG_STATE_HOME", str(tmp_path / "state"))
+    found, seen = sys.getswitchinterval(), []
+
+    async def work_through(desk):
+        seen.append(sys.getswitchinterval())
+        desk.app.exit(0)
+
+    sys.setswitchinterval(0.004)
+    try:
+        assert begin(monkeypatch, work_through) == 0
+        assert seen == [pytest.approx(full_screen.SWITCH)]
+        assert sys.getswitchinterval() == pytest.approx(0.004)
+    finally:
+        sys.setswitchinterval(found)

@@ -186,7 +186,7 @@ def test_what_can_not_be_remembered_is_told(environment: dict[str, str]) -> None
 
 
 @pytest.mark.parametrize("text", ["", "a = 1", "a = 1\n", "[table]\nb = 2\n", "lang='x' # y\n[t]\n"])
-@pytest.mark.parametrize("value", ['C:\\worlds\\"mine".world', "open_floor"])
+@pytest.mark.parametrize("value", ['C:\\worlds\\"mine".world', "open_floor", "a\n\tb\x1b\x7f é 🤖"])
 def test_a_setting_put_into_any_file_keeps_it_sound(text: str, value: str) -> None:
     changed = tomllib.loads(with_setting(text, "world", value))
 

@@ -134,6 +134,20 @@ def test_one_program_runs_at_a_time() -> None:
     assert run.outcome is Outcome.STOPPED
 
 
+def test_a_run_that_could_not_begin_keeps_no_other_from_running() -> None:
+    floor = Floor()
+
+    def fail(_: object) -> None:
+        raise RuntimeError
+
+    with pytest.raises(RuntimeError):
+        floor.session.start("FW 1", "a.gd", prepare=fail)
+
+    run = floor.session.start("FW 1", "a.gd")
+    assert run.wait(PATIENCE)
+    assert run.outcome is Outcome.COMPLETED
+
+
 @pytest.mark.parametrize("hooked", [True, False])
 def test_a_stop_in_the_middle_of_a_movement_halts_the_robot_and_ends_the_run(hooked: bool) -> None:
     floor = Floor(speed=1.0)

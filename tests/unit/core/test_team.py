@@ -1,5 +1,6 @@
 """The robots of one world share a stream, act in a fixed order, and one of them is talked to."""
 
+from collections.abc import Callable
 from functools import partial
 from pathlib import Path
 
@@ -10,6 +11,7 @@ from devices.ports.robot import Pace, Watcher
 from donnie_tui.core.event_stream import as_line
 from donnie_tui.core.events import TRANSIENT, Moved, Outcome, RunEnded, RunStarted, Stamped
 from donnie_tui.core.hub import Stream
+from donnie_tui.core.runner import Run
 from donnie_tui.core.session import Busy, Session
 from donnie_tui.core.team import Assigned, Team
 from donnie_tui.core.transcript import told_lines
@@ -85,6 +87,27 @@ def test_the_one_with_less_time_behind_it_acts_first_and_of_equals_the_first_of_
 
     spoken = [line for line in hall.told if line.endswith(("a", "b", "c", "d")) and len(line) < 10]
     assert spoken == ["alice: a", "Bob: b", "alice: c", "Bob: d"]
+
+
+def test_where_one_can_not_begin_the_others_that_did_are_stopped(monkeypatch: pytest.MonkeyPatch) -> None:
+    hall, begun = Hall(), list[Run]()
+    begin = Run.start
+
+    def start(run: Run, then: Callable[[Run], None]) -> None:
+        if run.name == "b.gd":
+            raise RuntimeError("can't start new thread")
+        begun.append(run)
+        begin(run, then)
+
+    monkeypatch.setattr(Run, "start", start)
+    endless = "WHILE 1 == 1 DO WAIT 1 END WHILE"
+    with pytest.raises(RuntimeError):
+        hall.run(endless, endless)
+
+    assert begun[0].wait(PATIENCE)
+    assert begun[0].outcome is Outcome.STOPPED
+    monkeypatch.undo()
+    assert hall.run("FW 1", "FW 1") == [Outcome.COMPLETED, Outcome.COMPLETED]
 
 
 def test_every_event_and_sentence_says_whose_it_is() -> None:

@@ -248,3 +248,28 @@ def test_a_restart_does_not_wake_what_must_stop() -> None:
     control.restart()
 
     assert control.state is ControlState.STOPPING
+
+
+class TakenAway(ExecutionControl):
+    """What is to be called before each statement is gone as soon as somebody has looked for it."""
+
+    _kept: Callable[[], None] | None = None
+
+    @property
+    def _look(self) -> Callable[[], None] | None:
+        kept, self._kept = self._kept, None
+        return kept
+
+    @_look.setter
+    def _look(self, look: Callable[[], None] | None) -> None:
+        self._kept = look
+
+
+def test_another_thread_may_end_the_looks_at_any_time() -> None:
+    control, looks = TakenAway(), list[None]()
+    control.look_before_each(lambda: looks.append(None))
+
+    control.reached(1, 0)
+    control.reached(2, 0)
+
+    assert len(looks) == 1
