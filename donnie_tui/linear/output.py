@@ -13,6 +13,8 @@ from typing import Protocol
 REST = 0.3
 """Seconds of rest after each block of lines."""
 LARGEST_BLOCK = 18
+AFTER_STOP = 5
+"""Lines that are told at a stop without a rest: a block leaves room for them and the prompt."""
 
 MANY_NUMBERS = 4
 """Lines of a block that need a sentence, if they are nothing but digits. A few are not worth one."""
@@ -54,8 +56,10 @@ class Output:
         """Print the lines, then the prompt.
 
         Ctrl+C during a rest ends it, without the prompt; the answer is how many lines were not printed.
-        ``to_the_end``: it ends the rests and nothing else.
+        ``to_the_end``: it ends the rests and nothing else, and a few lines need none.
         """
+        if to_the_end:
+            self._room = max(self._room, AFTER_STOP)
         block, lines = self._next_block(lines, prompt)
         while lines:
             self._write(block, "")

@@ -27,6 +27,8 @@ FIRST_SIGN = 3.0
 HEARTBEAT = 1.0
 NEVER = 1e9
 MOST_HINTS = 3
+LAST_LINES = 3
+"""Lines of a stopped program that are still told; what more waited is left out, which is said."""
 LONGEST_STOP = 2.0
 """Seconds that we wait for a program to end before we leave without it."""
 
@@ -206,8 +208,10 @@ class Runs:
         self._console.before_suspending = self._desk.donnie.stop_real_robot
         if self._stopping and self._console.pressed_interrupt():
             self._heed_interrupt()
-        if run.outcome is Outcome.STOPPED and self._console.leaving is None:
-            self._tell_stopped()
+        if self._console.leaving is None:
+            self._tell_left_out()
+            if run.outcome is Outcome.STOPPED:
+                self._tell_stopped()
 
     def _is_over(self, run: Run) -> bool:
         return run.is_over or (self._ended and run.wait(LONGEST_STOP))
@@ -215,10 +219,8 @@ class Runs:
     def _print_what_comes(self) -> None:
         """A program that talks without end is reached by a word all the same."""
         if self._live():
-            if self._stopping:
-                self._left_out += self._told.trim(LARGEST_BLOCK)
-            self._desk.showing.show_block()
-        elif self._told:
+            self._show_answer()
+        elif self._told and not self._stopping:
             self._wait_for_more()
             if not self._ended:
                 self._left_out += self._desk.showing.show_block()
@@ -226,8 +228,19 @@ class Runs:
         elif self._console.now() >= self._sign_due:
             self._give_sign()
         elif not self._is_woken():
+            self._leave_out()
             left = min(HEARTBEAT, self._sign_due - self._console.now())
             self._console.wait(left, reading=self._desk.ends.hears_live)
+
+    def _show_answer(self) -> None:
+        """To a word said meanwhile; once the program is being stopped, with all that is told of that."""
+        if not self._stopping:
+            self._desk.showing.show_block()
+
+    def _leave_out(self) -> None:
+        """What waits to be printed of a program that is being stopped, but the last of it."""
+        if self._stopping:
+            self._left_out += self._told.trim(LAST_LINES)
 
     def _is_woken(self) -> bool:
         """Whether what would end a wait came already, while keys were looked for: it wakes but once."""
@@ -258,8 +271,7 @@ class Runs:
     # --- stopping and pausing
 
     def _heed_interrupt(self) -> None:
-        """Ctrl+C, which may have stopped the program already: what waits to be printed is left out."""
-        self._left_out += self._told.trim(LARGEST_BLOCK)
+        """Ctrl+C, which may have stopped the program already."""
         self._begin_new_line()
         if not self._stopping:
             self.stop()
@@ -296,11 +308,14 @@ class Runs:
         if not self._desk.ends.can_edit:
             self._desk.ends.hold_newline()
 
+    def _tell_left_out(self) -> None:
+        self._leave_out()
+        if self._left_out:
+            self._desk.answer("answer-left-out", lines=self._left_out)
+
     def _tell_stopped(self) -> None:
         if self._rested:
             self._desk.answer("suspended-stopped")
-        if self._left_out:
-            self._desk.answer("answer-left-out", lines=self._left_out)
         if self._stopped_at is None:
             self._desk.answer_of_robot("answer-stopped")
         else:

@@ -1,6 +1,6 @@
 """Blocks, rests, and the new line that is held back; on paper with a clock that only moves when one waits."""
 
-from donnie_tui.linear.output import REST, Output
+from donnie_tui.linear.output import AFTER_STOP, REST, Output
 
 
 class Paper:
@@ -65,6 +65,25 @@ def test_a_long_answer_comes_in_blocks_of_eighteen_with_a_rest_between() -> None
         (2 * REST, 4),
     ]
     assert paper.texts[-1].endswith("line 40\n> ")
+
+
+def test_what_is_told_at_a_stop_needs_no_rest_and_fits_on_the_screen_with_the_block_before() -> None:
+    paper = Paper()
+    output = Output(paper, paced=True)
+    output.show(numbered(18))
+    output.show(numbered(AFTER_STOP), "> ", to_the_end=True)
+
+    assert [time for time, _ in paper.written] == [0.0, 0.0]
+    assert len("".join(paper.texts).split("\n")) <= paper.rows()
+
+
+def test_a_long_answer_at_a_stop_rests_after_its_first_lines() -> None:
+    paper = Paper()
+    output = Output(paper, paced=True)
+    output.show(numbered(18))
+    output.show(numbered(AFTER_STOP + 18), "> ", to_the_end=True)
+
+    assert [time for time, _ in paper.written] == [0.0, 0.0, REST]
 
 
 def test_a_block_of_nothing_but_numbers_has_a_word_since_orca_is_silent_about_digits() -> None:

@@ -99,6 +99,8 @@ class Watched:
     def __init__(self, happens: str) -> None:
         self.console = Console()
         self.stops: list[str] = []
+        self.last_words: list[str] = []
+        """What the program still tells while it is being stopped."""
         self._is_over = False
         self._happens = happens
         self._hub = SimpleNamespace(robot=None, subscribe=lambda _: _nothing, add_gate=lambda _: _nothing)
@@ -114,9 +116,14 @@ class Watched:
             say=None,
             leaving=None,
             answer_of_robot=_ignored,
-            answer=_ignored,
+            answer=self._answer,
         )
-        self.runs = Runs(self.desk, Told(_nothing), lambda _: None, self._live)
+        self.left_out = 0
+        self.told = Told(_nothing)
+        self.runs = Runs(self.desk, self.told, lambda _: None, self._live)
+
+    def _answer(self, code: str, **values: int) -> None:
+        self.left_out += values["lines"] if code == "answer-left-out" else 0
 
     def _live(self) -> bool:
         match self._happens:
@@ -130,6 +137,7 @@ class Watched:
 
     def _stop(self) -> None:
         self.stops.append(self._happens)
+        self.told.put(self.last_words if not self._is_over else ())
         self._is_over = True
 
     def wait(self, _: float) -> bool:
@@ -159,6 +167,16 @@ def test_a_watched_run_heeds_at_once_what_came_while_keys_were_looked_for(happen
 
     assert watched.console.waits == []
     assert bool(watched.stops) == (happens != "end")
+
+
+def test_of_a_program_that_talks_without_end_three_lines_are_told_at_a_stop_and_how_many_are_not() -> None:
+    watched = Watched("Ctrl+C")
+    watched.console.interrupted = True
+    watched.last_words = ["on and on"] * 97 + ["one", "two", "I was stopped."]
+    watched.runs.watch_together(lambda: (("typed", watched.run),))
+
+    assert watched.told.take() == ["one", "two", "I was stopped."]
+    assert watched.left_out == 97
 
 
 # --- at the prompt
