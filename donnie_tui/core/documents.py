@@ -55,13 +55,18 @@ def program_to_save(name: str) -> Path:
 
 def _typed_path(name: str) -> Path:
     """The path of a name that may stand between quotes. Raises ``DocumentError``."""
-    path = Path(name.strip().strip("\"'“”"))
+    path = Path(unquoted(name))
     if not path.name or "\0" in name:
         raise DocumentError("file-is-folder", str(path))
     try:
         return path.expanduser()
     except RuntimeError:
         return path
+
+
+def unquoted(name: str) -> str:
+    """The name of a file without the quotes that may stand around it."""
+    return name.strip().strip("\"'“”")
 
 
 def exists(path: Path) -> bool:

@@ -10,6 +10,7 @@ from devices.ports.robot import Pose
 from devices.ports.values import frozen
 from donnie_tui.core import use_cases
 from donnie_tui.core.describe import place_of
+from donnie_tui.core.documents import unquoted
 from donnie_tui.core.map_words import map_in_words
 from donnie_tui.core.naming import name_of, shade
 from donnie_tui.core.reading import ProgramText
@@ -53,7 +54,8 @@ def asked(typed: str) -> tuple[str, str] | None:
 
 def with_suffix(typed: str, suffix: str) -> str:
     """The name, with the suffix where it has none."""
-    return typed if Path(typed).suffix else typed + suffix
+    name = unquoted(typed)
+    return name + suffix if name and not Path(name).suffix else name
 
 
 def report(what: str, name: str, subject: Subject, wording: Wording) -> str:

@@ -2,15 +2,12 @@
 
 from __future__ import annotations
 
-from pathlib import Path
 from typing import TYPE_CHECKING
 
 import worlds
 from donnie_tui.core import report_text
-from donnie_tui.core.documents import DocumentError, write_program
 from donnie_tui.core.typed_program import lines_of
 from donnie_tui.core.wording import Wording
-from donnie_tui.tui.desk import told
 from donnie_tui.tui.running import Answer
 from donnie_tui.tui.screens.chooser import Choice
 
@@ -92,21 +89,10 @@ class AroundDeeds:
             self._host.tell(Answer("screen-no-pager"))
 
     async def save_log(self, argument: str) -> None:
-        name = argument or await self._host.ask(self._host.words("ask-save-log"), value="log.txt")
-        if name and await self._host.files.saving.may_replace(Path(name)):
-            self._save_log(name)
-
-    def _save_log(self, name: str) -> None:
         """All that was told, as plain text."""
-        host = self._host
-        try:
-            write_program(Path(name).expanduser(), self._log_text)
-        except DocumentError as problem:
-            host.tell(told(problem))
-        except (OSError, ValueError, RuntimeError) as problem:
-            host.tell(Answer("file-unwritable", {"path": name, "reason": str(problem)}))
-        else:
-            host.tell(Answer("answer-saved", {"name": name, "lines": len(host.workplace.log_rows.lines)}))
+        name = argument or await self._host.ask(self._host.words("ask-save-log"), value="log.txt")
+        if name:
+            await self._host.files.saving.write_beside(report_text.with_suffix(name, ".txt"), self._log_text)
 
     @property
     def _log_text(self) -> str:

@@ -10,7 +10,7 @@ from donnie_tui.core import copies, filing
 from donnie_tui.core.copies import Copies
 from donnie_tui.core.filing import Document
 from donnie_tui.settings import Settings
-from donnie_tui.tui import beginning, deeds_text, patience
+from donnie_tui.tui import beginning, deeds_text, patience, saving
 from tests.tui import conftest
 
 
@@ -74,6 +74,31 @@ async def test_leaving_waits_for_what_is_being_saved(work, tmp_path, slow_saving
         slow_saving.set()
         await desk.until(lambda: not desk.app.is_running or desk.app._exit, "the end")
         assert path.read_text() == "FW 1\n"
+
+
+async def test_the_log_goes_to_a_slow_disk_beside_the_screen_and_its_name_may_be_quoted(
+    work, monkeypatch, tmp_path, gate
+):
+    """What has no suffix is a text, as in the linear mode."""
+    monkeypatch.setattr(saving, "write_program", _once_open(gate, saving.write_program))
+    path = tmp_path / "my notes.txt"
+    async with work("FW 1") as desk:
+        await desk.type_line(f'SAVE LOG "{path.with_suffix("")}"')
+        await desk.told("Writing my notes.txt, it takes a while.")
+        desk.place.editor.focus()
+        await desk.press("x")
+        assert desk.app.work.text == "xFW 1"
+        gate.set()
+        await desk.told("Wrote my notes.txt.")
+        assert "> SAVE LOG" in path.read_text(encoding="utf-8")
+
+
+def _once_open(gate, do):
+    def once_open(*given):
+        gate.wait(20)
+        return do(*given)
+
+    return once_open
 
 
 def _slow_disk(monkeypatch, gate):
