@@ -10,13 +10,12 @@ from donnie_tui.bootstrap import Donnie
 from donnie_tui.core.documents import DocumentError, exists
 from donnie_tui.core.events import Answered
 from donnie_tui.core.session import Busy
+from donnie_tui.core.typed_words import switched
 from donnie_tui.device_settings import SIMULATED
 from donnie_tui.robot_choice import Choice
 from donnie_tui.settings_file import remember
 from language.source import fold_name
 
-_ON = {"on", "ligado", "ligar", "encendido", "encender"}
-_OFF = {"off", "desligado", "desligar", "apagado", "apagar"}
 _ROWS = {"rows", "motors", "fileiras", "motores", "filas"}
 _MOST_DIGITS = 4
 
@@ -34,11 +33,11 @@ def connect(donnie: Donnie, typed: str, show: Callable[[], object] = lambda: Non
 
 def feel(donnie: Donnie, typed: str) -> None:
     """Tell what the belt shows, with ROWS each motor; with ON and OFF from now on every change, or none."""
-    telling, folded = donnie.belt_telling, fold_name(typed)
-    if folded in _ON | _OFF:
-        telling.is_on = folded in _ON
-        _say(donnie, "belt-words-on" if telling.is_on else "belt-words-off")
-    elif folded in _ROWS:
+    telling, is_on = donnie.belt_telling, switched(typed)
+    if is_on is not None:
+        telling.is_on = is_on
+        _say(donnie, "belt-words-on" if is_on else "belt-words-off")
+    elif fold_name(typed) in _ROWS:
         for sentence in telling.rows():
             _answer(donnie, sentence)
     else:

@@ -11,6 +11,7 @@ from collections.abc import Iterator, Mapping
 from donnie_tui.bootstrap import Donnie
 from donnie_tui.core.documents import DocumentError
 from donnie_tui.core.events import Answered, Chimed
+from donnie_tui.core.typed_words import SWITCH, switched
 from donnie_tui.i18n.sentence import LANGUAGES
 from donnie_tui.settings_file import remember
 from donnie_tui.sound_settings import read_percent, read_rate
@@ -36,10 +37,11 @@ CUE_WORDS: Mapping[str, Spelled] = {
 }
 """What each cue is called when it is typed."""
 
-_SWITCH: Mapping[object, Spelled] = {False: ("off", "não", "no"), True: ("on", "sim", "sí")}
-
-_ALSO: Mapping[str, tuple[tuple[object, Spelled], ...]] = {"speech": (("tts", _SWITCH[True]),)}
-"""What is understood besides, and not offered."""
+_SWITCHES: Mapping[str, Mapping[bool, str | bool]] = {
+    "speech": {False: "off", True: "tts"},
+    "wait_for_speech": {False: False, True: True},
+}
+"""What off and on mean, of the settings that have them."""
 
 SETTINGS: Mapping[str, tuple[Spelled, Mapping[object, Spelled]]] = {
     "speech": (
@@ -79,7 +81,7 @@ SETTINGS: Mapping[str, tuple[Spelled, Mapping[object, Spelled]]] = {
             "words": ("words", "palavras", "palabras"),
         },
     ),
-    "wait_for_speech": (("wait", "esperar", "esperar"), _SWITCH),
+    "wait_for_speech": (("wait", "esperar", "esperar"), SWITCH),
 }
 """By the field of the settings: how its name and its values are typed; numbers where there are none."""
 
@@ -206,7 +208,7 @@ def set_sound(donnie: Donnie, field: str, typed: str) -> None:
     if field == "cues":
         _set_cue(donnie, typed)
         return
-    value = _read(field, typed)
+    value = read_setting(field, typed)
     if value is None:
         _tell_setting(donnie, field)
         _tell_choices(donnie, field)
@@ -216,9 +218,12 @@ def set_sound(donnie: Donnie, field: str, typed: str) -> None:
     _keep(donnie, field, _KEPT_AS[value] if isinstance(value, bool) else value)
 
 
-def _read(field: str, typed: str) -> str | int | bool | None:
-    folded = fold_name(typed)
-    for value, words in (*SETTINGS[field][1].items(), *_ALSO.get(field, ())):
+def read_setting(field: str, typed: str) -> str | int | bool | None:
+    """The value that a word of any language means, or a number; None for anything else."""
+    folded, is_on = fold_name(typed), switched(typed)
+    if is_on is not None and field in _SWITCHES:
+        return _SWITCHES[field][is_on]
+    for value, words in SETTINGS[field][1].items():
         if folded and folded in map(fold_name, (*words, str(value))):
             assert isinstance(value, str | bool)
             return value
@@ -267,10 +272,9 @@ def _set_cue(donnie: Donnie, typed: str) -> None:
 
 def read_cue_volume(typed: str) -> int | None:
     """In percent: a number, or on and off in any language; None for anything else."""
-    folded = fold_name(typed)
-    for is_on, words in _SWITCH.items():
-        if folded in map(fold_name, words):
-            return _LOUD if is_on else _SILENT
+    is_on = switched(typed)
+    if is_on is not None:
+        return _LOUD if is_on else _SILENT
     try:
         return read_percent(typed)
     except (ValueError, OverflowError):
@@ -279,7 +283,7 @@ def read_cue_volume(typed: str) -> int | None:
 
 def _tell_cue(donnie: Donnie, name: str) -> None:
     at, percent = _at(donnie), donnie.audible.settings.cues.get(name, _LOUD)
-    value = str(percent) if percent else _SWITCH[False][at]
+    value = str(percent) if percent else SWITCH[False][at]
     _say(donnie, "sound-setting-cue", name=CUE[at], cue=CUE_WORDS[name][at], value=value)
 
 

@@ -13,9 +13,6 @@ from donnie_tui.linear.showing import Showing
 GRACE = 0.025
 """Seconds that a line waits for the ones after it, so that an answer and the prompt go out together."""
 
-_YES = ("y", "yes", "s", "sim", "si", "sí")
-_NO = ("", "n", "no", "não", "nao")
-
 
 class Asking:
     """Asks whoever types."""
@@ -64,10 +61,12 @@ class Asking:
 
     def decide(self, code: str, **values: object) -> bool | None:
         """Yes or no; None for no answer: Ctrl+C, Escape alone, the end of the input, a signal to leave."""
+        from donnie_tui.core.typed_words import answered
+
         answer = self._answer_to(code, **values)
-        while answer is not None and answer.casefold() not in _YES + _NO:
+        while answer and answered(answer) is None:
             answer = self._answer_to("linear-yes-or-no")
-        return None if answer is None else answer.casefold() in _YES
+        return bool(answered(answer)) if answer is not None else None
 
     def _answer_to(self, code: str, **values: object) -> str | None:
         self._answer(code, **values)

@@ -7,6 +7,7 @@ import os
 from donnie_tui import sound_words
 from donnie_tui.core import use_cases
 from donnie_tui.core.documents import DocumentError
+from donnie_tui.core.typed_words import detail_named, language_named
 from donnie_tui.core.use_cases import UseCase
 from donnie_tui.core.view_cases import PREFERENCES
 from donnie_tui.i18n.sentence import LANGUAGES
@@ -18,23 +19,13 @@ from donnie_tui.settings_file import remember
 from language import keywords
 from language.source import fold_name
 
-_LANGUAGES = {
-    "en": ("en", "english", "ingles"),
-    "pt": ("pt", "pt-br", "portuguese", "portugues"),
-    "es": ("es", "spanish", "espanhol", "espanol"),
-}
-_DETAILS = {
-    "brief": ("brief", "short", "breve", "curto", "corto"),
-    "normal": ("normal",),
-    "full": ("full", "long", "completo", "cheio", "largo"),
-}
 _KEYS = ("keys", "teclas")
 _KEY_LINES = ("enter", "run", "stop", "past", "line", "word", "clear", "tab", "leave")
 
 
 def _language(desk: Desk, _: Runs, typed: str) -> bool:
     """Talk another language from now on."""
-    language = _chosen(_LANGUAGES, typed)
+    language = language_named(typed)
     if typed and language is None:
         return False
     desk.say.language = language or desk.say.language
@@ -44,17 +35,12 @@ def _language(desk: Desk, _: Runs, typed: str) -> bool:
 
 def _detail(desk: Desk, _: Runs, typed: str) -> bool:
     """Say more or less from now on."""
-    detail = _chosen(_DETAILS, typed)
+    detail = detail_named(typed)
     if typed and detail is None:
         return False
     desk.say.detail = detail or desk.say.detail
     desk.answer("linear-detail")
     return True
-
-
-def _chosen(table: dict[str, tuple[str, ...]], typed: str) -> str | None:
-    folded = fold_name(typed)
-    return next((name for name, spellings in table.items() if folded in spellings), None)
 
 
 # --- habits

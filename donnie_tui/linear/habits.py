@@ -6,9 +6,11 @@ first value of each is the default.
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from enum import Enum
 
 from devices.ports.values import field_names, mutable
+from donnie_tui.core.typed_words import SWITCH, switched
 from donnie_tui.i18n.first_words import PROMPT
 from donnie_tui.settings import LONGEST_PROGRESS, Settings
 from language.source import fold_name
@@ -63,7 +65,7 @@ class Habits:
                 return f"{level}{PROMPT}"
 
 
-SPELLINGS: dict[str, tuple[tuple[str, str, str], dict[object, tuple[str, str, str]]]] = {
+SPELLINGS: dict[str, tuple[tuple[str, str, str], Mapping[object, tuple[str, str, str]]]] = {
     "page": (
         ("page", "página", "página"),
         {
@@ -81,7 +83,7 @@ SPELLINGS: dict[str, tuple[tuple[str, str, str], dict[object, tuple[str, str, st
             Prompt.ANSWER: ("answer", "resposta", "respuesta"),
         },
     ),
-    "hold": (("hold", "segurar", "retener"), {False: ("off", "não", "no"), True: ("on", "sim", "sí")}),
+    "hold": (("hold", "segurar", "retener"), SWITCH),
     "editor": (
         ("editor", "editor", "editor"),
         {True: ("own", "próprio", "propio"), False: ("plain", "simples", "simple")},
@@ -91,7 +93,7 @@ SPELLINGS: dict[str, tuple[tuple[str, str, str], dict[object, tuple[str, str, st
         {False: ("waits", "espera", "espera"), True: ("runs", "executa", "ejecuta")},
     ),
     "progress": (("progress", "progresso", "progreso"), {}),
-    "clock": (("clock", "relógio", "reloj"), {False: ("off", "não", "no"), True: ("on", "sim", "sí")}),
+    "clock": (("clock", "relógio", "reloj"), SWITCH),
     "free": (("free", "livre", "libre"), {"": ("dot", "ponto", "punto")}),
 }
 
@@ -104,7 +106,9 @@ def find(typed: str) -> str | None:
 
 def read(field: str, typed: str) -> object:
     """The value that a word of any language, or a number, or a letter, means. Raises ``ValueError``."""
-    folded = fold_name(typed)
+    folded, is_on = fold_name(typed), switched(typed)
+    if is_on is not None and SPELLINGS[field][1] is SWITCH:
+        return is_on
     for value, words in SPELLINGS[field][1].items():
         if folded in map(fold_name, words):
             return value

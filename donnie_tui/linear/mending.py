@@ -5,8 +5,8 @@ from __future__ import annotations
 from donnie_tui.core import finding
 from donnie_tui.core.mistakes import mended, mistakes
 from donnie_tui.core.typed_program import ProgramTooLong
+from donnie_tui.core.typed_words import language_named
 from donnie_tui.i18n.catalogue.manual import CHAPTERS
-from donnie_tui.i18n.sentence import LANGUAGES
 from donnie_tui.linear.arguments import Handler, alone
 from donnie_tui.linear.desk import Desk
 from donnie_tui.linear.lines import warning_of_all
@@ -71,11 +71,10 @@ def _format(desk: Desk) -> None:
 
 
 def _translate(desk: Desk, _: Runs, rest: str) -> bool:
-    language = rest.strip().lower()[:2]
-    if language not in LANGUAGES:
-        return False
-    _lay_out(desk, language)
-    return True
+    language = language_named(rest)
+    if language is not None:
+        _lay_out(desk, language)
+    return language is not None
 
 
 def _lay_out(desk: Desk, language: str | None) -> None:

@@ -6,10 +6,12 @@ Each choice counts at once and is kept.
 from __future__ import annotations
 
 from collections.abc import Mapping
+from functools import partial
 from typing import TYPE_CHECKING
 
 from donnie_tui import sound_words
 from donnie_tui.core.transcript import printable
+from donnie_tui.core.typed_words import detail_named, language_named, switched
 from donnie_tui.i18n.sentence import LANGUAGES
 from donnie_tui.settings import THEMES
 from donnie_tui.tui.actions import ACTIONS, BY_NAME, key_label
@@ -24,6 +26,8 @@ if TYPE_CHECKING:
 _LOUD = 100
 _VOLUMES = (100, 75, 50, 25, 0)
 """Of a sound, to choose from; any other can be typed: SET cue bump 60."""
+_NAMED = {"lang": language_named, "verbosity": detail_named}
+"""Settings whose words are those of the linear mode."""
 _AS_BEFORE = ""
 """Of the list of keys: all as they came."""
 
@@ -47,8 +51,7 @@ class SettingsDeeds:
         """One of a few values, typed in any language or chosen from a list."""
         words = self._host.words
         names = {value: words(f"value-{key}-{value}") for value in values}
-        meant = {fold_name(each): value for value, name in names.items() for each in (value, name)}
-        chosen = meant.get(fold_name(typed)) if typed else None
+        chosen = _NAMED.get(key, partial(_meant, names))(typed)
         if chosen is None:
             current = self._host.preferences.value(key)
             rows = [Choice(value, name, value == current) for value, name in names.items()]
@@ -222,3 +225,12 @@ class SettingsDeeds:
         self._host.tell(Answer("keys-now", {"row": self._key_row(name).partition(".")[0]}))
         if before not in (None, name):
             self._host.tell(Answer("keys-now", {"row": self._key_row(str(before)).partition(".")[0]}))
+
+
+def _meant(names: Mapping[str, str], typed: str) -> str | None:
+    """The value that is typed, by itself, by its name, or by any word for on and off where it has these."""
+    is_on = switched(typed)
+    if is_on is not None and set(names) == {"on", "off"}:
+        return "on" if is_on else "off"
+    folded = fold_name(typed)
+    return next((value for value, name in names.items() if folded in map(fold_name, (value, name))), None)

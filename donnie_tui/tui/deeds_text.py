@@ -14,14 +14,14 @@ from donnie_tui.core.reading import ProgramText, line_in_words, place_in_words
 from donnie_tui.core.transcript import printable
 from donnie_tui.core.typed_arguments import number_in
 from donnie_tui.core.typed_program import first_difference, lines_of
+from donnie_tui.core.typed_words import language_named
+from donnie_tui.i18n.sentence import LANGUAGES
 from donnie_tui.tui.running import Answer
 from donnie_tui.tui.screens.chooser import Choice
 from language.formatter import formatted
 
 if TYPE_CHECKING:
     from donnie_tui.tui.host import WorkHost
-
-LANGUAGES = ("en", "pt", "es")
 
 
 class TextDeeds:
@@ -130,8 +130,8 @@ class TextDeeds:
 
     async def translate(self, argument: str) -> None:
         words = self._host.words
-        chosen = argument.strip().lower()[:2]
-        if chosen not in LANGUAGES:
+        chosen = language_named(argument)
+        if chosen is None:
             rows = [Choice(each, words(f"language-{each}")) for each in LANGUAGES]
             chosen = await self._host.choose(words("ask-translate"), rows) or ""
         if chosen:

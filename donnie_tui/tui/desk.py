@@ -6,9 +6,9 @@ from collections.abc import Awaitable, Callable
 from typing import Protocol, TypeVar
 
 from donnie_tui.core.documents import DocumentError
+from donnie_tui.core.typed_words import answered
 from donnie_tui.core.wording import Wording
 from donnie_tui.tui.running import Answer
-from language.source import fold_name
 
 T = TypeVar("T")
 
@@ -39,7 +39,7 @@ def told(error: DocumentError) -> Answer:
 
 
 class YesOrNo:
-    """Questions about a file that are answered with yes or no, in the learner's language."""
+    """Questions about a file that are answered with yes or no, in any language."""
 
     def __init__(self, desk: Desk, words: Wording) -> None:
         self._desk = desk
@@ -50,13 +50,7 @@ class YesOrNo:
         question = self._words(asked, name=name)
 
         def unclear(typed: str) -> str | None:
-            return None if self._understood(typed) is not None else f"{self._words('ask-yes-no')} {question}"
+            return None if answered(typed) is not None else f"{self._words('ask-yes-no')} {question}"
 
         typed = await self._desk.ask(question, accepts=unclear)
-        return None if typed is None else self._understood(typed)
-
-    def _understood(self, typed: str) -> bool | None:
-        folded = fold_name(typed)
-        if folded in map(fold_name, self._words("answers-yes").split()):
-            return True
-        return False if folded in map(fold_name, self._words("answers-no").split()) else None
+        return None if typed is None else answered(typed)

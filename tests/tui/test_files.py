@@ -78,14 +78,14 @@ async def test_the_first_save_asks_for_a_name_and_adds_the_suffix(work, tmp_path
         assert (tmp_path / "first.gd").read_text(encoding="utf-8") == "FW 2\n"
 
 
-@pytest.mark.parametrize(("answer", "text"), [("yes", "FW 2\n"), ("no", "FW 1\nTR 90\n")])
+@pytest.mark.parametrize(("answer", "text"), [("sí", "FW 2\n"), ("no", "FW 1\nTR 90\n")])
 async def test_another_file_is_replaced_only_after_a_yes(work, program, answer, text):
     async with work("FW 2") as desk:
         await desk.type_line(f"SAVE {program}")
         await desk.answer("perhaps")
         await desk.until(lambda: "Replace it?" in desk.screen, "the question again")
         await desk.answer(answer)
-        await desk.told("Saved walk.gd" if answer == "yes" else "Nothing was changed.")
+        await desk.told("Saved walk.gd" if answer == "sí" else "Nothing was changed.")
 
         assert program.read_text(encoding="utf-8") == text
 

@@ -133,6 +133,22 @@ async def test_set_changes_a_setting_by_its_name(work, typed):
         assert desk.app.work.preferences.settings.theme == "light"
 
 
+@pytest.mark.parametrize(
+    ("typed", "told"),
+    [
+        ("FEEL sí", "I tell what the belt shows."),
+        ("SET completion não", "Completion: off."),
+        ("SET wait ligado", "Programs wait for the voice: on."),
+        ("LANGUAGE inglés", "Language: English."),
+        ("DETAIL cheio", "Detail: full."),
+    ],
+)
+async def test_words_of_any_language_switch_and_choose(work, typed, told):
+    async with work() as desk:
+        await desk.type_line(typed)
+        await desk.told(told)
+
+
 async def test_set_says_which_name_it_does_not_know(work):
     async with work() as desk:
         await desk.type_line("SET nonsense 3")

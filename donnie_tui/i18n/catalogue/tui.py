@@ -121,8 +121,6 @@ _QUESTIONS = {
     "ask-keys": Sentence(
         "Enter answers, Esc goes back", "Enter responde, Esc volta", "Enter responde, Esc vuelve"
     ),
-    "answers-yes": Sentence("yes y", "sim s", "sí s"),
-    "answers-no": Sentence("no n", "não n", "no n"),
     "help-title": Sentence("Help. Esc goes back", "Ajuda. Esc volta", "Ayuda. Esc vuelve"),
     "chooser-keys": Sentence(
         "Up and Down choose, typing narrows, Enter takes it, Esc goes back",
