@@ -28,6 +28,8 @@ from tests.readers.reading import (
 from tests.sessions.learner import until
 
 OPTIONS = ("--world", "living_room")
+ORCA = ("orca", "lxterminal", "xvfb-run", "dbus-run-session", "openbox", "xdotool")
+"""The reader, and the desk that it reads."""
 
 
 def needs(*programs: str) -> pytest.MarkDecorator:
@@ -48,7 +50,7 @@ def test_fenrir_says_every_answer_once_with_little_noise(tmp_path: Path) -> None
     assert heard.noise <= 0.05
 
 
-@needs("orca", "lxterminal", "xvfb-run", "dbus-run-session", "openbox", "xdotool")
+@needs(*ORCA)
 def test_orca_says_forty_lone_numbers_and_what_comes_after(tmp_path: Path) -> None:
     """L9: Orca takes a block of nothing but digits for typing."""
     count = "FOR VAR i = 1; i <= 40; i = i + 1 DO SPEAK i END FOR"
@@ -61,6 +63,16 @@ def test_fenrir_says_the_answers_of_the_plain_full_screen_with_little_noise(tmp_
     """T7."""
     heard = score(phases_of("fenrir", OF_THE_SCREEN, tmp_path, OPTIONS, mode=FULL_SCREEN)[1:])
     assert heard.clean >= 8
+    assert heard.noise <= 0.05
+
+
+@pytest.mark.parametrize(
+    "reader", [pytest.param("orca", marks=needs(*ORCA)), pytest.param("yasr", marks=needs("yasr"))]
+)
+def test_no_row_of_the_plain_full_screen_is_said_again(reader: str, tmp_path: Path) -> None:
+    """T7: the log does not move, so that what was told is not told with each answer."""
+    heard = score(phases_of(reader, OF_THE_SCREEN, tmp_path, OPTIONS, mode=FULL_SCREEN)[1:])
+    assert heard.clean >= 7
     assert heard.noise <= 0.05
 
 

@@ -21,6 +21,7 @@ from textual.widgets import Static
 from donnie_tui.tui.widgets.command_line import CommandLine
 from donnie_tui.tui.widgets.editor import Editor
 from donnie_tui.tui.widgets.lines import FixedLine, KeyLine
+from donnie_tui.tui.widgets.log_rows import LogRows
 from donnie_tui.tui.widgets.map_view import MapView
 from donnie_tui.tui.widgets.pane import Pane
 from donnie_tui.tui.widgets.text_rows import TextRows
@@ -61,7 +62,7 @@ class Workplace(Screen[None]):
         self.editor = Editor(id="editor")
         self.map = MapView(id="map")
         self.inspector = TextRows(id="inspector")
-        self.log_rows = TextRows(id="log", follows=True)
+        self.log_rows = LogRows(id="log")
         self.command_line = CommandLine(id="command")
         self.status = FixedLine(id="status")
         self.keys = KeyLine(id="keys")

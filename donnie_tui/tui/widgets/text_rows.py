@@ -3,8 +3,8 @@ or before the sentence where there is little room.
 
 Made for programs that talk without end: lines are kept as texts, wrapped only where they are too long, and
 painted only where they are seen. One row is being read: the terminal's own cursor stands on it while the
-rows have the focus, and ``>`` before it. A log reads its newest row, whatever comes, unless somebody reads
-further up.
+rows have the focus, and ``>`` before it. Rows that follow read their newest one, whatever comes, unless
+somebody reads further up. The log, ``LogRows``, suits those who listen too.
 """
 
 from __future__ import annotations
@@ -21,15 +21,9 @@ from textual.geometry import Offset, Region, Size
 from textual.message import Message
 from textual.scroll_view import ScrollView
 from textual.strip import Strip
-from textual.timer import Timer
 
 MOST_LINES = 100_000
 """Lines that are kept; beyond, the oldest tenth is forgotten."""
-
-REST = 0.3
-"""Seconds between two screenfuls for those who listen: a reader tells what stands there when it looks."""
-_FLOOD = 200
-"""Rows; whatever tells more at once is not to be heard line by line."""
 
 _KIND_WIDTH = 10
 _NARROW = 56
@@ -79,10 +73,6 @@ class TextRows(ScrollView, can_focus=True):
         self.looks: dict[str, str] = {}
         """Of the words of a kind, where it has a look of its own."""
         self._wrapped_at = (0, True, False)
-        self._is_listened_to = False
-        self._resting: Timer | None = None
-        self._heard = 0
-        """So many rows were shown to those who listen."""
         self._row: int | None = None if follows else 0
         """The row being read; None is the newest, whatever comes."""
 
@@ -99,7 +89,8 @@ class TextRows(ScrollView, can_focus=True):
             return
         if self._forget_oldest():
             before = 0
-        self._extent(range(max(0, before - 1), len(self._rows)))
+        first = before - 1 if self.is_read else before  # which is read no longer
+        self._extent(range(max(0, first), len(self._rows)))
         if self._row is None:
             self._follow()
 
@@ -152,10 +143,10 @@ class TextRows(ScrollView, can_focus=True):
     def row_text(self) -> str:
         return self._rows[self.row] if self._rows else ""
 
-    def _forget_oldest(self) -> bool:
-        """Whether that was necessary."""
-        has_too_many = len(self._lines) > MOST_LINES
-        if has_too_many:
+    def _forget_oldest(self) -> int:
+        """How many rows that were."""
+        rows = 0
+        if len(self._lines) > MOST_LINES:
             lines = max(len(self._lines) - MOST_LINES, MOST_LINES // 10)
             rows = sum(self._heights[:lines])
             for column, count in (
@@ -166,26 +157,19 @@ class TextRows(ScrollView, can_focus=True):
                 (self._row_kinds, rows),
             ):
                 del column[:count]
-            self._heard = max(0, self._heard - rows)
             if self._row is not None:
                 self._row = max(0, self._row - rows)
-        return has_too_many
+        return rows
 
     # --- rows
 
-    def suit_listeners(self, wanted: bool) -> None:
-        """No kinds behind the lines, which a reader would say; and no row goes by before it was seen."""
-        if wanted != self._is_listened_to:
-            self._is_listened_to = wanted
-            self.on_resize()
-
     @property
     def _shows_kinds(self) -> bool:
-        return not self._is_listened_to and self.size.width >= _NARROW
+        return self.size.width >= _NARROW
 
     @property
     def _begins_with_kinds(self) -> bool:
-        return not self._is_listened_to and not self._shows_kinds
+        return not self._shows_kinds
 
     @property
     def _look_of_rows(self) -> tuple[int, bool, bool]:
@@ -208,11 +192,14 @@ class TextRows(ScrollView, can_focus=True):
         width = self._text_width
         for text, kind in zip(self._lines, self._kinds, strict=True):
             self._wrap(text, kind, width)
-        self._heard = len(self._rows)
         if self._row is not None:
             self._row = min(self._row, max(0, len(self._rows) - 1))
 
     def on_resize(self) -> None:
+        self._lay_out()
+
+    def _lay_out(self) -> None:
+        """Everything, where the size or the kinds are others."""
         if self._wrapped_at != self._look_of_rows:
             self._wrapped_at = self._look_of_rows
             line = self.line
@@ -225,7 +212,7 @@ class TextRows(ScrollView, can_focus=True):
 
     def _extent(self, changed: Collection[int]) -> None:
         """There are so many rows, and these look different: no others are painted, each costs bytes."""
-        extent = Size(self.size.width, len(self._rows))
+        extent = Size(self.size.width, self._height)
         if (
             extent != self.virtual_size
         ):  # set by its name it would paint all rows and lay out the whole screen
@@ -238,29 +225,18 @@ class TextRows(ScrollView, can_focus=True):
 
     def _follow(self) -> None:
         """Show the row that is being read."""
-        if self._resting is not None and not self.has_focus:
-            return
-        row = self.row
-        if self._is_listened_to and self._row is None and not self.has_focus:
-            row = self._next_stop()
-        place = Region(0, row, 1, 1)
+        place = Region(0, self.row, 1, 1)
         self.scroll_to_region(place, animate=False, force=True, immediate=True)
 
-    def _next_stop(self) -> int:
-        """A screenful further at most, and then a rest; a flood is not waited for."""
-        height, newest = self.size.height, self.row
-        if self._heard >= len(self._rows) or not height:
-            return newest
-        is_flood = newest - self._heard > _FLOOD
-        stop = newest if is_flood else min(newest, self._heard + max(1, height) - 1)
-        in_sight = min(newest, self.scroll_offset.y + height - 1)
-        self._heard = max(stop, in_sight) + 1
-        self._resting = self.set_timer(REST, self._rested)
-        return stop
+    @property
+    def _height(self) -> int:
+        """So many rows can be gone through."""
+        return len(self._rows)
 
-    def _rested(self) -> None:
-        self._resting = None
-        self._follow()
+    @property
+    def _painted_rows(self) -> int:
+        """So many, from the oldest on, may be seen."""
+        return len(self._rows)
 
     @property
     def cursor_screen_offset(self) -> Offset:
@@ -302,22 +278,25 @@ class TextRows(ScrollView, can_focus=True):
 
     def render_line(self, y: int) -> Strip:
         row = y + self.scroll_offset.y
-        if row >= len(self._rows):
+        if row >= self._painted_rows:
             return Strip.blank(self.size.width, self.rich_style)
         return Strip(self._segments(row)).adjust_cell_length(self.size.width, self._style(row))
 
     def _segments(self, row: int) -> list[Segment]:
-        style, text = self._style(row), self._rows[row]
+        style, text = self._style(row), self._words_of(row)
         here = self.is_read and row == self.row
         kind = self._row_kinds[row][:_KIND_WIDTH]
         look = style if here else style + self._look(self.looks.get(self._row_kinds[row], "kind"))
         before = Segment(">" if here else " ", style)
-        if not kind or self._is_listened_to:
-            return [before, Segment(text, style)]
-        if not self._shows_kinds:
+        if kind and self._begins_with_kinds:
             return [before, Segment(text[: len(kind)], look), Segment(text[len(kind) :], style)]
+        if not kind or not self._shows_kinds:
+            return [before, Segment(text, style)]
         gap = " " * (self._text_width + 1 - cell_len(text))
         return [before, Segment(text, style), Segment(gap, style), Segment(kind, look)]
+
+    def _words_of(self, row: int) -> str:
+        return self._rows[row]
 
     def _style(self, row: int) -> Style:
         here = self.is_read and row == self.row

@@ -1,0 +1,154 @@
+"""The log. For those who listen a row that was told stays where it stands: a reader says what moves again.
+
+So a page is filled from above. When the next row has no room, or a command is typed on a page that is half
+full, a page without a word comes first, and then the rows on it: a reader compares what it sees, and passes
+over a sentence that stood on the page before. A page is held for a while before it goes. Whoever reads the
+log with its keys, and whoever has no reader, goes through all rows as in every other list.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+
+from textual.timer import Timer
+
+from donnie_tui.tui.widgets.text_rows import TextRows
+
+REST = 0.3
+"""Seconds that a full page stays: a reader tells what stands there when it looks."""
+BREATH = 0.1
+"""Seconds that a page stays empty, long enough to be looked at."""
+_FLOOD = 200
+"""Rows; whatever tells more at once is not to be heard line by line."""
+_SHORT = 20
+"""Digits of a number to which a full stop is added; a longer one may go on in the next row."""
+
+
+class LogRows(TextRows):
+    """What was told, the newest being read."""
+
+    def __init__(self, *, id: str) -> None:  # noqa: A002 -- Textual's own name
+        super().__init__(id=id, follows=True)
+        self._is_listened_to = False
+        self._page = 0
+        """The first row of the page that is being told."""
+        self._told = 0
+        """So many rows were seen by those who listen."""
+        self._waiting: Timer | None = None
+        """Until the page goes, or something comes onto an empty one."""
+
+    def suit_listeners(self, wanted: bool) -> None:
+        """No kinds behind the lines, which a reader would say; and no row moves, or goes by unseen."""
+        if wanted != self._is_listened_to:
+            self._is_listened_to = wanted
+            self._lay_out()
+
+    def begin_answer(self) -> None:
+        """Something was asked, and is told at the end, on a new page if there is little room."""
+        if not self._is_listened_to:
+            return
+        if self._row is not None:
+            self._row = None
+            self._show_newest()
+        room = self._page + self.size.height - self._told
+        if self._is_telling and self._waiting is None and room * 2 < self.size.height:
+            self._turn()
+
+    # --- pages
+
+    @property
+    def _is_telling(self) -> bool:
+        """Whether rows come page by page."""
+        return self._is_listened_to and self._row is None and not self.has_focus
+
+    def _follow(self) -> None:
+        if not self._is_telling:
+            super()._follow()
+        elif self._waiting is None:
+            self._tell()
+
+    def _tell(self) -> None:
+        """What there is room for on the page; the rest after it."""
+        self._waiting = None
+        rows, height = len(self._rows), self.size.height
+        if not height:
+            self._told = rows
+        elif rows - self._told > _FLOOD:
+            self._told = rows - height
+            self._turn()
+        else:
+            told, self._told = self._told, max(self._told, min(rows, self._page + height))
+            self._extent(range(told, self._told))
+            self._go_to_page()
+            if self._told < rows:
+                self._wait(REST, self._turn)
+
+    def _turn(self) -> None:
+        """An empty page, and then what comes onto it."""
+        self._page = self._told
+        self._go_to_page()
+        self.refresh()
+        self._wait(BREATH, self._tell)
+
+    def _go_to_page(self) -> None:
+        self._extent(())
+        self.scroll_to(y=self._page, animate=False, force=True, immediate=True)
+
+    def _wait(self, seconds: float, do: Callable[[], None]) -> None:
+        self._give_up_waiting()
+        self._waiting = self.set_timer(seconds, do)
+
+    def _give_up_waiting(self) -> None:
+        if self._waiting is not None:
+            self._waiting.stop()
+            self._waiting = None
+
+    def _show_newest(self) -> None:
+        """As many rows as there is room for, told or not: there is no page to be heard before."""
+        self._give_up_waiting()
+        self._told = len(self._rows)
+        self._page = max(0, self._told - self.size.height)
+        self.refresh()
+
+    def on_resize(self) -> None:
+        """Before the rows are laid out, as Textual asks the heir first."""
+        self._show_newest()
+
+    def watch_has_focus(self, has_focus: bool) -> None:
+        """Whoever comes to read sees all of it, and goes on hearing what is told after it."""
+        super().watch_has_focus(has_focus)
+        if self._is_listened_to and self._row is None:
+            self._show_newest()
+            self._follow()
+
+    # --- as rows
+
+    def _forget_oldest(self) -> int:
+        rows = super()._forget_oldest()
+        self._told, self._page = max(0, self._told - rows), max(0, self._page - rows)
+        return rows
+
+    def _rewrap(self) -> None:
+        super()._rewrap()
+        self._show_newest()
+
+    @property
+    def _shows_kinds(self) -> bool:
+        return not self._is_listened_to and super()._shows_kinds
+
+    @property
+    def _begins_with_kinds(self) -> bool:
+        return not self._is_listened_to and super()._begins_with_kinds
+
+    @property
+    def _height(self) -> int:
+        return max(len(self._rows), self._page + self.size.height) if self._is_telling else len(self._rows)
+
+    @property
+    def _painted_rows(self) -> int:
+        return self._told if self._is_telling else len(self._rows)
+
+    def _words_of(self, row: int) -> str:
+        """A number alone is a sentence: Orca takes nothing but digits for something typed."""
+        words = super()._words_of(row)
+        return f"{words}." if self._is_listened_to and words.isdecimal() and len(words) <= _SHORT else words

@@ -1,0 +1,160 @@
+"""The log of the plain layout, as a reader meets it: what is painted, and when."""
+
+import asyncio
+from contextlib import asynccontextmanager
+from itertools import pairwise
+
+from textual.app import App, ComposeResult
+from textual.widgets import Input
+
+from donnie_tui.tui.widgets.log_rows import LogRows
+
+HEIGHT = 6
+
+
+class Pictured(LogRows):
+    """Keeps what is seen of it, each time that it comes to another page or goes on with one."""
+
+    def __init__(self):
+        super().__init__(id="log")
+        self.pictures = []
+
+    @property
+    def seen(self):
+        return tuple(self.render_line(y).text.strip() for y in range(HEIGHT))
+
+    def _tell(self):
+        super()._tell()
+        self.look()
+
+    def _turn(self):
+        super()._turn()
+        self.look()
+
+    def look(self):
+        if self.pictures[-1:] != [self.seen]:
+            self.pictures.append(self.seen)
+
+
+class Told(App[None]):
+    """A log of six rows, and something else that can have the focus."""
+
+    def compose(self) -> ComposeResult:
+        yield Pictured()
+        yield Input(id="elsewhere")
+
+
+class Seen:
+    """Somebody before it."""
+
+    def __init__(self, app, pilot):
+        self.app, self.pilot = app, pilot
+        self.log = app.query_one(Pictured)
+
+    @property
+    def rows(self):
+        return self.log.seen
+
+    async def until(self, condition):
+        async with asyncio.timeout(60):
+            while not condition():
+                await self.pilot.pause(0.01)
+
+    async def tell(self, *lines):
+        self.log.append((line, "spoke") for line in lines)
+        await self.until(lambda: lines[-1] in self.rows)
+
+
+@asynccontextmanager
+async def listening():
+    async with Told().run_test(size=(60, HEIGHT + 3)) as pilot:
+        seen = Seen(pilot.app, pilot)
+        seen.log.styles.height = HEIGHT
+        pilot.app.query_one("#elsewhere").focus()
+        await pilot.pause()
+        seen.log.suit_listeners(True)
+        await pilot.pause()
+        seen.log.pictures[:] = [seen.rows]
+        yield seen
+
+
+def rows_that_changed(before, after):
+    return [(old, new) for old, new in zip(before, after, strict=True) if old != new]
+
+
+async def test_a_row_that_was_told_stays_where_it_stands_until_its_page_goes():
+    async with listening() as seen:
+        for number in range(20):
+            await seen.tell(f"Answer {number}.")
+
+        assert len(seen.log.pictures) > 20
+        for before, after in pairwise(seen.log.pictures):
+            for old, new in rows_that_changed(before, after):
+                assert not old or not new, (before, after)
+
+
+async def test_a_burst_is_told_page_by_page_each_row_once_with_an_empty_page_between():
+    async with listening() as seen:
+        lines = [f"Row {number}." for number in range(3 * HEIGHT)]
+        await seen.tell(*lines)
+
+        pages = [tuple(lines[at : at + HEIGHT]) for at in range(0, len(lines), HEIGHT)]
+        empty = ("",) * HEIGHT
+        assert seen.log.pictures == [empty, pages[0], empty, pages[1], empty, pages[2]]
+
+
+async def test_a_command_begins_a_page_where_more_than_half_is_full():
+    async with listening() as seen:
+        await seen.tell("One.", "Two.", "Three.")
+        seen.log.begin_answer()
+        await seen.tell("Four.")
+        assert seen.rows[:4] == ("One.", "Two.", "Three.", "Four.")
+
+        seen.log.begin_answer()
+        assert seen.rows == ("",) * HEIGHT
+        await seen.tell("Five.")
+        assert seen.rows == ("Five.", *("",) * (HEIGHT - 1))
+
+
+async def test_a_flood_is_not_told_row_by_row():
+    async with listening() as seen:
+        lines = [f"Row {number}." for number in range(5000)]
+        await seen.tell(*lines)
+
+        assert seen.rows == tuple(lines[-HEIGHT:])
+        assert len(seen.log.pictures) < 10
+
+
+async def test_a_number_alone_is_a_sentence_for_those_who_listen():
+    async with listening() as seen:
+        seen.log.append([("5", "spoke"), ("12345678901234567890123", "spoke"), ("-5", "spoke")])
+        await seen.until(lambda: "-5" in seen.rows)
+        assert seen.rows[:3] == ("5.", "12345678901234567890123", "-5")
+        assert seen.log.lines[0] == "5"
+
+        seen.log.suit_listeners(False)
+        assert "5." not in seen.rows
+
+
+async def test_whoever_goes_into_the_log_reads_all_of_it_and_hears_on_after_leaving():
+    async with listening() as seen:
+        await seen.tell(*(f"Row {number}." for number in range(HEIGHT + 2)))
+        seen.log.focus()
+        await seen.until(lambda: seen.log.has_focus)
+        await seen.pilot.press("home")
+        assert seen.rows[0] == ">Row 0."
+
+        seen.app.query_one("#elsewhere").focus()
+        await seen.until(lambda: not seen.log.has_focus)
+        seen.log.begin_answer()
+        await seen.tell("News.")
+        assert "News." in seen.rows
+
+
+async def test_another_size_shows_the_newest_rows():
+    async with listening() as seen:
+        await seen.tell(*(f"Row {number}." for number in range(HEIGHT + 1)))
+        assert seen.rows[0] == f"Row {HEIGHT}."
+        await seen.pilot.resize_terminal(50, HEIGHT + 3)
+        await seen.until(lambda: seen.rows[-1] == f"Row {HEIGHT}.")
+        assert seen.rows[0] == "Row 1."
