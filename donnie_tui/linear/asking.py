@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable
 
 from donnie_tui.i18n.first_words import PROMPT
+from donnie_tui.linear.beside import Beside
 from donnie_tui.linear.ends import Ends
 from donnie_tui.linear.hearing import Hearing
 from donnie_tui.linear.reader import How, Typed
@@ -22,6 +23,7 @@ class Asking:
         ends: Ends,
         heard: Hearing,
         showing: Showing,
+        beside: Beside,
         answer: Callable[..., None],
         tell: Callable[..., None],
         before_typing: Callable[[], None],
@@ -31,6 +33,7 @@ class Asking:
         self._console = ends.console
         self._heard = heard
         self._showing = showing
+        self._beside = beside
         self._answer, self._tell = answer, tell
         self._before_typing = before_typing
         self.offered = ""
@@ -77,6 +80,14 @@ class Asking:
         return text if is_answered else None
 
     def _read(self, prompt: str, *, shown: bool) -> Typed:
+        """Meanwhile a robot that runs beside tells no more than is read."""
+        self._ends.told.hold_back()
+        try:
+            return self._show_and_read(prompt, shown=shown)
+        finally:
+            self._ends.told.let_pass()
+
+    def _show_and_read(self, prompt: str, *, shown: bool) -> Typed:
         offered, self.offered = self.offered if self._ends.can_edit else "", ""
         self._showing.prompt = None
         self._heard.line_begins()
@@ -101,13 +112,32 @@ class Asking:
         Where a program was just stopped little is left, and it is where and why: a second Ctrl+C ends no
         more than its rests.
         """
+        if self._show_flood():
+            self._ends.output.show([], prompt + offered)
+            return
         left_out = self._showing.show_told(prompt + offered)
         if self._showing.is_hurrying:
             self._console.take_interrupt()
         if left_out:
             self._console.take_interrupt()
-            self._answer("answer-left-out", lines=left_out)
+            if self._beside.is_any:
+                self._beside.stop(left_out)
+            else:
+                self._answer("answer-left-out", lines=left_out)
             self._showing.show_told(prompt + offered)
+
+    def _show_flood(self) -> bool:
+        """Print by blocks what robots tell beside. Whether a key was pressed: the rest waits for its line."""
+        ends, console = self._ends, self._console
+        while ends.prompts and not ends.page_size and self._beside.floods and console.leaving is None:
+            left_out = self._showing.show_block()
+            if console.pressed_interrupt():
+                self._beside.stop(left_out)
+                return False
+            is_typing = ends.reader.has_typed or console.has_input()
+            if is_typing and self._beside.waits_behind_answers:
+                return True
+        return False
 
     def _tell_choices(self, typed: Typed) -> None:
         """Tab found several words: how many, and each on a line; the typed line is offered again."""

@@ -17,6 +17,7 @@ from donnie_tui.core.session import Session
 from donnie_tui.core.transcript import said_by
 from donnie_tui.core.typed_program import TypedProgram
 from donnie_tui.linear.asking import Asking
+from donnie_tui.linear.beside import Beside
 from donnie_tui.linear.console import Console
 from donnie_tui.linear.ends import Ends
 from donnie_tui.linear.hearing import Hearing
@@ -42,7 +43,10 @@ class Desk:
         self.answers = AnswerLog()
         self.heard = Hearing(donnie, ends)
         self.showing = Showing(ends, self.say, self.answers)
-        self.asking = Asking(ends, self.heard, self.showing, self.answer, self.tell, self._keep_copy)
+        self.beside = Beside(donnie, ends.told, self.answer)
+        self.asking = Asking(
+            ends, self.heard, self.showing, self.beside, self.answer, self.tell, self._keep_copy
+        )
         self.place = 0
         """The line of the program that was read last, 0 before any."""
         self.read_text: ProgramText | None = None
@@ -103,8 +107,10 @@ class Desk:
         self.tell(*first, *lines[1:])
 
     def tell(self, *lines: str) -> None:
+        """Where robots that run beside tell more than is printed at once, it waits for nothing of that."""
+        at_once = self.answers_first or self.beside.floods
         for line in lines:
-            self.session.hub.publish(Answered(line, at_once=self.answers_first))
+            self.session.hub.publish(Answered(line, at_once=at_once))
 
     def _keep_copy(self) -> None:
         if self.is_attended:

@@ -6,7 +6,6 @@ asked, a copy of it is kept.
 
 from __future__ import annotations
 
-from donnie_tui import team_words
 from donnie_tui.core.typed_program import TypedProgram
 from donnie_tui.linear import files
 from donnie_tui.linear.desk import Desk
@@ -72,7 +71,7 @@ class Leaving:
         desk = self._desk
         desk.next_line = None
         if desk.donnie.team.running:
-            team_words.stop_all(desk.donnie)
+            desk.beside.stop()
         elif not desk.is_attended:
             desk.leaving = _INTERRUPTED
         elif line:

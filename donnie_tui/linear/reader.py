@@ -53,6 +53,10 @@ class Reader(Protocol):
     holds_newline: bool
     """Whether the new line that ends the typed line must still be written."""
 
+    @property
+    def has_typed(self) -> bool:
+        """Whether something was taken from the input that no line was made of yet."""
+
     def read(self, prompt: str, offered: str = "") -> Typed:
         """The next line. ``prompt`` and ``offered``, the text to be edited, were printed already."""
 
@@ -71,6 +75,10 @@ class EditingReader:
         """Told of each key before it is done, and of what stands before the cursor."""
         self._decoder = KeyDecoder()
         self._keys: deque[Key] = deque()
+
+    @property
+    def has_typed(self) -> bool:
+        return bool(self._keys)
 
     def read(self, prompt: str, offered: str = "") -> Typed:
         line = EditLine(len(prompt), self._console.columns, offered)
@@ -237,6 +245,10 @@ class PlainReader:
         self._is_lost = False
         """Whether the line that is being read is too long."""
         self._ended = False
+
+    @property
+    def has_typed(self) -> bool:
+        return bool(self._pending)
 
     def read(self, prompt: str, offered: str = "") -> Typed:  # noqa: ARG002 -- nothing can be offered here
         while True:

@@ -59,7 +59,10 @@ def _stop_all(desk: Desk, runs: Runs, rest: str) -> bool:
     if not rest:
         if desk.session.run is not None:
             runs.remember_stop()
-        desk.answer(team_words.stopped_all(desk.donnie))
+        if desk.answers_first:
+            desk.answer(team_words.stopped_all(desk.donnie))
+        else:
+            desk.beside.stop()
     return not rest
 
 

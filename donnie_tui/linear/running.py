@@ -44,7 +44,10 @@ def _stop(desk: Desk, runs: Runs, rest: str) -> bool:
     if not rest and desk.session.run is None:
         desk.answer("answer-nothing-runs")
     elif not rest:
-        runs.stop()
+        if desk.answers_first:
+            runs.stop()
+        else:
+            runs.stop_beside()
     return not rest
 
 

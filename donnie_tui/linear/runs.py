@@ -296,6 +296,13 @@ class Runs:
         self.remember_stop()
         self._desk.session.stop()
 
+    def stop_beside(self) -> None:
+        """The program that runs beside the conversation."""
+        self.stop()
+        self._rested, self._left_out = False, 0
+        self._desk.beside.leave_out()
+        self._tell_stopped()
+
     def remember_stop(self) -> None:
         """It is about to be stopped: remember where; whatever it still tells must not wait for us."""
         self._stopping = self._desk.showing.is_hurrying = True

@@ -96,6 +96,11 @@ class Told:
         with self._changed:
             return len(self._forget(max(0, len(self._lines) - kept)))
 
+    @property
+    def has_first(self) -> bool:
+        """Whether something waits that is printed before all else."""
+        return bool(self._first)
+
     def __len__(self) -> int:
         return len(self._first) + len(self._lines)
 

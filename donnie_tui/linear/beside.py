@@ -1,0 +1,51 @@
+"""What runs beside the conversation: robots that were STARTed, while lines are typed.
+
+Rule: however much they tell, whoever types comes through: what waits to be printed is bounded, a key is
+looked for between its blocks, and a stop leaves out all of it but the end.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+
+from donnie_tui import team_words
+from donnie_tui.bootstrap import Donnie
+from donnie_tui.linear.output import LARGEST_BLOCK
+from donnie_tui.linear.told import Told
+
+
+class Beside:
+    """The robots whose programs run though nobody waits for them."""
+
+    def __init__(self, donnie: Donnie, told: Told, answer: Callable[..., None]) -> None:
+        """``told`` waits to be printed, ``answer`` tells a sentence by its code."""
+        self._donnie = donnie
+        self._told = told
+        self._answer = answer
+
+    @property
+    def is_any(self) -> bool:
+        return bool(self._donnie.team.running)
+
+    @property
+    def floods(self) -> bool:
+        """Whether more was told than is printed at once, while there may be more any time."""
+        return len(self._told) > LARGEST_BLOCK and self.is_any
+
+    @property
+    def waits_behind_answers(self) -> bool:
+        """Whether what is answered to the last word is printed, and what waits was told beside."""
+        return not self._told.has_first
+
+    def stop(self, left_out: int = 0) -> None:
+        """Stop all, and say so; ``left_out``: lines that were not printed, besides those that wait now."""
+        code = team_words.stopped_all(self._donnie)
+        self.leave_out(left_out)
+        self._answer(code)
+
+    def leave_out(self, left_out: int = 0) -> None:
+        """After a stop: the end of what waits is printed, and how many lines were not."""
+        self._told.let_pass()
+        left_out += self._told.trim(LARGEST_BLOCK)
+        if left_out:
+            self._answer("answer-left-out", lines=left_out)

@@ -1,0 +1,70 @@
+"""A robot that runs beside the conversation and talks without end: whoever types comes through to it."""
+
+from __future__ import annotations
+
+import re
+from pathlib import Path
+
+import pytest
+
+from tests.sessions.learner import Learner
+
+CTRL_C = "\x03"
+TALKER = ("WHILE 1 == 1 DO", "SPEAK 7", "END WHILE", "START")
+A_FEW_BLOCKS = 150
+"""Lines: a block of them is printed before a key is looked for, and some come after the stop."""
+
+
+@pytest.fixture
+def talking(tmp_path: Path) -> Learner:
+    """Far more is told than is printed."""
+    learner = Learner(tmp_path, speed="1")
+    learner.enters(*TALKER)
+    learner.sees("Those were 17 numbers.\r\n7\r\n")
+    return learner
+
+
+def left_out(learner: Learner) -> int:
+    found = re.findall(r"(\d+) lines were left out", learner.raw.decode())
+    return sum(map(int, found))
+
+
+@pytest.mark.parametrize(
+    ("keys", "answer"),
+    [("STOP ALL\r", "All stopped."), ("STOP\r", "Stopped at line "), (CTRL_C, "All stopped.")],
+    ids=["all", "own", "interrupt"],
+)
+def test_a_word_or_one_ctrl_c_stops_it_soon(talking: Learner, keys: str, answer: str) -> None:
+    talking.types(keys)
+    before = len(talking.lines)
+    talking.sees(answer)
+    assert len(talking.lines) - before < A_FEW_BLOCKS
+
+    talking.sees("> ")
+    talking.types("ROBOTS\r")
+    talking.sees("There is one robot, donnie.")
+
+
+def test_what_it_tells_that_is_not_printed_yet_is_bounded(talking: Learner) -> None:
+    for _ in range(5):
+        talking.sees("Those were 17 numbers.")
+    talking.types(CTRL_C)
+    talking.sees("All stopped.")
+    talking.sees("> ")
+
+    assert 0 < left_out(talking) < 1000
+
+
+def test_a_line_is_typed_and_answered_in_between(talking: Learner) -> None:
+    talking.types("WHERE")
+    talking.sees("> WHERE")
+    talking.types("\r")
+    before = len(talking.lines)
+    talking.sees("Facing north.")
+
+    assert len(talking.lines) - before < A_FEW_BLOCKS
+
+
+def test_a_question_is_seen_before_it_is_to_be_answered(talking: Learner) -> None:
+    talking.types("FW 1\rFW 2\rNEW\r")
+    talking.sees("5 lines are not saved. Lose them, y or n? Enter means no.\r\n")
