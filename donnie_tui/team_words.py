@@ -16,6 +16,8 @@ from donnie_tui.core.telling import facing
 
 MOST_ROBOTS = 30
 """Robots that are told of one by one."""
+LONGEST_READING = 2.0
+"""Seconds; most programs are read in a few thousandths."""
 
 
 def tell_robots(donnie: Donnie) -> None:
@@ -49,7 +51,8 @@ def choose_robot(donnie: Donnie, typed: str) -> bool:
 
 
 def start(donnie: Donnie, text: str, name: str) -> Run | None:
-    """Run a whole program from the robot's start, and wait for nothing. None if the robot is busy."""
+    """Run a whole program from the robot's start, and wait for nothing but to tell whether it has mistakes of
+    form. None if the robot is busy."""
     session = donnie.session
     donnie.team.give(session.name, Assigned(text, name))
     try:
@@ -57,7 +60,8 @@ def start(donnie: Donnie, text: str, name: str) -> Run | None:
     except Busy:
         _say(donnie, "robot-busy", name=session.name)
         return None
-    if session.parse(text).program is not None:
+    run.wait_until_read(LONGEST_READING)
+    if not run.was_refused:
         _say(donnie, "robot-started", name=session.name)
     return run
 

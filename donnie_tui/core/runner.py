@@ -70,10 +70,12 @@ class Run:
         self._started = started
         self._read = read
         self._program: Readable | None = None
+        self._problem: Exception | None = None
         self._source_lines = source_lines
         self._first_line = first_line
         self._memory = memory
         self._trace = trace
+        self._has_read = threading.Event()
         self._over = threading.Event()
         self.has_begun = False
 
@@ -87,13 +89,17 @@ class Run:
         """Wait for the end. False if it has not come in time."""
         return self._over.wait(seconds)
 
+    def wait_until_read(self, seconds: float | None = None) -> bool:
+        """Wait until it is known whether it ``was_refused``. False if that has not come in time."""
+        return self._has_read.wait(seconds)
+
     @property
     def is_over(self) -> bool:
         return self._over.is_set()
 
     @property
     def was_refused(self) -> bool:
-        """Whether mistakes of form kept it from running; known once it is over."""
+        """Whether mistakes of form kept it from running; known once it has been read."""
         return isinstance(self._program, tuple)
 
     def frames(self) -> tuple[Frame, ...]:
@@ -103,12 +109,22 @@ class Run:
 
     def _run(self, then: Callable[[Run], None]) -> None:
         try:
+            self._read_first()
             self.outcome = self._run_in_turn()
         finally:
             try:
                 then(self)
             finally:
                 self._over.set()
+
+    def _read_first(self) -> None:
+        """Whatever other robots do: for that nobody needs a turn. What goes wrong is told in its place."""
+        try:
+            self._program = self._read()
+        except Exception as problem:  # noqa: BLE001 -- raised again where it is told
+            self._problem = problem
+        finally:
+            self._has_read.set()
 
     def _run_in_turn(self) -> Outcome:
         """From its first event to its last one the run is in its place among those of other robots."""
@@ -154,7 +170,10 @@ class Run:
             return Outcome.FAILED
 
     def _read_and_run(self) -> Outcome:
-        self._program = program = self._read()
+        if self._problem is not None:
+            raise self._problem
+        program = self._program
+        assert program is not None
         if isinstance(program, tuple):
             self._publish_errors(program)
             return Outcome.FAILED

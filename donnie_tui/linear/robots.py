@@ -39,7 +39,7 @@ def _start(desk: Desk, runs: Runs, rest: str) -> bool:
         return False
     if text.strip():
         run = team_words.start(desk.donnie, text, _name(desk.program))
-        if desk.session.parse(text).program is None:
+        if run is not None and run.was_refused:
             runs.watch_deed(lambda: run)
     else:
         desk.answer("answer-nothing-to-run")
