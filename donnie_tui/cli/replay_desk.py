@@ -21,6 +21,7 @@ from donnie_tui.core.replay import Replay
 from donnie_tui.core.retelling import told_back, told_forward
 from donnie_tui.core.speeds import speed_words
 from donnie_tui.core.telling import facing
+from donnie_tui.core.transcript import said_by
 from donnie_tui.i18n.words import Words
 from language.control import ExecutionControl
 from language.source import fold_name
@@ -155,7 +156,7 @@ class ReplayDesk:
                     x=numbers.whole(pose.x),
                     y=numbers.whole(pose.y),
                 )
-                self._tell(place if robot is None else self._words("robot-says", robot=robot, text=place))
+                self._tell(said_by(robot, place, self._words))
 
     def _map(self, output: Output) -> None:
         rows = () if self._floor is None else self._floor.lines(self._timeline, self._robot)

@@ -54,7 +54,7 @@ def told_back(undone: Iterable[Stamped], timeline: Timeline, wording: Wording) -
     sentence = wording("undone", what=_what(done.event, wording))
     place = _place(done.event, timeline.pose(done.robot), wording)
     text = f"{sentence} {place}" if place else sentence
-    return text if done.robot is None else wording("robot-says", robot=printable(done.robot), text=text)
+    return said_by(done.robot, text, wording)
 
 
 def told_forward(step: Iterable[Stamped], wording: Wording) -> str:

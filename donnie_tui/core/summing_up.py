@@ -17,7 +17,7 @@ from typing import Protocol
 
 from devices.ports.values import field, mutable
 from donnie_tui.core.events import Announced, Moved, RunEnded, Stamped, Turned
-from donnie_tui.core.transcript import printable, told_lines
+from donnie_tui.core.transcript import said_by, told_lines
 from donnie_tui.core.wording import Wording
 
 MOST = 4
@@ -129,7 +129,7 @@ class SummingUp:
     def _summed_up(self) -> tuple[str, ...]:
         lines: list[str] = []
         for name, robot in self._robots.items():
-            lines += (self._named(name, each) for each in self._sum(robot.untold))
+            lines += (said_by(name, each, self._say) for each in self._sum(robot.untold))
             lines += robot.untold.only if robot.untold.movements == 1 else ()
             lines += robot.untold.place
             robot.untold = _Untold()
@@ -141,9 +141,6 @@ class SummingUp:
             return ()
         code = "more-steps" if not untold.turns else "more-turns" if not untold.steps else "more-moves"
         return (self._say(code, steps=untold.steps, turns=untold.turns),)
-
-    def _named(self, robot: str | None, line: str) -> str:
-        return line if robot is None else self._say("robot-says", robot=printable(robot), text=line)
 
 
 def _goes_without_saying(stamped: Stamped, robot: _Robot) -> bool:

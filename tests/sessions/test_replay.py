@@ -200,6 +200,17 @@ def test_the_map_of_a_step_is_that_of_the_robot_that_is_told_of(here: Here) -> N
     assert told[-1] == "There is no map here."
 
 
+def test_a_name_in_a_recording_makes_no_line_of_its_own(here: Here) -> None:
+    """Nobody trusts a recording: a name with a line's end could say whatever it likes."""
+    record_two(here)
+    recorded = (here.folder / "a.rec").read_text(encoding="utf-8")
+    (here.folder / "a.rec").write_text(recorded.replace('"alice"', '"al\\nice"'), encoding="utf-8")
+
+    told = here.replay("--step", typed="END\nWHERE\n")
+
+    assert [line for line in told if "Position" in line and "ice" in line][-1].startswith("al ice: Position")
+
+
 def test_a_replay_at_a_speed_keeps_the_order_and_stops_at_a_signal(here: Here) -> None:
     here.record('SPEAK "begun" WAIT 1000')
     running = start(here.folder, "replay", "a.rec", *QUIET, "--speed", "1")
