@@ -18,6 +18,7 @@ from donnie_tui.collecting import loaded
 from donnie_tui.connecting import Connection
 from donnie_tui.core.belt_telling import BeltTelling
 from donnie_tui.core.chronicle import Chronicle
+from donnie_tui.core.events import Answered
 from donnie_tui.core.holding_up import HoldingUp
 from donnie_tui.core.hub import Stream
 from donnie_tui.core.in_use import keep
@@ -28,6 +29,7 @@ from donnie_tui.device_settings import SERIAL, SIMULATED
 from donnie_tui.first_start import is_new_decision
 from donnie_tui.folders import state_path
 from donnie_tui.i18n.words import Words
+from donnie_tui.lost_network import NetworkWatch
 from donnie_tui.moved_things import ThingWatch
 from donnie_tui.robot_search import Search
 from donnie_tui.settings import Settings, Source
@@ -128,6 +130,11 @@ class Donnie:
         self.connection.wait_until_standing()
         return is_running
 
+    def stop_unreachable_robot(self) -> None:
+        """Whoever drives it sees and hears nothing any more; told for when the line is back."""
+        if self.stop_real_robot():
+            self.session.hub.publish(Answered(self.words("network-stopped")))
+
     def close(self) -> None:
         """The robots stop first, whatever else takes its time."""
         self.team.stop()
@@ -196,6 +203,7 @@ def assemble(
         closing,
     )
     donnie.let_programs_wait()
+    closing.callback(NetworkWatch(donnie.stop_unreachable_robot, os.environ).close)
     loaded()
     return donnie
 

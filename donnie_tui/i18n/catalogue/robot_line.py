@@ -259,6 +259,11 @@ _CALIBRATION: dict[str, Sentence] = {
         "A tela não aceitou nada por um tempo, então parei o robô.",
         "La pantalla no aceptó nada por un rato, así que detuve el robot.",
     ),
+    "network-stopped": Sentence(
+        "The network hung, so I stopped the robot.",
+        "A rede travou, então parei o robô.",
+        "La red se cortó, así que detuve el robot.",
+    ),
     "suspended-stopped": Sentence(
         "You left with Ctrl+Z, so I stopped the robot.",
         "Você saiu com Ctrl+Z, então parei o robô.",
