@@ -263,6 +263,11 @@ _CALIBRATION: dict[str, Sentence] = {
         "The network hung, so I stopped the robot.",
         "A rede travou, então parei o robô.",
         "La red se cortó, así que detuve el robot.",
+        brief=(
+            "Network hung: I stopped the robot.",
+            "Rede travou: parei o robô.",
+            "Red cortada: detuve el robot.",
+        ),
     ),
     "suspended-stopped": Sentence(
         "You left with Ctrl+Z, so I stopped the robot.",
