@@ -3,12 +3,15 @@
 A screen reader loses what scrolls by, and it says a prompt twice that comes in a write of its own. So the
 new line of Enter is held back until there is an answer, and no more than a screenful comes at once. Orca
 takes a write of nothing but digits for something typed and keeps silent: such a block ends with a sentence.
+Fenrir compares the screen before and after: of what stands there already fewer lines come at once.
 """
 
 from __future__ import annotations
 
 from collections.abc import Callable
 from typing import Protocol
+
+from donnie_tui.linear.on_screen import OnScreen
 
 REST = 0.3
 """Seconds of rest after each block of lines."""
@@ -47,6 +50,7 @@ class Output:
         self._held = ""
         self._room = 0
         self._rested_at = float("-inf")
+        self._on_screen = OnScreen()
 
     def hold_newline(self) -> None:
         """Enter was pressed: its new line goes out with whatever comes next."""
@@ -77,6 +81,9 @@ class Output:
         size = self._room
         if (prompt == "" or len(lines) > size) and are_silent(lines[:size]):
             size -= 1  # for the sentence
+        heard = self._on_screen.most_heard(lines[:size], self._paper.rows())
+        if heard < len(lines[:size]):
+            size, self._room = heard, 0
         block, rest = lines[:size], lines[size:]
         self._room -= len(block)
         return block, rest
@@ -99,6 +106,7 @@ class Output:
             self._room -= 1
         text = self._held + "".join(f"{line}\n" for line in block) + prompt
         self._held = ""
+        self._on_screen.add(block, prompt, self._paper.rows())
         if text:
             self._paper.write(text)
             self._rested_at = self._paper.now()

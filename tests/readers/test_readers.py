@@ -50,6 +50,13 @@ def test_fenrir_says_every_answer_once_with_little_noise(tmp_path: Path) -> None
     assert heard.noise <= 0.05
 
 
+@needs("fenrir")
+def test_fenrir_says_an_answer_again_that_still_stands_on_the_screen(tmp_path: Path) -> None:
+    walk = "FOR VAR i = 1; i <= 8; i = i + 1 DO FW i TR 10 * i END FOR"
+    heard = score(phases_of("fenrir", (walk, "SHOW LOG", "SHOW LOG"), tmp_path, OPTIONS))
+    assert (heard.once, heard.in_order) == (1.0, 1.0)
+
+
 @needs(*ORCA)
 def test_orca_says_forty_lone_numbers_and_what_comes_after(tmp_path: Path) -> None:
     """L9: Orca takes a block of nothing but digits for typing."""

@@ -80,7 +80,7 @@ def test_what_is_told_at_a_stop_needs_no_rest_and_fits_on_the_screen_with_the_bl
 def test_a_long_answer_at_a_stop_rests_after_its_first_lines() -> None:
     paper = Paper()
     output = Output(paper, paced=True)
-    output.show(numbered(18))
+    output.show(["before"] * 18)
     output.show(numbered(AFTER_STOP + 18), "> ", to_the_end=True)
 
     assert [time for time, _ in paper.written] == [0.0, 0.0, REST]
