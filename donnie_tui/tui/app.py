@@ -32,6 +32,7 @@ from donnie_tui.tui.terminal import is_plain, use_mouse, wants_mouse
 from donnie_tui.tui.terminal_app import TerminalApp
 from donnie_tui.tui.widgets.command_line import CommandLine
 from donnie_tui.tui.widgets.editor import Editor
+from donnie_tui.tui.widgets.text_rows import TextRows
 
 if TYPE_CHECKING:
     from donnie_tui.bootstrap import Donnie
@@ -279,6 +280,11 @@ class DonnieApp(TerminalApp, inherit_bindings=False):
     def on_map_view_explored(self) -> None:
         if self.work is not None:
             self.work.explored()
+
+    def on_text_rows_read(self, event: TextRows.Read) -> None:
+        """Whoever moves through rows hears each: of the help, of the keys behind a key, of the log."""
+        if event.has_focus and event.text:
+            self._behind.point(event.text)
 
     def on_workplace_looked(self) -> None:
         if self.work is not None:

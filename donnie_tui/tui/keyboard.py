@@ -127,7 +127,7 @@ class Keyboard:
         """A list of them, and the next letter."""
         from donnie_tui.tui.screens.key_menu import KeyMenu
 
-        self._menu = KeyMenu(self._key_table.all, words)
+        self._menu = KeyMenu(self._key_table.all, words, self._behind.point)
         self._app.push_screen(self._menu, self._menu_is_gone)
 
     def _menu_is_gone(self, _answer: None) -> None:

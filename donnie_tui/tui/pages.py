@@ -42,10 +42,14 @@ class Pages:
         self._host.show_help(self._words("manual-title"), manual(self._words))
 
     def show_help(self) -> None:
-        """The word at the cursor of the program first, where it is one of GoDonnie's; then everything."""
+        """The word at the cursor of the program first, where it is one of GoDonnie's; then everything.
+
+        From there F1 goes on to the manual.
+        """
         about = self._about_word() if self._work.workplace.editor.has_focus else ()
         everything = help_text(self._words, self._host.key_table)
-        self._host.show_help(self._words("help-title"), (*about, *self._keys_here(), *everything))
+        lines = (*about, *self._keys_here(), self._words("help-further"), *everything)
+        self._host.show_help(self._words("help-title"), lines, self.show_manual)
 
     def _about_word(self) -> tuple[str, ...]:
         word = self._work.workplace.editor.word

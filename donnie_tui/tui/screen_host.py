@@ -81,10 +81,12 @@ class ScreenHost:
 
     # --- something to read
 
-    def show_help(self, title: str, lines: tuple[str, ...]) -> None:
+    def show_help(
+        self, title: str, lines: tuple[str, ...], further: Callable[[], None] | None = None
+    ) -> None:
         from donnie_tui.tui.screens.help import Help
 
-        self._app.push_screen(Help(title, lines))
+        self._app.push_screen(Help(title, lines, self._point, further))
 
     def show_outside(self, text: str) -> bool:
         """In the terminal's pager. False where there is none, or no terminal."""

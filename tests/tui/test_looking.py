@@ -266,6 +266,25 @@ async def test_f1_shows_every_key_and_word_and_esc_goes_back(work):
         assert desk.place.editor.has_focus
 
 
+MANUALS = {"en": "the manual", "pt": "o manual", "es": "el manual"}
+
+
+@pytest.mark.parametrize("language", MANUALS)
+async def test_f1_again_goes_on_from_the_help_to_the_manual(work, language):
+    async with work(language=language) as desk:
+        await desk.press("f1")
+        await desk.until(lambda: desk.app.screen is not desk.place, "the help")
+        help_screen, title = desk.app.screen, MANUALS[language]
+        assert any(line.startswith("F1 ") and title in line for line in help_screen.rows.lines)
+        await desk.press("f1")
+        await desk.until(lambda: desk.app.screen not in (desk.place, help_screen), "the manual")
+        assert title in desk.app.screen._title_words
+        await desk.press("escape")
+        await desk.until(lambda: desk.app.screen is help_screen, "the help again")
+        await desk.press("escape")
+        await desk.until(lambda: desk.app.screen is desk.place, "the workplace")
+
+
 async def test_help_with_a_word_of_the_screen_tells_its_purpose(work):
     async with work() as desk:
         await desk.type_line("HELP stop")

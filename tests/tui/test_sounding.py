@@ -50,6 +50,37 @@ async def test_each_row_of_a_list_is_said_as_it_is_reached_and_stands_in_no_log(
         await desk.until(lambda: pointed[-1] == "Nothing of that name.", "that nothing fits")
 
 
+@pytest.mark.parametrize("keys", [("f1",), ("ctrl+k",), ("ctrl+k", "f1"), ("ctrl+k", "0")], ids=" ".join)
+async def test_each_row_of_the_help_and_of_the_keys_behind_a_key_is_said(work, pointed, keys) -> None:  # type: ignore[no-untyped-def]
+    async with work("FW 1") as desk:
+        await desk.press(*keys)
+        await desk.until(lambda: pointed and desk.app.screen is not desk.place, "the title")
+        rows = desk.app.screen.rows
+        assert pointed[-1].endswith(f". {rows.lines[0]}")
+        del pointed[:]
+        hushed = desk.app.work.donnie.audible.hushed
+        for key in ("down", "down", "up", "end", "home"):
+            await desk.press(key)
+        await desk.until(lambda: len(pointed) == 5, "the rows")
+        second = rows._rows[2] if rows._heights[1] > 1 else rows.lines[2]
+        assert pointed == [rows.lines[1], second, rows.lines[1], rows.lines[-1], rows.lines[0]]
+        assert desk.app.work.donnie.audible.hushed > hushed, "what was being said has ended"
+        assert not any(pointed[0] in line for line in desk.log)
+
+
+async def test_a_row_of_the_log_is_said_to_whoever_goes_there_alone(work, pointed) -> None:  # type: ignore[no-untyped-def]
+    async with work() as desk:
+        await desk.type_line('SPEAK "lone wolf"')
+        await desk.told("lone wolf")
+        await desk.type_line("FIND wolf")
+        await desk.until(lambda: sum("wolf" in line for line in desk.log) > 1, "what was found")
+        await desk.pilot.pause()
+        assert pointed == [], "the answer is told already"
+        desk.place.log_rows.focus()
+        await desk.press("home")
+        await desk.until(lambda: pointed == [desk.log[0]], "the oldest row")
+
+
 async def test_words_to_complete_and_questions_are_said_too(work, pointed) -> None:  # type: ignore[no-untyped-def]
     async with work("R") as desk:
         desk.place.editor.move_cursor((0, 1))

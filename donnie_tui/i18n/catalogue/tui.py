@@ -121,7 +121,16 @@ _QUESTIONS = {
     "ask-keys": Sentence(
         "Enter answers, Esc goes back", "Enter responde, Esc volta", "Enter responde, Esc vuelve"
     ),
-    "help-title": Sentence("Help. Esc goes back", "Ajuda. Esc volta", "Ayuda. Esc vuelve"),
+    "help-title": Sentence(
+        "Help. F1: the manual. Esc goes back",
+        "Ajuda. F1: o manual. Esc volta",
+        "Ayuda. F1: el manual. Esc vuelve",
+    ),
+    "help-further": Sentence(
+        "F1 again: the manual of the language. Esc goes back, from there too.",
+        "F1 outra vez: o manual da linguagem. Esc volta, de lá também.",
+        "F1 otra vez: el manual del lenguaje. Esc vuelve, de allí también.",
+    ),
     "chooser-keys": Sentence(
         "Up and Down choose, typing narrows, Enter takes it, Esc goes back",
         "Seta acima e abaixo escolhem, digitar filtra, Enter aceita, Esc volta",

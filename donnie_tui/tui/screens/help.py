@@ -1,8 +1,11 @@
-"""The help: every key and word of the screen, then every command of GoDonnie. Rows to read, nothing else."""
+"""The help: every key and word of the screen, then every command of GoDonnie. Rows to read, nothing else.
+
+What is shown first is said; each row is said as it is reached.
+"""
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from typing import ClassVar
 
 from textual.app import ComposeResult
@@ -18,18 +21,28 @@ from donnie_tui.tui.widgets.text_rows import TextRows
 
 
 class Help(ModalScreen[None]):
-    """Shows lines until Esc."""
+    """Shows lines until Esc; F1 goes ``further`` where there is more to read."""
 
     BINDINGS: ClassVar[list[BindingType]] = [
-        Binding("escape,f1,q", "dismiss", show=False, priority=True),
+        Binding("escape,q", "dismiss", show=False, priority=True),
         Binding("ctrl+q", "dismiss", show=False, priority=True),
+        Binding("f1", "further", show=False, priority=True),
     ]
     AUTO_FOCUS = "#help-rows"
 
-    def __init__(self, title: str, lines: Sequence[str]) -> None:
+    def __init__(
+        self,
+        title: str,
+        lines: Sequence[str],
+        point: Callable[[str], object],
+        further: Callable[[], None] | None = None,
+    ) -> None:
+        """``point`` says what is shown."""
         super().__init__()
         self._title_words = title
         self._lines = lines
+        self._point = point
+        self._further = further
         self.rows = TextRows(id="help-rows")
 
     def compose(self) -> ComposeResult:
@@ -38,6 +51,13 @@ class Help(ModalScreen[None]):
 
     def on_mount(self) -> None:
         self.rows.show(self._lines)
+        self._point(f"{self._title_words}. {next(iter(self._lines), '')}")
+
+    def action_further(self) -> None:
+        if self._further is None:
+            self.dismiss(None)
+        else:
+            self._further()
 
 
 def help_text(words: Wording, table: KeyTable) -> tuple[str, ...]:

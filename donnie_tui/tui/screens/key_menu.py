@@ -1,8 +1,8 @@
-"""The keys behind a key: each with what it does. The next key does it, Esc goes back."""
+"""The keys behind a key: each with what it does, and said. The next key does it, Esc goes back."""
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Callable, Mapping
 from typing import ClassVar
 
 from textual.app import ComposeResult
@@ -21,8 +21,12 @@ class KeyMenu(ModalScreen[None]):
     BINDINGS: ClassVar[list[BindingType]] = [Binding("escape", "leave", show=False, priority=True)]
     AUTO_FOCUS = "#key-rows"
 
-    def __init__(self, keys: Mapping[str, tuple[str, ...]], words: Wording) -> None:
+    def __init__(
+        self, keys: Mapping[str, tuple[str, ...]], words: Wording, point: Callable[[str], object]
+    ) -> None:
+        """``point`` says what is shown."""
         super().__init__()
+        self._point = point
         self.names = {
             key.partition(" ")[2]: name
             for name, each in keys.items()
@@ -38,6 +42,7 @@ class KeyMenu(ModalScreen[None]):
 
     def on_mount(self) -> None:
         self.rows.show([self._row(key, name) for key, name in sorted(self.names.items())])
+        self._point(f"{self._words('menu-title')}. {self.rows.lines[0]}")
 
     def _row(self, key: str, name: str) -> str:
         word = BY_NAME[name].word(self._words.language)

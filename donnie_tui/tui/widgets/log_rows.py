@@ -123,6 +123,10 @@ class LogRows(TextRows):
 
     # --- as rows
 
+    def search(self, wanted: str) -> bool:
+        """What was found is told: from elsewhere a listener would hear no answer in an older place."""
+        return (not self._is_listened_to or self.has_focus) and super().search(wanted)
+
     def _forget_oldest(self) -> int:
         rows = super()._forget_oldest()
         self._told, self._page = max(0, self._told - rows), max(0, self._page - rows)

@@ -58,7 +58,11 @@ class TextRows(ScrollView, can_focus=True):
     ]
 
     class Read(Message):
-        """Another row is being read."""
+        """Another row is being read, by whoever has come to these rows or from elsewhere."""
+
+        def __init__(self, text: str, *, has_focus: bool) -> None:
+            super().__init__()
+            self.text, self.has_focus = text, has_focus
 
     def __init__(self, *, id: str, follows: bool = False) -> None:  # noqa: A002 -- Textual's own name
         super().__init__(id=id)
@@ -262,7 +266,14 @@ class TextRows(ScrollView, can_focus=True):
         self._row = None if row >= newest and self._follows else max(0, min(row, newest))
         self._follow()
         self.refresh()
-        self.post_message(self.Read())
+        self.post_message(self.Read(self._said, has_focus=self.has_focus))
+
+    @property
+    def _said(self) -> str:
+        """Of the row being read: where a line begins all of it, so that a sentence is heard whole."""
+        line = self.line
+        begins = self.row == sum(self._heights[:line])
+        return self._lines[line] if begins and self._lines else self.row_text
 
     def search(self, wanted: str) -> bool:
         """Read the nearest older line that has the text, else the newest that has; False if none has."""
