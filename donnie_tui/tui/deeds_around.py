@@ -85,8 +85,7 @@ class AroundDeeds:
 
     def open_log(self, _argument: str) -> None:
         """In the pager: there the terminal's own ways of reading work."""
-        if not self._host.pages.show_outside(self._log_text):
-            self._host.tell(Answer("screen-no-pager"))
+        self._host.pages.show_outside(self._log_text)
 
     async def save_log(self, argument: str) -> None:
         """All that was told, as plain text."""

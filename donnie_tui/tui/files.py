@@ -7,7 +7,6 @@ modules of their own, and are reached from here.
 
 from __future__ import annotations
 
-import asyncio
 from collections.abc import Callable
 from pathlib import Path
 
@@ -132,13 +131,9 @@ class Files:
         return None
 
     async def _read(self, name: str) -> tuple[Path, str]:
-        """Beside the screen. Raises ``DocumentError``; that somebody asked for something else is told."""
+        """Beside the screen. Raises ``DocumentError``."""
         slow = Answer("slow-opening", {"name": Path(name).name or name})
-        try:
-            return await self._desk.patiently(lambda: self.document.read(name), slow)
-        except asyncio.CancelledError:
-            self._desk.tell(Answer("answer-unchanged"))
-            raise
+        return await self._desk.patiently(lambda: self.document.read(name), slow)
 
     async def new(self) -> None:
         if await self.saving.is_safe_to_leave():

@@ -11,6 +11,8 @@ import tempfile
 from collections.abc import Mapping, Sequence
 from pathlib import Path
 
+from donnie_tui.tui.running import Answer
+
 LEFT_BEHIND = 20
 """Lines of the log that stay on the normal screen."""
 
@@ -38,13 +40,19 @@ def pager(environment: Mapping[str, str]) -> list[str] | None:
     return next((each for each in wanted if each and shutil.which(each[0])), None)
 
 
-def show_in_pager(text: str) -> bool:
-    """Wait until it was read. False where there is no pager."""
+NO_PAGER = Answer("screen-no-pager")
+
+
+def show_in_pager(text: str) -> Answer | None:
+    """Wait until it was read. Otherwise why it can't be: no pager, one that can't be run, a full disk."""
     command = pager(os.environ)
     if command is None:
-        return False
-    with tempfile.TemporaryDirectory() as folder:
-        file = Path(folder) / "log.txt"
-        file.write_text(text, encoding="utf-8", errors="replace")
-        subprocess.run([*command, str(file)], check=False)
-    return True
+        return NO_PAGER
+    try:
+        with tempfile.TemporaryDirectory() as folder:
+            file = Path(folder) / "log.txt"
+            file.write_text(text, encoding="utf-8", errors="replace")
+            subprocess.run([*command, str(file)], check=False)
+    except OSError as problem:
+        return Answer("screen-pager-failed", {"reason": problem.strerror or str(problem)})
+    return None

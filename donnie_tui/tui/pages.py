@@ -28,9 +28,11 @@ class Pages:
     def show_lines(self, title: str, lines: Sequence[str]) -> None:
         self._host.show_help(self._words("lines-title", title=title), tuple(lines))
 
-    def show_outside(self, text: str) -> bool:
-        """In the pager, where the terminal's own ways of reading work. False where there is none."""
-        return self._host.show_outside(text)
+    def show_outside(self, text: str) -> None:
+        """In the pager, where the terminal's own ways of reading work."""
+        problem = self._host.show_outside(text)
+        if problem is not None:
+            self._work.tell(problem)
 
     def show_tour(self) -> None:
         """Donnie in a few pages, the same as in the linear mode."""

@@ -102,7 +102,15 @@ class Saving:
             path = program_to_save(name)
             if not await self.may_replace(path):
                 return
-            slow = Answer("slow-report", {"name": path.name})
+        except DocumentError as error:
+            self._desk.tell(told(error))
+        else:
+            await asyncio.shield(asyncio.ensure_future(self._write_other(path, text)))
+
+    async def _write_other(self, path: Path, text: str) -> None:
+        """To its end, whatever is asked meanwhile."""
+        slow = Answer("slow-report", {"name": path.name})
+        try:
             await self._desk.patiently(lambda: write_program(path, text), slow)
         except DocumentError as error:
             self._desk.tell(told(error))

@@ -5,12 +5,14 @@ Rule: what is asked is said too, by ``point``. Other screens are loaded when the
 
 from __future__ import annotations
 
+import asyncio
 from collections.abc import Callable, Coroutine, Sequence
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, TypeVar
 
 from textual.app import App, SuspendNotSupported
 from textual.geometry import Offset
 from textual.message import Message
+from textual.screen import Screen
 from textual.timer import Timer
 
 from donnie_tui.settings import Settings
@@ -18,7 +20,11 @@ from donnie_tui.tui.key_table import KeyTable
 from donnie_tui.tui.screens.workplace import Workplace
 
 if TYPE_CHECKING:
+    from donnie_tui.tui.running import Answer
     from donnie_tui.tui.screens.chooser import Choice
+
+
+T = TypeVar("T")
 
 
 class ScreenHost:
@@ -60,24 +66,34 @@ class ScreenHost:
         from donnie_tui.tui.screens.question import Question
 
         question = Question(asked, keys, self._point, value=value, accepts=accepts)
-        return await self._app.push_screen_wait(question)
+        return await self._answer_of(question)
 
     async def press_key(
         self, asked: str, keys: str, behind: str, accepts: Callable[[str], str | None]
     ) -> str | None:
         from donnie_tui.tui.screens.key_capture import KeyCapture
 
-        return await self._app.push_screen_wait(KeyCapture(asked, keys, behind, accepts, self._point))
+        return await self._answer_of(KeyCapture(asked, keys, behind, accepts, self._point))
 
     async def choose(self, title: str, keys: str, nothing: str, choices: Sequence[Choice]) -> str | None:
         from donnie_tui.tui.screens.chooser import Chooser
 
-        return await self._app.push_screen_wait(Chooser(title, keys, nothing, choices, self._point))
+        return await self._answer_of(Chooser(title, keys, nothing, choices, self._point))
 
     async def choose_word(self, words: Sequence[str], below: Offset) -> tuple[str, str]:
         from donnie_tui.tui.screens.completions import Completions
 
-        return await self._app.push_screen_wait(Completions(words, below, self._point))
+        return await self._answer_of(Completions(words, below, self._point))
+
+    async def _answer_of(self, screen: Screen[T]) -> T:
+        """A question that nobody waits for any more, since something else was asked for, goes away."""
+        try:
+            return await self._app.push_screen_wait(screen)
+        except asyncio.CancelledError:
+            if screen in self._app.screen_stack:
+                screen.pop_until_active()
+                screen.dismiss()
+            raise
 
     # --- something to read
 
@@ -88,15 +104,15 @@ class ScreenHost:
 
         self._app.push_screen(Help(title, lines, self._point, further))
 
-    def show_outside(self, text: str) -> bool:
-        """In the terminal's pager. False where there is none, or no terminal."""
-        from donnie_tui.tui.outside import show_in_pager
+    def show_outside(self, text: str) -> Answer | None:
+        """In the terminal's pager; or why that is impossible."""
+        from donnie_tui.tui.outside import NO_PAGER, show_in_pager
 
         try:
             with self._app.suspend():
                 return show_in_pager(text)
         except SuspendNotSupported:
-            return False
+            return NO_PAGER
 
     # --- ways out
 

@@ -6,6 +6,7 @@ the screen reach; programs run in their own threads, and nothing here waits for 
 
 from __future__ import annotations
 
+import asyncio
 import os
 from collections.abc import Awaitable, Callable, Sequence
 from pathlib import Path
@@ -258,8 +259,15 @@ class Work:
         return await self._host.choose_word(words, below)
 
     async def patiently(self, do: Callable[[], T], slow: Answer) -> T:
-        """Do what may take long beside the screen; ``slow`` is told if it does, again and again."""
-        return await patience.patiently(self._host, do, lambda: self.tell(slow))
+        """Do what may take long beside the screen; ``slow`` is told if it does, again and again.
+
+        Where something else is asked for meanwhile, it is told that nothing comes of it.
+        """
+        try:
+            return await patience.patiently(self._host, do, lambda: self.tell(slow))
+        except asyncio.CancelledError:
+            self.tell(Answer("answer-unchanged"))
+            raise
 
     # --- what the application hears
 

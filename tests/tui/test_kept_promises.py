@@ -1,5 +1,6 @@
 """What stays as it is while other things change: the row being read, the pace asked for, the scale."""
 
+from contextlib import nullcontext
 from types import SimpleNamespace
 
 import pytest
@@ -95,6 +96,31 @@ def test_the_last_twenty_lines_are_left_behind_in_their_order(capsys, monkeypatc
     outside.leave_behind([f"line {i}" for i in range(30)])
 
     assert capsys.readouterr().out.splitlines() == [f"line {i}" for i in range(10, 30)]
+
+
+async def test_a_pager_that_can_not_be_run_is_told_in_a_sentence(work, monkeypatch, tmp_path):
+    broken = tmp_path / "pager"
+    broken.write_text("no program")
+    broken.chmod(0o755)
+    monkeypatch.setenv("PAGER", str(broken))
+    async with work() as desk:
+        monkeypatch.setattr(desk.app, "suspend", nullcontext)
+        await desk.type_line("LOG")
+        await desk.told("The log can't be shown: Exec format error. SAVE LOG writes it into a file.")
+
+
+async def test_a_question_goes_away_when_something_else_is_done(work):
+    """A program that was running says QUIT, and what is not saved is asked about."""
+    async with work("FW 1") as desk:
+        await desk.type_line("SAVE AS")
+        await desk.until(lambda: desk.app.screen is not desk.place, "the name is asked")
+        name = desk.app.screen
+        desk.app.do("quit")
+        await desk.until(lambda: desk.app.screen not in (name, desk.place), "whether to save is asked")
+        assert desk.app.screen_stack == [desk.place, desk.app.screen]
+
+        await desk.press("escape")
+        await desk.until(lambda: desk.app.screen is desk.place, "no question is left")
 
 
 async def test_plus_comes_nearer_and_minus_goes_further_away(work):

@@ -256,6 +256,33 @@ async def test_a_program_that_changes_while_it_is_laid_out_stays_as_it_is(work, 
         assert desk.app.work.text == "-- mine\nfw 1   tr 90"
 
 
+async def test_a_layout_that_another_word_takes_the_place_of_is_answered_all_the_same(
+    work, monkeypatch, gate, tmp_path
+):
+    monkeypatch.setattr(deeds_text, "formatted", lambda *_: gate.wait(20))
+    async with work("fw 1   tr 90") as desk:
+        await desk.type_line("FORMAT")
+        await desk.told("Laying the program out, it takes a while.")
+        await desk.type_line(f"SAVE {tmp_path / 'mine'}")
+        await desk.told("Nothing was changed.")
+        await desk.told("Saved mine.gd, 1 line.")
+
+
+async def test_a_report_is_written_to_its_end_whatever_is_asked_meanwhile(work, monkeypatch, gate, tmp_path):
+    def slowly(path, text):
+        gate.wait(20)
+        path.write_text(text)
+
+    monkeypatch.setattr(saving, "write_program", slowly)
+    async with work("FW 1") as desk:
+        await desk.type_line(f"REPORT list {tmp_path / 'list.html'}")
+        await desk.told("list.html, it takes a while.")
+        await desk.type_line("SEARCH FW")
+        await desk.told("Line 1: FW 1")
+        gate.set()
+        await desk.told("Wrote list.html.")
+
+
 async def test_a_large_world_is_told_while_it_loads_and_when_it_is_there(work, monkeypatch, gate):
     tell = beginning.Beginning._tell_early
 

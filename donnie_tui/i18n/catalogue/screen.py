@@ -162,6 +162,11 @@ _EDITOR = {
         "Não há um paginador aqui; SALVAR REGISTRO grava o registro num arquivo.",
         "No hay un paginador aquí; GUARDAR REGISTRO escribe el registro en un archivo.",
     ),
+    "screen-pager-failed": Sentence(
+        "The log can't be shown: {reason}. SAVE LOG writes it into a file.",
+        "Não é possível mostrar o registro: {reason}. SALVAR REGISTRO grava num arquivo.",
+        "No se puede mostrar el registro: {reason}. GUARDAR REGISTRO lo escribe en un archivo.",
+    ),
     "screen-redrawn": Sentence(
         "The screen is painted anew.", "A tela foi pintada de novo.", "La pantalla se pintó de nuevo."
     ),
