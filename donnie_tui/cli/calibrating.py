@@ -5,11 +5,10 @@ Rule: whatever ends it, a signal too, the robot stands before the port is let go
 
 from __future__ import annotations
 
-import signal
 import sys
 import threading
-from collections.abc import Callable, Iterator
-from contextlib import closing, contextmanager
+from collections.abc import Callable
+from contextlib import closing
 from dataclasses import dataclass
 from types import FrameType
 from typing import NoReturn
@@ -26,6 +25,7 @@ from donnie_tui.core.documents import DocumentError
 from donnie_tui.lost_readers import ReaderWatch
 from donnie_tui.robot_choice import sentences_of
 from donnie_tui.settings_file import remember
+from donnie_tui.taken_signals import LEAVING, TakenSignals
 from donnie_tui.unusable import Unusable
 
 STEPS = 20
@@ -35,10 +35,6 @@ DEGREES = 720
 
 _SMALLEST, _LARGEST = 0.001, 1.0
 """Metres that a radius or an axle can have in the settings."""
-
-
-_HALTED_WITHIN = 0.3
-"""Seconds; it needs a thousandth."""
 
 
 @dataclass(slots=True)
@@ -55,7 +51,12 @@ def calibrate(order: Order, made: Callable[..., MeasurableRobot] = make_measurab
     """Ask, walk, ask, turn, ask, write. The exit code is 1 if nothing was measured."""
     try:
         robot = made(order.settings, order.words, _Steady(threading.Event()))
-        with _ended_by_signals(), closing(robot), stopped_by_suspension(lambda: _halted(robot)):
+        with (
+            TakenSignals(dict.fromkeys(LEAVING, _end)),
+            closing(ReaderWatch()),
+            closing(robot),
+            stopped_by_suspension(lambda: _halted(robot)),
+        ):
             return _Calibration(order, robot).talk()
     except RobotProblem as problem:
         raise Unusable(" ".join(sentences_of(problem, order.words))) from None
@@ -148,10 +149,7 @@ class _Calibration:
 
 
 def _halted(robot: MeasurableRobot) -> bool:
-    """In a thread of its own: the signal may have come while this one holds what a halt needs."""
-    halting = threading.Thread(target=robot.halt, daemon=True)
-    halting.start()
-    halting.join(_HALTED_WITHIN)
+    robot.halt()
     robot.wait_until_standing()
     return True
 
@@ -160,18 +158,6 @@ def _mean_counts(before: Telemetry, after: Telemetry) -> float:
     return (abs(after.right - before.right) + abs(after.left - before.left)) / 2
 
 
-@contextmanager
-def _ended_by_signals() -> Iterator[None]:
+def _end(_number: int, _frame: FrameType | None) -> NoReturn:
     """A signal ends the conversation as Ctrl+C does, so that the robot is stopped on the way out."""
-
-    def end(_number: int, _frame: FrameType | None) -> NoReturn:
-        raise KeyboardInterrupt
-
-    numbers = [getattr(signal, name) for name in ("SIGTERM", "SIGHUP", "SIGQUIT") if hasattr(signal, name)]
-    before = {number: signal.signal(number, end) for number in numbers}
-    try:
-        with closing(ReaderWatch()):
-            yield
-    finally:
-        for number, handler in before.items():
-            signal.signal(number, handler)
+    raise KeyboardInterrupt

@@ -6,13 +6,11 @@ import signal
 import threading
 from collections.abc import Callable, Iterator
 from contextlib import closing, contextmanager
-from types import FrameType
 
 from donnie_tui.deputy import Deputy
 from donnie_tui.lost_readers import ReaderWatch
 from donnie_tui.suspending import suspend
-
-_SIGNALS = ("SIGINT", "SIGTERM", "SIGHUP", "SIGQUIT")
+from donnie_tui.taken_signals import LEAVING, TakenSignals
 
 _MOMENT = 0.05
 """Seconds within which a signal ends the voice too."""
@@ -43,18 +41,9 @@ def heard_signals(heard: Callable[[], None]) -> Iterator[None]:
 
     The loss of whoever reads the output is one of them.
     """
-
-    def handle(_number: int, _frame: FrameType | None) -> None:
-        heard()
-
-    numbers = [getattr(signal, name) for name in _SIGNALS if hasattr(signal, name)]
-    before = {number: signal.signal(number, handle) for number in numbers}
-    try:
-        with closing(ReaderWatch()):
-            yield
-    finally:
-        for number, handler in before.items():
-            signal.signal(number, handler)
+    handlers = dict.fromkeys((signal.SIGINT, *LEAVING), lambda *_: heard())
+    with TakenSignals(handlers), closing(ReaderWatch()):
+        yield
 
 
 @contextmanager
@@ -73,12 +62,11 @@ def stopped_by_suspension(stop: Callable[[], bool]) -> Iterator[threading.Event]
     if number is None or signal.getsignal(number) is signal.SIG_IGN:
         yield stopped
         return
-    with closing(Deputy()) as deputy:
-        before = signal.signal(number, lambda *_: deputy.see_done(rest, _LONGEST_REST))
-        try:
-            yield stopped
-        finally:
-            signal.signal(number, before)
+    with (
+        closing(Deputy()) as deputy,
+        TakenSignals({number: lambda *_: deputy.see_done(rest, _LONGEST_REST)}),
+    ):
+        yield stopped
 
 
 def let_speak(is_quiet_within: Callable[[float], bool], stopped: threading.Event) -> None:

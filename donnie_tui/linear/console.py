@@ -8,7 +8,6 @@ called in another thread (Ctrl+Z ``before_suspending``), or calls ``give_up``, w
 
 from __future__ import annotations
 
-import contextlib
 import os
 import select
 import signal
@@ -19,11 +18,11 @@ from donnie_tui.deputy import Deputy
 from donnie_tui.linear.terminal import Terminal, size
 from donnie_tui.lost_readers import ReaderWatch
 from donnie_tui.suspending import suspend
+from donnie_tui.taken_signals import LEAVING, WakingSignals
 
-_LEAVING = (signal.SIGTERM, signal.SIGHUP, signal.SIGQUIT)
 MOST_AHEAD = 64 * 1024
 """Bytes that are taken from the terminal before somebody reads them."""
-_HEARD = (signal.SIGINT, signal.SIGTSTP, *_LEAVING)
+_HEARD = (signal.SIGINT, signal.SIGTSTP, *LEAVING)
 
 
 class Gone(Exception):
@@ -63,11 +62,7 @@ class Console:
         self._terminal = terminal
         self._is_writing = False
         self._deputy = Deputy()
-        self._reading_end, self._writing_end = os.pipe()
-        os.set_blocking(self._reading_end, False)
-        os.set_blocking(self._writing_end, False)
-        self._found = {number: signal.signal(number, self._heard) for number in _HEARD}
-        self._found_fd = signal.set_wakeup_fd(self._writing_end, warn_on_full_buffer=False)
+        self._signals = WakingSignals(dict.fromkeys(_HEARD, self._heard))
         self._watch = ReaderWatch()
         if terminal:
             terminal.take()
@@ -92,18 +87,17 @@ class Console:
 
     def nudge(self) -> None:
         """Wake the main thread. From any thread."""
-        with contextlib.suppress(OSError):
-            os.write(self._writing_end, b"\0")
+        self._signals.nudge()
 
     def wait(self, seconds: float | None = None, *, reading: bool = False) -> bool:
         """Wait for a signal, a nudge, or (``reading``) input, at most so long. True if there is input."""
         is_watching = reading or (self.on_key is not None and len(self._ahead) < MOST_AHEAD)
-        watched = [self._reading_end, 0] if is_watching else [self._reading_end]
+        watched: list[WakingSignals | int] = [self._signals, 0] if is_watching else [self._signals]
         at_once = seconds == 0 or (reading and bool(self._ahead))
         if self.when_idle and not at_once and not (is_watching and _has_typed()):
             self.when_idle()
         ready, _, _ = select.select(watched, [], [], 0 if at_once else seconds)
-        if self._reading_end in ready:
+        if self._signals in ready:
             self._take_signals()
         if 0 in ready and not reading:
             self._look_ahead()
@@ -159,15 +153,14 @@ class Console:
         return has_news
 
     def _take_signals(self) -> None:
-        with contextlib.suppress(BlockingIOError):
-            for number in os.read(self._reading_end, 4096):
-                self._act_on(number)
+        for number in self._signals.numbers():
+            self._act_on(number)
 
     def _act_on(self, number: int) -> None:
         if number == signal.SIGINT:
             self.interrupted, self._has_given_up = not self._has_given_up, False
             self._tell_of_key()
-        elif number in _LEAVING:
+        elif number in LEAVING:
             self.leaving = self.leaving or number
         elif number == signal.SIGTSTP:
             self._suspend()
@@ -218,12 +211,9 @@ class Console:
         self._watch.close()
         if self._terminal:
             self._terminal.give_back()
-        signal.set_wakeup_fd(self._found_fd)
-        for number, handler in self._found.items():
-            signal.signal(number, handler)
+        self._signals.give_back()
         self._deputy.close()
-        os.close(self._reading_end)
-        os.close(self._writing_end)
+        self._signals.close()
 
 
 def _has_typed() -> bool:

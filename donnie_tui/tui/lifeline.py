@@ -20,6 +20,7 @@ from typing import Any
 
 from donnie_tui.deputy import Deputy, attempt
 from donnie_tui.suspending import suspend
+from donnie_tui.taken_signals import LEAVING, Handler, WakingSignals, numbers_of
 
 LOOK = 0.5
 """Seconds between two looks at the output."""
@@ -36,7 +37,8 @@ LONGEST_REST = 2.0
 BACK = getattr(signal, "SIGCONT", -1)
 """Told to the screen when the process goes on: whatever ran meanwhile wrote over it."""
 
-_LEAVING = ("SIGTERM", "SIGHUP", "SIGQUIT")
+_HANGING_UP = getattr(signal, "SIGHUP", signal.SIGTERM)
+"""As if it had come: the terminal is gone, where the thread that writes to it has ended."""
 
 
 class Lifeline:
@@ -69,17 +71,11 @@ class Lifeline:
 
     def begin(self) -> None:
         """Raises ``ValueError`` outside of the main thread."""
-        numbers = [getattr(signal, name) for name in ("SIGINT", *_LEAVING) if hasattr(signal, name)]
-        self._leavings = numbers[1:]
-        self._found = {number: signal.signal(number, _woken) for number in numbers}
+        handlers: dict[int, Handler] = dict.fromkeys((signal.SIGINT, *LEAVING), _woken)
+        handlers |= dict.fromkeys(numbers_of("SIGTSTP"), self._rest)
+        handlers |= dict.fromkeys(numbers_of("SIGCONT"), self._back)
+        self._signals = WakingSignals(handlers)
         self._deputy = Deputy()
-        if hasattr(signal, "SIGTSTP"):
-            self._found[signal.SIGTSTP] = signal.signal(signal.SIGTSTP, self._rest)
-            self._found[BACK] = signal.signal(BACK, self._back)
-        self._reading, self._writing = os.pipe()
-        os.set_blocking(self._reading, False)
-        os.set_blocking(self._writing, False)
-        self._found_fd = signal.set_wakeup_fd(self._writing, warn_on_full_buffer=False)
         self._thread = threading.Thread(target=self._watch, name="lifeline", daemon=True)
         self._thread.start()
 
@@ -88,30 +84,26 @@ class Lifeline:
         if self._ended.is_set():
             return
         self._ended.set()
-        signal.set_wakeup_fd(self._found_fd)
-        for number, handler in self._found.items():
-            signal.signal(number, handler)
-        with suppress(OSError):
-            os.write(self._writing, b"\0")
+        self._signals.give_back()
+        self._signals.nudge()
         self._thread.join(LEAVE)
         self._deputy.close()
         if not self._thread.is_alive():  # else it would read from whatever gets the number next
-            os.close(self._reading)
-            os.close(self._writing)
+            self._signals.close()
 
     def _rest(self, number: int, frame: FrameType | None) -> None:
         """Textual gives the terminal back before it rests; the robot comes before that."""
         self._deputy.see_done(self._before_rest, LONGEST_REST)
-        own = self._found[signal.SIGTSTP]
-        if callable(own):
+        own = self._signals.handler_before(number)
+        if own is not None:
             own(number, frame)
         else:
             suspend()
 
     def _back(self, number: int, frame: FrameType | None) -> None:
         """Textual takes the terminal again, but paints nothing where the size is what it was."""
-        own = self._found[number]
-        if callable(own):
+        own = self._signals.handler_before(number)
+        if own is not None:
             own(number, frame)
         self._tell(number)
 
@@ -120,24 +112,19 @@ class Lifeline:
     def _watch(self) -> None:
         due = time.monotonic() + LOOK
         while not self._ended.is_set():
-            ready, _, _ = select.select([self._reading], [], [], LOOK)
-            if ready:
-                self._take_signals()
+            select.select([self._signals], [], [], LOOK)
+            for number in self._signals.numbers():
+                self._act_on(number)
             if time.monotonic() >= due:  # many signals must not put it off
                 attempt(self._look_at_output)
                 due = time.monotonic() + LOOK
             if self._leaving is not None and time.monotonic() >= self._until and not self._ended.is_set():
                 attempt(partial(self._part, self._leaving))
 
-    def _take_signals(self) -> None:
-        with suppress(BlockingIOError):
-            for number in os.read(self._reading, 4096):
-                self._act_on(number)
-
     def _act_on(self, number: int) -> None:
         if number == signal.SIGINT:
             self._interrupt(number)
-        elif number in self._leavings:
+        elif number in LEAVING:
             self._leave(number)
 
     def _interrupt(self, number: int) -> None:
@@ -161,7 +148,7 @@ class Lifeline:
         if self._looks and self._looks % MOST_LOOKS == 0:
             self._on_stuck()
             if not writer.is_alive():
-                self._leave(self._leavings[-2] if len(self._leavings) > 1 else self._leavings[0])
+                self._leave(_HANGING_UP)
 
 
 def _first(writer: Any) -> object:

@@ -1,0 +1,69 @@
+"""Signals are taken for a while, wake whoever waits for them, and are given back as they were found."""
+
+from __future__ import annotations
+
+import select
+import signal
+import threading
+
+import pytest
+
+from donnie_tui.taken_signals import LEAVING, TakenSignals, WakingSignals
+
+NUMBERS = (signal.SIGINT, *LEAVING)
+
+
+def handled() -> list[object]:
+    return [signal.getsignal(number) for number in NUMBERS]
+
+
+@pytest.mark.parametrize("kind", [TakenSignals, WakingSignals])
+def test_each_signal_is_given_back_as_it_was_found(kind: type[TakenSignals]) -> None:
+    before, heard = handled(), list[int]()
+    signal.signal(signal.SIGHUP, signal.SIG_IGN)
+    with kind(dict.fromkeys(NUMBERS, lambda number, _: heard.append(number))) as taken:
+        assert taken.handler_before(signal.SIGINT) is before[0]
+        assert taken.handler_before(signal.SIGHUP) is None
+        signal.raise_signal(signal.SIGTERM)
+    if isinstance(taken, WakingSignals):
+        taken.close()
+
+    assert heard == [signal.SIGTERM]
+    assert signal.getsignal(signal.SIGHUP) is signal.SIG_IGN
+    signal.signal(signal.SIGHUP, before[NUMBERS.index(signal.SIGHUP)])  # type: ignore[arg-type] -- as it was
+    assert handled() == before
+
+
+def test_signals_and_nudges_wake_whoever_waits_and_the_wakeup_is_given_back_too() -> None:
+    outer = WakingSignals({})
+    inner = WakingSignals({signal.SIGTERM: lambda *_: None})
+    signal.raise_signal(signal.SIGTERM)
+    inner.nudge()
+
+    assert select.select([inner], [], [], 20)[0] == [inner]
+    assert inner.numbers() == bytes([signal.SIGTERM, 0])
+    assert inner.numbers() == b"", "and nobody waits for more"
+    for each in (inner, outer):
+        each.give_back()
+    signal.raise_signal(signal.SIGCONT)
+    assert outer.numbers() == b"", "whoever gave back is not woken"
+    for each in (inner, outer):
+        each.close()
+
+
+def test_another_thread_takes_none() -> None:
+    refused: list[ValueError] = []
+
+    def take() -> None:
+        try:
+            TakenSignals({signal.SIGTERM: lambda *_: None})
+        except ValueError as problem:
+            refused.append(problem)
+
+    before = handled()
+    thread = threading.Thread(target=take)
+    thread.start()
+    thread.join()
+
+    assert len(refused) == 1
+    assert handled() == before
