@@ -9,7 +9,6 @@ import re
 from collections.abc import Mapping
 from pathlib import Path
 
-from donnie_tui.core.documents import DocumentError, write_program
 from donnie_tui.folders import settings_file
 from donnie_tui.settings import Notice
 
@@ -44,6 +43,8 @@ def _parsed(text: str) -> tuple[dict[str, object], tuple[Notice, ...]]:
 
 def remember(key: str, value: str | bool | float, environment: Mapping[str, str]) -> None:
     """Put one setting into the file; the others, and comments, stay. Raises ``DocumentError``."""
+    from donnie_tui.core.documents import DocumentError, write_program  # a start only reads
+
     path = Path(settings_file(environment))
     try:
         path.parent.mkdir(parents=True, exist_ok=True)

@@ -9,11 +9,9 @@ from collections.abc import Iterator
 from itertools import combinations, product
 from pathlib import Path
 
-import worlds
 from donnie_tui.cli.order import Order
 from donnie_tui.settings import Settings
 from donnie_tui.unusable import Unusable
-from donnie_tui.world_choice import choose_world, files_of
 
 
 def refuse_overwriting(order: Order) -> None:
@@ -61,6 +59,9 @@ def _programs(order: Order) -> Iterator[Path]:
 
 def _files_of_world(order: Order, outputs: tuple[tuple[str, Path], ...]) -> tuple[Path, ...]:
     """None where no output is there yet, or the world is one of ours."""
+    import worlds
+    from donnie_tui.world_choice import choose_world, files_of  # slow to load, and few write anything
+
     settings = order.settings
     name = getattr(order.invocation.arguments, "name", None) or settings.world
     if order.invocation.command == "replay" or name in worlds.names():

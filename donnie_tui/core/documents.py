@@ -14,8 +14,9 @@ from pathlib import Path
 
 from donnie_tui.core.in_use import is_in_use
 
-_LINE_END = re.compile(r"\r\n|\r|\n")
-_OBEYED = re.compile("[\x00-\x08\x0b\x0c\x0e-\x1f\x7f-\x9f\u2028\u2029]")
+_LINE_END = r"\r\n|\r|\n"
+_OBEYED = "[\x00-\x08\x0b\x0c\x0e-\x1f\x7f-\x9f\u2028\u2029]"
+"""Patterns, made when something is read: a start reads nothing."""
 
 LARGEST = 8 * 1024 * 1024
 """Bytes that a program file may have; a program of a learner has a few hundred."""
@@ -114,12 +115,12 @@ def cleaned(text: str) -> str:
 
     Tabs and the language's own line ends (CR, LF) stay; places in the text stay the same.
     """
-    return _OBEYED.sub(" ", text)
+    return re.sub(_OBEYED, " ", text)
 
 
 def lines_in(text: str) -> list[str]:
     """The lines of a program as the language counts them; form feeds and the like end none."""
-    lines = _LINE_END.split(text)
+    lines = re.split(_LINE_END, text)
     return lines[:-1] if lines[-1] == "" else lines
 
 

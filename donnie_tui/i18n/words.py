@@ -1,12 +1,17 @@
-"""A learner's language and level of detail: the wording that the core and the front ends ask."""
+"""A learner's language and level of detail: the wording that the core and the front ends ask.
+
+What words need to tell of mistakes and of GoDonnie is loaded when it is asked: the first frame needs neither.
+"""
 
 from __future__ import annotations
 
+from typing import TYPE_CHECKING
+
 from donnie_tui.i18n.catalogue import SENTENCES
-from donnie_tui.i18n.help import help_lines
-from donnie_tui.i18n.mistakes import hint, mistake
 from donnie_tui.i18n.sentence import filled
-from language.diagnostics import Diagnostic
+
+if TYPE_CHECKING:
+    from language.diagnostics import Diagnostic
 
 
 class Words:
@@ -25,10 +30,16 @@ class Words:
         return code in SENTENCES
 
     def mistake(self, diagnostic: Diagnostic) -> str:
+        from donnie_tui.i18n.mistakes import mistake
+
         return mistake(diagnostic, self)
 
     def hint(self, diagnostic: Diagnostic) -> str | None:
+        from donnie_tui.i18n.mistakes import hint
+
         return hint(diagnostic, self)
 
     def help(self, topic: str | None) -> tuple[str, ...]:
+        from donnie_tui.i18n.help import help_lines
+
         return help_lines(topic, self)

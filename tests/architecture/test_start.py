@@ -29,7 +29,10 @@ def loaded_by(code: str, folder: Path, typed: str = "") -> set[str]:
     return set(done.stderr.split())
 
 
-@pytest.mark.parametrize("module", ["donnie_tui.bootstrap", "donnie_tui.core.session", "sim.world", "pymunk"])
+@pytest.mark.parametrize(
+    "module",
+    ("donnie_tui.bootstrap", "donnie_tui.core.session", "sim", "pymunk", "language", "worlds", "argparse"),
+)
 def test_the_first_frame_needs_no_session(module: str, tmp_path: Path) -> None:
     loaded = loaded_by(FRONT_END, tmp_path)
 

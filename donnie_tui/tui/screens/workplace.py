@@ -11,7 +11,7 @@ from typing import TYPE_CHECKING
 
 from textual.app import ComposeResult
 from textual.containers import Horizontal, Vertical
-from textual.events import DescendantFocus, Resize
+from textual.events import DescendantFocus, Resize, ScreenResume
 from textual.geometry import Size
 from textual.message import Message
 from textual.screen import Screen
@@ -72,6 +72,8 @@ class Workplace(Screen[None]):
         self.log_pane = Pane(self.log_rows, id="log-pane")
         self._shown = self.program_pane
         self._shown.add_class("-shown")  # before they are mounted: afterwards each class costs a restyling
+        self._shown.set_class(not plain, "-chosen")
+        self._was_seen = False
 
     def compose(self) -> ComposeResult:
         with Vertical(id="panes"):
@@ -85,6 +87,11 @@ class Workplace(Screen[None]):
             yield self.command_line
         yield self.status
         yield self.keys
+
+    def on_screen_resume(self, event: ScreenResume) -> None:
+        """At first all is in the style that it just got: to work out every style again took its time."""
+        event.refresh_styles = self._was_seen
+        self._was_seen = True
 
     def on_mount(self) -> None:
         if self.is_plain:

@@ -29,15 +29,16 @@ class Pane(Vertical):
             self._write()
 
     def on_descendant_focus(self, _event: DescendantFocus) -> None:
-        self._write()
+        self._choose()
 
     def on_descendant_blur(self, _event: DescendantBlur) -> None:
+        self._choose()
+
+    def _choose(self) -> None:
+        # Textual's focus-within stays behind when a list was open between
+        self.set_class(self.content.has_focus, "-chosen")
         self._write()
 
     def _write(self) -> None:
-        has_focus = self.content.has_focus
-        mark = ">" if has_focus else " "
-        self.set_class(
-            has_focus, "-chosen"
-        )  # Textual's focus-within stays behind when a list was open between
+        mark = ">" if self.content.has_focus else " "
         self._heading.update(f"{mark}{self._title}", layout=False)

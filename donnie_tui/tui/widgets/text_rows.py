@@ -25,6 +25,8 @@ from textual.strip import Strip
 MOST_LINES = 100_000
 """Lines that are kept; beyond, the oldest tenth is forgotten."""
 
+_NOT_KNOWN = 1 << 16
+"""The width of a log before there is one: a line is a row."""
 _KIND_WIDTH = 10
 _NARROW = 56
 """Columns below which the kinds stand before the sentences, so that these keep their room."""
@@ -181,6 +183,8 @@ class TextRows(ScrollView, can_focus=True):
 
     @property
     def _text_width(self) -> int:
+        if self._follows and not self.size.width:
+            return _NOT_KNOWN
         width = self.size.width - 1
         return max(1, width - _KIND_WIDTH - 1 if self._shows_kinds else width)
 
@@ -204,15 +208,19 @@ class TextRows(ScrollView, can_focus=True):
 
     def _lay_out(self) -> None:
         """Everything, where the size or the kinds are others."""
+        self._fit_rows()
+        self._extent(())
+        self.refresh()
+        self._follow()
+
+    def _fit_rows(self) -> None:
+        """To the width that there is."""
         if self._wrapped_at != self._look_of_rows:
             self._wrapped_at = self._look_of_rows
             line = self.line
             self._rewrap()
             if self._row is not None:
                 self._row = sum(self._heights[:line])
-        self._extent(())
-        self.refresh()
-        self._follow()
 
     def _extent(self, changed: Collection[int]) -> None:
         """There are so many rows, and these look different: no others are painted, each costs bytes."""
@@ -228,7 +236,9 @@ class TextRows(ScrollView, can_focus=True):
             self.refresh(*(Region(0, y, self.size.width, 1) for y in seen))
 
     def _follow(self) -> None:
-        """Show the row that is being read."""
+        """Show the row that is being read; the newest of all once there is room for any."""
+        if self._row is None and not self.size.height:
+            return
         place = Region(0, self.row, 1, 1)
         self.scroll_to_region(place, animate=False, force=True, immediate=True)
 
@@ -286,6 +296,11 @@ class TextRows(ScrollView, can_focus=True):
         return True
 
     # --- painting
+
+    def render_lines(self, crop: Region) -> list[Strip]:
+        """The first frame is painted before anybody is told what size it has."""
+        self._fit_rows()
+        return super().render_lines(crop)
 
     def render_line(self, y: int) -> Strip:
         row = y + self.scroll_offset.y

@@ -1,0 +1,73 @@
+"""What the first frame shows, and what isn't worked out twice on the way to it."""
+
+from pathlib import Path
+
+import pytest
+from textual.css.stylesheet import Stylesheet
+from textual.pilot import Pilot
+from textual.widget import Widget
+
+from donnie_tui.bootstrap import assemble
+from donnie_tui.i18n import first_screen
+from donnie_tui.settings import Settings
+from donnie_tui.tui.app import DonnieApp
+from donnie_tui.tui.widgets.text_rows import TextRows
+
+
+@pytest.fixture(params=[False, True], ids=["panes", "plain"])
+def app(request: pytest.FixtureRequest, tmp_path: Path) -> DonnieApp:
+    settings = Settings(speech="off", sound=False, plain=request.param, tour=False)
+    return DonnieApp(settings, assemble=lambda: assemble(settings, terminal=True), folder=tmp_path)
+
+
+async def begin(app: DonnieApp) -> None:
+    try:
+        async with app.run_test(size=(80, 24)) as pilot:
+            await until_work(app, pilot)
+    finally:
+        app.close_session()
+
+
+async def until_work(app: DonnieApp, pilot: Pilot[int]) -> None:
+    for _ in range(1000):
+        if app.work is not None:
+            return
+        await pilot.pause(0.01)
+    raise AssertionError("the work never began")
+
+
+async def test_the_first_frame_has_the_greeting(app: DonnieApp, monkeypatch: pytest.MonkeyPatch) -> None:
+    """It was painted empty: what was told before there was a width was cut into letters."""
+    painted: list[list[str]] = []
+    render_lines = TextRows.render_lines
+
+    def rendered(self, crop):
+        strips = render_lines(self, crop)
+        if self is app.workplace.log_rows:
+            painted.append([strip.text.strip(" >") for strip in strips])
+        return strips
+
+    monkeypatch.setattr(TextRows, "render_lines", rendered)
+
+    await begin(app)
+
+    assert painted[0][0] == first_screen.START[0]
+
+
+async def test_only_what_takes_the_focus_gets_its_style_twice_before_the_session(
+    app: DonnieApp, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    styled: list[str] = []
+    update_nodes = Stylesheet.update_nodes
+
+    def updated(self, nodes, animate=False):
+        if app.work is None:
+            styled.extend(node.id or "" for node in nodes if isinstance(node, Widget))
+        update_nodes(self, nodes, animate=animate)
+
+    monkeypatch.setattr(Stylesheet, "update_nodes", updated)
+
+    await begin(app)
+
+    assert not {"workplace", "map-pane", "inspector-pane", "log-pane"} & {*styled}
+    assert app.workplace.is_plain or "program-pane" not in styled
