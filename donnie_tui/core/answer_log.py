@@ -18,6 +18,8 @@ LONGEST_ANSWER = 200
 """Lines of one answer that are remembered, its last ones."""
 MOST_FOUND = 20
 """Lines that FIND tells, the newest ones."""
+LONGEST_SPELLED = 200
+"""Characters that are spelled."""
 LONGEST_LINE = 38
 """Characters of a line of spelling."""
 
@@ -36,6 +38,14 @@ class AnswerLog:
         """The ``which``-th last answer, empty if there is none."""
         return self._answers[-which] if 1 <= which <= len(self._answers) else ()
 
+    def last_line(self, which: int = 1) -> str:
+        """Of that answer its last line, where what counts mostly stands alone; empty if there is none."""
+        return next(iter(self.last(which)[-1:]), "")
+
+    def last_word(self) -> str:
+        """Without the signs behind it; empty if nothing was said."""
+        return next(iter(self.last_line().rstrip(".,:;!?").split()[-1:]), "")
+
     def found(self, typed: str) -> tuple[str, ...]:
         """The newest lines that have the word, in any case and without accents, oldest first."""
         wanted = fold_name(typed)
@@ -53,9 +63,12 @@ class AnswerLog:
 def spelled(text: str, sign_names: dict[str, str], wording: Wording) -> tuple[str, ...]:
     """Character by character, signs and blanks by name, as many lines as that takes.
 
-    ``sign_names`` has the code of the name of each sign.
+    Of a long text its beginning; of an empty one, that nothing was said. ``sign_names`` has the code of the
+    name of each sign.
     """
-    names = [_name(each, sign_names, wording) for each in normalize("NFC", text)]
+    if not text:
+        return (wording("answer-nothing-said"),)
+    names = [_name(each, sign_names, wording) for each in normalize("NFC", text[:LONGEST_SPELLED])]
     lines = [""]
     for name in names:
         longer = f"{lines[-1]}, {name}" if lines[-1] else name

@@ -49,6 +49,17 @@ def describe(
     )
 
 
+def told_world(name: str, about: About | None, in_words: Sequence[str], wording: Wording) -> tuple[str, ...]:
+    """A world for somebody who is in it: what its author says, what stands there, and what to try.
+
+    ``in_words``: what stands there, as MAP tells it.
+    """
+    if about is None:
+        return tuple(in_words)
+    title = wording("world-title", name=name, title=about.title)
+    return (title, *about.sentences, *in_words, wording("world-task", task=about.task))
+
+
 def _overview(picture: Picture, about: About | None, wording: Wording) -> tuple[str, ...]:
     """The author's words know what is a room and what a passage; without them there is the size."""
     if about is None:

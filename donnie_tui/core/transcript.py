@@ -6,6 +6,7 @@ printable here, so that no text of a learner's can move a cursor.
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from unicodedata import category
 
 from donnie_tui.core.events import Announced, Answered, Error, Event, Pointed, Spoke, Stamped
@@ -37,6 +38,11 @@ def told_lines(stamped: Stamped, wording: Wording) -> tuple[str, ...]:
 def said_by(robot: str | None, sentence: str, wording: Wording) -> str:
     """A sentence about a robot, with its name before it; ``robot`` is None where the world has but one."""
     return sentence if robot is None else wording("robot-says", robot=printable(robot), text=sentence)
+
+
+def lines_said_by(robot: str | None, lines: Sequence[str], wording: Wording) -> tuple[str, ...]:
+    """Lines about a robot, its name before the first of them."""
+    return (*(said_by(robot, each, wording) for each in lines[:1]), *lines[1:])
 
 
 def lines_of(event: Event, wording: Wording) -> tuple[str, ...]:

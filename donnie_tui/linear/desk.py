@@ -14,7 +14,7 @@ from donnie_tui.core.copies import Copies
 from donnie_tui.core.events import Answered
 from donnie_tui.core.reading import ProgramText
 from donnie_tui.core.session import Session
-from donnie_tui.core.transcript import said_by
+from donnie_tui.core.transcript import lines_said_by, said_by
 from donnie_tui.core.typed_program import TypedProgram
 from donnie_tui.linear.asking import Asking
 from donnie_tui.linear.beside import Beside
@@ -103,8 +103,7 @@ class Desk:
 
     def tell_of_robot(self, *lines: str) -> None:
         """As it is for the robot that is talked to; the first line has its name, where there are several."""
-        first = [said_by(self.session.hub.robot, line, self.say) for line in lines[:1]]
-        self.tell(*first, *lines[1:])
+        self.tell(*lines_said_by(self.session.hub.robot, lines, self.say))
 
     def tell(self, *lines: str) -> None:
         """Where robots that run beside tell more than is printed at once, it waits for nothing of that."""

@@ -6,10 +6,10 @@ Rule: any thread may tell something; it never prints, it wakes who does.
 from __future__ import annotations
 
 from donnie_tui.bootstrap import Donnie
-from donnie_tui.core.answer_log import LONGEST_ANSWER
 from donnie_tui.core.events import TRANSIENT, Announced, Answered, Error, RunStarted, Stamped
 from donnie_tui.core.summing_up import SummingUp
 from donnie_tui.core.timeline import Timeline
+from donnie_tui.core.told_errors import ToldErrors
 from donnie_tui.core.trail import Trail
 from donnie_tui.core.transcript import told_lines
 from donnie_tui.linear.ends import Ends
@@ -24,10 +24,8 @@ class Hearing:
     def __init__(self, donnie: Donnie, ends: Ends) -> None:
         self._donnie = donnie
         self._ends = ends
-        self.errors: list[Error] = []
+        self.errors = ToldErrors()
         """Those of the last run of the robot that is talked to."""
-        self.error_at: int | None = None
-        """Which of them was told last, from 0."""
         self.trail = Trail(lambda: donnie.session.hub.robot)
         self.timeline: Timeline | None = None
         """Where STEP BACK has come to; None once something new has happened."""
@@ -70,9 +68,9 @@ class Hearing:
         self.trail.hear(stamped)
         match stamped.event:
             case RunStarted():
-                self.errors, self.error_at = [], None
+                self.errors = ToldErrors()
             case Error() as error:
-                self.errors = [*self.errors[-LONGEST_ANSWER:], error]
+                self.errors.add(error)
             case _:
                 pass
 

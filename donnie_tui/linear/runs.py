@@ -83,7 +83,7 @@ class Runs:
             program.batch_ran()
             self._tell_hints(batch.text)
         elif program.batch_was_refused():
-            errors = self._desk.heard.errors
+            errors = self._desk.heard.errors.all
             self._desk.answer("linear-kept", line=errors[0].line if errors else 1)
 
     def run_all(self, *, begin: Callable[[ExecutionControl], None] | None = None) -> None:

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from donnie_tui.core.answer_log import spelled
-from donnie_tui.core.transcript import lines_of
+from donnie_tui.core.told_errors import line_of
 from donnie_tui.i18n.catalogue.signs import SPELLED_OF
 from donnie_tui.linear.arguments import Handler, alone, counted
 from donnie_tui.linear.desk import Desk
@@ -11,8 +11,6 @@ from donnie_tui.linear.reading import go_to
 
 SHOWN = 10
 """Answers that SHOW LOG says again."""
-LONGEST_SPELLED = 200
-"""Characters of an answer that are spelled."""
 _TYPED_AT_ONCE = 10
 
 
@@ -27,23 +25,16 @@ def _last(desk: Desk, which: int) -> None:
 
 
 def _spell(desk: Desk, which: int) -> None:
-    """Of the answer its last line, where what counts mostly stands alone."""
-    answer = desk.answers.last(which)
-    _say_spelled(desk, answer[-1] if answer else "")
+    _say_spelled(desk, desk.answers.last_line(which))
 
 
 def _last_word(desk: Desk) -> None:
-    answer = desk.answers.last()
-    words = answer[-1].rstrip(".,:;!?").split() if answer else []
-    _say_spelled(desk, words[-1] if words else "")
+    _say_spelled(desk, desk.answers.last_word())
 
 
 def _say_spelled(desk: Desk, text: str) -> None:
-    if text:
-        desk.showing.is_repeating = True
-        desk.tell(*spelled(text[:LONGEST_SPELLED], SPELLED_OF, desk.say))
-    else:
-        desk.answer("answer-nothing-said")
+    desk.showing.is_repeating = bool(text)
+    desk.tell(*spelled(text, SPELLED_OF, desk.say))
 
 
 def _find(desk: Desk, word: str) -> bool:
@@ -100,41 +91,25 @@ def _do_again(desk: Desk, lines: list[str], chosen: str) -> bool:
 
 def _error(desk: Desk, move: int = 0) -> None:
     """The error told last, or one before or after it; the reading place goes along."""
-    heard = desk.heard
-    if not heard.errors:
-        desk.answer("answer-no-errors")
-        return
-    now = len(heard.errors) - 1 if heard.error_at is None else heard.error_at
-    wanted = now + move
-    if heard.error_at is None and move > 0:
-        wanted = 0
-    if not 0 <= wanted < len(heard.errors):
-        desk.answer("answer-no-more-errors", number=now + 1, count=len(heard.errors))
-        return
-    heard.error_at = wanted
-    desk.place = heard.errors[wanted].line
-    desk.tell(*lines_of(heard.errors[wanted], desk.say))
+    error, told = desk.heard.errors.go(move, desk.say)
+    desk.place = desk.place if error is None else error.line
+    desk.tell(*told)
 
 
 def _errors(desk: Desk) -> None:
-    if not desk.heard.errors:
-        desk.answer("answer-no-errors")
-    for error in desk.heard.errors:
-        desk.tell(*lines_of(error, desk.say))
+    desk.tell(*desk.heard.errors.in_words(desk.say))
 
 
 def _explain(desk: Desk) -> None:
     """The error again in plain words, and what to do, with an example."""
-    if not desk.heard.errors:
-        desk.answer("answer-no-errors")
+    error = desk.heard.errors.now
+    desk.tell(*desk.heard.errors.explained(desk.session.hub.robot, desk.say))
+    if error is None:
         return
-    error = desk.heard.errors[-1 if desk.heard.error_at is None else desk.heard.error_at]
-    desk.answer_of_robot(f"explain-{error.kind}")
-    desk.answer(f"mend-{error.kind}")
     if desk.program.lines[error.line - 1 : error.line] == (error.source_line,):
         go_to(desk, error.line)
-    elif error.source_line:
-        desk.tell(lines_of(error, desk.say)[1])
+    else:
+        desk.tell(*line_of(error, desk.say))
 
 
 HANDLERS: dict[str, Handler] = {

@@ -4,9 +4,11 @@ from __future__ import annotations
 
 from donnie_tui.core import map_words, numbers
 from donnie_tui.core.around import around_in_words, compass_point
+from donnie_tui.core.describe import told_world
 from donnie_tui.core.map_grid import FREE, MapGrid
 from donnie_tui.core.naming import shown_name
 from donnie_tui.core.sensor_words import sensors_in_words
+from donnie_tui.core.transcript import lines_said_by
 from donnie_tui.core.typed_arguments import numbers_in
 from donnie_tui.linear.arguments import Handler, alone, counted
 from donnie_tui.linear.desk import Desk
@@ -52,7 +54,11 @@ def _map(desk: Desk, _: Runs, rest: str) -> bool:
 
 
 def say_map(desk: Desk) -> None:
-    desk.tell_of_robot(*map_words.map_in_words(desk.donnie.picture_now(), desk.session.pose, desk.say))
+    desk.tell_of_robot(*_map_in_words(desk))
+
+
+def _map_in_words(desk: Desk) -> tuple[str, ...]:
+    return map_words.map_in_words(desk.donnie.picture_now(), desk.session.pose, desk.say)
 
 
 def _row(desk: Desk, _: Runs, rest: str) -> bool:
@@ -86,13 +92,9 @@ def _sensors(desk: Desk) -> None:
 
 def _world(desk: Desk) -> None:
     """What its author says of the world, what stands in it, and what to try there."""
-    about = desk.donnie.world.about(desk.say.language)
-    if about is not None:
-        desk.answer("world-title", name=desk.donnie.world.name, title=about.title)
-        desk.tell(*about.description.replace(". ", ".\n").splitlines())
-    say_map(desk)
-    if about is not None:
-        desk.answer("world-task", task=about.task)
+    world = desk.donnie.world
+    floor = lines_said_by(desk.session.hub.robot, _map_in_words(desk), desk.say)
+    desk.tell(*told_world(world.name, world.about(desk.say.language), floor, desk.say))
 
 
 HANDLERS: dict[str, Handler] = {

@@ -4,12 +4,9 @@ from __future__ import annotations
 
 from functools import partial
 
+from donnie_tui.i18n.tour import PAGES, page
 from donnie_tui.linear.arguments import Handler, alone
 from donnie_tui.linear.desk import Desk
-
-PAGES = 9
-"""Of the catalogue: ``tour-1-1`` is the first line of the first page."""
-MOST_LINES = 6
 
 
 def _tour(desk: Desk) -> None:
@@ -21,9 +18,7 @@ def _tour(desk: Desk) -> None:
 
 def _page(desk: Desk, number: int) -> None:
     """One page; an empty line goes on to the next one, anything else is done and the tour waits."""
-    codes = [f"tour-{number}-{line}" for line in range(1, MOST_LINES + 1)]
-    for code in filter(desk.say.knows, codes):
-        desk.answer(code)
+    desk.tell(*page(number, desk.say))
     desk.tour_page = number if number < PAGES else 1
     if number < PAGES:
         desk.answer("tour-on", page=number, pages=PAGES)

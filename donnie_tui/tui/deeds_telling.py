@@ -13,10 +13,13 @@ from donnie_tui import sound_words
 from donnie_tui.core import map_words
 from donnie_tui.core.answer_log import spelled
 from donnie_tui.core.around import around_in_words, compass_point
+from donnie_tui.core.describe import told_world
+from donnie_tui.core.events import Error
 from donnie_tui.core.map_grid import MapGrid
 from donnie_tui.core.naming import shown_name
 from donnie_tui.core.sensor_words import sensors_in_words
-from donnie_tui.core.transcript import lines_of, said_by
+from donnie_tui.core.told_errors import ToldErrors, line_of
+from donnie_tui.core.transcript import lines_said_by
 from donnie_tui.core.typed_arguments import count_in, numbers_in
 from donnie_tui.core.wording import Wording
 from donnie_tui.i18n.catalogue.signs import SPELLED_OF
@@ -35,7 +38,6 @@ class TellingDeeds:
 
     def __init__(self, host: WorkHost) -> None:
         self._host = host
-        self._error = 0
 
     # --- where things are
 
@@ -109,16 +111,16 @@ class TellingDeeds:
         return which is not None
 
     def last_word(self, _argument: str) -> None:
-        line = next(iter(self._host.answers.last()[-1:]), "")
-        word = next(iter(line.split()[-1:]), "").strip(".,:;!?")
-        self._tell(word or self._host.words("answer-nothing-said"))
+        self._spell(self._host.answers.last_word())
 
     def spell(self, argument: str) -> bool:
         which = count_in(argument, 1)
         if which is not None:
-            line = next(iter(self._host.answers.last(which)[-1:]), "")
-            self._tell(*spelled(line, SPELLED_OF, self._host.words))
+            self._spell(self._host.answers.last_line(which))
         return which is not None
+
+    def _spell(self, text: str) -> None:
+        self._tell(*spelled(text, SPELLED_OF, self._host.words))
 
     def find(self, argument: str) -> bool:
         if not argument:
@@ -159,57 +161,54 @@ class TellingDeeds:
 
     # --- mistakes
 
+    @property
+    def _errors(self) -> ToldErrors:
+        return self._host.following.errors
+
     def errors(self, _argument: str) -> None:
-        errors = self._host.following.errors
-        if not errors:
-            self._host.tell(Answer("answer-no-errors"))
-        for error in errors:
-            self._tell(*lines_of(error, self._host.words))
+        self._tell(*self._errors.in_words(self._host.words))
 
     def error(self, _argument: str) -> None:
-        self._tell_error(self._error)
+        self._go_to_error(0)
 
     def error_next(self, _argument: str) -> None:
-        self._tell_error(self._error + 1)
+        self._go_to_error(1)
 
     def error_previous(self, _argument: str) -> None:
-        self._tell_error(self._error - 1)
+        self._go_to_error(-1)
 
-    def _tell_error(self, which: int) -> None:
-        errors = self._host.following.errors
-        if not errors:
-            self._host.tell(Answer("answer-no-errors"))
-            return
-        self._error = min(max(0, which), len(errors) - 1)
-        error = errors[self._error]
-        self._host.workplace.editor.go_to(error.line, error.column)
-        self._tell(*lines_of(error, self._host.words))
+    def _go_to_error(self, by: int) -> None:
+        error, told = self._errors.go(by, self._host.words)
+        self._show(error)
+        self._tell(*told)
+
+    def explain(self, _argument: str) -> None:
+        """The mistake in plain words, what to do, and the line that was meant."""
+        error, words = self._errors.now, self._host.words
+        self._show(error)
+        self._tell(*self._errors.explained(self._host.donnie.session.hub.robot, words))
+        if error is not None:
+            self._tell(*line_of(error, words))
+
+    def _show(self, error: Error | None) -> None:
+        if error is not None:
+            self._host.workplace.editor.go_to(error.line, error.column)
+
+    # --- the world
+
+    def world(self, _argument: str) -> None:
+        """What its author says of it, and what stands in it."""
+        host, words = self._host, self._host.words
+        floor = map_words.map_in_words(self._grid.picture, host.pose, words)
+        world, of_robot = host.donnie.world, lines_said_by(host.donnie.session.hub.robot, floor, words)
+        self._tell(*told_world(world.name, world.about(words.language), of_robot, words))
+
+    # --- telling
 
     def _tell_of_robot(self, *sentences: str) -> None:
         """The first sentence has the name of the robot that is talked to, where there are several."""
         robot, words = self._host.donnie.session.hub.robot, self._host.words
-        self._tell(*(said_by(robot, each, words) for each in sentences[:1]), *sentences[1:])
+        self._tell(*lines_said_by(robot, sentences, words))
 
     def _tell(self, *sentences: str) -> None:
         self._host.tell_sentences(*sentences)
-
-    def explain(self, _argument: str) -> None:
-        """The last mistake in plain words, and what to do."""
-        errors = self._host.following.errors
-        if not errors:
-            self._host.tell(Answer("answer-no-errors"))
-            return
-        error = errors[min(self._error, len(errors) - 1)]
-        self._host.workplace.editor.go_to(error.line, error.column)
-        self._tell(self._host.words(f"explain-{error.kind}"), self._host.words(f"mend-{error.kind}"))
-
-    def world(self, _argument: str) -> None:
-        """What its author says of it, and what stands in it."""
-        world = self._host.donnie.world
-        about = world.about(self._host.words.language)
-        if about is not None:
-            self._host.tell(Answer("world-title", {"name": world.name, "title": about.title}))
-            self._tell(*about.description.replace(". ", ".\n").splitlines())
-        self.map("")
-        if about is not None:
-            self._host.tell(Answer("world-task", {"task": about.task}))

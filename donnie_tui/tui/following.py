@@ -11,7 +11,8 @@ from typing import TYPE_CHECKING
 from textual.message import Message
 from textual.timer import Timer
 
-from donnie_tui.core.events import Error, Outcome
+from donnie_tui.core.events import Outcome
+from donnie_tui.core.told_errors import ToldErrors
 from donnie_tui.tui.bridge import Began, Ended
 from donnie_tui.tui.intake import FLUSH, Intake
 from donnie_tui.tui.patience import Reminder
@@ -35,7 +36,7 @@ class Following:
         self._host = host
         self._intake = intake
         self._past = past
-        self.errors: tuple[Error, ...] = ()
+        self.errors = ToldErrors()
         """The mistakes of the last run."""
         self._watching: Timer | None = None
         self._reading: Reminder | None = None
@@ -100,7 +101,7 @@ class Following:
         self._forget_reading()
         self._past.to_present()
         work.running.ended()
-        self.errors = event.errors
+        self.errors = ToldErrors(event.errors, at=0 if work.running.is_program else None)
         work.ask_distances()
         self._intake.take()
         work.display.move((event.event.pose,))

@@ -6,15 +6,13 @@ from collections.abc import Sequence
 from typing import TYPE_CHECKING
 
 from donnie_tui.i18n.manual import manual
+from donnie_tui.i18n.tour import tour
 from donnie_tui.tui.keys_here import keys_here
 from donnie_tui.tui.screens.help import help_text
 from language.keywords import canonical
 
 if TYPE_CHECKING:
     from donnie_tui.tui.workbench import Host, Workbench
-
-PAGES, MOST_LINES = 9, 6
-"""Of the tour in the catalogue."""
 
 
 class Pages:
@@ -36,9 +34,7 @@ class Pages:
 
     def show_tour(self) -> None:
         """Donnie in a few pages, the same as in the linear mode."""
-        words, pages = self._words, range(1, PAGES + 1)
-        codes = [f"tour-{page}-{line}" for page in pages for line in range(1, MOST_LINES + 1)]
-        self.show_lines(words("tour-title"), [words(each) for each in filter(words.knows, codes)])
+        self.show_lines(self._words("tour-title"), tour(self._words))
 
     def show_manual(self) -> None:
         self._host.show_help(self._words("manual-title"), manual(self._words))

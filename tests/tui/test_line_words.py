@@ -219,3 +219,35 @@ async def test_a_name_of_the_program_is_no_slip(work):
     async with work("PROCEDURE LISTT DO\nFW 1\nEND PROCEDURE\nLISTT") as desk:
         await desk.type_line("LISTT")
         await desk.told("Error, line 1, column 1: I do not know LISTT.")
+
+
+async def test_mistakes_are_gone_through_and_explained_as_in_the_linear_mode(work):
+    """After each run the cursor stands at the first one, whichever somebody was at before."""
+    async with work("FWD 1\nTRN 90") as desk:
+
+        async def run():
+            await desk.press("f5")
+            await desk.until(lambda: desk.place.editor.line == 1 and desk.app.work.following.errors.all)
+            await desk.idle()
+
+        await run()
+        await desk.type_line("ERROR NEXT")
+        await desk.until(lambda: desk.place.editor.line == 2, "the second mistake")
+        await desk.type_line("ERROR NEXT")
+        await desk.told("No more errors. That is 2 of 2.")
+        await desk.type_line("EXPLAIN")
+        await desk.until(lambda: desk.log[-1] == "Line 2: TRN 90", "the line of the mistake")
+
+        await run()
+        before = len(desk.log)
+        await desk.type_line("ERROR")
+        await desk.until(lambda: any("Error, line 1" in line for line in desk.log[before:]), "the first one")
+        assert desk.place.editor.line == 1
+
+
+async def test_the_last_word_is_spelled_and_nothing_is_told_to_be_nothing(work):
+    async with work() as desk:
+        await desk.type_line("SPELL 9")
+        await desk.told("Nothing was said yet.")
+        await desk.type_line("LAST WORD")
+        await desk.told("y, e, t.")

@@ -7,7 +7,8 @@ import pytest
 from donnie_tui.core import use_cases
 from donnie_tui.i18n.catalogue.tour import SENTENCES
 from donnie_tui.i18n.sentence import LANGUAGES
-from donnie_tui.linear.tour import MOST_LINES, PAGES
+from donnie_tui.i18n.tour import PAGES, page, tour
+from donnie_tui.i18n.words import Words
 from language import keywords
 
 WORD = re.compile(r"\b[A-ZÁÂÃÇÉÊÍÓÔÕÚÑ]{2,}\b")
@@ -23,7 +24,8 @@ def pages() -> dict[int, int]:
 
 def test_every_page_is_told_to_its_last_line() -> None:
     assert sorted(pages()) == list(range(1, PAGES + 1))
-    assert max(pages().values()) <= MOST_LINES
+    assert pages() == {number: len(page(number, Words("en"))) for number in range(1, PAGES + 1)}
+    assert len(tour(Words("en"))) == sum(pages().values())
 
 
 @pytest.mark.parametrize("language", LANGUAGES)

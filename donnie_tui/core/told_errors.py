@@ -1,0 +1,65 @@
+"""The mistakes of a run after they were told: gone through one by one, told again, explained.
+
+The same for both front ends; where the cursor or the reading place goes is theirs.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+
+from donnie_tui.core.events import Error
+from donnie_tui.core.transcript import lines_of, said_by
+from donnie_tui.core.wording import Wording
+
+MOST_KEPT = 200
+"""Mistakes that are remembered, the newest ones."""
+
+
+class ToldErrors:
+    """Those of one run, and at which of them somebody is."""
+
+    def __init__(self, errors: Iterable[Error] = (), at: int | None = None) -> None:
+        """``at``: where somebody was taken, from 0; None where all were told and nobody was taken to one."""
+        self.all = tuple(errors)
+        self._at = at
+
+    def add(self, error: Error) -> None:
+        self.all = (*self.all[-MOST_KEPT + 1 :], error)
+
+    @property
+    def now(self) -> Error | None:
+        """The one somebody is at; else the one told last."""
+        return self.all[-1 if self._at is None else self._at] if self.all else None
+
+    def go(self, by: int, wording: Wording) -> tuple[Error | None, tuple[str, ...]]:
+        """To the one so many further on, and what is told; to none where there is none.
+
+        Whoever was taken nowhere is at the last one, and the next one after all that were told is the first.
+        """
+        if not self.all:
+            return None, self._none(wording)
+        now = len(self.all) - 1 if self._at is None else self._at
+        wanted = 0 if self._at is None and by > 0 else now + by
+        if not 0 <= wanted < len(self.all):
+            return None, (wording("answer-no-more-errors", number=now + 1, count=len(self.all)),)
+        self._at = wanted
+        return self.all[wanted], lines_of(self.all[wanted], wording)
+
+    def in_words(self, wording: Wording) -> tuple[str, ...]:
+        """All of them once more."""
+        return tuple(line for each in self.all for line in lines_of(each, wording)) or self._none(wording)
+
+    def explained(self, robot: str | None, wording: Wording) -> tuple[str, ...]:
+        """The one of ``now`` in plain words, and what to do. ``robot`` is whose it is."""
+        if self.now is None:
+            return self._none(wording)
+        what = said_by(robot, wording(f"explain-{self.now.kind}"), wording)
+        return what, wording(f"mend-{self.now.kind}")
+
+    def _none(self, wording: Wording) -> tuple[str, ...]:
+        return (wording("answer-no-errors"),)
+
+
+def line_of(error: Error, wording: Wording) -> tuple[str, ...]:
+    """The line as it was when the mistake was made, none where it is not known."""
+    return lines_of(error, wording)[1:2] if error.source_line else ()
