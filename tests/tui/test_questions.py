@@ -1,0 +1,46 @@
+"""What stands in the field of a question, and what becomes of it."""
+
+from __future__ import annotations
+
+import pytest
+from textual.widgets import Input
+
+
+async def field(desk, proposed):  # type: ignore[no-untyped-def]
+    await desk.until(lambda: desk.app.screen is not desk.place, "the question")
+    await desk.pilot.pause()
+    found = desk.app.screen.query_one(Input)
+    assert found.value == proposed
+    return found
+
+
+async def test_what_a_question_proposes_is_typed_over_at_the_first_key(work) -> None:  # type: ignore[no-untyped-def]
+    async with work() as desk:
+        await desk.type_line("SAVE LOG")
+        answer = await field(desk, "log.txt")
+        await desk.press("m")
+        assert answer.value == "m"
+        await desk.press("y")
+        assert answer.value == "my"
+
+
+@pytest.mark.parametrize(("key", "changed"), [("end", "log.txtx"), ("home", "xlog.txt")])
+async def test_whoever_moves_in_what_is_proposed_changes_it(work, key, changed) -> None:  # type: ignore[no-untyped-def]
+    async with work() as desk:
+        await desk.type_line("SAVE LOG")
+        answer = await field(desk, "log.txt")
+        await desk.press(key, "x")
+
+        assert answer.value == changed
+
+
+async def test_an_answer_that_is_wrong_is_typed_over_too(work) -> None:  # type: ignore[no-untyped-def]
+    async with work("FW 1") as desk:
+        desk.app.work.load("FW 2")
+        await desk.press("x", "ctrl+n")
+        answer = await field(desk, "")
+        await desk.press(*"maybe", "enter")
+        await desk.pilot.pause()
+        assert answer.value == "maybe"
+        await desk.press("n")
+        assert answer.value == "n"
