@@ -36,10 +36,6 @@ class Rays(Generic[Owner]):
         """Rays that meet ``shape`` tell ``owner`` from now on."""
         self._owners[self._key(shape)] = owner
 
-    def disown(self, shape: pymunk.Shape) -> None:
-        """The shape has left the space. KeyError if it had no owner."""
-        del self._owners[self._key(shape)]
-
     def clear(self) -> None:
         """Every shape has left the space."""
         self._owners.clear()

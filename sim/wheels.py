@@ -6,7 +6,7 @@ or its acceleration. Odometry counts with an error that is drawn once, from a se
 
 from __future__ import annotations
 
-from math import inf
+from math import degrees, inf
 from typing import TYPE_CHECKING
 
 from devices.ports.robot import STEP, RobotProblem
@@ -50,11 +50,10 @@ def rates_of(wheels: Wheels | None) -> Rates:
     if wheels.drive is not Drive.CAR:
         return Rates(forward, backward, right, left)
     bend = max(wheels.wheelbase, STEP)
-    curving = _times(forward, STEP / bend * DEGREES_A_RADIAN)
+    curving = _times(forward, degrees(STEP / bend))
     return Rates(forward, backward, _slower(right, curving), _slower(left, curving), bend)
 
 
-DEGREES_A_RADIAN = 57.29577951308232
 _ANY = Limits((-inf, inf), (-inf, inf), (-inf, inf))
 
 

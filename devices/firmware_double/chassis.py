@@ -52,10 +52,6 @@ class Wheels:
         """Whether the motors are on."""
         return self._wanted != (0.0, 0.0)
 
-    @property
-    def is_rolling(self) -> bool:
-        return self._speed != (0.0, 0.0)
-
     def drive(self, data: bytes) -> None:
         """Four bytes of a MOTOR frame: a wheel at zero stops both; other speeds are all the same."""
         right, right_speed, left, left_speed = data

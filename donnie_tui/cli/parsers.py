@@ -12,6 +12,7 @@ from collections.abc import Callable
 from typing import NoReturn, TypeAlias
 
 from donnie_tui.cli.arguments import COMMANDS, COMMON, TO_COME, WrongUsage
+from donnie_tui.settings import LANGUAGES
 
 _PLACEHOLDERS = {
     "world": "NAME_OR_FILE",
@@ -117,7 +118,7 @@ def _add_check(parser: argparse._ArgumentGroup, words: Tells) -> None:
 
 def _add_format(parser: argparse._ArgumentGroup, words: Tells) -> None:
     parser.add_argument("file", nargs="+", metavar="FILE", help=words("option-file-or-input"))
-    parser.add_argument("--to", choices=("en", "pt", "es"), help=words("option-to"))
+    parser.add_argument("--to", choices=LANGUAGES, help=words("option-to"))
     parser.add_argument("-w", "--write", action="store_true", help=words("option-write"))
 
 

@@ -12,11 +12,11 @@ from donnie_tui.core.events import Stamped
 from donnie_tui.core.recheck import Result, Verdict, recheck
 from donnie_tui.core.recording import Header, Recording
 from donnie_tui.core.transcript import printable
+from donnie_tui.device_settings import SIMULATED
 from donnie_tui.i18n.words import Words
 from donnie_tui.recorded_world import settings_of, unpacked
 from donnie_tui.unusable import Unusable
 
-SIMULATED = "sim"
 LONGEST_EXCERPT = 160
 """Characters of an event that are shown where it differs."""
 

@@ -10,6 +10,7 @@ from typing import assert_never
 
 from devices.ports.robot import Met, Pose, Pushed, StoppedBy
 from donnie_tui.core import numbers
+from donnie_tui.core.directions import SIDES
 from donnie_tui.core.events import (
     Announced,
     Answered,
@@ -43,7 +44,6 @@ from donnie_tui.core.naming import called, the_coloured
 from donnie_tui.core.telling import Teller
 from donnie_tui.core.wording import Wording
 
-_SIDES = ("front", "front-right", "right", "back-right", "back", "back-left", "left", "front-left")
 LEAST_PUSH = 0.1
 """Steps; who comes up to a thing touches it, and that is no push."""
 MOST_PUSHED = 3
@@ -155,7 +155,7 @@ class Announcer:
         detail = self._say.detail
         if met is None or detail == "brief" or not (self._is_talking or detail == "full"):
             return
-        where = self._say(f"around-{_SIDES[round(met.degrees / 45) % 8]}")
+        where = self._say(f"around-{SIDES[round(met.degrees / 45) % 8]}")
         name = self._name_of(met)
         self._teller.announce(code, "met", name=name[:1].upper() + name[1:], where=where)
 

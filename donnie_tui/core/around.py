@@ -12,6 +12,7 @@ from typing import TYPE_CHECKING
 
 from devices.ports.robot import Pose
 from devices.ports.values import frozen
+from donnie_tui.core.directions import COMPASS, SIDES
 from donnie_tui.core.map_grid import WALL, MapGrid
 from donnie_tui.core.naming import coloured_thing, name_of
 from donnie_tui.core.wording import Wording
@@ -22,9 +23,6 @@ if TYPE_CHECKING:
 
 RANGE = 10
 """Steps that are looked at in each direction."""
-
-_RELATIVE = ("front", "front-right", "right", "back-right", "back", "back-left", "left", "front-left")
-_COMPASS = ("north", "northeast", "east", "southeast", "south", "southwest", "west", "northwest")
 
 
 _POINTS = (
@@ -79,9 +77,9 @@ def _face(heading: float, detail: str, *, compass: int | None, clock: bool) -> F
     if clock:
         return Face(12, heading, ("around-hour",) * 12, tuple(range(12)) if full else (0, 3, 6, 9))
     step = 1 if full else 2
-    codes = [f"around-{each}" for each in _RELATIVE]
+    codes = [f"around-{each}" for each in SIDES]
     if compass is not None:
-        codes = [f"compass-{each}" for each in (*_COMPASS[compass:], *_COMPASS[:compass])]
+        codes = [f"compass-{each}" for each in (*COMPASS[compass:], *COMPASS[:compass])]
     first = heading if compass is None else compass * 45.0
     return Face(8 // step, first, tuple(codes[::step]), tuple(range(8 // step)))
 

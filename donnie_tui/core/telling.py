@@ -6,12 +6,11 @@ from collections.abc import Iterable
 
 from devices.ports.robot import Pose
 from donnie_tui.core import numbers
+from donnie_tui.core.directions import COMPASS
 from donnie_tui.core.events import Announced
 from donnie_tui.core.history import Movement
 from donnie_tui.core.hub import Hub
 from donnie_tui.core.wording import Wording
-
-_COMPASS = ("north", "northeast", "east", "southeast", "south", "southwest", "west", "northwest")
 
 
 class Teller:
@@ -76,7 +75,7 @@ class Teller:
 def facing(pose: Pose, wording: Wording) -> str:
     """The heading in words: "north", or "40 degrees, near northeast"."""
     degrees = numbers.heading(pose)
-    point = wording(f"compass-{_COMPASS[round(degrees / 45) % 8]}")
+    point = wording(f"compass-{COMPASS[round(degrees / 45) % 8]}")
     return point if degrees % 45 == 0 else wording("facing-between", degrees=degrees, point=point)
 
 

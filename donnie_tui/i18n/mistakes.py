@@ -144,7 +144,7 @@ def _hint_for_argument(diagnostic: Diagnostic, words: Phrasing) -> str | None:
     else:
         terminals = [_ARGUMENTS_OF[each] for each in diagnostic.expected if each in _ARGUMENTS_OF]
         allowed = [word for terminal in terminals for word in argument_words(terminal, words.language)]
-    return words("hint-words", words=_either(allowed, words)) if allowed else None
+    return words("hint-words", words=either(allowed, words)) if allowed else None
 
 
 def _hint_for_closer(diagnostic: Diagnostic, words: Phrasing) -> str | None:
@@ -237,10 +237,11 @@ def _expected(diagnostic: Diagnostic, words: Phrasing) -> str:
     """What was expected, as a list in words; empty if there was nothing, or too much to name."""
     if not 0 < len(diagnostic.expected) <= MOST_EXPECTED:
         return ""
-    return _either([_thing(each, words) for each in diagnostic.expected], words)
+    return either([_thing(each, words) for each in diagnostic.expected], words)
 
 
-def _either(things: list[str], words: Phrasing) -> str:
+def either(things: list[str], words: Phrasing) -> str:
+    """They as a list in words, each once."""
     distinct = list(dict.fromkeys(things))
     if len(distinct) < 2:
         return "".join(distinct)
@@ -250,7 +251,7 @@ def _either(things: list[str], words: Phrasing) -> str:
 def _thing(expected: str, words: Phrasing) -> str:
     """A word of GoDonnie, a sign, or a class of words."""
     if expected == "on-or-off":
-        return _either(list(argument_words("SWITCH", words.language)), words)
+        return either(list(argument_words("SWITCH", words.language)), words)
     code = f"class-{expected.replace(' ', '-')}"
     if expected.islower() and words.knows(code):
         return words(code)

@@ -6,6 +6,7 @@ from pathlib import PurePath
 from typing import TYPE_CHECKING
 
 from donnie_tui.i18n.catalogue.signs import CODE_OF
+from donnie_tui.i18n.mistakes import either
 from donnie_tui.i18n.phrasing import Phrasing
 
 if TYPE_CHECKING:
@@ -37,7 +38,7 @@ def world_note(note: Note, words: Phrasing) -> str:
 
 
 def _message(error: WorldError, words: Phrasing) -> str:
-    expected = _either([_thing(each, words) for each in error.expected], words)
+    expected = either([_thing(each, words) for each in error.expected], words)
     values = {"found": "", "expected": expected, "name": "", "given": "", "limit": "", "path": ""}
     found = str(error.details.get("found", ""))
     filled = {**values, **error.details, "found": _found(found, words)}
@@ -65,10 +66,3 @@ def _thing(expected: str, words: Phrasing) -> str:
     if words.knows(f"world-expected-{expected}"):
         return words(f"world-expected-{expected}")
     return words(CODE_OF[expected]) if expected in CODE_OF else expected
-
-
-def _either(things: list[str], words: Phrasing) -> str:
-    distinct = list(dict.fromkeys(things))
-    if len(distinct) < 2:
-        return "".join(distinct)
-    return words("or", first=", ".join(distinct[:-1]), last=distinct[-1])

@@ -42,7 +42,7 @@ class SettingsDeeds:
         await self._choose("theme", THEMES, argument)
 
     async def language(self, argument: str) -> None:
-        await self._choose("lang", ("en", "pt", "es"), argument)
+        await self._choose("lang", LANGUAGES, argument)
 
     async def detail(self, argument: str) -> None:
         await self._choose("verbosity", ("brief", "normal", "full"), argument)

@@ -217,11 +217,6 @@ _QUESTIONS = {
         "Ahora una de estas teclas. Esc vuelve",
     ),
     "help-typed-theme": Sentence("light", "claro", "claro"),
-    "help-menu": Sentence(
-        "Ctrl+K: lists the keys that come behind it.",
-        "Ctrl+K: lista as teclas que vêm depois dela.",
-        "Ctrl+K: lista las teclas que vienen detrás.",
-    ),
 }
 
 _ON_OFF = (("on", "on", "ligado", "sí"), ("off", "off", "desligado", "no"))

@@ -184,38 +184,6 @@ def test_a_bumper_is_pressed_by_what_is_solid_and_touches_its_bar(
     assert it.senses.pressed(it.around, it.spot) == expected
 
 
-# --- the gripper
-
-GRIPPER = f"position( {BODY} ranger( ) gripper( pose [ 0.2 0 -0.2 0 ] ) )"
-
-
-def broken(puck: str, closed: float = 0.0, gripper: str = GRIPPER) -> list[str | None]:
-    it = Sensing(gripper + f'model( name "puck" size [ 0.03 0.03 0.1 ] {puck} )')
-    assert it.senses.beams is not None
-    parts = it.senses.beams.broken_by(it.around, it.spot, closed)
-    return [None if part is None else it.name(part.root) for part in parts]
-
-
-def test_the_beams_are_a_quarter_and_three_quarters_along_the_paddles() -> None:
-    """The gripper is 0.2 long, around x = 0.2; its paddles are the outer 0.132 m of that."""
-    inner, outer = 0.3 - 0.75 * 0.132, 0.3 - 0.25 * 0.132
-
-    assert broken(f"gripper_return 1 pose [ {inner} 0 0 0 ]") == ["puck", None]
-    assert broken(f"gripper_return 1 pose [ {outer} 0.05 0 0 ]") == [None, "puck"]
-    assert broken("gripper_return 1 pose [ 0.35 0 0 0 ]") == [None, None]
-
-
-def test_only_what_can_be_gripped_breaks_a_beam() -> None:
-    assert broken("gripper_return 0 pose [ 0.201 0 0 0 ]") == [None, None]
-
-
-def test_the_beams_reach_from_paddle_to_paddle() -> None:
-    beside = "gripper_return 1 pose [ 0.201 0.1 0 0 ]"
-
-    assert broken(beside) == ["puck", None]
-    assert broken(beside, closed=0.5) == [None, None]
-
-
 # --- the manual's robot
 
 BIGBOB = """
