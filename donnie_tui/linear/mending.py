@@ -10,6 +10,7 @@ from donnie_tui.i18n.catalogue.manual import CHAPTERS
 from donnie_tui.linear.arguments import Handler, alone
 from donnie_tui.linear.desk import Desk
 from donnie_tui.linear.lines import warning_of_all
+from donnie_tui.linear.patience import GivenUp, patiently
 from donnie_tui.linear.reading import go_to
 from donnie_tui.linear.runs import Runs
 from language.formatter import formatted
@@ -78,7 +79,12 @@ def _translate(desk: Desk, _: Runs, rest: str) -> bool:
 
 
 def _lay_out(desk: Desk, language: str | None) -> None:
-    result = formatted(desk.program.text, language)
+    text = desk.program.text
+    try:
+        result = patiently(desk, lambda: formatted(text, language), "slow-layout", may_be_left=True)
+    except GivenUp:
+        desk.answer("answer-unchanged")
+        return
     if result.text is None:
         desk.answer("screen-not-formatted", line=result.diagnostics[0].span.line)
     elif _rewrite(desk, result.text):

@@ -39,7 +39,8 @@ class Past:
         if file and len(_read(file)) > 2 * KEPT:
             with contextlib.suppress(OSError):
                 beside = file.with_name(file.name + ".new")
-                beside.write_text("".join(f"{line}\n" for line in self.lines), encoding="utf-8")
+                beside.unlink(missing_ok=True)
+                _add(beside, self.lines)
                 beside.replace(file)
 
 
@@ -78,9 +79,13 @@ def _read(file: Path) -> list[str]:
 
 
 def _append(file: Path, line: str) -> None:
-    """For the learner's eyes only: a program may hold what is nobody else's business."""
     with contextlib.suppress(OSError, ValueError):
-        file.parent.mkdir(parents=True, exist_ok=True)
-        handle = os.open(file, os.O_WRONLY | os.O_APPEND | os.O_CREAT, 0o600)
-        with os.fdopen(handle, "w", encoding="utf-8") as out:
-            out.write(line + "\n")
+        _add(file, [line])
+
+
+def _add(file: Path, lines: list[str]) -> None:
+    """For the learner's eyes only: a program may hold what is nobody else's business."""
+    file.parent.mkdir(parents=True, exist_ok=True)
+    handle = os.open(file, os.O_WRONLY | os.O_APPEND | os.O_CREAT, 0o600)
+    with os.fdopen(handle, "w", encoding="utf-8") as out:
+        out.writelines(f"{line}\n" for line in lines)

@@ -7,6 +7,7 @@ from donnie_tui.core.report_text import Subject, asked, report, with_suffix
 from donnie_tui.linear.arguments import Handler
 from donnie_tui.linear.desk import Desk
 from donnie_tui.linear.files import may_replace, refuse
+from donnie_tui.linear.patience import patiently
 from donnie_tui.linear.runs import Runs
 
 
@@ -40,7 +41,7 @@ def _write(desk: Desk, name: str, text: str) -> None:
         if not may_replace(desk, path):
             desk.answer("answer-unchanged")
             return
-        write_program(path, text)
+        patiently(desk, lambda: write_program(path, text), "slow-report", name=path.name)
     except DocumentError as error:
         refuse(desk, error)
     else:

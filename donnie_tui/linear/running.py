@@ -149,8 +149,9 @@ def _reset(desk: Desk, _: Runs, rest: str) -> bool:
         try:
             desk.session.reset()
         except Busy:
-            return False
-        desk.answer_of_robot("answer-reset")
+            desk.answer("robot-busy", name=desk.session.name)
+        else:
+            desk.answer_of_robot("answer-reset")
     return not rest
 
 

@@ -127,3 +127,11 @@ def test_ctrl_c_is_the_way_out_for_a_pipe_whose_robot_is_held_up_by_an_endless_p
             "Goodbye.",
         ]
     too_long.cancel()
+
+
+def test_reset_of_a_robot_whose_program_runs_is_refused_with_the_reason(tmp_path: Path) -> None:
+    typed = "WHILE 1 == 1 DO\nWAIT 1000\nEND WHILE\nSTART\nRESET\nSTOP ALL\n"
+    said = _told(tmp_path, "--speed", "1", typed=typed)
+
+    assert "donnie is busy." in said
+    assert not any("RESET" in line for line in said)

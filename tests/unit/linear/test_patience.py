@@ -3,12 +3,19 @@
 from __future__ import annotations
 
 import threading
+from collections.abc import Callable
+from pathlib import Path
+from types import SimpleNamespace
 from typing import Any
 
 import pytest
 
+from donnie_tui.core.documents import write_program
+from donnie_tui.core.typed_program import TypedProgram
+from donnie_tui.linear import mending, reports
 from donnie_tui.linear.console import Gone
 from donnie_tui.linear.patience import GivenUp, aside
+from language.formatter import formatted
 
 
 class Console:
@@ -94,3 +101,44 @@ def test_what_changes_something_is_waited_for_after_control_c_too() -> None:
 
     assert aside(console, lambda: console.gate.wait(20), lambda: None, show=press_control_c)
     assert console.interrupted, "it counts behind"
+
+
+class Slowly:
+    """What is called instead does its work once the gate is open."""
+
+    def __init__(self, console: Any, do: Callable[..., Any]) -> None:
+        self._console, self._do = console, do
+
+    def __call__(self, *values: Any) -> Any:
+        self._console.gate.wait(20)
+        return self._do(*values)
+
+
+def desk(console: Any, answers: list[str]) -> Any:
+    program = TypedProgram()
+    program.add("fw   1")
+    return SimpleNamespace(
+        console=console,
+        showing=SimpleNamespace(show_told=lambda: None),
+        program=program,
+        is_attended=False,
+        answer=lambda code, **_: answers.append(code),
+    )
+
+
+def test_a_report_that_takes_long_says_so(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    console, answers = Console(5), list[str]()
+    monkeypatch.setattr(reports, "write_program", Slowly(console, write_program))
+    reports._write(desk(console, answers), str(tmp_path / "map.html"), "a map")
+
+    assert answers == ["slow-report", "answer-written"]
+
+
+def test_a_layout_that_takes_long_says_so(monkeypatch: pytest.MonkeyPatch) -> None:
+    console, answers = Console(5), list[str]()
+    monkeypatch.setattr(mending, "formatted", Slowly(console, formatted))
+    slow = desk(console, answers)
+    mending._lay_out(slow, None)
+
+    assert answers == ["slow-layout", "screen-formatted"]
+    assert slow.program.text == "FW 1\n"

@@ -52,6 +52,17 @@ def test_the_file_does_not_grow_without_end(tmp_path: Path) -> None:
     )
 
 
+def test_a_shortened_file_is_still_for_the_learners_eyes_only(tmp_path: Path) -> None:
+    file = tmp_path / "history"
+    Past(file).remember("FW 1")
+    with file.open("a") as out:
+        out.writelines(f"FW {number}\n" for number in range(3 * KEPT))
+    Past(file).trim()
+
+    assert len(file.read_text().splitlines()) == KEPT
+    assert file.stat().st_mode & 0o077 == 0
+
+
 def test_the_way_back_leads_to_what_was_being_typed() -> None:
     past = Past()
     past.remember("one")
