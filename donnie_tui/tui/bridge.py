@@ -134,7 +134,8 @@ class Bridge:
         self._things: tuple[PlacedThing, ...] | None = None
         self._distances: Mapping[Bearing, int] | None = None
         self._errors: deque[Error] = deque(maxlen=100)
-        self._stopped_by: StoppedBy | None = None
+        self._stopped_by: dict[str | None, StoppedBy | None] = {}
+        """What ended the last movement of each robot before its end."""
         self._awake = False
         self._is_beginning = False
         """Whether a run has begun that the screen has not begun yet."""
@@ -144,9 +145,11 @@ class Bridge:
         event = stamped.event
         if isinstance(event, Pointed):
             return
+        if isinstance(event, (Moved, Turned)):
+            self._stopped_by[stamped.robot] = event.stopped_by
         is_own = stamped.robot is None or stamped.robot == self._own()
         self._remember(event) if is_own else self._remember_other(stamped.robot or "", event)
-        lines = tuple(LogLine(text, self._kind(event)) for text in told_lines(stamped, self._wording))
+        lines = tuple(LogLine(text, self._kind(stamped)) for text in told_lines(stamped, self._wording))
         with self._lock:
             self._missed += max(0, len(self._lines) + len(lines) - MOST_LINES)
             self._lines.extend(lines)
@@ -157,9 +160,8 @@ class Bridge:
             match event:
                 case Passing(pose=pose):
                     self._go_to(pose)
-                case Moved(pose=pose, stopped_by=reason) | Turned(pose=pose, stopped_by=reason):
+                case Moved(pose=pose) | Turned(pose=pose):
                     self._go_to(pose)
-                    self._stopped_by = reason
                 case Read(sensor=sensor, argument=argument):
                     self._readings[sensor, argument] = event
                     self._looks.append(event)
@@ -193,16 +195,17 @@ class Bridge:
                 case _:
                     pass
 
-    def _kind(self, event: Event) -> str:
-        match event:
+    def _kind(self, stamped: Stamped) -> str:
+        stopped_by = self._stopped_by.get(stamped.robot)
+        match stamped.event:
             case Spoke():
                 return "spoke"
             case Error():
                 return "error"
             case Answered():
                 return "answer"
-            case Announced(code="moved" | "turned") if self._stopped_by is not None:
-                return self._stopped_by.value
+            case Announced(code="moved" | "turned") if stopped_by is not None:
+                return stopped_by.value
             case Announced(code=code):
                 return code
             case _:

@@ -50,8 +50,7 @@ class Following:
         self._expect_reading()
         work.display.begin(event.pose, fresh=work.running.is_program)
         self._intake.begun()
-        if self._watching is None:
-            self._watching = self._host.every(FLUSH, work.look)
+        self._watch()
         work.look()
 
     def _expect_reading(self) -> None:
@@ -115,6 +114,15 @@ class Following:
             work.display.looked()  # the status line is about the first mistake, not the one told last
         work.look()
 
+    @property
+    def is_watching(self) -> bool:
+        """Whether a program is looked at again and again, for what no event tells."""
+        return self._watching is not None
+
+    def _watch(self) -> None:
+        if self._watching is None:
+            self._watching = self._host.every(FLUSH, self._work.look)
+
     def _watch_no_more(self) -> None:
         if self._watching is not None:
             self._watching.stop()
@@ -135,6 +143,11 @@ class Following:
         """Another robot is talked to: the map shows its way."""
         work = self._work
         work.running.look_again()
+        self._forget_reading()
+        if work.running.doing is Doing.READY:
+            self._watch_no_more()
+        else:
+            self._watch()
         work.display.show_world()
         work.display.begin(work.pose, fresh=True)
         self._past.forget()

@@ -135,6 +135,20 @@ def told(listener: Bridge, *events) -> None:
         listener(Stamped(number, 0.0, event))
 
 
+def test_what_stopped_one_robot_is_not_the_reason_of_another_ones_line():
+    posted: list = []
+    listener = Bridge(posted.append, Words(), lambda: HERE, lambda: "alice")
+    for robot, reason in (("alice", StoppedBy.OBSTACLE), ("bob", None)):
+        listener(Stamped(1, 0.0, Moved("FW", 5, 2, reason, HERE, forward=True), robot))
+    for robot in ("bob", "alice"):
+        listener(Stamped(2, 0.0, Announced("moved", "I walked 2 steps."), robot))
+
+    assert [(each.text, each.kind) for each in listener.take().lines] == [
+        ("bob: I walked 2 steps.", "moved"),
+        ("alice: I walked 2 steps.", "obstacle"),
+    ]
+
+
 def test_what_is_said_waits_in_the_mailbox_and_the_screen_is_woken_once():
     listener, posted = bridge()
     told(listener, Spoke("one"), Spoke("two\nthree"), Answered("four"))
