@@ -15,7 +15,6 @@ from donnie_tui.device_settings import SERIAL
 from donnie_tui.robot_search import Search
 from donnie_tui.settings import Settings
 from donnie_tui.tui.app import DonnieApp
-from donnie_tui.tui.outside import leave_behind
 from donnie_tui.tui.terminal import wants_mouse
 
 if TYPE_CHECKING:
@@ -55,6 +54,8 @@ def _through_worlds(settings: Settings, file: Path | None, text: str | None, don
             break
         settings, file, text = _in_next_world(app)
         donnie = None
+    from donnie_tui.tui.outside import leave_behind
+
     leave_behind(app.workplace.log_rows.lines)
     return CRASHED if app.return_code == CRASHED else app.return_value or 0
 
