@@ -90,6 +90,7 @@ class Asking:
     def _show_and_read(self, prompt: str, *, shown: bool) -> Typed:
         offered, self.offered = self.offered if self._ends.can_edit else "", ""
         self._showing.prompt = None
+        self._heard.hear_out()
         self._heard.line_begins()
         if not shown:
             self._console.has_news = False

@@ -12,6 +12,9 @@ from donnie_tui import team_words
 from donnie_tui.bootstrap import Donnie
 from donnie_tui.linear.output import LARGEST_BLOCK
 from donnie_tui.linear.told import Told
+from language.control import ControlState
+
+_ENDING = (ControlState.STOPPING, ControlState.ENDED)
 
 
 class Beside:
@@ -26,6 +29,12 @@ class Beside:
     @property
     def is_any(self) -> bool:
         return bool(self._donnie.team.running)
+
+    @property
+    def goes_on(self) -> bool:
+        """Whether one runs that was not told to stop."""
+        runs = (session.run for session in self._donnie.team.running)
+        return any(run is not None and run.control.state not in _ENDING for run in runs)
 
     @property
     def floods(self) -> bool:

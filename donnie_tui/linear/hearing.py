@@ -41,6 +41,10 @@ class Hearing:
         for leave in self._unsubscribe:
             leave()
 
+    def hear_out(self) -> None:
+        """Return once all that was published is here: the answer to a word may be delivered by a program."""
+        self._donnie.session.hub.wait_until_heard()
+
     def line_begins(self) -> None:
         """From now on what is told is told beside a line that is being typed."""
         self._told_beside, self._is_reading = False, True

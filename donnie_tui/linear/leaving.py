@@ -36,12 +36,18 @@ class Leaving:
         if desk.console.leaving is not None:
             self.leave_by_signal(desk.console.leaving)
         elif is_settled:
+            self._stop_what_runs()
             desk.leaving = code
         elif desk.asking.has_ended:
             self._leave_with_copies(code)
         else:
             desk.leaving = None
             desk.answer("linear-stays")
+
+    def _stop_what_runs(self) -> None:
+        """Robots that were STARTed and go on: that they are stopped is told."""
+        if self._desk.beside.goes_on:
+            self._desk.beside.stop()
 
     def _is_settled(self, program: TypedProgram) -> bool:
         """Whether nobody would miss it any more."""
@@ -82,6 +88,7 @@ class Leaving:
     def say_goodbye(self) -> None:
         if self._desk.leaving == 0:
             self._desk.answer("linear-goodbye")
+        self._desk.heard.hear_out()
         self._desk.showing.show_told()
         if self._desk.leaving == 0 and not self._keeps_copies:
             self._desk.programs.forget_copies()

@@ -11,6 +11,7 @@ from pathlib import Path
 from donnie_tui import robot_words, team_words
 from donnie_tui.core.events import TYPED
 from donnie_tui.core.handling import Deed
+from donnie_tui.core.runner import Run
 from donnie_tui.core.team import Assigned
 from donnie_tui.core.typed_program import TypedProgram
 from donnie_tui.linear.arguments import Handler, alone
@@ -41,6 +42,8 @@ def _start(desk: Desk, runs: Runs, rest: str) -> bool:
         run = team_words.start(desk.donnie, text, _name(desk.program))
         if run is not None and run.was_refused:
             runs.watch_deed(lambda: run)
+        elif run is not None:
+            desk.program.batch_ran()
     else:
         desk.answer("answer-nothing-to-run")
     return True
@@ -49,9 +52,18 @@ def _start(desk: Desk, runs: Runs, rest: str) -> bool:
 def _together(desk: Desk, runs: Runs, rest: str) -> bool:
     if rest:
         return False
-    for name, program in desk.programs.by_robot().items():
+    programs = desk.programs.by_robot()
+    for name, program in programs.items():
         desk.donnie.team.give(name, Assigned(program.text, _name(program)))
-    runs.watch_together(lambda: team_words.start_together(desk.donnie))
+    began: list[tuple[str, Run]] = []
+
+    def start() -> tuple[tuple[str, Run], ...]:
+        began.extend(team_words.start_together(desk.donnie))
+        return tuple(began)
+
+    runs.watch_together(start)
+    for name in (name for name, run in began if name in programs and not run.was_refused):
+        programs[name].batch_ran()
     return True
 
 

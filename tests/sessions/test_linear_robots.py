@@ -5,6 +5,8 @@ import subprocess
 import threading
 from pathlib import Path
 
+import pytest
+
 from tests.sessions.command import COMMAND, PATIENCE, QUIET, donnie, environment
 
 TYPED = """ROBOTS
@@ -96,6 +98,37 @@ def test_a_program_with_a_mistake_does_not_begin(tmp_path: Path) -> None:
 
     assert "Error, line 1, column 1: I do not know FWD." in said
     assert said.count("donnie begins.") == 1
+
+
+ENDLESS = "WHILE 1 > 0 DO\nFW 1\nBW 1\nEND WHILE\n"
+
+
+def test_what_was_started_and_still_runs_at_the_end_of_the_lines_is_stopped_and_that_is_told(
+    tmp_path: Path,
+) -> None:
+    typed = f"{ENDLESS}START\nROBOT bob\nFW 2\nRUN\n"
+    told = _told(tmp_path, "--speed", "max", "--world", "two_robots", typed=typed)
+
+    assert "bob: I walked 2 steps forward." in told
+    assert told[-2:] == ["All stopped.", "Goodbye."]
+
+
+@pytest.mark.parametrize("word", ["START\nWHERE", "TOGETHER"])
+def test_lines_that_were_started_wait_no_more(word: str, tmp_path: Path) -> None:
+    typed = f"WAIT 1\nFW 1\n{word}\nSTOP ALL\nRUN\n"
+    told = _told(tmp_path, "--speed", "max", "--world", "two_robots", typed=typed)
+
+    assert told[-2:] == ["Nothing to run.", "Goodbye."]
+
+
+def test_answers_that_a_program_delivers_are_printed_before_the_goodbye_too(tmp_path: Path) -> None:
+    """Who publishes while a program's event is told leaves it to that thread: it came after the end."""
+    for _ in range(5):
+        told = _told(
+            tmp_path, "--speed", "max", "--world", "two_robots", typed="WAIT 1\nFW 1\nSTART\nSTOP ALL\nRUN\n"
+        )
+        assert "alice begins." in told
+        assert told[-2:] == ["Nothing to run.", "Goodbye."]
 
 
 def test_ctrl_c_is_the_way_out_for_a_pipe_whose_robot_is_held_up_by_an_endless_program(
