@@ -62,7 +62,7 @@ class Seen:
 
     async def tell(self, *lines):
         self.log.append((line, "spoke") for line in lines)
-        await self.until(lambda: lines[-1] in self.rows)
+        await self.until(lambda: lines[-1] in (row.lstrip(">") for row in self.rows))
 
 
 @asynccontextmanager
@@ -146,9 +146,22 @@ async def test_whoever_goes_into_the_log_reads_all_of_it_and_hears_on_after_leav
 
         seen.app.query_one("#elsewhere").focus()
         await seen.until(lambda: not seen.log.has_focus)
-        seen.log.begin_answer()
+        assert seen.rows == tuple(f"Row {number}." for number in range(HEIGHT))
         await seen.tell("News.")
-        assert "News." in seen.rows
+        assert seen.rows == ("News.", *("",) * (HEIGHT - 1))
+
+
+async def test_no_row_moves_for_whoever_only_comes_by():
+    async with listening() as seen:
+        await seen.tell(*(f"Row {number}." for number in range(HEIGHT + 2)))
+        before = seen.rows
+        seen.log.focus()
+        await seen.until(lambda: seen.log.has_focus)
+        assert [row.lstrip(">") for row in seen.rows] == list(before)
+        await seen.tell("While it is read.")
+        seen.app.query_one("#elsewhere").focus()
+        await seen.until(lambda: not seen.log.has_focus)
+        assert seen.rows == (*before[:2], "While it is read.", *before[3:])
 
 
 async def test_another_size_shows_the_newest_rows():

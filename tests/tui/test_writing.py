@@ -351,6 +351,19 @@ async def test_the_map_has_the_plain_screen_to_itself(work):
         assert "FW 1" not in desk.screen
 
 
+@pytest.mark.parametrize("size", [(80, 24), (40, 12)], ids=str)
+async def test_at_the_plain_command_line_the_log_is_seen_from_wherever_one_comes(work, size):
+    async with work("FW 1", plain=True, world="living_room", size=size) as desk:
+        for pane in (desk.place.map_pane, desk.place.inspector_pane, desk.place.program_pane):
+            desk.place.go_to(pane)
+            await desk.pilot.pause()
+            await desk.type_line("FW 3")
+            await desk.until(lambda: desk.place.log_is_seen, "the log")
+        await desk.until(lambda: "I walked 3 steps forward." in desk.screen, "the answer")
+        desk.place.go_to(desk.place.map_pane)
+        await desk.until(lambda: not desk.place.log_is_seen, "the map alone")
+
+
 async def test_a_look_into_the_past_needs_nothing_to_run(work):
     async with work("WAIT 1000", speed=1.0) as desk:
         await desk.press("f5")

@@ -70,14 +70,14 @@ class Workplace(Screen[None]):
         self.map_pane = Pane(self.map, id="map-pane")
         self.inspector_pane = Pane(self.inspector, id="inspector-pane")
         self.log_pane = Pane(self.log_rows, id="log-pane")
-        self._shown = self.program_pane
+        self._shown = self.log_pane if plain else self.program_pane
         self._shown.add_class("-shown")  # before they are mounted: afterwards each class costs a restyling
         self._shown.set_class(not plain, "-chosen")
         self._was_seen = False
 
     def compose(self) -> ComposeResult:
         with Vertical(id="panes"):
-            with Horizontal(id="upper", classes="-shown"):
+            with Horizontal(id="upper", classes="" if self.is_plain else "-shown"):
                 yield self.program_pane
                 yield self.map_pane
                 yield self.inspector_pane
@@ -156,6 +156,8 @@ class Workplace(Screen[None]):
 
     def on_descendant_focus(self, _event: DescendantFocus) -> None:
         pane = self.focused_pane
+        if pane is None and self.is_plain:
+            pane = self.log_pane  # what is told at the command line is heard there
         if pane is not None:
             self._bring_up(pane)
         self.post_message(self.Looked())

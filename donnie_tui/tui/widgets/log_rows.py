@@ -45,11 +45,6 @@ class LogRows(TextRows):
 
     def begin_answer(self) -> None:
         """Something was asked, and is told at the end, on a new page if there is little room."""
-        if not self._is_listened_to:
-            return
-        if self._row is not None:
-            self._row = None
-            self._show_newest()
         room = self._page + self.size.height - self._told
         if self._is_telling and self._waiting is None and room * 2 < self.size.height:
             self._turn()
@@ -115,11 +110,17 @@ class LogRows(TextRows):
         self._show_newest()
 
     def watch_has_focus(self, has_focus: bool) -> None:
-        """Whoever comes to read sees all of it, and goes on hearing what is told after it."""
+        """Whoever comes to read sees all of it; whoever leaves hears what is told, wherever it was read.
+
+        Nothing moves for that, as far as it can be: it would be said again.
+        """
         super().watch_has_focus(has_focus)
-        if self._is_listened_to and self._row is None:
-            self._show_newest()
-            self._follow()
+        if self._is_listened_to:
+            self._give_up_waiting()
+            self._row = self._row if has_focus else None
+            self._told, self._page = len(self._rows), self.scroll_offset.y
+            if has_focus:
+                self._follow()
 
     # --- as rows
 
@@ -146,7 +147,8 @@ class LogRows(TextRows):
 
     @property
     def _height(self) -> int:
-        return max(len(self._rows), self._page + self.size.height) if self._is_telling else len(self._rows)
+        rows = len(self._rows)
+        return max(rows, self._page + self.size.height) if self._is_listened_to else rows
 
     @property
     def _painted_rows(self) -> int:
