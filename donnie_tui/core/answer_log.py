@@ -60,6 +60,18 @@ class AnswerLog:
         return len(self._answers)
 
 
+LONGEST_TOLD = 40
+"""Characters of a word that is told not to have been said."""
+
+
+def found_in_words(log: AnswerLog, typed: str, wording: Wording) -> tuple[str, ...]:
+    """How many lines have the word, and those; or that none has."""
+    found = log.found(typed)
+    if not found:
+        return (wording("find-none", word=typed[:LONGEST_TOLD]),)
+    return (wording("find-count", count=len(found)), *found)
+
+
 def spelled(text: str, sign_names: dict[str, str], wording: Wording) -> tuple[str, ...]:
     """Character by character, signs and blanks by name, as many lines as that takes.
 

@@ -64,6 +64,13 @@ class Trail:
         )
 
 
+def place_in_words(pose: Pose, trail: Trail, wording: Wording, *, is_full: bool) -> tuple[str, ...]:
+    """For WHERE: where the robot is; where more is wanted, its last move too."""
+    x, y = numbers.whole(pose.x), numbers.whole(pose.y)
+    place = wording("position", facing=facing(pose, wording), x=x, y=y)
+    return (place, *trail.in_words(1, wording)) if is_full else (place,)
+
+
 def _move(event: Moved | Turned, wording: Wording) -> str:
     if isinstance(event, Turned):
         return wording("trail-turned", command=event.command, facing=facing(event.pose, wording))

@@ -24,23 +24,35 @@ _KEY_LINES = ("enter", "run", "stop", "past", "line", "word", "clear", "tab", "l
 
 
 def _language(desk: Desk, _: Runs, typed: str) -> bool:
-    """Talk another language from now on."""
+    """Talk another language from now on, and the next time."""
     language = language_named(typed)
     if typed and language is None:
         return False
     desk.say.language = language or desk.say.language
+    if language is not None and desk.is_attended:
+        _keep(desk, "lang", language)
     desk.answer("linear-language")
     return True
 
 
 def _detail(desk: Desk, _: Runs, typed: str) -> bool:
-    """Say more or less from now on."""
+    """Say more or less from now on, and the next time."""
     detail = detail_named(typed)
     if typed and detail is None:
         return False
     desk.say.detail = detail or desk.say.detail
+    if detail is not None and desk.is_attended:
+        _keep(desk, "verbosity", detail)
     desk.answer("linear-detail")
     return True
+
+
+def _keep(desk: Desk, key: str, value: str | bool | float) -> None:
+    """For the next time too."""
+    try:
+        remember(key, value, os.environ)
+    except DocumentError as error:
+        desk.answer(error.code, path=error.path, reason=error.reason)
 
 
 # --- habits
@@ -85,10 +97,7 @@ def _change(desk: Desk, field: str, typed: str) -> bool:
         return _say_choices(desk, field)
     setattr(desk.ends.habits, field, value)
     desk.ends.apply_habits()
-    try:
-        remember(field, habits.kept_as(field, value), os.environ)
-    except DocumentError as error:
-        desk.answer(error.code, path=error.path, reason=error.reason)
+    _keep(desk, field, habits.kept_as(field, value))
     _say_habit(desk, field)
     return True
 

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from donnie_tui.core.answer_log import spelled
+from donnie_tui.core.answer_log import found_in_words, spelled
 from donnie_tui.core.told_errors import line_of
 from donnie_tui.i18n.catalogue.signs import SPELLED_OF
 from donnie_tui.linear.arguments import Handler, alone, counted
@@ -40,13 +40,8 @@ def _say_spelled(desk: Desk, text: str) -> None:
 def _find(desk: Desk, word: str) -> bool:
     if not word:
         return False
-    found = desk.answers.found(word)
-    if not found:
-        desk.answer("find-none", word=word[:40])
-        return True
-    desk.showing.is_repeating = True
-    desk.answer("find-count", count=len(found))
-    desk.tell(*found)
+    desk.showing.is_repeating = bool(desk.answers.found(word))
+    desk.tell(*found_in_words(desk.answers, word, desk.say))
     return True
 
 

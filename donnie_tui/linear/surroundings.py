@@ -2,12 +2,13 @@
 
 from __future__ import annotations
 
-from donnie_tui.core import map_words, numbers
+from donnie_tui.core import map_words
 from donnie_tui.core.around import around_in_words, compass_point
 from donnie_tui.core.describe import told_world
 from donnie_tui.core.map_grid import FREE, MapGrid
 from donnie_tui.core.naming import shown_name
 from donnie_tui.core.sensor_words import sensors_in_words
+from donnie_tui.core.trail import place_in_words
 from donnie_tui.core.transcript import lines_said_by
 from donnie_tui.core.typed_arguments import numbers_in
 from donnie_tui.linear.arguments import Handler, alone, counted
@@ -23,11 +24,8 @@ def _grid(desk: Desk) -> MapGrid:
 
 def _where(desk: Desk) -> None:
     """Where the robot is; at full its last move too."""
-    pose = desk.session.pose
-    facing = desk.session.teller.facing(pose)
-    desk.answer_of_robot("position", facing=facing, x=numbers.whole(pose.x), y=numbers.whole(pose.y))
-    if desk.say.detail == "full":
-        desk.tell(*desk.heard.trail.in_words(1, desk.say))
+    is_full = desk.say.detail == "full"
+    desk.tell_of_robot(*place_in_words(desk.session.pose, desk.heard.trail, desk.say, is_full=is_full))
 
 
 def _around(desk: Desk, _: Runs, rest: str) -> bool:

@@ -11,7 +11,7 @@ from typing import TYPE_CHECKING
 
 from donnie_tui import sound_words
 from donnie_tui.core import map_words
-from donnie_tui.core.answer_log import spelled
+from donnie_tui.core.answer_log import found_in_words, spelled
 from donnie_tui.core.around import around_in_words, compass_point
 from donnie_tui.core.describe import told_world
 from donnie_tui.core.events import Error
@@ -19,6 +19,7 @@ from donnie_tui.core.map_grid import MapGrid
 from donnie_tui.core.naming import shown_name
 from donnie_tui.core.sensor_words import sensors_in_words
 from donnie_tui.core.told_errors import ToldErrors, line_of
+from donnie_tui.core.trail import place_in_words
 from donnie_tui.core.transcript import lines_said_by
 from donnie_tui.core.typed_arguments import count_in, numbers_in
 from donnie_tui.core.wording import Wording
@@ -48,7 +49,10 @@ class TellingDeeds:
         return MapGrid(donnie.picture_now(), self._host.pose, shown_name(donnie.session.name))
 
     def where(self, _argument: str) -> None:
-        self._host.donnie.session.teller.position(self._host.pose)
+        host = self._host
+        self._tell_of_robot(
+            *place_in_words(host.pose, host.trail, host.words, is_full=host.words.detail == "full")
+        )
 
     def around(self, argument: str) -> bool:
         point = compass_point(argument)
@@ -125,8 +129,7 @@ class TellingDeeds:
     def find(self, argument: str) -> bool:
         if not argument:
             return False
-        found = self._host.answers.found(argument)
-        self._tell(*(found or (self._host.words("find-none", word=argument[:40]),)))
+        self._tell(*found_in_words(self._host.answers, argument, self._host.words))
         self._host.workplace.log_rows.search(argument)
         return True
 

@@ -7,6 +7,7 @@ from pathlib import Path
 
 import pytest
 
+from tests.sessions.command import QUIET, donnie
 from tests.sessions.learner import Learner
 
 TAB, SHIFT_TAB = "\t", "\x1b[Z"
@@ -210,6 +211,21 @@ def test_settings_are_kept_for_the_next_session(tmp_path: Path) -> None:
 
     second = Learner(tmp_path)
     second.sees("HELP lists the commands.\r\nDonnie> ")
+
+
+def test_language_and_detail_are_kept_for_the_next_session(tmp_path: Path) -> None:
+    learner = Learner(tmp_path)
+    learner.enters("DETAIL brief", "LANGUAGE pt", "SAIR")
+    assert learner.leaves() == 0
+
+    kept = next((tmp_path / "config").rglob("*.toml")).read_text()
+    assert sorted(kept.splitlines()) == ['lang = "pt"', 'verbosity = "brief"']
+
+
+def test_what_a_file_of_lines_says_of_language_and_detail_counts_for_it_alone(tmp_path: Path) -> None:
+    donnie(tmp_path, "--linear", *QUIET, typed="DETAIL brief\nLANGUAGE pt\n")
+
+    assert not list((tmp_path / "config").rglob("*.toml"))
 
 
 def test_the_terminal_edits_the_line_where_the_plain_editor_is_wanted(learner: Learner) -> None:

@@ -112,6 +112,22 @@ async def test_what_is_watched_no_more_is_not_told(work):
         assert "a is 3." not in desk.log
 
 
+async def test_find_tells_how_many_lines_have_the_word(work):
+    async with work() as desk:
+        await desk.type_line("SPEAK 71")
+        await desk.told("71")
+        await desk.type_line("FIND 71")
+        await desk.told("1 line, the newest last.")
+
+
+async def test_where_tells_the_last_move_too_where_more_is_wanted(work):
+    async with work(verbosity="full") as desk:
+        await desk.type_line("FW 2")
+        await desk.idle()
+        await desk.type_line("WHERE")
+        await desk.told("FW 2: 2 steps, to 0, 2.")
+
+
 async def test_a_line_that_was_typed_is_chosen_and_done_again(work):
     async with work() as desk:
         await desk.type_line("FW 1")
