@@ -1,0 +1,24 @@
+"""Whether there is anybody who could bring back what rests."""
+
+import os
+
+from donnie_tui.suspending import is_hung_up
+
+
+def test_a_terminal_that_was_closed_is_gone() -> None:
+    ours, terminal = os.openpty()
+    try:
+        assert not is_hung_up(terminal)
+        os.close(ours)
+        assert is_hung_up(terminal)
+    finally:
+        os.close(terminal)
+
+
+def test_a_pipe_whose_writer_is_done_is_no_terminal() -> None:
+    reading, writing = os.pipe()
+    os.close(writing)
+    try:
+        assert not is_hung_up(reading)
+    finally:
+        os.close(reading)
