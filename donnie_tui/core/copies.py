@@ -9,6 +9,7 @@ from __future__ import annotations
 
 import contextlib
 import os
+import sys
 import threading
 from pathlib import Path
 
@@ -166,8 +167,21 @@ def _is_in_use(copy: Path) -> bool:
     number = copy.name.removeprefix(_PREFIX).partition("-")[0]
     if os.name != "posix" or not number.isdecimal() or int(number) in (0, os.getpid()):
         return False
+    return _is_donnie(number) if sys.platform == "linux" else _is_running(int(number))
+
+
+def _is_donnie(number: str) -> bool:
+    """Not one that ended and that nobody has looked after, nor another program that has its number now."""
     try:
-        os.kill(int(number), 0)
+        words = Path(f"/proc/{number}/cmdline").read_bytes().lower().split(b"\0")
+    except OSError:
+        return False
+    return any(b"donnie" in each for each in words[1:])
+
+
+def _is_running(number: int) -> bool:
+    try:
+        os.kill(number, 0)
     except PermissionError:
         return True
     except (OSError, OverflowError):

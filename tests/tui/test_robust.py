@@ -3,7 +3,6 @@
 import os
 import re
 import signal
-import subprocess
 from pathlib import Path
 
 import pytest
@@ -264,17 +263,6 @@ async def test_an_interrupt_from_elsewhere_stops_as_the_key_does(work, monkeypat
         await desk.until(lambda: desk.app.work.running.frames)
         os.kill(os.getpid(), signal.SIGINT)
         await desk.told("Stopped at line")
-
-
-def test_a_copy_of_a_start_that_still_runs_is_not_offered(tmp_path: Path):
-    copy = tmp_path / f"unsaved-{os.getppid()}-abc.gd"
-    copy.write_text("FW 1", encoding="utf-8")
-    assert Copies(tmp_path).offered() is None
-
-    ended = subprocess.Popen(["true"])
-    ended.wait()
-    copy = copy.rename(tmp_path / f"unsaved-{ended.pid}-abc.gd")
-    assert Copies(tmp_path).offered() == copy
 
 
 def test_a_copy_that_was_taken_is_this_start_s_own(tmp_path: Path):

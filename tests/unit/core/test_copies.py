@@ -1,6 +1,13 @@
 """Copies of what is not saved: each with the name of its file, the last one wanted is what is there."""
 
+import contextlib
+import os
+import subprocess
+import sys
+from collections.abc import Iterator
 from pathlib import Path
+
+import pytest
 
 from donnie_tui.core.copies import Copies
 
@@ -39,3 +46,45 @@ def test_the_copy_of_another_program_of_the_same_start_is_not_offered(tmp_path: 
     second.keep("FW 2")
     assert first.offered() is None
     assert second.offered() is None
+
+
+@contextlib.contextmanager
+def process(*words: str) -> Iterator[subprocess.Popen[bytes]]:
+    """One with these words in its command line, which ends when its input does."""
+    command = [sys.executable, "-c", "input()", *words]
+    with subprocess.Popen(command, stdin=subprocess.PIPE, stderr=subprocess.DEVNULL) as made:
+        yield made
+
+
+def copy_of(process: subprocess.Popen[bytes], folder: Path) -> Path:
+    copy = folder / f"unsaved-{process.pid}-abc.gd"
+    copy.write_text("FW 1", encoding="utf-8")
+    return copy
+
+
+def test_a_copy_of_a_start_that_still_runs_is_not_offered(tmp_path: Path) -> None:
+    with process("donnie") as running:
+        copy = copy_of(running, tmp_path)
+        assert Copies(tmp_path).offered() is None
+
+    assert Copies(tmp_path).offered() == copy
+
+
+@pytest.mark.skipif(sys.platform != "linux", reason="looks into /proc")
+def test_a_copy_of_a_start_whose_end_nobody_has_noticed_is_offered(tmp_path: Path) -> None:
+    """Where the first process of all doesn't look after orphans, as in many containers."""
+    with process("donnie") as ended:
+        copy = copy_of(ended, tmp_path)
+        ended.kill()
+        os.waitid(os.P_PID, ended.pid, os.WEXITED | os.WNOWAIT)
+
+        assert Copies(tmp_path).offered() == copy
+
+
+@pytest.mark.skipif(sys.platform != "linux", reason="looks into /proc")
+def test_a_copy_whose_number_another_program_has_now_is_offered(tmp_path: Path) -> None:
+    """As after the power failed: numbers are given anew."""
+    with process("another") as other:
+        copy = copy_of(other, tmp_path)
+
+        assert Copies(tmp_path).offered() == copy

@@ -1,0 +1,96 @@
+"""A real ssh to a real sshd of the test, on this machine: its keys and settings in a folder of their own.
+
+``sshd -i`` at the other end of the client's proxy command: no port, nothing that goes on afterwards. What ssh
+and sshd do with terminals, signals and a lost line is the same as over a network.
+"""
+
+from __future__ import annotations
+
+import os
+import shlex
+import shutil
+import subprocess
+import sys
+from pathlib import Path
+
+import pexpect
+
+from tests.conftest import ROOT
+from tests.sessions.command import PATIENCE, QUIET
+
+SSHD = "/usr/sbin/sshd"
+_PRIVILEGE_SEPARATION = Path("/run/sshd")
+"""Wanted by an sshd that root starts; a package's start script makes it, which a container has none of."""
+
+MISSING = next((each for each in (SSHD, "ssh", "ssh-keygen") if shutil.which(each) is None), None)
+
+
+class SshLine:
+    """Made in ``folder``, where Donnie's settings and copies are, too."""
+
+    def __init__(self, folder: Path) -> None:
+        self.folder = folder
+        if os.geteuid() == 0:
+            _PRIVILEGE_SEPARATION.mkdir(mode=0o755, exist_ok=True)
+        for name in ("host", "learner"):
+            command = ["ssh-keygen", "-q", "-t", "ed25519", "-N", "", "-f", str(folder / name)]
+            subprocess.run(command, check=True, stdin=subprocess.DEVNULL)
+        (folder / "sshd_config").write_text(self._server(), encoding="utf-8")
+        (folder / "ssh_config").write_text(self._client(), encoding="utf-8")
+
+    def _server(self) -> str:
+        variables = {
+            "PYTHONPATH": str(ROOT),
+            "XDG_STATE_HOME": str(self.folder / "state"),
+            "XDG_CONFIG_HOME": str(self.folder / "config"),
+            "LC_ALL": "C.UTF-8",
+            "DONNIE_TOUR": "off",
+            "DONNIE_PLAIN": "off",
+        }
+        given = " ".join(f"{name}={value}" for name, value in variables.items())
+        return f"""
+HostKey {self.folder}/host
+AuthorizedKeysFile {self.folder}/learner.pub
+UsePAM no
+StrictModes no
+PermitRootLogin yes
+PasswordAuthentication no
+SetEnv {given}
+"""
+
+    def _client(self) -> str:
+        return f"""
+Host robot
+  ProxyCommand {SSHD} -i -f {self.folder}/sshd_config
+  IdentityFile {self.folder}/learner
+  IdentitiesOnly yes
+  StrictHostKeyChecking no
+  UserKnownHostsFile {self.folder}/known_hosts
+  LogLevel ERROR
+  EscapeChar none
+"""
+
+    def command(self, *arguments: str, terminal: bool) -> list[str]:
+        """``ssh robot donnie ARGUMENTS``."""
+        donnie = shlex.join([sys.executable, "-m", "donnie_tui", *arguments, *QUIET])
+        forced = ["-tt"] if terminal else ["-T"]
+        return ["ssh", "-F", str(self.folder / "ssh_config"), *forced, "robot", f"exec {donnie}"]
+
+    def at_terminal(self, *arguments: str) -> pexpect.spawn[bytes]:
+        """On a terminal of 80 by 24."""
+        program, *rest = self.command(*arguments, terminal=True)
+        environment = {**os.environ, "TERM": "xterm-256color"}
+        return pexpect.spawn(program, rest, env=environment, dimensions=(24, 80), timeout=PATIENCE)
+
+    def donnies(self) -> list[int]:
+        """Those that run at the other end of this line."""
+        found = []
+        for each in Path("/proc").glob("[0-9]*"):
+            try:
+                is_ours = str(self.folder).encode() in (each / "environ").read_bytes()
+                words = (each / "cmdline").read_bytes().split(b"\0")
+            except OSError:
+                continue
+            if is_ours and words[1:3] == [b"-m", b"donnie_tui"]:
+                found.append(int(each.name))
+        return found

@@ -1,0 +1,148 @@
+"""Donnie at the other end of a real ssh: as at a terminal of its own, and safe when the line is lost."""
+
+from __future__ import annotations
+
+import os
+import signal
+import subprocess
+import threading
+from collections.abc import Iterator
+from contextlib import suppress
+from pathlib import Path
+
+import pexpect
+import pytest
+
+from devices.firmware_double.board import SimulatedBoard
+from devices.firmware_double.on_pty import DoubleOnPty
+from devices.wire.commands import STOP
+from tests.sessions.command import PATIENCE
+from tests.sessions.ssh_line import MISSING, SshLine
+from tests.sessions.test_devices import LONG_WALK, program, serial, until
+
+pytestmark = pytest.mark.skipif(MISSING is not None, reason=f"needs {MISSING}")
+
+
+@pytest.fixture
+def line(tmp_path: Path) -> Iterator[SshLine]:
+    made = SshLine(tmp_path)
+    yield made
+    for pid in made.donnies():
+        with suppress(ProcessLookupError):
+            os.kill(pid, signal.SIGKILL)
+
+
+@pytest.fixture
+def robot() -> Iterator[DoubleOnPty]:
+    with DoubleOnPty(SimulatedBoard(boot_loader=0.1)) as double:
+        yield double
+
+
+def over_ssh(line: SshLine, *arguments: str, typed: str = "") -> subprocess.CompletedProcess[bytes]:
+    command = line.command(*arguments, terminal=False)
+    return subprocess.run(command, input=typed.encode(), capture_output=True, timeout=PATIENCE)
+
+
+# --- without a terminal
+
+
+def test_a_program_from_home_runs_and_its_words_and_exit_code_come_home(line: SshLine) -> None:
+    done = over_ssh(line, "run", "-", "--speed", "max", typed='FW 2\nSPEAK "olá"\nFX 1\n')
+    assert done.stdout.decode().splitlines()[0] == "Error, line 3, column 1: I do not know FX."
+    assert done.returncode == 1
+
+    done = over_ssh(line, "run", "-", "--speed", "max", typed='FW 2\nSPEAK "olá"\n')
+    assert done.stdout.decode() == "I walked 2 steps forward.\nolá\n"
+    assert done.returncode == 0
+
+
+def test_typed_lines_are_answered_without_a_terminal(line: SshLine) -> None:
+    done = over_ssh(line, "--linear", "--speed", "max", typed="FW 2\nRUN\nWHERE\nQUIT\n")
+
+    assert done.stdout.decode().splitlines()[2:] == [
+        "I walked 2 steps forward.",
+        "Position 0, 2. Facing north.",
+        "Goodbye.",
+    ]
+    assert done.returncode == 0
+
+
+@pytest.mark.parametrize("number", [signal.SIGINT, signal.SIGKILL], ids=lambda each: each.name)
+def test_an_ssh_that_ends_stops_the_robot_of_a_run_without_a_terminal(
+    line: SshLine, robot: DoubleOnPty, number: signal.Signals
+) -> None:
+    """Ctrl+C at home reaches nobody else: no signal comes to the robot's side."""
+    command = line.command("run", program(line.folder, LONG_WALK), *serial(robot), terminal=False)
+    ssh = subprocess.Popen(command, stdin=subprocess.DEVNULL, stdout=subprocess.PIPE, start_new_session=True)
+    assert until(lambda: robot.board.is_driving)
+    ssh.send_signal(number)
+
+    assert until(lambda: not robot.board.is_driving)
+    assert until(lambda: not line.donnies())
+    ssh.communicate(timeout=PATIENCE)
+
+
+# --- at a terminal
+
+
+def test_a_program_is_typed_and_run_in_the_linear_mode(line: SshLine) -> None:
+    learner = line.at_terminal("--linear", "--speed", "max")
+    for typed in ("FW 2", "TR 45", "RUN"):
+        learner.expect("> ")
+        learner.send(f"{typed}\r")
+    learner.expect_exact("I walked 2 steps forward.\r\nI turned 45 degrees to the right.\r\n> ")
+    learner.send("QUIT\r")
+    learner.expect(pexpect.EOF)
+    learner.close()
+
+    assert learner.exitstatus == 0
+
+
+def test_control_c_goes_through_and_the_exit_code_comes_back(line: SshLine, robot: DoubleOnPty) -> None:
+    learner = line.at_terminal("run", program(line.folder, LONG_WALK), *serial(robot))
+    assert until(lambda: robot.board.is_driving)
+    learner.send("\x03")
+    learner.expect("I was stopped.")
+    learner.expect(pexpect.EOF)
+    learner.close()
+
+    assert not robot.board.is_driving
+    assert learner.exitstatus == 130
+
+
+RUN = {"--linear": "RUN\r", "--visual": "\x1b[15~"}
+"""How the typed program is started."""
+
+
+@pytest.mark.parametrize("lost", ["ssh", "sshd"])
+@pytest.mark.parametrize("mode", ["--linear", "--visual"])
+def test_a_lost_line_stops_the_robot_and_the_typed_program_is_kept(
+    line: SshLine, robot: DoubleOnPty, mode: str, lost: str
+) -> None:
+    learner = line.at_terminal(mode, *serial(robot))
+    learner.expect("onnected")
+    if mode == "--linear":
+        learner.expect("> ")
+    learner.send("FW 29\r")
+    learner.expect("29")
+    learner.send(RUN[mode])
+    threading.Thread(target=learner.expect, args=(pexpect.EOF,), daemon=True).start()
+    assert until(lambda: robot.board.is_driving)
+    os.kill(learner.pid if lost == "ssh" else server_of(line), signal.SIGKILL)
+
+    assert until(lambda: not robot.board.is_driving)
+    assert until(lambda: not line.donnies())
+    assert robot.heard.endswith(STOP)
+
+    again = line.at_terminal(mode, "--plain", "--speed", "max")
+    again.expect("> |Command line")
+    for typed, answer in (("RECOVER", "Here it is again, 1 line."), ("RUN", "I walked 29 steps forward.")):
+        again.send(f"{typed}\r")
+        again.expect_exact(answer)
+    again.kill(signal.SIGKILL)
+
+
+def server_of(line: SshLine) -> int:
+    """The sshd that has the terminal's other end: whoever started Donnie."""
+    (donnie,) = line.donnies()
+    return int(Path(f"/proc/{donnie}/stat").read_text().rpartition(")")[2].split()[1])
