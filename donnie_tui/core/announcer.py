@@ -156,8 +156,7 @@ class Announcer:
         if met is None or detail == "brief" or not (self._is_talking or detail == "full"):
             return
         where = self._say(f"around-{SIDES[round(met.degrees / 45) % 8]}")
-        name = self._name_of(met)
-        self._teller.announce(code, "met", name=name[:1].upper() + name[1:], where=where)
+        self._teller.announce(code, "met", name=self._name_of(met), where=where)
 
     def _name_of(self, met: Met) -> str:
         """A robot's own name, a thing's kind."""

@@ -100,7 +100,6 @@ def _sector_in_words(
     grid: MapGrid, pose: Pose, face: Face, sector: int, things: list[tuple[int, Thing]], wording: Wording
 ) -> Iterator[str]:
     where = wording(face.codes[sector], hour=sector or 12)
-    where = where[:1].upper() + where[1:]
     wall = _steps_to_wall(grid, pose, face.first + sector * 360 / face.sectors)
     told = [(steps, _named(thing, wording)) for steps, thing in things]
     if wall is not None and (told or sector in face.told_when_free):

@@ -150,7 +150,7 @@ def _thing(thing: Thing, pose: Pose, wording: Wording, where: _PlaceOf) -> str:
     width, depth = round(thing.width), round(thing.depth)
     return wording(
         "world-large-thing" if max(width, depth) >= LONG else "world-thing",
-        thing=told[:1].upper() + told[1:],
+        thing=told,
         width=width,
         depth=depth,
         place=where(thing.x, thing.y, pose, wording),

@@ -109,7 +109,7 @@ def picture_in_letters(grid: MapGrid, wording: Wording, free: str = FREE) -> tup
     names = names_of_letters(grid.picture, wording)
     shown_as = _braille_letters(names) | {FREE: free, START: free}
     legend = [
-        wording("picture-letter", name=names[letter][:1].upper() + names[letter][1:], letter=shown_as[letter])
+        wording("picture-letter", name=names[letter], letter=shown_as[letter])
         for letter in sorted(shown & names.keys())
     ]
     title = wording(

@@ -29,6 +29,12 @@ _WHAT = {
     "map": ("map", "mapa"),
     "trail": ("trail", "trilha", "rastro"),
 }
+_COLUMNS = {
+    "help": ("how", "purpose"),
+    "list": ("line", "level", "text"),
+    "map": ("name", "color", "x", "y", "place"),
+    "trail": ("command", "done", "x", "y", "heading", "blocked"),
+}
 _MOST_MOVES = 1000
 
 
@@ -63,12 +69,12 @@ def report(what: str, name: str, subject: Subject, wording: Wording) -> str:
     section = _SECTIONS[what](subject, wording)
     if name.lower().endswith(".csv"):
         return as_csv([section])
-    title = wording("report-title", what=section.heading[:1].lower() + section.heading[1:])
+    title = wording("report-title", what=section.heading)
     return as_html(title, wording.language, [section])
 
 
 def _columns(wording: Wording, what: str) -> list[str]:
-    return wording(f"report-columns-{what}").split(",")
+    return [wording(f"report-column-{each}") for each in _COLUMNS[what]]
 
 
 def _help(subject: Subject, wording: Wording) -> Section:

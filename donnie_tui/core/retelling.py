@@ -63,8 +63,7 @@ def told_forward(step: Iterable[Stamped], wording: Wording) -> str:
     if not events or any(told_lines(each, wording) for each in events):
         return ""
     done = next((each for each in events if is_deed(each.event)), events[-1])
-    what = _what(done.event, wording)
-    return said_by(done.robot, f"{what[:1].upper()}{what[1:]}.", wording)
+    return said_by(done.robot, wording("redone", what=_what(done.event, wording)), wording)
 
 
 def _what(event: Event, wording: Wording) -> str:

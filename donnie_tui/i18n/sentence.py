@@ -1,7 +1,8 @@
 """One sentence of the catalogue: three languages side by side, and up to three levels of detail.
 
-Places are ``{name}``; ``{steps:step|steps}`` is the word that agrees with the number ``steps``. A number with
-decimals is given as a ``float``, and told with the language's own sign; text is told as it is.
+Places are ``{name}``; ``{steps:step|steps}`` is the word that agrees with the number ``steps``, and
+``{thing:capital}`` begins the sentence. A number with decimals is given as a ``float``, and told with the
+language's own sign; text is told as it is.
 """
 
 from __future__ import annotations
@@ -14,6 +15,8 @@ from devices.ports.values import frozen
 LANGUAGES = ("en", "pt", "es")
 _DECIMAL_SIGNS = {"en": ".", "pt": ",", "es": ","}
 DETAILS = ("brief", "normal", "full")
+
+_BEGINNINGS = {"capital": str.upper, "small": str.lower}
 
 Texts: TypeAlias = tuple[str, str, str]
 """English, Brazilian Portuguese, Spanish."""
@@ -35,7 +38,10 @@ class Sentence:
 
 
 class _Agreeing(Formatter):
-    """``str.format`` in which ``{n:one|many}`` chooses a word by the number n."""
+    """``str.format`` in which ``{n:one|many}`` chooses a word by the number n.
+
+    ``{text:capital}`` begins with a capital letter, ``{text:small}`` with a small one.
+    """
 
     def __init__(self, decimal_sign: str) -> None:
         self._decimal_sign = decimal_sign
@@ -44,6 +50,9 @@ class _Agreeing(Formatter):
         if "|" in format_spec:
             one, many = format_spec.split("|")
             return one if value in (1, -1) else many
+        if format_spec in _BEGINNINGS:
+            text = str(value)
+            return _BEGINNINGS[format_spec](text[:1]) + text[1:]
         told = str(super().format_field(value, format_spec))
         return told.replace(".", self._decimal_sign) if isinstance(value, float) else told
 

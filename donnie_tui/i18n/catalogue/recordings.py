@@ -188,6 +188,7 @@ SENTENCES: dict[str, Sentence] = {
     ),
     # --- going back
     "undone": Sentence("Back: {what}.", "De volta: {what}.", "Atrás: {what}."),
+    "redone": Sentence("{what:capital}.", "{what:capital}.", "{what:capital}."),
     "undone-start": Sentence("This is the start.", "Este é o começo.", "Este es el comienzo."),
     "undone-position": Sentence("Position {x}, {y}.", "Posição {x}, {y}.", "Posición {x}, {y}."),
     "undone-facing": Sentence("Facing {facing}.", "Virado para {facing}.", "Mirando al {facing}."),

@@ -71,10 +71,10 @@ SENTENCES: dict[str, Sentence] = {
         ),
     ),
     "world-large-thing": Sentence(
-        "{thing}, {width} by {depth}: {place}.",
-        "{thing}, {width} por {depth}: {place}.",
-        "{thing}, {width} por {depth}: {place}.",
-        brief=("{thing}: {place}.", "{thing}: {place}.", "{thing}: {place}."),
+        "{thing:capital}, {width} by {depth}: {place}.",
+        "{thing:capital}, {width} por {depth}: {place}.",
+        "{thing:capital}, {width} por {depth}: {place}.",
+        brief=("{thing:capital}: {place}.", "{thing:capital}: {place}.", "{thing:capital}: {place}."),
     ),
     "world-more-things": Sentence(
         "{count} more {count:thing is|things are} farther away.",

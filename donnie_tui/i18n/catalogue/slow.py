@@ -15,6 +15,7 @@ SENTENCES: dict[str, Sentence] = {
         "Laying the program out, it takes a while.",
         "Formatando o programa, isso demora.",
         "Formateando el programa, esto tarda.",
+        brief=("Laying it out, it takes a while.", "Formatando, isso demora.", "Formateando, esto tarda."),
     ),
     "slow-opening": Sentence(
         "Opening {name}, it takes a while.", "Abrindo {name}, isso demora.", "Abriendo {name}, esto tarda."

@@ -77,22 +77,26 @@ _SAID = {
         "No hay más. Es el {number} de {count}.",
     ),
     "answer-written": Sentence("Wrote {name}.", "Escrevi {name}.", "Escribí {name}."),
-    "report-title": Sentence("Donnie: {what}", "Donnie: {what}", "Donnie: {what}"),
+    "report-title": Sentence("Donnie: {what:small}", "Donnie: {what:small}", "Donnie: {what:small}"),
     "report-commands": Sentence("Words of GoDonnie", "Palavras de GoDonnie", "Palabras de GoDonnie"),
     "report-words": Sentence("Words of the terminal", "Palavras do terminal", "Palabras del terminal"),
     "report-program": Sentence("The program", "O programa", "El programa"),
     "report-map": Sentence("The map", "O mapa", "El mapa"),
     "report-trail": Sentence("The trail", "A trilha", "El rastro"),
-    "report-columns-list": Sentence("line,level,text", "linha,nível,texto", "línea,nivel,texto"),
-    "report-columns-map": Sentence("name,color,x,y,place", "nome,cor,x,y,lugar", "nombre,color,x,y,lugar"),
-    "report-columns-trail": Sentence(
-        "command,done,x,y,heading,blocked",
-        "comando,feito,x,y,direção,bloqueado",
-        "comando,hecho,x,y,dirección,bloqueado",
-    ),
-    "report-columns-help": Sentence(
-        "how it is typed,what for", "como se digita,para quê", "cómo se escribe,para qué"
-    ),
+    "report-column-how": Sentence("how it is typed", "como se digita", "cómo se escribe"),
+    "report-column-purpose": Sentence("what for", "para quê", "para qué"),
+    "report-column-line": Sentence("line", "linha", "línea"),
+    "report-column-level": Sentence("level", "nível", "nivel"),
+    "report-column-text": Sentence("text", "texto", "texto"),
+    "report-column-name": Sentence("name", "nome", "nombre"),
+    "report-column-color": Sentence("color", "cor", "color"),
+    "report-column-x": Sentence("x", "x", "x"),
+    "report-column-y": Sentence("y", "y", "y"),
+    "report-column-place": Sentence("place", "lugar", "lugar"),
+    "report-column-command": Sentence("command", "comando", "comando"),
+    "report-column-done": Sentence("done", "feito", "hecho"),
+    "report-column-heading": Sentence("heading", "direção", "dirección"),
+    "report-column-blocked": Sentence("blocked", "bloqueado", "bloqueado"),
 }
 
 SENTENCES = _ROUNDS | _HOLDING | _SAID

@@ -17,7 +17,7 @@ _MORE = {
 }
 
 _MET = {
-    "met": Sentence("{name}, {where}.", "{name}, {where}.", "{name}, {where}."),
+    "met": Sentence("{name:capital}, {where}.", "{name:capital}, {where}.", "{name:capital}, {where}."),
     "met-wall": Sentence("wall", "parede", "pared"),
     "met-something": Sentence("something", "algo", "algo"),
     "met-robot": Sentence("another robot", "outro robô", "otro robot"),

@@ -53,7 +53,9 @@ _MAP = {
             "{width} por {height}. El robot es {robot}",
         ),
     ),
-    "picture-letter": Sentence("{name}: {letter}", "{name}: {letter}", "{name}: {letter}"),
+    "picture-letter": Sentence(
+        "{name:capital}: {letter}", "{name:capital}: {letter}", "{name:capital}: {letter}"
+    ),
 }
 
 _AROUND = {
@@ -68,16 +70,20 @@ _AROUND = {
         "Ningún objeto hasta {steps} pasos.",
     ),
     "around-thing": Sentence(
-        "{where}: {thing}, {steps} {steps:step|steps}.",
-        "{where}: {thing}, {steps} {steps:passo|passos}.",
-        "{where}: {thing}, {steps} {steps:paso|pasos}.",
-        brief=("{where}: {thing}, {steps}.", "{where}: {thing}, {steps}.", "{where}: {thing}, {steps}."),
+        "{where:capital}: {thing}, {steps} {steps:step|steps}.",
+        "{where:capital}: {thing}, {steps} {steps:passo|passos}.",
+        "{where:capital}: {thing}, {steps} {steps:paso|pasos}.",
+        brief=(
+            "{where:capital}: {thing}, {steps}.",
+            "{where:capital}: {thing}, {steps}.",
+            "{where:capital}: {thing}, {steps}.",
+        ),
     ),
     "around-free": Sentence(
-        "{where}: free, {steps} steps.",
-        "{where}: livre, {steps} passos.",
-        "{where}: libre, {steps} pasos.",
-        brief=("{where}: free.", "{where}: livre.", "{where}: libre."),
+        "{where:capital}: free, {steps} steps.",
+        "{where:capital}: livre, {steps} passos.",
+        "{where:capital}: libre, {steps} pasos.",
+        brief=("{where:capital}: free.", "{where:capital}: livre.", "{where:capital}: libre."),
     ),
     "around-hour": Sentence("{hour} o'clock", "{hour} horas", "{hour} en punto"),
     "around-front": Sentence("ahead", "à frente", "al frente"),

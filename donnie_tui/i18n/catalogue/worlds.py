@@ -289,7 +289,9 @@ SENTENCES: dict[str, Sentence] = {
         "{count} {count:objeto|objetos}, o mais perto primeiro.",
         "{count} {count:objeto|objetos}, el más cercano primero.",
     ),
-    "world-thing": Sentence("{thing}: {place}.", "{thing}: {place}.", "{thing}: {place}."),
+    "world-thing": Sentence(
+        "{thing:capital}: {place}.", "{thing:capital}: {place}.", "{thing:capital}: {place}."
+    ),
     "place-left": Sentence(
         "{steps} left",
         "{steps} à esquerda",

@@ -117,6 +117,7 @@ AS_IN_ENGLISH = {
     "kind-link": ("es",),
     "pane-inspector": ("es",),
     "reading-colour": ("es",),
+    "report-column-color": ("es",),
     "report-title": ("pt", "es"),
     "setting-mouse": ("pt",),
     "speed-max": ("pt", "es"),
@@ -332,6 +333,15 @@ def test_the_number_one_has_the_singular_in_every_language() -> None:
         assert one in filled(text, {"steps": 1})
         assert f"{one}s" not in filled(text, {"steps": 1})
         assert many in filled(text, {"steps": 2})
+
+
+@pytest.mark.parametrize(
+    ("place", "told"), [("capital", "À frente, Bob"), ("small", "à frente, Bob"), ("", "à frente, Bob")]
+)
+def test_a_value_begins_a_sentence_where_the_sentence_says_so(place: str, told: str) -> None:
+    assert (
+        filled(f"{{where:{place}}}: {{x:capital}}", {"where": "à frente, Bob", "x": 3}, "pt") == f"{told}: 3"
+    )
 
 
 @pytest.mark.parametrize("kind", Kind, ids=lambda kind: kind.value)
