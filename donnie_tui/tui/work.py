@@ -30,7 +30,7 @@ from donnie_tui.i18n.words import Words
 from donnie_tui.settings import Settings
 from donnie_tui.tui import patience
 from donnie_tui.tui.actions import DONE_HERE, find
-from donnie_tui.tui.bridge import Began, Bridge, Ended, LogLine
+from donnie_tui.tui.bridge import Began, Bridge, Ended, LogLine, Mail
 from donnie_tui.tui.chosen_settings import ChosenSettings
 from donnie_tui.tui.deeds import Deeds
 from donnie_tui.tui.display import Display
@@ -87,7 +87,7 @@ class Work:
             bridge,
             self.words,
             set_timer=host.later,
-            receive=self.display.receive,
+            receive=self._receive,
             write=self._write,
         )
         self._key_echo = KeyEcho(donnie.audible, self.words)
@@ -160,6 +160,12 @@ class Work:
         self._donnie.audible.hush()
         self._key_echo(event, focused)
         self.display.acted()
+
+    def _receive(self, mail: Mail) -> None:
+        """What the robot senses has changed, too, where others or things are elsewhere now."""
+        self.display.receive(mail)
+        if mail.others or mail.things is not None:
+            self.ask_distances()
 
     def _write(self, lines: Sequence[LogLine]) -> None:
         """Into the log, and into what can be said again."""

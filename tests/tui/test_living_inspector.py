@@ -72,6 +72,19 @@ async def test_they_are_those_of_the_robot_that_is_talked_to(work):
         assert shown(desk) != of_alice
 
 
+async def test_they_change_when_another_robot_comes_near(work):
+    async with work("REPEAT 9 TIMES FW 1 END REPEAT", world="two_robots", size=(120, 40), speed=5.0) as desk:
+        before = ahead(desk)
+        await desk.type_line("ROBOT bob")
+        await desk.told("You talk to bob.")
+        await desk.press("f5")
+        await desk.doing(Doing.RUNNING)
+        await desk.type_line("ROBOT alice")
+        await desk.told("You talk to alice.")
+
+        await desk.until(lambda: ahead(desk) == before - 9, "bob has come near")
+
+
 async def test_a_robot_without_rangers_has_no_distances(work):
     async with work(world="bigbob1", size=(120, 40)) as desk:
         assert desk.place.inspector.lines == ("No variables.",)
