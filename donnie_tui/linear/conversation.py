@@ -75,7 +75,7 @@ class Conversation:
         try:
             return self._talk(file, text, offers_to_remember)
         except SwitchMode:
-            self._desk.programs.forget_copies()
+            self._desk.programs.hand_over()
             raise
         except Gone:
             self._desk.programs.keep_for_later()

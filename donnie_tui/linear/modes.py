@@ -22,6 +22,8 @@ def _visual(desk: Desk) -> None:
         desk.answer("linear-no-screen")
         return
     offer_to_remember(desk, linear=False)
+    if desk.console.leaving is not None:
+        return
     desk.showing.show_told()
     raise SwitchMode(desk.program.text, desk.program.name, desk.donnie)
 

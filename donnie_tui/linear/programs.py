@@ -127,6 +127,12 @@ class Programs:
         for copies in self._copies.values():
             copies.forget()
 
+    def hand_over(self) -> None:
+        """Somebody else goes on with the current program; the others are offered there."""
+        self.close()
+        self.keep_for_later()
+        self.copies_of(self.current).forget()
+
     def _unsaved(self) -> tuple[tuple[str, str | None], ...]:
         return tuple((each.text, each.name) for each in self.all() if not each.saved)
 

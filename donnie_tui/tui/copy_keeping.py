@@ -50,6 +50,10 @@ class CopyKeeping:
         for program in self._programs:
             self.forget(program.copies)
 
+    def give_up_current(self) -> None:
+        """The program in the editor is taken along; what the others have that is not saved is kept."""
+        self.forget(self._programs.copies)
+
     def bring_up(self, copies: Copies) -> None:
         """Do what is wanted of them, beside the screen."""
         if copies not in self._bringing_up:

@@ -72,6 +72,14 @@ class WhileTyping:
 
     def give_up_copies(self) -> None:
         """Leaving on purpose: no copy is needed."""
+        self._stop_copying()
+        self._work.files.copies.give_up()
+
+    def hand_over_copy(self) -> None:
+        """Somebody else goes on with the program in the editor; the others are offered there."""
+        self._stop_copying()
+        self._work.files.copies.give_up_current()
+
+    def _stop_copying(self) -> None:
         if self._copying is not None:
             self._copying.stop()
-        self._work.files.copies.give_up()

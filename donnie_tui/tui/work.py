@@ -307,8 +307,8 @@ class Work:
         self.switch_to_linear()
 
     def switch_to_linear(self) -> None:
-        """The other mode has the text from now on: no copy is needed."""
-        self.while_typing.give_up_copies()
+        """The other mode has the text from now on: no copy of it is needed."""
+        self.while_typing.hand_over_copy()
         self._host.leave(for_linear=True)
 
     def leave(self) -> None:

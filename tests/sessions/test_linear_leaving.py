@@ -120,3 +120,13 @@ def test_of_several_robots_no_program_is_lost_and_the_one_talked_to_stays_so(tmp
     assert sorted([*copied(tmp_path), (tmp_path / "mine.gd").read_text()]) == sorted(
         [TEXT, "".join(f"{line}\n" for line in reversed(FIVE))]
     )
+
+
+def test_a_signal_at_the_question_before_the_full_screen_leaves_a_copy_and_ends(tmp_path: Path) -> None:
+    learner = Learner(tmp_path)
+    learner.enters(*FIVE, "VISUAL")
+    learner.sees("Enter means no.\r\n> ")
+    learner.child.kill(signal.SIGTERM)
+
+    assert learner.leaves() == 128 + signal.SIGTERM
+    assert copied(tmp_path) == [TEXT]

@@ -130,6 +130,17 @@ async def test_quitting_without_saving_leaves_no_copy(work, tmp_path):
     assert list((tmp_path / "unsaved").iterdir()) == []
 
 
+async def test_going_to_the_linear_mode_rescues_the_programs_that_it_does_not_take_along(work, tmp_path):
+    async with work("FW 2") as desk:
+        desk.app.work.files.turn_to(None)
+        desk.app.work.load("FW 3")
+        await desk.type_line("LINEAR")
+        await desk.until(lambda: not desk.app.is_running, "the end")
+
+    assert desk.place.editor.text == "FW 3"
+    assert [each.read_text() for each in (tmp_path / "unsaved").iterdir()] == ["FW 2"]
+
+
 async def test_a_saved_program_is_left_without_a_question(work, program):
     async with work(file=program) as desk:
         await desk.press("ctrl+q")

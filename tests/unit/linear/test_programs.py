@@ -143,3 +143,14 @@ def test_where_another_robots_program_could_not_be_saved_each_is_kept(tmp_path: 
     talk.programs.keep_for_later()
 
     assert texts(tmp_path) == ["FW 1\n", "FW 2\n"]
+
+
+def test_the_full_screen_takes_the_current_program_along_and_the_others_are_rescued(tmp_path: Path) -> None:
+    talk = Talk(tmp_path)
+    talk.types("FW 1")
+    talk.talk_to("two")
+    talk.types("FW 2")
+    no_copy_is_written()
+    talk.programs.hand_over()
+
+    assert texts(tmp_path) == ["FW 1\n"]
