@@ -95,6 +95,11 @@ class Donnie:
 
         return picture(self._shared.scene_now(), self.team.chosen_name)
 
+    def get_ready_to_move(self) -> None:
+        """Load now what the first movement would load, while nobody waits for anything."""
+        if not self.connection.is_real:
+            self._shared.get_ready()
+
     def is_quiet_within(self, seconds: float) -> bool:
         """Wait until everything was said, that long at most; False if that was not enough."""
         return self.audible.is_quiet_within(seconds)

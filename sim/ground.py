@@ -1,7 +1,8 @@
 """Where everything of a world is now: one ground that all its robots share, from any thread.
 
 Robots, and things that can be pushed or gripped, may be put elsewhere; the rest lies still. What was moved is
-worked out when somebody asks for it, so that a robot alone pays nothing for moving.
+worked out when somebody asks for it, so that a robot alone pays nothing for moving. The first question, or
+the first movement, loads pymunk and lays everything out: until then all is where it started.
 """
 
 from __future__ import annotations
@@ -9,13 +10,16 @@ from __future__ import annotations
 import threading
 from collections.abc import Mapping, Sequence
 from math import ceil, log
+from typing import TYPE_CHECKING
 
 from sim.geometry import Point, contains
-from sim.layer import RANGED, SIGHT, Layer, Wanted
-from sim.parts import Part, parts_of
+from sim.parts import BODY, RANGED, SIGHT, Part, parts_of
 from sim.placement import Placement
-from sim.rays import Hit
 from sim.scene import Model, Scene
+
+if TYPE_CHECKING:
+    from sim.layer import Layer
+    from sim.rays import Hit
 
 _FINENESS = 1.1
 """Guard distances are rounded up to powers of this, so that many kinds of robots share a few layers."""
@@ -33,7 +37,7 @@ class Ground:
         """The roots of things that give way to a robot."""
         self.grippable = frozenset(model.index for model in _things(scene) if model.grippable)
         """The roots of things that a gripper can take."""
-        self._lock = threading.Lock()
+        self._lock = threading.RLock()
         self._at_start = tuple(parts_of(scene))
         movable = sorted({*scene.robots, *self.pushable, *self.grippable})
         self._start = {root: scene.models[root].pose for root in movable}
@@ -51,8 +55,17 @@ class Ground:
         self.jumps = 0
         """Counts what moved out of turn, or became faster: what was known to be far may be near now."""
         self._layers: dict[float, _Kept] = {}
-        self._bare = self._layer(0.0)
-        self._around_start = {root: self._inside_of(root) for root in self._start}
+        self._guards: dict[float, None] = {}
+        """The guard distances that were asked for before it has begun."""
+        self._around_start: dict[int, tuple[Part, ...]] = {}
+
+    def begin(self) -> None:
+        """Lay everything out, unless that was done: it takes longer than all the rest of a world's start."""
+        with self._lock:
+            if not self._layers:
+                for thickness in (0.0, *self._guards):
+                    self._layer(thickness)
+                self._around_start = {root: self._inside_of(root) for root in self._start}
 
     # --- where things are
 
@@ -70,11 +83,14 @@ class Ground:
 
     def around_start(self, root: int) -> tuple[Part, ...]:
         """The parts of others inside which a movable root stands at the start."""
+        self.begin()
         return self._around_start[root]
 
     def put(self, root: int, now: Placement) -> None:
         """Put a movable root there."""
         with self._lock:
+            if now != self._now[root]:
+                self.begin()
             self._now[root] = now
             self._changes += 1
             self._own_changes[root] = self._own_changes.get(root, 0) + 1
@@ -117,13 +133,13 @@ class Ground:
     def parts(self) -> tuple[Part, ...]:
         """Everything, in order."""
         with self._lock:
-            self._bring_up(self._bare, None)
+            self._bring_up_parts()
             return tuple(self._parts)
 
     def parts_of(self, root: int) -> tuple[Part, ...]:
         """The parts of a movable root."""
         with self._lock:
-            self._bring_up(self._bare, None)
+            self._bring_up_parts()
             return tuple(self._parts[rank] for rank in self._ranks[root])
 
     def within(
@@ -131,8 +147,7 @@ class Ground:
     ) -> list[Part]:
         """All parts that come into a box, and perhaps some more, in order; without the ranks ``but``."""
         with self._lock:
-            self._bring_up(self._bare, asker)
-            ranks = self._bare.layer.within(left, bottom, right, top)
+            ranks = self._layer_for(asker, 0.0).within(left, bottom, right, top)
             group, groups, parts = asker + 1, self._groups, self._parts
             found = [parts[rank] for rank in sorted(ranks - but)]
             return [part for part in found if groups.get(part.root, 0) != group]
@@ -141,10 +156,9 @@ class Ground:
         self, asker: int, x: float, y: float, ends: Sequence[Point], ranging: bool, but: frozenset[int]
     ) -> list[Hit[Part]]:
         """What looks from one place to each of ``ends`` meet first, and where on the way."""
-        wanted = Wanted(asker + 1, RANGED if ranging else SIGHT)
+        category = RANGED if ranging else SIGHT
         with self._lock:
-            self._bring_up(self._bare, asker)
-            hits = _asked(self._bare.layer, x, y, ends, wanted, but)
+            hits = self._layer_for(asker, 0.0).first_hits(x, y, ends, asker + 1, category, but)
             return [(None if rank is None else self._parts[rank], way) for rank, way in hits]
 
     def free_way(
@@ -155,17 +169,12 @@ class Ground:
         That is one that ``guarded`` has answered.
         """
         with self._lock:
-            kept = self._layers[guard]
-            self._bring_up(kept, asker)
-            wanted = Wanted(asker + 1)
-            return _asked(kept.layer, x, y, (end,), wanted, but)[0][1]
+            return self._layer_for(asker, guard).first_hits(x, y, (end,), asker + 1, BODY, but)[0][1]
 
     def room(self, asker: int, x: float, y: float, guard: float) -> float:
         """How far round a place nothing comes nearer than ``guard``, some metres at most; below 0: none."""
         with self._lock:
-            kept = self._layers[guard]
-            self._bring_up(kept, asker)
-            return kept.layer.room(x, y, MOST_ROOM, Wanted(asker + 1))
+            return self._layer_for(asker, guard).room(x, y, MOST_ROOM, asker + 1)
 
     def changes_for(self, asker: int) -> int:
         """Another number whenever something was moved that is not the asker itself."""
@@ -175,8 +184,10 @@ class Ground:
         """Prepare for ``free_way`` with that distance (metres). Answers the one that is really kept."""
         rounded: float = _FINENESS ** ceil(log(guard) / log(_FINENESS))
         with self._lock:
-            if rounded not in self._layers:
-                self._bring_up(self._bare, None)
+            if not self._layers:
+                self._guards[rounded] = None
+            elif rounded not in self._layers:
+                self._bring_up_parts()
                 self._layer(rounded)
         return rounded
 
@@ -187,7 +198,17 @@ class Ground:
         close = self.within(root, here.x, here.y, here.x, here.y, frozenset())
         return tuple(part for part in close if part.root != root and contains(part.points, here.x, here.y))
 
-    def _layer(self, thickness: float) -> _Kept:
+    def _layer_for(self, asker: int, thickness: float) -> Layer:
+        """The layer as it is now for a question of ``asker``. Under the lock, as all that follows."""
+        if not self._layers:
+            self.begin()
+        kept = self._layers[thickness]
+        self._bring_up(kept, asker)
+        return kept.layer
+
+    def _layer(self, thickness: float) -> None:
+        from sim.layer import Layer  # pymunk: a third of a start, and for those who move only
+
         wanted = (
             self._parts if thickness == 0.0 else [part for part in self._parts if part.solid or part.seen]
         )
@@ -195,16 +216,19 @@ class Ground:
         for root, group in self._groups.items():
             kept.layer.group(root, group)
         self._layers[thickness] = kept
-        return kept
+
+    def _bring_up_parts(self) -> None:
+        if self._layers:
+            self._bring_up(self._layers[0.0], None)
 
     def _bring_up(self, kept: _Kept, asker: int | None) -> None:
-        """Let a layer know what was moved, but for the asker itself. Under the lock."""
+        """Let a layer know what was moved, but for the asker itself."""
         stale = kept.stale
         if not stale or (len(stale) == 1 and asker in stale):
             return
         for root in stale:
             kept.layer.move(root, self._now[root])
-            if kept is self._bare:
+            if kept is self._layers[0.0]:
                 self._place_parts(root)
         stale.clear()
 
@@ -223,19 +247,6 @@ class _Kept:
     def __init__(self, layer: Layer) -> None:
         self.layer = layer
         self.stale: set[int] = set()
-
-
-def _asked(
-    layer: Layer,
-    x: float,
-    y: float,
-    ends: Sequence[Point],
-    wanted: Wanted,
-    but: frozenset[int],
-) -> list[Hit[int]]:
-    if not but:
-        return layer.first_hits(x, y, ends, wanted)
-    return [layer.first_hit_but(x, y, end, wanted, but) for end in ends]
 
 
 def _things(scene: Scene) -> list[Model]:

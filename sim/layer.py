@@ -16,19 +16,16 @@ from weakref import WeakSet
 import pymunk
 
 from sim.geometry import Point, edges, is_convex, placed, signed_area
-from sim.parts import Part
+from sim.parts import BODY, RANGED, SIGHT, Part
 from sim.placement import Placement
 from sim.rays import Hit, Rays
 
-BODY, SIGHT, RANGED = 1, 2, 4
-"""Categories: everything; what eyes can't see through; what rangers notice."""
-
-Wanted = pymunk.ShapeFilter
-"""What a question is about: all but a group, of the categories of a mask."""
-
 
 class Layer:
-    """Ranks of parts, by place. A part belongs to a root; a root that may move has a body of its own."""
+    """Ranks of parts, by place. A part belongs to a root; a root that may move has a body of its own.
+
+    A question is about all but a ``group``, those of a ``category``.
+    """
 
     def __init__(self, parts: Iterable[Part], thickness: float, movable: Mapping[int, Placement]) -> None:
         """``movable``: the roots that may move, and where each is now, as ``parts`` are."""
@@ -47,20 +44,29 @@ class Layer:
         found = self._space.bb_query(pymunk.BB(left, bottom, right, top), _ANY)
         return {self._rank_of[shape] for shape in found}
 
-    def first_hits(self, x: float, y: float, ends: Sequence[Point], wanted: Wanted) -> list[Hit[int]]:
-        """What looks from one place to each of ``ends`` meet first, and where on the way."""
-        return self._rays.first_hits(x, y, ends, wanted)
+    def first_hits(
+        self, x: float, y: float, ends: Sequence[Point], group: int, category: int, but: frozenset[int]
+    ) -> list[Hit[int]]:
+        """What looks from one place to each of ``ends`` meet first, and where on the way.
 
-    def first_hit_but(self, x: float, y: float, end: Point, wanted: Wanted, but: frozenset[int]) -> Hit[int]:
-        """The same as if the parts ``but`` were not there."""
+        As if the parts ``but`` were not there.
+        """
+        wanted = pymunk.ShapeFilter(group, mask=category)
+        if not but:
+            return self._rays.first_hits(x, y, ends, wanted)
+        return [self._first_hit_but(x, y, end, wanted, but) for end in ends]
+
+    def _first_hit_but(
+        self, x: float, y: float, end: Point, wanted: pymunk.ShapeFilter, but: frozenset[int]
+    ) -> Hit[int]:
         met = self._space.segment_query((x, y), end, 0.0, wanted)
         ranked = [(hit.alpha, self._rank_of[hit.shape]) for hit in met if hit.shape is not None]
         alpha, rank = min((hit for hit in ranked if hit[1] not in but), default=(1.0, None))
         return rank, alpha
 
-    def room(self, x: float, y: float, most: float, wanted: Wanted) -> float:
+    def room(self, x: float, y: float, most: float, group: int) -> float:
         """Metres from a place to the nearest part, at most ``most``; below 0 inside of one."""
-        nearest = self._space.point_query_nearest((x, y), most, wanted)
+        nearest = self._space.point_query_nearest((x, y), most, pymunk.ShapeFilter(group))
         return most if nearest is None else nearest.distance
 
     def move(self, root: int, now: Placement) -> None:

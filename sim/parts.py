@@ -11,6 +11,9 @@ from sim.geometry import Edge, Point, edges, placed, seen_from
 from sim.placement import Placement
 from sim.scene import Model, Scene
 
+BODY, SIGHT, RANGED = 1, 2, 4
+"""Categories of parts: everything; what eyes can't see through; what rangers notice."""
+
 
 @frozen
 class Part:

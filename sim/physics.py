@@ -6,12 +6,16 @@ A part inside which its centre stands from the start, such as a floor drawn as a
 from __future__ import annotations
 
 from collections.abc import Sequence
+from functools import cached_property
+from typing import TYPE_CHECKING
 
 from devices.ports.values import frozen
 from sim.geometry import Point
 from sim.ground import Ground
 from sim.parts import Part
-from sim.rays import Hit
+
+if TYPE_CHECKING:
+    from sim.rays import Hit
 
 __all__ = ["OtherRobots", "Part", "Surroundings"]
 
@@ -69,15 +73,21 @@ class Surroundings:
         self._room = _NO_ROOM
         self.has_company = len(ground.movable) > 1
         """Whether anything else on the ground may move."""
-        inside = ground.around_start(root)
-        self._absent = ignored | frozenset(part.rank for part in inside)
-        self.stands_in = tuple(dict.fromkeys(part.root for part in inside))
+        self._ignored = ignored
+
+    @cached_property
+    def stands_in(self) -> tuple[int, ...]:
         """The roots inside which it stands from the start."""
+        return tuple(dict.fromkeys(part.root for part in self.ground.around_start(self.root)))
+
+    @cached_property
+    def _absent(self) -> frozenset[int]:
+        return self._ignored | frozenset(part.rank for part in self.ground.around_start(self.root))
 
     def without(self, roots: frozenset[int]) -> Surroundings:
         """The same, as if these were not there either."""
         ignored = (part.rank for root in roots if root != self.root for part in self.ground.parts_of(root))
-        return Surroundings(self.ground, self.root, self._absent | frozenset(ignored))
+        return Surroundings(self.ground, self.root, self._ignored | frozenset(ignored))
 
     def keep(self, guard: float) -> None:
         """Have ``free_way`` keep that distance (metres) from everything."""

@@ -75,6 +75,10 @@ class World:
         """The scene with everything where it is now, robots too."""
         return moved(self.scene, self._ground.moved())
 
+    def get_ready(self) -> None:
+        """Load now what the first movement would load."""
+        self._ground.begin()
+
     def reset(self) -> None:
         """Everything back to its start. Only while no robot takes part."""
         for robot in tuple(self._robots.values()):

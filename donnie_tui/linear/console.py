@@ -55,6 +55,8 @@ class Console:
         """Whether something was told that is printed as soon as no line is being typed."""
         self.when_idle: Callable[[], None] | None = None
         """Called before somebody waits, with nothing typed that was not read."""
+        self.once_idle: list[Callable[[], None]] = []
+        """The same, each once."""
         self._ahead = b""
         """What was typed where nobody was reading."""
         self.repaint: Callable[[], str] = str
@@ -94,14 +96,21 @@ class Console:
         is_watching = reading or (self.on_key is not None and len(self._ahead) < MOST_AHEAD)
         watched: list[WakingSignals | int] = [self._signals, 0] if is_watching else [self._signals]
         at_once = seconds == 0 or (reading and bool(self._ahead))
-        if self.when_idle and not at_once and not (is_watching and _has_typed()):
-            self.when_idle()
+        has_to_do = self.when_idle is not None or bool(self.once_idle)
+        if has_to_do and not at_once and not (is_watching and _has_typed()):
+            self._use_the_time()
         ready, _, _ = select.select(watched, [], [], 0 if at_once else seconds)
         if self._signals in ready:
             self._take_signals()
         if 0 in ready and not reading:
             self._look_ahead()
         return reading and (0 in ready or bool(self._ahead))
+
+    def _use_the_time(self) -> None:
+        if self.when_idle is not None:
+            self.when_idle()
+        while self.once_idle:
+            self.once_idle.pop()()
 
     def has_input(self) -> bool:
         """Whether something was typed already; signals and nudges are left to whoever waits."""

@@ -99,6 +99,8 @@ class Conversation:
             from donnie_tui.linear import modes
 
             modes.offer_to_remember(desk, linear=True)
+        if desk.is_attended:
+            self._console.once_idle.append(desk.donnie.get_ready_to_move)
         while desk.leaving is None:
             self._take(desk.asking.read(self._prompt(), shown=is_shown))
             is_shown = False

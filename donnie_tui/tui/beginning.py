@@ -123,6 +123,7 @@ class Beginning:
             work.tell_sentences(work.words("slow-world-done", name=self._world_name))
         if self.wants_linear:
             work.switch_to_linear()
+        self._app.call_after_refresh(donnie.get_ready_to_move)
 
     def _fail(self, trouble: Exception) -> None:
         self.trouble = trouble

@@ -8,11 +8,13 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Iterator, Sequence
 from math import inf
-from typing import Protocol
+from typing import TYPE_CHECKING, Protocol
 
 from sim.geometry import Point, along
 from sim.parts import Part
-from sim.rays import Hit
+
+if TYPE_CHECKING:
+    from sim.rays import Hit
 
 Height = float | None
 """Metres above the floor at which a sensor looks, or None: it sees things of every height."""

@@ -57,3 +57,17 @@ def test_a_silent_linear_session_in_a_world_that_ships_loads_none_of_these(
 
     assert "sim.world" in loaded
     assert module not in loaded
+
+
+MOVING = ("pymunk", "sim.layer", "sim.rays")
+
+
+def test_a_linear_session_that_does_not_move_loads_no_physics(tmp_path: Path) -> None:
+    loaded = loaded_by(LINEAR, tmp_path, "SPEAK 2000 + 22\n\nWHERE\n")
+
+    assert "sim.ground" in loaded
+    assert not loaded & {*MOVING}
+
+
+def test_a_linear_session_that_moves_loads_the_physics(tmp_path: Path) -> None:
+    assert {*MOVING} <= loaded_by(LINEAR, tmp_path, "FW 1\n\n")

@@ -535,3 +535,13 @@ def _piped(script: bytes, folder: Path) -> subprocess.CompletedProcess[bytes]:
         cwd=folder,
         env=environment,
     )
+
+
+@pytest.mark.skipif(not Path("/proc/self/maps").exists(), reason="what a process has loaded is told there")
+def test_behind_the_prompt_it_gets_ready_to_move(learner: Learner) -> None:
+    learner.sees_prompt()
+
+    until(lambda: "_chipmunk" in Path(f"/proc/{learner.child.pid}/maps").read_text())
+
+    learner.types("\x04")
+    assert learner.leaves() == 0

@@ -326,3 +326,20 @@ def test_sixty_robots_with_sixty_programs_go_their_ways() -> None:
     company.run(dict.fromkeys(names, walks))
 
     assert walked == dict.fromkeys(names, 4)
+
+
+@pytest.mark.parametrize("first", ["alice", "bob"])
+def test_a_world_that_got_ready_before_is_as_one_that_did_not(first: str) -> None:
+    """Two in each other's way, which stand inside of a thing at the start."""
+    text = TWO + "box( pose [ 0 0 0 0 ] ) box( pose [ 0 1 0 0 ] ) box( pose [ 0 0.5 0 0 ] pushable 1 )"
+
+    def told(is_ready: bool) -> list[object]:
+        world = World(scene(text))
+        if is_ready:
+            world.get_ready()
+            world.get_ready()
+        robots = {name: world.robot(name, pace=Unpaced()) for name in ("alice", "bob")}
+        moved = robots[first].forward(30)
+        return [moved, world.poses(), world.moved_things(), *(it.stands_in for it in robots.values())]
+
+    assert told(is_ready=False) == told(is_ready=True)
