@@ -286,6 +286,10 @@ class DonnieApp(TerminalApp, inherit_bindings=False):
         if event.has_focus and event.text:
             self._behind.point(event.text)
 
+    def on_workplace_entered(self) -> None:
+        if self.work is not None:
+            self.work.entered()
+
     def on_workplace_looked(self) -> None:
         if self.work is not None:
             self.work.display.looked()

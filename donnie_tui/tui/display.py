@@ -211,12 +211,12 @@ class Display:
         Of what a listener has just heard in the log nothing is said again: there it is the focus alone.
         """
         if self._place.is_plain and self._place.log_is_seen:
-            self._place.status.say(f" {self._focus_sentence()}")
+            self._place.status.say(f" {self.focus_sentence}")
             return
         session = self._donnie.session
         robot = robot_sentence(session.hub.robot, self._pose, self._words, session.teller)
         doings = doing_sentences(self._running.doing, self._running.speed, self._words)
-        focus = self._focus_sentence()
+        focus = self.focus_sentence
         whole = [f"{focus} {robot} {doing}" for doing in doings]
         short = [f"{focus} {doings[1]}", *([doings[1], ""] if self._answer else [focus])]
         self._place.status.say(*(f" {self._answer} {rest}".replace("  ", " ") for rest in (*whole, *short)))
@@ -231,7 +231,8 @@ class Display:
             self._answer = ""
         self.say_status()
 
-    def _focus_sentence(self) -> str:
+    @property
+    def focus_sentence(self) -> str:
         place, words = self._place, self._words
         if place.map.has_focus and place.map.pointer is not None and place.map.is_exploring:
             return words("status-map-cell", what=place.map.pointer.words(words))

@@ -244,6 +244,10 @@ class Work:
             self.point(pointer.words(self.words))
         self.display.looked()
 
+    def entered(self) -> None:
+        """The focus came to another part: said too, and shown in the status line."""
+        self.point(self.display.focus_sentence)
+
     # --- asking
 
     async def ask(

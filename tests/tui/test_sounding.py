@@ -7,6 +7,8 @@ import pytest
 from donnie_tui.audible import Audible
 from donnie_tui.core.events import Chimed, Event, Pointed
 from donnie_tui.core.hub import Hub
+from donnie_tui.tui.screens.help import Help
+from donnie_tui.tui.screens.key_menu import KeyMenu
 
 
 async def test_any_key_ends_what_is_being_said(work) -> None:  # type: ignore[no-untyped-def]
@@ -37,8 +39,9 @@ def pointed(monkeypatch):  # type: ignore[no-untyped-def]
 async def test_each_row_of_a_list_is_said_as_it_is_reached_and_stands_in_no_log(work, pointed) -> None:  # type: ignore[no-untyped-def]
     async with work("FW 1\nREPEAT 2\nFW 1\nEND REPEAT") as desk:
         await desk.type_line("WORLDS")
-        await desk.until(lambda: pointed, "the title and the world that it is in")
-        assert "open_floor" in pointed[0]
+        await desk.until(
+            lambda: "open_floor" in "".join(pointed[-1:]), "the title and the world that it is in"
+        )
         del pointed[:]
         hushed = desk.app.work.donnie.audible.hushed
         await desk.press("down")
@@ -50,13 +53,23 @@ async def test_each_row_of_a_list_is_said_as_it_is_reached_and_stands_in_no_log(
         await desk.until(lambda: pointed[-1] == "Nothing of that name.", "that nothing fits")
 
 
-@pytest.mark.parametrize("keys", [("f1",), ("ctrl+k",), ("ctrl+k", "f1"), ("ctrl+k", "0")], ids=" ".join)
-async def test_each_row_of_the_help_and_of_the_keys_behind_a_key_is_said(work, pointed, keys) -> None:  # type: ignore[no-untyped-def]
+@pytest.mark.parametrize(
+    ("keys", "kind"),
+    [
+        (("f1",), Help),
+        (("ctrl+k",), KeyMenu),
+        (("ctrl+k", "f1"), Help),
+        (("ctrl+k", "0"), Help),
+    ],
+    ids=["help", "menu", "manual", "keys"],
+)
+async def test_each_row_of_the_help_and_of_the_keys_behind_a_key_is_said(work, pointed, keys, kind) -> None:  # type: ignore[no-untyped-def]
     async with work("FW 1") as desk:
         await desk.press(*keys)
-        await desk.until(lambda: pointed and desk.app.screen is not desk.place, "the title")
+        await desk.until(lambda: isinstance(desk.app.screen, kind) and desk.app.screen.rows.lines, "the rows")
         rows = desk.app.screen.rows
-        assert pointed[-1].endswith(f". {rows.lines[0]}")
+        await desk.until(lambda: pointed[-1].endswith(f". {rows.lines[0]}"), "the title and the first")
+        await desk.until(lambda: rows.has_focus, "the focus")
         del pointed[:]
         hushed = desk.app.work.donnie.audible.hushed
         for key in ("down", "down", "up", "end", "home"):
@@ -75,10 +88,28 @@ async def test_a_row_of_the_log_is_said_to_whoever_goes_there_alone(work, pointe
         await desk.type_line("FIND wolf")
         await desk.until(lambda: sum("wolf" in line for line in desk.log) > 1, "what was found")
         await desk.pilot.pause()
-        assert pointed == [], "the answer is told already"
+        assert pointed == ["Command line."], "the answer is told already"
         desk.place.log_rows.focus()
         await desk.press("home")
-        await desk.until(lambda: pointed == [desk.log[0]], "the oldest row")
+        await desk.until(lambda: pointed[-1] == desk.log[0], "the oldest row")
+
+
+async def test_where_tab_leads_is_said(work, pointed) -> None:  # type: ignore[no-untyped-def]
+    async with work("FW 1", size=(120, 40)) as desk:
+        assert pointed == [], "the screen begins in the program"
+        for _ in range(5):
+            await desk.press("tab")
+            await desk.pilot.pause()
+        await desk.until(lambda: len(pointed) == 5, "the parts")
+        log = next(each for each in pointed if each.startswith("Log, line "))
+        assert pointed == ["Map.", "Variables.", log, "Command line.", "Program, line 1 of 1."]
+
+        await desk.press("ctrl+o")
+        await desk.until(lambda: desk.app.screen is not desk.place, "a question")
+        await desk.press("escape")
+        await desk.until(lambda: desk.app.screen is desk.place, "the workplace")
+        await desk.pilot.pause()
+        assert pointed.count("Program, line 1 of 1.") == 1, "nobody went anywhere"
 
 
 async def test_words_to_complete_and_questions_are_said_too(work, pointed) -> None:  # type: ignore[no-untyped-def]

@@ -50,6 +50,9 @@ class Workplace(Screen[None]):
     class Looked(Message):
         """The focus, or what is read in it, is elsewhere."""
 
+    class Entered(Message):
+        """The focus came from one part of the workplace to another."""
+
     def __init__(self, size: Size, *, plain: bool = False) -> None:
         """``size`` is what the terminal seems to have: a class that is changed later costs a restyling."""
         super().__init__(id="workplace", classes="-plain" if plain else "")
@@ -71,6 +74,8 @@ class Workplace(Screen[None]):
         self.inspector_pane = Pane(self.inspector, id="inspector-pane")
         self.log_pane = Pane(self.log_rows, id="log-pane")
         self._shown = self.log_pane if plain else self.program_pane
+        self._entered: Widget | None = None
+        """What had the focus last."""
         self._shown.add_class("-shown")  # before they are mounted: afterwards each class costs a restyling
         self._shown.set_class(not plain, "-chosen")
         self._was_seen = False
@@ -161,6 +166,9 @@ class Workplace(Screen[None]):
         if pane is not None:
             self._bring_up(pane)
         self.post_message(self.Looked())
+        before, self._entered = self._entered, self.focused
+        if before not in (None, self._entered):  # not at the start, nor after a question
+            self.post_message(self.Entered())
 
     def on_resize(self, event: Resize) -> None:
         self.set_class(_is_small(event.size), "-one-pane")
