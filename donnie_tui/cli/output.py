@@ -76,7 +76,7 @@ def _shown(text: str) -> str:
     """Names out of files, worlds and boards may hold anything."""
     if text.isprintable():
         return text
-    from donnie_tui.core.transcript import printable
+    from donnie_tui.core.harmless import printable
 
     return printable(text)
 

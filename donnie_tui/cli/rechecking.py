@@ -9,9 +9,9 @@ from donnie_tui.cli.ending import stopped_by_signals
 from donnie_tui.cli.order import Order
 from donnie_tui.core.event_stream import as_line
 from donnie_tui.core.events import Stamped
+from donnie_tui.core.harmless import printable
 from donnie_tui.core.recheck import Result, Verdict, recheck
 from donnie_tui.core.recording import Header, Recording
-from donnie_tui.core.transcript import printable
 from donnie_tui.device_settings import SIMULATED
 from donnie_tui.i18n.words import Words
 from donnie_tui.recorded_world import settings_of, unpacked

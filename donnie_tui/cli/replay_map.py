@@ -7,9 +7,9 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
+from donnie_tui.core.harmless import printable
 from donnie_tui.core.replay import map_at, rows_of
 from donnie_tui.core.timeline import Timeline
-from donnie_tui.core.transcript import printable
 from donnie_tui.i18n.words import Words
 
 if TYPE_CHECKING:

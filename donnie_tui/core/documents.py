@@ -12,11 +12,11 @@ import os
 import re
 from pathlib import Path
 
+from donnie_tui.core.harmless import cleaned
 from donnie_tui.core.in_use import is_in_use
 
 _LINE_END = r"\r\n|\r|\n"
-_OBEYED = "[\x00-\x08\x0b\x0c\x0e-\x1f\x7f-\x9f\u2028\u2029]"
-"""Patterns, made when something is read: a start reads nothing."""
+"""A pattern, made when something is read: a start reads nothing."""
 
 LARGEST = 8 * 1024 * 1024
 """Bytes that a program file may have; a program of a learner has a few hundred."""
@@ -108,14 +108,6 @@ def decode(data: bytes, name: str) -> str:
         return cleaned(data.decode("utf-8-sig"))
     except UnicodeDecodeError:
         return cleaned(data.decode("cp1252", errors="replace"))
-
-
-def cleaned(text: str) -> str:
-    """The text with a blank for every sign that a terminal would obey or an editor take for a line's end.
-
-    Tabs and the language's own line ends (CR, LF) stay; places in the text stay the same.
-    """
-    return re.sub(_OBEYED, " ", text)
 
 
 def lines_in(text: str) -> list[str]:

@@ -9,7 +9,7 @@ from collections.abc import Sequence
 from itertools import chain
 
 from devices.ports.values import frozen
-from donnie_tui.core.transcript import printable
+from donnie_tui.core.harmless import printable
 from donnie_tui.core.wording import Wording
 from language.source import MARK, fold, fold_name
 

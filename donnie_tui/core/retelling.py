@@ -30,9 +30,10 @@ from donnie_tui.core.events import (
     Waited,
     event_name,
 )
+from donnie_tui.core.harmless import printable
 from donnie_tui.core.telling import facing
 from donnie_tui.core.timeline import Timeline, is_deed
-from donnie_tui.core.transcript import printable, said_by, told_lines
+from donnie_tui.core.transcript import said_by, told_lines
 from donnie_tui.core.wording import Wording
 
 LONGEST_QUOTE = 60

@@ -7,9 +7,9 @@ printable here, so that no text of a learner's can move a cursor.
 from __future__ import annotations
 
 from collections.abc import Sequence
-from unicodedata import category
 
 from donnie_tui.core.events import Announced, Answered, Error, Event, Pointed, Spoke, Stamped
+from donnie_tui.core.harmless import printable
 from donnie_tui.core.wording import Wording
 
 LONGEST_SOURCE = 60
@@ -17,11 +17,6 @@ LONGEST_SOURCE = 60
 
 MOST_CALLS = 10
 """Calls that are told of a mistake deep inside."""
-
-_UNPRINTABLE = frozenset({"Cc", "Cs", "Zl", "Zp"})
-_REORDERING = frozenset("\u202a\u202b\u202c\u202d\u202e\u2066\u2067\u2068\u2069")
-"""They turn what follows around, so that a line reads as what it is not."""
-
 
 OF_NO_ROBOT = ("help", "more-mistakes")
 """Announcements that are about the language and not about what a robot does."""
@@ -54,13 +49,6 @@ def lines_of(event: Event, wording: Wording) -> tuple[str, ...]:
             return tuple(printable(line) for line in _lines_of_error(event, wording))
         case _:
             return ()
-
-
-def printable(text: str) -> str:
-    """The text with a blank for everything that a terminal would obey or can't encode."""
-    if text.isprintable():
-        return text
-    return "".join(" " if category(each) in _UNPRINTABLE or each in _REORDERING else each for each in text)
 
 
 def _lines_of_error(error: Error, wording: Wording) -> tuple[str, ...]:

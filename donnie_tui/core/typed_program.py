@@ -13,7 +13,7 @@ from collections.abc import Sequence
 
 from devices.ports.values import frozen
 from donnie_tui.core.breakpoints import followed, shifted
-from donnie_tui.core.documents import cleaned
+from donnie_tui.core.harmless import cleaned
 from language.outline import OutlineItem, block_depth, outline
 
 WORTH_SAVING = 5

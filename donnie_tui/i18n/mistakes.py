@@ -9,6 +9,7 @@ from __future__ import annotations
 import unicodedata
 from collections.abc import Callable
 
+from donnie_tui.core.harmless import printable
 from donnie_tui.i18n.catalogue.signs import CODE_OF
 from donnie_tui.i18n.phrasing import Phrasing
 from language import keywords
@@ -278,5 +279,5 @@ def _spelled(word: str, words: Phrasing) -> str:
 
 def _shortened(text: str) -> str:
     """As it was typed, but never long, and nothing that a terminal would obey."""
-    shown = "".join(each if each.isprintable() else " " for each in " ".join(text.split()))
+    shown = printable(" ".join(text.split()))
     return shown if len(shown) <= LONGEST_QUOTE else f"{shown[: LONGEST_QUOTE - 1]}…"

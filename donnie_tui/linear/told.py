@@ -13,6 +13,7 @@ from collections import Counter, deque
 from collections.abc import Callable, Iterable
 
 from donnie_tui.core.answer_log import LONGEST_ANSWER
+from donnie_tui.core.harmless import printable
 
 CAPACITY = 500
 """Lines that may wait before a program is held back."""
@@ -42,8 +43,8 @@ class Told:
 
         ``kept`` is what is remembered of it, where that is not what is printed; ``robot`` is who tells it.
         """
-        said = [line for line in map(printable, lines) if line]
-        kept_lines = said if kept is None else [line for line in map(printable, kept) if line]
+        said = [line for line in map(_shown, lines) if line]
+        kept_lines = said if kept is None else [line for line in map(_shown, kept) if line]
         with self._changed:
             was_empty = not self
             self._lines += [(line, robot) for line in said]
@@ -55,7 +56,7 @@ class Told:
 
     def put_first(self, lines: Iterable[str], *, is_kept: bool = True) -> None:
         """Tell some lines before all that waits, in their order; from any thread."""
-        said = [line for line in map(printable, lines) if line]
+        said = [line for line in map(_shown, lines) if line]
         with self._changed:
             self._first += said
             self._kept += said if is_kept else []
@@ -118,6 +119,6 @@ class Told:
         return not self._holds_back or self._waiting[robot] < self._capacity
 
 
-def printable(line: str) -> str:
-    """The line without anything that steers a terminal, and without blanks at its ends."""
-    return "".join(character if character.isprintable() else " " for character in line).strip()
+def _shown(line: str) -> str:
+    """Without blanks at its ends."""
+    return printable(line).strip()

@@ -10,7 +10,7 @@ from functools import partial
 from typing import TYPE_CHECKING
 
 from donnie_tui import sound_words
-from donnie_tui.core.transcript import printable
+from donnie_tui.core.harmless import printable
 from donnie_tui.core.typed_words import detail_named, language_named, switched
 from donnie_tui.i18n.sentence import LANGUAGES
 from donnie_tui.settings import THEMES

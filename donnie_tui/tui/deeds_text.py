@@ -9,9 +9,9 @@ from textual.widgets.text_area import Selection
 
 from donnie_tui.core import finding
 from donnie_tui.core.documents import lines_in
+from donnie_tui.core.harmless import printable
 from donnie_tui.core.mistakes import mended
 from donnie_tui.core.reading import ProgramText, line_in_words, place_in_words
-from donnie_tui.core.transcript import printable
 from donnie_tui.core.typed_arguments import number_in
 from donnie_tui.core.typed_program import first_difference, lines_of
 from donnie_tui.core.typed_words import language_named

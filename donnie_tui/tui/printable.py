@@ -12,7 +12,9 @@ from rich.segment import Segment
 from textual.color import Color
 from textual.filter import LineFilter
 
-_CONTROLS = re.compile("[\x00-\x1f\x7f-\x9f\u2028\u2029\u202a-\u202e\u2066-\u2069]")
+from donnie_tui.core.harmless import HARMFUL
+
+_HARMFUL = re.compile(HARMFUL)
 
 
 class Printable(LineFilter):
@@ -24,9 +26,9 @@ class Printable(LineFilter):
 
 def _printable(segment: Segment) -> Segment:
     text, style, control = segment
-    if control or (text.isascii() and text.isprintable()) or not _CONTROLS.search(text):
+    if control or (text.isascii() and text.isprintable()) or not _HARMFUL.search(text):
         return segment
-    return Segment(_CONTROLS.sub(_blank, text), style)
+    return Segment(_HARMFUL.sub(_blank, text), style)
 
 
 def _blank(found: re.Match[str]) -> str:

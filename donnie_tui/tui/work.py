@@ -22,8 +22,9 @@ from donnie_tui.core.answer_log import AnswerLog
 from donnie_tui.core.breakpoints import KeptBreakpoints
 from donnie_tui.core.copies import Copies
 from donnie_tui.core.events import Answered, Pointed
+from donnie_tui.core.harmless import printable
 from donnie_tui.core.trail import Trail
-from donnie_tui.core.transcript import printable, said_by
+from donnie_tui.core.transcript import said_by
 from donnie_tui.first_start import offers_tour
 from donnie_tui.folders import BREAKPOINTS
 from donnie_tui.i18n.words import Words

@@ -101,7 +101,7 @@ class Editor(TextArea):
         return self.is_nobodys and len(self.text) < 20 and self.text.strip().casefold() in LINEAR_WORDS
 
     async def _on_paste(self, event: events.Paste) -> None:
-        from donnie_tui.core.documents import cleaned  # not for the first frame
+        from donnie_tui.core.harmless import cleaned  # not for the first frame
 
         event.prevent_default()
         await super()._on_paste(events.Paste(cleaned(event.text)))

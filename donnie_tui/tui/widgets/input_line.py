@@ -10,7 +10,7 @@ from textual.geometry import Offset, Region
 from textual.strip import Strip
 from textual.widgets import Input
 
-from donnie_tui.core.documents import cleaned
+from donnie_tui.core.harmless import cleaned
 
 
 class InputLine(Input):

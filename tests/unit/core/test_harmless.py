@@ -1,0 +1,69 @@
+"""The same signs are harmless wherever text is shown, printed, read or quoted."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+
+import pytest
+from rich.segment import Segment
+from textual.color import Color
+
+from donnie_tui.core.documents import decode
+from donnie_tui.core.events import Spoke
+from donnie_tui.core.harmless import printable
+from donnie_tui.core.transcript import lines_of
+from donnie_tui.core.typed_program import TypedProgram
+from donnie_tui.i18n.words import Words
+from donnie_tui.linear.told import Told
+from donnie_tui.tui.printable import Printable
+from language.diagnostics import Diagnostic, Kind, Span
+
+HARMFUL = (
+    *map(chr, (*range(0x20), *range(0x7F, 0xA0), 0x2028, 0x2029, *range(0x202A, 0x202F))),
+    *map(chr, (*range(0x2066, 0x206A), 0xD800, 0xDFFF)),
+)
+WHOLE = "ação \u00a0 日本 👩\u200d🔬 שלום"
+"""A blank that does not break, and what joins two signs to one, are text."""
+
+
+def on_the_screen(text: str) -> str:
+    return "".join(each.text for each in Printable().apply([Segment(text)], Color(0, 0, 0)))
+
+
+def in_the_log(text: str) -> str:
+    return " ".join(lines_of(Spoke(text), Words()))
+
+
+def in_the_linear_mode(text: str) -> str:
+    told = Told(lambda: None)
+    told.put([text])
+    return " ".join(told.take())
+
+
+def from_a_file(text: str) -> str:
+    return decode(text.replace("\0", "").encode("utf-8", "replace"), "a.gd")  # one with a NUL is refused
+
+
+def typed(text: str) -> str:
+    program = TypedProgram()
+    program.add(text)
+    return program.text
+
+
+def in_a_mistake(text: str) -> str:
+    return Words().mistake(Diagnostic(Kind.UNKNOWN_COMMAND, Span(0, 1, 1, 1), found=text))
+
+
+EVERYWHERE = (printable, on_the_screen, in_the_log, in_the_linear_mode, from_a_file, typed, in_a_mistake)
+
+
+@pytest.mark.parametrize("way", EVERYWHERE)
+def test_what_could_do_harm_comes_out_nowhere(way: Callable[[str], str]) -> None:
+    kept = "\t\r\n" if way in (from_a_file, typed) else ""
+    assert [each for each in HARMFUL if each in way(f"a{each}b") and each not in kept] == []
+
+
+@pytest.mark.parametrize("way", EVERYWHERE)
+def test_all_other_text_comes_out_whole(way: Callable[[str], str]) -> None:
+    wanted = " ".join(WHOLE.split()) if way is in_a_mistake else WHOLE
+    assert wanted in way(WHOLE)
