@@ -63,6 +63,8 @@ class Desk:
         """The exit code, once we are to leave."""
         self.next_line: Callable[[str], bool] | None = None
         """Who takes the next line in place of the program; False if it does not want it."""
+        self.goes_on: Callable[[], None] | None = None
+        """What an empty line does where nothing waits to be run."""
         self.past: list[str] = []
         """The lines typed so far, this one included."""
         self.take_again: Callable[[str], None] = _nothing

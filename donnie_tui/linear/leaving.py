@@ -75,7 +75,7 @@ class Leaving:
     def interrupt(self, line: str) -> None:
         """Ctrl+C where nothing runs: it clears the line. A script is ended by it."""
         desk = self._desk
-        desk.next_line = None
+        desk.next_line = desk.goes_on = None
         if desk.donnie.team.running:
             desk.beside.stop()
         elif not desk.is_attended:

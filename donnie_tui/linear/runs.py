@@ -55,6 +55,8 @@ class Runs:
         self._rested = False
         self._stopped_at: int | None = None
         self._left_out = 0
+        self._refusals = 0
+        """How often in a row what waits was refused."""
         self._told_before = 0
         self._sign_due = 0.0
         hub = desk.session.hub
@@ -80,11 +82,19 @@ class Runs:
         batch = program.take_batch(last)
         run = self._run(batch.text, batch.first_line, begin=begin)
         if not run.was_refused:
+            self._refusals = 0
             program.batch_ran()
             self._tell_hints(batch.text)
         elif program.batch_was_refused():
-            errors = self._desk.heard.errors.all
-            self._desk.answer("linear-kept", line=errors[0].line if errors else 1)
+            self._tell_kept()
+
+    def _tell_kept(self) -> None:
+        """How to mend what was refused; the second time in a row also how to be rid of it."""
+        self._refusals += 1
+        errors = self._desk.heard.errors.all
+        self._desk.answer("linear-kept", line=errors[0].line if errors else 1)
+        if self._refusals > 1:
+            self._desk.answer("linear-forget", lines=self._desk.program.waiting)
 
     def run_all(self, *, begin: Callable[[ExecutionControl], None] | None = None) -> None:
         """Run the whole program from the start of the world."""

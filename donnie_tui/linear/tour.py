@@ -22,15 +22,7 @@ def _page(desk: Desk, number: int) -> None:
     desk.tour_page = number if number < PAGES else 1
     if number < PAGES:
         desk.answer("tour-on", page=number, pages=PAGES)
-        desk.next_line = partial(_go_on, desk, number + 1)
-
-
-def _go_on(desk: Desk, number: int, typed: str) -> bool:
-    if not typed.strip() and not desk.program.is_waiting:
-        _page(desk, number)
-        return True
-    desk.next_line = partial(_go_on, desk, number)
-    return False
+        desk.goes_on = partial(_page, desk, number + 1)
 
 
 HANDLERS: dict[str, Handler] = {"tour": alone(_tour)}

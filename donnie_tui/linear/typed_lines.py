@@ -72,6 +72,9 @@ class TypedLines:
             self._desk.answer("linear-still-open", opener=self._spelled(block.kind), line=block.line)
         elif program.is_waiting:
             self._runs.run_waiting()
+        elif self._desk.goes_on is not None:
+            go_on, self._desk.goes_on = self._desk.goes_on, None
+            go_on()
 
     def _quit(self, line: str) -> None:
         """QUIT runs what waits, then leaves; where that can't be run, a second one leaves all the same."""
@@ -89,6 +92,8 @@ class TypedLines:
         if desk.leaving is not None:
             self._leaving.leave(desk.leaving)
         self._quit_was_refused = desk.program.is_waiting
+        if self._quit_was_refused and desk.leaving is None and desk.is_attended:
+            desk.answer("linear-quit-again")
 
     def _spelled(self, canonical: str) -> str:
         return keywords.spelling(canonical, self._desk.say.language)

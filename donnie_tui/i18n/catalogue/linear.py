@@ -25,6 +25,15 @@ _RUNNING = {
             "Nada hecho. CAMBIAR {line} o BORRAR {line}.",
         ),
     ),
+    "linear-forget": Sentence(
+        "DELETE without a number forgets the {lines} lines that did not run.",
+        "APAGAR sem número esquece as {lines} linhas que não foram executadas.",
+        "BORRAR sin número olvida las {lines} líneas que no se ejecutaron.",
+        brief=("DELETE alone forgets all.", "APAGAR sozinho esquece tudo.", "BORRAR solo olvida todo."),
+    ),
+    "linear-quit-again": Sentence(
+        "QUIT again leaves.", "SAIR de novo sai do Donnie.", "SALIR otra vez sale de Donnie."
+    ),
     "linear-still-at": Sentence(
         "Still at line {line}: {text}", "Ainda na linha {line}: {text}", "Todavía en la línea {line}: {text}"
     ),
