@@ -197,12 +197,18 @@ class Display:
         """Where the editor's program is; empty while it is not running."""
         return self._running.frames if self._running.is_program else ()
 
+    @property
+    def shows_distances(self) -> bool:
+        """Not to those who listen while the robot moves: they would hear every one that it goes through."""
+        return not (self._place.is_plain and self._running.doing is Doing.RUNNING)
+
     def _show_inspector(self) -> None:
         variables = self._donnie.session.variables if self._running.doing is Doing.READY else {}
+        distances = self._distances if self.shows_distances else {}
         readings = tuple(self._readings.values())
         belt = self._donnie.belt_telling.rows() if self._has_belt else ()
         self._place.inspector.show(
-            inspector_lines(self._running.frames, variables, self._distances, readings, belt, self._words)
+            inspector_lines(self._running.frames, variables, distances, readings, belt, self._words)
         )
 
     def say_status(self) -> None:

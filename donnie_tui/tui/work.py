@@ -44,7 +44,7 @@ from donnie_tui.tui.pages import Pages
 from donnie_tui.tui.past import Past
 from donnie_tui.tui.preferences import Preferences
 from donnie_tui.tui.recent import Recent
-from donnie_tui.tui.running import Answer, Doing, Running
+from donnie_tui.tui.running import Answer, Running
 from donnie_tui.tui.screens.chooser import Choice
 from donnie_tui.tui.watch import Watch
 from donnie_tui.tui.while_typing import WhileTyping
@@ -214,8 +214,8 @@ class Work:
         self.display.look()
 
     def ask_distances(self) -> None:
-        """Have them told. Who listens would hear every one that a moving robot goes through."""
-        if not (self.workplace.is_plain and self.running.doing is Doing.RUNNING):
+        """Have them told, where they are shown."""
+        if self.display.shows_distances:
             self._donnie.session.tell_distances()
 
     def repaint(self) -> None:

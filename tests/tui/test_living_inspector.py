@@ -100,6 +100,7 @@ async def test_who_listens_is_not_told_each_distance_that_a_moving_robot_goes_th
         await desk.press("f5")
         await desk.until(lambda: session.pose.y > 3, "the robot is on its way")
         assert not any(each.distances != heard[0].distances for each in heard)
+        await desk.until(lambda: "Distances now:" not in desk.place.inspector.lines, "they are not shown")
 
         await desk.press("f8")
         await desk.idle()
