@@ -130,6 +130,8 @@ class Asking:
     def _show_flood(self) -> bool:
         """Print by blocks what robots tell beside. Whether a key was pressed: the rest waits for its line."""
         ends, console = self._ends, self._console
+        if self._beside.is_any:
+            self._heard.hear_out()
         while ends.prompts and not ends.page_size and self._beside.floods and console.leaving is None:
             left_out = self._showing.show_block()
             if console.pressed_interrupt():

@@ -41,9 +41,9 @@ class Desk:
             lambda error: self.answer("answer-not-kept", reason=error.reason),
         )
         self.answers = AnswerLog()
-        self.heard = Hearing(donnie, ends)
-        self.showing = Showing(ends, self.say, self.answers)
         self.beside = Beside(donnie, ends.told, self.answer)
+        self.heard = Hearing(donnie, ends, self.beside)
+        self.showing = Showing(ends, self.say, self.answers)
         self.asking = Asking(
             ends, self.heard, self.showing, self.beside, self.answer, self.tell, self._keep_copy
         )
@@ -108,10 +108,8 @@ class Desk:
         self.tell(*lines_said_by(self.session.hub.robot, lines, self.say))
 
     def tell(self, *lines: str) -> None:
-        """Where robots that run beside tell more than is printed at once, it waits for nothing of that."""
-        at_once = self.answers_first or self.beside.floods
         for line in lines:
-            self.session.hub.publish(Answered(line, at_once=at_once))
+            self.session.hub.publish(Answered(line, at_once=self.answers_first))
 
     def _keep_copy(self) -> None:
         if self.is_attended:

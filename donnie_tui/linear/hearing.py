@@ -12,6 +12,7 @@ from donnie_tui.core.timeline import Timeline
 from donnie_tui.core.told_errors import ToldErrors
 from donnie_tui.core.trail import Trail
 from donnie_tui.core.transcript import told_lines
+from donnie_tui.linear.beside import Beside
 from donnie_tui.linear.ends import Ends
 
 CANNOT_WAIT = ("link",)
@@ -21,8 +22,9 @@ CANNOT_WAIT = ("link",)
 class Hearing:
     """Listens from the beginning to ``close``."""
 
-    def __init__(self, donnie: Donnie, ends: Ends) -> None:
+    def __init__(self, donnie: Donnie, ends: Ends, beside: Beside) -> None:
         self._donnie = donnie
+        self._beside = beside
         self._ends = ends
         self.errors = ToldErrors()
         """Those of the last run of the robot that is talked to."""
@@ -79,10 +81,13 @@ class Hearing:
                 pass
 
     def _put(self, stamped: Stamped) -> None:
-        """To be printed: a sum of what was not told before, and what is told; to be remembered: all."""
+        """To be printed: a sum of what was not told before, and what is told; to be remembered: all.
+
+        An answer waits for nothing that robots tell beside, where that is more than is printed at once.
+        """
         lines, before = told_lines(stamped, self._donnie.words), self._summing_up.before(stamped)
         passes = self._summing_up.passes(stamped)
-        if isinstance(stamped.event, Answered) and stamped.event.at_once:
+        if isinstance(stamped.event, Answered) and (stamped.event.at_once or self._beside.floods):
             self._ends.told.put_first(lines)
             lines, passes = (), False
         self._ends.told.put((*before, *lines) if passes else before, lines, stamped.robot)

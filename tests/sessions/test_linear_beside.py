@@ -68,3 +68,15 @@ def test_a_line_is_typed_and_answered_in_between(talking: Learner) -> None:
 def test_a_question_is_seen_before_it_is_to_be_answered(talking: Learner) -> None:
     talking.types("FW 1\rFW 2\rNEW\r")
     talking.sees("5 lines are not saved. Lose them, y or n? Enter means no.\r\n")
+
+
+def test_whatever_answers_a_word_comes_before_what_is_told_beside(tmp_path: Path) -> None:
+    learner = Learner(tmp_path, "--world", "two_robots", speed="1")
+    learner.enters(*TALKER)
+    for _ in range(60):
+        learner.sees("alice: 7\r\n")
+    learner.types("ROBOT bob\r")
+    before = len(learner.lines)
+    learner.sees("You talk to bob.")
+
+    assert len(learner.lines) - before < A_FEW_BLOCKS
