@@ -1,7 +1,8 @@
 """Which robot a session has, and changing it: a simulated one, a real one on its line, or a simulated board.
 
 Rules: what happens to the line is a ``link`` event at once; a robot that is not there is told, and the
-simulator takes its place, in so many words; whoever is left, its wheels stand.
+simulator takes its place, in so many words; whoever is left, its wheels stand; ports are looked at, and what
+looks at them is loaded, for who wants a real one only.
 """
 
 from __future__ import annotations
@@ -11,14 +12,12 @@ from collections.abc import Callable
 from functools import partial
 from typing import TYPE_CHECKING, Protocol
 
-from devices.port_listing import list_ports, stable_name
 from devices.ports.robot import LinkNews, Pace, Pose, RobotProblem, Watcher
 from devices.ports.values import mutable, replace
 from donnie_tui.core.events import Link
 from donnie_tui.core.session import Busy, ResettableRobot, Session
 from donnie_tui.device_settings import DOUBLE, SERIAL, SIMULATED
 from donnie_tui.i18n.words import Words
-from donnie_tui.robot_choice import Choice, Lister, choices, find_port, sentences_of
 from donnie_tui.robot_search import Search
 from donnie_tui.settings import Settings
 from donnie_tui.tangible import refuse_shared_port
@@ -29,6 +28,7 @@ if TYPE_CHECKING:
     from devices.serial_robot.config import RobotConfig
     from devices.serial_robot.robot import SerialRobot
     from devices.wire.telemetry import Telemetry
+    from donnie_tui.robot_choice import Choice, Lister
 
 
 class Connectable(ResettableRobot, Protocol):
@@ -74,11 +74,14 @@ class Connection:
         words: Words,
         world: ChosenWorld,
         session: Session,
-        found: Lister = list_ports,
-        stable: Callable[[str], str] = stable_name,
+        found: Lister | None = None,
+        stable: Callable[[str], str] | None = None,
         search: Search | None = None,
     ) -> None:
-        """``session``: whose robot it is; it begins with a simulated one."""
+        """``session``: whose robot it is; it begins with a simulated one.
+
+        ``found`` lists the ports, ``stable`` tells the name of one that stays; None: those of this machine.
+        """
         self.search = search or Search()
         self._settings = settings
         self._words = words
@@ -97,7 +100,10 @@ class Connection:
 
     def choices(self) -> tuple[Choice, ...]:
         """What a learner may choose among."""
-        return choices(self._settings, self._words, self._found)
+        from devices.port_listing import list_ports
+        from donnie_tui.robot_choice import choices
+
+        return choices(self._settings, self._words, self._found or list_ports)
 
     def connect(self, robot: str) -> tuple[str, ...]:
         """Change to that robot; what can't be done, a sentence each. The simulator is left where it can't.
@@ -176,8 +182,11 @@ class Connection:
     def _maker(self, robot: str) -> tuple[Callable[[Pace, Watcher], Connectable], str]:
         if robot == DOUBLE:
             return self._make_double, DOUBLE
+        from devices.port_listing import list_ports, stable_name
+        from donnie_tui.robot_choice import find_port
+
         settings = replace(self._settings, robot=robot)
-        port = self._stable(find_port(settings, self._words, self._found))
+        port = (self._stable or stable_name)(find_port(settings, self._words, self._found or list_ports))
         name = f"{SERIAL}:{port}"
         refuse_shared_port(replace(settings, robot=name), self._words)
         return lambda pace, watcher: self._make_serial(port, pace, watcher), name
@@ -219,6 +228,8 @@ class Connection:
     def _told(self, problem: RobotProblem | Unusable) -> tuple[str, ...]:
         if isinstance(problem, Unusable):
             return (problem.sentence,)
+        from donnie_tui.robot_choice import sentences_of
+
         return sentences_of(problem, self._words)
 
 
@@ -228,6 +239,8 @@ def make_measurable(settings: Settings, words: Words, pace: Pace) -> MeasurableR
         from devices.firmware_double.robot import DoubleRobot
 
         return DoubleRobot(config=robot_config(settings), pace=pace, speed=settings.speed)
+    from donnie_tui.robot_choice import find_port
+
     return _serial_robot(find_port(settings, words), settings, pace)
 
 

@@ -8,7 +8,6 @@ from __future__ import annotations
 from donnie_tui.audible import Audible
 from donnie_tui.core.answer_log import spelled
 from donnie_tui.core.wording import Wording
-from donnie_tui.i18n.catalogue.signs import SPELLED_OF
 
 LONGEST_PASTED = 200
 """Characters of a pasted text that are said."""
@@ -45,6 +44,8 @@ class TypingEcho:
 
     def _say(self, text: str) -> None:
         if len(text) == 1:
+            from donnie_tui.i18n.catalogue.signs import SPELLED_OF
+
             self._audible.echo(" ".join(spelled(text, SPELLED_OF, self._words)))
         elif text.strip():
             self._audible.echo(text[:LONGEST_PASTED])

@@ -14,7 +14,6 @@ from devices.ports.robot import STEP, Pose
 from devices.ports.values import frozen
 from donnie_tui.core.documents import exists
 from donnie_tui.i18n.words import Words
-from donnie_tui.i18n.world_mistakes import world_mistake
 from donnie_tui.unusable import Unusable
 from sim import ready
 
@@ -78,6 +77,7 @@ def choose_world(name_or_file: str, words: Words, folders: tuple[Path, ...] = ()
 
 
 def _configured(path: Path, words: Words, folders: tuple[Path, ...]) -> ChosenWorld:
+    from donnie_tui.i18n.world_mistakes import world_mistake
     from sim.worldfile import WorldError, load_configuration
 
     try:
@@ -108,6 +108,7 @@ def _unknown_world(name: str, words: Words) -> str:
 
 
 def _load(path: Path, words: Words, folders: tuple[Path, ...]) -> Scene:
+    from donnie_tui.i18n.world_mistakes import world_mistake
     from sim.worldfile import WorldError, load_world
 
     try:

@@ -203,7 +203,8 @@ class Ground:
         if not self._layers:
             self.begin()
         kept = self._layers[thickness]
-        self._bring_up(kept, asker)
+        if kept.stale:
+            self._bring_up(kept, asker)
         return kept.layer
 
     def _layer(self, thickness: float) -> None:
@@ -224,7 +225,7 @@ class Ground:
     def _bring_up(self, kept: _Kept, asker: int | None) -> None:
         """Let a layer know what was moved, but for the asker itself."""
         stale = kept.stale
-        if not stale or (len(stale) == 1 and asker in stale):
+        if len(stale) == 1 and asker in stale:
             return
         for root in stale:
             kept.layer.move(root, self._now[root])

@@ -9,7 +9,6 @@ from devices.ports.robot import STEP, Met, StoppedBy
 from sim.geometry import Point, angle_of, edges, nearest_on_edge, nearest_point_in_wedge, normal, seen_from
 from sim.motion import Mover
 from sim.parts import Part
-from sim.picture import is_wall
 from sim.scene import Scene
 from sim.sensors import Spot
 
@@ -75,6 +74,8 @@ class Meeting:
 
     def _is_wall(self, root: int) -> bool:
         if root not in self._walls:
+            from sim.picture import is_wall  # who meets nothing needs no picture
+
             self._walls[root] = is_wall(self._scene.models[root], self._me)
         return self._walls[root]
 

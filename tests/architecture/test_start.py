@@ -45,7 +45,8 @@ def test_the_first_frame_needs_no_session(module: str, tmp_path: Path) -> None:
     (
         *("lark", "sim.worldfile", "PIL", "tempfile", "tomllib", "textual"),
         *("json", "html", "csv", "random", "base64", "importlib.util", "dataclasses", "inspect"),
-        *("argparse", "gettext"),
+        *("argparse", "gettext", "devices.port_listing", "devices.serial_port", "sim.picture"),
+        *("donnie_tui.i18n.catalogue.signs", "donnie_tui.i18n.help", "donnie_tui.i18n.mistakes"),
         *("donnie_tui.linear.reports", "donnie_tui.linear.tour", "donnie_tui.core.recording"),
         *("donnie_tui.i18n.catalogue.doctor", "donnie_tui.i18n.catalogue.tui"),
     ),
