@@ -231,7 +231,6 @@ class DonnieApp(TerminalApp, inherit_bindings=False):
             self.workplace.log_lines([(first_screen.ONE_MOMENT[self._language], "")])
 
     def on_command_line_typed(self, event: CommandLine.Typed) -> None:
-        self.workplace.log_rows.begin_answer()
         if self.work is not None:
             self._await(self.work.typed(event.text))
 

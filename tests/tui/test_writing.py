@@ -6,7 +6,9 @@ import pytest
 
 from donnie_tui.core.session import Session
 from donnie_tui.tui.running import Doing
+from donnie_tui.tui.screens import workplace
 from donnie_tui.tui.screens.completions import Completions
+from donnie_tui.tui.terminal_app import TerminalApp
 
 
 @pytest.fixture(autouse=True)
@@ -326,6 +328,34 @@ async def test_the_plain_layout_shows_each_answer_once_and_nothing_else(work):
         assert desk.status.strip() == "Command line."
         assert not any("FW 3" in line for line in desk.log)
         assert "moved" not in desk.screen
+
+
+async def test_in_the_plain_layout_a_command_goes_as_its_answer_comes(work, monkeypatch):
+    """In one picture: Fenrir says letters that go and leave nothing new."""
+    monkeypatch.setattr(workplace, "LONGEST_HELD", 600.0)
+    pictures = []
+    display = TerminalApp._display
+
+    async with work("", plain=True) as desk:
+        monkeypatch.setattr(
+            TerminalApp, "_display", lambda *given: pictures.append(desk.screen) or display(*given)
+        )
+        await desk.press(*"FW 3")
+        await desk.until(lambda: "> FW 3" in "".join(pictures[-1:]), "what is typed")
+        del pictures[:-1]
+        await desk.press("enter")
+        await desk.until(lambda: "I walked 3 steps forward." in pictures[-1], "the answer")
+
+        shown = [("> FW 3" in each, "I walked" in each) for each in pictures]
+        assert (False, False) not in shown
+
+
+async def test_a_command_that_takes_longer_goes_before_its_answer(work):
+    async with work("", plain=True, speed=1.0) as desk:
+        await desk.type_line("WAIT 1000")
+        await desk.until(lambda: "WAIT" not in desk.screen, "an empty command line")
+        await desk.press("x")
+        await desk.until(lambda: "> x" in desk.screen, "what is typed")
 
 
 async def test_the_plain_log_lets_no_row_go_by_unseen(work):

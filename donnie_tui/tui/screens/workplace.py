@@ -7,6 +7,7 @@ terminal one pane is shown at a time, with the command line and the status line 
 from __future__ import annotations
 
 from collections.abc import Iterable
+from contextlib import ExitStack
 from typing import TYPE_CHECKING
 
 from textual.app import ComposeResult
@@ -31,6 +32,9 @@ if TYPE_CHECKING:
 
 WIDE, NARROW, LOW = 110, 60, 18
 """From WIDE columns on there is room for the inspector too; below NARROW or LOW for one pane only."""
+
+LONGEST_HELD = 0.15
+"""Seconds."""
 
 LEAST_PROGRAM, LEAST_MAP = 39, 20
 """Columns that a program needs to be read, and a map to be one."""
@@ -66,7 +70,7 @@ class Workplace(Screen[None]):
         self.map = MapView(id="map")
         self.inspector = TextRows(id="inspector")
         self.log_rows = LogRows(id="log")
-        self.command_line = CommandLine(id="command")
+        self.command_line = CommandLine(id="command", send=self._await_answer)
         self.status = FixedLine(id="status")
         self.keys = KeyLine(id="keys")
         self.program_pane = Pane(self.editor, id="program-pane")
@@ -74,6 +78,8 @@ class Workplace(Screen[None]):
         self.inspector_pane = Pane(self.inspector, id="inspector-pane")
         self.log_pane = Pane(self.log_rows, id="log-pane")
         self._shown = self.log_pane if plain else self.program_pane
+        self._holding = ExitStack()
+        """While it is open nothing is painted."""
         self._entered: Widget | None = None
         """What had the focus last."""
         self._shown.add_class("-shown")  # before they are mounted: afterwards each class costs a restyling
@@ -208,6 +214,17 @@ class Workplace(Screen[None]):
 
     def log_lines(self, lines: Iterable[tuple[str, str]]) -> None:
         self.log_rows.append(lines)
+        self._holding.close()
+
+    def _await_answer(self) -> None:
+        """For those who listen a command goes as its answer comes, in one picture: what goes alone, some say.
+
+        What takes longer than a moment is not waited for.
+        """
+        if self.is_plain and self.log_is_seen and not self.log_rows.begin_answer():
+            self._holding.close()
+            self._holding.enter_context(self.app.batch_update())
+            self.set_timer(LONGEST_HELD, self._holding.close)
 
     # --- what was done to it
 

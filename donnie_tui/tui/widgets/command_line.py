@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from typing import ClassVar
 
 from textual.binding import Binding, BindingType
@@ -28,8 +29,10 @@ class CommandLine(InputLine):
             super().__init__()
             self.text = text
 
-    def __init__(self, *, id: str) -> None:  # noqa: A002 -- Textual's own name
+    def __init__(self, *, id: str, send: Callable[[], None] = lambda: None) -> None:  # noqa: A002 -- Textual's
+        """``send`` is told before a line leaves the screen."""
         super().__init__(id=id)
+        self._send = send
         self._past: list[str] = []
         self._place = 0
 
@@ -41,6 +44,8 @@ class CommandLine(InputLine):
     def finish(self) -> None:
         """Hand over what is typed, and begin anew."""
         text = self.value.strip()
+        if text:
+            self._send()
         self.value = ""
         if not text:
             return

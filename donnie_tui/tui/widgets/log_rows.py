@@ -43,11 +43,13 @@ class LogRows(TextRows):
             self._is_listened_to = wanted
             self._lay_out()
 
-    def begin_answer(self) -> None:
-        """Something was asked, and is told at the end, on a new page if there is little room."""
+    def begin_answer(self) -> bool:
+        """Something was asked. Whether it is told on a new page, as there is little room."""
         room = self._page + self.size.height - self._told
-        if self._is_telling and self._waiting is None and room * 2 < self.size.height:
+        turns = self._is_telling and self._waiting is None and room * 2 < self.size.height
+        if turns:
             self._turn()
+        return turns
 
     # --- pages
 
