@@ -290,3 +290,27 @@ def test_what_is_deleted_is_told_by_its_number_and_what_stands_there_now(tmp_pat
         "Line 3 deleted.",
         "Lines 1 to 2 deleted.",
     ]
+
+
+def test_what_was_said_is_said_again_found_and_spelled_and_nothing_runs_again(tmp_path: Path) -> None:
+    said = told(
+        tmp_path, "FW 3", "TR 90", "RUN", "WHERE", "LAST", "LAST 2", "FIND walked", "LAST WORD", "WHERE"
+    )
+
+    assert said[2:] == [
+        "Position 0, 3. Facing east.",
+        "Position 0, 3. Facing east.",
+        "I walked 3 steps forward.",
+        "I turned 90 degrees to the right.",
+        "1 line, the newest last.",
+        "I walked 3 steps forward.",
+        "e, a, s, t.",
+        "Position 0, 3. Facing east.",
+    ]
+
+
+def test_at_detail_full_where_tells_the_last_movement_too(tmp_path: Path) -> None:
+    said = told(tmp_path, "FW 3", "RUN", "WHERE", "DETAIL full", "WHERE", "WHERE")
+    place, full = "Position 0, 3. Facing north.", "FW 3: 3 steps, to 0, 3."
+
+    assert said[1:] == [place, "Detail: full.", place, full, place, full]
