@@ -10,7 +10,7 @@ from collections import Counter
 from collections.abc import Iterator
 
 from devices.ports.values import frozen
-from language.blocks import ENDS, OPENERS
+from language.blocks import ENDS, OPENERS, is_split_else
 from language.lexer import NAME, Token, lex
 from language.tables import TERMINALS
 
@@ -67,7 +67,7 @@ def _closed(tokens: list[Token], blocks: list[_Open]) -> Iterator[tuple[_Open, i
     open_kinds: Counter[str] = Counter()
     for index, token in enumerate(tokens):
         kind = ENDS.get(token[0])
-        if token[0] in OPENERS:
+        if token[0] in OPENERS and not (open_kinds["IF"] and is_split_else(tokens, index)):
             blocks.append(_Open(TERMINALS[token[0]], index))
             open_kinds[blocks[-1].kind] += 1
         elif kind is not None and open_kinds[kind]:

@@ -84,6 +84,15 @@ def read_else(reading: Reading) -> None:
     reading.at += 1
 
 
+def read_split_else(reading: Reading) -> None:
+    """``SI NO`` for SINO: read as that word."""
+    kind, start, _, line, column, text = reading.token
+    both = (kind, start, reading.following[2], line, column, f"{text} {reading.following[5]}")
+    reading.begun = reading.at
+    reading.tell(Kind.UNKNOWN_COMMAND, both, "", ("command",), spelling("ELSE", reading.language))
+    reading.replace(2, "ELSE")
+
+
 def _close_blocks_in_if(reading: Reading) -> None:
     """Before an ELSE: end the blocks inside the innermost IF, if fewer mistakes follow then."""
     kinds, ahead = kinds_of(reading.blocks), ends_ahead(reading.tokens[reading.at :])

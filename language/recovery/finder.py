@@ -4,12 +4,12 @@ from __future__ import annotations
 
 from itertools import pairwise
 
-from language.blocks import ENDS
+from language.blocks import ENDS, is_split_else
 from language.diagnostics import MOST_MISTAKES, Diagnostic, Kind
 from language.lexer import DISTANCE, END, FOR, FRAGMENT, NAME, TAKES, Lexed, lex
 from language.recovery.arguments import tell_missing_argument
 from language.recovery.commands import read_stray, read_unknown_command, read_unknown_pair
-from language.recovery.ends import read_else, read_end, tell_missing_ends
+from language.recovery.ends import read_else, read_end, read_split_else, tell_missing_ends
 from language.recovery.kinds import BEHIND_FIRST_NAME, COMMANDS, ELSE
 from language.recovery.pairs import has_misspelt_second
 from language.recovery.reading import Reading
@@ -93,6 +93,8 @@ def _begin_or_go_on(reading: Reading) -> None:
         read_end(reading)
     elif kind == ELSE:
         read_else(reading)
+    elif is_split_else(reading.tokens, reading.at) and reading.automaton.accepts(ELSE):
+        read_split_else(reading)
     elif kind == NAME and reading.following[0] not in BEHIND_FIRST_NAME:
         read_unknown_command(reading)
     elif kind == FRAGMENT or (kind == FOR and has_misspelt_second(reading)):

@@ -2,7 +2,7 @@
 
 import pytest
 
-from language.diagnostics import Diagnostic
+from language.diagnostics import Diagnostic, Kind
 from language.parser import parse
 
 
@@ -297,3 +297,21 @@ def test_a_wrong_end_tells_what_is_open() -> None:
 )
 def test_some_mistakes_have_a_sentence_of_their_own(source: str, code: str) -> None:
     assert the_mistake(source).code == code
+
+
+@pytest.mark.parametrize(
+    ("source", "typed", "meant"),
+    [
+        ('si 3 > 2 entonces\nhablar "a"\nsi no\nhablar "b"\nfin si', "si no", "SINO"),
+        ('se 3 > 2 então\nfalar "a"\nse não\nfalar "b"\nfim se', "se não", "SENÃO"),
+        ("IF 3 > 2 THEN\nREPEAT 2 TIMES\nFW 1\nEND REPEAT\nIF NOT\nFW 2\nEND IF", "IF NOT", "ELSE"),
+    ],
+    ids=["es", "pt", "en"],
+)
+def test_an_else_in_two_words_is_one_mistake(source: str, typed: str, meant: str) -> None:
+    mistake = the_mistake(source)
+    assert (mistake.kind, mistake.found, mistake.meant) == (Kind.UNKNOWN_COMMAND, typed, meant)
+
+
+def test_a_variable_that_is_called_no_is_none() -> None:
+    assert parse("var no = 3\nsi no > 2 entonces\nsi no == 3 entonces\nhablar no\nfin si\nfin si").program

@@ -51,3 +51,10 @@ def test_an_end_closes_what_is_open_inside() -> None:
 
 def test_a_procedure_without_a_name_has_none() -> None:
     assert outline("PROCEDURE")[0].name == ""
+
+
+def test_an_else_in_two_words_opens_no_block() -> None:
+    """The learner who ends the IF behind it is not asked for one more end."""
+    assert block_depth("si 3 > 2 entonces\nhablar 1\nsi no") == 1
+    assert block_depth("si 3 > 2 entonces\nhablar 1\nsi no\nhablar 2\nfin si") == 0
+    assert block_depth("si no > 2 entonces") == 1
