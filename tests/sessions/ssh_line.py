@@ -70,15 +70,24 @@ Host robot
   EscapeChar none
 """
 
-    def command(self, *arguments: str, terminal: bool) -> list[str]:
-        """``ssh robot donnie ARGUMENTS``."""
-        donnie = shlex.join([sys.executable, "-m", "donnie_tui", *arguments, *QUIET])
-        forced = ["-tt"] if terminal else ["-T"]
-        return ["ssh", "-F", str(self.folder / "ssh_config"), *forced, "robot", f"exec {donnie}"]
+    def refusal(self) -> str:
+        """Why nobody gets in, if so: the account of whoever runs the tests may be locked."""
+        command = ["ssh", "-F", str(self.folder / "ssh_config"), "-T", "robot", "true"]
+        done = subprocess.run(command, capture_output=True, stdin=subprocess.DEVNULL, timeout=PATIENCE)
+        return done.stderr.decode() if done.returncode else ""
 
-    def at_terminal(self, *arguments: str) -> pexpect.spawn[bytes]:
+    def command(self, *arguments: str, terminal: bool, speech_from: str | None = None) -> list[str]:
+        """``ssh robot donnie ARGUMENTS``. ``speech_from``: the socket at home that is brought along."""
+        first, *others = arguments
+        donnie = shlex.join([sys.executable, "-m", "donnie_tui", first, *QUIET, *others])
+        brought = ["-R", f"{self.folder}/voice:{speech_from}"] if speech_from else []
+        heard = f"SPEECHD_ADDRESS=unix_socket:{self.folder}/voice " if speech_from else ""
+        options = ["-F", str(self.folder / "ssh_config"), "-tt" if terminal else "-T", *brought]
+        return ["ssh", *options, "robot", f"{heard}exec {donnie}"]
+
+    def at_terminal(self, *arguments: str, speech_from: str | None = None) -> pexpect.spawn[bytes]:
         """On a terminal of 80 by 24."""
-        program, *rest = self.command(*arguments, terminal=True)
+        program, *rest = self.command(*arguments, terminal=True, speech_from=speech_from)
         environment = {**os.environ, "TERM": "xterm-256color"}
         return pexpect.spawn(program, rest, env=environment, dimensions=(24, 80), timeout=PATIENCE)
 

@@ -19,6 +19,7 @@ from devices.wire.commands import STOP
 from tests.sessions.command import PATIENCE
 from tests.sessions.ssh_line import MISSING, SshLine
 from tests.sessions.test_devices import LONG_WALK, program, serial, until
+from tests.unit.ssip.server import Server
 
 pytestmark = pytest.mark.skipif(MISSING is not None, reason=f"needs {MISSING}")
 
@@ -26,6 +27,8 @@ pytestmark = pytest.mark.skipif(MISSING is not None, reason=f"needs {MISSING}")
 @pytest.fixture
 def line(tmp_path: Path) -> Iterator[SshLine]:
     made = SshLine(tmp_path)
+    if refusal := made.refusal():
+        pytest.skip(refusal)
     yield made
     for pid in made.donnies():
         with suppress(ProcessLookupError):
@@ -146,3 +149,31 @@ def server_of(line: SshLine) -> int:
     """The sshd that has the terminal's other end: whoever started Donnie."""
     (donnie,) = line.donnies()
     return int(Path(f"/proc/{donnie}/stat").read_text().rpartition(")")[2].split()[1])
+
+
+# --- speech brought home
+
+
+@pytest.mark.parametrize("mode", ["--linear", "--visual"])
+def test_speech_brought_home(line: SshLine, tmp_path: Path, mode: str) -> None:
+    """The speech-dispatcher at home says the answers; if it goes away that is told once, and all goes on."""
+    server = Server(tmp_path)
+    learner = line.at_terminal(mode, "--plain", "--speech", "ssip", speech_from=server.address.path)
+    learner.expect("> |Command line")
+    learner.send("WHERE\r")
+    learner.expect("Facing north")
+    assert until(lambda: "Position 0, 0." in server.texts)
+    server.go_away()
+
+    def is_told() -> bool:
+        learner.send("WHERE\r")
+        return learner.expect_exact(["speech-dispatcher is gone. All is in print.", pexpect.TIMEOUT], 1) == 0
+
+    assert any(is_told() for _ in range(PATIENCE))
+    for typed in ("AROUND", "QUIT"):
+        learner.send(f"{typed}\r")
+    learner.expect(pexpect.EOF)
+    learner.close()
+    left_behind = learner.before.rpartition(b"\x1b[?1049l")[2]
+    assert left_behind.count(b"is gone") == (1 if mode == "--visual" else 0), "its log stays on the screen"
+    assert learner.exitstatus == 0

@@ -45,6 +45,14 @@ class Server:
     def close(self) -> None:
         self._listener.close()
 
+    def go_away(self) -> None:
+        """As when it is killed: nobody is at the socket any more, and the talk is over."""
+        for each in (self._listener, self._line):
+            if each is not None:
+                with suppress(OSError):
+                    each.shutdown(socket.SHUT_RDWR)
+        self._listener.close()
+
     def _serve(self) -> None:
         with suppress(OSError):
             while True:
