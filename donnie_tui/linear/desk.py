@@ -101,7 +101,11 @@ class Desk:
 
     def answer_of_robot(self, code: str, **values: object) -> None:
         """About the robot that is talked to: with its name, where there are several."""
-        self.tell(said_by(self.session.hub.robot, self.say(code, **values), self.say))
+        self.answer_of(self.session.hub.robot, code, **values)
+
+    def answer_of(self, robot: str | None, code: str, **values: object) -> None:
+        """About that robot, by the name in its events."""
+        self.tell(said_by(robot, self.say(code, **values), self.say))
 
     def tell_of_robot(self, *lines: str) -> None:
         """As it is for the robot that is talked to; the first line has its name, where there are several."""

@@ -53,7 +53,8 @@ class Runs:
         """Whose run is watched; None where the world has but one robot."""
         self._stopping = False
         self._rested = False
-        self._stopped_at: int | None = None
+        self._stopped_at: dict[str | None, int] = {}
+        """The line of each robot whose program was stopped."""
         self._left_out = 0
         self._refusals = 0
         """How often in a row what waits was refused."""
@@ -140,7 +141,7 @@ class Runs:
     def _prepare(self) -> None:
         self._ended = self._stopping = False
         self._robot = self._desk.session.hub.robot
-        self._stopped_at, self._left_out = None, 0
+        self._stopped_at, self._left_out = {}, 0
         self._told_before = self._told.count
         self._told.hold_back()
 
@@ -310,14 +311,15 @@ class Runs:
         """The program that runs beside the conversation."""
         self.stop()
         self._rested, self._left_out = False, 0
+        self._robot = self._desk.session.hub.robot
         self._desk.beside.leave_out()
         self._tell_stopped()
 
     def remember_stop(self) -> None:
         """It is about to be stopped: remember where; whatever it still tells must not wait for us."""
         self._stopping = self._desk.showing.is_hurrying = True
-        frames = self._desk.session.frames
-        self._stopped_at = frames[0].line if frames else None
+        frames_of = ((session.hub.robot, session.frames) for session in self._desk.donnie.team.running)
+        self._stopped_at = {robot: frames[0].line for robot, frames in frames_of if frames}
         self._told.let_pass()
 
     def _begin_new_line(self) -> None:
@@ -329,14 +331,16 @@ class Runs:
         self._leave_out()
         if self._left_out:
             self._desk.answer("answer-left-out", lines=self._left_out)
+            self._left_out = 0
 
     def _tell_stopped(self) -> None:
         if self._rested:
             self._desk.answer("suspended-stopped")
-        if self._stopped_at is None:
-            self._desk.answer_of_robot("answer-stopped")
+        line = self._stopped_at.get(self._robot)
+        if line is None:
+            self._desk.answer_of(self._robot, "answer-stopped")
         else:
-            self._desk.answer_of_robot("answer-stopped-at", line=self._stopped_at)
+            self._desk.answer_of(self._robot, "answer-stopped-at", line=line)
 
     def _while_held(self, run: Run) -> None:
         """Say where the program is, and do what is asked."""

@@ -8,6 +8,7 @@ from pathlib import Path
 import pytest
 
 from tests.sessions.command import COMMAND, PATIENCE, QUIET, donnie, environment
+from tests.sessions.learner import Learner
 
 TYPED = """ROBOTS
 FW 2
@@ -168,3 +169,12 @@ def test_reset_of_a_robot_whose_program_runs_is_refused_with_the_reason(tmp_path
 
     assert "donnie is busy." in said
     assert not any("RESET" in line for line in said)
+
+
+def test_of_robots_that_were_started_together_each_tells_where_it_stopped(tmp_path: Path) -> None:
+    learner = Learner(tmp_path, "--world", "two_robots", speed="1")
+    learner.enters("WAIT 1000", "ROBOT bob", "FW 1", "WAIT 1000", "TOGETHER")
+    learner.sees("bob: I walked 1 step forward.")
+    learner.types("\x03")
+    learner.sees("alice: Stopped at line 1.")
+    learner.sees("bob: Stopped at line 2.")

@@ -105,7 +105,7 @@ class Watched:
         self._happens = happens
         self._hub = SimpleNamespace(robot=None, subscribe=lambda _: _nothing, add_gate=lambda _: _nothing)
         session = SimpleNamespace(hub=self._hub, stop=self._stop, frames=())
-        team = SimpleNamespace(stop=self._stop)
+        team = SimpleNamespace(stop=self._stop, running=())
         self.desk: Any = SimpleNamespace(
             console=self.console,
             session=session,
@@ -115,7 +115,7 @@ class Watched:
             watched=[],
             say=None,
             leaving=None,
-            answer_of_robot=_ignored,
+            answer_of=_ignored,
             answer=self._answer,
         )
         self.left_out = 0
