@@ -213,8 +213,10 @@ class Workplace(Screen[None]):
         self.map_pane.styles.width = wanted if fits and free else None
 
     def log_lines(self, lines: Iterable[tuple[str, str]]) -> None:
+        before = self.log_rows.row_count
         self.log_rows.append(lines)
-        self._holding.close()
+        if self.log_rows.row_count != before:  # the typed command is none
+            self._holding.close()
 
     def _await_answer(self) -> None:
         """For those who listen a command goes as its answer comes, in one picture: what goes alone, some say.
