@@ -24,7 +24,7 @@ DONNIE = [str(Path(sys.executable).parent / "donnie"), *QUIET]
 
 def main() -> None:
     """Measure and print."""
-    names = ("python -c pass", "import lark", "first prompt", "first answer", "first program")
+    names = ("python -c pass", "import lark", "first prompt", "first answer", "program that speaks", "walks")
     most_memory = 0
     seconds: dict[str, list[float]] = {name: [] for name in names}
     with tempfile.TemporaryDirectory() as folder:
@@ -34,15 +34,18 @@ def main() -> None:
             prompt, answer, _ = _until_prompt_and_answer(folder, b"WHERE", b"0, 0")
             seconds["first prompt"].append(prompt)
             seconds["first answer"].append(answer)
+            _, answer, _ = _until_prompt_and_answer(folder, b"SPEAK 2000 + 22\r", b"\n2022")
+            seconds["program that speaks"].append(answer)
             _, answer, memory = _until_prompt_and_answer(folder, b"FW 3 SPEAK 2000 + 22\r", b"\n2022")
-            seconds["first program"].append(answer)
+            seconds["walks"].append(answer)
             most_memory = max(memory, most_memory)
     for name, measured in seconds.items():
         low, middle, high = statistics.quantiles(measured, n=4)
         print(f"{name}: {middle * 1000:.1f} ms ({low * 1000:.1f} to {high * 1000:.1f})")
     _print_ratio("first prompt / python -c pass", seconds["first prompt"], seconds["python -c pass"], "1.2")
     _print_ratio("first answer / import lark", seconds["first answer"], seconds["import lark"], "1.1")
-    _print_ratio("first program / import lark", seconds["first program"], seconds["import lark"], "1.1")
+    _print_ratio("speaks / import lark", seconds["program that speaks"], seconds["import lark"], "1.1")
+    _print_ratio("walks and speaks / import lark", seconds["walks"], seconds["import lark"], "1.1")
     print(f"memory with the living room: {most_memory / 1e6:.1f} MB at most, target <= 45")
 
 

@@ -56,7 +56,7 @@ class Console:
         self.when_idle: Callable[[], None] | None = None
         """Called before somebody waits, with nothing typed that was not read."""
         self.once_idle: list[Callable[[], None]] = []
-        """The same, each once."""
+        """The same, each once, and while a line is waited for: a program that runs is not held up."""
         self._ahead = b""
         """What was typed where nobody was reading."""
         self.repaint: Callable[[], str] = str
@@ -96,9 +96,9 @@ class Console:
         is_watching = reading or (self.on_key is not None and len(self._ahead) < MOST_AHEAD)
         watched: list[WakingSignals | int] = [self._signals, 0] if is_watching else [self._signals]
         at_once = seconds == 0 or (reading and bool(self._ahead))
-        has_to_do = self.when_idle is not None or bool(self.once_idle)
+        has_to_do = self.when_idle is not None or (reading and bool(self.once_idle))
         if has_to_do and not at_once and not (is_watching and _has_typed()):
-            self._use_the_time()
+            self._use_the_time(reading)
         ready, _, _ = select.select(watched, [], [], 0 if at_once else seconds)
         if self._signals in ready:
             self._take_signals()
@@ -106,10 +106,10 @@ class Console:
             self._look_ahead()
         return reading and (0 in ready or bool(self._ahead))
 
-    def _use_the_time(self) -> None:
+    def _use_the_time(self, reading: bool) -> None:
         if self.when_idle is not None:
             self.when_idle()
-        while self.once_idle:
+        while reading and self.once_idle:
             self.once_idle.pop()()
 
     def has_input(self) -> bool:

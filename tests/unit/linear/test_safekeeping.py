@@ -120,3 +120,19 @@ def test_idle_is_who_waits_for_a_program_too(keyboard: int) -> None:
         assert done == ["written"]
     finally:
         console.close()
+
+
+def test_what_is_done_once_waits_for_who_reads_and_does_not_hold_up_a_program(keyboard: int) -> None:
+    console, done = Console(None), list[str]()
+    console.once_idle.append(lambda: done.append("loaded"))
+    try:
+        console.nudge()
+        console.wait(1.0)
+        assert done == []
+
+        for _ in range(2):
+            console.nudge()
+            assert not console.wait(reading=True)
+        assert done == ["loaded"]
+    finally:
+        console.close()
