@@ -72,7 +72,7 @@ class Mail:
     things: tuple[PlacedThing, ...] | None = None
     """What is elsewhere than at the start of the world; None if nothing was moved since."""
     distances: Mapping[Bearing, int] | None = None
-    """What is known of them now; None if that was not told since."""
+    """What is known of them now; None if that is what it was."""
 
 
 NO_MAIL = Mail((), 0, (), (), None)
@@ -133,6 +133,8 @@ class Bridge:
         self._others: dict[str, Pose] = {}
         self._things: tuple[PlacedThing, ...] | None = None
         self._distances: Mapping[Bearing, int] | None = None
+        self._sensed: Mapping[Bearing, int] = {}
+        """What the screen knows of them, or is to know."""
         self._errors: deque[Error] = deque(maxlen=100)
         self._stopped_by: dict[str | None, StoppedBy | None] = {}
         """What ended the last movement of each robot before its end."""
@@ -171,8 +173,8 @@ class Bridge:
                     self._belt = levels
                 case ThingsMoved(places=places):
                     self._things = places
-                case Sensed(distances=distances):
-                    self._distances = distances
+                case Sensed(distances=distances) if distances != self._sensed:
+                    self._distances = self._sensed = distances
                 case Error():
                     self._errors.append(event)
                 case _:

@@ -9,7 +9,7 @@ from hypothesis import strategies as st
 from textual.app import App, ComposeResult
 from textual.widgets import TextArea
 
-from devices.ports.robot import Pose, StoppedBy
+from devices.ports.robot import Bearing, Pose, StoppedBy
 from donnie_tui.core.copies import MOST_COPIES, Copies
 from donnie_tui.core.documents import DocumentError
 from donnie_tui.core.events import (
@@ -21,6 +21,7 @@ from donnie_tui.core.events import (
     Passing,
     RunEnded,
     RunStarted,
+    Sensed,
     Spoke,
     Stamped,
 )
@@ -204,6 +205,18 @@ def test_poses_come_from_every_thread_and_wake_the_screen_once():
 
     assert len(posted) == 1
     assert len(listener.take().poses) == 800
+
+
+def test_distances_that_are_what_they_were_wake_nobody():
+    listener, posted = bridge()
+    told(listener, Sensed({Bearing.FRONT: 4}))
+    assert listener.take().distances == {Bearing.FRONT: 4}
+
+    told(listener, Sensed({Bearing.FRONT: 4}))
+    assert (listener.take(), len(posted)) == (NO_MAIL, 1)
+
+    told(listener, Sensed({Bearing.FRONT: 3}))
+    assert (listener.take().distances, len(posted)) == ({Bearing.FRONT: 3}, 2)
 
 
 def test_what_happens_in_a_run_waits_until_its_beginning_is_shown():
