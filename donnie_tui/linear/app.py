@@ -58,17 +58,10 @@ def run_linear(
         closing.push(ours)
         if donnie:
             donnie.audible.move_to(is_linear=True)
-        if donnie is None:
-            search = Search(is_coming=not is_there)
-            console.give_up = search.give_up
-            words = Words(settings.language, settings.verbosity)
-            search.on_slow = lambda: console.write(f"{words('connect-waiting')}\n")
-            if not is_there:
-                console.write(f"{words('connect-trying')}\n")
-            try:
-                donnie = _awaited(console, settings, search, is_there=is_there)
-            except Gone:
-                return console.code_when_gone
+        try:
+            donnie = donnie or _begun(console, settings, is_there=is_there)
+        except Gone:
+            return console.code_when_gone
         console.give_up = donnie.connection.search.give_up
         ours.callback(donnie.close)
         talk = Conversation(donnie, console, Path(state_folder(os.environ)), habits)
@@ -80,6 +73,17 @@ def run_linear(
         except SwitchMode:
             ours.pop_all()
             raise
+
+
+def _begun(console: Console, settings: Settings, *, is_there: bool) -> Donnie:
+    """A session of its own. Raises ``Gone`` for whoever does not wait for it."""
+    search = Search(is_coming=not is_there)
+    console.give_up = search.give_up
+    words = Words(settings.language, settings.verbosity)
+    search.on_slow = lambda: console.write(f"{words('connect-waiting')}\n")
+    if not is_there:
+        console.write(f"{words('connect-trying')}\n")
+    return _awaited(console, settings, search, is_there=is_there)
 
 
 def _awaited(console: Console, settings: Settings, search: Search, *, is_there: bool) -> Donnie:

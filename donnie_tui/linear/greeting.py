@@ -9,12 +9,15 @@ shown twice.
 from __future__ import annotations
 
 import os
+import sys
 
 from donnie_tui.first_start import offers_tour
 from donnie_tui.folders import state_path
 from donnie_tui.i18n.first_words import CAUSES, HINT, PROMPT, TOUR
 
 _LANGUAGES = ("en", "pt", "es")
+_NOBODY_READS = 129
+"""The exit code, as after a lost terminal."""
 _HARMLESS = ("DONNIE_LANG", "DONNIE_LINEAR", "DONNIE_READER", "DONNIE_TOUR")
 _SWITCH = ("on", "off")
 PLAIN_VALUES = {
@@ -79,7 +82,7 @@ def greet(
     is_first = tour and DONE.has_prompt and offers_tour(state_path(environment), environment)
     hint = (TOUR if is_first else HINT)[at]
     lines = CAUSES[cause][at] + "\n" + ("" if prompt is None else hint + "\n")
-    os.write(1, (lines + (prompt if prompt and DONE.has_prompt else "")).encode())
+    _print(lines + (prompt if prompt and DONE.has_prompt else ""))
 
 
 def withdraw() -> None:
@@ -94,7 +97,15 @@ def end_prompt() -> None:
     """Begin a new line, for what is to be said before anything is asked; the prompt comes again."""
     if DONE.has_prompt:
         DONE.has_prompt = False
-        os.write(1, b"\n")
+        _print("\n")
+
+
+def _print(text: str) -> None:
+    """Where nobody reads there is nothing to begin, and nobody to be told so."""
+    try:
+        os.write(1, text.encode())
+    except OSError:
+        sys.exit(_NOBODY_READS)
 
 
 def forget() -> None:

@@ -13,6 +13,7 @@ import pytest
 
 from donnie_tui.hanging_up import masters_of
 from tests.conftest import ROOT
+from tests.sessions.command import COMMAND, PATIENCE, QUIET, environment
 from tests.sessions.learner import until
 
 pytestmark = pytest.mark.skipif(sys.platform != "linux", reason="looks into /proc")
@@ -91,3 +92,25 @@ def test_the_end_of_another_terminal_is_nothing_of_ours() -> None:
     finally:
         for number in (ours, terminal, other, another):
             os.close(number)
+
+
+@pytest.mark.parametrize(
+    "options", [(), ("--speed", "max"), ("--robot", "serial:/dev/nothing")], ids=["alone", "speed", "robot"]
+)
+def test_where_nobody_reads_the_linear_mode_ends_without_a_fault(
+    tmp_path: Path, options: tuple[str, ...]
+) -> None:
+    reading, writing = os.pipe()
+    os.close(reading)
+    done = subprocess.run(
+        [*COMMAND, "--linear", *QUIET, *options],
+        stdin=subprocess.DEVNULL,
+        stdout=writing,
+        stderr=subprocess.PIPE,
+        cwd=tmp_path,
+        env=environment(tmp_path),
+        timeout=PATIENCE,
+    )
+    os.close(writing)
+
+    assert (done.returncode, done.stderr) == (128 + signal.SIGHUP, b"")
