@@ -11,8 +11,9 @@ from __future__ import annotations
 import os
 from collections.abc import Awaitable, Callable
 from pathlib import Path
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
+from rich.console import RenderableType
 from rich.text import Text
 from textual import events
 from textual.screen import Screen
@@ -175,6 +176,12 @@ class DonnieApp(TerminalApp, inherit_bindings=False):
         place = self.workplace
         if has_focus and place.is_mounted and self.screen is place and place.focused is None:
             (place.command_line if place.is_plain else place.editor).focus()
+
+    def _display(self, screen: Screen[Any], renderable: RenderableType | None) -> None:
+        """A new layout, or another screen, is painted once: Textual would leave it out while one is held."""
+        if renderable is not None:
+            self.workplace.hold_nothing()
+        super()._display(screen, renderable)
 
     @property
     def is_read_by_rows(self) -> bool:

@@ -3,6 +3,7 @@
 import tomllib
 
 import pytest
+from textual.app import App
 
 from donnie_tui.core.session import Session
 from donnie_tui.tui.running import Doing
@@ -348,6 +349,27 @@ async def test_in_the_plain_layout_a_command_goes_as_its_answer_comes(work, monk
 
         shown = [("> FW 3" in each, "I walked" in each) for each in pictures]
         assert (False, False) not in shown
+
+
+@pytest.mark.parametrize(
+    ("typed", "seen"),
+    [("WORLDS", "living_room"), ("SAVE LOG", "log.txt"), ("HELP", "F1"), ("SHOW MAP", "####")],
+)
+async def test_what_a_plain_command_opens_is_painted_at_once(work, monkeypatch, typed, seen):
+    """It was left out while the command was held back, and the terminal showed the old screen."""
+    monkeypatch.setattr(workplace, "LONGEST_HELD", 600.0)
+    async with work("", plain=True, world="living_room") as desk:
+        painted = []
+        display = App._display
+
+        def paint(app, screen, renderable):
+            if renderable is not None and not app._batch_count:  # as Textual asks before it writes
+                painted.append(desk.screen)
+            display(app, screen, renderable)
+
+        monkeypatch.setattr(App, "_display", paint)
+        await desk.press(*typed, "enter")
+        await desk.until(lambda: seen in "".join(painted[-1:]), seen)
 
 
 async def test_a_command_that_takes_longer_goes_before_its_answer(work):

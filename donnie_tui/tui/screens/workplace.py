@@ -78,8 +78,8 @@ class Workplace(Screen[None]):
         self.inspector_pane = Pane(self.inspector, id="inspector-pane")
         self.log_pane = Pane(self.log_rows, id="log-pane")
         self._shown = self.log_pane if plain else self.program_pane
-        self._holding = ExitStack()
-        """While it is open nothing is painted."""
+        self._holding: ExitStack | None = None
+        """While it is there nothing is painted."""
         self._entered: Widget | None = None
         """What had the focus last."""
         self._shown.add_class("-shown")  # before they are mounted: afterwards each class costs a restyling
@@ -166,6 +166,7 @@ class Workplace(Screen[None]):
             self._give_room()
 
     def on_descendant_focus(self, _event: DescendantFocus) -> None:
+        self.hold_nothing()
         pane = self.focused_pane
         if pane is None and self.is_plain:
             pane = self.log_pane  # what is told at the command line is heard there
@@ -216,7 +217,7 @@ class Workplace(Screen[None]):
         before = self.log_rows.row_count
         self.log_rows.append(lines)
         if self.log_rows.row_count != before:  # the typed command is none
-            self._holding.close()
+            self.hold_nothing()
 
     def _await_answer(self) -> None:
         """For those who listen a command goes as its answer comes, in one picture: what goes alone, some say.
@@ -224,9 +225,17 @@ class Workplace(Screen[None]):
         What takes longer than a moment is not waited for.
         """
         if self.is_plain and self.log_is_seen and not self.log_rows.begin_answer():
-            self._holding.close()
+            self.hold_nothing()
+            self._holding = ExitStack()
             self._holding.enter_context(self.app.batch_update())
-            self.set_timer(LONGEST_HELD, self._holding.close)
+            self.set_timer(LONGEST_HELD, self.hold_nothing)
+
+    def hold_nothing(self) -> None:
+        """From now on all is painted, what waits too."""
+        holding, self._holding = self._holding, None
+        if holding is not None:
+            holding.close()
+            self.app.screen.check_idle()
 
     # --- what was done to it
 
