@@ -80,12 +80,15 @@ class Asking:
         return text if is_answered else None
 
     def _read(self, prompt: str, *, shown: bool) -> Typed:
-        """Meanwhile a robot that runs beside tells no more than is read."""
-        self._ends.told.hold_back()
+        """Meanwhile a robot that runs beside tells no more than is read, as one does that is watched."""
+        told = self._ends.told
+        is_watched = told.holds_back
+        told.hold_back()
         try:
             return self._show_and_read(prompt, shown=shown)
         finally:
-            self._ends.told.let_pass()
+            if not is_watched:
+                told.let_pass()
 
     def _show_and_read(self, prompt: str, *, shown: bool) -> Typed:
         offered, self.offered = self.offered if self._ends.can_edit else "", ""

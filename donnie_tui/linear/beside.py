@@ -25,6 +25,8 @@ class Beside:
         self._donnie = donnie
         self._told = told
         self._answer = answer
+        self.is_watching = False
+        """Whether a run is watched: what that tells and what is told of it stay in their order."""
 
     @property
     def is_any(self) -> bool:
@@ -39,7 +41,7 @@ class Beside:
     @property
     def floods(self) -> bool:
         """Whether more was told than is printed at once, while there may be more any time."""
-        return len(self._told) > LARGEST_BLOCK and self.is_any
+        return len(self._told) > LARGEST_BLOCK and self.is_any and not self.is_watching
 
     @property
     def waits_behind_answers(self) -> bool:

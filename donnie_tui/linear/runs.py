@@ -133,7 +133,7 @@ class Runs:
             )
             self._watch(run)
         finally:
-            self._told.let_pass()
+            self._watch_no_more()
         if run.outcome is Outcome.QUIT:
             self._desk.leaving = 0
         return run
@@ -144,6 +144,11 @@ class Runs:
         self._stopped_at, self._left_out = {}, 0
         self._told_before = self._told.count
         self._told.hold_back()
+        self._desk.beside.is_watching = True
+
+    def _watch_no_more(self) -> None:
+        self._told.let_pass()
+        self._desk.beside.is_watching = False
 
     def look_at_watched(self) -> None:
         """What is watched has changed; a program that is held heeds it from here on."""
@@ -157,7 +162,7 @@ class Runs:
                 self._robot, self._ended = name, run.is_over
                 self._watch(run)
         finally:
-            self._told.let_pass()
+            self._watch_no_more()
 
     def watch_deed(self, start: Callable[[], Run | None]) -> None:
         """Something that takes a moment: what it says belongs to its answer."""

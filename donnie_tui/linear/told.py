@@ -34,7 +34,8 @@ class Told:
         """What is printed before them."""
         self._kept: deque[str] = deque(maxlen=LONGEST_ANSWER)
         self._changed = threading.Condition()
-        self._holds_back = False
+        self.holds_back = False
+        """Whether a program that tells too much waits."""
         self.count = 0
         """Lines that were ever told."""
 
@@ -107,16 +108,16 @@ class Told:
 
     def hold_back(self) -> None:
         """From now on the program that tells too much waits. Only while another thread prints."""
-        self._holds_back = True
+        self.holds_back = True
 
     def let_pass(self) -> None:
         """Nobody waits any more: the program was stopped, or is over."""
         with self._changed:
-            self._holds_back = False
+            self.holds_back = False
             self._changed.notify_all()
 
     def _has_room(self, robot: str | None) -> bool:
-        return not self._holds_back or self._waiting[robot] < self._capacity
+        return not self.holds_back or self._waiting[robot] < self._capacity
 
 
 def _shown(line: str) -> str:

@@ -112,6 +112,7 @@ class Watched:
             donnie=SimpleNamespace(team=team, stop_real_robot=bool),
             ends=SimpleNamespace(habits=SimpleNamespace(progress=0), can_edit=True, hears_live=False),
             showing=SimpleNamespace(),
+            beside=SimpleNamespace(),
             watched=[],
             say=None,
             leaving=None,
