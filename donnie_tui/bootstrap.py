@@ -18,7 +18,7 @@ from donnie_tui.collecting import loaded
 from donnie_tui.connecting import Connection
 from donnie_tui.core.belt_telling import BeltTelling
 from donnie_tui.core.chronicle import Chronicle
-from donnie_tui.core.events import Answered
+from donnie_tui.core.events import Announced
 from donnie_tui.core.holding_up import HoldingUp
 from donnie_tui.core.hub import Stream
 from donnie_tui.core.in_use import keep
@@ -138,7 +138,7 @@ class Donnie:
     def stop_unreachable_robot(self) -> None:
         """Whoever drives it sees and hears nothing any more; told for when the line is back."""
         if self.stop_real_robot():
-            self.session.hub.publish(Answered(self.words("network-stopped")))
+            self.session.hub.publish(Announced("link", self.words("network-stopped")))
 
     def close(self) -> None:
         """The robots stop first, whatever else takes its time."""

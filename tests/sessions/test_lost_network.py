@@ -11,7 +11,7 @@ import pytest
 from devices.firmware_double.board import SimulatedBoard
 from devices.firmware_double.on_pty import DoubleOnPty
 from donnie_tui import lost_network
-from donnie_tui.core.events import Answered, Stamped
+from donnie_tui.core.events import Announced, Stamped
 from donnie_tui.lost_network import attempts, ends_of
 from tests.sessions.test_devices import assembled, until
 
@@ -78,8 +78,8 @@ def test_a_robot_whose_learner_is_out_of_reach_is_stopped_and_that_is_told(
 
         assert until(lambda: not robot.board.is_driving)
         assert run.wait(60)
-        said = lambda: [each.event.text for each in heard if isinstance(each.event, Answered)]  # noqa: E731
-        assert until(lambda: said() == ["The network hung, so I stopped the robot."])
+        told = Announced("link", "The network hung, so I stopped the robot.")
+        assert until(lambda: [each.event for each in heard].count(told) == 1)
     finally:
         donnie.close()
 
