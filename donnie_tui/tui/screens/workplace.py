@@ -85,6 +85,8 @@ class Workplace(Screen[None]):
         self._shown.add_class("-shown")  # before they are mounted: afterwards each class costs a restyling
         self._shown.set_class(not plain, "-chosen")
         self._was_seen = False
+        if plain:  # the editor had it first, and each change of panes costs a restyling
+            self.AUTO_FOCUS = "#command"  # type: ignore[misc] # Textual asks the screen, not its class
 
     def compose(self) -> ComposeResult:
         with Vertical(id="panes"):
