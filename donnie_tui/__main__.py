@@ -5,8 +5,8 @@ from __future__ import annotations
 import os
 import sys
 
-from donnie_tui.collecting import load_undisturbed
-from donnie_tui.hanging_up import hear_hang_up
+from donnie_tui.process.collecting import load_undisturbed
+from donnie_tui.process.hanging_up import hear_hang_up
 
 HIGHEST_STANDARD = 2
 """Input, output and errors are 0, 1 and 2."""

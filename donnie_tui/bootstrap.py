@@ -14,7 +14,6 @@ from typing import TYPE_CHECKING, TextIO
 from devices.ports.robot import Pace, Watcher
 from devices.ports.values import mutable
 from donnie_tui.audible import Audible, make_audible
-from donnie_tui.collecting import loaded
 from donnie_tui.connecting import Connection
 from donnie_tui.core.belt_telling import BeltTelling
 from donnie_tui.core.chronicle import Chronicle
@@ -29,8 +28,9 @@ from donnie_tui.device_settings import SERIAL, SIMULATED
 from donnie_tui.first_start import is_new_decision
 from donnie_tui.folders import state_path
 from donnie_tui.i18n.words import Words
-from donnie_tui.lost_network import NetworkWatch
 from donnie_tui.moved_things import ThingWatch
+from donnie_tui.process.collecting import loaded
+from donnie_tui.process.lost_network import NetworkWatch
 from donnie_tui.robot_search import Search
 from donnie_tui.settings import Settings, Source
 from donnie_tui.tangible import belt_settings, connect_belt

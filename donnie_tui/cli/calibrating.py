@@ -22,10 +22,10 @@ from donnie_tui.cli.ending import stopped_by_suspension
 from donnie_tui.cli.order import Order
 from donnie_tui.connecting import MeasurableRobot, make_measurable, robot_config
 from donnie_tui.core.documents import DocumentError
-from donnie_tui.lost_readers import ReaderWatch
+from donnie_tui.process.lost_readers import ReaderWatch
+from donnie_tui.process.taken_signals import LEAVING, TakenSignals
 from donnie_tui.robot_choice import sentences_of
 from donnie_tui.settings_file import remember
-from donnie_tui.taken_signals import LEAVING, TakenSignals
 from donnie_tui.unusable import Unusable
 
 STEPS = 20

@@ -8,10 +8,10 @@ from __future__ import annotations
 
 from collections.abc import Callable
 
-from donnie_tui import team_words
 from donnie_tui.bootstrap import Donnie
 from donnie_tui.linear.output import LARGEST_BLOCK
 from donnie_tui.linear.told import Told
+from donnie_tui.words import team_words
 from language.control import ControlState
 
 _ENDING = (ControlState.STOPPING, ControlState.ENDED)

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import os
 
-from donnie_tui import sound_words
 from donnie_tui.core import use_cases
 from donnie_tui.core.documents import DocumentError
 from donnie_tui.core.typed_words import detail_named, language_named
@@ -16,6 +15,7 @@ from donnie_tui.linear.arguments import Handler
 from donnie_tui.linear.desk import Desk
 from donnie_tui.linear.runs import Runs
 from donnie_tui.settings_file import remember
+from donnie_tui.words import sound_words
 from language import keywords
 from language.source import fold_name
 

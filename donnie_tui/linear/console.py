@@ -14,11 +14,11 @@ import signal
 import time
 from collections.abc import Callable
 
-from donnie_tui.deputy import Deputy
 from donnie_tui.linear.terminal import Terminal, size
-from donnie_tui.lost_readers import ReaderWatch
-from donnie_tui.suspending import suspend
-from donnie_tui.taken_signals import LEAVING, WakingSignals
+from donnie_tui.process.deputy import Deputy
+from donnie_tui.process.lost_readers import ReaderWatch
+from donnie_tui.process.suspending import suspend
+from donnie_tui.process.taken_signals import LEAVING, WakingSignals
 
 MOST_AHEAD = 64 * 1024
 """Bytes that are taken from the terminal before somebody reads them."""

@@ -8,7 +8,6 @@ from __future__ import annotations
 
 from pathlib import Path
 
-from donnie_tui import robot_words, team_words
 from donnie_tui.core.events import TYPED
 from donnie_tui.core.handling import Deed
 from donnie_tui.core.runner import Run
@@ -18,6 +17,7 @@ from donnie_tui.linear.arguments import Handler, alone
 from donnie_tui.linear.desk import Desk
 from donnie_tui.linear.patience import SLOW_AGAIN, patiently
 from donnie_tui.linear.runs import Runs
+from donnie_tui.words import robot_words, team_words
 
 
 def _robots(desk: Desk) -> None:

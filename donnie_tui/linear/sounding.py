@@ -2,10 +2,10 @@
 
 from __future__ import annotations
 
-from donnie_tui import sound_words
 from donnie_tui.linear.arguments import Handler, alone
 from donnie_tui.linear.desk import Desk
 from donnie_tui.linear.runs import Runs
+from donnie_tui.words import sound_words
 
 
 def _quiet(desk: Desk) -> None:

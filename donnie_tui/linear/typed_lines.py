@@ -57,7 +57,7 @@ class TypedLines:
             self._desk.answer("linear-too-long")
             return False
         if hears_blocks:
-            from donnie_tui import sound_words
+            from donnie_tui.words import sound_words
 
             sound_words.chime_block(self._desk.donnie, before, self._desk.program.depth)
         if self._desk.ends.habits.enter and not self._desk.program.open_block:

@@ -9,10 +9,10 @@ from __future__ import annotations
 import asyncio
 from typing import TYPE_CHECKING
 
-from donnie_tui import robot_words, team_words
 from donnie_tui.core.handling import Deed
 from donnie_tui.core.team import Assigned
 from donnie_tui.tui.screens.chooser import Choice
+from donnie_tui.words import robot_words, team_words
 
 if TYPE_CHECKING:
     from donnie_tui.tui.host import WorkHost

@@ -9,7 +9,6 @@ from collections.abc import Mapping
 from functools import partial
 from typing import TYPE_CHECKING
 
-from donnie_tui import sound_words
 from donnie_tui.core.harmless import printable
 from donnie_tui.core.typed_words import detail_named, language_named, switched
 from donnie_tui.i18n.sentence import LANGUAGES
@@ -18,6 +17,7 @@ from donnie_tui.tui.actions import ACTIONS, BY_NAME, key_label
 from donnie_tui.tui.key_table import is_free_to_give, with_choice
 from donnie_tui.tui.running import Answer
 from donnie_tui.tui.screens.chooser import Choice
+from donnie_tui.words import sound_words
 from language.source import fold_name
 
 if TYPE_CHECKING:

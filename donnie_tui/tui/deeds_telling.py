@@ -9,7 +9,6 @@ import asyncio
 from collections.abc import Callable, Sequence
 from typing import TYPE_CHECKING
 
-from donnie_tui import sound_words
 from donnie_tui.core import map_words
 from donnie_tui.core.answer_log import found_in_words, spelled
 from donnie_tui.core.around import around_in_words, compass_point
@@ -26,6 +25,7 @@ from donnie_tui.core.wording import Wording
 from donnie_tui.i18n.catalogue.signs import SPELLED_OF
 from donnie_tui.tui.running import Answer
 from donnie_tui.tui.screens.chooser import Choice
+from donnie_tui.words import sound_words
 
 if TYPE_CHECKING:
     from donnie_tui.tui.host import WorkHost

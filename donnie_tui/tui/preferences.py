@@ -14,9 +14,9 @@ from donnie_tui.core.documents import DocumentError
 from donnie_tui.i18n.words import Words
 from donnie_tui.settings import KEYS, LANGUAGES, MOTION, THEMES, VERBOSITY, Settings
 from donnie_tui.sound_settings import KEY_ECHO, PUNCTUATION, SPEAK
-from donnie_tui.sound_words import cue_name
 from donnie_tui.tui.actions import BY_NAME, key_label
 from donnie_tui.tui.key_table import not_understood, understood
+from donnie_tui.words.sound_words import cue_name
 
 _SWITCH = ("on", "off")
 

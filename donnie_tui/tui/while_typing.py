@@ -10,9 +10,9 @@ from typing import TYPE_CHECKING
 
 from textual.timer import Timer
 
-from donnie_tui import sound_words
 from donnie_tui.core.completion import Completion, completion
 from donnie_tui.core.mistakes import LARGEST, mistakes
+from donnie_tui.words import sound_words
 from language.outline import block_depth
 
 if TYPE_CHECKING:

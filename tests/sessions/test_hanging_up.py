@@ -11,7 +11,7 @@ from pathlib import Path
 
 import pytest
 
-from donnie_tui.hanging_up import masters_of
+from donnie_tui.process.hanging_up import masters_of
 from tests.conftest import ROOT
 from tests.sessions.command import COMMAND, PATIENCE, QUIET, environment
 from tests.sessions.learner import until

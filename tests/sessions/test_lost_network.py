@@ -10,9 +10,9 @@ import pytest
 
 from devices.firmware_double.board import SimulatedBoard
 from devices.firmware_double.on_pty import DoubleOnPty
-from donnie_tui import lost_network
 from donnie_tui.core.events import Announced, Stamped
-from donnie_tui.lost_network import attempts, ends_of
+from donnie_tui.process import lost_network
+from donnie_tui.process.lost_network import attempts, ends_of
 from tests.sessions.test_devices import assembled, until
 
 BY_SSH = {"SSH_CONNECTION": "10.77.0.2 42475 10.77.0.1 40223"}

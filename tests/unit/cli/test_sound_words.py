@@ -16,7 +16,7 @@ from donnie_tui.i18n.catalogue import SENTENCES
 from donnie_tui.linear.key_echo import KeyEcho
 from donnie_tui.linear.keys import Act, Key
 from donnie_tui.settings import Settings, resolve
-from donnie_tui.sound_words import (
+from donnie_tui.words.sound_words import (
     CUE_WORDS,
     SETTINGS,
     chime_block,

@@ -7,11 +7,11 @@ from collections.abc import Iterator
 
 import pytest
 
-from donnie_tui import team_words
 from donnie_tui.bootstrap import Donnie, assemble
 from donnie_tui.core import session
 from donnie_tui.core.events import Answered, Stamped
 from donnie_tui.settings import Settings
+from donnie_tui.words import team_words
 from language.parser import Parsed
 
 PATIENCE = 30

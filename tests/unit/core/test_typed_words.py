@@ -2,9 +2,9 @@
 
 import pytest
 
-from donnie_tui import sound_words
 from donnie_tui.core.typed_words import SWITCH, answered, detail_named, language_named, switched
 from donnie_tui.linear import habits
+from donnie_tui.words import sound_words
 
 ON = ("on", "ON", "yes", "ligado", "ligar", "sim", "encendido", "encender", "sí", "si\u0301", "si")
 OFF = ("off", "no", "desligado", "desligar", "não", "nao", "apagado", "apagar")
