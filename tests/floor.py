@@ -15,9 +15,7 @@ from sim.robot import SimulatedRobot
 from sim.scene import Scene
 from sim.world import World
 from sim.worldfile import load_text
-
-PATIENCE = 20
-"""Seconds in which a program of a test ends."""
+from tests.patience import PATIENCE
 
 
 def floor(*things: tuple[str, float, float], noise: float = 0.0) -> Scene:

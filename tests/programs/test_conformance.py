@@ -18,8 +18,8 @@ import pytest
 
 from donnie_tui.bootstrap import assemble
 from donnie_tui.settings import Settings
+from tests.patience import PATIENCE
 
-PATIENCE = 60
 COMMAND = [sys.executable, "-m", "donnie_tui"]
 
 

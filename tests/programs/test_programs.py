@@ -15,10 +15,10 @@ from donnie_tui.bootstrap import assemble
 from donnie_tui.core.events import Event, RunEnded
 from donnie_tui.core.transcript import lines_of
 from donnie_tui.settings import Settings
+from tests.patience import PATIENCE
 
 FOLDER = Path(__file__).parent
 PROGRAMS = sorted(FOLDER.glob("*/*.gd"))
-PATIENCE = 60
 
 
 def told_by(program: Path) -> str:

@@ -18,8 +18,8 @@ from hypothesis.stateful import (
 
 from language.control import ControlState, ExecutionControl
 from language.diagnostics import Stopped
+from tests.patience import PATIENCE
 
-PATIENCE = 20.0
 WILL_HOLD = {
     ControlState.PAUSING,
     ControlState.STEPPING,

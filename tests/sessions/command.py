@@ -8,9 +8,10 @@ import sys
 from collections.abc import Mapping
 from pathlib import Path
 
+from tests.patience import PATIENCE
+
 COMMAND = (sys.executable, "-m", "donnie_tui")
 QUIET = ("--speech", "off", "--sound", "off")
-PATIENCE = 60
 
 
 def environment(folder: Path, changes: Mapping[str, str] | None = None) -> dict[str, str]:

@@ -10,8 +10,7 @@ from pathlib import Path
 
 import pexpect
 
-PATIENCE = 20
-"""Seconds after which something that must come will not come any more."""
+from tests.patience import PATIENCE
 
 
 class Learner:

@@ -16,7 +16,8 @@ from pathlib import Path
 import pexpect
 
 from tests.conftest import ROOT
-from tests.sessions.command import PATIENCE, QUIET
+from tests.patience import PATIENCE
+from tests.sessions.command import QUIET
 
 SSHD = "/usr/sbin/sshd"
 _PRIVILEGE_SEPARATION = Path("/run/sshd")

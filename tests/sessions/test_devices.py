@@ -31,7 +31,8 @@ from donnie_tui.bootstrap import Donnie, assemble
 from donnie_tui.connecting import Connection
 from donnie_tui.core.events import CueSounded, Link, Moved, Outcome, RunEnded, Stamped
 from donnie_tui.settings import Settings
-from tests.sessions.command import COMMAND, PATIENCE, QUIET, donnie, environment, start
+from tests.patience import PATIENCE
+from tests.sessions.command import COMMAND, QUIET, donnie, environment, start
 from tests.sessions.learner import Learner
 from tests.sessions.test_double import world as near_world
 

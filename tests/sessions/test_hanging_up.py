@@ -13,7 +13,8 @@ import pytest
 
 from donnie_tui.process.hanging_up import masters_of
 from tests.conftest import ROOT
-from tests.sessions.command import COMMAND, PATIENCE, QUIET, environment
+from tests.patience import PATIENCE
+from tests.sessions.command import COMMAND, QUIET, environment
 from tests.sessions.learner import until
 
 pytestmark = pytest.mark.skipif(sys.platform != "linux", reason="looks into /proc")

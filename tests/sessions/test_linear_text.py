@@ -8,7 +8,8 @@ from pathlib import Path
 
 import pytest
 
-from tests.sessions.command import COMMAND, PATIENCE, QUIET, donnie, environment
+from tests.patience import PATIENCE
+from tests.sessions.command import COMMAND, QUIET, donnie, environment
 from tests.sessions.test_linear_words import printed_by
 
 

@@ -14,7 +14,7 @@ import pytest
 
 from donnie_tui.core.use_cases import USE_CASES, typed_form
 from donnie_tui.i18n.words import Words
-from tests.sessions.learner import PATIENCE
+from tests.patience import PATIENCE
 
 LANGUAGES = ("en", "pt", "es")
 PROGRAMS = {

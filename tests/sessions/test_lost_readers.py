@@ -10,7 +10,8 @@ import pytest
 
 from devices.firmware_double.board import SimulatedBoard
 from devices.firmware_double.on_pty import DoubleOnPty
-from tests.sessions.command import COMMAND, PATIENCE, QUIET, environment, start
+from tests.patience import PATIENCE
+from tests.sessions.command import COMMAND, QUIET, environment, start
 from tests.sessions.test_devices import LONG_WALK, program, serial, until
 
 

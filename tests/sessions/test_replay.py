@@ -23,7 +23,8 @@ from donnie_tui.core.timeline import Timeline
 from donnie_tui.core.transcript import told_lines
 from donnie_tui.i18n.words import Words
 from sim.worldfile import load_world
-from tests.sessions.command import PATIENCE, QUIET, donnie, start
+from tests.patience import PATIENCE
+from tests.sessions.command import QUIET, donnie, start
 
 PROGRAM = """VAR n = 2
 REPEAT n TIMES

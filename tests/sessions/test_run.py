@@ -12,7 +12,8 @@ from typing import Any
 import pytest
 
 from tests.floor import Floor
-from tests.sessions.command import PATIENCE, QUIET, donnie, start
+from tests.patience import PATIENCE
+from tests.sessions.command import QUIET, donnie, start
 
 PROGRAM = """VAR n = 2
 REPEAT n TIMES

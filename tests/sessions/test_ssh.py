@@ -16,7 +16,7 @@ import pytest
 from devices.firmware_double.board import SimulatedBoard
 from devices.firmware_double.on_pty import DoubleOnPty
 from devices.wire.commands import STOP
-from tests.sessions.command import PATIENCE
+from tests.patience import PATIENCE
 from tests.sessions.ssh_line import MISSING, SshLine
 from tests.sessions.test_devices import LONG_WALK, program, serial, until
 from tests.unit.ssip.server import Server

@@ -2,6 +2,7 @@
 
 import os
 import sys
+import time
 
 for _name in ("NO_COLOR", "TEXTUAL_THEME", "TEXTUAL_FILTERS", "TEXTUAL_ANIMATIONS"):
     os.environ.pop(_name, None)  # read when Textual is imported
@@ -19,9 +20,7 @@ from donnie_tui.bootstrap import assemble  # noqa: E402
 from donnie_tui.settings import Settings  # noqa: E402
 from donnie_tui.tui.app import DonnieApp  # noqa: E402
 from donnie_tui.tui.running import Doing  # noqa: E402
-
-LOOKS = 1000
-"""Looks at a condition before it is given up; each lets the application do what it has to."""
+from tests.patience import PATIENCE  # noqa: E402
 
 WAITING = "WHILE 1 == 1 DO\nWAIT 1000\nEND WHILE"
 """Without end, and idle at speed 1."""
@@ -39,7 +38,8 @@ class Desk:
         self.place = app.workplace
 
     async def until(self, condition: Callable[[], Any], what: str = "") -> None:
-        for _ in range(LOOKS):
+        end = time.monotonic() + PATIENCE
+        while time.monotonic() < end:
             if condition():
                 return
             if self.app.trouble is not None:

@@ -11,6 +11,7 @@ import pytest
 
 from donnie_tui.tui import lifeline
 from donnie_tui.tui.lifeline import Lifeline
+from tests.patience import PATIENCE
 
 
 class Told:
@@ -52,7 +53,7 @@ def test_output_that_stays_stuck_is_told_again_and_again(monkeypatch, failing):
     line = made(on_stuck=stuck, writer=lambda: SimpleNamespace(_queue=waiting, is_alive=lambda: True))
     line.begin()
     try:
-        assert stuck.enough.wait(30)
+        assert stuck.enough.wait(PATIENCE)
     finally:
         line.end()
 
@@ -66,7 +67,7 @@ def test_whatever_fails_the_process_is_ended_after_a_signal(monkeypatch, failing
     line.begin()
     try:
         signal.raise_signal(signal.SIGTERM)
-        assert part.enough.wait(30)
+        assert part.enough.wait(PATIENCE)
     finally:
         line.end()
 
@@ -83,7 +84,7 @@ def test_the_robot_is_halted_where_the_screen_can_not_be_told(monkeypatch):
     try:
         signal.raise_signal(signal.SIGINT)
         signal.raise_signal(signal.SIGINT)
-        assert halt.enough.wait(30)
+        assert halt.enough.wait(PATIENCE)
     finally:
         line.end()
 
@@ -122,7 +123,7 @@ def test_control_z_rests_although_the_main_thread_holds_what_the_stop_needs(monk
     try:
         with held:
             signal.raise_signal(signal.SIGTSTP)
-        assert stopped.wait(30)
+        assert stopped.wait(PATIENCE)
     finally:
         line.end()
 

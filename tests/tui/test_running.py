@@ -309,13 +309,13 @@ async def test_a_look_at_a_program_paints_only_what_is_new(work, monkeypatch):
 
         lines = list(place.inspector.lines)
         place.inspector.show([lines[0], f"{lines[1]}0", *lines[2:]])
-        await desk.pilot.pause(0.1)
+        await desk.until(lambda: {place.inspector.row, 1} <= set(variables), "the rows of variables")
         assert set(variables) == {place.inspector.row, 1}
         assert text == []
 
         shown = len(place.log_rows.lines)
         place.log_lines([("one more line", "")])
-        await desk.pilot.pause(0.1)
+        await desk.until(lambda: shown in log, "the row of the log")
         assert set(log) == {shown}
 
 

@@ -15,11 +15,12 @@ from typing import Any
 
 import pytest
 
+from tests.patience import PATIENCE
+
 aiohttp = pytest.importorskip("aiohttp")
 pytest.importorskip("textual_serve")
 
 ROOT = Path(__file__).resolve().parents[2]
-LIMIT = 30.0
 
 
 def free_port() -> int:
@@ -41,13 +42,13 @@ def server(tmp_path):
         stdout=subprocess.DEVNULL,
         stderr=subprocess.DEVNULL,
     )
-    end = time.monotonic() + LIMIT
+    end = time.monotonic() + PATIENCE
     while socket.socket().connect_ex(("localhost", port)):
         assert time.monotonic() < end and process.poll() is None, "it does not listen"
         time.sleep(0.05)
     yield port
     process.terminate()
-    process.wait(LIMIT)
+    process.wait(PATIENCE)
 
 
 @pytest.mark.filterwarnings("ignore::ResourceWarning")
@@ -64,7 +65,7 @@ async def test_a_page_shows_the_full_screen(server):
 async def until_sent(terminal: Any, text: bytes) -> None:
     seen = b""
     while text not in seen:
-        message = await terminal.receive(timeout=LIMIT)
+        message = await terminal.receive(timeout=PATIENCE)
         seen += message.data if isinstance(message.data, bytes) else str(message.data).encode()
 
 
@@ -75,7 +76,7 @@ def run(*arguments: str, **environment: str) -> tuple[int, str]:
         env=os.environ | environment,
         capture_output=True,
         text=True,
-        timeout=LIMIT,
+        timeout=PATIENCE,
         check=False,
     )
     return done.returncode, done.stderr
@@ -108,7 +109,7 @@ def browser(server, tmp_path):
     )  # fmt: skip
     yield f"http://localhost:{port}/json"
     process.terminate()
-    process.wait(LIMIT)
+    process.wait(PATIENCE)
 
 
 class Page:
@@ -123,7 +124,7 @@ class Page:
         self._calls += 1
         await self._socket.send_json({"id": self._calls, "method": method, "params": values})
         while True:
-            told = await self._socket.receive_json(timeout=LIMIT)
+            told = await self._socket.receive_json(timeout=PATIENCE)
             self._note(told)
             if told.get("id") == self._calls:
                 return told.get("result", {})
@@ -136,7 +137,7 @@ class Page:
 
     async def gets(self, text: bytes) -> None:
         while text not in self.sent:
-            self._note(await self._socket.receive_json(timeout=LIMIT))
+            self._note(await self._socket.receive_json(timeout=PATIENCE))
 
     async def value(self, expression: str) -> Any:
         return (await self.call("Runtime.evaluate", expression=expression))["result"].get("value")
@@ -160,7 +161,7 @@ class Page:
 
 @asynccontextmanager
 async def page_of(browser: str) -> AsyncIterator[Page]:
-    end = time.monotonic() + LIMIT
+    end = time.monotonic() + PATIENCE
     async with aiohttp.ClientSession() as session:
         while True:
             try:

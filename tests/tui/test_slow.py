@@ -11,6 +11,7 @@ from donnie_tui.core.copies import Copies
 from donnie_tui.core.filing import Document
 from donnie_tui.settings import Settings
 from donnie_tui.tui import beginning, deeds_text, patience, saving
+from tests.patience import PATIENCE
 from tests.tui import conftest
 
 
@@ -36,7 +37,7 @@ def slow_saving(monkeypatch, gate):
     write = Document.write
 
     def slowly(self, path, text):
-        gate.wait(20)
+        gate.wait(PATIENCE)
         write(self, path, text)
 
     monkeypatch.setattr(Document, "write", slowly)
@@ -95,7 +96,7 @@ async def test_the_log_goes_to_a_slow_disk_beside_the_screen_and_its_name_may_be
 
 def _once_open(gate, do):
     def once_open(*given):
-        gate.wait(20)
+        gate.wait(PATIENCE)
         return do(*given)
 
     return once_open
@@ -108,7 +109,7 @@ def _slow_disk(monkeypatch, gate):
     def slowly(done):
         def do(*given):
             came.append(done.__name__)
-            gate.wait(20)
+            gate.wait(PATIENCE)
             return done(*given)
 
         return do
@@ -242,7 +243,7 @@ async def test_a_program_that_changes_while_it_is_laid_out_stays_as_it_is(work, 
     lay_out = deeds_text.formatted
 
     def slowly(text, language):
-        gate.wait(20)
+        gate.wait(PATIENCE)
         return lay_out(text, language)
 
     monkeypatch.setattr(deeds_text, "formatted", slowly)
@@ -259,18 +260,19 @@ async def test_a_program_that_changes_while_it_is_laid_out_stays_as_it_is(work, 
 async def test_a_layout_that_another_word_takes_the_place_of_is_answered_all_the_same(
     work, monkeypatch, gate, tmp_path
 ):
-    monkeypatch.setattr(deeds_text, "formatted", lambda *_: gate.wait(20))
+    monkeypatch.setattr(deeds_text, "formatted", lambda *_: gate.wait(PATIENCE))
     async with work("fw 1   tr 90") as desk:
         await desk.type_line("FORMAT")
         await desk.told("Laying the program out, it takes a while.")
         await desk.type_line(f"SAVE {tmp_path / 'mine'}")
         await desk.told("Nothing was changed.")
         await desk.told("Saved mine.gd, 1 line.")
+        gate.set()
 
 
 async def test_a_report_is_written_to_its_end_whatever_is_asked_meanwhile(work, monkeypatch, gate, tmp_path):
     def slowly(path, text):
-        gate.wait(20)
+        gate.wait(PATIENCE)
         path.write_text(text)
 
     monkeypatch.setattr(saving, "write_program", slowly)
@@ -291,7 +293,7 @@ async def test_a_large_world_is_told_while_it_loads_and_when_it_is_there(work, m
         gate.set()
 
     def slowly(settings, **others):
-        gate.wait(20)
+        gate.wait(PATIENCE)
         return assemble(Settings(world="open_floor", speech="off", sound=False, speed=None), **others)
 
     monkeypatch.setattr(beginning.Beginning, "_tell_early", told)

@@ -19,9 +19,9 @@ from statistics import median
 import pyte
 import pytest
 
+from tests.patience import PATIENCE
+
 ROOT = Path(__file__).resolve().parents[2]
-LIMIT = 30.0
-"""Seconds after which something that was waited for will not come any more."""
 
 _KITTY = re.compile(rb"\x1b\[[<>=][0-9;]*u")
 """Keyboard protocols that the emulator takes for text."""
@@ -93,7 +93,7 @@ class Terminal:
         return b""
 
     def until(self, condition: Callable[[], object], what: str) -> None:
-        end = time.monotonic() + LIMIT
+        end = time.monotonic() + PATIENCE
         while not condition():
             assert time.monotonic() < end, f"never seen: {what}\n" + "\n".join(self.screen.display)
             self.read(0.2)
@@ -203,12 +203,18 @@ def test_the_terminal_s_cursor_is_visible_and_stands_at_the_focus(terminal):
     assert not donnie.screen.cursor.hidden
 
 
-def test_an_idle_screen_writes_nothing(terminal):
-    donnie = terminal()
-    while donnie.read(0.5):
-        pass
+def falls_silent(donnie: Terminal, seconds: float) -> bool:
+    """Wait until nothing was written for so long. False where something goes on writing."""
+    end = time.monotonic() + PATIENCE
+    while donnie.read(seconds):
+        if time.monotonic() > end:
+            return False
+    return True
 
-    assert donnie.read(3.0) == b""
+
+def test_an_idle_screen_writes_nothing(terminal):
+    """A blinking cursor or a clock would write at least each second."""
+    assert falls_silent(terminal(), 3.0)
 
 
 @pytest.mark.parametrize("number", [signal.SIGTERM, signal.SIGHUP])
@@ -236,7 +242,7 @@ def test_a_lost_line_halts_and_keeps_the_text(terminal, tmp_path, controls):
     donnie.shows("Running")
     donnie.hang_up()
 
-    assert donnie.process.wait(LIMIT) == 128 + signal.SIGHUP
+    assert donnie.process.wait(PATIENCE) == 128 + signal.SIGHUP
     copies = list((tmp_path / ".local/state/donnie/unsaved").glob("*.gd"))
     assert [each.read_text(encoding="utf-8") for each in copies] == ["FW 1000"]
 
@@ -254,8 +260,7 @@ def test_the_size_of_the_terminal_may_change(terminal):
 
 def written_over(donnie: Terminal) -> tuple[str, ...]:
     """What the idle screen showed, before something else wrote into all of its rows."""
-    while donnie.read(0.5):
-        pass
+    assert falls_silent(donnie, 1.0)
     before = tuple(donnie.screen.display)
     donnie._stream.feed(b"".join(b"\x1b[%d;1HMessage from root" % row for row in range(1, 25)))
     return before

@@ -32,18 +32,17 @@ from devices.sound.tones import CUE_NAMES
 from devices.speech.silent import SilentSpeaker
 from devices.speech.voices import VoiceSettings
 from tests.conftest import ROOT
+from tests.patience import PATIENCE
 
 pytestmark = pytest.mark.skipif(sys.platform != "linux", reason="looks into /proc")
 
-LIMIT = 20.0
-"""Seconds after which something that should have happened has not."""
 
 FAST = VoiceSettings(words_per_minute=450)
 
 
 def eventually(is_so: Callable[[], bool]) -> bool:
     """Wait for ``is_so``."""
-    end = time.monotonic() + LIMIT
+    end = time.monotonic() + PATIENCE
     while not is_so() and time.monotonic() < end:
         time.sleep(0.005)
     return is_so()
@@ -91,7 +90,7 @@ def test_three_sentences_in_three_languages_are_spoken_to_their_end() -> None:
         for language, text in (("en", "One."), ("pt", "Dois."), ("es", "Tres.")):
             say(service, text, language)
 
-        assert service.wait_until_quiet(LIMIT)
+        assert service.wait_until_quiet(PATIENCE)
         assert (service.state, notices) == (State.READY, [])
 
 
@@ -104,7 +103,7 @@ def test_every_cue_is_taken_and_an_unknown_one_harms_nothing() -> None:
         player.silence()
         say(service, "A.")
 
-        assert service.wait_until_quiet(LIMIT)
+        assert service.wait_until_quiet(PATIENCE)
         assert (service.worker_pid, notices) == (pid, [])
 
 
@@ -117,7 +116,7 @@ def test_silence_forgets_all_that_was_said_and_keeps_the_worker_ready() -> None:
         assert service.is_quiet
 
         say(service, "B.")
-        assert service.wait_until_quiet(LIMIT)
+        assert service.wait_until_quiet(PATIENCE)
 
 
 def test_a_killed_worker_is_replaced_and_what_it_was_to_say_is_said() -> None:
@@ -127,7 +126,7 @@ def test_a_killed_worker_is_replaced_and_what_it_was_to_say_is_said() -> None:
         os.killpg(pid, signal.SIGKILL)
 
         assert eventually(lambda: service.worker_pid not in (None, pid))
-        assert service.wait_until_quiet(LIMIT)
+        assert service.wait_until_quiet(PATIENCE)
         assert (service.state, notices) == (State.READY, [])
 
 
@@ -179,7 +178,7 @@ def test_a_worker_that_can_not_be_started_is_given_up_and_told(monkeypatch: pyte
     with audio() as (service, notices):
         say(service, "Hello.")
 
-        assert service.wait_until_quiet(LIMIT)
+        assert service.wait_until_quiet(PATIENCE)
         assert eventually(lambda: notices == [AudioNotice(NoticeCode.AUDIO_GAVE_UP)])
 
 
@@ -187,7 +186,7 @@ def test_without_a_device_it_is_told_once_and_no_process_stays() -> None:
     with audio(device="none") as (service, notices):
         say(service, "Hello.")
 
-        assert service.wait_until_quiet(LIMIT)
+        assert service.wait_until_quiet(PATIENCE)
         assert eventually(lambda: service.worker_pid is None)
         assert notices == [AudioNotice(NoticeCode.NO_SOUND_DEVICE)]
 
@@ -260,7 +259,7 @@ def test_a_worker_dies_with_a_parent_that_is_killed(freeze: bool) -> None:
 
 def test_a_parent_that_ends_without_closing_leaves_nothing() -> None:
     with parent_process("print(audio.worker_pid, flush=True)") as (parent, pid):
-        assert parent.wait(LIMIT) == 0
+        assert parent.wait(PATIENCE) == 0
 
         assert eventually(lambda: not group_of(pid))
 
@@ -395,7 +394,7 @@ def test_whatever_happens_to_the_worker_nobody_waits_and_it_is_heard_again() -> 
         assert eventually(lambda: service.worker_pid not in (None, frozen))
 
         say(service, "Heard.")
-        assert service.wait_until_quiet(LIMIT)
+        assert service.wait_until_quiet(PATIENCE)
         assert (service.state, notices) == (State.READY, [])
         assert group_of(pid) == group_of(frozen) == set()
 

@@ -12,10 +12,10 @@ import pytest
 
 from devices.sound.command_player import CommandPlayer, find_command_player
 from devices.sound.tones import SAMPLE_RATE
+from tests.patience import PATIENCE
 
 pytestmark = pytest.mark.skipif(sys.platform == "win32", reason="the commands exist on Unix only")
 
-LIMIT = 20.0
 
 KEEP = 'case "$1" in -q) shift;; esac; cat "$1" > "$HOME/$(basename "$0").wav"'
 HANG = "while :; do :; done"
@@ -69,7 +69,7 @@ def test_a_sentence_reaches_the_command_as_wav_and_its_end_is_told(commands: Pat
     ended = threading.Event()
     found().speak(array("h", [1, -2, 3]), on_end=ended.set)
 
-    assert ended.wait(LIMIT)
+    assert ended.wait(PATIENCE)
     assert played(tmp_path / "aplay.wav") == (2, SAMPLE_RATE, array("h", [1, 1, -2, -2, 3, 3]))
 
 
@@ -82,7 +82,7 @@ def test_a_hushed_command_is_ended(commands: Path) -> None:
     processes = [sound.process for sound in player._sounds]
     player.hush(speech=True, cues=True)
 
-    assert [process.wait(LIMIT) for process in processes] == [-9, -9]
+    assert [process.wait(PATIENCE) for process in processes] == [-9, -9]
     assert not player.is_playing
     assert not ended.is_set()
 
@@ -103,7 +103,7 @@ def test_a_cue_that_waits_is_preceded_by_silence(commands: Path, tmp_path: Path)
     player = found()
     player.cue("bump", array("h", [7, 7]), delay=2 / SAMPLE_RATE)
     for process in [sound.process for sound in player._sounds]:
-        process.wait(LIMIT)
+        process.wait(PATIENCE)
 
     assert played(tmp_path / "pw-play.wav")[2] == array("h", [0, 0, 0, 0, 7, 7])
 
@@ -114,7 +114,7 @@ def test_a_command_that_fails_tells_no_end_so_that_it_is_noticed(commands: Path)
     player = found()
     player.speak(array("h", [1]), on_end=ended.set)
     for thread in [thread for thread in threading.enumerate() if thread.name == "player"]:
-        thread.join(LIMIT)
+        thread.join(PATIENCE)
 
     assert not ended.is_set()
     assert not player.is_playing

@@ -21,8 +21,8 @@ from devices.sound.tones import SAMPLE_RATE, render
 from devices.speech.renderer import Renderer
 from devices.speech.voices import VoiceSettings
 from tests.conftest import ROOT
+from tests.patience import PATIENCE
 
-PATIENCE = 20.0
 CUES = 40
 
 

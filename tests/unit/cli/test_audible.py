@@ -18,6 +18,7 @@ from donnie_tui.i18n.words import Words
 from donnie_tui.settings import Settings, Source
 from donnie_tui.unusable import Unusable
 from tests.floor import Floor
+from tests.patience import PATIENCE
 from tests.unit.ssip.server import Server
 
 HOME = Facts(
@@ -137,7 +138,7 @@ def test_cues_of_a_run_are_written_into_a_file_the_same_every_time(tmp_path: Pat
         floor, path = Floor(), tmp_path / name
         with ExitStack() as closing:
             make_audible(Settings(speech="off", sound=str(path)), floor.session, Words(), closing)
-            assert floor.session.start("FW 3 TR 90", "a.gd", fresh=True).wait(30)
+            assert floor.session.start("FW 3 TR 90", "a.gd", fresh=True).wait(PATIENCE)
         return path.read_bytes()
 
     first = written("a.wav")

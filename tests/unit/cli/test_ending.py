@@ -12,8 +12,7 @@ import pytest
 from donnie_tui.cli import ending
 from donnie_tui.cli.ending import stopped_by_signals, stopped_by_suspension
 from donnie_tui.linear.console import Console
-
-PATIENCE = 5
+from tests.patience import PATIENCE
 
 
 class Held:

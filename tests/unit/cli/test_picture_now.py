@@ -4,12 +4,13 @@ from __future__ import annotations
 
 from donnie_tui.bootstrap import assemble
 from donnie_tui.settings import Settings
+from tests.patience import PATIENCE
 
 
 def test_the_other_robot_is_where_it_went_and_oneself_is_no_thing() -> None:
     donnie = assemble(Settings(world="two_robots", speech="off", sound=False, speed=None), terminal=True)
     try:
-        assert donnie.session.start("FW 2", "a.gd").wait(30)
+        assert donnie.session.start("FW 2", "a.gd").wait(PATIENCE)
         donnie.team.choose("bob")
         robots = {thing.name: (thing.x, thing.y) for thing in donnie.picture_now().things if thing.is_robot}
     finally:

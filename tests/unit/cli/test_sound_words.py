@@ -27,6 +27,7 @@ from donnie_tui.words.sound_words import (
     set_sound,
     tell_settings,
 )
+from tests.patience import PATIENCE
 from tests.unit.cli.listening import HOME, Listening, listening
 
 
@@ -230,13 +231,13 @@ def test_programs_wait_for_the_voice_as_soon_as_that_is_wanted(home: Listening) 
     home.ear.wait_until_quiet = lambda seconds: asked.append(seconds) is None  # type: ignore[method-assign]
     set_sound(home.donnie, "wait_for_speech", "on")
     run = home.donnie.session.start("SPEAK 1", "a.gd")
-    assert run.wait(20)
+    assert run.wait(PATIENCE)
     assert asked
 
     set_sound(home.donnie, "wait_for_speech", "off")
     asked.clear()
     run = home.donnie.session.start("SPEAK 1", "a.gd")
-    assert run.wait(20)
+    assert run.wait(PATIENCE)
     assert asked == []
 
 

@@ -13,8 +13,7 @@ from donnie_tui.core.events import Answered, Stamped
 from donnie_tui.settings import Settings
 from donnie_tui.words import team_words
 from language.parser import Parsed
-
-PATIENCE = 30
+from tests.patience import PATIENCE
 
 
 @pytest.fixture

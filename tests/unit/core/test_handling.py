@@ -12,7 +12,8 @@ from donnie_tui.i18n.words import Words
 from donnie_tui.moved_things import ThingWatch
 from sim.world import World
 from sim.worldfile import load_text
-from tests.floor import PATIENCE, Floor
+from tests.floor import Floor
+from tests.patience import PATIENCE
 
 WORLD = """
 define box model ( size [ 0.05 0.05 0.2 ] gripper_return 1 )

@@ -7,6 +7,7 @@ import pytest
 
 from donnie_tui.core.events import Answered, CueSounded, Event, Passing, Spoke, Stamped
 from donnie_tui.core.hub import MOST_WAITING, Hub, Stream
+from tests.patience import PATIENCE
 from tests.unit.core.values import HERE
 
 
@@ -144,7 +145,7 @@ class Blocked:
     def __call__(self, stamped: Stamped) -> None:
         if not self.heard:
             self.hangs.set()
-            assert self._go_on.wait(20)
+            assert self._go_on.wait(PATIENCE)
         self.heard.append(stamped.seq)
 
     def let_go(self) -> None:
@@ -162,14 +163,14 @@ def test_a_listener_that_hangs_holds_no_other_robot() -> None:
     alice, bob = Hub(lambda: 0.0, "alice", stream), Hub(lambda: 0.0, "bob", stream)
     stream.subscribe(blocked)
     first = in_thread(lambda: alice.publish(Spoke("a")))
-    assert blocked.hangs.wait(20)
+    assert blocked.hangs.wait(PATIENCE)
 
     for _ in range(300):
         bob.publish(Spoke("b"))
 
     assert blocked.heard == []
     blocked.let_go()
-    first.join(20)
+    first.join(PATIENCE)
     stream.wait_until_heard(20)
     assert blocked.heard == list(range(1, 302))
 
@@ -181,11 +182,11 @@ def test_nobody_delivers_what_others_tell_without_end() -> None:
     stream.subscribe(lambda _: deliverers.append(threading.get_ident()))
     stream.subscribe(blocked)
     first = in_thread(lambda: alice.publish(Spoke("a")))
-    assert blocked.hangs.wait(20)
+    assert blocked.hangs.wait(PATIENCE)
     bob.publish(Spoke("b"))
     bob.publish(Spoke("b"))
     blocked.let_go()
-    first.join(20)
+    first.join(PATIENCE)
     stream.wait_until_heard(20)
 
     assert deliverers[0] == first.ident
@@ -208,15 +209,15 @@ class TwoAtOnce(Stream):
             return found
         if threading.current_thread().name == "a":
             self.a_is_through.set()
-            assert self.handed_over.wait(20)
+            assert self.handed_over.wait(PATIENCE)
         elif threading.current_thread().name == "b":
             self.handed_over.set()
-            assert self.may_hand_over.wait(20)
+            assert self.may_hand_over.wait(PATIENCE)
         return found
 
     def _deliver_rest(self) -> None:
         self.beginnings += 1
-        assert self.may_hand_over.wait(20)
+        assert self.may_hand_over.wait(PATIENCE)
         super()._deliver_rest()
 
 
@@ -228,18 +229,18 @@ def test_only_one_thread_goes_on_delivering() -> None:
     def listen(stamped: Stamped) -> None:
         heard.append(stamped.event)
         if stamped.event == Spoke("b"):
-            in_thread(lambda: hub.publish(Spoke("c"))).join(20)
+            in_thread(lambda: hub.publish(Spoke("c"))).join(PATIENCE)
 
     hub.subscribe(listen)
     a = in_thread(lambda: hub.publish(Spoke("a")), "a")
-    assert stream.a_is_through.wait(20)
+    assert stream.a_is_through.wait(PATIENCE)
     b = in_thread(lambda: hub.publish(Spoke("b")), "b")
-    a.join(20)
+    a.join(PATIENCE)
     stream.may_hand_over.set()
-    b.join(20)
+    b.join(PATIENCE)
     for each in threading.enumerate():
         if each.name == "stream":
-            each.join(20)
+            each.join(PATIENCE)
 
     assert stream.beginnings == 1
     assert heard == [Spoke("a"), Spoke("b"), Spoke("c")]
@@ -254,7 +255,7 @@ def test_a_program_that_tells_too_much_waits_behind_its_event_and_holds_nobody()
     def gate(robot: str | None) -> None:
         waits.set()
         assert robot == "alice"
-        assert may_go_on.wait(20)
+        assert may_go_on.wait(PATIENCE)
 
     stream.add_gate(gate)
 
@@ -264,13 +265,13 @@ def test_a_program_that_tells_too_much_waits_behind_its_event_and_holds_nobody()
         alice.publish(Spoke("more"))
 
     running = in_thread(program)
-    assert waits.wait(20)
+    assert waits.wait(PATIENCE)
     bob.publish(Spoke("b"))
     alice.publish(Answered("Speed 2."))
 
     assert heard == [Spoke("a"), Spoke("b"), Answered("Speed 2.")]
     may_go_on.set()
-    running.join(20)
+    running.join(PATIENCE)
     assert heard[-1] == Spoke("more")
 
 
@@ -284,7 +285,7 @@ def test_what_is_answered_to_a_program_comes_before_what_it_tells_next_whoever_e
     hub.subscribe(lambda stamped: heard.append(stamped.event))
     hub.subscribe(lambda stamped: hub.publish(Spoke("answer")) if stamped.event == Spoke("first") else None)
     other = in_thread(lambda: hub.publish(Answered("Speed 2.")))
-    assert blocked.hangs.wait(20)
+    assert blocked.hangs.wait(PATIENCE)
 
     def program() -> None:
         hub.hold_back_here()
@@ -295,8 +296,8 @@ def test_what_is_answered_to_a_program_comes_before_what_it_tells_next_whoever_e
     while not hub._stream._waiting:
         threading.Event().wait(0.001)
     blocked.let_go()
-    running.join(20)
-    other.join(20)
+    running.join(PATIENCE)
+    other.join(PATIENCE)
     hub.wait_until_heard(20)
 
     assert heard == [Answered("Speed 2."), Spoke("first"), Spoke("answer"), Spoke("next")]
@@ -307,7 +308,7 @@ def test_a_listener_that_hangs_for_ever_slows_a_program_but_does_not_hold_it() -
     alice, bob = Hub(lambda: 0.0, "alice", stream), Hub(lambda: 0.0, "bob", stream)
     stream.subscribe(blocked)
     in_thread(lambda: alice.publish(Spoke("a")))
-    assert blocked.hangs.wait(20)
+    assert blocked.hangs.wait(PATIENCE)
 
     def program() -> None:
         bob.hold_back_here()
@@ -315,7 +316,7 @@ def test_a_listener_that_hangs_for_ever_slows_a_program_but_does_not_hold_it() -
             bob.publish(Spoke("b"))
 
     running = in_thread(program)
-    running.join(20)
+    running.join(PATIENCE)
 
     assert not running.is_alive()
     blocked.let_go()

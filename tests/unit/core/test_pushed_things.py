@@ -13,7 +13,7 @@ from donnie_tui.i18n.words import Words
 from sim.picture import Thing
 from sim.world import World
 from sim.worldfile import load_text
-from tests.floor import PATIENCE
+from tests.patience import PATIENCE
 
 ROBOT = 'position( name "pusher" size [ 0.1 0.1 0.1 ] pose [ 0 0 0 90 ] )\n'
 THING = '{kind}( name "{kind}{i}" pose [ 0 {y} 0 0 ] color "{colour}" )\n'

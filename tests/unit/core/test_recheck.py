@@ -11,7 +11,8 @@ from donnie_tui.core.team import Assigned
 from donnie_tui.core.timeline import Timeline
 from donnie_tui.i18n.words import Words
 from language.control import ExecutionControl
-from tests.unit.core.test_team import PATIENCE, Hall
+from tests.patience import PATIENCE
+from tests.unit.core.test_team import Hall
 
 
 def recorded(hall: Hall) -> list[Stamped]:

@@ -19,7 +19,8 @@ from donnie_tui.core.events import (
     Waited,
 )
 from donnie_tui.core.session import Busy
-from tests.floor import PATIENCE, Floor
+from tests.floor import Floor
+from tests.patience import PATIENCE
 
 ENDLESS = "WHILE 1 == 1 DO WAIT 1 END WHILE"
 

@@ -18,7 +18,7 @@ from donnie_tui.core.transcript import told_lines
 from donnie_tui.i18n.words import Words
 from sim.world import World
 from sim.worldfile import load_text
-from tests.floor import PATIENCE
+from tests.patience import PATIENCE
 
 _SENSORS = "".join(f"sonar( pose [ 0 0 0 {-angle} ] )\n" for angle in (0, 45, -45, 180, 135, -135))
 TWO = f"""

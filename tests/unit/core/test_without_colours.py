@@ -7,6 +7,7 @@ from devices.ports.robot import Pace, Watcher
 from donnie_tui.core.events import Announced, Error, Stamped
 from donnie_tui.core.session import Session
 from donnie_tui.i18n.words import Words
+from tests.patience import PATIENCE
 from tests.unit.devices.robots import wall_ahead
 
 
@@ -23,7 +24,7 @@ def told(program: str) -> list[str]:
                 heard.append(text)
 
     session.hub.subscribe(hear)
-    session.start(program, "p").wait(60)
+    session.start(program, "p").wait(PATIENCE)
     session.close()
     return heard
 

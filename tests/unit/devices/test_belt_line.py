@@ -15,9 +15,9 @@ from devices.belt.board import BeltBoard
 from devices.belt.frame import MOTORS, OFF, RESYNC, frame
 from devices.belt.line import BeltNews, Line, SerialBelt
 from devices.serial_port import PortFault, PortProblem
+from tests.patience import PATIENCE
 
 FRONT = (0, 0, 0, 3, 0, 0, 0) * 2
-PATIENCE = 20.0
 ANSWER = 0.008
 """Seconds that a board takes to complain, with the way there and back at 9600 baud."""
 

@@ -17,6 +17,7 @@ from devices.serial_link import SerialLink
 from devices.serial_link.port import OpenPort
 from devices.serial_port import PortFault, PortProblem
 from devices.wire.link_config import LinkConfig
+from tests.patience import PATIENCE
 from tests.unit.devices.test_port_listing import Plugged
 
 MEGA = (0x2341, 0x0042)
@@ -118,7 +119,7 @@ def test_a_link_is_restored_under_the_new_name_of_its_device(double: DoubleOnPty
     master, slave = os.openpty()  # somebody else takes the name
     double.plug()
 
-    assert restored.wait(15)
+    assert restored.wait(PATIENCE)
     assert os.path.realpath(double.path) != device
     link.close()
     os.close(master)

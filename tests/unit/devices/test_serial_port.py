@@ -11,6 +11,7 @@ import pytest
 
 from devices.port_talk.asking import ask
 from devices.serial_port import GONE, PortFault, PortProblem, open_port
+from tests.patience import PATIENCE
 from tests.unit.devices.board_line import BoardLine, opening
 
 
@@ -48,7 +49,7 @@ def test_a_line_that_takes_no_bytes_is_given_up() -> None:
         given_up.set()
 
     threading.Thread(target=write, daemon=True).start()
-    assert given_up.wait(20.0)
+    assert given_up.wait(PATIENCE)
     port.close()
     os.close(theirs)
     os.close(ours)

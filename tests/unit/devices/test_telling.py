@@ -7,8 +7,7 @@ import threading
 import pytest
 
 from devices.telling import MOST_WAITING, Telling
-
-PATIENCE = 15.0
+from tests.patience import PATIENCE
 
 
 def test_what_is_told_behind_a_listener_that_hangs_comes_in_its_order_once_it_goes_on() -> None:

@@ -9,9 +9,7 @@ import pytest
 
 from language.control import ControlState, ExecutionControl
 from language.diagnostics import Stopped
-
-PATIENCE = 10.0
-"""Seconds after which a test that hangs fails."""
+from tests.patience import PATIENCE
 
 
 class Clock:

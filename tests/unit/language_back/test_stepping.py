@@ -12,10 +12,10 @@ from language.control import ControlState, ExecutionControl
 from language.diagnostics import Stopped
 from language.plain import plain_program
 from language.runtime import Frame, Memory
+from tests.patience import PATIENCE
 from tests.unit.language_back.recorder import Make, Recorder, fast, hooked, read
 
 steppable = pytest.mark.parametrize("make", [hooked, plain_program], ids=["hooked", "plain"])
-PATIENCE = 10.0
 
 PROGRAM = """VAR a = 1
 PROCEDURE P: n DO

@@ -12,10 +12,10 @@ from language.control import ControlState, ExecutionControl
 from language.diagnostics import LanguageError, Stopped
 from language.levels import Level, Levels
 from language.runtime import Memory
+from tests.patience import PATIENCE
 from tests.unit.language_back.recorder import BACK_ENDS, Make, Recorder, fast, hooked, read, run
 
 back_ends = pytest.mark.parametrize("make", BACK_ENDS.values(), ids=BACK_ENDS.keys())
-PATIENCE = 20.0
 
 ENDLESS = {
     "empty loop": "WHILE 1 == 1 DO END WHILE",

@@ -16,6 +16,7 @@ from donnie_tui.linear import mending, reports
 from donnie_tui.linear.console import Gone
 from donnie_tui.linear.patience import GivenUp, aside
 from language.formatter import formatted
+from tests.patience import PATIENCE
 
 
 class Console:
@@ -42,14 +43,17 @@ class Console:
         self.time += seconds
         if self.time > self._opens_at:
             self.gate.set()
-            self._is_over.wait(20)
+            self._is_over.wait(PATIENCE)
+
+    def wait_at_gate(self) -> bool:
+        return self.gate.wait(PATIENCE)
 
 
 @pytest.mark.parametrize(("takes", "told"), [(0.5, []), (5, [1.0]), (25, [1.0, 11.0, 21.0])])
 def test_it_is_told_after_a_second_and_each_ten(takes: float, told: list[float]) -> None:
     console: Any = Console(takes)
     times: list[float] = []
-    done = aside(console, lambda: console.gate.wait(20), lambda: times.append(console.time))
+    done = aside(console, console.wait_at_gate, lambda: times.append(console.time))
     assert done is True
     assert times == told
 
@@ -64,7 +68,7 @@ def test_whoever_has_to_leave_waits_no_longer() -> None:
     console: Any = Console(100)
     console.leaving = 15
     with pytest.raises(Gone):
-        aside(console, lambda: console.gate.wait(20), lambda: None)
+        aside(console, console.wait_at_gate, lambda: None)
     console.gate.set()
 
 
@@ -76,7 +80,7 @@ def test_whoever_has_to_leave_while_something_is_shown_waits_no_longer() -> None
         console.leaving = 15
 
     with pytest.raises(Gone):
-        aside(console, lambda: console.gate.wait(20), lambda: None, show=show)
+        aside(console, console.wait_at_gate, lambda: None, show=show)
     assert console.time == 1.0
     console.gate.set()
 
@@ -88,7 +92,7 @@ def test_whoever_gives_up_what_may_be_left_waits_no_longer() -> None:
         console.interrupted = True
 
     with pytest.raises(GivenUp):
-        aside(console, lambda: console.gate.wait(20), lambda: None, show=press_control_c, may_be_left=True)
+        aside(console, console.wait_at_gate, lambda: None, show=press_control_c, may_be_left=True)
     assert console.time == 1.0
     console.gate.set()
 
@@ -99,7 +103,7 @@ def test_what_changes_something_is_waited_for_after_control_c_too() -> None:
     def press_control_c() -> None:
         console.interrupted = True
 
-    assert aside(console, lambda: console.gate.wait(20), lambda: None, show=press_control_c)
+    assert aside(console, console.wait_at_gate, lambda: None, show=press_control_c)
     assert console.interrupted, "it counts behind"
 
 
@@ -110,7 +114,7 @@ class Slowly:
         self._console, self._do = console, do
 
     def __call__(self, *values: Any) -> Any:
-        self._console.gate.wait(20)
+        self._console.gate.wait(PATIENCE)
         return self._do(*values)
 
 

@@ -13,10 +13,8 @@ from donnie_tui.core.copies import Copies
 from donnie_tui.core.documents import DocumentError, write_program
 from donnie_tui.core.typed_program import TypedProgram
 from donnie_tui.linear.programs import Programs
+from tests.patience import PATIENCE
 from tests.unit.linear.test_safekeeping import Typing
-
-LONG = 30
-"""Seconds after which something that must come will not come any more."""
 
 
 class Disk:
@@ -29,7 +27,7 @@ class Disk:
 
     def write(self, path: Path, text: str) -> None:
         self.begun.set()
-        assert self.may_go_on.wait(LONG)
+        assert self.may_go_on.wait(PATIENCE)
         if self.is_full:
             raise DocumentError("file-unwritable", str(path), "No space left on device")
         self.written.append(text)
@@ -75,7 +73,7 @@ def texts(folder: Path) -> list[str]:
 def no_copy_is_written() -> None:
     for thread in threading.enumerate():
         if thread.name == "copies":
-            thread.join(LONG)
+            thread.join(PATIENCE)
 
 
 def test_whoever_types_waits_for_no_disk_and_the_last_line_is_written_all_the_same(
@@ -83,7 +81,7 @@ def test_whoever_types_waits_for_no_disk_and_the_last_line_is_written_all_the_sa
 ) -> None:
     talk = Talk(tmp_path)
     talk.types("FW 1")
-    assert disk.begun.wait(LONG)
+    assert disk.begun.wait(PATIENCE)
     talk.types("FW 2")
     talk.types("FW 3")
     assert disk.written == []
@@ -106,7 +104,7 @@ def test_a_program_of_any_length_is_written_down_at_the_prompt(tmp_path: Path) -
 def test_what_was_saved_meanwhile_leaves_no_copy(tmp_path: Path, disk: Disk) -> None:
     talk = Talk(tmp_path)
     talk.types("FW 1")
-    assert disk.begun.wait(LONG)
+    assert disk.begun.wait(PATIENCE)
     talk.programs.current.saved = True
     talk.programs.keep_copy()
     disk.may_go_on.set()

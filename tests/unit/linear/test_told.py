@@ -3,6 +3,7 @@
 import threading
 
 from donnie_tui.linear.told import Told
+from tests.patience import PATIENCE
 
 
 def silent() -> None:
@@ -49,7 +50,7 @@ def test_a_program_that_tells_too_much_is_held_back_until_somebody_reads() -> No
 
     assert held.is_alive()
     assert told.take(1) == ["1"]
-    held.join(10)
+    held.join(PATIENCE)
     assert not held.is_alive()
 
 
@@ -70,7 +71,7 @@ def test_a_stopped_program_is_held_back_no_more() -> None:
     told.put(["1"])
     held = waits(told, None)
     told.let_pass()
-    held.join(10)
+    held.join(PATIENCE)
 
     assert not held.is_alive()
 

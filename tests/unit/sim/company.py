@@ -7,11 +7,10 @@ from devices.ports.robot import Motion, Pace, Pose
 from sim.robot import SimulatedRobot
 from sim.scene import Scene
 from sim.world import World
+from tests.patience import PATIENCE
 from tests.unit.sim.floors import Unpaced
 
 Program = Callable[[SimulatedRobot], None]
-PATIENCE = 30
-"""Seconds in which programs of a test end."""
 
 
 class Company:

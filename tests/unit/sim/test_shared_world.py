@@ -9,7 +9,8 @@ from devices.ports.robot import Bearing, StoppedBy
 from language.control import ControlState, ExecutionControl
 from sim.robot import SimulatedRobot
 from sim.world import World
-from tests.unit.sim.company import PATIENCE, Company
+from tests.patience import PATIENCE
+from tests.unit.sim.company import Company
 from tests.unit.sim.floors import BOX_ROBOT, IDEAL, Unpaced, scene
 
 TWO = IDEAL + (
