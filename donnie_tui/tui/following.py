@@ -24,6 +24,10 @@ if TYPE_CHECKING:
     from donnie_tui.tui.workbench import Host, Workbench
 
 
+SELDOM = 3
+"""Of so many looks at a program of which nothing is heard one is taken: each takes from its time."""
+
+
 class Paused(Message):
     """The running program holds."""
 
@@ -39,6 +43,8 @@ class Following:
         self.errors = ToldErrors()
         """The mistakes of the last run."""
         self._watching: Timer | None = None
+        self._quiet_since = 0.0
+        self._quiet_looks = 0
         self._reading: Reminder | None = None
 
     # --- one run
@@ -121,7 +127,15 @@ class Following:
 
     def _watch(self) -> None:
         if self._watching is None:
-            self._watching = self._host.every(FLUSH, self._work.look)
+            self._watching = self._host.every(FLUSH, self.glance)
+
+    def glance(self) -> None:
+        """At a program that runs: where it is, and what it has counted, no event tells."""
+        is_quiet = self._intake.taken_at == self._quiet_since
+        self._quiet_since = self._intake.taken_at
+        self._quiet_looks = self._quiet_looks + 1 if is_quiet else 0
+        if self._quiet_looks % SELDOM == 0:
+            self._work.look()
 
     def _watch_no_more(self) -> None:
         if self._watching is not None:

@@ -38,13 +38,14 @@ class Intake:
         self._receive = receive
         self._write = write
         self._lines: list[LogLine] = []
-        self._taken_at = self._written_at = -FLUSH
+        self.taken_at = self._written_at = -FLUSH
+        """When the mailbox was emptied last, by the monotonic clock."""
         self._taking: Timer | None = None
         self._writing: Timer | None = None
 
     def happened(self) -> None:
         """There is mail: take it now, or when it is time again."""
-        due = self._taken_at + self.frame - time.monotonic()
+        due = self.taken_at + self.frame - time.monotonic()
         if due <= 0:
             self.take()
         elif self._taking is None:
@@ -60,7 +61,7 @@ class Intake:
         if self._taking is not None:
             self._taking.stop()
             self._taking = None
-        self._taken_at = time.monotonic()
+        self.taken_at = time.monotonic()
         mail = self._bridge.take()
         if mail.missed:
             self._lines.append(LogLine(self._words("answer-left-out", lines=mail.missed), "answer"))
