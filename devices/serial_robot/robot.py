@@ -23,6 +23,7 @@ from devices.ports.robot import (
     Watcher,
 )
 from devices.serial_robot.config import RobotConfig
+from devices.serial_robot.course import Course
 from devices.serial_robot.line import RobotLine
 from devices.serial_robot.movement import Aim, Movement
 from devices.serial_robot.odometry import Odometry
@@ -38,7 +39,7 @@ DEGREES_A_REPORT = 10
 SLICE = 0.05
 """Seconds between two looks of a wait."""
 MOST_CARRIED = 100.0
-"""Counts that the next movement makes up for; more than that, and the robot has been somewhere else."""
+"""Counts that the next walk makes up for; more than that, and the robot has been somewhere else."""
 PICTURE = 0.05
 """Seconds between two places that are told for a moving picture."""
 
@@ -65,7 +66,8 @@ class SerialRobot:
         self._senses = Senses(self._config)
         self._odometry = Odometry(self._config)
         self._began = line.now()
-        self._walked_too_far = self._turned_too_far = 0.0
+        self._course = Course(line.telemetry)
+        self._walked_too_far = 0.0
         self._lost_the_line = False
         self._pictured_at = 0.0
 
@@ -113,7 +115,8 @@ class SerialRobot:
         """Where the robot stands is its start now; its time begins."""
         self._odometry.begin(self._line.telemetry, self._start_pose)
         self._began = self._line.now()
-        self._walked_too_far = self._turned_too_far = 0.0
+        self._course.begin(self._line.telemetry)
+        self._walked_too_far = 0.0
         self._lost_the_line = False
 
     # --- moving
@@ -134,7 +137,8 @@ class SerialRobot:
             return Turned(0, 0, None, self.pose())
         drive, motion = (Drive.RIGHT, Motion.RIGHT) if sense > 0 else (Drive.LEFT, Motion.LEFT)
         asked, unit = abs(degrees), self._config.counts_a_degree
-        aim = Aim(drive, asked, unit, asked, self._config.turn_coast, sense * self._turned_too_far)
+        astray = self._course.astray(self._line.telemetry)
+        aim = Aim(drive, asked, unit, asked, self._config.turn_coast, sense * astray)
         already = self._line.telemetry.bumpers
         report = Progress(motion, asked, DEGREES_A_REPORT, self._tell)
         movement = self._movement(
@@ -144,7 +148,7 @@ class SerialRobot:
             report=report,
         )
         done = self._run(movement, report, asked)
-        self._turned_too_far = sense * _too_far(movement, done * unit)
+        self._keep_course(movement, sense * done * unit)
         new = [
             place for place, pressed in enumerate(self._line.telemetry.bumpers) if pressed > already[place]
         ]
@@ -173,7 +177,9 @@ class SerialRobot:
             bumps=lambda now: self._senses.touches(now, bumpers),
             report=report,
         )
+        self._course.astray(self._line.telemetry)
         done = self._run(movement, report, steps)
+        self._keep_course(movement, 0.0)
         self._walked_too_far = sense * _too_far(movement, done * unit)
         pressed = [place for place in sorted(bumpers) if self._line.telemetry.bumpers[place]]
         met = self._met(movement, 0.0 if is_forward else 180.0, pressed)
@@ -215,6 +221,13 @@ class SerialRobot:
             report.reached(asked, self.pose())
             return asked
         return min(asked, whole(movement.units))
+
+    def _keep_course(self, movement: Movement, turned: float) -> None:
+        """What ended otherwise than by its own will may have been turned by something else."""
+        if _ended_itself(movement):
+            self._course.went(turned, self._line.telemetry)
+        else:
+            self._course.begin(self._line.telemetry)
 
     def _end_of(self, movement: Movement) -> StoppedBy | None:
         if movement.stopped_by is StoppedBy.LINK:
@@ -318,8 +331,11 @@ class SerialRobot:
 def _too_far(movement: Movement, counts: float) -> float:
     """By how much it went beyond what it is told to have done: little, if it ended by its own will."""
     too_far = movement.counts - counts
-    is_its_own = movement.stopped_by in (None, StoppedBy.OBSTACLE) and abs(too_far) <= MOST_CARRIED
-    return too_far if is_its_own else 0.0
+    return too_far if _ended_itself(movement) and abs(too_far) <= MOST_CARRIED else 0.0
+
+
+def _ended_itself(movement: Movement) -> bool:
+    return movement.stopped_by in (None, StoppedBy.OBSTACLE)
 
 
 SOMETHING = "something"

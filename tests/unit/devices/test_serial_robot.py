@@ -7,6 +7,7 @@ from math import degrees
 
 import pytest
 
+from devices.firmware_double.chassis import Chassis
 from devices.firmware_double.surroundings import Place, Switch, Walls
 from devices.ports.robot import STEP, Bearing, LinkNews, Met, Motion, Robot, RobotProblem, StoppedBy
 from devices.serial_robot.config import RobotConfig
@@ -74,6 +75,55 @@ def test_what_one_movement_goes_too_far_the_next_one_makes_up_for() -> None:
 
     assert real.board.wheels.place.yaw == pytest.approx(Place().yaw - 2 * 3.14159, abs=0.05)
     assert (real.robot.pose().heading + 180) % 360 == pytest.approx(180, abs=3)
+
+
+UNEVEN = Chassis(walking=(340.5, 326.6), turning=(170.5, 162.0))
+"""As the wheels of the recorded board."""
+ASTRAY = 1.25
+"""Degrees that the heading may be off, behind a turn, after whatever way: five counts."""
+
+
+def astray(real: Real, wanted: float) -> float:
+    """Degrees by which the robot looks elsewhere."""
+    return (real.robot.pose().heading - wanted + 180) % 360 - 180
+
+
+@pytest.mark.parametrize("turn", [10, -10])
+def test_a_turn_makes_up_for_what_the_walks_before_it_were_uneven_by(turn: int) -> None:
+    """Each step of these wheels leads 1.7 degrees aside."""
+    real = Real()
+    real.board.wheels._chassis = UNEVEN
+
+    for number in range(1, 37):
+        real.robot.forward(1)
+        real.robot.turn(turn)
+        assert astray(real, number * turn) == pytest.approx(0, abs=ASTRAY)
+
+    assert 90 - degrees(real.board.wheels.place.yaw) == pytest.approx(36 * turn, abs=ASTRAY)
+
+
+def test_where_a_hand_turned_the_robot_a_turn_begins() -> None:
+    real = Real()
+    real.robot.forward(1)
+    real.board.wheels.left += 60 * 4.048
+    real.line.advance(0.2)
+
+    turned = real.robot.turn(90)
+
+    assert turned.turned == 90
+    assert astray(real, 30 + 90) == pytest.approx(0, abs=ASTRAY)
+
+
+def test_where_a_stuck_wheel_turned_the_robot_a_turn_begins() -> None:
+    real = Real(at=[(2.0, lambda: setattr(real.board.wheels, "is_right_stuck", True))])
+    assert real.robot.forward(9).stopped_by is StoppedBy.STALL
+    real.board.wheels.is_right_stuck = False
+    stood = real.robot.pose().heading
+    assert 10 < stood < 45
+
+    real.robot.turn(90)
+
+    assert astray(real, stood + 90) == pytest.approx(0, abs=ASTRAY)
 
 
 @pytest.mark.parametrize("back", [True, False])
