@@ -49,5 +49,27 @@ def libraries_loaded_by(module: str) -> set[str]:
     return {name for name in done.stdout.split() if name in OWNERS}
 
 
+def test_every_module_can_be_imported() -> None:
+    """Found as files: a package that can't be imported hides its modules from whoever walks packages."""
+    files = [each.relative_to(ROOT) for top in PACKAGES for each in (ROOT / top).rglob("*.py")]
+    names = [".".join(each.with_suffix("").parts).removesuffix(".__init__") for each in files]
+    wanted = sorted(each for each in names if not each.endswith("__main__"))
+    done = subprocess.run(
+        [sys.executable, "-c", IMPORT_ALL, *wanted], capture_output=True, text=True, cwd=ROOT, timeout=100
+    )
+
+    assert (done.returncode, done.stdout, done.stderr) == (0, "", "")
+
+
+IMPORT_ALL = """
+import importlib, sys
+for name in sys.argv[1:]:
+    try:
+        importlib.import_module(name)
+    except Exception as error:
+        print(name, repr(error))
+"""
+
+
 def test_there_are_modules_to_look_at() -> None:
     assert {"donnie_tui.core.session", "language.parser", "sim.robot", "donnie_tui.tui.app"} <= set(modules())

@@ -102,6 +102,15 @@ async def test_a_watched_variable_is_told_at_each_change_of_a_run(work):
         assert told == ["a is 3.", "a is 4."]
 
 
+async def test_what_the_last_statement_changed_is_told_at_the_end(work):
+    async with work() as desk:
+        await desk.type_line("WATCH a")
+        await desk.told("Watching a.")
+        await desk.run("VAR a = 3\nFW 1\na = a + 1")
+
+        assert [line for line in desk.log if line.startswith("a is")] == ["a is 3.", "a is 4."]
+
+
 async def test_what_is_watched_no_more_is_not_told(work):
     async with work() as desk:
         await desk.type_line("WATCH a")

@@ -41,6 +41,7 @@ from donnie_tui.tui.deeds_settings import SettingsDeeds
 from donnie_tui.tui.deeds_telling import TellingDeeds
 from donnie_tui.tui.deeds_text import TextDeeds
 from donnie_tui.tui.highlighting import highlights
+from donnie_tui.tui.intake import Intake
 from donnie_tui.tui.widgets.editor import Editor
 from donnie_tui.tui.widgets.text_rows import MOST_LINES as MOST_LOGGED
 from donnie_tui.tui.widgets.text_rows import TextRows
@@ -105,12 +106,6 @@ def test_every_action_is_done_by_something_and_has_its_words():
     for action in ACTIONS:
         assert any(callable(getattr(part, action.name, None)) for part in DEEDS), action.name
         assert f"action-{action.name}" in SENTENCES
-
-
-def test_no_key_means_two_things():
-    keys = [key for action in ACTIONS for key in action.keys]
-
-    assert len(keys) == len(set(keys))
 
 
 def test_keys_are_told_as_they_are_printed():
@@ -242,6 +237,31 @@ def test_the_end_of_a_run_brings_its_mistakes():
     assert posted[-1].errors == (mistake,)
     listener.begun()
     assert listener.take().lines[0] == LogLine("Error, line 2, column 5: What?", "error")
+
+
+def test_the_end_of_another_robots_run_is_not_that_of_ones_own():
+    posted: list = []
+    listener = Bridge(posted.append, Words(), lambda: HERE, lambda: "alice")
+    for robot in ("bob", "alice"):
+        listener(Stamped(1, 0.0, RunEnded(Outcome.COMPLETED, Pose(1.0, 0.0, 0.0), {}, 0.0), robot))
+
+        assert any(isinstance(each, Ended) for each in posted) == (robot == "alice")
+    assert listener.take().others == (("bob", Pose(1.0, 0.0, 0.0)),)
+
+
+def test_what_did_not_fit_is_told_before_what_did():
+    listener, _ = bridge()
+    for _ in range(MOST_LINES + 500):
+        told(listener, Spoke("again"))
+    written: list[LogLine] = []
+    intake = Intake(
+        listener, Words(), set_timer=lambda *_: None, receive=lambda _: None, write=written.extend
+    )
+    intake.take()
+    intake.write()
+
+    assert [each.text for each in written[:2]] == ["500 lines were left out.", "again"]
+    assert len(written) == MOST_LINES + 1
 
 
 def test_two_calls_to_look_are_as_good_as_one():

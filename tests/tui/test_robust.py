@@ -64,6 +64,26 @@ async def test_a_fault_of_ours_is_one_sentence_and_the_text_is_kept(tmp_path: Pa
     assert "RuntimeError" in (tmp_path / "unsaved" / FAULT).read_text(encoding="utf-8")
 
 
+async def test_a_fault_of_ours_halts_the_robot_before_anything_is_kept(work):
+    """Keeping the text may take its time."""
+    doing: list[Doing] = []
+
+    def fail() -> None:
+        raise RuntimeError
+
+    with pytest.raises(RuntimeError):
+        async with work(WAITING, speed=1.0) as desk:
+            desk.app._print_error_renderables = lambda: None
+            running, files = desk.app.work.running, desk.app.work.files
+            await desk.press("f5")
+            await desk.until(lambda: running.frames, "the program is on its way")
+            files.keep_copy_now = lambda: doing.append(running.doing)
+            desk.app.call_later(fail)
+            await desk.until(lambda: doing, "the fault")
+
+    assert doing[0] in (Doing.STOPPING, Doing.READY)
+
+
 async def test_without_colours_the_terminal_s_own_are_left_alone(work, monkeypatch):
     monkeypatch.setenv("NO_COLOR", "1")
     async with work("FW 1") as desk:

@@ -57,11 +57,14 @@ async def test_a_disk_that_takes_its_time_is_told_and_holds_nobody_up(work, tmp_
         desk.place.editor.focus()
         await desk.press("x")
         assert desk.app.work.text == "xFW 1"
+        desk.app.work.files.keep_copy_now()
         assert not path.exists()
         slow_saving.set()
         await desk.told("Saved walk.gd, 1 line.")
         assert path.read_text() == "FW 1\n"
         assert desk.app.work.files.is_changed, "what was typed meanwhile is not saved"
+        desk.app.work.files.copies.settle()
+        assert _copies_in(tmp_path) == ["xFW 1"], "nor is its copy given up"
 
 
 async def test_leaving_waits_for_what_is_being_saved(work, tmp_path, slow_saving):

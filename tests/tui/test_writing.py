@@ -122,6 +122,18 @@ async def test_a_program_holds_at_its_breakpoints(work):
         await desk.told("The program is done.")
 
 
+async def test_a_breakpoint_that_is_set_while_the_program_holds_is_heeded(work):
+    async with work('FW 1\nSPEAK "two"\nFW 1\nSPEAK "four"') as desk:
+        desk.place.editor.go_to(2)
+        await desk.press("ctrl+b", "f5")
+        await desk.told('Line 2: SPEAK "two"')
+        desk.place.editor.go_to(4)
+        await desk.press("ctrl+b", "f6")
+        await desk.told('Line 4: SPEAK "four"')
+        await desk.press("f6")
+        await desk.told("The program is done.")
+
+
 async def test_a_breakpoint_goes_with_its_line(work):
     async with work("FW 1\nFW 2\nFW 3") as desk:
         desk.place.editor.toggle_breakpoint(2)
