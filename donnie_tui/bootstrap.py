@@ -185,8 +185,9 @@ def assemble(
         about_settings = tuple(words(each.code, **each.values) for each in settings.notices)
         audible = make_audible(settings, session, words, closing, is_linear=is_linear)
         belt_telling = BeltTelling(team, words, belt_settings(settings))
-        about_belt = connect_belt(settings, team, words, closing)
-        about_devices = about_belt + _connect_robot(connection, settings, words, world, terminal)
+        belt_news = connect_belt(settings, team, words, closing)
+        about_robot = _connect_robot(connection, settings, words, world, terminal)
+        about_devices = belt_news() + about_robot
     except BaseException:
         closing.close()
         raise

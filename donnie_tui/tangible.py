@@ -1,11 +1,15 @@
 """The belt for a session, as the settings want it.
 
-A belt that is missing or lost is told once, and the run goes on.
+A belt that is missing or lost is told once, and the run goes on. Nobody waits for one at an address that
+doesn't answer: that is told when it is known.
 """
 
 from __future__ import annotations
 
+import threading
+from collections.abc import Callable
 from contextlib import ExitStack
+from typing import TYPE_CHECKING
 
 from donnie_tui.core.belt import BeltSettings
 from donnie_tui.core.belt_watching import ChosenBelt
@@ -15,6 +19,9 @@ from donnie_tui.device_settings import SERIAL
 from donnie_tui.i18n.words import Words
 from donnie_tui.settings import Settings
 from donnie_tui.unusable import Unusable
+
+if TYPE_CHECKING:
+    from devices.belt.line import BeltNews
 
 
 def belt_settings(settings: Settings) -> BeltSettings:
@@ -33,23 +40,50 @@ def refuse_shared_port(settings: Settings, words: Words) -> None:
         raise Unusable(words("belt-same-port", port=settings.belt))
 
 
-def connect_belt(settings: Settings, team: Team, words: Words, closing: ExitStack) -> tuple[str, ...]:
-    """Let the belt show what the events say. Answers what can't be done, a sentence each."""
+class _News:
+    """Of the belt, in words: kept while a session is put together, for nobody hears it then; events after."""
+
+    def __init__(self, port: str, team: Team, words: Words) -> None:
+        self._port, self._team, self._words = port, team, words
+        self._lock = threading.Lock()
+        self._kept: list[str] | None = []
+
+    def __call__(self, news: BeltNews, reason: str) -> None:
+        self.tell(self._words(f"belt-{news.value}", port=self._port, reason=reason))
+
+    def tell(self, sentence: str) -> None:
+        with self._lock:
+            if self._kept is not None:
+                self._kept.append(sentence)
+                return
+        self._team.chosen.hub.publish(Answered(sentence))
+
+    def take(self) -> tuple[str, ...]:
+        """What was kept; from now on it is events."""
+        with self._lock:
+            kept, self._kept = self._kept or [], None
+            return tuple(kept)
+
+
+def connect_belt(
+    settings: Settings, team: Team, words: Words, closing: ExitStack
+) -> Callable[[], tuple[str, ...]]:
+    """Let the belt show what the events say. To be called once somebody listens: what was told until then, a
+    sentence each."""
     if settings.belt is None:
-        return ()
+        return tuple
     refuse_shared_port(settings, words)
     from devices.belt.line import BeltNews, SerialBelt, open_line
     from devices.port_listing import stable_name
     from devices.same_board import SameBoard
     from devices.serial_port import PortProblem
 
-    def tell(news: BeltNews) -> None:
-        team.chosen.hub.publish(Answered(words(f"belt-{news.value}")))
-
+    news = _News(settings.belt, team, words)
     try:
-        belt = SerialBelt(stable_name(settings.belt), tell, SameBoard(open_line))
+        belt = SerialBelt(stable_name(settings.belt), news, SameBoard(open_line))
     except PortProblem as problem:
-        return (words("belt-missing", port=settings.belt, reason=problem.reason),)
+        news(BeltNews.MISSING, problem.reason)
+        return news.take
     closing.callback(belt.close)
     closing.callback(team.stream.subscribe(ChosenBelt(lambda: team.chosen.hub.robot, belt.show)))
-    return ()
+    return news.take

@@ -1,7 +1,8 @@
 """The belt on its serial line: one thread owns the port, writes what is due and tries again when it is gone.
 
-Rules: nobody waits for the belt; what can't be sent now is never sent later; a belt that is lost is told
-once, and once more when it is back. Closing turns its motors off.
+Rules: nobody waits for the belt, not for a network that doesn't answer either; what can't be sent now is
+never sent later; a belt that is missing or lost is told once, and once more when it is back. Closing turns
+its motors off.
 """
 
 from __future__ import annotations
@@ -27,6 +28,10 @@ RETRY = 1.0
 LONGEST_REST = 0.5
 """Seconds between two looks at a line on which nothing is due: so soon an unplugged belt is noticed."""
 
+PATIENCE = 2.0
+"""Seconds that whoever wants a belt waits for a device of this machine, which opens at once or never; for an
+address of the network nobody waits."""
+
 LONGEST_GOODBYE = 1.0
 """Seconds that closing may take: the last pulse, and the frame that turns everything off."""
 
@@ -36,6 +41,10 @@ _MOST_HEARD = 256
 class BeltNews(Enum):
     """What is told about the belt."""
 
+    MISSING = "missing"
+    """It couldn't be opened, and is not tried again."""
+    FOUND = "found"
+    """It was opened when nobody waited for that any more."""
     LOST = "lost"
     RESTORED = "restored"
 
@@ -59,18 +68,30 @@ class SerialBelt:
     """A belt that shows levels from any thread and answers at once."""
 
     def __init__(
-        self, port: str, on_news: Callable[[BeltNews], None], opened: Callable[[str], Line] = open_line
+        self, port: str, on_news: Callable[[BeltNews, str], None], opened: Callable[[str], Line] = open_line
     ):
-        """Opens the port. Raises ``PortProblem``. ``on_news`` is called in a thread of its own."""
+        """Opens the port. Raises ``PortProblem`` if it is known at once that it can't be; what is known later
+        is news. ``on_news`` is called in a thread of its own, with the reason where there is one."""
         self._port = port
         self._telling = Telling(port, on_news)
         self._open = opened
-        self._line: Line | None = opened(port)
+        self._line: Line | None = None
         self._sender = BeltSender()
         self._changed = threading.Condition()
         self._is_closing = False
+        self._is_opening = self._is_awaited = True
+        self._problem: Exception | None = None
         self._thread = threading.Thread(target=self._work, name="belt", daemon=True)
         self._thread.start()
+        self._await_opening(0.0 if "://" in port else PATIENCE)
+
+    def _await_opening(self, seconds: float) -> None:
+        with self._changed:
+            self._changed.wait_for(lambda: not self._is_opening, seconds)
+            self._is_awaited = False
+            problem = self._problem
+        if problem is not None:
+            raise problem
 
     def show(self, levels: tuple[int, ...]) -> None:
         with self._changed:
@@ -78,22 +99,44 @@ class SerialBelt:
             self._changed.notify()
 
     def close(self) -> None:
-        """Motors off, once the last pulse was felt, and the port is free."""
+        """Motors off, once the last pulse was felt, and the port is free. A port that opens only later is
+        made dark and let go of then."""
         with self._changed:
             self._is_closing = True
             self._sender.show(OFF, monotonic())
             self._changed.notify()
-        self._thread.join(LONGEST_GOODBYE)
+            is_opening = self._is_opening
+        if not is_opening:
+            self._thread.join(LONGEST_GOODBYE)
 
     # --- the belt's thread
 
     def _work(self) -> None:
+        if not self._begin():
+            return
         while not self._is_done():
             try:
                 self._step()
             except GONE as problem:
                 self._lose(problem)
         self._turn_off()
+
+    def _begin(self) -> bool:
+        """Open it for the first time. What came of it is told to who waits for it, or as news."""
+        line, problem = None, None
+        try:
+            line = self._open(self._port)
+        except Exception as error:  # noqa: BLE001 -- raised again where it is waited for
+            problem = error
+        with self._changed:
+            self._line, self._problem, self._is_opening = line, problem, False
+            is_news = not (self._is_awaited or self._is_closing)
+            self._changed.notify_all()
+        if is_news:
+            _LOG.info("the belt's line: %s", problem or "opened")
+            reason = problem.reason if isinstance(problem, PortProblem) else str(problem or "")
+            self._telling.tell(BeltNews.MISSING if problem else BeltNews.FOUND, reason)
+        return line is not None
 
     def _is_done(self) -> bool:
         return self._is_closing and (self._line is None or self._sender.is_over(monotonic()))
@@ -131,20 +174,24 @@ class SerialBelt:
     def _lose(self, problem: Exception) -> None:
         _LOG.info("the belt's line failed: %s", problem)
         self._close_line()
-        self._telling.tell(BeltNews.LOST)
+        self._telling.tell(BeltNews.LOST, "")
 
     def _try_again(self) -> None:
         with self._changed:
             if self._is_closing:
                 return
             self._changed.wait(RETRY)
+            self._is_opening = True
         try:
             self._line = self._open(self._port)
         except (PortProblem, *GONE):
             return
+        finally:
+            with self._changed:
+                self._is_opening = False
         with self._changed:
             self._sender.start_over()
-        self._telling.tell(BeltNews.RESTORED)
+        self._telling.tell(BeltNews.RESTORED, "")
 
     def _turn_off(self) -> None:
         """Whatever happened before: the last thing on the line is a dark frame."""

@@ -26,6 +26,7 @@ from devices.belt.board import BeltBoard
 from devices.firmware_double.board import SimulatedBoard
 from devices.firmware_double.on_pty import DoubleOnPty
 from devices.ports.robot import Pose
+from devices.serial_port import PortFault, PortProblem
 from devices.wire.commands import STOP
 from donnie_tui.bootstrap import Donnie, assemble
 from donnie_tui.connecting import Connection
@@ -684,6 +685,26 @@ def test_a_belt_that_is_missing_is_told_and_the_run_goes_on(tmp_path: Path) -> N
     assert done.stderr.decode() == "No belt at /dev/nothing: No such file or directory. I go on without.\n"
     assert done.stdout.decode() == "Belt on.\nI walked 1 step forward.\n"
     assert done.returncode == 0
+
+
+def test_the_start_does_not_wait_for_a_belt_at_an_address_and_that_there_is_none_is_told(
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    answers, told = threading.Event(), list[str]()
+
+    def no_answer(port: str) -> None:
+        assert answers.wait(PATIENCE)
+        raise PortProblem(port, PortFault.UNUSABLE, "timed out")
+
+    monkeypatch.setattr("devices.belt.line.open_line", no_answer)
+    donnie = assemble(Settings(belt="socket://far:1", speech="off", sound=False), terminal=True)
+    donnie.session.hub.subscribe(lambda stamped: told.append(getattr(stamped.event, "text", "")))
+    answers.set()
+    try:
+        assert donnie.notices == ()
+        assert until(lambda: told == ["No belt at socket://far:1: timed out. I go on without."])
+    finally:
+        donnie.close()
 
 
 def test_robot_and_belt_may_not_have_the_same_port(tmp_path: Path, robot: DoubleOnPty) -> None:

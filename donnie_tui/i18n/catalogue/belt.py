@@ -21,6 +21,7 @@ SENTENCES: dict[str, Sentence] = {
         "Sem cinto em {port}: {reason}. Continuo sem ele.",
         "Sin cinturón en {port}: {reason}. Sigo sin él.",
     ),
+    "belt-found": Sentence("Belt connected.", "Cinto conectado.", "Cinturón conectado."),
     "belt-lost": Sentence("The belt is gone.", "O cinto sumiu.", "El cinturón no está."),
     "belt-restored": Sentence("The belt is back.", "O cinto voltou.", "El cinturón volvió."),
     "belt-same-port": Sentence(

@@ -46,7 +46,9 @@ class FakeLine:
         return self.answers.pop(0) if self.answers else b""
 
     def close(self) -> None:
-        self.is_closed = True
+        with self._changed:
+            self.is_closed = True
+            self._changed.notify_all()
 
     def wait_for(self, is_met: Callable[[], bool]) -> bool:
         with self._changed:
@@ -93,10 +95,12 @@ class News:
 
     def __init__(self) -> None:
         self.told: list[BeltNews] = []
+        self.reason = ""
         self._changed = threading.Condition()
 
-    def __call__(self, news: BeltNews) -> None:
+    def __call__(self, news: BeltNews, reason: str) -> None:
         with self._changed:
+            self.reason = reason
             self.told.append(news)
             self._changed.notify_all()
 
@@ -200,7 +204,7 @@ def test_a_listener_that_hangs_does_not_hold_the_belt(
     monkeypatch.setattr("devices.belt.line.RETRY", 0.001)
     is_read, second = threading.Event(), FakeLine()
     lines = [second, line]
-    belt = SerialBelt("nowhere", lambda news: is_read.wait() and None, lambda _: lines.pop())
+    belt = SerialBelt("nowhere", lambda *news: is_read.wait() and None, lambda _: lines.pop())
     line.fault = OSError(5, "gone")
     belt.show(FRONT)
 
@@ -238,6 +242,64 @@ def test_a_belt_that_is_not_there_is_a_problem_with_the_systems_reason() -> None
 
     assert caught.value.fault is PortFault.ABSENT
     assert caught.value.reason == "No such file or directory"
+
+
+SLOW = "socket://there.is.no.answer:7000"
+
+
+class SlowNetwork:
+    """Opening lasts until it is answered."""
+
+    def __init__(self, line: Line | None) -> None:
+        self._line = line
+        self.answer = threading.Event()
+
+    def __call__(self, port: str) -> Line:
+        assert self.answer.wait(PATIENCE)
+        if self._line is None:
+            raise PortProblem(port, PortFault.UNUSABLE, "timed out")
+        return self._line
+
+
+def test_nobody_waits_for_a_belt_at_an_address_and_that_it_is_there_is_told(
+    line: FakeLine, news: News
+) -> None:
+    network = SlowNetwork(line)
+    belt = SerialBelt(SLOW, news, network)
+    belt.show(FRONT)
+    assert news.told == []
+    network.answer.set()
+
+    assert news.wait_for(BeltNews.FOUND)
+    assert line.wait_for(lambda: frame(FRONT) in line.written)
+    belt.close()
+    assert line.written[-1] == frame(OFF)
+
+
+def test_that_no_belt_is_at_an_address_is_told_once_with_the_reason(news: News) -> None:
+    network = SlowNetwork(None)
+    belt = SerialBelt(SLOW, news, network)
+    belt.show(FRONT)
+    network.answer.set()
+
+    assert news.wait_for(BeltNews.MISSING)
+    assert news.reason == "timed out"
+    belt.close()
+    assert news.told == [BeltNews.MISSING]
+
+
+def test_a_belt_that_opens_behind_the_end_is_made_dark_and_let_go_of_in_silence(
+    line: FakeLine, news: News
+) -> None:
+    network = SlowNetwork(line)
+    belt = SerialBelt(SLOW, news, network)
+    belt.show(FRONT)
+    belt.close()
+    network.answer.set()
+
+    assert line.wait_for(lambda: line.is_closed)
+    assert line.written[-1] == frame(OFF)
+    assert news.told == []
 
 
 def test_the_real_line_carries_frames_to_a_board(news: News) -> None:
