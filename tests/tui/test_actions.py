@@ -4,7 +4,7 @@ from collections.abc import Callable
 
 import pytest
 
-from donnie_tui.core.use_cases import find
+from donnie_tui.core.use_cases import USE_CASES, find
 from donnie_tui.core.view_cases import VIEW_CASES
 from donnie_tui.i18n.catalogue import SENTENCES
 from donnie_tui.i18n.sentence import LANGUAGES
@@ -90,7 +90,8 @@ async def test_every_word_is_answered_in_the_log_or_by_a_screen_of_its_own(work)
 def test_words_of_the_screen_alone_are_nobody_else_s(language):
     for case in VIEW_CASES:
         assert canonical(case.word(language)) is None
-        assert find(case.word(language)) is None or find(case.word(language))[1]
+        assert find(case.word(language), CASES) == (case, "")
+        assert case.word(language) not in {each.word(language) for each in USE_CASES}
 
 
 def test_every_action_has_a_purpose_and_is_reached_by_key_or_palette_and_word():

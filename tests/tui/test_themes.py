@@ -4,7 +4,6 @@ from collections.abc import Iterator
 
 import pytest
 from rich.segment import Segment
-from textual.theme import Theme
 
 from donnie_tui.settings import THEMES
 from donnie_tui.tui import themes
@@ -147,4 +146,4 @@ def _parts(colour: str) -> tuple[int, int, int]:
 
 def test_every_setting_of_the_look_is_one():
     assert tuple(map(themes.name_of, THEMES)) == themes.NAMES
-    assert all(isinstance(themes.theme(name), Theme) for name in themes.NAMES)
+    assert tuple(themes.theme(name).name for name in themes.NAMES) == themes.NAMES

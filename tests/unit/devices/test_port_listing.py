@@ -5,6 +5,8 @@ from __future__ import annotations
 from dataclasses import dataclass
 from pathlib import Path
 
+import pytest
+
 from devices.port_listing import FoundPort, list_ports, stable_name
 
 
@@ -62,5 +64,9 @@ def test_a_port_that_was_named_by_hand_has_a_name_that_stays(tmp_path: Path) -> 
     assert stable_name(str(device), tmp_path / "none") == str(device)
 
 
-def test_the_machines_own_list_can_be_read() -> None:
-    assert all(isinstance(each, FoundPort) for each in list_ports())
+def test_the_machines_own_ports_are_those_that_pyserial_finds(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(
+        "serial.tools.list_ports.comports", lambda: [Plugged("/dev/no-such-port", 0x2341, 0x42)]
+    )
+
+    assert list_ports() == (FoundPort("/dev/no-such-port", "/dev/no-such-port", is_board=True),)

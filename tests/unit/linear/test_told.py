@@ -35,11 +35,26 @@ def test_somebody_who_waits_is_nudged_by_the_first_line_only() -> None:
     assert len(nudges) == 1
 
 
+class Noted(threading.Condition):
+    """It is known that somebody waits."""
+
+    def __init__(self) -> None:
+        super().__init__()
+        self.waits = threading.Event()
+
+    def wait(self, timeout: float | None = None) -> bool:
+        self.waits.set()
+        return super().wait(timeout)
+
+
 def waits(told: Told, robot: str | None) -> threading.Thread:
-    waiting = threading.Thread(target=told.wait_for_room, args=(robot,), daemon=True)
-    waiting.start()
-    waiting.join(0.05)
-    return waiting
+    """A program that would tell more: it waits by now, or has gone on."""
+    held = told._changed = Noted()
+    program = threading.Thread(target=told.wait_for_room, args=(robot,), daemon=True)
+    program.start()
+    while program.is_alive() and not held.waits.wait(0.01):
+        pass
+    return program
 
 
 def test_a_program_that_tells_too_much_is_held_back_until_somebody_reads() -> None:
