@@ -225,7 +225,11 @@ class SerialLink:
             self._lost(error)
 
     def _look(self) -> None:
-        """Take in what came, and do what is due."""
+        """Take in what came, and do what is due; a stop first, for what came may take long to read."""
+        with self._lock:
+            urgent = self._connection.urgent(self.now())
+        for action in urgent:
+            self._do(action)
         try:
             data = self._port.read() if self._port is not None else b""
         except GONE as error:

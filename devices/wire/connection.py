@@ -146,10 +146,20 @@ class Connection:
             return [Need.REOPEN]
         if self._stopping.goes_on(now, self._heard_at, self._instruments.moved_at):
             done.append(Need.FORCE)
-        if frame := self._outbox.due(now):
-            done.append(Write(frame))
-            self._watch_handshake()
-        return done
+        return done + self._due(now)
+
+    def urgent(self, now: float) -> list[Action]:
+        """What is due of a stop, before anybody reads what came in. Nothing is judged by the time yet, and
+        no handshake goes on: what came before its last frame would be taken for the answer."""
+        is_up = self.state is LinkState.STREAMING
+        return self._due(now) if is_up and self._outbox.has_stops else []
+
+    def _due(self, now: float) -> list[Action]:
+        frame = self._outbox.due(now)
+        if frame is None:
+            return []
+        self._watch_handshake()
+        return [Write(frame)]
 
     def next_at(self, now: float) -> float:
         """When ``actions`` has something to do at the latest, if nothing comes in before."""

@@ -24,7 +24,7 @@ from devices.serial_link import SerialLink
 from devices.serial_link.port import OpenPort
 from devices.serial_robot.config import RobotConfig
 from devices.serial_robot.robot import SerialRobot
-from devices.wire.commands import STOP, Drive, motors
+from devices.wire.commands import PING, STOP, Drive, head, motors
 from devices.wire.link_config import LinkConfig
 from devices.wire.link_state import LinkState
 from tests.conftest import ROOT
@@ -349,6 +349,53 @@ def test_a_stop_from_any_thread_reaches_the_wire(double: DoubleOnPty, link: Seri
     threading.Thread(target=link.stop).start()
 
     assert until(lambda: not double.board.is_driving)
+
+
+class HeldPort(OpenPort):
+    """A port that can be held behind a certain frame. ``did``: what was written, and each reading."""
+
+    def __init__(self, url: str) -> None:
+        super().__init__(url)
+        self.did: list[bytes | None] = []
+        self.holds_behind: bytes | None = None
+        self.is_held, self.goes_on = threading.Event(), threading.Event()
+
+    def read(self) -> bytes:
+        self.did.append(None)
+        return super().read()
+
+    def write(self, data: bytes) -> None:
+        super().write(data)
+        self.did.append(data)
+        if data == self.holds_behind:
+            self.is_held.set()
+            assert self.goes_on.wait(PATIENCE)
+
+
+def test_a_stop_in_the_midst_of_a_burst_of_commands_is_the_next_frame_before_anything_is_read(
+    double: DoubleOnPty,
+) -> None:
+    ports: list[HeldPort] = []
+
+    def open_port(url: str) -> HeldPort:
+        ports.append(HeldPort(url))
+        return ports[-1]
+
+    link = SerialLink(double.path, open_port=open_port)
+    link.connect()
+    port = ports[0]
+    port.holds_behind = head(10)
+    link.put(head(10))
+    assert port.is_held.wait(PATIENCE)
+    for frame in (head(20), PING):
+        link.put(frame)
+    link.stop()
+    before = len(port.did)
+    port.goes_on.set()
+
+    assert until(lambda: STOP in port.did[before:])
+    assert port.did[before] == STOP
+    link.close()
 
 
 def test_process_killed_the_hang_up_flag_of_the_port_is_left_alone(double: DoubleOnPty) -> None:
