@@ -1,5 +1,6 @@
 """Whatever takes longer than a second is told in words, while the screen goes on."""
 
+import asyncio
 import signal
 import threading
 
@@ -187,14 +188,20 @@ async def test_opening_is_given_up_by_asking_for_something_else_and_that_is_told
     path = tmp_path / "walk.gd"
     path.write_text("FW 1\n")
     _slow_disk(monkeypatch, gate)
+    read, has_read = filing.read_program, threading.Event()
+    monkeypatch.setattr(filing, "read_program", lambda path: (read(path), has_read.set())[0])
     async with work() as desk:
         await desk.type_line(f"OPEN {path}")
         await desk.told("Opening walk.gd, it takes a while.")
         await desk.type_line("GO TO 1")
         await desk.told("Nothing was changed.")
         gate.set()
-        await desk.pilot.pause(0.1)
+        await desk.until(has_read.is_set, "the file that nobody wants any more")
+        await asyncio.to_thread(has_read.wait)  # what came of it is at the screen before this is
+        await desk.type_line("POS")
+        await desk.told("> POS")
         assert desk.app.work.text == ""
+        assert not any(line.startswith("Opened") for line in desk.log)
 
 
 async def test_a_file_of_the_command_line_that_comes_slowly_leaves_the_screen_alive(
