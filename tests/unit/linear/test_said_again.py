@@ -11,7 +11,6 @@ from itertools import groupby
 import pytest
 
 from donnie_tui.linear.output import Output
-from tests.patience import PATIENCE
 from tests.unit.linear.test_output import Paper
 
 TYPED = "SHOW LOG"
@@ -51,7 +50,7 @@ def test_an_answer_is_heard_each_time_that_it_is_said(rows: int, is_cleared: boo
         output = Output(paper, paced=True)
         answer = [f"I walked {number} steps." for number in range(count)]
         for _ in range(3):
-            paper.wait(PATIENCE)
+            paper.wait(10)
             paper.written.clear()
             screen.hear(TYPED)
             output.hold_newline()
@@ -63,7 +62,7 @@ def test_what_was_never_printed_comes_in_blocks_of_eighteen_all_the_same() -> No
     paper = Paper()
     output = Output(paper, paced=True)
     output.show([f"one {number}" for number in range(18)])
-    paper.wait(PATIENCE)
+    paper.wait(10)
     output.show([f"two {number}" for number in range(18)], "> ")
 
     assert [time for time, _ in paper.written] == [0.0, 10.0]
@@ -74,6 +73,6 @@ def test_a_program_that_says_one_thing_over_and_over_is_not_held_up() -> None:
     output = Output(paper, paced=True)
     for _ in range(3):
         output.show(["on and on"] * 18)
-        paper.wait(PATIENCE)
+        paper.wait(10)
 
     assert [time for time, _ in paper.written] == [0.0, 10.0, 20.0]

@@ -55,6 +55,7 @@ def signs(seconds: float, interval: float, monkeypatch: pytest.MonkeyPatch) -> l
         ends=SimpleNamespace(habits=SimpleNamespace(progress=interval), can_edit=True, hears_live=False),
         watched=[],
         say=None,
+        beside=SimpleNamespace(is_watching=False),
         showing=SimpleNamespace(show_told=_nothing),
     )
     monkeypatch.setattr(runs, "sign_of_life", lambda _: told_at.append(round(console.time, 3)))
