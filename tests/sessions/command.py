@@ -3,10 +3,13 @@
 from __future__ import annotations
 
 import os
+import signal
 import subprocess
 import sys
 from collections.abc import Mapping
 from pathlib import Path
+
+import pexpect
 
 from tests.patience import PATIENCE
 
@@ -53,3 +56,10 @@ def start(folder: Path, *arguments: str) -> subprocess.Popen[bytes]:
         cwd=folder,
         env=environment(folder),
     )
+
+
+def end(child: pexpect.spawn) -> None:
+    """Whatever it does; pexpect alone gives a busy machine a tenth of a second for it."""
+    child.kill(signal.SIGKILL)
+    child.wait()
+    child.close()

@@ -64,6 +64,7 @@ class Learner:
         """Wait for the end: the exit code."""
         self.child.expect(pexpect.EOF)
         self._seen += self.child.before
+        self.child.wait()
         self.child.close()
         return self.child.exitstatus
 

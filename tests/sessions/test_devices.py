@@ -6,7 +6,6 @@ Whatever ends the program, the board is told to stop.
 from __future__ import annotations
 
 import contextlib
-import fcntl
 import json
 import os
 import signal
@@ -17,6 +16,7 @@ import threading
 import time
 import tty
 from collections.abc import Callable, Iterator
+from itertools import cycle
 from pathlib import Path
 
 import pexpect
@@ -33,7 +33,7 @@ from donnie_tui.connecting import Connection
 from donnie_tui.core.events import CueSounded, Link, Moved, Outcome, RunEnded, Stamped
 from donnie_tui.settings import Settings
 from tests.patience import PATIENCE
-from tests.sessions.command import COMMAND, QUIET, donnie, environment, start
+from tests.sessions.command import COMMAND, QUIET, donnie, end, environment, start
 from tests.sessions.learner import Learner
 from tests.sessions.test_double import world as near_world
 
@@ -270,16 +270,19 @@ def test_control_z_stops_the_robot_of_the_linear_mode_although_its_terminal_take
     learner.sees("You left with Ctrl+Z, so I stopped the robot.")
 
 
+PAINT_ANEW = "\x0b\x1b[15~"
+"""The keys for it: all of the screen is more than a terminal keeps; a robot that walks changes few cells."""
+
+
 def is_full(screen: pexpect.spawn) -> Callable[[], bool]:
-    """Whether nothing was added to what waits at the terminal, in several looks, although it is painted whole
-    again and again: a robot that walks changes few cells."""
-    waiting: list[int] = []
+    """Whether a thread of it waits for the terminal in most looks, but for what a signal wakes it."""
+    is_waiting, looks = is_stuck(screen), list[bool]()
 
     def look() -> bool:
-        screen.setwinsize(60, 200 - len(waiting) // 5 % 2)
-        told = fcntl.ioctl(screen.child_fd, termios.FIONREAD, b"\0" * 4)
-        waiting.append(int.from_bytes(told, sys.byteorder))
-        return waiting[-1] > 0 and len(waiting) > 300 and len(set(waiting[-300:])) == 1
+        if len(looks) % 50 == 0:
+            screen.send(PAINT_ANEW)
+        looks.append(is_waiting())
+        return len(looks) > 50 and sum(looks[-50:]) > 40
 
     return look
 
@@ -297,17 +300,25 @@ def unread_screen(folder: Path, robot: DoubleOnPty) -> pexpect.spawn:
     assert until(lambda: robot.board.is_configured)
     screen.expect("onnected")
     screen.send("\x1b[15~")
-    assert until(lambda: robot.board.is_driving)
+    assert until(lambda: (read(screen), robot.board.is_driving)[1])
     assert until(is_full(screen))
-    assert robot.board.is_driving
     return screen
 
 
-def test_a_screen_that_takes_nothing_stops_the_robot_by_itself(tmp_path: Path, robot: DoubleOnPty) -> None:
-    screen = unread_screen(tmp_path, robot)
-    painted_again = is_full(screen)
+def read(screen: pexpect.spawn) -> bytes:
+    """What waits to be read."""
+    try:
+        return screen.read_nonblocking(65536, timeout=0)
+    except pexpect.TIMEOUT:
+        return b""
 
-    assert until(lambda: (painted_again(), not robot.board.is_driving)[1])
+
+def test_a_screen_that_takes_nothing_stops_the_robot_by_itself(tmp_path: Path, robot: DoubleOnPty) -> None:
+    """Although one signal after the other comes."""
+    screen = unread_screen(tmp_path, robot)
+    widths = cycle((200, 199))
+
+    assert until(lambda: (screen.setwinsize(60, next(widths)), not robot.board.is_driving)[1])
     assert screen.isalive()
     screen.kill(signal.SIGKILL)
 
@@ -445,8 +456,8 @@ def test_a_robot_that_was_named_by_its_device_is_found_again_under_another_one(r
     )
     connection.close()
     donnie.close()
-    for end in taken:
-        os.close(end)
+    for number in taken:
+        os.close(number)
 
 
 # --- looking for a robot that does not answer
@@ -487,6 +498,7 @@ def test_control_c_ends_a_command_that_looks_for_a_robot(
     front_end.expect(pexpect.EOF)
 
     assert "answers" not in front_end.before.decode()
+    front_end.wait()
     front_end.close()
     assert front_end.exitstatus == 130
 
@@ -502,7 +514,7 @@ def test_a_stop_key_gives_up_the_search_of_the_full_screen(tmp_path: Path, mute_
     front_end.expect("I use the simulator instead")
     front_end.send("\x11")
     front_end.expect("is not saved")  # what was typed meanwhile is there
-    front_end.close(force=True)
+    end(front_end)
 
 
 @pytest.mark.parametrize("moment", ["at the start", "by a word"])
@@ -529,6 +541,7 @@ def test_a_signal_ends_a_front_end_that_looks_for_a_robot(tmp_path: Path, mute_p
         front_end.expect(announced)
         front_end.kill(signal.SIGTERM)
         front_end.expect(pexpect.EOF)
+        front_end.wait()
         front_end.close()
 
         assert "No robot answers" not in front_end.before.decode()

@@ -15,6 +15,7 @@ import pytest
 from donnie_tui.core.use_cases import USE_CASES, typed_form
 from donnie_tui.i18n.words import Words
 from tests.patience import PATIENCE
+from tests.sessions.command import end
 
 LANGUAGES = ("en", "pt", "es")
 PROGRAMS = {
@@ -128,7 +129,7 @@ def test_with_the_plain_editor_a_terminal_gets_nothing_but_text(tmp_path: Path) 
         child.send(line.encode() + b"\n")
     child.expect([pexpect.EOF, b"Enter means no"])
     raw += child.before
-    child.close(force=True)
+    end(child)
 
     assert b"\x1b" not in raw and b"\a" not in raw and b"\b" not in raw
     text = raw.replace(b"\r\n", b"\n").decode()
@@ -159,7 +160,7 @@ def test_at_every_width_a_line_that_wraps_is_typed_and_taken_whole(tmp_path: Pat
     child.send("AROUND\r")
     child.expect_exact("> ")
     told = child.before.decode().split("\r\n")[1:-1]
-    child.close(force=True)
+    end(child)
 
     assert told[0] == "No things within 10 steps."
     assert len(told) == 5
