@@ -51,8 +51,12 @@ def test_the_copy_of_another_program_of_the_same_start_is_not_offered(tmp_path: 
 @contextlib.contextmanager
 def process(*words: str) -> Iterator[subprocess.Popen[bytes]]:
     """One with these words in its command line, which ends when its input does."""
-    command = [sys.executable, "-c", "input()", *words]
-    with subprocess.Popen(command, stdin=subprocess.PIPE, stderr=subprocess.DEVNULL) as made:
+    command = [sys.executable, "-c", "print(flush=True); input()", *words]
+    with subprocess.Popen(
+        command, stdin=subprocess.PIPE, stdout=subprocess.PIPE, stderr=subprocess.DEVNULL
+    ) as made:
+        assert made.stdout is not None
+        made.stdout.readline()  # while it begins, its command line is empty
         yield made
 
 
