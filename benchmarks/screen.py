@@ -52,16 +52,17 @@ async def screen(world: str = "living_room", size: tuple[int, int] = (120, 40)) 
 
 
 class Bytes:
-    """What the application would write to a terminal."""
+    """What the application would write to a terminal; ``whole``: cells that have not changed as well."""
 
-    def __init__(self, app: DonnieApp) -> None:
+    def __init__(self, app: DonnieApp, *, whole: bool) -> None:
+        self.whole = whole
         self.console = Console(file=io.StringIO(), force_terminal=True, color_system="truecolor", width=200)
         self.app = app
         self.count = 0
         app._display = self._display  # type: ignore[method-assign]  # where every update passes
 
     def _display(self, _screen: object, renderable: object) -> None:
-        renderable = self.app._painted.less(renderable)
+        renderable = renderable if self.whole else self.app._painted.less(renderable)
         if renderable is not None and hasattr(renderable, "render_segments"):
             self.count += len(renderable.render_segments(self.console).encode())
 
@@ -69,7 +70,7 @@ class Bytes:
 async def map_at_work(whole: bool, world: str) -> tuple[float, float]:
     """Bytes and seconds for the frames of a walk; ``whole``: the map is painted anew each time."""
     async with screen(world) as app:
-        written = Bytes(app)
+        written = Bytes(app, whole=whole)
         place = app.workplace
         began = time.process_time()
         for frame in range(FRAMES):
