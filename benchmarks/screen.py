@@ -27,7 +27,7 @@ from textual.widgets import RichLog
 
 from devices.ports.robot import Pose
 from donnie_tui.bootstrap import assemble
-from donnie_tui.settings import Settings
+from donnie_tui.settings.chosen import Settings
 from donnie_tui.tui.app import DonnieApp
 from donnie_tui.tui.full_screen import SWITCH
 from donnie_tui.tui.running import Doing

@@ -35,7 +35,7 @@ def _open_what_is_closed() -> None:
 
 def _greet_early() -> None:
     """Where the settings file might have a say in it, the greeting waits for it."""
-    from donnie_tui.folders import settings_file
+    from donnie_tui.settings.folders import settings_file
 
     if not os.path.exists(settings_file(os.environ)):  # noqa: PTH110 -- pathlib is slow to load
         from donnie_tui.linear.greeting import begin

@@ -13,8 +13,6 @@ from typing import TYPE_CHECKING, TextIO
 
 from devices.ports.robot import Pace, Watcher
 from devices.ports.values import mutable
-from donnie_tui.audible import Audible, make_audible
-from donnie_tui.connecting import Connection
 from donnie_tui.core.belt_telling import BeltTelling
 from donnie_tui.core.chronicle import Chronicle
 from donnie_tui.core.events import Announced
@@ -24,19 +22,20 @@ from donnie_tui.core.in_use import keep
 from donnie_tui.core.session import ResettableRobot, Session
 from donnie_tui.core.team import Team
 from donnie_tui.core.until_said import UntilSaid
-from donnie_tui.device_settings import SERIAL, SIMULATED
-from donnie_tui.first_start import is_new_decision
-from donnie_tui.folders import state_path
-from donnie_tui.i18n.words import Words
-from donnie_tui.moved_things import ThingWatch
+from donnie_tui.i18n.words import Unusable, Words
+from donnie_tui.outlets.audible import Audible, make_audible
+from donnie_tui.outlets.tangible import belt_settings, connect_belt
+from donnie_tui.outlets.written import Written
 from donnie_tui.process.collecting import loaded
 from donnie_tui.process.lost_network import NetworkWatch
-from donnie_tui.robot_search import Search
-from donnie_tui.settings import Settings, Source
-from donnie_tui.tangible import belt_settings, connect_belt
-from donnie_tui.unusable import Unusable
-from donnie_tui.world_choice import ChosenWorld, choose_world, files_of
-from donnie_tui.written import Written
+from donnie_tui.robot.connection import Connection
+from donnie_tui.robot.search import Search
+from donnie_tui.settings.chosen import Settings, Source
+from donnie_tui.settings.devices import SERIAL, SIMULATED
+from donnie_tui.settings.first_start import is_new_decision
+from donnie_tui.settings.folders import state_path
+from donnie_tui.world.choice import ChosenWorld, choose_world, files_of
+from donnie_tui.world.moved_things import ThingWatch
 
 if TYPE_CHECKING:
     from sim.mounted import Mounted

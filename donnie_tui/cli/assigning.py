@@ -7,8 +7,7 @@ from pathlib import Path, PurePath
 
 from donnie_tui.cli.sources import read_source
 from donnie_tui.core.team import Assigned, Team
-from donnie_tui.i18n.words import Words
-from donnie_tui.unusable import Unusable
+from donnie_tui.i18n.words import Unusable, Words
 
 MOST_NAMES = 5
 """Robots that are named where one is unknown."""

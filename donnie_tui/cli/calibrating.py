@@ -20,13 +20,13 @@ from devices.wire.telemetry import Telemetry
 from donnie_tui.cli import codes
 from donnie_tui.cli.ending import stopped_by_suspension
 from donnie_tui.cli.order import Order
-from donnie_tui.connecting import MeasurableRobot, make_measurable, robot_config
 from donnie_tui.core.documents import DocumentError
+from donnie_tui.i18n.words import Unusable
 from donnie_tui.process.lost_readers import ReaderWatch
 from donnie_tui.process.taken_signals import LEAVING, TakenSignals
-from donnie_tui.robot_choice import sentences_of
-from donnie_tui.settings_file import remember
-from donnie_tui.unusable import Unusable
+from donnie_tui.robot.choice import sentences_of
+from donnie_tui.robot.connection import MeasurableRobot, make_measurable, robot_config
+from donnie_tui.settings.file import remember
 
 STEPS = 20
 """A metre, so that a centimetre of a bad reading is a percent."""

@@ -7,9 +7,8 @@ from donnie_tui.cli.order import Order
 from donnie_tui.cli.output import Output
 from donnie_tui.cli.sources import Source, read_source
 from donnie_tui.i18n.mistakes import remark
-from donnie_tui.i18n.words import Words
-from donnie_tui.settings import Source as Origin
-from donnie_tui.unusable import Unusable
+from donnie_tui.i18n.words import Unusable, Words
+from donnie_tui.settings.chosen import Source as Origin
 from language.checker import check as hints_for
 from language.diagnostics import MOST_MISTAKES, Diagnostic, Severity
 from language.parser import parse

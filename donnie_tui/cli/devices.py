@@ -14,7 +14,7 @@ from devices.wire.link_config import LinkConfig
 from donnie_tui.cli import codes
 from donnie_tui.cli.order import Order
 from donnie_tui.i18n.words import Words
-from donnie_tui.robot_choice import sentences_of
+from donnie_tui.robot.choice import sentences_of
 
 MOST_AT_ONCE = 8
 """Ports that are asked at the same time; each takes some seconds."""

@@ -3,9 +3,9 @@
 from __future__ import annotations
 
 from donnie_tui.cli import codes
+from donnie_tui.cli.examination import Finding, examine
 from donnie_tui.cli.mode import cause_of_linear, surroundings
 from donnie_tui.cli.order import Order
-from donnie_tui.examination import Finding, examine
 from donnie_tui.i18n.words import Words
 
 

@@ -7,7 +7,7 @@ from donnie_tui.cli.checking import complain
 from donnie_tui.cli.order import Order
 from donnie_tui.cli.sources import Source, read_source
 from donnie_tui.core.documents import DocumentError, write_program
-from donnie_tui.unusable import Unusable
+from donnie_tui.i18n.words import Unusable
 from language.formatter import formatted
 
 

@@ -8,8 +8,8 @@ from typing import TYPE_CHECKING
 from devices.ports.values import replace
 from donnie_tui.cli.mode import cause_of_linear, surroundings
 from donnie_tui.cli.order import Order
-from donnie_tui.settings import Settings
-from donnie_tui.switching import SwitchMode
+from donnie_tui.settings.chosen import Settings
+from donnie_tui.words.switching import SwitchMode
 
 if TYPE_CHECKING:
     from donnie_tui.bootstrap import Donnie

@@ -13,10 +13,9 @@ from donnie_tui.cli.order import Order
 from donnie_tui.cli.output import Output
 from donnie_tui.cli.overwriting import refuse_overwriting
 from donnie_tui.cli.understanding import language_before_parsing, understand
-from donnie_tui.i18n.words import Words
-from donnie_tui.settings import FRONT_END_SPEED, BadOption, Notice, Settings, resolve
-from donnie_tui.settings_file import read_settings
-from donnie_tui.unusable import Unusable
+from donnie_tui.i18n.words import Unusable, Words
+from donnie_tui.settings.chosen import FRONT_END_SPEED, BadOption, Notice, Settings, resolve
+from donnie_tui.settings.file import read_settings
 
 
 def main(arguments: list[str]) -> int:

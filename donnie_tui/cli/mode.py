@@ -9,7 +9,7 @@ import sys
 from collections.abc import Mapping
 
 from devices.ports.values import frozen
-from donnie_tui.settings import read_switch
+from donnie_tui.settings.readers import read_switch
 
 
 @frozen

@@ -8,7 +8,7 @@ from devices.ports.values import frozen
 from donnie_tui.cli.arguments import Invocation
 from donnie_tui.cli.output import Output
 from donnie_tui.i18n.words import Words
-from donnie_tui.settings import Settings
+from donnie_tui.settings.chosen import Settings
 
 
 @frozen

@@ -10,8 +10,8 @@ from itertools import combinations, product
 from pathlib import Path
 
 from donnie_tui.cli.order import Order
-from donnie_tui.settings import Settings
-from donnie_tui.unusable import Unusable
+from donnie_tui.i18n.words import Unusable
+from donnie_tui.settings.chosen import Settings
 
 
 def refuse_overwriting(order: Order) -> None:
@@ -60,7 +60,7 @@ def _programs(order: Order) -> Iterator[Path]:
 def _files_of_world(order: Order, outputs: tuple[tuple[str, Path], ...]) -> tuple[Path, ...]:
     """None where no output is there yet, or the world is one of ours."""
     import worlds
-    from donnie_tui.world_choice import choose_world, files_of  # slow to load, and few write anything
+    from donnie_tui.world.choice import choose_world, files_of  # slow to load, and few write anything
 
     settings = order.settings
     name = getattr(order.invocation.arguments, "name", None) or settings.world

@@ -12,7 +12,7 @@ from collections.abc import Callable
 from typing import NoReturn, TypeAlias
 
 from donnie_tui.cli.arguments import COMMANDS, COMMON, TO_COME, WrongUsage
-from donnie_tui.settings import LANGUAGES
+from donnie_tui.settings.readers import LANGUAGES
 
 _PLACEHOLDERS = {
     "world": "NAME_OR_FILE",

@@ -12,10 +12,9 @@ from donnie_tui.core.events import Stamped
 from donnie_tui.core.harmless import printable
 from donnie_tui.core.recheck import Result, Verdict, recheck
 from donnie_tui.core.recording import Header, Recording
-from donnie_tui.device_settings import SIMULATED
-from donnie_tui.i18n.words import Words
-from donnie_tui.recorded_world import settings_of, unpacked
-from donnie_tui.unusable import Unusable
+from donnie_tui.i18n.words import Unusable, Words
+from donnie_tui.settings.devices import SIMULATED
+from donnie_tui.world.recorded import settings_of, unpacked
 
 LONGEST_EXCERPT = 160
 """Characters of an event that are shown where it differs."""

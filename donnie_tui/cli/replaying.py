@@ -11,7 +11,6 @@ from pathlib import Path
 from typing import TextIO, cast
 
 from devices.ports.values import frozen
-from donnie_tui.audible import make_audible
 from donnie_tui.cli import codes
 from donnie_tui.cli.ending import let_speak, stopped_by_signals
 from donnie_tui.cli.order import Order
@@ -25,10 +24,10 @@ from donnie_tui.core.replay import Replay
 from donnie_tui.core.retelling import told_back
 from donnie_tui.core.timeline import Timeline
 from donnie_tui.core.transcript import told_lines
-from donnie_tui.i18n.words import Words
-from donnie_tui.recorded_world import unpacked
-from donnie_tui.unusable import Unusable
-from donnie_tui.written import Written
+from donnie_tui.i18n.words import Unusable, Words
+from donnie_tui.outlets.audible import make_audible
+from donnie_tui.outlets.written import Written
+from donnie_tui.world.recorded import unpacked
 from language.control import ExecutionControl
 
 FIXED = ("world", "robot", "seed", "belt", "record")

@@ -21,10 +21,10 @@ from donnie_tui.core.events import Answered, Outcome, Stamped
 from donnie_tui.core.runner import Run
 from donnie_tui.core.team import Assigned
 from donnie_tui.core.transcript import told_lines
-from donnie_tui.robot_search import Search
-from donnie_tui.settings import Settings
-from donnie_tui.settings import Source as Origin
-from donnie_tui.unusable import Unusable
+from donnie_tui.i18n.words import Unusable
+from donnie_tui.robot.search import Search
+from donnie_tui.settings.chosen import Settings
+from donnie_tui.settings.chosen import Source as Origin
 
 _GLANCE = 0.5
 """Seconds between two looks for a signal where waiting can't be interrupted by one."""

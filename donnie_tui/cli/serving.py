@@ -11,7 +11,7 @@ from importlib.util import find_spec
 
 from donnie_tui.cli import codes
 from donnie_tui.cli.order import Order
-from donnie_tui.unusable import Unusable
+from donnie_tui.i18n.words import Unusable
 
 HOST = "localhost"
 LOWEST_PORT, HIGHEST_PORT = 1, 65535

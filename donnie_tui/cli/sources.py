@@ -7,8 +7,7 @@ from pathlib import Path
 
 from devices.ports.values import frozen
 from donnie_tui.core.documents import LARGEST, DocumentError, decode, read_to_the_end
-from donnie_tui.i18n.words import Words
-from donnie_tui.unusable import Unusable
+from donnie_tui.i18n.words import Unusable, Words
 
 
 @frozen

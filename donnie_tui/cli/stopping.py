@@ -10,9 +10,9 @@ from devices.reset_line import GpioReset, reset_of
 from devices.serial_port import PortProblem
 from donnie_tui.cli import codes
 from donnie_tui.cli.order import Order
-from donnie_tui.robot_choice import find_port, sentences_of
-from donnie_tui.settings import Settings
-from donnie_tui.unusable import Unusable
+from donnie_tui.i18n.words import Unusable
+from donnie_tui.robot.choice import find_port, sentences_of
+from donnie_tui.settings.chosen import Settings
 
 _CODE_OF = {Halted.STANDS: codes.DONE, Halted.UNCONFIRMED: codes.FAILED, Halted.IN_USE: codes.FAILED}
 """Only a robot that is known to stand is one that was stopped."""

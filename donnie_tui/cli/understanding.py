@@ -104,7 +104,7 @@ def language_before_parsing(
     arguments: list[str], environment: Mapping[str, str], file: Mapping[str, object]
 ) -> str:
     """The language in which help and wrong usage are told: the first sound one of all sources."""
-    from donnie_tui.settings import BadOption, resolve
+    from donnie_tui.settings.chosen import BadOption, resolve
 
     for given in (_language_option(arguments), {}):
         try:

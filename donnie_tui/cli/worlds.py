@@ -17,10 +17,9 @@ from donnie_tui.core.chart import shrunk
 from donnie_tui.core.describe import MOST_ROBOTS, describe
 from donnie_tui.core.documents import DocumentError, write_program
 from donnie_tui.core.naming import name_of
-from donnie_tui.i18n.words import Words
+from donnie_tui.i18n.words import Unusable, Words
 from donnie_tui.i18n.world_mistakes import world_note
-from donnie_tui.unusable import Unusable
-from donnie_tui.world_choice import WITHOUT_WORLD, ChosenWorld, choose_world
+from donnie_tui.world.choice import WITHOUT_WORLD, ChosenWorld, choose_world
 
 if TYPE_CHECKING:
     from sim.picture import Picture

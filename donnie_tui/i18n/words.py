@@ -1,6 +1,7 @@
 """A learner's language and level of detail: the wording that the core and the front ends ask.
 
-What words need to tell of mistakes and of GoDonnie is loaded when it is asked: the first frame needs neither.
+``Unusable`` raises a sentence, where Donnie can't do what it was asked for. What words need to tell of
+mistakes and of GoDonnie is loaded when it is asked: the first frame needs neither.
 """
 
 from __future__ import annotations
@@ -12,6 +13,14 @@ from donnie_tui.i18n.sentence import filled
 
 if TYPE_CHECKING:
     from language.diagnostics import Diagnostic
+
+
+class Unusable(Exception):
+    """A world, file or device that can't be used. ``sentence`` is in the learner's language."""
+
+    def __init__(self, sentence: str) -> None:
+        super().__init__(sentence)
+        self.sentence = sentence
 
 
 class Words:

@@ -11,8 +11,6 @@ import os
 from pathlib import Path
 
 from donnie_tui.bootstrap import Donnie, Unusable, assemble
-from donnie_tui.device_settings import SIMULATED
-from donnie_tui.folders import state_folder
 from donnie_tui.i18n.words import Words
 from donnie_tui.linear import greeting
 from donnie_tui.linear.console import Console, Gone
@@ -20,9 +18,11 @@ from donnie_tui.linear.conversation import Conversation
 from donnie_tui.linear.habits import of_settings
 from donnie_tui.linear.patience import SLOW, SLOW_AGAIN, aside
 from donnie_tui.linear.terminal import Terminal
-from donnie_tui.robot_search import Search
-from donnie_tui.settings import Settings
-from donnie_tui.switching import SwitchMode
+from donnie_tui.robot.search import Search
+from donnie_tui.settings.chosen import Settings
+from donnie_tui.settings.devices import SIMULATED
+from donnie_tui.settings.folders import state_folder
+from donnie_tui.words.switching import SwitchMode
 
 
 def run_linear(

@@ -14,7 +14,7 @@ from donnie_tui.linear import habits
 from donnie_tui.linear.arguments import Handler
 from donnie_tui.linear.desk import Desk
 from donnie_tui.linear.runs import Runs
-from donnie_tui.settings_file import remember
+from donnie_tui.settings.file import remember
 from donnie_tui.words import sound_words
 from language import keywords
 from language.source import fold_name

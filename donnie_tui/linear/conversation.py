@@ -12,7 +12,6 @@ from pathlib import Path
 from donnie_tui.bootstrap import Donnie
 from donnie_tui.core.breakpoints import KeptBreakpoints
 from donnie_tui.core.copies import Copies
-from donnie_tui.folders import BREAKPOINTS
 from donnie_tui.linear import files, greeting
 from donnie_tui.linear.console import Console, Gone
 from donnie_tui.linear.desk import Desk
@@ -26,7 +25,8 @@ from donnie_tui.linear.recall import Past
 from donnie_tui.linear.told import Told
 from donnie_tui.linear.typed_lines import TypedLines
 from donnie_tui.linear.while_running import WhileRunning
-from donnie_tui.switching import SwitchMode
+from donnie_tui.settings.folders import BREAKPOINTS
+from donnie_tui.words.switching import SwitchMode
 
 
 class Conversation:

@@ -11,9 +11,9 @@ from __future__ import annotations
 import os
 import sys
 
-from donnie_tui.first_start import offers_tour
-from donnie_tui.folders import state_path
 from donnie_tui.i18n.first_words import CAUSES, HINT, PROMPT, TOUR
+from donnie_tui.settings.first_start import offers_tour
+from donnie_tui.settings.folders import state_path
 
 _LANGUAGES = ("en", "pt", "es")
 _NOBODY_READS = 129

@@ -12,7 +12,8 @@ from enum import Enum
 from devices.ports.values import field_names, mutable
 from donnie_tui.core.typed_words import SWITCH, switched
 from donnie_tui.i18n.first_words import PROMPT
-from donnie_tui.settings import LONGEST_PROGRESS, Settings
+from donnie_tui.settings.chosen import Settings
+from donnie_tui.settings.readers import LONGEST_PROGRESS
 from language.source import fold_name
 
 

@@ -2,9 +2,9 @@
 
 from __future__ import annotations
 
-from donnie_tui.audible import Audible
 from donnie_tui.core.wording import Wording
 from donnie_tui.linear.keys import Act, Key
+from donnie_tui.outlets.audible import Audible
 from donnie_tui.words.typing_echo import TypingEcho
 
 

@@ -9,8 +9,8 @@ from donnie_tui.linear import greeting
 from donnie_tui.linear.arguments import Handler, alone
 from donnie_tui.linear.desk import Desk
 from donnie_tui.linear.files import refuse
-from donnie_tui.settings_file import remember
-from donnie_tui.switching import SwitchMode
+from donnie_tui.settings.file import remember
+from donnie_tui.words.switching import SwitchMode
 
 
 def _linear(desk: Desk) -> None:

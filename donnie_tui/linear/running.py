@@ -10,7 +10,7 @@ from donnie_tui.core.watching import may_be_watched, toggle_watch
 from donnie_tui.linear.arguments import Handler, alone
 from donnie_tui.linear.desk import Desk
 from donnie_tui.linear.runs import Runs
-from donnie_tui.settings import read_speed
+from donnie_tui.settings.readers import read_speed
 from language.control import ExecutionControl
 from language.source import fold_name
 

@@ -13,10 +13,11 @@ from typing import TYPE_CHECKING
 
 from textual.app import App
 
-from donnie_tui.device_settings import SERIAL
 from donnie_tui.i18n import first_screen
-from donnie_tui.robot_search import Search
-from donnie_tui.settings import LANGUAGES, Settings
+from donnie_tui.robot.search import Search
+from donnie_tui.settings.chosen import Settings
+from donnie_tui.settings.devices import SERIAL
+from donnie_tui.settings.readers import LANGUAGES
 from donnie_tui.tui.key_table import KeyTable
 from donnie_tui.tui.screens.workplace import Workplace
 from donnie_tui.tui.session_behind import SessionBehind

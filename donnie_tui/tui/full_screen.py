@@ -11,9 +11,9 @@ from pathlib import Path
 from typing import TYPE_CHECKING
 
 from devices.ports.values import replace
-from donnie_tui.device_settings import SERIAL
-from donnie_tui.robot_search import Search
-from donnie_tui.settings import Settings
+from donnie_tui.robot.search import Search
+from donnie_tui.settings.chosen import Settings
+from donnie_tui.settings.devices import SERIAL
 from donnie_tui.tui.app import DonnieApp
 from donnie_tui.tui.terminal import wants_mouse
 
@@ -101,7 +101,7 @@ def _assembled(settings: Settings, search: Search | None) -> Donnie:
 
 
 def _switch(app: DonnieApp) -> None:
-    from donnie_tui.switching import SwitchMode
+    from donnie_tui.words.switching import SwitchMode
 
     path = app.work.files.document.path if app.work is not None else None
     donnie = app.work.hand_over() if app.work is not None else None

@@ -6,8 +6,8 @@ from textual import events
 from textual.widget import Widget
 from textual.widgets import Input, TextArea
 
-from donnie_tui.audible import Audible
 from donnie_tui.core.wording import Wording
+from donnie_tui.outlets.audible import Audible
 from donnie_tui.words.typing_echo import TypingEcho
 
 

@@ -9,11 +9,12 @@ from collections.abc import Mapping
 from typing import Any
 
 from devices.ports.values import frozen, replace
-from donnie_tui import settings_file
 from donnie_tui.core.documents import DocumentError
 from donnie_tui.i18n.words import Words
-from donnie_tui.settings import KEYS, LANGUAGES, MOTION, THEMES, VERBOSITY, Settings
-from donnie_tui.sound_settings import KEY_ECHO, PUNCTUATION, SPEAK
+from donnie_tui.settings import file as settings_file
+from donnie_tui.settings.chosen import Settings
+from donnie_tui.settings.keys import KEY_ECHO, KEYS, MOTION, PUNCTUATION, SPEAK, THEMES, VERBOSITY
+from donnie_tui.settings.readers import LANGUAGES
 from donnie_tui.tui.actions import BY_NAME, key_label
 from donnie_tui.tui.key_table import not_understood, understood
 from donnie_tui.words.sound_words import cue_name

@@ -15,7 +15,7 @@ from textual.message import Message
 from textual.screen import Screen
 from textual.timer import Timer
 
-from donnie_tui.settings import Settings
+from donnie_tui.settings.chosen import Settings
 from donnie_tui.tui.key_table import KeyTable
 from donnie_tui.tui.screens.workplace import Workplace
 

@@ -10,7 +10,7 @@ from collections.abc import MutableMapping
 from functools import cache
 from typing import Protocol, cast
 
-from donnie_tui.settings import Settings
+from donnie_tui.settings.chosen import Settings
 
 
 def is_plain(settings: Settings) -> bool:

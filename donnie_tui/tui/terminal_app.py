@@ -15,7 +15,7 @@ from textual.geometry import Offset
 from textual.screen import Screen
 from textual.widgets import Input, TextArea
 
-from donnie_tui.settings import Settings
+from donnie_tui.settings.chosen import Settings
 from donnie_tui.tui import themes
 from donnie_tui.tui.printable import Printable
 from donnie_tui.tui.thrift import Painted

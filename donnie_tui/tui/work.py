@@ -25,10 +25,10 @@ from donnie_tui.core.events import Answered, Pointed
 from donnie_tui.core.harmless import printable
 from donnie_tui.core.trail import Trail
 from donnie_tui.core.transcript import said_by
-from donnie_tui.first_start import offers_tour
-from donnie_tui.folders import BREAKPOINTS
 from donnie_tui.i18n.words import Words
-from donnie_tui.settings import Settings
+from donnie_tui.settings.chosen import Settings
+from donnie_tui.settings.first_start import offers_tour
+from donnie_tui.settings.folders import BREAKPOINTS
 from donnie_tui.tui import patience
 from donnie_tui.tui.actions import DONE_HERE, find
 from donnie_tui.tui.bridge import Began, Bridge, Ended, LogLine, Mail

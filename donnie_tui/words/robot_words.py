@@ -11,9 +11,9 @@ from donnie_tui.core.documents import DocumentError, exists
 from donnie_tui.core.events import Answered
 from donnie_tui.core.session import Busy
 from donnie_tui.core.typed_words import switched
-from donnie_tui.device_settings import SIMULATED
-from donnie_tui.robot_choice import Choice
-from donnie_tui.settings_file import remember
+from donnie_tui.robot.choice import Choice
+from donnie_tui.settings.devices import SIMULATED
+from donnie_tui.settings.file import remember
 from language.source import fold_name
 
 _ROWS = {"rows", "motors", "fileiras", "motores", "filas"}

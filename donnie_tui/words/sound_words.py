@@ -13,8 +13,8 @@ from donnie_tui.core.documents import DocumentError
 from donnie_tui.core.events import Answered, Chimed
 from donnie_tui.core.typed_words import SWITCH, switched
 from donnie_tui.i18n.sentence import LANGUAGES
-from donnie_tui.settings_file import remember
-from donnie_tui.sound_settings import read_percent, read_rate
+from donnie_tui.settings.file import remember
+from donnie_tui.settings.readers import read_percent, read_rate
 from language.source import fold_name
 
 Spelled = tuple[str, str, str]

@@ -5,9 +5,9 @@ Never beside a screen reader, which says that itself.
 
 from __future__ import annotations
 
-from donnie_tui.audible import Audible
 from donnie_tui.core.answer_log import spelled
 from donnie_tui.core.wording import Wording
+from donnie_tui.outlets.audible import Audible
 
 LONGEST_PASTED = 200
 """Characters of a pasted text that are said."""

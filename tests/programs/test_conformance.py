@@ -17,7 +17,7 @@ from typing import Any
 import pytest
 
 from donnie_tui.bootstrap import assemble
-from donnie_tui.settings import Settings
+from donnie_tui.settings.chosen import Settings
 from tests.patience import PATIENCE
 
 COMMAND = [sys.executable, "-m", "donnie_tui"]

@@ -14,7 +14,7 @@ import pytest
 from donnie_tui.bootstrap import assemble
 from donnie_tui.core.events import Event, RunEnded
 from donnie_tui.core.transcript import lines_of
-from donnie_tui.settings import Settings
+from donnie_tui.settings.chosen import Settings
 from tests.patience import PATIENCE
 
 FOLDER = Path(__file__).parent

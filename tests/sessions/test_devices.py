@@ -29,9 +29,9 @@ from devices.ports.robot import Pose
 from devices.serial_port import PortFault, PortProblem
 from devices.wire.commands import STOP
 from donnie_tui.bootstrap import Donnie, assemble
-from donnie_tui.connecting import Connection
 from donnie_tui.core.events import CueSounded, Link, Moved, Outcome, RunEnded, Stamped
-from donnie_tui.settings import Settings
+from donnie_tui.robot.connection import Connection
+from donnie_tui.settings.chosen import Settings
 from tests.patience import PATIENCE
 from tests.sessions.command import COMMAND, QUIET, donnie, end, environment, start
 from tests.sessions.learner import Learner

@@ -20,7 +20,7 @@ from typing import Any
 import pytest
 
 from donnie_tui.bootstrap import assemble
-from donnie_tui.settings import Settings
+from donnie_tui.settings.chosen import Settings
 from tests.programs.test_conformance import runner  # noqa: F401 -- a fixture
 
 PATIENCE = 300

@@ -2,7 +2,7 @@
 
 from pathlib import Path
 
-from donnie_tui.first_start import MARKER, is_new_decision, offers_tour
+from donnie_tui.settings.first_start import MARKER, is_new_decision, offers_tour
 from tests.sessions.learner import Learner
 
 OFFER = "New here? TOUR shows you around."

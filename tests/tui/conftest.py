@@ -17,7 +17,7 @@ import pytest  # noqa: E402
 from textual.pilot import Pilot  # noqa: E402
 
 from donnie_tui.bootstrap import assemble  # noqa: E402
-from donnie_tui.settings import Settings  # noqa: E402
+from donnie_tui.settings.chosen import Settings  # noqa: E402
 from donnie_tui.tui.app import DonnieApp  # noqa: E402
 from donnie_tui.tui.running import Doing  # noqa: E402
 from tests.patience import PATIENCE  # noqa: E402

@@ -9,7 +9,7 @@ from textual.widget import Widget
 
 from donnie_tui.bootstrap import assemble
 from donnie_tui.i18n import first_screen
-from donnie_tui.settings import Settings
+from donnie_tui.settings.chosen import Settings
 from donnie_tui.tui.app import DonnieApp
 from donnie_tui.tui.widgets.text_rows import TextRows
 

@@ -5,7 +5,7 @@ import sys
 
 import pytest
 
-from donnie_tui.settings import Settings
+from donnie_tui.settings.chosen import Settings
 from donnie_tui.tui import full_screen
 from tests.tui.conftest import Desk
 

@@ -14,7 +14,7 @@ from donnie_tui.core.copies import Copies
 from donnie_tui.i18n import first_screen
 from donnie_tui.i18n.sentence import LANGUAGES
 from donnie_tui.i18n.words import Words
-from donnie_tui.settings import Settings
+from donnie_tui.settings.chosen import Settings
 from donnie_tui.tui import lifeline
 from donnie_tui.tui.app import DonnieApp
 from donnie_tui.tui.ending import FAULT

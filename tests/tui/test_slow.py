@@ -10,7 +10,7 @@ from donnie_tui.bootstrap import assemble
 from donnie_tui.core import copies, filing
 from donnie_tui.core.copies import Copies
 from donnie_tui.core.filing import Document
-from donnie_tui.settings import Settings
+from donnie_tui.settings.chosen import Settings
 from donnie_tui.tui import beginning, deeds_text, patience, saving
 from tests.patience import PATIENCE
 from tests.tui import conftest

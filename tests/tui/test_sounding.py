@@ -4,9 +4,9 @@ from __future__ import annotations
 
 import pytest
 
-from donnie_tui.audible import Audible
 from donnie_tui.core.events import Chimed, Event, Pointed
 from donnie_tui.core.hub import Hub
+from donnie_tui.outlets.audible import Audible
 from donnie_tui.tui.screens.help import Help
 from donnie_tui.tui.screens.key_menu import KeyMenu
 

@@ -5,7 +5,7 @@ from collections.abc import Iterator
 import pytest
 from rich.segment import Segment
 
-from donnie_tui.settings import THEMES
+from donnie_tui.settings.keys import THEMES
 from donnie_tui.tui import themes
 
 LEAST_TEXT, LEAST_BORDER = 7.0, 4.5

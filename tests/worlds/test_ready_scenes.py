@@ -83,7 +83,7 @@ def test_a_world_that_ships_is_chosen_without_the_parser() -> None:
     code = (
         "import sys\n"
         "from donnie_tui.i18n.words import Words\n"
-        "from donnie_tui.world_choice import choose_world\n"
+        "from donnie_tui.world.choice import choose_world\n"
         "choose_world('living_room', Words())\n"
         "print('lark' in sys.modules, 'PIL' in sys.modules)"
     )

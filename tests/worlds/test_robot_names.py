@@ -9,8 +9,8 @@ import pytest
 from donnie_tui.bootstrap import make_team
 from donnie_tui.cli.main import main
 from donnie_tui.i18n.words import Words
-from donnie_tui.settings import Settings
-from donnie_tui.world_choice import ChosenWorld
+from donnie_tui.settings.chosen import Settings
+from donnie_tui.world.choice import ChosenWorld
 from sim.picture import picture
 from sim.scene import Scene
 from sim.worldfile import load_text, robot_names

@@ -5,9 +5,8 @@ from pathlib import Path
 import pytest
 
 import worlds
-from donnie_tui.i18n.words import Words
-from donnie_tui.unusable import Unusable
-from donnie_tui.world_choice import choose_world
+from donnie_tui.i18n.words import Unusable, Words
+from donnie_tui.world.choice import choose_world
 
 WORDS = Words("en", "normal")
 WORLD = 'define bob position ( ranger ( sensor ( ) ) ) bob ( name "ann" ) bob ( name "bea" pose [ 2 0 0 0 ] )'

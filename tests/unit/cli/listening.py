@@ -10,11 +10,11 @@ import pytest
 from devices.ports.audio import Cue, Utterance
 from devices.speech.choose import Facts
 from devices.speech.voices import VoiceSettings
-from donnie_tui import audible
 from donnie_tui.bootstrap import Donnie, assemble
 from donnie_tui.core.events import Stamped
 from donnie_tui.core.transcript import told_lines
-from donnie_tui.settings import Settings
+from donnie_tui.outlets import audible
+from donnie_tui.settings.chosen import Settings
 
 HOME = Facts(
     stdout_is_terminal=True, over_ssh=False, screen_reader=None, has_voice=True, has_sound_device=True

@@ -10,13 +10,12 @@ import pytest
 from devices.ports.audio import Utterance
 from devices.speech.choose import Facts
 from devices.speech.silent import SilentSpeaker
-from donnie_tui import audible
-from donnie_tui.audible import make_audible, wants_cues
 from donnie_tui.core.events import Announced, SoundSwitched, Spoke
 from donnie_tui.core.outlets import Hears, Voice
-from donnie_tui.i18n.words import Words
-from donnie_tui.settings import Settings, Source
-from donnie_tui.unusable import Unusable
+from donnie_tui.i18n.words import Unusable, Words
+from donnie_tui.outlets import audible
+from donnie_tui.outlets.audible import make_audible, wants_cues
+from donnie_tui.settings.chosen import Settings, Source
 from tests.floor import Floor
 from tests.patience import PATIENCE
 from tests.unit.ssip.server import Server

@@ -21,12 +21,11 @@ from donnie_tui.cli.devices import list_devices
 from donnie_tui.cli.order import Order
 from donnie_tui.cli.output import Output
 from donnie_tui.cli.stopping import stop
-from donnie_tui.connecting import robot_config
-from donnie_tui.i18n.words import Words
-from donnie_tui.robot_choice import choices, find_port
-from donnie_tui.settings import BadOption, Settings, resolve
-from donnie_tui.tangible import belt_settings, refuse_shared_port
-from donnie_tui.unusable import Unusable
+from donnie_tui.i18n.words import Unusable, Words
+from donnie_tui.outlets.tangible import belt_settings, refuse_shared_port
+from donnie_tui.robot.choice import choices, find_port
+from donnie_tui.robot.connection import robot_config
+from donnie_tui.settings.chosen import BadOption, Settings, resolve
 
 ROBOT = FoundPort("/dev/ttyACM0", "/dev/serial/by-id/robot", is_board=True)
 BELT = FoundPort("/dev/ttyACM1", "/dev/serial/by-id/belt", is_board=True)

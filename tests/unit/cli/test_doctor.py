@@ -11,8 +11,8 @@ import pytest
 from devices.port_listing import FoundPort
 from devices.reset_line import GpioReset, PinFault
 from devices.speech.choose import Facts, SpeakPlace, SpeechWish, choose_channel
-from donnie_tui import examination
-from donnie_tui.examination import (
+from donnie_tui.cli import examination
+from donnie_tui.cli.examination import (
     Finding,
     look_at_packages,
     look_at_ports,
@@ -22,7 +22,7 @@ from donnie_tui.examination import (
 )
 from donnie_tui.i18n.catalogue import SENTENCES
 from donnie_tui.i18n.words import Words
-from donnie_tui.settings import Settings, resolve
+from donnie_tui.settings.chosen import Settings, resolve
 
 YES_NO = (False, True)
 

@@ -11,9 +11,9 @@ from donnie_tui.cli.order import Order
 from donnie_tui.cli.output import Output
 from donnie_tui.i18n.words import Words
 from donnie_tui.linear import app as linear
-from donnie_tui.settings import Settings
-from donnie_tui.switching import SwitchMode
+from donnie_tui.settings.chosen import Settings
 from donnie_tui.tui import full_screen as screen
+from donnie_tui.words.switching import SwitchMode
 
 LIVING = object()
 """Stands for the session that goes along."""

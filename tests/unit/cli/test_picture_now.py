@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from donnie_tui.bootstrap import assemble
-from donnie_tui.settings import Settings
+from donnie_tui.settings.chosen import Settings
 from tests.patience import PATIENCE
 
 

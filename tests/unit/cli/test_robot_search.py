@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import pytest
 
-from donnie_tui.robot_search import Search
+from donnie_tui.robot.search import Search
 
 
 class Robot:

@@ -7,9 +7,10 @@ from pathlib import Path
 import pytest
 
 from donnie_tui.core.documents import DocumentError
-from donnie_tui.folders import settings_file, state_folder
-from donnie_tui.settings import KEYS, BadOption, Settings, Source, language_of, resolve
-from donnie_tui.settings_file import read_settings, remember, with_setting
+from donnie_tui.settings.chosen import BadOption, Settings, Source, language_of, resolve
+from donnie_tui.settings.file import read_settings, remember, with_setting
+from donnie_tui.settings.folders import settings_file, state_folder
+from donnie_tui.settings.keys import KEYS
 
 
 def test_without_any_source_the_defaults_count() -> None:

@@ -11,11 +11,11 @@ import pytest
 
 from devices.sound.tones import CUE_NAMES
 from donnie_tui.core.events import SoundSwitched, Spoke
-from donnie_tui.folders import settings_file
 from donnie_tui.i18n.catalogue import SENTENCES
 from donnie_tui.linear.key_echo import KeyEcho
 from donnie_tui.linear.keys import Act, Key
-from donnie_tui.settings import Settings, resolve
+from donnie_tui.settings.chosen import Settings, resolve
+from donnie_tui.settings.folders import settings_file
 from donnie_tui.words.sound_words import (
     CUE_WORDS,
     SETTINGS,

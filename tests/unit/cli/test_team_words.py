@@ -10,7 +10,7 @@ import pytest
 from donnie_tui.bootstrap import Donnie, assemble
 from donnie_tui.core import session
 from donnie_tui.core.events import Answered, Stamped
-from donnie_tui.settings import Settings
+from donnie_tui.settings.chosen import Settings
 from donnie_tui.words import team_words
 from language.parser import Parsed
 from tests.patience import PATIENCE

@@ -8,11 +8,11 @@ import pytest
 import worlds
 from donnie_tui.core.recording import Header
 from donnie_tui.i18n.words import Words
-from donnie_tui.recorded_world import unpacked
-from donnie_tui.settings import Settings
-from donnie_tui.world_bundle import BundleError, WorldBundle, from_record, pack, unpack
-from donnie_tui.world_choice import choose_world
-from donnie_tui.written import bundle_of
+from donnie_tui.outlets.written import bundle_of
+from donnie_tui.settings.chosen import Settings
+from donnie_tui.world.bundle import BundleError, WorldBundle, from_record, pack, unpack
+from donnie_tui.world.choice import choose_world
+from donnie_tui.world.recorded import unpacked
 
 ROBOT = "position( pose [ 0 0 0 90 ] ranger( sensor() ) )\n"
 

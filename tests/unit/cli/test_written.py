@@ -12,8 +12,8 @@ from donnie_tui.core.events import Spoke
 from donnie_tui.core.hub import Hub
 from donnie_tui.core.transcript import told_lines
 from donnie_tui.i18n.words import Words
-from donnie_tui.settings import Settings
-from donnie_tui.written import Written
+from donnie_tui.outlets.written import Written
+from donnie_tui.settings.chosen import Settings
 
 FULL = Path("/dev/full")
 

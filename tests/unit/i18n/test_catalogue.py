@@ -262,12 +262,13 @@ def test_at_detail_brief_what_the_linear_mode_says_of_robots_and_worlds_fits_for
 
 
 SPEAKS = Path(donnie_tui.__file__).parent
-OF_COMMANDS = ("examination.py", "written.py", "world_bundle.py", "world_choice.py", "recorded_world.py")
-"""Modules of ``donnie doctor``, and of what is refused before a conversation begins."""
+ROOMS = ("core", "linear", "outlets", "robot", "settings", "words")
+OF_COMMANDS = ("written.py",)
+"""Modules of what is refused before a conversation begins."""
 
 
 def trees_of_linear_mode() -> list[ast.Module]:
-    modules = [*SPEAKS.glob("*.py"), *SPEAKS.glob("core/*.py"), *SPEAKS.glob("linear/*.py")]
+    modules = [*SPEAKS.glob("*.py"), *(each for room in ROOMS for each in SPEAKS.glob(f"{room}/*.py"))]
     return [ast.parse(each.read_text("utf-8")) for each in modules if each.name not in OF_COMMANDS]
 
 

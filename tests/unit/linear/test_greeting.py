@@ -7,7 +7,8 @@ from pathlib import Path
 import pytest
 
 from donnie_tui.linear import greeting
-from donnie_tui.settings import SPEECH, VERBOSITY
+from donnie_tui.settings.keys import VERBOSITY
+from donnie_tui.settings.readers import SPEECH
 
 
 @pytest.fixture

@@ -16,7 +16,8 @@ from donnie_tui.linear.habits import (
     read,
     spelled,
 )
-from donnie_tui.settings import LONGEST_PROGRESS, Settings, resolve
+from donnie_tui.settings.chosen import Settings, resolve
+from donnie_tui.settings.readers import LONGEST_PROGRESS
 
 FIELDS = [each.name for each in fields(Habits)]
 

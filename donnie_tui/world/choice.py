@@ -13,8 +13,7 @@ import worlds
 from devices.ports.robot import STEP, Pose
 from devices.ports.values import frozen
 from donnie_tui.core.documents import exists
-from donnie_tui.i18n.words import Words
-from donnie_tui.unusable import Unusable
+from donnie_tui.i18n.words import Unusable, Words
 from sim import ready
 
 if TYPE_CHECKING:

@@ -12,12 +12,11 @@ import worlds
 from devices.ports.robot import Bearing
 from devices.ports.values import replace
 from donnie_tui.core.recording import Header
-from donnie_tui.i18n.words import Words
+from donnie_tui.i18n.words import Unusable, Words
 from donnie_tui.i18n.world_mistakes import world_mistake
-from donnie_tui.settings import Settings
-from donnie_tui.unusable import Unusable
-from donnie_tui.world_bundle import BundleError, WorldBundle, from_record, unpack
-from donnie_tui.world_choice import ChosenWorld
+from donnie_tui.settings.chosen import Settings
+from donnie_tui.world.bundle import BundleError, WorldBundle, from_record, unpack
+from donnie_tui.world.choice import ChosenWorld
 
 if TYPE_CHECKING:
     from sim.scene import Scene

@@ -8,10 +8,9 @@ from devices.port_listing import FoundPort, list_ports
 from devices.ports.robot import RobotProblem
 from devices.ports.values import frozen
 from devices.serial_port import PortProblem, group_of, is_same_port
-from donnie_tui.device_settings import DOUBLE, SERIAL, SIMULATED
-from donnie_tui.i18n.words import Words
-from donnie_tui.settings import Settings
-from donnie_tui.unusable import Unusable
+from donnie_tui.i18n.words import Unusable, Words
+from donnie_tui.settings.chosen import Settings
+from donnie_tui.settings.devices import DOUBLE, SERIAL, SIMULATED
 
 Lister = Callable[[], tuple[FoundPort, ...]]
 

@@ -15,10 +15,9 @@ from donnie_tui.core.belt import BeltSettings
 from donnie_tui.core.belt_watching import ChosenBelt
 from donnie_tui.core.events import Answered
 from donnie_tui.core.team import Team
-from donnie_tui.device_settings import SERIAL
-from donnie_tui.i18n.words import Words
-from donnie_tui.settings import Settings
-from donnie_tui.unusable import Unusable
+from donnie_tui.i18n.words import Unusable, Words
+from donnie_tui.settings.chosen import Settings
+from donnie_tui.settings.devices import SERIAL
 
 if TYPE_CHECKING:
     from devices.belt.line import BeltNews

@@ -14,8 +14,7 @@ from devices.ports.audio import Cue
 from devices.sound.wav_render import WavRenderer
 from donnie_tui.core.events import Answered, CueSounded, RunEnded, SoundSwitched, Stamped
 from donnie_tui.core.hub import HasHub
-from donnie_tui.i18n.words import Words
-from donnie_tui.unusable import Unusable
+from donnie_tui.i18n.words import Unusable, Words
 
 
 def write_cues(name: str, session: HasHub, words: Words, closing: ExitStack) -> None:

@@ -9,8 +9,8 @@ import re
 from collections.abc import Mapping
 from pathlib import Path
 
-from donnie_tui.folders import settings_file
-from donnie_tui.settings import Notice
+from donnie_tui.settings.chosen import Notice
+from donnie_tui.settings.folders import settings_file
 
 LARGEST = 100_000
 """Bytes; ten settings take two hundred."""

@@ -19,9 +19,9 @@ from donnie_tui.core.events import Answered, SoundSwitched, Stamped
 from donnie_tui.core.hub import HasHub
 from donnie_tui.core.outlets import Cues, Hears, Voice
 from donnie_tui.core.summing_up import Telling, TellingAll
-from donnie_tui.folders import own_sounds
 from donnie_tui.i18n.words import Words
-from donnie_tui.settings import Settings, Source
+from donnie_tui.settings.chosen import Settings, Source
+from donnie_tui.settings.folders import own_sounds
 
 if TYPE_CHECKING:
     from devices.audio_worker.notices import AudioNotice
@@ -56,7 +56,7 @@ def make_audible(
 ) -> Audible:
     """Add the voice and the cues that are wanted and possible. Raises ``Unusable`` where a file can't be."""
     if isinstance(settings.sound, str):
-        from donnie_tui.sound_file import write_cues
+        from donnie_tui.outlets.sound_file import write_cues
 
         write_cues(settings.sound, session, words, closing)
     audible = Audible(settings, session, words, is_linear=is_linear)

@@ -15,15 +15,16 @@ from importlib.metadata import PackageNotFoundError, version
 from pathlib import Path
 from typing import TYPE_CHECKING
 
+import donnie_tui
 from devices.ports.values import field, frozen
 from devices.sound.own_sounds import load, unknown_names
 from devices.speech.choose import Channel, choose_channel
 from devices.speech.probe import look_around
 from devices.speech.voices import LANGUAGES
-from donnie_tui import __version__
-from donnie_tui.audible import wants_cues
-from donnie_tui.folders import own_sounds, settings_file
-from donnie_tui.settings import KEYS, Settings, Source
+from donnie_tui.outlets.audible import wants_cues
+from donnie_tui.settings.chosen import Settings, Source
+from donnie_tui.settings.folders import own_sounds, settings_file
+from donnie_tui.settings.keys import KEYS
 
 if TYPE_CHECKING:
     from devices.port_listing import FoundPort
@@ -47,7 +48,7 @@ OUR_ROOMS = ("language", "sim", "devices", "worlds")
 SMALLEST = (40, 12)
 """Columns and rows that the full screen needs."""
 
-_ROOT = Path(__file__).resolve().parent.parent
+_ROOT = Path(donnie_tui.__file__).resolve().parent.parent
 _WORKER_SECONDS = 12.0
 
 
@@ -72,7 +73,8 @@ def examine(
     settings: Settings, environment: Mapping[str, str], cause_of_linear: str | None
 ) -> Iterator[Finding]:
     """All looks, one after the other. ``cause_of_linear`` as in ``cli.mode``."""
-    yield well("doctor-version", version=__version__, python=".".join(map(str, sys.version_info[:3])))
+    python = ".".join(map(str, sys.version_info[:3]))
+    yield well("doctor-version", version=donnie_tui.__version__, python=python)
     yield from look_at_packages()
     yield from look_at_terminal(environment, cause_of_linear)
     yield from look_at_speech(settings, cause_of_linear is not None)

@@ -16,19 +16,18 @@ from devices.ports.robot import LinkNews, Pace, Pose, RobotProblem, Watcher
 from devices.ports.values import mutable, replace
 from donnie_tui.core.events import Link
 from donnie_tui.core.session import Busy, ResettableRobot, Session
-from donnie_tui.device_settings import DOUBLE, SERIAL, SIMULATED
-from donnie_tui.i18n.words import Words
-from donnie_tui.robot_search import Search
-from donnie_tui.settings import Settings
-from donnie_tui.tangible import refuse_shared_port
-from donnie_tui.unusable import Unusable
-from donnie_tui.world_choice import ChosenWorld
+from donnie_tui.i18n.words import Unusable, Words
+from donnie_tui.outlets.tangible import refuse_shared_port
+from donnie_tui.robot.search import Search
+from donnie_tui.settings.chosen import Settings
+from donnie_tui.settings.devices import DOUBLE, SERIAL, SIMULATED
+from donnie_tui.world.choice import ChosenWorld
 
 if TYPE_CHECKING:
     from devices.serial_robot.config import RobotConfig
     from devices.serial_robot.robot import SerialRobot
     from devices.wire.telemetry import Telemetry
-    from donnie_tui.robot_choice import Choice, Lister
+    from donnie_tui.robot.choice import Choice, Lister
 
 
 class Connectable(ResettableRobot, Protocol):
@@ -101,7 +100,7 @@ class Connection:
     def choices(self) -> tuple[Choice, ...]:
         """What a learner may choose among."""
         from devices.port_listing import list_ports
-        from donnie_tui.robot_choice import choices
+        from donnie_tui.robot.choice import choices
 
         return choices(self._settings, self._words, self._found or list_ports)
 
@@ -183,7 +182,7 @@ class Connection:
         if robot == DOUBLE:
             return self._make_double, DOUBLE
         from devices.port_listing import list_ports, stable_name
-        from donnie_tui.robot_choice import find_port
+        from donnie_tui.robot.choice import find_port
 
         settings = replace(self._settings, robot=robot)
         port = (self._stable or stable_name)(find_port(settings, self._words, self._found or list_ports))
@@ -204,7 +203,7 @@ class Connection:
 
     def _make_double(self, pace: Pace, watcher: Watcher) -> Connectable:
         from devices.firmware_double.robot import DoubleRobot
-        from donnie_tui.double_floor import SceneFloor, place_of
+        from donnie_tui.robot.double_floor import SceneFloor, place_of
 
         start = self._world.start()
         return DoubleRobot(
@@ -228,7 +227,7 @@ class Connection:
     def _told(self, problem: RobotProblem | Unusable) -> tuple[str, ...]:
         if isinstance(problem, Unusable):
             return (problem.sentence,)
-        from donnie_tui.robot_choice import sentences_of
+        from donnie_tui.robot.choice import sentences_of
 
         return sentences_of(problem, self._words)
 
@@ -239,7 +238,7 @@ def make_measurable(settings: Settings, words: Words, pace: Pace) -> MeasurableR
         from devices.firmware_double.robot import DoubleRobot
 
         return DoubleRobot(config=robot_config(settings), pace=pace, speed=settings.speed)
-    from donnie_tui.robot_choice import find_port
+    from donnie_tui.robot.choice import find_port
 
     return _serial_robot(find_port(settings, words), settings, pace)
 

@@ -17,15 +17,14 @@ import worlds
 from donnie_tui import __version__
 from donnie_tui.core.events import Answered
 from donnie_tui.core.hub import Hub
-from donnie_tui.i18n.words import Words
-from donnie_tui.settings import Settings
-from donnie_tui.tangible import belt_settings
-from donnie_tui.unusable import Unusable
-from donnie_tui.world_choice import ChosenWorld, files_of
+from donnie_tui.i18n.words import Unusable, Words
+from donnie_tui.outlets.tangible import belt_settings
+from donnie_tui.settings.chosen import Settings
+from donnie_tui.world.choice import ChosenWorld, files_of
 
 if TYPE_CHECKING:
     from donnie_tui.core.recording import Header
-    from donnie_tui.world_bundle import WorldBundle
+    from donnie_tui.world.bundle import WorldBundle
 
 
 HIGHEST_STANDARD = 2
@@ -104,7 +103,7 @@ class Written:
 
     def _header(self, world: ChosenWorld) -> Header:
         from donnie_tui.core.recording import Header
-        from donnie_tui.world_bundle import BundleError
+        from donnie_tui.world.bundle import BundleError
 
         belt = belt_settings(self._settings)
         try:
@@ -148,7 +147,7 @@ class Written:
 
 def bundle_of(world: ChosenWorld, settings: Settings) -> WorldBundle:
     """All that was read for the world. Raises ``BundleError``."""
-    from donnie_tui.world_bundle import pack
+    from donnie_tui.world.bundle import pack
 
     robots = list(world.scene.robot_names)
     folders = (*settings.world_folders, worlds.SCENES)
