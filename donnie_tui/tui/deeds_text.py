@@ -162,9 +162,7 @@ class TextDeeds:
     async def go_to(self, argument: str) -> bool:
         typed = argument or await self._host.ask(self._host.words("ask-line"))
         line = number_in(typed or "", self._editor.line)
-        if typed and line is not None:
-            self._go_to(min(max(1, line), self._editor.line_count))
-        return line is not None
+        return not typed or self._go_to_typed(line)
 
     async def outline(self, _argument: str) -> None:
         lines = self._text.outline_lines
@@ -201,14 +199,20 @@ class TextDeeds:
         self._host.tell_sentences(line_in_words(text.line(line), before, self._host.words))
 
     def read(self, argument: str) -> bool:
-        line, last = number_in(argument, self._editor.line), len(self._text)
-        if line is None:
-            return False
-        if argument and not 1 <= line <= last:
-            self._host.tell(Answer("answer-no-line", {"line": line, "last": last}))
-        else:
-            self._go_to(line)
+        line = number_in(argument, self._editor.line)
+        if argument:
+            return self._go_to_typed(line)
+        self._go_to(line)
         return True
+
+    def _go_to_typed(self, line: int | None) -> bool:
+        """To a line by its number, or say which is the last. Whether it is a number."""
+        last = len(self._text)
+        if line is not None and not 1 <= line <= last:
+            self._host.tell(Answer("answer-no-line", {"line": line, "last": last}))
+        elif line is not None:
+            self._go_to(line)
+        return line is not None
 
     def next(self, _argument: str) -> None:
         self._go_to(self._editor.line + 1)

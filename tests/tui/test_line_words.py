@@ -212,7 +212,7 @@ async def test_what_is_not_understood_behind_a_word_does_nothing_and_is_told(wor
         assert not desk.place.editor.breakpoints
 
 
-@pytest.mark.parametrize("typed", ["BREAK 99", "UNTIL 99", "READ 99"])
+@pytest.mark.parametrize("typed", ["BREAK 99", "UNTIL 99", "READ 99", "GO TO 99"])
 async def test_a_line_that_is_not_there_is_told_with_the_last_one(work, typed):
     async with work(PROGRAM) as desk:
         await desk.type_line(typed)
