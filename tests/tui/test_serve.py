@@ -13,6 +13,7 @@ from contextlib import asynccontextmanager
 from pathlib import Path
 from typing import Any
 
+import pyte
 import pytest
 
 from tests.patience import PATIENCE
@@ -59,14 +60,28 @@ async def test_a_page_shows_the_full_screen(server):
             assert page.status == 200
             assert "Donnie" in await page.text()
         async with session.ws_connect(f"{address}/ws?width=80&height=24") as terminal:
-            await until_sent(terminal, b"Ready, speed")
+            await until_shown(terminal, Shown(), "Ready, speed")
 
 
-async def until_sent(terminal: Any, text: bytes) -> None:
-    seen = b""
-    while text not in seen:
+class Shown:
+    """What stands on a terminal: only what changes is sent, also in the middle of a sentence."""
+
+    def __init__(self) -> None:
+        self._screen = pyte.Screen(200, 60)
+        self._stream = pyte.ByteStream(self._screen)
+
+    def feed(self, sent: bytes) -> None:
+        self._stream.feed(sent)
+
+    def has(self, text: str) -> bool:
+        return any(text in line for line in self._screen.display)
+
+
+async def until_shown(terminal: Any, shown: Shown, text: str) -> None:
+    while not shown.has(text):
         message = await terminal.receive(timeout=PATIENCE)
-        seen += message.data if isinstance(message.data, bytes) else str(message.data).encode()
+        if isinstance(message.data, bytes):
+            shown.feed(message.data)
 
 
 def run(*arguments: str, **environment: str) -> tuple[int, str]:
@@ -118,7 +133,7 @@ class Page:
     def __init__(self, socket: Any) -> None:
         self._socket = socket
         self._calls = 0
-        self.sent = b""
+        self._shown = Shown()
 
     async def call(self, method: str, **values: Any) -> dict[str, Any]:
         self._calls += 1
@@ -132,11 +147,11 @@ class Page:
     def _note(self, told: dict[str, Any]) -> None:
         if told.get("method") == "Network.webSocketFrameReceived":
             frame = told["params"]["response"]
-            is_text = frame["opcode"] == 1
-            self.sent += frame["payloadData"].encode() if is_text else base64.b64decode(frame["payloadData"])
+            if frame["opcode"] != 1:
+                self._shown.feed(base64.b64decode(frame["payloadData"]))
 
-    async def gets(self, text: bytes) -> None:
-        while text not in self.sent:
+    async def gets(self, text: str) -> None:
+        while not self._shown.has(text):
             self._note(await self._socket.receive_json(timeout=PATIENCE))
 
     async def value(self, expression: str) -> Any:
@@ -181,7 +196,7 @@ async def test_a_browser_shows_the_workplace_and_tab_gives_it_the_keyboard(brows
     async with page_of(browser) as page:
         await page.call("Network.enable")
         await page.call("Page.reload")
-        await page.gets(b"Ready, speed")
+        await page.gets("Ready, speed")
         while await page.value("document.activeElement.tagName") != "TEXTAREA":
             await page.press("Tab", 9)
         assert await page.value("document.querySelectorAll('.xterm-text-layer').length") == 1
@@ -195,11 +210,11 @@ async def test_letters_typed_in_a_browser_are_read_and_answered(browser):
         await page.call("Network.enable")
         await page.call("Emulation.setFocusEmulationEnabled", enabled=True)
         await page.call("Page.reload")
-        await page.gets(b"Ready, speed")
+        await page.gets("Ready, speed")
         while await page.value("document.querySelector('.xterm-helper-textarea') === null"):
             pass
         await page.type("fwq")
-        await page.gets(b"I do not know fwq.")
+        await page.gets("I do not know fwq.")
 
 
 @pytest.mark.filterwarnings("ignore::ResourceWarning")
@@ -208,7 +223,8 @@ async def test_a_page_that_begins_without_the_focus_takes_letters(server):
         aiohttp.ClientSession() as session,
         session.ws_connect(f"http://localhost:{server}/ws?width=80&height=24") as terminal,
     ):
-        await until_sent(terminal, b"Ready, speed")
+        shown = Shown()
+        await until_shown(terminal, shown, "Ready, speed")
         for message in (["focus"], ["stdin", "fwq"]):
             await terminal.send_json(message)
-        await until_sent(terminal, b"I do not know fwq.")
+        await until_shown(terminal, shown, "I do not know fwq.")

@@ -124,7 +124,7 @@ async def test_a_typed_key_in_the_plain_layout_costs_at_most_140_bytes(work, mon
     async with work("FW 1\nTR 90\n", plain=True) as desk:
         for widget in (desk.place.editor, desk.place.command_line):
             widget.focus()
-            for key in ("end", "space", *"bk 12"):
+            for key in ("end", "space", *"tr 12"):
                 await desk.press(key)
                 await desk.pilot.pause()
                 seen.clear()
