@@ -88,6 +88,13 @@ class Copies:
         self._wanted = Rescued(text, path)
         self.is_behind = True
 
+    def follow(self, text: str, path: Path | None = None, *, is_saved: bool) -> None:
+        """From now on the text is to be kept where no file has it, and where there is anything in it."""
+        if is_saved or not text.strip():
+            self.want_none()
+        else:
+            self.want(text, path)
+
     def want_none(self) -> None:
         """The text is safe elsewhere, or given up."""
         self._wanted = None

@@ -11,7 +11,7 @@ from pathlib import Path
 
 from donnie_tui.core.breakpoints import KeptBreakpoints
 from donnie_tui.core.copies import Copies
-from donnie_tui.core.copies_beside import CopiesBeside
+from donnie_tui.core.copy_keeping import CopyKeeping, settle_all
 from donnie_tui.core.documents import DocumentError
 from donnie_tui.core.typed_program import TypedProgram
 from donnie_tui.linear.safekeeping import Quiet, Safekeeping
@@ -41,8 +41,7 @@ class Programs:
         """Of the robots that were talked to; this one's is not up to date."""
         self._copies: dict[TypedProgram, Copies] = {}
         self._kept_breakpoints = kept_breakpoints
-        self._not_kept, self._has_failed = not_kept, False
-        self._beside = CopiesBeside(self._tell_failure)
+        self._keeping = CopyKeeping(not_kept)
         self._safekeeping = Safekeeping(console, self._unsaved, self._keep_beside)
 
     def close(self) -> None:
@@ -91,29 +90,19 @@ class Programs:
 
     def keep_for_later(self) -> None:
         """Save what is not saved beside everything else; quietly, since nobody may be there to hear."""
-        for copies in self._wanted():
-            with contextlib.suppress(DocumentError, OSError):
-                copies.settle()
+        settle_all(self._wanted())
 
     def _keep_beside(self) -> None:
         """As ``keep_for_later``, while whoever types goes on."""
         for copies in self._wanted():
-            self._beside.bring_up(copies)
+            self._keeping.bring_up(copies)
 
     def _wanted(self) -> Iterator[Copies]:
         """The copies of each program, which know now what is wanted of them."""
         for program in self.all():
             copies = self.copies_of(program)
-            if program.saved or not program.lines:
-                copies.want_none()
-            else:
-                copies.want(program.text, _path_of(program))
+            copies.follow(program.text, _path_of(program), is_saved=program.saved)
             yield copies
-
-    def _tell_failure(self, error: DocumentError) -> None:
-        if not self._has_failed:
-            self._has_failed = True
-            self._not_kept(error)
 
     def copies_of(self, program: TypedProgram) -> Copies:
         """Each robot's program has a copy of its own."""

@@ -15,7 +15,6 @@ from donnie_tui.core.copies import Copies
 from donnie_tui.core.documents import DocumentError
 from donnie_tui.core.filing import Document, saved_text
 from donnie_tui.core.wording import Wording
-from donnie_tui.tui.copy_keeping import CopyKeeping
 from donnie_tui.tui.desk import Desk, told
 from donnie_tui.tui.open_programs import OpenPrograms, Program
 from donnie_tui.tui.recent import Recent
@@ -35,28 +34,27 @@ class Files:
         recent: Recent,
         kept_breakpoints: KeptBreakpoints,
     ) -> None:
-        """``make_copies`` gives each program a keeper of its own."""
+        """``make_copies`` gives each program its own."""
         self._desk = desk
         self._words = words
         self._recent = recent
         self._kept_breakpoints = kept_breakpoints
-        self._programs = OpenPrograms(desk, words, make_copies)
-        self.copies = CopyKeeping(desk, self._programs)
-        self.saving = Saving(desk, words, self._programs, self.copies, recent, kept_breakpoints)
-        self.recovering = Recovering(desk, self._programs, self.copies, self.saving, kept_breakpoints)
+        self.programs = OpenPrograms(desk, words, make_copies)
+        self.saving = Saving(desk, words, self.programs, recent, kept_breakpoints)
+        self.recovering = Recovering(desk, self.programs, self.saving, kept_breakpoints)
 
     @property
     def document(self) -> Document:
         """The file of what is in the editor."""
-        return self._programs.document
+        return self.programs.document
 
     @property
     def name(self) -> str:
-        return self._programs.name
+        return self.programs.name
 
     @property
     def is_changed(self) -> bool:
-        return self._programs.is_changed
+        return self.programs.is_changed
 
     @property
     def recent(self) -> tuple[Path, ...]:
@@ -68,37 +66,29 @@ class Files:
     @property
     def open_programs(self) -> tuple[tuple[str, bool], ...]:
         """The title of each, and whether it is the one in the editor."""
-        return self._programs.titles
+        return self.programs.titles
 
     def turn_to(self, which: int | None) -> None:
         """Another one of the open programs, or one more, which is empty. No text is lost by it."""
-        self._turn_to(self._programs.at(which))
+        self._turn_to(self.programs.at(which))
 
     def _turn_to(self, program: Program) -> None:
-        self.copies.keep()
-        self._programs.turn_to(program)
+        self.programs.keep_copy()
+        self.programs.turn_to(program)
         self._desk.tell(Answer("screen-turned-to", {"name": self.name}))
 
     async def are_safe_to_leave(self) -> bool:
         """Whether every open program may go."""
         await self.saving.is_done()  # so that what is being saved just now is known
-        self._programs.take_from_desk()
-        here = self._programs.current
-        for program in (here, *(each for each in self._programs if each is not here)):
+        self.programs.take_from_desk()
+        here = self.programs.current
+        for program in (here, *(each for each in self.programs if each is not here)):
             if program.is_worth_keeping:
                 if program is not here:
                     self._turn_to(program)
                 if not await self.saving.is_safe_to_leave():
                     return False
         return True
-
-    def keep_copy(self) -> None:
-        """Have what is not saved written down, beside the screen."""
-        self.copies.keep()
-
-    def keep_copy_now(self) -> None:
-        """The same, done once this returns."""
-        self.copies.keep_now()
 
     # --- opening
 
@@ -158,7 +148,7 @@ class Files:
                 document.become(path, saved)
 
     def _become(self, path: Path | None, text: str) -> None:
-        self.copies.forget(self._programs.copies)
+        self.programs.forget_copy(self.programs.current)
         self._load(path, text)
         self.document.become(path, self._desk.text)
 

@@ -4,11 +4,15 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterator
 from dataclasses import dataclass
+from pathlib import Path
 
-from donnie_tui.core.copies import Copies
+from donnie_tui.core.copies import Copies, Rescued
+from donnie_tui.core.copy_keeping import CopyKeeping, settle_all
+from donnie_tui.core.documents import DocumentError
 from donnie_tui.core.filing import Document
 from donnie_tui.core.wording import Wording
 from donnie_tui.tui.desk import Desk
+from donnie_tui.tui.running import Answer
 
 
 @dataclass(slots=True, eq=False)
@@ -30,10 +34,11 @@ class OpenPrograms:
     """All of them, and which one is in the editor."""
 
     def __init__(self, desk: Desk, words: Wording, make_copies: Callable[[], Copies]) -> None:
-        """``make_copies`` gives each program a keeper of its own."""
+        """``make_copies`` gives each program its own."""
         self._desk = desk
         self._words = words
         self._make_copies = make_copies
+        self._keeping = CopyKeeping(self._tell_not_kept)
         self._programs = [Program(Document(), make_copies())]
         self.current = self._programs[0]
         """The one in the editor."""
@@ -44,10 +49,6 @@ class OpenPrograms:
     @property
     def document(self) -> Document:
         return self.current.document
-
-    @property
-    def copies(self) -> Copies:
-        return self.current.copies
 
     @property
     def name(self) -> str:
@@ -88,3 +89,39 @@ class OpenPrograms:
         self.take_from_desk()
         self.current = program
         self._desk.load(program.text, program.breakpoints)
+
+    # --- the copies of what is not saved, for the case of a crash
+
+    def keep_copy(self) -> None:
+        """Have what is not saved of the current one written down, beside the screen."""
+        self._follow()
+        self._keeping.bring_up(self.current.copies)
+
+    def keep_copy_now(self) -> None:
+        """As ``keep_copy``, done once this returns: for whoever leaves."""
+        self._follow()
+        self.settle_copies()
+
+    def settle_copies(self) -> None:
+        """What is still to be written down or removed, of any program: done once this returns."""
+        settle_all(each.copies for each in self._programs)
+
+    def keep_rescued(self, rescued: Rescued, copy: Path) -> None:
+        """The current one came out of a copy of an earlier start, which is removed once it has its own."""
+        self.current.copies.want(rescued.text, rescued.path, instead_of=copy)
+        self._keeping.bring_up(self.current.copies)
+
+    def forget_copy(self, program: Program) -> None:
+        """Its text is safe elsewhere, or given up."""
+        self._keeping.forget(program.copies)
+
+    def forget_copies(self) -> None:
+        """Leaving on purpose: none is needed."""
+        for program in self._programs:
+            self.forget_copy(program)
+
+    def _tell_not_kept(self, error: DocumentError) -> None:
+        self._desk.tell(Answer("answer-not-kept", {"reason": error.reason}))
+
+    def _follow(self) -> None:
+        self.current.copies.follow(self._desk.text, self.document.path, is_saved=not self.is_changed)

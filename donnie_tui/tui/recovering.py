@@ -8,7 +8,6 @@ from donnie_tui.core.breakpoints import KeptBreakpoints
 from donnie_tui.core.copies import Rescued
 from donnie_tui.core.documents import DocumentError
 from donnie_tui.core.filing import saved_text
-from donnie_tui.tui.copy_keeping import CopyKeeping
 from donnie_tui.tui.desk import Desk, told
 from donnie_tui.tui.open_programs import OpenPrograms
 from donnie_tui.tui.running import Answer
@@ -22,16 +21,14 @@ class Recovering:
         self,
         desk: Desk,
         programs: OpenPrograms,
-        copies: CopyKeeping,
         saving: Saving,
         kept_breakpoints: KeptBreakpoints,
     ) -> None:
         self._desk = desk
         self._programs = programs
-        self._copies = copies
         self._saving = saving
         self._kept_breakpoints = kept_breakpoints
-        self._offered = programs.copies.all_offered()
+        self._offered = programs.current.copies.all_offered()
 
     @property
     def is_offered(self) -> bool:
@@ -56,7 +53,7 @@ class Recovering:
 
     def _read(self, copy: Path) -> tuple[Rescued, str]:
         """What it holds, and what its file has now."""
-        found = self._programs.copies.read(copy)
+        found = self._programs.current.copies.read(copy)
         return found, saved_text(found.path) if found.path is not None else ""
 
     def _bring_back(self, copy: Path, found: Rescued, saved: str) -> None:
@@ -64,8 +61,7 @@ class Recovering:
         lines = found.text.count("\n") + 1
         self._desk.load(found.text, self._kept_breakpoints.of(found.path, lines))
         self._programs.document.become(found.path, saved)
-        self._programs.copies.want(found.text, found.path, instead_of=copy)
-        self._copies.bring_up(self._programs.copies)
+        self._programs.keep_rescued(found, copy)
         code = "answer-recovered" if found.path is None else "answer-recovered-file"
         self._desk.tell(Answer(code, {"lines": lines, "name": self._programs.name}))
         if self._offered:

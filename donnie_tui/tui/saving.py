@@ -12,7 +12,6 @@ from pathlib import Path
 from donnie_tui.core.breakpoints import KeptBreakpoints
 from donnie_tui.core.documents import DocumentError, program_to_save, write_program
 from donnie_tui.core.wording import Wording
-from donnie_tui.tui.copy_keeping import CopyKeeping
 from donnie_tui.tui.desk import Desk, YesOrNo, told
 from donnie_tui.tui.open_programs import OpenPrograms, Program
 from donnie_tui.tui.recent import Recent
@@ -27,14 +26,12 @@ class Saving:
         desk: Desk,
         words: Wording,
         programs: OpenPrograms,
-        copies: CopyKeeping,
         recent: Recent,
         kept_breakpoints: KeptBreakpoints,
     ) -> None:
         self._desk = desk
         self._words = words
         self._programs = programs
-        self._copies = copies
         self._recent = recent
         self._kept_breakpoints = kept_breakpoints
         self._question = YesOrNo(desk, words)
@@ -80,7 +77,7 @@ class Saving:
             self._desk.tell(told(error))
             return False
         if self._desk.text == text and self._programs.current is program:
-            self._copies.forget(program.copies)
+            self._programs.forget_copy(program)
             self._kept_breakpoints.keep(path, self._desk.breakpoints)
         self._recent.add(path)
         self._desk.tell(Answer("answer-saved", {"name": path.name, "lines": text.count("\n") + 1}))

@@ -55,7 +55,7 @@ class SessionBehind:
     def keep_text(self) -> None:
         """Write down what is not saved, for the next start."""
         if self.work is not None:
-            self.work.files.keep_copy_now()
+            self.work.files.programs.keep_copy_now()
 
     def close(self) -> None:
         """After the screen is gone: nothing is left running."""

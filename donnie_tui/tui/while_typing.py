@@ -68,17 +68,18 @@ class WhileTyping:
 
     def _keep_copy(self) -> None:
         self._copying = None
-        self._work.files.keep_copy()
+        self._work.files.programs.keep_copy()
 
     def give_up_copies(self) -> None:
         """Leaving on purpose: no copy is needed."""
         self._stop_copying()
-        self._work.files.copies.give_up()
+        self._work.files.programs.forget_copies()
 
     def hand_over_copy(self) -> None:
         """Somebody else goes on with the program in the editor; the others are offered there."""
         self._stop_copying()
-        self._work.files.copies.give_up_current()
+        programs = self._work.files.programs
+        programs.forget_copy(programs.current)
 
     def _stop_copying(self) -> None:
         if self._copying is not None:

@@ -342,10 +342,10 @@ class Work:
         for session in self._donnie.team.sessions:
             if session.run is not None:
                 session.run.wait(_LAST_WORDS)
-        self.files.copies.settle()
+        self.files.programs.settle_copies()
         return self._donnie
 
     def close(self) -> None:
         """After the screen is gone: nothing is left running, nor to be written down."""
         self._donnie.close()
-        self.files.copies.settle()
+        self.files.programs.settle_copies()

@@ -1,6 +1,7 @@
 """Opening, saving, beginning anew, recovering: nothing is lost without a question."""
 
 import os
+import threading
 from pathlib import Path
 
 import pytest
@@ -121,7 +122,7 @@ async def test_going_back_from_the_question_keeps_the_program(work):
 
 async def test_quitting_without_saving_leaves_no_copy(work, tmp_path):
     async with work("FW 2") as desk:
-        desk.app.work.files.keep_copy_now()
+        desk.app.work.files.programs.keep_copy_now()
         assert list((tmp_path / "unsaved").iterdir())
         await desk.press("ctrl+q")
         await desk.answer("no")
@@ -174,13 +175,17 @@ async def test_there_may_be_nothing_to_recover(work):
         await desk.told("Nothing to recover.")
 
 
+def no_copy_is_written() -> bool:
+    return all(each.name != "copies" for each in threading.enumerate())
+
+
 async def test_a_state_folder_that_can_t_be_written_is_told_once(work, tmp_path):
     (tmp_path / "unsaved").write_text("a file in its place")
     async with work("FW 1") as desk:
-        desk.app.work.files.keep_copy()
+        desk.app.work.files.programs.keep_copy()
         await desk.told("What you type can't be kept safe")
-        desk.app.work.files.keep_copy()
-        await desk.until(lambda: not desk.app.work.files.copies._bringing_up, "the second try")
+        desk.app.work.files.programs.keep_copy()
+        await desk.until(no_copy_is_written, "the second try")
 
         assert sum("kept safe" in line for line in desk.log) == 1
 

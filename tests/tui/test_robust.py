@@ -77,7 +77,7 @@ async def test_a_fault_of_ours_halts_the_robot_before_anything_is_kept(work):
             running, files = desk.app.work.running, desk.app.work.files
             await desk.press("f5")
             await desk.until(lambda: running.frames, "the program is on its way")
-            files.keep_copy_now = lambda: doing.append(running.doing)
+            files.programs.keep_copy_now = lambda: doing.append(running.doing)
             desk.app.call_later(fail)
             await desk.until(lambda: doing, "the fault")
 

@@ -58,13 +58,13 @@ async def test_a_disk_that_takes_its_time_is_told_and_holds_nobody_up(work, tmp_
         desk.place.editor.focus()
         await desk.press("x")
         assert desk.app.work.text == "xFW 1"
-        desk.app.work.files.keep_copy_now()
+        desk.app.work.files.programs.keep_copy_now()
         assert not path.exists()
         slow_saving.set()
         await desk.told("Saved walk.gd, 1 line.")
         assert path.read_text() == "FW 1\n"
         assert desk.app.work.files.is_changed, "what was typed meanwhile is not saved"
-        desk.app.work.files.copies.settle()
+        desk.app.work.files.programs.settle_copies()
         assert _copies_in(tmp_path) == ["xFW 1"], "nor is its copy given up"
 
 
@@ -131,10 +131,10 @@ async def test_a_copy_on_a_slow_disk_holds_no_typing_and_has_the_last_letters(
         await desk.press("a")
         await desk.until(lambda: came, "the first copy is being written")
         await desk.press("b", "c")
-        desk.app.work.files.keep_copy()
-        desk.app.work.files.keep_copy()
+        desk.app.work.files.programs.keep_copy()
+        desk.app.work.files.programs.keep_copy()
         await desk.press("d")
-        desk.app.work.files.keep_copy()
+        desk.app.work.files.programs.keep_copy()
         assert desk.app.work.text == "abcdFW 1"
         assert len(came) == 1, "one at a time"
         gate.set()
