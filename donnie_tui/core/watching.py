@@ -5,15 +5,71 @@ Asked before each statement of a run, while it is held, and at its end; each cha
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Sequence
+from collections.abc import Callable, Iterable, Sequence
+from typing import TYPE_CHECKING
 
+from donnie_tui.core.events import Answered
 from donnie_tui.core.step_words import changes
 from donnie_tui.core.wording import Wording
 from language.source import fold_name
 
+if TYPE_CHECKING:
+    from donnie_tui.core.session import Session
+
+
+class Watch:
+    """What somebody watches, in one run after the other."""
+
+    def __init__(self, words: Wording) -> None:
+        self.names: list[str] = []
+        """As they were typed."""
+        self._words = words
+        self._last = Watching(self.names, words)
+        self._heed: Callable[[], None] = _nothing
+        """Let the run that began last know whether anything is watched."""
+
+    def toggle(self, typed: str) -> tuple[str, ...]:
+        """WATCH with what stands behind it; what is told of it. A run heeds it from here on."""
+        told = toggle_watch(self.names, typed, self._words)
+        self._heed()
+        return told
+
+    def begin(self, session: Session, *, fresh: bool) -> Callable[[], None] | None:
+        """A run is to begin, a fresh one without variables. What is to be called before each statement.
+
+        None where nothing is watched: it costs a program that computes dearly.
+        """
+        watching = self._last = Watching(self.names, self._words)
+        watching.begin(() if fresh else session.variables.items())
+
+        def look() -> None:
+            frames = session.frames if self.names else ()
+            if frames:
+                _tell(session, watching.look(frames[0].variables))
+
+        def heed() -> None:
+            if session.run is not None:
+                session.run.control.look_before_each(look if self.names else None)
+
+        self._heed = heed
+        return look if self.names else None
+
+    def look(self, session: Session, variables: Iterable[tuple[str, int]]) -> None:
+        """The run that began last is held, or over, and has these."""
+        _tell(session, self._last.look(variables))
+
+
+def _tell(session: Session, sentences: tuple[str, ...]) -> None:
+    for each in sentences:
+        session.hub.publish(Answered(each))
+
+
+def _nothing() -> None:
+    return
+
 
 class Watching:
-    """One run after the other. Only one thread looks at a time: the program's, or another while it holds."""
+    """What was told of one run. Only one thread looks at a time: the program's, or another while it holds."""
 
     def __init__(self, names: Sequence[str], wording: Wording) -> None:
         """``names``, as they were typed, may grow and shrink meanwhile."""

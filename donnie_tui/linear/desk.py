@@ -16,6 +16,7 @@ from donnie_tui.core.reading import ProgramText
 from donnie_tui.core.session import Session
 from donnie_tui.core.transcript import lines_said_by, said_by
 from donnie_tui.core.typed_program import TypedProgram
+from donnie_tui.core.watching import Watch
 from donnie_tui.linear.asking import Asking
 from donnie_tui.linear.beside import Beside
 from donnie_tui.linear.console import Console
@@ -53,8 +54,7 @@ class Desk:
         """The program as it was read last."""
         self.searched = ""
         """What SEARCH looked for last."""
-        self.watched: list[str] = []
-        """Variables, as they were typed."""
+        self.watch = Watch(self.say)
         self.is_pausing = False
         """Whether PAUSE was said to the running program."""
         self.answers_first = False

@@ -8,7 +8,6 @@ from enum import Enum, auto
 from devices.ports.values import frozen
 from donnie_tui.core.events import Read, RunEnded, Stamped
 from donnie_tui.core.step_words import StepWords
-from donnie_tui.core.watching import Watching
 from donnie_tui.i18n.first_words import PROMPT
 from donnie_tui.linear.desk import Desk
 from donnie_tui.linear.reader import Typed
@@ -42,7 +41,6 @@ class Holding:
         self._wish_of = wish_of
         self._words: StepWords | None = None
         self._control: ExecutionControl | None = None
-        self._watching = Watching(desk.watched, desk.say)
         self._text, self._first_line = "", 1
         self.is_held = False
 
@@ -56,7 +54,6 @@ class Holding:
         """A run is about to begin."""
         self.is_held, self._control, self._desk.is_pausing = False, control, False
         self._words, self._text, self._first_line = None, text, first_line
-        self._watching.begin(self._desk.session.variables.items())
         control.observe(self._changed)
         if self._desk.program.breakpoints:
             control.break_at(self._desk.program.breakpoints)
@@ -75,19 +72,7 @@ class Holding:
             case Read() as read if self._words is not None:
                 self._words.heard(read)
             case RunEnded(variables=variables) if stamped.robot == self._desk.session.hub.robot:
-                self._desk.tell(*self._watching.look(variables.items()))
-
-    def look(self) -> None:
-        """In the program's thread, before each statement: what has changed of what is watched."""
-        frames = self._desk.session.frames if self._desk.watched else ()
-        if frames:
-            self._desk.tell(*self._watching.look(frames[0].variables))
-
-    def look_from_here(self) -> None:
-        """What is watched has changed: of a program on its way only what changes from here on is told."""
-        run = self._desk.session.run
-        if run is not None and run.control is self._control:
-            run.control.look_before_each(self.look if self._desk.watched else None)
+                self._desk.watch.look(self._desk.session, variables.items())
 
     def ask(self) -> Wish:
         """Say where the program is, and ask until it is clear how to go on."""
@@ -104,7 +89,7 @@ class Holding:
             program = self._desk.session.parse(self._text, self._first_line).program
             self._words = StepWords(program, self._desk.program.lines, self._desk.say)
         line, column = self._control.held_at if self._control else (0, 0)
-        self._desk.tell(*self._watching.look(frames[0].variables if frames else ()))
+        self._desk.watch.look(self._desk.session, frames[0].variables if frames else ())
         if self._desk.is_pausing or not line:
             self._desk.answer("answer-paused-at", line=frames[0].line if frames else 1)
         at = line or (frames[0].line if frames else 0)

@@ -6,7 +6,7 @@ from donnie_tui.core import speeds
 from donnie_tui.core.retelling import told_back
 from donnie_tui.core.session import Busy
 from donnie_tui.core.typed_arguments import numbers_in
-from donnie_tui.core.watching import may_be_watched, toggle_watch
+from donnie_tui.core.watching import may_be_watched
 from donnie_tui.linear.arguments import Handler, alone
 from donnie_tui.linear.desk import Desk
 from donnie_tui.linear.runs import Runs
@@ -98,11 +98,10 @@ def _toggle_breakpoint(desk: Desk, line: int) -> None:
         run.control.break_at(desk.program.breakpoints)
 
 
-def _watch(desk: Desk, runs: Runs, rest: str) -> bool:
+def _watch(desk: Desk, _: Runs, rest: str) -> bool:
     if rest and not may_be_watched(rest):
         return False
-    desk.tell(*toggle_watch(desk.watched, rest, desk.say))
-    runs.look_at_watched()
+    desk.tell(*desk.watch.toggle(rest))
     return True
 
 

@@ -120,7 +120,7 @@ class Runs:
         begin: Callable[[ExecutionControl], None] | None = None,
     ) -> Run:
         self._prepare()
-        may_be_watched = bool(begin or self._desk.watched or self._desk.program.breakpoints)
+        may_be_watched = bool(begin or self._desk.watch.names or self._desk.program.breakpoints)
         try:
             run = self._desk.session.start(
                 text,
@@ -129,7 +129,7 @@ class Runs:
                 hooked=self._desk.is_attended or may_be_watched,
                 first_line=first_line,
                 prepare=partial(self._holding.prepare, text, first_line, begin),
-                each_statement=self._holding.look if self._desk.watched else None,
+                each_statement=self._desk.watch.begin(self._desk.session, fresh=fresh),
             )
             self._watch(run)
         finally:
@@ -149,10 +149,6 @@ class Runs:
     def _watch_no_more(self) -> None:
         self._told.let_pass()
         self._desk.beside.is_watching = False
-
-    def look_at_watched(self) -> None:
-        """What is watched has changed; a program that is held heeds it from here on."""
-        self._holding.look_from_here()
 
     def watch_together(self, start: Callable[[], tuple[tuple[str, Run], ...]]) -> None:
         """Start several robots and watch until the last of them is done; Ctrl+C stops all."""

@@ -111,7 +111,7 @@ class Following:
         self._intake.take()
         work.display.move((event.event.pose,))
         self._watch_no_more()
-        work.watch.end(work.donnie.session, event.event.variables)
+        work.watch.look(work.donnie.session, event.event.variables.items())
         self._tell_end(event)
         self._intake.take()
         self._intake.write()

@@ -14,8 +14,8 @@ from devices.ports.values import field, frozen
 from donnie_tui.core import speeds
 from donnie_tui.core.runner import Run
 from donnie_tui.core.session import Busy, Session
+from donnie_tui.core.watching import Watch
 from donnie_tui.settings.readers import FASTEST, SLOWEST, read_speed
-from donnie_tui.tui.watch import Watch
 from language.control import ControlState, ExecutionControl
 from language.runtime import Frame
 

@@ -25,6 +25,7 @@ from donnie_tui.core.events import Answered, Pointed
 from donnie_tui.core.harmless import printable
 from donnie_tui.core.trail import Trail
 from donnie_tui.core.transcript import said_by
+from donnie_tui.core.watching import Watch
 from donnie_tui.i18n.words import Words
 from donnie_tui.settings.chosen import Settings
 from donnie_tui.settings.first_start import offers_tour
@@ -46,7 +47,6 @@ from donnie_tui.tui.preferences import Preferences
 from donnie_tui.tui.recent import Recent
 from donnie_tui.tui.running import Answer, Running
 from donnie_tui.tui.screens.chooser import Choice
-from donnie_tui.tui.watch import Watch
 from donnie_tui.tui.while_typing import WhileTyping
 from donnie_tui.tui.workbench import Host
 from language.control import ControlState

@@ -15,6 +15,7 @@ from devices.ports.robot import Pose
 from donnie_tui.bootstrap import Donnie
 from donnie_tui.core.answer_log import AnswerLog
 from donnie_tui.core.trail import Trail
+from donnie_tui.core.watching import Watch
 from donnie_tui.i18n.words import Words
 from donnie_tui.settings.chosen import Settings
 from donnie_tui.tui.display import Display
@@ -24,7 +25,6 @@ from donnie_tui.tui.preferences import Preferences
 from donnie_tui.tui.running import Answer, Running
 from donnie_tui.tui.screens.chooser import Choice
 from donnie_tui.tui.screens.workplace import Workplace
-from donnie_tui.tui.watch import Watch
 
 T = TypeVar("T")
 

@@ -1,6 +1,10 @@
 """Watched variables: each change is told once."""
 
-from donnie_tui.core.watching import Watching, toggle_watch
+from collections.abc import Callable
+from types import SimpleNamespace
+from typing import Any
+
+from donnie_tui.core.watching import Watch, Watching, toggle_watch
 from donnie_tui.i18n.words import Words
 
 
@@ -39,3 +43,48 @@ def test_a_name_is_told_as_it_was_typed_and_found_without_its_accents() -> None:
     assert changed == ("ação é 3.",)
     assert toggle_watch(watched, "ACAO", Words("pt")) == ("Não vigio mais ACAO.",)
     assert watched == []
+
+
+class Program:
+    """A session whose program has got as far as its variables say."""
+
+    def __init__(self) -> None:
+        self.told: list[str] = []
+        self.looks: list[Callable[[], None] | None] = []
+        self.hub = SimpleNamespace(publish=lambda event: self.told.append(event.text))
+        self.variables: dict[str, int] = {}
+        self.run: Any = None
+
+    def begin(self) -> None:
+        self.run = SimpleNamespace(control=SimpleNamespace(look_before_each=self.looks.append))
+
+    @property
+    def frames(self) -> tuple[Any, ...]:
+        return (SimpleNamespace(variables=tuple(self.variables.items())),)
+
+
+def test_a_run_without_anything_watched_is_asked_nothing_until_something_is() -> None:
+    program: Any = Program()
+    watch = Watch(Words("en"))
+    assert watch.begin(program, fresh=True) is None
+    program.begin()
+    program.variables = {"n": 1}
+    watch.toggle("n")
+    (look,) = program.looks
+    look()
+    look()
+
+    assert program.told == ["n is 1."]
+
+
+def test_what_a_program_goes_on_with_is_known_and_what_it_leaves_is_told() -> None:
+    program: Any = Program()
+    program.variables = {"n": 1}
+    watch = Watch(Words("en"))
+    watch.toggle("n")
+    look = watch.begin(program, fresh=False)
+    assert look is not None
+    look()
+    watch.look(program, [("n", 2)])
+
+    assert program.told == ["n is 2."]

@@ -8,6 +8,8 @@ from typing import Any
 import pytest
 
 from donnie_tui.core.events import Outcome
+from donnie_tui.core.watching import Watch
+from donnie_tui.i18n.words import Words
 from donnie_tui.linear import runs
 from donnie_tui.linear.runs import Runs
 from donnie_tui.linear.told import Told
@@ -53,7 +55,7 @@ def signs(seconds: float, interval: float, monkeypatch: pytest.MonkeyPatch) -> l
         session=SimpleNamespace(hub=hub),
         donnie=SimpleNamespace(stop_real_robot=bool),
         ends=SimpleNamespace(habits=SimpleNamespace(progress=interval), can_edit=True, hears_live=False),
-        watched=[],
+        watch=Watch(Words()),
         say=None,
         beside=SimpleNamespace(is_watching=False),
         showing=SimpleNamespace(show_told=_nothing),

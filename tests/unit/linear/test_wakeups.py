@@ -9,6 +9,8 @@ from typing import Any
 import pytest
 
 from donnie_tui.core.events import Outcome
+from donnie_tui.core.watching import Watch
+from donnie_tui.i18n.words import Words
 from donnie_tui.linear.reader import EditingReader, How, PlainReader
 from donnie_tui.linear.recall import Past
 from donnie_tui.linear.runs import Runs
@@ -113,7 +115,7 @@ class Watched:
             ends=SimpleNamespace(habits=SimpleNamespace(progress=0), can_edit=True, hears_live=False),
             showing=SimpleNamespace(),
             beside=SimpleNamespace(),
-            watched=[],
+            watch=Watch(Words()),
             say=None,
             leaving=None,
             answer_of=_ignored,
