@@ -25,10 +25,10 @@ sys.path.insert(0, str(ROOT))
 from language.compiler import Runnable, compile_program  # noqa: E402
 from language.control import ExecutionControl  # noqa: E402
 from language.diagnostics import Stopped  # noqa: E402
+from language.levels import make_room  # noqa: E402
 from language.parser import parse  # noqa: E402
 from language.plain import plain_program  # noqa: E402
 from language.runtime import Memory  # noqa: E402
-from language.stack import make_room  # noqa: E402
 from language.syntax import Program  # noqa: E402
 from tests.unit.language_back.recorder import Recorder  # noqa: E402
 

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import ast
 
-from language.building import call, constant, load
 from language.expressions import Expressions
 from language.syntax import (
     BeltSwitch,
@@ -27,6 +26,7 @@ from language.syntax import (
     Wait,
     Walk,
 )
+from language.translated import call, constant, load
 
 
 def command(

@@ -1,20 +1,29 @@
 """A program that can run: translated to code objects of Python, because these are by far the fastest.
 
-syntax tree -> scopes -> growth (which results need a check) -> statements (Python's syntax tree)
--> units (code objects) -> execution -> failures and levels (what happened, in the learner's terms).
+syntax tree -> scopes -> numbers (which results need a check) -> statements (Python's syntax tree)
+-> units (code objects) -> execution -> levels and mistakes (what happened, in the learner's terms).
 
-``plain`` runs the same trees the obvious way; the tests hold both to the same behaviour.
-"""
+A batch is its program and the procedures of earlier batches that it may call. They are brought together when
+it begins, for only then is it known what the memory holds: so the compiler sees every call that there can be,
+and knows what the variables are. ``plain`` runs the same trees the obvious way; the tests hold both to the
+same behaviour."""
 
 from __future__ import annotations
 
+from collections.abc import Mapping
+from functools import partial
+
 from language.control import ExecutionControl
 from language.execution import Execution
-from language.linking import link
-from language.runnable import Runnable as Runnable
-from language.runnable import Trace
-from language.runtime import Actions, Frame, Memory
+from language.expressions import Bounds
+from language.levels import make_room
+from language.numbers import Growth, Naturals, assignments_of
+from language.runtime import Actions, Frame, Memory, Trace
+from language.runtime import Runnable as Runnable
+from language.scopes import Declared, Scope, scopes_of
+from language.statements import ScopeTranslator
 from language.syntax import Program
+from language.translated import Unit
 
 
 def compile_program(program: Program, *, terminal: bool = False, hooked: bool = False) -> Runnable:
@@ -56,3 +65,35 @@ class _CompiledProgram:
         units = link(self._program, memory, terminal=self._terminal, hooked=self._hooked)
         self._running = Execution(units, actions, control, memory, trace, hooked=self._hooked)
         self._running.run()
+
+
+def link(program: Program, memory: Memory, *, terminal: bool, hooked: bool) -> tuple[Unit, ...]:
+    """The units of a batch: the program first, then every procedure that may run."""
+    make_room()
+    scopes = _reachable(program, memory.procedures)
+    given = assignments_of(scopes)
+    growth, naturals = Growth(given, memory.variables), Naturals(given, memory.variables)
+    numbers = {id(scope.procedure): number for number, scope in enumerate(scopes)}
+    stored = frozenset(memory.variables)
+    return tuple(
+        ScopeTranslator(
+            scope,
+            Bounds(partial(growth.bits, number), partial(naturals.has, number)),
+            numbers,
+            frozenset() if number else stored,
+            terminal=terminal,
+            hooked=hooked,
+        ).unit()
+        for number, scope in enumerate(scopes)
+    )
+
+
+def _reachable(program: Program, earlier: Mapping[str, Declared]) -> tuple[Scope, ...]:
+    """The program's scopes, and those of the earlier procedures that they call, and that those call."""
+    scopes = list(scopes_of(Scope(program, None)))
+    seen: set[str] = set()
+    for scope in scopes:
+        for name in scope.calls() & earlier.keys() - seen:
+            seen.add(name)
+            scopes += scopes_of(Scope(earlier[name].program, earlier[name].procedure))
+    return tuple(scopes)

@@ -8,10 +8,22 @@ from __future__ import annotations
 
 import ast
 
-from language.building import Sites, assign, call, compare, constant, do, load, when
 from language.scopes import Scope
 from language.syntax import Declare, For, Name
-from language.translated_names import EARLIER, OWNER, PARAMETER, VARIABLE
+from language.translated import (
+    EARLIER,
+    OWNER,
+    PARAMETER,
+    VARIABLE,
+    Sites,
+    assign,
+    call,
+    compare,
+    constant,
+    do,
+    load,
+    when,
+)
 
 
 class Declarations:

@@ -5,9 +5,9 @@ Nobody nests so deeply on purpose; with the limit, whatever walks a tree may do 
 
 from __future__ import annotations
 
-from language.blocks import ENDS, OPENERS
 from language.diagnostics import Diagnostic, Kind
 from language.lexer import END, KIND, Token, span_of
+from language.outline import ENDS, OPENERS
 
 MOST_BLOCKS = 200
 MOST_PARENTHESES = 200

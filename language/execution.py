@@ -1,7 +1,11 @@
 """One run of translated code: the globals that it uses, and the way back from it.
 
 The rule it keeps: whatever ends the program, the memory is true before anybody hears of it.
-"""
+
+CPython 3.11 specializes code only after it was entered eight times or went round in a ``for`` eight times.
+A program is entered once, and its WHILE loops would stay slow for ever. So each unit is entered before it
+runs, and left at its first checkpoint, before anything happened. Later versions do not need it and are not
+harmed by it."""
 
 from __future__ import annotations
 
@@ -9,23 +13,19 @@ import sys
 import threading
 from collections import defaultdict
 from collections.abc import Callable, Iterator
+from contextlib import suppress
 from itertools import repeat
 from types import FunctionType
 from typing import Any, NoReturn
 
 from devices.ports.robot import Bearing
-from language.arithmetic import checked, divide
 from language.control import ControlState, ExecutionControl
 from language.diagnostics import Kind, LanguageError, QuitRequested, Refused, Stopped
-from language.failures import failure_of
-from language.levels import Level, Levels, variables_in
-from language.runnable import Trace, told_levels
-from language.runtime import Actions, Frame, Memory
-from language.stack import DEEPEST_CALL, first_link
+from language.levels import DEEPEST_CALL, Level, Levels, first_link, variables_in
+from language.numbers import checked, divide
+from language.runtime import Actions, Frame, Memory, Trace, told_levels
 from language.syntax import Axis
-from language.translated_names import EARLIER, PARAMETER, procedure_taking, wanted_at
-from language.units import Unit
-from language.warming import warm_up
+from language.translated import EARLIER, PARAMETER, Unit, procedure_taking, wanted_at
 
 _ACTIONS = tuple(name for name in vars(Actions) if not name.startswith("_"))
 """What the translated code calls by its own name."""
@@ -94,6 +94,8 @@ class Execution:
             return Stopped()
         levels, inside = self._levels.of_traceback(traceback), self._levels.raised(traceback)
         self._keep_what_was(levels)
+        from language.mistakes import failure_of  # only programs that fail
+
         return failure_of(error, levels, self._memory.procedures, inside=inside)
 
     def _keep(self, variables: dict[str, int]) -> None:
@@ -248,3 +250,25 @@ def _go_on() -> None:
 
 def _refuse_outside_terminal(typed: str) -> NoReturn:
     raise Refused(Kind.TERMINAL_ONLY, name=typed)
+
+
+_ENTRIES = 8
+
+
+class _Left(Exception):
+    """The unit was entered and left again."""
+
+
+def warm_up(units: tuple[Unit, ...]) -> None:
+    """Enter each unit often enough. Each begins with a checkpoint, or with a hook if it does anything."""
+    attention: dict[str, Any] = {"flag": True, "check": _leave_at_once, "hook": _leave_at_once}
+    for unit in units:
+        attention |= {wanted_at(line): DEEPEST_CALL for line in unit.lines}
+        function = FunctionType(unit.code, attention)
+        for _ in range(_ENTRIES):
+            with suppress(_Left):
+                function(first_link(), *[0] * (unit.code.co_argcount - 1))
+
+
+def _leave_at_once(*_place: int) -> NoReturn:
+    raise _Left

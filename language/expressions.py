@@ -15,8 +15,10 @@ import ast
 from collections.abc import Callable
 
 from devices.ports.values import frozen
-from language.arithmetic import LIMIT, SAFE_BITS
-from language.building import (
+from language.numbers import LIMIT, SAFE_BITS, SENSOR_BITS
+from language.syntax import Binary, Colour, Condition, Distance, Expression, Name, Negative, Number, Position
+from language.translated import (
+    VARIABLE,
     Sites,
     any_of,
     assign,
@@ -30,9 +32,6 @@ from language.building import (
     load,
     negative,
 )
-from language.growth import SENSOR_BITS
-from language.syntax import Binary, Colour, Condition, Distance, Expression, Name, Negative, Number, Position
-from language.translated_names import VARIABLE
 
 SMALL = 2**30 - 1
 """CPython compares numbers up to this fastest."""

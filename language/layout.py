@@ -11,8 +11,8 @@ from __future__ import annotations
 import re
 from collections.abc import Collection
 
-from language.blocks import ENDS, OPENERS
 from language.lexer import DISTANCE, KIND, NAME, NUMBER, Comment, Lexed, Token
+from language.outline import ENDS, OPENERS
 from language.source import COMMENT_MARK, line_ends
 from language.translation import Translation
 

@@ -1,12 +1,17 @@
-"""Where a running or a failed program is: Python's frames read as levels of GoDonnie.
+"""Where a running or a failed program is, and how deep it may go: Python's frames read as levels of GoDonnie.
 
 A level is the program or one open call of a procedure. Where loops were nested too deep for Python,
 several frames make one level; the place is that of the innermost of them, the variables are in the outermost.
-"""
+
+The running program is Python calling Python, which since 3.11 takes no C stack: any thread will do, and
+only the interpreter's own limit has to be out of the way. That limit belongs to the whole process, so it
+is raised once and never lowered: another thread may be deep in it."""
 
 from __future__ import annotations
 
+import sys
 from collections.abc import Iterable, Iterator, Mapping
+from functools import cache
 from itertools import islice
 from types import CodeType, FrameType, TracebackType
 from typing import TypeAlias
@@ -14,8 +19,7 @@ from typing import TypeAlias
 from devices.ports.values import mutable
 from language.diagnostics import CallSite
 from language.runtime import Frame
-from language.translated_names import VARIABLE
-from language.units import Unit
+from language.translated import VARIABLE, Unit
 
 _Entry: TypeAlias = tuple[FrameType, int | None]
 """A frame and the site in it."""
@@ -129,3 +133,31 @@ def _codes(code: CodeType) -> Iterator[CodeType]:
         inner = waiting.pop()
         yield inner
         waiting += (each for each in inner.co_consts if isinstance(each, CodeType))
+
+
+DEEPEST_CALL = 20_000
+"""Procedures that may be running inside each other."""
+
+Link: TypeAlias = "tuple[int] | tuple[int, Link]"
+"""How many calls are open, and the link for one call more; the deepest has none."""
+
+_PYTHON_FRAMES = 1_000_000
+"""More than a program can use: a call in deeply nested loops takes several frames of Python."""
+
+
+@cache
+def first_link(deepest: int = DEEPEST_CALL) -> Link:
+    """The link of a program without open calls.
+
+    Handing on a link is cheaper than counting, and asking the deepest for the next one fails by itself.
+    """
+    link: Link = (deepest,)
+    for depth in range(deepest - 1, -1, -1):
+        link = (depth, link)
+    return link
+
+
+def make_room() -> None:
+    """Let Python call as deep as GoDonnie may."""
+    if sys.getrecursionlimit() < _PYTHON_FRAMES:
+        sys.setrecursionlimit(_PYTHON_FRAMES)

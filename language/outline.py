@@ -1,17 +1,16 @@
 """Which blocks a text consists of, finished or not: for the prompt, for lists and jumps in an editor.
 
 Works on any text: what is wrong in it is passed over. An END closes the innermost block of its kind and
-what is still open in it; one that fits no block closes nothing.
-"""
+what is still open in it; one that fits no block closes nothing."""
 
 from __future__ import annotations
 
 from collections import Counter
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 
 from devices.ports.values import frozen
-from language.blocks import ENDS, OPENERS, is_split_else
-from language.lexer import NAME, Token, lex
+from language.lexer import KIND, NAME, Token, lex
+from language.source import fold_name
 from language.tables import TERMINALS
 
 
@@ -86,3 +85,18 @@ def _item(
     is_named = block.kind == "PROCEDURE" and bool(name) and name[0][0] == NAME
     typed = source[name[0][1] : name[0][2]] if is_named else ""
     return OutlineItem(block.kind, typed, opener[3], end_line, depth, is_closed)
+
+
+OPENERS = {KIND[name]: name for name in ("IF", "FOR", "REPEAT", "WHILE", "PROCEDURE")}
+ENDS = {KIND[f"END_{name}"]: name for name in OPENERS.values()}
+
+_NOT = ("not", "nao", "no")
+
+
+def is_split_else(tokens: Sequence[Token], at: int) -> bool:
+    """Whether a line ends with ``SI NO`` there, which learners write for SINO: no condition follows."""
+    opener, word, after = (*tokens[at : at + 3], None, None)[:3]
+    if opener is None or opener[0] != KIND["IF"] or word is None or word[0] != NAME:
+        return False
+    ends_line = after is None or after[3] > word[3] or after[1] == after[2]
+    return ends_line and fold_name(word[5]) in _NOT

@@ -2,8 +2,8 @@
 
 A text without a mistake is read once, by the tables that lark made (tables.py). Only when that meets a
 mistake does the recovery read the tokens again, to find all of them; so mistakes cost those who make them.
-Rule: whatever the text, the answer is a program or mistakes, in time and memory linear in its length.
-"""
+Colours that the robot at hand can't see are mistakes of form too.
+Rule: whatever the text, the answer is a program or mistakes, in time and memory linear in its length."""
 
 from __future__ import annotations
 
@@ -11,9 +11,9 @@ from collections.abc import Callable
 from typing import Any
 
 from devices.ports.values import frozen
-from language.colours import unseen_colours
 from language.diagnostics import Diagnostic, Kind
-from language.lexer import Lexed, Token, lex
+from language.keywords import argument
+from language.lexer import Lexed, Token, lex, span_of
 from language.syntax import Program
 from language.tables import ACTIONS, END, GOTOS, RULES, START
 from language.tree import MOST_LEVELS, Reductions, TooDeep
@@ -118,3 +118,28 @@ def _tree(lexed: Lexed) -> tuple[Any, ...] | None:
 def _reductions(source: str) -> list[tuple[int, int, Callable[..., Any] | None]]:
     functions = Reductions(source).functions(_REDUCTION_NAMES)
     return [(rule[0], rule[1], function) for rule, function in zip(RULES, functions, strict=True)]
+
+
+def unseen_colours(lexed: Lexed, colours: frozenset[str] | None) -> tuple[Diagnostic, ...]:
+    """A mistake for each colour outside ``colours``, which are English words; None allows all."""
+    if colours is None:
+        return ()
+    return tuple(
+        _unseen(lexed.source, token, colours) for token in lexed.colours if _english(token) not in colours
+    )
+
+
+def _english(token: Token) -> str:
+    found = argument("COLOUR", token[5])
+    return str(found.value) if found else ""
+
+
+def _unseen(source: str, token: Token, colours: frozenset[str]) -> Diagnostic:
+    return Diagnostic(
+        Kind.BAD_ARGUMENT,
+        span_of(token),
+        code="unseen-colour",
+        found=source[token[1] : token[2]],
+        expected=("colour",),
+        details={"word": "COLOR", "wanted": ", ".join(sorted(colours))},
+    )

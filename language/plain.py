@@ -10,14 +10,13 @@ from collections.abc import Callable
 from dataclasses import dataclass, field
 from typing import TypeVar
 
-from language.arithmetic import checked, divide
 from language.control import ControlState, ExecutionControl
 from language.diagnostics import CallSite, Diagnostic, Kind, ProgramError, QuitRequested, Refused, Stopped
+from language.levels import DEEPEST_CALL, make_room
 from language.mistakes import diagnostic, undeclared_procedure, undeclared_variable
-from language.runnable import Runnable, Trace, told_levels
-from language.runtime import Actions, Frame, Memory
+from language.numbers import checked, divide
+from language.runtime import Actions, Frame, Memory, Runnable, Trace, told_levels
 from language.scopes import Declared
-from language.stack import DEEPEST_CALL, make_room
 from language.syntax import (
     Assign,
     BeltSwitch,

@@ -11,27 +11,10 @@ from __future__ import annotations
 import ast
 from types import CodeType
 
-from language.building import (
-    Sites,
-    assign,
-    call,
-    constant,
-    do,
-    element,
-    forget,
-    function,
-    give_back,
-    loop_over,
-    loop_while,
-    unless_break,
-    when,
-)
 from language.commands import command
-from language.counting import counts, turns_of
 from language.declarations import Declarations
 from language.expressions import Bounds, Expressions
-from language.interruption import Interruption
-from language.nesting import Nesting
+from language.loops import Interruption, Nesting, counts, turns_of
 from language.scopes import Scope
 from language.syntax import (
     Assign,
@@ -46,8 +29,26 @@ from language.syntax import (
     Unused,
     While,
 )
-from language.translated_names import PARAMETER, VARIABLE, procedure_taking
-from language.units import Header, Unit
+from language.translated import (
+    PARAMETER,
+    VARIABLE,
+    Header,
+    Sites,
+    Unit,
+    assign,
+    call,
+    constant,
+    do,
+    element,
+    forget,
+    function,
+    give_back,
+    loop_over,
+    loop_while,
+    procedure_taking,
+    unless_break,
+    when,
+)
 
 
 class ScopeTranslator:

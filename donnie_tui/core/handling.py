@@ -15,8 +15,7 @@ from donnie_tui.core.events import GripperUsed, PlacedThing, ThingsMoved
 from donnie_tui.core.hub import Hub
 from donnie_tui.core.telling import Teller
 from language.control import ExecutionControl
-from language.runnable import Trace
-from language.runtime import Actions, Frame, Memory
+from language.runtime import Actions, Frame, Memory, Trace
 
 MovedThings: TypeAlias = Callable[[], tuple[PlacedThing, ...] | None]
 """Where things are that are not at their start; None if that is as it was when it was last asked."""

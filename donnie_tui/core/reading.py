@@ -12,9 +12,8 @@ from collections.abc import Sequence
 from devices.ports.values import frozen
 from donnie_tui.core.wording import Wording
 from language import keywords
-from language.blocks import ENDS
 from language.lexer import lex
-from language.outline import OutlineItem, outline
+from language.outline import ENDS, OutlineItem, outline
 from language.tables import TERMINALS
 
 WIDEST = 80

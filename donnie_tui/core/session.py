@@ -24,7 +24,6 @@ from donnie_tui.core.runner import Readable, Run, Stage, TakesTurns
 from donnie_tui.core.telling import Teller
 from donnie_tui.core.until_said import UntilSaid
 from donnie_tui.core.wording import Wording
-from language.checker import check
 from language.compiler import compile_program
 from language.control import ControlState, ExecutionControl
 from language.diagnostics import Diagnostic, Stopped
@@ -268,6 +267,8 @@ class Session:
         parsed = self.parse(text)
         if parsed.program is None:
             return parsed.diagnostics
+        from language.checker import check  # only texts that are asked about
+
         return parsed.diagnostics + check(parsed.program, whole=whole)
 
     # --- the running program

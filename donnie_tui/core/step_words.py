@@ -11,8 +11,8 @@ from collections.abc import Iterator, Mapping, Sequence
 from devices.ports.values import mutable
 from donnie_tui.core.events import Read
 from donnie_tui.core.wording import Wording
-from language.arithmetic import divide
 from language.diagnostics import LanguageError
+from language.numbers import divide
 from language.runtime import Frame
 from language.source import fold_name
 from language.syntax import (

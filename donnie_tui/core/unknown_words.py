@@ -14,7 +14,6 @@ from devices.ports.values import frozen
 from donnie_tui.core.use_cases import LONGEST_WORD, UseCase
 from language import keywords
 from language.diagnostics import Diagnostic, Kind
-from language.nearby import nearest, slips_in
 from language.parser import Parsed
 from language.source import fold_name
 
@@ -69,6 +68,8 @@ def _mistake_of(line: str, lines: Sequence[str], parse: Callable[[str], Parsed])
 
 def _near(words: Sequence[str], cases: Sequence[UseCase], language: str) -> Unknown | None:
     """Of words that begin alike the longer one counts."""
+    from language.nearby import nearest  # most lines begin with a word of GoDonnie
+
     of_language = [each.word(language) for each in cases]
     all_words = [*of_language, *(word for each in cases for word in (each.en, each.pt, each.es))]
     for length in range(len(words), 0, -1):
@@ -82,5 +83,7 @@ def _near(words: Sequence[str], cases: Sequence[UseCase], language: str) -> Unkn
 
 def _is_nearer(keyword: str, near: Unknown) -> bool:
     """Whether a word of GoDonnie is as near as ours, or nearer."""
+    from language.nearby import slips_in
+
     typed = fold_name(near.word)
     return bool(keyword) and slips_in(typed, fold_name(keyword)) <= slips_in(typed, fold_name(near.meant))

@@ -2,10 +2,10 @@
 
 from __future__ import annotations
 
-from language.blocks import ENDS, OPENERS
 from language.diagnostics import Kind
 from language.keywords import spelling
 from language.lexer import END, KIND, Token
+from language.outline import ENDS, OPENERS
 from language.recovery.going_on import skip_rest_of_line
 from language.recovery.kinds import ELSE
 from language.recovery.open_blocks import (

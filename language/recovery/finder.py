@@ -4,9 +4,9 @@ from __future__ import annotations
 
 from itertools import pairwise
 
-from language.blocks import ENDS, is_split_else
 from language.diagnostics import MOST_MISTAKES, Diagnostic, Kind
 from language.lexer import DISTANCE, END, FOR, FRAGMENT, NAME, TAKES, Lexed, lex
+from language.outline import ENDS, is_split_else
 from language.recovery.arguments import tell_missing_argument
 from language.recovery.commands import read_stray, read_unknown_command, read_unknown_pair
 from language.recovery.ends import read_else, read_end, read_split_else, tell_missing_ends

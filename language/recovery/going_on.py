@@ -2,9 +2,9 @@
 
 from __future__ import annotations
 
-from language.blocks import OPENERS
 from language.lexer import FRAGMENT, KIND, NAME, NUMBER
 from language.nearby import Near
+from language.outline import OPENERS
 from language.recovery.kinds import BEGINNERS, BEHIND_FIRST_NAME, HEAD_ENDS, SEMICOLON, SENSORS, SIMPLE, VAR
 from language.recovery.open_blocks import Block, ends_ahead, kinds_of, mistakes_ahead
 from language.recovery.reading import Reading

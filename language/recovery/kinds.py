@@ -2,8 +2,8 @@
 
 from __future__ import annotations
 
-from language.blocks import ENDS, OPENERS
 from language.lexer import END, KIND, NAME
+from language.outline import ENDS, OPENERS
 
 ASSIGN, COMPARATOR, ELSE, LPAR, SEMICOLON, SIGN = (
     KIND[name] for name in ("ASSIGN", "COMPARATOR", "ELSE", "LPAR", "SEMICOLON", "SIGN")

@@ -7,8 +7,8 @@ from enum import Enum
 from itertools import islice
 
 from devices.ports.values import mutable
-from language.blocks import ENDS, OPENERS
 from language.lexer import END, Token
+from language.outline import ENDS, OPENERS
 
 _LOOK_AHEAD = 2000
 """Openers and ENDs that are looked at before an END that does not fit is judged."""

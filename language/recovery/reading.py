@@ -9,10 +9,10 @@ from __future__ import annotations
 from bisect import bisect_left, insort
 from functools import cached_property
 
-from language.blocks import OPENERS
 from language.diagnostics import Diagnostic, Kind
 from language.lexer import KIND, STRING, Lexed, Token, span_of, without_comments
 from language.origin import language_of, languages_in
+from language.outline import OPENERS
 from language.recovery.automaton import Automaton
 from language.recovery.kinds import HEAD_ENDS
 from language.recovery.open_blocks import Block

@@ -2,7 +2,7 @@
 
 import pytest
 
-from language.stack import make_room
+from language.levels import make_room
 
 
 @pytest.fixture(scope="session", autouse=True)

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import pytest
 
-from language.arithmetic import LARGEST_DIGITS, LIMIT
+from language.numbers import LARGEST_DIGITS, LIMIT
 from tests.unit.language_back.recorder import BACK_ENDS, Make, run
 
 NINES = "9" * LARGEST_DIGITS

@@ -6,7 +6,7 @@ import threading
 
 import pytest
 
-from language.stack import DEEPEST_CALL
+from language.levels import DEEPEST_CALL
 from tests.unit.language_back.recorder import BACK_ENDS, Make, Outcome, fast, hooked, run
 
 back_ends = pytest.mark.parametrize("make", BACK_ENDS.values(), ids=BACK_ENDS.keys())

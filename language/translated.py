@@ -1,16 +1,19 @@
-"""Small pieces of Python's syntax tree, made one way.
+"""What a scope of GoDonnie becomes: Python's syntax tree, the names in it, and the compiled ``Unit``.
 
-Every piece carries as its line not a line of anything but the number of the place in the program that it
-was made from (``Sites``). So a traceback or a running frame tells the exact node of GoDonnie.
-"""
+Every piece of the tree is made here, one way. It carries as its line not a line of anything but the number of
+the place in the program that it was made from (``Sites``). So a traceback or a running frame tells the exact
+node of GoDonnie. The names are of a kind that can't clash with Python's."""
 
 from __future__ import annotations
 
 import ast
 from collections.abc import Sequence
+from types import CodeType
 from typing import TypeAlias, TypeVar
 
-from language.syntax import Condition, Expression, Statement
+from devices.ports.values import frozen
+from language.scopes import Declared
+from language.syntax import Condition, Expression, Procedure, Program, Span, Statement
 
 Node: TypeAlias = Statement | Expression | Condition
 
@@ -163,3 +166,79 @@ def function(site: int, name: str, parameters: Sequence[str], body: list[ast.stm
 
 def _target(site: int, name: str) -> ast.Name:
     return placed(ast.Name(name, ast.Store()), site)
+
+
+VARIABLE = "v_"
+"""What the Python name of a variable begins with."""
+
+OWNER = "o_"
+"""What the Python name of a variable's declaration begins with."""
+
+EARLIER = -1
+"""The declaration of a variable that an earlier batch left; others are the sites of a declaration."""
+
+PARAMETER = -2
+"""The declaration of a variable that is a parameter."""
+
+
+def wanted_at(line: int) -> str:
+    """The global that says whether anything is wanted at a line."""
+    return f"w_{line}"
+
+
+def procedure_taking(name: str, count: int) -> str:
+    """The global that is a procedure, called with so many arguments."""
+    return f"p_{name}_{count}"
+
+
+@frozen
+class Header:
+    """The sites at which the variable of a FOR header exists."""
+
+    name: str
+    first: int
+    last: int
+
+
+@frozen
+class Unit:
+    """One compiled scope."""
+
+    program: Program
+    procedure: Procedure | None
+    code: CodeType
+    nodes: tuple[Node, ...]
+    """The node of each site; the first is site 1."""
+    headers: tuple[Header, ...]
+    calls: frozenset[tuple[str, int]]
+    """What is called, with how many arguments."""
+    lines: frozenset[int]
+    """Where a statement begins before which it can be held; none unless it was compiled with hooks."""
+
+    @property
+    def typed_name(self) -> str:
+        """The procedure's name as declared; empty for the program itself."""
+        return "" if self.procedure is None else self.program.typed(self.procedure.name.span)
+
+    @property
+    def name(self) -> str:
+        """The procedure's name, folded; empty for the program itself."""
+        return "" if self.procedure is None else self.procedure.name.name
+
+    @property
+    def declared(self) -> Declared:
+        """What the memory keeps of a procedure."""
+        assert self.procedure is not None
+        return Declared(self.procedure, self.program)
+
+    def node(self, site: int | None) -> Node | None:
+        return self.nodes[site - 1] if site and site <= len(self.nodes) else None
+
+    def span(self, site: int | None) -> Span:
+        """Where a site is; the beginning for code that belongs to none."""
+        node = self.node(site) or self.procedure or next(iter(self.program.body), None)
+        return Span(0, 0, 1, 1) if node is None else node.span
+
+    def headers_at(self, site: int) -> frozenset[str]:
+        """The names that a FOR header made, that surround a site, and end with it."""
+        return frozenset(header.name for header in self.headers if header.first <= site <= header.last)
