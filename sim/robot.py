@@ -40,6 +40,8 @@ from sim.wheels import moving, odometry_of, rates_of, turning
 if TYPE_CHECKING:
     from random import Random
 
+    from sim.sensors.spot import Spot
+
 
 class SimulatedRobot:
     """One robot of a world. All but ``halt``, ``pose``, ``time``, ``speed`` and ``known_distances`` is the
@@ -64,6 +66,8 @@ class SimulatedRobot:
         self._meeting = Meeting(self._mover, ground.scene, robot)
         self._clock = Clock(pace, speed, seat)
         self._vehicle = Vehicle(self._mover, self._clock, rates_of(self._model.wheels), watcher)
+        self._seen: tuple[Spot, int, dict[Bearing, int]] | None = None
+        """What ``known_distances`` told last, from where, and after how many changes around."""
         self._begin_anew()
 
     @property
@@ -162,7 +166,12 @@ class SimulatedRobot:
         return self._mover.senses.steps(self._mover.around, self._vehicle.here.truth, bearing, self._chance)
 
     def known_distances(self) -> dict[Bearing, int]:
-        return self._mover.senses.all_steps(self._mover.around, self._vehicle.here.truth)
+        """Where nothing has moved since somebody looked, they are what they were."""
+        spot, changes = self._vehicle.here.truth, self._vehicle.changes_around
+        seen = self._seen
+        if seen is None or seen[:2] != (spot, changes):
+            seen = self._seen = spot, changes, self._mover.senses.all_steps(self._mover.around, spot)
+        return dict(seen[2])
 
     def scan(self) -> tuple[Sighting, ...]:
         """RobotProblem ``no-eyes`` if it has none."""

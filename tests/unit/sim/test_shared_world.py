@@ -8,6 +8,7 @@ import pytest
 from devices.ports.robot import Bearing, StoppedBy
 from language.control import ControlState, ExecutionControl
 from sim.robot import SimulatedRobot
+from sim.sensors.senses import Senses
 from sim.world import World
 from tests.patience import PATIENCE
 from tests.unit.sim.company import Company
@@ -344,3 +345,24 @@ def test_a_world_that_got_ready_before_is_as_one_that_did_not(first: str) -> Non
         return [moved, world.poses(), world.moved_things(), *(it.stands_in for it in robots.values())]
 
     assert told(is_ready=False) == told(is_ready=True)
+
+
+def test_distances_in_a_world_in_which_nothing_moved_are_looked_up_and_not_worked_out(
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    looks: list[object] = []
+    all_steps = Senses.all_steps
+    monkeypatch.setattr(
+        Senses, "all_steps", lambda self, *where: looks.append(where) or all_steps(self, *where)
+    )
+    company = Company(scene(TWO))
+    alice, bob = company.robot("alice"), company.robot("bob")
+    before = alice.known_distances()
+
+    assert alice.known_distances() == before
+    assert len(looks) == 1
+    bob.backward(1)
+    assert alice.known_distances()[Bearing.FRONT] == before[Bearing.FRONT] + 1
+    alice.backward(1)
+    assert alice.known_distances()[Bearing.FRONT] == before[Bearing.FRONT] + 2
+    assert len(looks) == 3
