@@ -83,16 +83,19 @@ class MapGrid:
         self.name = name
         self._trail: dict[Cell, int] = {}
         self._order: deque[Cell] = deque()
+        self.start = self.robot = self.cell_of(pose)
         self.begin(pose)
 
-    def begin(self, pose: Pose) -> None:
-        """The robot starts here, and nothing has been walked yet."""
+    def begin(self, pose: Pose) -> frozenset[Cell]:
+        """The robot starts here, and nothing has been walked yet. The cells that may look different."""
+        before = frozenset((*self._trail, self.start, self.robot))
         self._trail.clear()
         self._order.clear()
         self.start = self.robot = self.cell_of(pose)
         self._arrow = arrow_of(pose.heading)
         floor = Bounds(0, 0, self.picture.width - 1, self.picture.height - 1)
         self._bounds = floor.around(self.start)
+        return before | {self.start}
 
     def move(self, pose: Pose) -> frozenset[Cell]:
         """The robot is there now, in a straight line from where it was. The cells that look different."""

@@ -47,13 +47,16 @@ class MapScene:
 
     # --- what happens
 
-    def begin(self, pose: Pose) -> None:
-        """The robot starts here: no trail, nothing looked at. Whether things are back is told by events."""
+    def begin(self, pose: Pose) -> frozenset[Cell]:
+        """The robot starts here: no trail, nothing looked at. Whether things are back is told by events.
+
+        The cells that may look different.
+        """
+        gone = self._rays | frozenset(self.others.values())
         self._pose = pose
         self._rays = frozenset()
         self._robots.clear()
-        self.place_things(self._places)
-        self.grid.begin(pose)
+        return gone | self.place_things(self._places) | self.grid.begin(pose)
 
     def move(self, pose: Pose) -> frozenset[Cell]:
         """The robot is there now. The cells that look different."""

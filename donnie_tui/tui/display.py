@@ -10,7 +10,7 @@ from collections.abc import Iterable, Mapping
 from devices.ports.robot import Bearing, Pose
 from donnie_tui.bootstrap import Donnie
 from donnie_tui.core.events import Read
-from donnie_tui.core.map_grid import floor_size
+from donnie_tui.core.map_grid import Cell, floor_size
 from donnie_tui.core.map_scene import Line, MapScene
 from donnie_tui.core.naming import shown_name
 from donnie_tui.core.timeline import Timeline
@@ -78,16 +78,13 @@ class Display:
         """A run begins with the robot here; a fresh one has no trail and no readings."""
         self._pose = pose
         if fresh:
-            self.scene.begin(pose)
-            self._show_others()
-            self._place.map.restart()
+            self._place.map.begin(self.scene.begin(pose) | self._show_others())
             self._readings.clear()
 
-    def _show_others(self) -> None:
+    def _show_others(self) -> frozenset[Cell]:
         """The robots that are not talked to stay where they are when this one begins anew."""
-        for each in self._donnie.team.sessions:
-            if each is not self._donnie.session:
-                self.scene.move_other(each.name, each.pose)
+        others = (each for each in self._donnie.team.sessions if each is not self._donnie.session)
+        return frozenset().union(*(self.scene.move_other(each.name, each.pose) for each in others))
 
     def move(self, poses: tuple[Pose, ...]) -> None:
         """The robot went through these places."""

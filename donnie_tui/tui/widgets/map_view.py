@@ -96,6 +96,12 @@ class MapView(ScrollView, can_focus=True):
         """Everything may look different."""
         self._fit()
 
+    def begin(self, cells: Iterable[Cell]) -> None:
+        """These cells look different, and the robot is where all begins."""
+        self.update_cells(cells)
+        if self.scale is not None:
+            self._follow(self._followed, centre=True)
+
     def update_cells(self, cells: Iterable[Cell]) -> None:
         """These cells look different; the robot may be elsewhere."""
         if self.scale is None:

@@ -80,6 +80,22 @@ def test_a_pushed_thing_is_shown_where_it_is_and_its_old_place_is_free() -> None
     assert shown(it)[3] == "#..cc....#"
 
 
+def test_a_new_run_answers_the_cells_that_look_different() -> None:
+    it = scene()
+    assert it.begin(Pose(0, 1, 0)) == {Cell(1, 1)}
+    it.move(Pose(0, 4, 90))
+    it.look_along(Read("distance", "front", 3))
+    it.move_other("bob", Pose(5, 4, 90))
+    it.place_things((PlacedThing("old chair", Pose(4, 3, 0), 3),))
+    before = shown(it)
+    changed = it.begin(Pose(2, 1, 0))
+    after = shown(it)
+
+    differing = {Cell(x, 9 - row) for row in range(10) for x in range(10) if before[row][x] != after[row][x]}
+    assert len(differing) > 6
+    assert differing <= changed
+
+
 def test_another_robot_is_an_arrow_with_its_name() -> None:
     it = scene()
     it.move_other("bob", Pose(5, 4, 90))
