@@ -9,12 +9,12 @@ from __future__ import annotations
 from typing import TYPE_CHECKING
 
 from textual.message import Message
-from textual.timer import Timer
 
 from donnie_tui.core.events import Outcome
 from donnie_tui.core.told_errors import ToldErrors
 from donnie_tui.tui.bridge import Began, Ended
-from donnie_tui.tui.intake import FLUSH, Intake
+from donnie_tui.tui.glances import Glances
+from donnie_tui.tui.intake import Intake
 from donnie_tui.tui.patience import Reminder
 from donnie_tui.tui.running import Answer, Doing
 from language.control import ControlState
@@ -22,10 +22,6 @@ from language.control import ControlState
 if TYPE_CHECKING:
     from donnie_tui.tui.past import Past
     from donnie_tui.tui.workbench import Host, Workbench
-
-
-SELDOM = 3
-"""Of so many looks at a program of which nothing is heard one is taken: each takes from its time."""
 
 
 class Paused(Message):
@@ -42,9 +38,7 @@ class Following:
         self._past = past
         self.errors = ToldErrors()
         """The mistakes of the last run."""
-        self._watching: Timer | None = None
-        self._quiet_since = 0.0
-        self._quiet_looks = 0
+        self.glances = Glances(work.look, host.later)
         self._reading: Reminder | None = None
 
     # --- one run
@@ -56,7 +50,7 @@ class Following:
         self._expect_reading()
         work.display.begin(event.pose, fresh=work.running.is_program)
         self._intake.begun()
-        self._watch()
+        self.glances.begin()
         work.look()
 
     def _expect_reading(self) -> None:
@@ -110,7 +104,7 @@ class Following:
         work.ask_distances()
         self._intake.take()
         work.display.move((event.event.pose,))
-        self._watch_no_more()
+        self.glances.end()
         work.watch.look(work.donnie.session, event.event.variables.items())
         self._tell_end(event)
         self._intake.take()
@@ -119,28 +113,6 @@ class Following:
             work.display.acted()
             work.display.looked()  # the status line is about the first mistake, not the one told last
         work.look()
-
-    @property
-    def is_watching(self) -> bool:
-        """Whether a program is looked at again and again, for what no event tells."""
-        return self._watching is not None
-
-    def _watch(self) -> None:
-        if self._watching is None:
-            self._watching = self._host.every(FLUSH, self.glance)
-
-    def glance(self) -> None:
-        """At a program that runs: where it is, and what it has counted, no event tells."""
-        is_quiet = self._intake.taken_at == self._quiet_since
-        self._quiet_since = self._intake.taken_at
-        self._quiet_looks = self._quiet_looks + 1 if is_quiet else 0
-        if self._quiet_looks % SELDOM == 0:
-            self._work.look()
-
-    def _watch_no_more(self) -> None:
-        if self._watching is not None:
-            self._watching.stop()
-            self._watching = None
 
     def _tell_end(self, event: Ended) -> None:
         work, outcome = self._work, event.event.outcome
@@ -159,9 +131,9 @@ class Following:
         work.running.look_again()
         self._forget_reading()
         if work.running.doing is Doing.READY:
-            self._watch_no_more()
+            self.glances.end()
         else:
-            self._watch()
+            self.glances.begin()
         work.display.show_world()
         work.display.begin(work.pose, fresh=True)
         self._past.forget()

@@ -165,6 +165,7 @@ class Work:
     def _receive(self, mail: Mail) -> None:
         """What the robot senses has changed, too, where others or things are elsewhere now."""
         self.display.receive(mail)
+        self.following.glances.heard()
         if mail.others or mail.things is not None:
             self.ask_distances()
 

@@ -3,7 +3,6 @@
 import re
 
 from donnie_tui.core.events import Sensed
-from donnie_tui.tui.following import SELDOM
 from donnie_tui.tui.running import Doing
 
 
@@ -107,26 +106,3 @@ async def test_who_listens_is_not_told_each_distance_that_a_moving_robot_goes_th
         await desk.idle()
 
         assert shown(desk) == known(desk)
-
-
-async def test_a_program_that_only_computes_is_looked_at_seldom_and_at_once_when_something_is_heard(
-    work, monkeypatch
-):
-    async with work("VAR x = 0\nWHILE 1 == 1 DO\nx = x + 1\nEND WHILE") as desk:
-        await desk.press("f5")
-        await desk.until(lambda: desk.app.work.following.is_watching, "it is watched")
-        following, looks = desk.app.work.following, list[None]()
-        monkeypatch.setattr(desk.app.work, "look", lambda: looks.append(None))
-        following.glance()
-        looks.clear()
-        for _ in range(3 * SELDOM):
-            following.glance()
-        assert len(looks) == 3
-
-        following.glance()
-        desk.app.work._intake.take()
-        following.glance()
-        assert len(looks) == 4
-        monkeypatch.undo()
-        await desk.press("f8")
-        await desk.told("Stopped at line")

@@ -27,21 +27,21 @@ async def test_another_robot_can_be_talked_to_while_the_first_one_runs(work):
 
 async def test_nothing_is_looked_at_again_and_again_for_a_robot_that_stands(work):
     async with work(WAITING, speed=1.0, world="two_robots") as desk:
-        following = desk.app.work.following
+        glances = desk.app.work.following.glances
         await desk.press("f5")
-        await desk.until(lambda: following.is_watching, "alice runs")
+        await desk.until(lambda: glances.are_on, "alice runs")
 
         await desk.type_line("ROBOT bob")
         await desk.told("You talk to bob.")
-        assert not following.is_watching
+        assert not glances.are_on
 
         await desk.type_line("ROBOT alice")
         await desk.told("You talk to alice.")
-        assert following.is_watching
+        assert glances.are_on
 
         await desk.type_line("STOP ALL")
         await desk.doing(Doing.READY)
-        assert not following.is_watching
+        assert not glances.are_on
 
 
 async def test_all_that_were_given_a_program_start_together_and_stop_together(work):

@@ -12,6 +12,7 @@ from typing import TYPE_CHECKING
 
 from textual.app import ComposeResult
 from textual.containers import Horizontal, Vertical
+from textual.errors import NoWidget
 from textual.events import DescendantFocus, Resize, ScreenResume
 from textual.geometry import Size
 from textual.message import Message
@@ -127,16 +128,18 @@ class Workplace(Screen[None]):
 
     @property
     def log_is_seen(self) -> bool:
-        return self.log_pane.region.height > 0 and self.log_rows.region.height > 0
+        try:
+            return self.find_widget(self.log_rows).visible_region.height > 0
+        except NoWidget:
+            return False
 
     @property
     def focus_chain(self) -> list[Widget]:
         """In the order of reading; the plain layout has the command line first and the map last."""
+        reading = (self.editor, self.map, self.inspector, self.log_rows, self.command_line)
+        plain = (self.command_line, self.editor, self.log_rows, self.map, self.inspector)
         chain = super().focus_chain
-        if not self.is_plain:
-            return chain
-        order = (self.command_line, self.editor, self.log_rows, self.map, self.inspector)
-        return [each for each in order if each in chain]
+        return [each for each in (plain if self.is_plain else reading) if each in chain]
 
     @property
     def panes(self) -> tuple[Pane, ...]:

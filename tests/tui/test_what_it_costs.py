@@ -1,0 +1,135 @@
+"""What a program pays for being looked at: how often that is, and what is painted. Counts, no times."""
+
+from collections.abc import Callable
+
+from textual.containers import Horizontal, Vertical
+from textual.widget import Widget
+
+from donnie_tui.tui.glances import SELDOM, SOON, Glances
+from donnie_tui.tui.widgets.map_view import MapView
+
+
+class Clock:
+    """Timers that go off when the time is put forward."""
+
+    def __init__(self) -> None:
+        self.now = 0.0
+        self.timers: list[Timer] = []
+
+    def later(self, seconds: float, do: Callable[[], None]) -> "Timer":
+        self.timers.append(Timer(self, self.now + seconds, do))
+        return self.timers[-1]
+
+    def go_on(self, seconds: float) -> None:
+        end = self.now + seconds
+        while due := [each for each in self.timers if each.at <= end + 1e-9]:
+            first = min(due, key=lambda each: each.at)
+            self.timers.remove(first)
+            self.now = first.at
+            first.do()
+        self.now = end
+
+
+class Timer:
+    def __init__(self, clock: Clock, at: float, do: Callable[[], None]) -> None:
+        self.clock, self.at, self.do = clock, at, do
+
+    def stop(self) -> None:
+        if self in self.clock.timers:
+            self.clock.timers.remove(self)
+
+
+def begun() -> tuple[Clock, Glances, list[float]]:
+    clock, looks = Clock(), list[float]()
+    glances = Glances(lambda: looks.append(clock.now), clock.later)
+    glances.begin()
+    return clock, glances, looks
+
+
+def test_a_program_of_which_nothing_is_heard_is_looked_at_once_a_second_and_wakes_nobody_else() -> None:
+    clock, _, looks = begun()
+    clock.go_on(SOON)
+    assert looks == [SOON]
+    woken = 0
+    for _ in range(60 * 50):
+        waiting = list(clock.timers)
+        clock.go_on(1 / 50)
+        woken += waiting != clock.timers
+
+    assert SELDOM == 1.0
+    assert len(looks) <= 63
+    assert woken == len(looks) - 1
+
+
+def test_a_program_of_which_something_is_heard_is_looked_at_soon_and_at_most_five_times_a_second() -> None:
+    clock, glances, looks = begun()
+    clock.go_on(10)
+    heard_at = clock.now
+    looks.clear()
+    glances.heard()
+    clock.go_on(SOON)
+    assert looks == [heard_at + SOON]
+
+    looks.clear()
+    for _ in range(20 * 10):
+        glances.heard()
+        clock.go_on(1 / 20)
+    assert 40 <= len(looks) <= 10 / SOON
+
+
+def test_nothing_is_looked_at_after_the_end() -> None:
+    clock, glances, looks = begun()
+    glances.begin()
+    assert glances.are_on
+    assert len(clock.timers) == 1
+    glances.end()
+    glances.heard()
+    clock.go_on(10)
+
+    assert not looks
+    assert not glances.are_on
+
+
+async def test_what_only_arranges_others_is_not_painted(work):
+    async with work(size=(120, 40)) as desk:
+        painted = desk.place._compositor.visible_widgets
+        assert not [each for each in painted if isinstance(each, Horizontal | Vertical)]
+        assert len(painted) <= 13
+
+
+async def test_a_number_among_the_variables_has_few_others_painted_again(work, monkeypatch):
+    """Textual asks each widget that is near for all of its rows."""
+    asked: list[str] = []
+    render_lines = Widget.render_lines
+
+    def counted(self, crop):
+        asked.append(str(self.id))
+        return render_lines(self, crop)
+
+    async with work(size=(120, 40)) as desk:
+        monkeypatch.setattr(Widget, "render_lines", counted)
+        await desk.pilot.pause()
+        asked.clear()
+        desk.place.inspector.show(["Variables", "x = 1"])
+        await desk.until(lambda: "inspector" in asked, "it is painted")
+        await desk.pilot.pause()
+
+        assert len(asked) <= 5
+        assert not {"map", "editor", "log"} & {*asked}
+
+
+async def test_a_run_that_begins_where_the_robot_stands_paints_no_more_of_the_map_than_its_row(
+    work, monkeypatch
+):
+    rows: list[int] = []
+    render_line = MapView.render_line
+    monkeypatch.setattr(MapView, "render_line", lambda self, y: rows.append(y) or render_line(self, y))
+    async with work("SPEAK 1", size=(120, 40), world="living_room") as desk:
+        await desk.pilot.pause()
+        assert len(rows) >= 20
+        rows.clear()
+        await desk.press("f5")
+        await desk.told("The program is done.")
+        await desk.pilot.pause()
+
+        assert len({*rows}) <= 1
