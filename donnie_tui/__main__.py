@@ -8,6 +8,10 @@ import sys
 from donnie_tui.process.collecting import load_undisturbed
 from donnie_tui.process.hanging_up import hear_hang_up
 
+TYPE_CHECKING = False  # that of typing costs as much as the rest of the first prompt
+if TYPE_CHECKING:
+    from donnie_tui.linear.greeting import Greeting
+
 HIGHEST_STANDARD = 2
 """Input, output and errors are 0, 1 and 2."""
 
@@ -18,10 +22,10 @@ def main() -> int:
         load_undisturbed()
         _open_what_is_closed()
         hear_hang_up()
-        _greet_early()
+        greeting = _greet_early()
         from donnie_tui.cli.main import main as command
 
-        return command(sys.argv[1:])
+        return command(sys.argv[1:], greeting)
     except KeyboardInterrupt:
         return 130
 
@@ -33,14 +37,15 @@ def _open_what_is_closed() -> None:
     os.close(number)
 
 
-def _greet_early() -> None:
+def _greet_early() -> Greeting | None:
     """Where the settings file might have a say in it, the greeting waits for it."""
     from donnie_tui.settings.folders import settings_file
 
-    if not os.path.exists(settings_file(os.environ)):  # noqa: PTH110 -- pathlib is slow to load
-        from donnie_tui.linear.greeting import begin
+    if os.path.exists(settings_file(os.environ)):  # noqa: PTH110 -- pathlib is slow to load
+        return None
+    from donnie_tui.linear.greeting import begin
 
-        begin(sys.argv[1:], os.environ)
+    return begin(sys.argv[1:], os.environ)
 
 
 if __name__ == "__main__":

@@ -3,8 +3,8 @@
 from __future__ import annotations
 
 import os
-import sys
 from collections.abc import Callable, Mapping
+from typing import TYPE_CHECKING
 
 from devices.ports.values import replace
 from donnie_tui.cli import codes
@@ -17,23 +17,33 @@ from donnie_tui.i18n.words import Unusable, Words
 from donnie_tui.settings.chosen import FRONT_END_SPEED, BadOption, Notice, Settings, resolve
 from donnie_tui.settings.file import read_settings
 
+if TYPE_CHECKING:
+    from donnie_tui.linear.greeting import Greeting
 
-def main(arguments: list[str]) -> int:
-    """Do it, and give the exit code. Prints; never raises for what the user did."""
+
+def main(arguments: list[str], greeting: Greeting | None = None) -> int:
+    """Do it, and give the exit code. Prints; never raises for what the user did.
+
+    ``greeting``: what the linear mode printed before anything was loaded.
+    """
     output = Output()
     file, troubles = read_settings(os.environ)
     words = Words(language_before_parsing(arguments, os.environ, file))
     try:
-        return _obey(arguments, words, output, file, troubles)
+        return _obey(arguments, words, output, file, troubles, greeting)
     except WrongUsage as wrong:
-        return _complain(output, words(wrong.code, what=wrong.what))
+        complaint = words(wrong.code, what=wrong.what)
     except BadOption as bad:
         option, value = f"--{bad.key}", bad.value[:40]
-        return _complain(output, words("bad-option", option=option, value=value, wanted=bad.wanted))
+        complaint = words("bad-option", option=option, value=value, wanted=bad.wanted)
     except Unusable as unusable:
-        return _complain(output, unusable.sentence)
+        complaint = unusable.sentence
     except KeyboardInterrupt:
         return codes.STOPPED
+    if greeting is not None:
+        greeting.withdraw()
+    output.complaint(complaint)
+    return codes.UNUSABLE
 
 
 def _obey(
@@ -42,11 +52,12 @@ def _obey(
     output: Output,
     file: Mapping[str, object],
     troubles: tuple[Notice, ...],
+    greeting: Greeting | None,
 ) -> int:
     invocation = understand(arguments, words)
     if invocation.command in TO_COME:
         raise Unusable(words("command-to-come", command=invocation.command))
-    order = _order(invocation, output, file, troubles)
+    order = _order(invocation, output, file, troubles, greeting)
     refuse_overwriting(order)
     code = _handler(order)(order)
     if output.problem is not None:
@@ -55,7 +66,11 @@ def _obey(
 
 
 def _order(
-    invocation: Invocation, output: Output, file: Mapping[str, object], troubles: tuple[Notice, ...]
+    invocation: Invocation,
+    output: Output,
+    file: Mapping[str, object],
+    troubles: tuple[Notice, ...],
+    greeting: Greeting | None,
 ) -> Order:
     """What is odd about the settings is told at once by a command, and by a front end once it listens."""
     is_command = bool(invocation.command or invocation.arguments.run)
@@ -65,7 +80,7 @@ def _order(
     for notice in troubles + notices if is_command else ():
         output.complaint(words(notice.code, **notice.values))
     settings = replace(settings, notices=() if is_command else troubles + notices)
-    return Order(invocation, _with_original_flags(settings, invocation), words, output, os.environ)
+    return Order(invocation, _with_original_flags(settings, invocation), words, output, os.environ, greeting)
 
 
 def _with_original_flags(settings: Settings, invocation: Invocation) -> Settings:
@@ -105,10 +120,3 @@ def _handler(order: Order) -> Callable[[Order], int]:
         case _:
             from donnie_tui.cli.front_ends import start as command
     return command
-
-
-def _complain(output: Output, sentence: str) -> int:
-    if "donnie_tui.linear.greeting" in sys.modules:
-        sys.modules["donnie_tui.linear.greeting"].withdraw()
-    output.complaint(sentence)
-    return codes.UNUSABLE

@@ -12,12 +12,11 @@ from pathlib import Path
 
 from donnie_tui.bootstrap import Donnie, Unusable, assemble
 from donnie_tui.i18n.words import Words
-from donnie_tui.linear import greeting
 from donnie_tui.linear.console import Console, Gone
 from donnie_tui.linear.conversation import Conversation
+from donnie_tui.linear.greeting import Greeting
 from donnie_tui.linear.habits import of_settings
 from donnie_tui.linear.patience import SLOW, SLOW_AGAIN, aside
-from donnie_tui.linear.terminal import Terminal
 from donnie_tui.robot.search import Search
 from donnie_tui.settings.chosen import Settings
 from donnie_tui.settings.devices import SIMULATED
@@ -29,15 +28,16 @@ def run_linear(
     settings: Settings,
     file: Path | None,
     cause: str,
+    greeting: Greeting,
     *,
     text: str | None = None,
     donnie: Donnie | None = None,
 ) -> int:
     """Talk until the learner leaves; the exit code. ``cause``: see ``i18n.first_words``.
 
-    ``text`` is the program that the other mode left, where it did, ``file`` is then only its name, and
-    ``donnie`` the session that it left. Raises ``SwitchMode``, with the session, for the full screen, and
-    ``Unusable`` for a world that can't be used.
+    ``greeting`` may have been printed already. ``text`` is the program that the other mode left, where it
+    did, ``file`` is then only its name, and ``donnie`` the session that it left. Raises ``SwitchMode``, with
+    the session, for the full screen, and ``Unusable`` for a world that can't be used.
     """
     habits = of_settings(settings)
     is_there = donnie is not None or settings.robot == SIMULATED
@@ -49,8 +49,7 @@ def run_linear(
         prompt=habits.prompt_at(0) if begins_bare else None,
         tour=settings.tour,
     )
-    terminal = greeting.DONE.terminal
-    console = Console(terminal if isinstance(terminal, Terminal) else None)
+    console = Console(greeting.terminal)
     with contextlib.ExitStack() as closing:
         closing.callback(greeting.forget)
         closing.callback(console.close)
@@ -59,12 +58,15 @@ def run_linear(
         if donnie:
             donnie.audible.move_to(is_linear=True)
         try:
-            donnie = donnie or _begun(console, settings, is_there=is_there)
+            donnie = donnie or _begun(console, settings, greeting, is_there=is_there)
         except Gone:
             return console.code_when_gone
+        except Unusable:
+            greeting.withdraw()
+            raise
         console.give_up = donnie.connection.search.give_up
         ours.callback(donnie.close)
-        talk = Conversation(donnie, console, Path(state_folder(os.environ)), habits)
+        talk = Conversation(donnie, console, Path(state_folder(os.environ)), habits, greeting)
         closing.callback(talk.close)
         try:
             return talk.until_left(
@@ -75,7 +77,7 @@ def run_linear(
             raise
 
 
-def _begun(console: Console, settings: Settings, *, is_there: bool) -> Donnie:
+def _begun(console: Console, settings: Settings, greeting: Greeting, *, is_there: bool) -> Donnie:
     """A session of its own. Raises ``Gone`` for whoever does not wait for it."""
     search = Search(is_coming=not is_there)
     console.give_up = search.give_up
@@ -83,15 +85,17 @@ def _begun(console: Console, settings: Settings, *, is_there: bool) -> Donnie:
     search.on_slow = lambda: console.write(f"{words('connect-waiting')}\n")
     if not is_there:
         console.write(f"{words('connect-trying')}\n")
-    return _awaited(console, settings, search, is_there=is_there)
+    return _awaited(console, settings, search, greeting, is_there=is_there)
 
 
-def _awaited(console: Console, settings: Settings, search: Search, *, is_there: bool) -> Donnie:
+def _awaited(
+    console: Console, settings: Settings, search: Search, greeting: Greeting, *, is_there: bool
+) -> Donnie:
     """A robot that is looked for and a learner's own world take as long as they take; that is said."""
     import worlds
 
     if is_there and settings.world in worlds.names():
-        return _assembled(settings, search)
+        return assemble(settings, terminal=True, search=search)
     words, name = Words(settings.language, settings.verbosity), Path(settings.world).name
     sentence = words("slow-world", name=name) if is_there else words("slow-connect")
 
@@ -99,12 +103,5 @@ def _awaited(console: Console, settings: Settings, search: Search, *, is_there: 
         greeting.end_prompt()
         console.write(f"{sentence}\n")
 
-    return aside(console, lambda: _assembled(settings, search), tell, first=SLOW if is_there else SLOW_AGAIN)
-
-
-def _assembled(settings: Settings, search: Search) -> Donnie:
-    try:
-        return assemble(settings, terminal=True, search=search)
-    except Unusable:
-        greeting.withdraw()
-        raise
+    first = SLOW if is_there else SLOW_AGAIN
+    return aside(console, lambda: assemble(settings, terminal=True, search=search), tell, first=first)

@@ -12,10 +12,11 @@ from pathlib import Path
 from donnie_tui.bootstrap import Donnie
 from donnie_tui.core.breakpoints import KeptBreakpoints
 from donnie_tui.core.copies import Copies
-from donnie_tui.linear import files, greeting
+from donnie_tui.linear import files
 from donnie_tui.linear.console import Console, Gone
 from donnie_tui.linear.desk import Desk
 from donnie_tui.linear.ends import Ends
+from donnie_tui.linear.greeting import Greeting
 from donnie_tui.linear.habits import Habits
 from donnie_tui.linear.key_echo import KeyEcho
 from donnie_tui.linear.leaving import Leaving
@@ -32,10 +33,13 @@ from donnie_tui.words.switching import SwitchMode
 class Conversation:
     """From the first prompt to the goodbye."""
 
-    def __init__(self, donnie: Donnie, console: Console, folder: Path, habits: Habits) -> None:
+    def __init__(
+        self, donnie: Donnie, console: Console, folder: Path, habits: Habits, greeting: Greeting
+    ) -> None:
         """``folder`` keeps what was typed before and what could not be saved."""
         told = Told(console.nudge)
-        edits, attended = greeting.DONE.terminal is not None, os.isatty(0)
+        self._greeting = greeting
+        edits, attended = greeting.terminal is not None, os.isatty(0)
         self._past = Past(folder / "history" if edits else None)
         editing = EditingReader(console, self._past, self._candidates) if edits else None
         output = Output(
@@ -44,7 +48,17 @@ class Conversation:
             of_numbers=lambda count: donnie.words("linear-numbers", count=count),
         )
         kept_breakpoints = KeptBreakpoints(folder / BREAKPOINTS)
-        ends = Ends(console, editing, PlainReader(console), output, told, habits, attended, os.isatty(1))
+        ends = Ends(
+            console,
+            editing,
+            PlainReader(console),
+            output,
+            told,
+            habits,
+            prompts=attended,
+            is_terminal=os.isatty(1),
+            offered=greeting.offered,
+        )
         self._desk = Desk(donnie, ends, Copies(folder / "unsaved"), kept_breakpoints)
         self._desk.past = self._past.lines
         self._desk.take_again = self._take_again
@@ -88,8 +102,7 @@ class Conversation:
 
     def _talk(self, file: Path | None, text: str | None, offers_to_remember: bool) -> int:
         desk = self._desk
-        is_shown = greeting.DONE.has_prompt
-        greeting.DONE.has_prompt = False
+        is_shown = self._greeting.take_prompt()
         if text is not None:
             self._take_over(text, file)
         elif file is not None:

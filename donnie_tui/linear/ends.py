@@ -25,6 +25,8 @@ class Ends:
     """Whether somebody types: prompts are printed, and questions asked."""
     is_terminal: bool
     """Whether somebody reads, and needs rests."""
+    offered: set[bool]
+    """The modes that somebody was asked about whether to begin in them."""
 
     @property
     def has_terminal(self) -> bool:

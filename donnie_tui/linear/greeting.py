@@ -15,6 +15,10 @@ from donnie_tui.i18n.first_words import CAUSES, HINT, PROMPT, TOUR
 from donnie_tui.settings.first_start import offers_tour
 from donnie_tui.settings.folders import state_path
 
+TYPE_CHECKING = False  # that of typing costs as much as the rest of the first prompt
+if TYPE_CHECKING:
+    from donnie_tui.linear.terminal import Terminal
+
 _LANGUAGES = ("en", "pt", "es")
 _NOBODY_READS = 129
 """The exit code, as after a lost terminal."""
@@ -32,86 +36,74 @@ _WITH_NUMBER = ("--speed", "--seed")
 
 
 class Greeting:
-    """What was printed already, and the terminal that was taken for it."""
+    """What was printed already, and the terminal that was taken for it: there is but one of them."""
 
     def __init__(self) -> None:
         self.was_printed = False
         self.has_prompt = False
         self.offered: set[bool] = set()
         """The modes that somebody was asked about whether to begin in them; nobody is asked twice."""
-        self.terminal: object | None = None
-        """A ``terminal.Terminal`` once it was taken; its type would have to be imported."""
+        self.terminal: Terminal | None = None
+        """Once it was taken."""
+
+    def greet(
+        self,
+        language: str,
+        cause: str,
+        environment: os._Environ[str] | dict[str, str],
+        *,
+        prompt: str | None = PROMPT,
+        tour: bool = True,
+    ) -> None:
+        """Print the lines, and ``prompt`` where there is a terminal. Does nothing the second time.
+
+        Without a prompt only the first line is printed: the second one will be about the file. ``tour``:
+        whether it may be offered in the place of the hint, to somebody who is here for the first time.
+        """
+        if self.was_printed:
+            return
+        from donnie_tui.linear.terminal import is_editable
+
+        self.was_printed, self.has_prompt = True, prompt is not None and os.isatty(0)
+        if is_editable(environment):
+            self.terminal = _taken_terminal()
+        at = _LANGUAGES.index(language)
+        is_first = tour and self.has_prompt and offers_tour(state_path(environment), environment)
+        hint = (TOUR if is_first else HINT)[at]
+        lines = CAUSES[cause][at] + "\n" + ("" if prompt is None else hint + "\n")
+        _print(lines + (prompt if prompt and self.has_prompt else ""))
+
+    def take_prompt(self) -> bool:
+        """Whether the prompt was printed already; from now on it is somebody else's."""
+        had, self.has_prompt = self.has_prompt, False
+        return had
+
+    def end_prompt(self) -> None:
+        """Begin a new line, for what is to be said before anything is asked; the prompt comes again."""
+        if self.take_prompt():
+            _print("\n")
+
+    def withdraw(self) -> None:
+        """Give the terminal back and begin a new line, for a command line that turned out to be no use."""
+        terminal, self.terminal = self.terminal, None
+        if terminal is not None:
+            terminal.give_back()
+        self.end_prompt()
+
+    def forget(self) -> None:
+        """The conversation is over. Another one, after the full screen, is greeted anew."""
+        self.was_printed = self.has_prompt = False
+        self.terminal = None
 
 
-DONE = Greeting()
-"""The one greeting of this process: there is but one terminal."""
-
-
-def begin(arguments: list[str], environment: os._Environ[str] | dict[str, str]) -> bool:
-    """Greet if ``arguments`` plainly ask for the linear mode. False if nothing was printed."""
+def begin(arguments: list[str], environment: os._Environ[str] | dict[str, str]) -> Greeting | None:
+    """Greet if ``arguments`` plainly ask for the linear mode. None if nothing was printed."""
     options = _plain_options(arguments)
     if options is None or "--linear" not in options or _has_other_settings(environment):
-        return False
-    greet(
-        language_of(options, environment), "option", environment, prompt=None if "FILE" in options else PROMPT
-    )
-    return True
-
-
-def greet(
-    language: str,
-    cause: str,
-    environment: os._Environ[str] | dict[str, str],
-    *,
-    prompt: str | None = PROMPT,
-    tour: bool = True,
-) -> None:
-    """Print the lines, and ``prompt`` where there is a terminal. Does nothing the second time.
-
-    Without a prompt only the first line is printed: the second one will be about the file. ``tour``: whether
-    it may be offered in the place of the hint, to somebody who is here for the first time.
-    """
-    if DONE.was_printed:
-        return
-    from donnie_tui.linear.terminal import is_editable
-
-    DONE.was_printed, DONE.has_prompt = True, prompt is not None and os.isatty(0)
-    if is_editable(environment):
-        _take_terminal()
-    at = _LANGUAGES.index(language)
-    is_first = tour and DONE.has_prompt and offers_tour(state_path(environment), environment)
-    hint = (TOUR if is_first else HINT)[at]
-    lines = CAUSES[cause][at] + "\n" + ("" if prompt is None else hint + "\n")
-    _print(lines + (prompt if prompt and DONE.has_prompt else ""))
-
-
-def withdraw() -> None:
-    """Give the terminal back and begin a new line, for a command line that turned out not to be usable."""
-    terminal, DONE.terminal = DONE.terminal, None
-    if terminal is not None:
-        terminal.give_back()  # type: ignore[attr-defined] # see Greeting.terminal
-    end_prompt()
-
-
-def end_prompt() -> None:
-    """Begin a new line, for what is to be said before anything is asked; the prompt comes again."""
-    if DONE.has_prompt:
-        DONE.has_prompt = False
-        _print("\n")
-
-
-def _print(text: str) -> None:
-    """Where nobody reads there is nothing to begin, and nobody to be told so."""
-    try:
-        os.write(1, text.encode())
-    except OSError:
-        sys.exit(_NOBODY_READS)
-
-
-def forget() -> None:
-    """The conversation is over. Another one, after the full screen, begins with a greeting of its own."""
-    DONE.was_printed = DONE.has_prompt = False
-    DONE.terminal = None
+        return None
+    greeting, prompt = Greeting(), None if "FILE" in options else PROMPT
+    greeting.greet(language_of(options, environment), "option", environment, prompt=prompt)
+    return greeting
 
 
 def language_of(options: dict[str, str], environment: os._Environ[str] | dict[str, str]) -> str:
@@ -153,7 +145,7 @@ def _has_other_settings(environment: os._Environ[str] | dict[str, str]) -> bool:
     return any(name.startswith("DONNIE_") and name not in _HARMLESS for name in environment)
 
 
-def _take_terminal() -> None:
+def _taken_terminal() -> Terminal:
     """Until somebody listens for signals, Ctrl+C is kept like any other key."""
     import atexit
 
@@ -162,4 +154,12 @@ def _take_terminal() -> None:
     terminal = Terminal()
     terminal.take(signals=False)
     atexit.register(terminal.give_back)
-    DONE.terminal = terminal
+    return terminal
+
+
+def _print(text: str) -> None:
+    """Where nobody reads there is nothing to begin, and nobody to be told so."""
+    try:
+        os.write(1, text.encode())
+    except OSError:
+        sys.exit(_NOBODY_READS)

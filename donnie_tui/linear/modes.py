@@ -5,7 +5,6 @@ from __future__ import annotations
 import os
 
 from donnie_tui.core.documents import DocumentError
-from donnie_tui.linear import greeting
 from donnie_tui.linear.arguments import Handler, alone
 from donnie_tui.linear.desk import Desk
 from donnie_tui.linear.files import refuse
@@ -30,8 +29,9 @@ def _visual(desk: Desk) -> None:
 
 def offer_to_remember(desk: Desk, *, linear: bool) -> None:
     """Ask, once in a session, whether Donnie is to begin in this mode from now on."""
-    was_asked = linear in greeting.DONE.offered
-    greeting.DONE.offered.add(linear)
+    offered = desk.ends.offered
+    was_asked = linear in offered
+    offered.add(linear)
     if was_asked or not desk.is_attended:
         return
     if not desk.asking.ask_yes("mode-ask-linear" if linear else "mode-ask-visual"):

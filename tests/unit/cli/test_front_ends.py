@@ -38,7 +38,9 @@ def visits(monkeypatch: pytest.MonkeyPatch) -> list[tuple[object, ...]]:
     monkeypatch.setattr(
         linear,
         "run_linear",
-        lambda settings, file, cause, text=None, donnie=None: visit("linear", file, cause, text, donnie),
+        lambda settings, file, cause, greeting, text=None, donnie=None: visit(
+            "linear", file, cause, text, donnie
+        ),
     )
     monkeypatch.setattr(
         screen,

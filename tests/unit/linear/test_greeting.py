@@ -17,7 +17,6 @@ def printed(monkeypatch: pytest.MonkeyPatch) -> list[bytes]:
     written: list[bytes] = []
     monkeypatch.setattr(greeting.os, "isatty", lambda _: False)
     monkeypatch.setattr(greeting.os, "write", lambda _, data: written.append(data))
-    monkeypatch.setattr(greeting, "DONE", greeting.Greeting())
     return written
 
 
@@ -77,8 +76,9 @@ def test_what_options_take_is_what_the_settings_say() -> None:
 
 
 def test_it_greets_once(printed: list[bytes]) -> None:
-    greeting.begin(["--linear"], {})
-    greeting.greet("en", "option", {})
+    greeted = greeting.begin(["--linear"], {})
+    assert greeted
+    greeted.greet("en", "option", {})
 
     assert len(printed) == 1
 
