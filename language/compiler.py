@@ -6,7 +6,8 @@ syntax tree -> scopes -> numbers (which results need a check) -> statements (Pyt
 A batch is its program and the procedures of earlier batches that it may call. They are brought together when
 it begins, for only then is it known what the memory holds: so the compiler sees every call that there can be,
 and knows what the variables are. ``plain`` runs the same trees the obvious way; the tests hold both to the
-same behaviour."""
+same behaviour.
+"""
 
 from __future__ import annotations
 

@@ -5,7 +5,8 @@ The rule it keeps: whatever ends the program, the memory is true before anybody 
 CPython 3.11 specializes code only after it was entered eight times or went round in a ``for`` eight times.
 A program is entered once, and its WHILE loops would stay slow for ever. So each unit is entered before it
 runs, and left at its first checkpoint, before anything happened. Later versions do not need it and are not
-harmed by it."""
+harmed by it.
+"""
 
 from __future__ import annotations
 

@@ -5,7 +5,8 @@ several frames make one level; the place is that of the innermost of them, the v
 
 The running program is Python calling Python, which since 3.11 takes no C stack: any thread will do, and
 only the interpreter's own limit has to be out of the way. That limit belongs to the whole process, so it
-is raised once and never lowered: another thread may be deep in it."""
+is raised once and never lowered: another thread may be deep in it.
+"""
 
 from __future__ import annotations
 

@@ -13,7 +13,8 @@ thousands of open calls. Only the program itself raises it.
 ``counts``: FOR loops that only count become ``range``: much faster than a test and a sum each turn. A FOR
 counts if its step is a plain number towards a limit that is a plain number or a variable, if nothing in the
 loop writes its variable or that limit, and if the variable ends with the loop, so that nobody sees what it
-would have been last."""
+would have been last.
+"""
 
 from __future__ import annotations
 

@@ -1,7 +1,8 @@
 """Mistakes of meaning as diagnostics: the place, the name as typed, and the name that was probably meant.
 
 Some are found in the text (``checker``), the others by the program that runs: ``failure_of`` reads from what
-ended the translated code what the learner did. Nothing here is loaded for a program without a mistake."""
+ended the translated code what the learner did. Nothing here is loaded for a program without a mistake.
+"""
 
 from __future__ import annotations
 

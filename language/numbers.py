@@ -9,7 +9,8 @@ that the compiled program tests no more than it must:
               see; where variables feed each other in a circle, or a variable is multiplied by itself, nothing
               is known and the bits are infinite. Dividing never makes a number larger.
 ``Naturals``  which are never negative: then Python's own division is the right one. So are all until the
-              opposite is found; what sensors tell is not relied on."""
+              opposite is found; what sensors tell is not relied on.
+"""
 
 from __future__ import annotations
 

@@ -1,7 +1,8 @@
 """Which blocks a text consists of, finished or not: for the prompt, for lists and jumps in an editor.
 
 Works on any text: what is wrong in it is passed over. An END closes the innermost block of its kind and
-what is still open in it; one that fits no block closes nothing."""
+what is still open in it; one that fits no block closes nothing.
+"""
 
 from __future__ import annotations
 

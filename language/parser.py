@@ -3,7 +3,8 @@
 A text without a mistake is read once, by the tables that lark made (tables.py). Only when that meets a
 mistake does the recovery read the tokens again, to find all of them; so mistakes cost those who make them.
 Colours that the robot at hand can't see are mistakes of form too.
-Rule: whatever the text, the answer is a program or mistakes, in time and memory linear in its length."""
+Rule: whatever the text, the answer is a program or mistakes, in time and memory linear in its length.
+"""
 
 from __future__ import annotations
 

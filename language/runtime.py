@@ -3,7 +3,8 @@
 ``Actions`` is the whole border between the language and everything else: the core implements it with a
 robot and a stream of events, tests with a list. An action may raise ``Refused``; the runtime adds the
 place. After an action was cut short by a stop, the runtime raises ``Stopped`` at its next checkpoint.
-``Runnable`` is what every back end makes of a program."""
+``Runnable`` is what every back end makes of a program.
+"""
 
 from __future__ import annotations
 

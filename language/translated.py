@@ -2,7 +2,8 @@
 
 Every piece of the tree is made here, one way. It carries as its line not a line of anything but the number of
 the place in the program that it was made from (``Sites``). So a traceback or a running frame tells the exact
-node of GoDonnie. The names are of a kind that can't clash with Python's."""
+node of GoDonnie. The names are of a kind that can't clash with Python's.
+"""
 
 from __future__ import annotations
 

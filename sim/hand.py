@@ -13,8 +13,8 @@ from sim.geometry import Point, contains, nearest_on_edge, placed, seen_from
 from sim.ground import Ground
 from sim.motion import Mover
 from sim.parts import Part
-from sim.placement import Placement
-from sim.sensors import Beams, Spot
+from sim.placement import Placement, Spot
+from sim.sensors import Beams
 
 
 class Hand:

@@ -9,8 +9,8 @@ from devices.ports.robot import STEP, Met, StoppedBy
 from sim.geometry import Point, angle_of, edges, nearest_on_edge, nearest_point_in_wedge, normal, seen_from
 from sim.motion import Mover
 from sim.parts import Part
+from sim.placement import Spot
 from sim.scene import Scene
-from sim.sensors import Spot
 
 SIGHT = 3 * STEP
 """Metres beyond the body in which an obstacle stops a walk: less than two steps before a sensor, which may

@@ -11,11 +11,12 @@ from math import floor, hypot, inf
 
 from devices.ports.robot import STEP, Bearing, StoppedBy
 from devices.ports.values import frozen, replace
-from sim.body import Body, Outline, body_of
 from sim.geometry import disc_contact, edges, outline_contact, overlapping, placed, seen_from, turn_contact
 from sim.ground import Ground
+from sim.parts import Body, Outline, body_of
 from sim.physics import OtherRobots, Part, Surroundings
-from sim.sensors import CENTIMETRES_A_STEP, Around, Ranger, Senses, Spot, senses_of
+from sim.placement import Spot
+from sim.sensors import CENTIMETRES_A_STEP, Around, Ranger, Senses, senses_of
 
 SKIN = 1e-4
 """Metres that a robot keeps from what it bumped into, so that it can turn and leave."""

@@ -14,9 +14,8 @@ from devices.ports.robot import STEP
 from devices.ports.values import frozen
 from sim.geometry import normal
 from sim.scene import Model, Scene
-from sim.sensors.rangers import Cone
+from sim.sensors.rangers import Beams, Cone
 from sim.sensors.senses import senses_of
-from sim.sensors.touch import Beams
 
 ARC = 10
 """Degrees between the points of a drawn arc."""

@@ -1,5 +1,8 @@
 """Movements, played in time: how a robot gets elsewhere, and what it tells on the way.
 
+A ``Walk`` goes straight, forward or backward, step by step, pushing what gives way; a ``Turn`` is on the
+spot; a ``Bend``, for a car, on the smallest circle that it can drive.
+
 Where nobody can disturb it, a robot's way is found at once and then played. Where others may act meanwhile,
 or something has to be pushed, it goes in small fixed ticks, each of which looks at the world anew. Both come
 to the same where only one robot moves (a property test holds it).
@@ -9,12 +12,13 @@ from __future__ import annotations
 
 from abc import ABC, abstractmethod
 from collections.abc import Callable
-from math import inf
+from math import ceil, inf, radians, sin
 
-from devices.ports.robot import Motion, StoppedBy
+from devices.ports.robot import STEP, Bearing, Motion, StoppedBy
 from sim.clock import Mark
-from sim.ramps import NEARLY, Rate
+from sim.motion import TOUCHING
 from sim.vehicle import Vehicle, Whereabouts
+from sim.wheels import NEARLY, TICK, Rate
 
 MOST_REPORTS = 1000
 """Of a longer movement only every so many-th step is told, so that a huge one stays short."""
@@ -123,3 +127,174 @@ class Sweeping(Movement):
             self._tell(whole)
 
         return tell
+
+
+class Walk(Sweeping):
+    """Straight forward or backward."""
+
+    def __init__(self, vehicle: Vehicle, motion: Motion, steps: int, rate: Rate) -> None:
+        super().__init__(vehicle, motion, steps, rate, 1)
+        self._bearing = Bearing.BACK if motion is Motion.BACKWARD else Bearing.FRONT
+        self._turned = 180.0 if motion is Motion.BACKWARD else 0.0
+        self._angle = self._start.truth.yaw + self._turned
+        self._done = 0.0
+        """Steps, with fractions."""
+        self._must_push = False
+        self._is_clear = False
+        self._changes = -1
+
+    def _room(self) -> int:
+        return super()._room() if self._is_whole and not self._must_push else 0
+
+    @property
+    def _is_whole(self) -> bool:
+        return abs(self._done - self._whole) < NEARLY
+
+    def _at(self, steps: float) -> Whereabouts:
+        return self._vehicle.ahead(self._start, steps * STEP, self._turned)
+
+    def _sweep(self, room: int) -> StoppedBy | None:
+        vehicle, begun = self._vehicle, self._whole
+        plan = vehicle.mover.walk(vehicle.here.truth, self._bearing, room, vehicle.clock.goes_on)
+        amount = plan.metres / STEP
+        done, is_all = self._play(plan.steps, amount, lambda steps: self._at(begun + steps), room)
+        self._done = begun + done
+        self._whole = begun + (plan.steps if is_all else min(plan.steps, int(done + NEARLY)))
+        vehicle.go_to(self._at(self._done))
+        if not is_all:
+            return StoppedBy.USER if vehicle.clock.was_halted() else None
+        self._must_push = plan.steps < room
+        return plan.stopped_by
+
+    def _tick(self) -> StoppedBy | None:
+        vehicle = self._vehicle
+        self._is_clear = (self._is_clear or self._is_whole) and vehicle.is_clear()
+        if not self._is_clear and self._is_barred():
+            return StoppedBy.OBSTACLE
+        following = min(self._asked, self._course.next_stop(self._done))
+        length = (following - self._done) * STEP
+        free = length if self._is_clear else vehicle.way(self._angle, length).metres
+        if free < TOUCHING:
+            return StoppedBy.COLLISION
+        if not vehicle.clock.elapse(self._course.seconds(self._done, free / STEP)):
+            return StoppedBy.USER
+        self._go(following, length, free)
+        return None
+
+    def _push(self, free: float) -> float:
+        """Take along what is in the way. Answers how many metres of it are free now."""
+        way = self._vehicle.way(self._angle, free)
+        self._vehicle.take_along(way, self._angle)
+        return way.metres
+
+    def _is_barred(self) -> bool:
+        """Sensors are looked at before every step, and within it when something else has moved meanwhile."""
+        mover, here, changes = self._vehicle.mover, self._vehicle.here.truth, self._vehicle.changes_around
+        if self._is_whole:
+            self._changes = changes
+            return mover.is_blocked(here, self._bearing)
+        if changes == self._changes:
+            return False
+        return mover.is_met(here, self._bearing, self._whole + 1 - self._done)
+
+    def _go(self, following: float, length: float, free: float) -> None:
+        """As far as was free before this robot's turn came, and still is."""
+        vehicle = self._vehicle
+        metres = free if self._is_clear and vehicle.is_clear() else self._push(free)
+        has_come = metres >= length - TOUCHING
+        self._done = following if has_come else self._done + metres / STEP
+        vehicle.go_to(self._at(self._done))
+        vehicle.show()
+        if has_come and following == round(following):
+            self._whole, self._must_push = round(following), False
+            self._tell_in_passing()
+
+
+DEGREES_A_REPORT = 10
+
+
+class Turn(Sweeping):
+    """On the spot. ``sign``: 1 counter-clockwise, -1 clockwise."""
+
+    def __init__(self, vehicle: Vehicle, motion: Motion, degrees: int, rate: Rate, sign: int) -> None:
+        super().__init__(vehicle, motion, degrees, rate, DEGREES_A_REPORT)
+        self._sign = sign
+
+    def _at(self, degrees: float) -> Whereabouts:
+        return self._vehicle.turned(self._start, self._sign * degrees)
+
+    def _sweep(self, room: int) -> StoppedBy | None:
+        vehicle, begun = self._vehicle, self._whole
+        free = self._free(room)
+        done, is_all = self._play(free, free, lambda degrees: self._at(begun + degrees), room)
+        self._whole = begun + (free if is_all else int(done + NEARLY))
+        vehicle.go_to(self._at(self._whole))
+        if not is_all:
+            return StoppedBy.USER if vehicle.clock.was_halted() else None
+        return StoppedBy.COLLISION if free < room else None
+
+    def _tick(self) -> StoppedBy | None:
+        vehicle = self._vehicle
+        to_report = DEGREES_A_REPORT - self._whole % DEGREES_A_REPORT
+        in_a_tick = max(1, int(self._course.further(self._whole, TICK)))
+        wanted = min(in_a_tick, self._asked - self._whole, to_report)
+        is_clear = vehicle.is_clear()
+        free = wanted if is_clear else self._free(wanted)
+        if free == 0:
+            return StoppedBy.COLLISION
+        if not vehicle.clock.elapse(self._course.seconds(self._whole, free)):
+            return StoppedBy.USER
+        self._whole += free if is_clear and vehicle.is_clear() else self._free(free)
+        vehicle.go_to(self._at(self._whole))
+        vehicle.show()
+        self._tell_in_passing()
+        return None
+
+    def _free(self, degrees: int) -> int:
+        return abs(self._vehicle.mover.turn(self._vehicle.here.truth, self._sign * degrees))
+
+
+class Bend(Movement):
+    """A car's turn, driving forward on a circle of ``radius`` metres: straight pieces, turned by degrees."""
+
+    def __init__(
+        self, vehicle: Vehicle, motion: Motion, degrees: int, rate: Rate, sign: int, radius: float
+    ) -> None:
+        super().__init__(vehicle, motion, degrees, rate, DEGREES_A_REPORT)
+        self._sign = sign
+        chord = 2 * radius * sin(radians(0.5))
+        self._pieces = ceil(chord / STEP)
+        """Of each degree, none longer than a step."""
+        self._length = chord / self._pieces
+        self._piece = 0
+
+    def _go_on(self) -> StoppedBy | None:
+        vehicle = self._vehicle
+        if vehicle.mover.is_blocked(vehicle.here.truth, Bearing.FRONT):
+            return StoppedBy.OBSTACLE
+        if not self._goes():
+            return StoppedBy.COLLISION
+        done = self._whole + self._piece / self._pieces
+        if not vehicle.clock.elapse(self._course.seconds(done, 1 / self._pieces)):
+            return StoppedBy.USER
+        if not self._goes(really=True):
+            return StoppedBy.COLLISION
+        vehicle.show()
+        self._tell_in_passing()
+        return None
+
+    def _goes(self, really: bool = False) -> bool:
+        """Whether the next piece is free; if so, and ``really``, drive it."""
+        vehicle = self._vehicle
+        angle = vehicle.here.truth.yaw + self._sign * 0.5
+        way = vehicle.way(angle, self._length)
+        there = vehicle.ahead(vehicle.here, self._length, self._sign * 0.5)
+        turned = self._sign if self._piece == self._pieces - 1 else 0
+        if way.metres < self._length - TOUCHING or vehicle.mover.turn(there.truth, turned) != turned:
+            return False
+        if really:
+            vehicle.take_along(way, angle)
+            vehicle.go_to(vehicle.turned(there, turned))
+            self._piece = (self._piece + 1) % self._pieces
+            self._whole += abs(turned)
+        return True

@@ -14,7 +14,7 @@ from sim.geometry import Edge, Point, direction, edges, outline_contact, overlap
 from sim.ground import Ground
 from sim.motion import WIDEST_SKIN, Contact, Mover, less_skin
 from sim.parts import Part
-from sim.sensors import Spot
+from sim.placement import Spot
 
 MOST = 20
 """Things that one robot can push at a time; one more is like a wall."""

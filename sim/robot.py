@@ -5,6 +5,7 @@ Sensors take no time. What a movement comes to, and how it is played, is the bus
 
 from __future__ import annotations
 
+from functools import cached_property
 from typing import TYPE_CHECKING
 
 from devices.ports.robot import (
@@ -24,23 +25,19 @@ from devices.ports.robot import (
 )
 from sim.clock import Clock
 from sim.ground import Ground
-from sim.meeting import Meeting
 from sim.motion import Mover
-from sim.movement import Going, Movement
-from sim.placement import Placement
-from sim.ramps import Rate
+from sim.placement import Placement, pose_of
 from sim.sensors import CENTIMETRES_A_STEP, Seen
-from sim.turning import Bend, Turn
 from sim.turns import Seat
-from sim.units import pose_of
 from sim.vehicle import Vehicle
-from sim.walking import Walk
-from sim.wheels import moving, odometry_of, rates_of, turning
+from sim.wheels import Rate, moving, odometry_of, rates_of, turning
 
 if TYPE_CHECKING:
     from random import Random
 
-    from sim.sensors.spot import Spot
+    from sim.meeting import Meeting
+    from sim.movement import Going, Movement
+    from sim.placement import Spot
 
 
 class SimulatedRobot:
@@ -63,12 +60,17 @@ class SimulatedRobot:
         self._model = ground.scene.models[robot]
         self._seed = seed
         self._mover = Mover(ground, robot)
-        self._meeting = Meeting(self._mover, ground.scene, robot)
         self._clock = Clock(pace, speed, seat)
         self._vehicle = Vehicle(self._mover, self._clock, rates_of(self._model.wheels), watcher)
         self._seen: tuple[Spot, int, dict[Bearing, int]] | None = None
         """What ``known_distances`` told last, from where, and after how many changes around."""
         self._begin_anew()
+
+    @cached_property
+    def _meeting(self) -> Meeting:
+        from sim.meeting import Meeting  # those who move only
+
+        return Meeting(self._mover, self._ground.scene, self._model.index)
 
     @property
     def name(self) -> str:
@@ -134,6 +136,8 @@ class SimulatedRobot:
 
     def turn(self, degrees: int) -> Turned:
         """On the spot; a car drives forward on its smallest circle. RobotProblem ``cannot-turn``."""
+        from sim.movement import Bend, Turn
+
         rates = self._vehicle.rates
         motion, sign = (Motion.RIGHT, -1) if degrees >= 0 else (Motion.LEFT, 1)
         rate = turning(rates.right if degrees >= 0 else rates.left)
@@ -209,6 +213,8 @@ class SimulatedRobot:
         metres, turned = steps * STEP, 180.0 if motion is Motion.BACKWARD else 0.0
         if self._vehicle.leap(metres, turned, moving(rate).over(steps).seconds(0.0, metres / STEP)):
             return Moved(steps, steps, None, self.pose())
+        from sim.movement import Walk
+
         walked, stopped_by = self._run(Walk(self._vehicle, motion, steps, rate))
         met = self._meeting.walking(self._vehicle.here.truth, turned, stopped_by)
         return Moved(steps, walked, stopped_by, self.pose(), met, self._pushed())

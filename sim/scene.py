@@ -1,18 +1,55 @@
 """A world as it was loaded: models, shapes, sensors. Values only; nothing here moves or reads files.
 
 Metres, and degrees counter-clockwise from the x axis, as Stage has them.
+
+What was ignored, repaired, or looks like a slip comes with it as codes (``LoadReport``); ``moved`` is the
+same scene with things elsewhere than its file has them: pushed, carried, or driven there.
 """
 
 from __future__ import annotations
 
 from collections.abc import Iterator, Mapping
+from enum import Enum
 
-from devices.ports.values import frozen
+from devices.ports.values import field, frozen, replace
 from sim.colours import Colour
 from sim.fittings import Blobfinder, Bumper, Camera, FiducialFinder, Gripper, RangeSensor, Wheels
-from sim.geometry import Point, placed, signed_area
+from sim.geometry import Point, direction, placed, signed_area
 from sim.placement import Placement
-from sim.report import LoadReport
+
+
+class NoteKind(Enum):
+    IGNORED = "ignored"
+    REPAIRED = "repaired"
+    WARNING = "warning"
+
+
+@frozen
+class Note:
+    """One remark. Codes: ``unknown-property`` (name, nearest), ``unused-property`` (name), ``not-simulated``
+    (type, name), ``second-define`` (name), ``unknown-colour`` (name, nearest), ``random-colour``,
+    ``lone-sensor`` (name), ``walls-made-solid`` (name), ``not-utf8`` (path), ``margin-cropped`` (path),
+    ``no-robot``, ``robot-without-name`` and ``robot-renamed`` (name, alias); of a configuration file
+    ``driver-not-used`` (name), ``unknown-model`` (name, nearest)."""
+
+    kind: NoteKind
+    code: str
+    file: str
+    line: int
+    column: int
+    details: Mapping[str, str | int | float] = field(default_factory=dict)
+
+
+@frozen
+class LoadReport:
+    """What became of a world file: models by type, and everything that is worth telling."""
+
+    files: tuple[str, ...]
+    loaded: tuple[tuple[str, int], ...]
+    """Built-in type and how many models of it, most frequent first."""
+    notes: tuple[Note, ...]
+    pictures: tuple[str, ...] = ()
+    """The pictures that became walls and floors."""
 
 
 @frozen
@@ -143,3 +180,21 @@ class Scene:
             if self.models[index].spoken_name == name:
                 return self.models[index]
         raise KeyError(name)
+
+
+def moved(scene: Scene, places: Mapping[int, Placement]) -> Scene:
+    """The scene with these top-level models, by index, and all that is attached to them, at other places."""
+    if not places:
+        return scene
+    models = tuple(
+        _carried(model, scene.models[model.root].pose, places[model.root]) if model.root in places else model
+        for model in scene.models
+    )
+    return replace(scene, models=models)
+
+
+def _carried(model: Model, before: Placement, now: Placement) -> Model:
+    c, s = direction(-before.yaw)
+    dx, dy = model.pose.x - before.x, model.pose.y - before.y
+    inner = Placement(c * dx - s * dy, s * dx + c * dy, model.pose.z - now.z, model.pose.yaw - before.yaw)
+    return replace(model, pose=now.then(inner))

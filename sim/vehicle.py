@@ -2,19 +2,20 @@
 
 from __future__ import annotations
 
+from functools import cached_property
 from math import inf, radians
+from typing import TYPE_CHECKING
 
 from devices.ports.robot import STEP, Grip, Motion, Watcher
 from devices.ports.values import frozen
 from sim.clock import SLICE, Clock
 from sim.hand import Hand
 from sim.motion import Mover
-from sim.placement import Placement
-from sim.pushing import Advance, Pushing
-from sim.ramps import TICK
-from sim.sensors import Spot
-from sim.units import pose_of
-from sim.wheels import Odometry, Rates
+from sim.placement import Placement, Spot, pose_of
+from sim.wheels import TICK, Odometry, Rates
+
+if TYPE_CHECKING:
+    from sim.pushing import Advance, Pushing
 
 CLEARANCE = 0.3
 """Metres: a robot that has that much room more than it needs looks around again only after a while."""
@@ -39,7 +40,6 @@ class Vehicle:
         self.hand = Hand(mover)
         self._root = mover.around.root
         self._ground = mover.around.ground
-        self._pushing = Pushing(self._ground, mover)
         self._shown = -inf
         self._jumps = -1
         self.quicken()
@@ -48,6 +48,12 @@ class Vehicle:
         """Roots of things that the movement has pushed so far, and how many metres."""
         self._leaps = False
         self.here = self._at_start()
+
+    @cached_property
+    def _pushing(self) -> Pushing:
+        from sim.pushing import Pushing  # those who move only
+
+        return Pushing(self._ground, self.mover)
 
     def begin_anew(self, odometry: Odometry) -> None:
         """To the start, with empty hands. What was held stays where it is."""

@@ -10,10 +10,9 @@ from collections.abc import Iterable, Mapping
 
 from devices.ports.robot import Pace, Watcher
 from sim.ground import Ground
-from sim.moved import moved
 from sim.placement import Placement
 from sim.robot import SimulatedRobot
-from sim.scene import Scene
+from sim.scene import Scene, moved
 from sim.turns import Seat, Turns
 
 
@@ -77,6 +76,8 @@ class World:
 
     def get_ready(self) -> None:
         """Load now what the first movement would load."""
+        from sim import meeting, movement, pushing  # noqa: F401 -- to be there is all that is asked of them
+
         self._ground.begin()
 
     def reset(self) -> None:

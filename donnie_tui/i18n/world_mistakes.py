@@ -10,7 +10,7 @@ from donnie_tui.i18n.mistakes import either
 from donnie_tui.i18n.phrasing import Phrasing
 
 if TYPE_CHECKING:
-    from sim.report import Note
+    from sim.scene import Note
     from sim.worldfile.mistakes import WorldError
 
 _WITHOUT_PLACE = ("file-not-found", "file-unreadable", "file-too-large")

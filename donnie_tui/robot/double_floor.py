@@ -14,8 +14,8 @@ from devices.serial_robot.config import RobotConfig
 from sim.geometry import overlapping, placed
 
 if TYPE_CHECKING:
+    from sim.placement import Spot
     from sim.scene import Scene
-    from sim.sensors import Spot
 
 TOUCH = 0.003
 """Metres before a thing at which a bumper is pressed."""
@@ -85,6 +85,6 @@ def _looks(sonar: int, head: int) -> tuple[Bearing | None, float]:
 
 
 def _spot(place: Place) -> Spot:
-    from sim.sensors import Spot
+    from sim.placement import Spot
 
     return Spot(place.x, place.y, degrees(place.yaw))

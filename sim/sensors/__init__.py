@@ -3,13 +3,10 @@
 Sensors tell centimetres, as the real sonars do; they are cut to steps for the learner.
 """
 
-from sim.sensors.eyes import Eyes, Seen, View
-from sim.sensors.fiducials import Found, MarkFinder
-from sim.sensors.rangers import CENTIMETRES_A_STEP, Cone, Fan, Ranger
+from sim.sensors.eyes import Eyes, Found, MarkFinder, Seen, View
+from sim.sensors.rangers import CENTIMETRES_A_STEP, Bar, Beams, Cone, Fan, Ranger
 from sim.sensors.senses import Senses, senses_of
 from sim.sensors.sight import Around
-from sim.sensors.spot import Spot
-from sim.sensors.touch import Bar, Beams
 
 __all__ = [
     "CENTIMETRES_A_STEP",
@@ -24,7 +21,6 @@ __all__ = [
     "Ranger",
     "Seen",
     "Senses",
-    "Spot",
     "View",
     "senses_of",
 ]

@@ -1,16 +1,21 @@
-"""Colour cameras: which coloured things a robot sees, where, and how far. What is nearer hides the rest."""
+"""Eyes: which coloured things a camera sees, where, and how far; what is nearer hides the rest.
+
+And marks: models with a ``fiducial_return``, told by direction, distance and, when near enough, number.
+"""
 
 from __future__ import annotations
 
 from collections.abc import Iterable, Iterator
 from itertools import pairwise
+from math import hypot
 
 from devices.ports.values import frozen
 from sim.colours import FAMILIES, Colour
+from sim.fittings import FiducialFinder
 from sim.geometry import angle_of, at_radius, direction, edges, nearest_in_wedge, normal, seen_from
 from sim.parts import Part
+from sim.placement import Spot
 from sim.sensors.sight import Around, Height, at_height, first_hits
-from sim.sensors.spot import Spot
 
 HALF_CIRCLE = 90.0
 """Degrees to either side that a head with a camera turns."""
@@ -143,3 +148,53 @@ def _directions(parts: Iterable[Part], place: Spot, reach: float, half_angle: fl
             angles.update(angle_of(x, y) for x, y in at_radius(reach, (ax, ay, bx, by)))
     inside = sorted(angle for angle in angles if -half_angle <= angle <= half_angle)
     return [angle for i, angle in enumerate(inside) if i == 0 or angle - inside[i - 1] > 1e-9]
+
+
+@frozen
+class Found:
+    """A mark in view."""
+
+    model: int
+    """The index of the model that carries it."""
+    degrees: float
+    """Counter-clockwise from the robot's front."""
+    metres: float
+    """From the finder to the model's place."""
+    number: int
+    """Its ``fiducial_return``; 0 where it is too far off to be told."""
+
+
+@frozen
+class MarkFinder:
+    """A fiducial finder where it is mounted, in the robot's frame."""
+
+    x: float
+    y: float
+    yaw: float
+    finder: FiducialFinder
+    key: int
+    height: Height = None
+
+    def look(self, around: Around, spot: Spot) -> tuple[Found, ...]:
+        """Every mark of its key that is in view and that nothing hides, from left to right."""
+        place, reach = spot.mounted(self.x, self.y, self.yaw), self.finder.maximum
+        parts = around.within(place.x - reach, place.y - reach, place.x + reach, place.y + reach)
+        marks = {part.model.index: part for part in parts if self._is_mark(part)}
+        found = (self._found(around, place, part) for part in marks.values())
+        return tuple(sorted((each for each in found if each), key=lambda it: (-it.degrees, it.model)))
+
+    def _is_mark(self, part: Part) -> bool:
+        model = part.model
+        return model.fiducial_return != 0 and model.fiducial_key == self.key and at_height(part, self.height)
+
+    def _found(self, around: Around, place: Spot, mark: Part) -> Found | None:
+        ((x, y),) = seen_from((mark.place,), place.x, place.y, place.yaw)
+        metres, degrees = hypot(x, y), angle_of(x, y)
+        if metres > self.finder.maximum or abs(degrees) > self.finder.fov / 2:
+            return None
+        ((first, _),) = first_hits(around, place.x, place.y, (mark.place,), self.height)
+        if first is not None and first.root != mark.root:
+            return None
+        number = int(mark.model.fiducial_return) if metres < self.finder.maximum_id else 0
+        turned = (degrees + self.yaw + 180.0) % 360.0 - 180.0
+        return Found(mark.model.index, turned, max(metres, self.finder.minimum), number)

@@ -1,21 +1,22 @@
-"""Range sensors: sonars, whose cone is covered whole, and lasers, a fan of thin rays."""
+"""What is near: sonars, whose cone is covered whole, lasers, a fan of thin rays, bumpers, gripper beams."""
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterable, Iterator
 from math import ceil, cos, dist, inf, radians
 from typing import TYPE_CHECKING
 
 from devices.ports.robot import STEP
 from devices.ports.values import frozen
-from sim.fittings import RangeNoise
-from sim.geometry import Point, contains, direction, edges, nearest_in_wedge, seen_from
+from sim.fittings import Gripper, RangeNoise
+from sim.geometry import Edge, Point, contains, direction, edges, edges_apart, nearest_in_wedge, seen_from
 from sim.parts import Part
+from sim.placement import Spot
 from sim.sensors.sight import Around, Height, at_height, first_hits
-from sim.sensors.spot import Spot
 
 if TYPE_CHECKING:
     from random import Random
+
 
 CENTIMETRES_A_STEP = round(STEP * 100)
 NO_NOISE = RangeNoise()
@@ -172,3 +173,54 @@ def _blurred(sensor: Ranger, metres: float, chance: Random) -> float:
 
 def _centimetres(sensor: Ranger, metres: float) -> int | None:
     return None if metres == inf else int(max(metres, sensor.minimum) * 100 + 0.5)
+
+
+TOUCH = 0.01
+"""Metres: what is nearer to a bumper presses it."""
+
+
+@frozen
+class Bar:
+    """A bumper where it is mounted, in the robot's frame: a bar across the direction in which it looks."""
+
+    x: float
+    y: float
+    yaw: float
+    length: float
+
+    def is_pressed(self, around: Around, spot: Spot) -> bool:
+        """Whether something solid touches it."""
+        bar = self._bar(spot)
+        return any(part.solid and _apart(bar, part) <= TOUCH for part in _near(around, bar))
+
+    def _bar(self, spot: Spot) -> Edge:
+        place = spot.mounted(self.x, self.y, self.yaw)
+        left, right = (
+            place.ahead(self.length / 2, place.yaw + 90),
+            place.ahead(self.length / 2, place.yaw - 90),
+        )
+        return left.x, left.y, right.x, right.y
+
+
+def _near(around: Around, bar: Edge) -> Iterable[Part]:
+    ax, ay, bx, by = bar
+    return around.within(min(ax, bx) - TOUCH, min(ay, by) - TOUCH, max(ax, bx) + TOUCH, max(ay, by) + TOUCH)
+
+
+def _apart(bar: Edge, part: Part) -> float:
+    if contains(part.points, bar[0], bar[1]):
+        return 0.0
+    return min((edges_apart(bar, edge) for edge in part.outline), default=inf)
+
+
+@frozen
+class Beams:
+    """The two light beams of a gripper where it is mounted, in the robot's frame."""
+
+    x: float
+    y: float
+    yaw: float
+    length: float
+    """Metres of the gripper, along the direction in which it looks."""
+    width: float
+    gripper: Gripper

@@ -10,14 +10,11 @@ from devices.ports.robot import Bearing, RobotProblem
 from devices.ports.values import frozen
 from sim.fittings import RangeSensor
 from sim.geometry import normal, seen_from
-from sim.placement import Placement
+from sim.placement import Placement, Spot
 from sim.scene import Model, Scene
-from sim.sensors.eyes import HALF_CIRCLE, Eyes, Seen, View
-from sim.sensors.fiducials import Found, MarkFinder
-from sim.sensors.rangers import CENTIMETRES_A_STEP, Cone, Fan, Ranger, fan_angles
+from sim.sensors.eyes import HALF_CIRCLE, Eyes, Found, MarkFinder, Seen, View
+from sim.sensors.rangers import CENTIMETRES_A_STEP, Bar, Beams, Cone, Fan, Ranger, fan_angles
 from sim.sensors.sight import Around, Height
-from sim.sensors.spot import Spot
-from sim.sensors.touch import Bar, Beams
 
 if TYPE_CHECKING:
     from random import Random

@@ -8,8 +8,7 @@ from collections.abc import Callable, Iterable, Mapping
 from sim.colours import Colour
 from sim.fittings import RangeSensor
 from sim.placement import Placement
-from sim.report import Note, NoteKind
-from sim.scene import Model, Polygon
+from sim.scene import Model, Note, NoteKind, Polygon
 from sim.worldfile import equipment, shapes
 from sim.worldfile.entities import MODEL_TYPES, Entity, Setting
 from sim.worldfile.mistakes import Code, WorldError

@@ -8,8 +8,7 @@ from difflib import get_close_matches
 from pathlib import Path
 
 from devices.ports.values import frozen, replace
-from sim.report import LoadReport, Note, NoteKind
-from sim.scene import Scene
+from sim.scene import LoadReport, Note, NoteKind, Scene
 from sim.worldfile.addresses import DEFAULT_PORT, Address, address
 from sim.worldfile.entities import Entity, Expander, Setting
 from sim.worldfile.load import load_world

@@ -10,7 +10,7 @@ from collections.abc import Iterable, Mapping
 from difflib import get_close_matches
 
 from devices.ports.values import frozen
-from sim.report import Note, NoteKind
+from sim.scene import Note, NoteKind
 from sim.worldfile import tree
 from sim.worldfile.mistakes import Code, WorldError
 from sim.worldfile.reader import Placed

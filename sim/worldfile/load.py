@@ -6,8 +6,7 @@ from collections import Counter
 from collections.abc import Iterable, Mapping
 from pathlib import Path
 
-from sim.report import LoadReport, Note, NoteKind
-from sim.scene import Model, Scene
+from sim.scene import LoadReport, Model, Note, NoteKind, Scene
 from sim.worldfile.build import Builder
 from sim.worldfile.entities import Expander, Setting
 from sim.worldfile.plans import Plans

@@ -6,7 +6,7 @@ from collections.abc import Iterator
 from pathlib import Path
 
 from devices.ports.values import frozen
-from sim.report import Note, NoteKind
+from sim.scene import Note, NoteKind
 from sim.worldfile import tree
 from sim.worldfile.mistakes import Code, WorldError
 from sim.worldfile.parser import parse

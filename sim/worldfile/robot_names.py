@@ -10,8 +10,7 @@ from collections.abc import Iterable
 from unicodedata import combining, normalize
 
 from devices.ports.values import replace
-from sim.report import Note, NoteKind
-from sim.scene import Model
+from sim.scene import Model, Note, NoteKind
 
 _UNSPEAKABLE = frozenset(':="\\')
 """Of Stage's numbering, of ``NAME=FILE``, of quoting."""

@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING
 
 from sim.colours import FAMILIES, Colour
 from sim.placement import Placement
-from sim.report import Note, NoteKind
+from sim.scene import Note, NoteKind
 from sim.worldfile import tree
 from sim.worldfile.entities import Setting
 from sim.worldfile.mistakes import Code, WorldError

@@ -6,13 +6,13 @@ from hypothesis import example, given, settings
 from hypothesis import strategies as st
 
 from devices.ports.robot import STEP, Bearing, StoppedBy
-from sim.body import body_of
 from sim.geometry import overlapping, placed
 from sim.ground import Ground
 from sim.motion import Mover
+from sim.parts import body_of
 from sim.physics import Surroundings
+from sim.placement import Spot
 from sim.scene import Scene
-from sim.sensors import Spot
 from sim.world import World
 from tests.unit.sim.floors import Unpaced, scene
 

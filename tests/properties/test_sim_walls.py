@@ -7,8 +7,8 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from devices.ports.robot import RobotProblem, StoppedBy
-from sim.body import body_of
 from sim.geometry import overlapping, placed
+from sim.parts import body_of
 from sim.robot import SimulatedRobot
 from sim.scene import Scene
 from tests.properties.test_sim_motion import ROBOTS, SENSOR

@@ -5,8 +5,7 @@ from pathlib import Path
 import pytest
 
 from sim.colours import FAMILIES
-from sim.report import NoteKind
-from sim.scene import Model, Scene
+from sim.scene import Model, NoteKind, Scene
 from sim.worldfile import load_text, load_world
 
 

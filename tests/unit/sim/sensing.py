@@ -2,8 +2,9 @@
 
 from sim.ground import Ground
 from sim.physics import Surroundings
+from sim.placement import Spot
 from sim.scene import Scene
-from sim.sensors import Senses, Spot, senses_of
+from sim.sensors import Senses, senses_of
 from tests.unit.sim.floors import scene
 
 

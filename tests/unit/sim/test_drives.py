@@ -6,8 +6,8 @@ from math import hypot, pi, sqrt
 import pytest
 
 from devices.ports.robot import Bearing, Pose, RobotProblem, StoppedBy
-from sim.body import body_of
 from sim.geometry import overlapping, placed
+from sim.parts import body_of
 from sim.robot import SimulatedRobot
 from sim.world import World
 from tests.unit.sim.floors import Diary, Unpaced, scene

@@ -5,8 +5,8 @@ from __future__ import annotations
 import pytest
 
 import worlds
-from sim.moved import moved
 from sim.placement import Placement
+from sim.scene import moved
 from sim.worldfile import load_world
 
 

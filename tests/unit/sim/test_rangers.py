@@ -8,7 +8,8 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from devices.ports.robot import Bearing, RobotProblem
-from sim.sensors import Cone, Fan, Spot
+from sim.placement import Spot
+from sim.sensors import Cone, Fan
 from tests.unit.sim.sensing import Sensing
 
 BODY = "size [ 0.2 0.2 0.2 ]"

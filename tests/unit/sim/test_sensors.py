@@ -7,7 +7,8 @@ import pytest
 from devices.ports.robot import Bearing, RobotProblem
 from sim.ground import Ground
 from sim.physics import Surroundings
-from sim.sensors import Spot, senses_of
+from sim.placement import Spot
+from sim.sensors import senses_of
 from tests.unit.sim.floors import IDEAL, ideal, robot, scene
 
 
