@@ -46,6 +46,13 @@ def block_depth(source: str) -> int:
     return len(blocks)
 
 
+def open_block(source: str, *, first_line: int = 1) -> OutlineItem | None:
+    """The innermost block that is open at the end of a text."""
+    depth = block_depth(source)
+    blocks = outline(source, first_line=first_line) if depth else ()
+    return next((block for block in reversed(blocks) if block.depth == depth - 1), None)
+
+
 def outline(source: str, *, first_line: int = 1) -> tuple[OutlineItem, ...]:
     """Every block of a text, in the order of their first words."""
     tokens = lex(source, first_line).tokens

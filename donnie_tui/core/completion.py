@@ -10,6 +10,7 @@ from collections.abc import Iterable
 from devices.ports.values import frozen
 from language import keywords
 from language.lexer import NAME, STRING, TAKES, lex
+from language.outline import open_block
 from language.source import fold_name
 
 MOST = 50
@@ -58,8 +59,16 @@ def _words(text: str, start: int, at: int, language: str, colours: Iterable[str]
         yield from _arguments(terminal, language, colours)
     else:
         if at > start:
+            yield from _end_of_block(text[:start], language)
             yield from sorted(_names(text, start))
         yield from keywords.all_words(language)
+
+
+def _end_of_block(before: str, language: str) -> Iterable[str]:
+    """The word that ends the innermost block which is open there."""
+    block = open_block(before)
+    if block is not None:
+        yield keywords.spelling(f"END {block.kind}", language)
 
 
 def _arguments(terminal: str, language: str, colours: Iterable[str] | None) -> Iterable[str]:

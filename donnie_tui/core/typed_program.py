@@ -14,7 +14,7 @@ from collections.abc import Sequence
 from devices.ports.values import frozen
 from donnie_tui.core.breakpoints import followed, shifted
 from donnie_tui.core.harmless import cleaned
-from language.outline import OutlineItem, block_depth, outline
+from language.outline import OutlineItem, block_depth, open_block
 
 WORTH_SAVING = 5
 """Unsaved lines from which on a learner is asked before they are lost."""
@@ -24,7 +24,7 @@ LARGEST = 8 * 1024 * 1024
 
 
 MOST_UNDONE = 50
-"""Changes that can be taken back."""
+"""Changes that can be taken back, and made again."""
 MOST_LINES_KEPT = 1_000_000
 """Lines that are kept for that in all."""
 
@@ -69,6 +69,8 @@ class TypedProgram:
         """How often what has run became another part, but by changes."""
         self._before: deque[_Before | int] = deque(maxlen=MOST_UNDONE)
         """What was before each of the last changes; how many lines, where one was added behind them."""
+        self._undone: list[_Before] = []
+        """What was there before each change that was taken back, since the last change."""
 
     @property
     def saved(self) -> bool:
@@ -105,9 +107,7 @@ class TypedProgram:
     @property
     def open_block(self) -> OutlineItem | None:
         """The innermost block that is open at the end of what waits."""
-        depth = self.depth
-        blocks = outline("\n".join(self._lines[self._run :]), first_line=self._run + 1) if depth else ()
-        return next((block for block in reversed(blocks) if block.depth == depth - 1), None)
+        return open_block("\n".join(self._lines[self._run :]), first_line=self._run + 1)
 
     @property
     def waiting(self) -> int:
@@ -118,6 +118,7 @@ class TypedProgram:
         """One line more at the end. Raises ``ProgramTooLong``."""
         line = cleaned(line)
         self._grow(line)
+        self._undone.clear()
         self._before.append(len(self._lines))
         self._lines.append(line)
 
@@ -150,6 +151,7 @@ class TypedProgram:
         self._run = 0
         self._size = len(text)
         self._before.clear()
+        self._undone.clear()
         self.breakpoints = frozenset()
         self.name = name
         self.saved = True
@@ -225,31 +227,51 @@ class TypedProgram:
         if not self._before:
             return None
         before = self._before.pop()
-        if isinstance(before, int):
-            return self._take_back_last(before)
-        same = first_difference(before.lines, self._lines)
-        self.breakpoints = followed(self.breakpoints, self._lines, before.lines)
+        self._undone.append(self._now)
+        if isinstance(before, int):  # a line typed last is gone, whether it has run or not
+            before = _Before(self._lines[:before], min(self._run, before), self._runs)
+        return self._become(before)
+
+    def redo(self) -> int | None:
+        """Make the change again that was taken back last; as ``undo``."""
+        if not self._undone:
+            return None
+        after = self._undone.pop()
+        self._before.append(self._now)
+        return self._become(after)
+
+    @property
+    def _now(self) -> _Before:
+        return _Before(self._lines.copy(), self._run, self._runs)
+
+    def _become(self, other: _Before) -> int:
+        """Those lines from now on. The first one that is another one."""
+        same = first_difference(other.lines, self._lines)
+        self.breakpoints = followed(self.breakpoints, self._lines, other.lines)
         changes_what_ran = same < self._run
-        self._lines, self._run = before.lines, 0 if changes_what_ran else self._run
-        if before.runs == self._runs:
-            self._run = before.run
+        self._lines, self._run = other.lines, 0 if changes_what_ran else self._run
+        if other.runs == self._runs:
+            self._run = other.run
+        self._forget_oldest()
         return same + 1
 
-    def _take_back_last(self, count: int) -> int:
-        """The line that was typed last is gone, whether it has run or not."""
-        del self._lines[count:]
-        self._run = min(self._run, len(self._lines))
-        return len(self._lines) + 1
-
     def _keep(self) -> None:
-        """Remember the lines as they are; of very long programs fewer changes can be taken back."""
-        self._before.append(_Before(self._lines.copy(), self._run, self._runs))
+        """Remember the lines as they are."""
+        self._undone.clear()
+        self._before.append(self._now)
+        self._forget_oldest()
+
+    def _forget_oldest(self) -> None:
+        """Of very long programs fewer changes can be taken back."""
         while len(self._before) > 1 and self._lines_kept > MOST_LINES_KEPT:
             self._before.popleft()
+        while len(self._undone) > 1 and self._lines_kept > MOST_LINES_KEPT:
+            self._undone.pop(0)
 
     @property
     def _lines_kept(self) -> int:
-        return sum(len(each.lines) for each in self._before if not isinstance(each, int))
+        kept = (*self._before, *self._undone)
+        return sum(len(each.lines) for each in kept if not isinstance(each, int))
 
     def _grow(self, line: str) -> None:
         """What was ever typed counts, so that no list of lines need be added up."""

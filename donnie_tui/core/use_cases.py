@@ -100,6 +100,7 @@ USE_CASES = (
     UseCase("format", "FORMAT", "FORMATAR", "FORMATEAR"),
     UseCase("translate", "TRANSLATE", "TRADUZIR", "TRADUCIR", argument="language", required=True),
     UseCase("undo", "UNDO", "DESFAZER", "DESHACER"),
+    UseCase("redo", "REDO", "REFAZER", "REHACER"),
     UseCase("read", "READ", "LER", "LEER", _ALWAYS, "line"),
     UseCase("next", "NEXT", "PRÓXIMA", "SIGUIENTE", _ALWAYS),
     UseCase("next", "N", "N", "N", _ALWAYS, hidden=True),

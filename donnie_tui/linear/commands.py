@@ -19,7 +19,7 @@ _WORDS_OF = {
     "slower faster speed reset",
     "files": "open save save_as new recover",
     "reports": "save_log report",
-    "lines": "list show_program change insert delete move undo",
+    "lines": "list show_program change insert delete move undo redo",
     "mending": "fix search search_again replace format translate manual",
     "reading": "read next back first last_line place up down next_same back_same outline",
     "said": "last last_word spell find show_log typed error error_next error_previous errors explain",

@@ -55,7 +55,15 @@ def move_lines(desk: Desk, first: int, last: int, to: int) -> None:
 
 def undo(desk: Desk) -> None:
     """The last change is taken back; the first line that is another one now."""
-    changed = desk.program.undo()
+    _tell_changed(desk, desk.program.undo())
+
+
+def redo(desk: Desk) -> None:
+    """The same, for the change that was taken back last."""
+    _tell_changed(desk, desk.program.redo())
+
+
+def _tell_changed(desk: Desk, changed: int | None) -> None:
     if changed is None:
         desk.answer("answer-unchanged")
     elif changed <= len(desk.program.lines):
@@ -157,4 +165,5 @@ HANDLERS: dict[str, Handler] = {
     "delete": _delete,
     "move": _move,
     "undo": warning_of_all(alone(undo)),
+    "redo": warning_of_all(alone(redo)),
 }

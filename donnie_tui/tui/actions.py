@@ -50,7 +50,8 @@ KEYS: dict[str, tuple[str, ...]] = {
     "save_log": ("ctrl+k v",),
     "report": (),
     "open_log": ("ctrl+k g",),
-    "undo": (),
+    "undo": ("ctrl+z",),
+    "redo": ("ctrl+y",),
     "read": (),
     "next": (),
     "back": (),
@@ -67,7 +68,7 @@ KEYS: dict[str, tuple[str, ...]] = {
     "insert": (),
     "delete": (),
     "move": (),
-    "complete": ("ctrl+space", "ctrl+at"),
+    "complete": ("ctrl+space", "ctrl+@"),
     "fix": ("ctrl+t",),
     "search": ("ctrl+f",),
     "search_again": ("ctrl+k f3",),
@@ -200,9 +201,9 @@ _SIGNS = {
 def key_label(key: str) -> str:
     """The key as it is told: ``F5``, ``Ctrl+S``, ``Esc``, ``Ctrl+K A``.
 
-    Many terminals send Ctrl+Space as what Textual calls ``ctrl+at``.
+    Many terminals send Ctrl+Space as what Textual calls ``ctrl+@``.
     """
-    key = key.replace("ctrl+at", "ctrl+space")
+    key = key.replace("ctrl+@", "ctrl+space")
     return " ".join("+".join(map(_part_label, each.split("+"))) for each in key.split())
 
 

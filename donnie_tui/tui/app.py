@@ -87,6 +87,8 @@ class DonnieApp(TerminalApp, inherit_bindings=False):
             self, self._behind, self._folder, stop_all=lambda: self.do("stop_all"), repaint=self.repaint
         )
         self._host = self._as_host()
+        self._first_word: str | None = None
+        """What was asked for in the empty program before there was anything to do it with."""
 
     def _with_keyboard(self) -> Keyboard:
         return Keyboard(
@@ -115,6 +117,8 @@ class DonnieApp(TerminalApp, inherit_bindings=False):
 
         work = self._behind.work = Work(self._host, donnie, self._folder, self._settings)
         work.begin(self._file, self._text)
+        if self._first_word is not None:
+            self.call_later(self._do_first_word, self._first_word)
         return work
 
     # --- what there is, and how it was left
@@ -273,12 +277,17 @@ class DonnieApp(TerminalApp, inherit_bindings=False):
             if event.asks_to_quit:
                 self.do("quit")
 
-    def on_editor_linear_typed(self) -> None:
-        """At the very start it counts too: once there is something to change from."""
+    def on_editor_first_word_typed(self, event: Editor.FirstWordTyped) -> None:
+        """At the very start it counts too: once there is something to do it with."""
         if self.work is None:
-            self.beginning.wants_linear = True
+            self._first_word = event.name
         else:
-            self.work.linear_typed()
+            self._do_first_word(event.name)
+
+    def _do_first_word(self, name: str) -> None:
+        """It is not meant as the program's text."""
+        self.workplace.editor.load_text("")
+        self.do(name)
 
     def on_editor_line_finished(self, event: Editor.LineFinished) -> None:
         if self.work is not None:

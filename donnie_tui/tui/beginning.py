@@ -55,8 +55,6 @@ class Beginning:
         self._is_searching = False
         self.is_opening = False
         """While the first file is read."""
-        self.wants_linear = False
-        """The linear mode was asked for before there was anything to change from."""
         self.trouble: Exception | None = None
         """What kept the work from being loaded."""
         self._was_slow = False
@@ -122,8 +120,6 @@ class Beginning:
         work = self._work_with(donnie)
         if self._was_slow:
             work.tell_sentences(work.words("slow-world-done", name=self._world_name))
-        if self.wants_linear:
-            work.switch_to_linear()
         self._app.call_after_refresh(donnie.get_ready_to_move)
 
     def _fail(self, trouble: Exception) -> None:

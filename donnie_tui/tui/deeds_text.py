@@ -21,6 +21,7 @@ from donnie_tui.tui.screens.chooser import Choice
 from language.formatter import formatted
 
 if TYPE_CHECKING:
+    from donnie_tui.core.mistakes import Mistake
     from donnie_tui.tui.host import WorkHost
 
 
@@ -54,10 +55,16 @@ class TextDeeds:
         if mistake is None or not mistake.meant:
             self._host.tell(Answer("screen-nothing-to-fix" if mistake is None else "screen-no-fix"))
             return
-        text = mended(self._editor.text, mistake)
-        self._put(text, mistake.start + len(mistake.meant))
+        self._put(mended(self._editor.text, mistake), self._after_mending(mistake))
         self._host.tell(Answer("screen-fixed", {"line": mistake.line, "word": mistake.meant}))
         self._host.while_typing.check_now()
+
+    def _after_mending(self, mistake: Mistake) -> int:
+        """Where the cursor stands then: behind the same letter of its line, or behind what was mended."""
+        here, end = self._editor.offset_of_cursor, mistake.start + len(mistake.meant)
+        if self._editor.line != mistake.line or mistake.start < here < mistake.end:
+            return end
+        return here if here <= mistake.start else here + end - mistake.end
 
     def break_(self, argument: str) -> bool:
         line = number_in(argument, self._editor.line)
@@ -112,8 +119,15 @@ class TextDeeds:
 
     def undo(self, _argument: str) -> None:
         """The last change is taken back; the first line that is another one now is told."""
+        self._change_by(self._editor.undo)
+
+    def redo(self, _argument: str) -> None:
+        """The same, for the change that was taken back last."""
+        self._change_by(self._editor.redo)
+
+    def _change_by(self, step: Callable[[], None]) -> None:
         before = lines_of(self._editor.text)
-        self._editor.undo()
+        step()
         after = lines_of(self._editor.text)
         row = first_difference(before, after)
         if before == after:

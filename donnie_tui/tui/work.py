@@ -307,11 +307,6 @@ class Work:
 
     # --- ending
 
-    def linear_typed(self) -> None:
-        """LINEAR was typed into an empty program: that is not meant as its text."""
-        self.load("")
-        self.switch_to_linear()
-
     def switch_to_linear(self) -> None:
         """The other mode has the text from now on: no copy of it is needed."""
         self.while_typing.hand_over_copy()

@@ -2,11 +2,14 @@
 
 import inspect
 import tomllib
+from collections.abc import Iterator
 
 import pytest
+from textual._ansi_sequences import ANSI_SEQUENCES_KEYS
 from textual.driver import Driver
 from textual.drivers.linux_driver import LinuxDriver
 
+from donnie_tui.tui.actions import ACTIONS
 from donnie_tui.tui.key_table import KeyTable, is_free_to_give, not_understood, with_choice
 from donnie_tui.tui.running import Doing
 from donnie_tui.tui.terminal import use_mouse
@@ -23,6 +26,21 @@ def kept(tmp_path) -> dict:
 
 
 # --- the table
+
+
+def test_every_key_is_one_that_terminals_send():
+    """By the names that Textual gives to what comes, which differ from those of other libraries."""
+    sent = {
+        str(key.value) for keys in ANSI_SEQUENCES_KEYS.values() if isinstance(keys, tuple) for key in keys
+    }
+    unsent = {each.name: each.keys for each in ACTIONS if each.keys and not sent & {*firsts(each.keys)}}
+
+    assert unsent == {}
+
+
+def firsts(keys: tuple[str, ...]) -> Iterator[str]:
+    """What is pressed first."""
+    return (each.split()[0] for each in keys)
 
 
 def test_a_key_may_be_given_to_another_action():

@@ -176,6 +176,25 @@ async def test_linear_as_the_only_line_and_enter_changes_the_mode(work, word):
         assert desk.place.editor.text == ""
 
 
+@pytest.mark.parametrize("word", ["TOUR", "passeio"])
+async def test_the_tour_that_the_first_lines_offer_begins_from_the_empty_program(work, word):
+    async with work() as desk:
+        desk.place.editor.load_text(word)
+        await desk.press("enter")
+        await desk.until(lambda: desk.app.screen is not desk.place, "the tour")
+
+        assert desk.place.editor.text == ""
+
+
+async def test_recover_in_the_empty_program_gives_the_copy_back(work):
+    async with work() as desk:
+        desk.place.editor.load_text("recover")
+        await desk.press("enter")
+        await desk.told("Nothing to recover.")
+
+        assert desk.place.editor.text == ""
+
+
 async def test_linear_in_a_program_is_text(work, tmp_path):
     file = tmp_path / "mine.gd"
     file.write_text("", encoding="utf-8")

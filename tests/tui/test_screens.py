@@ -157,7 +157,7 @@ SCREENS = {
     "menu": ("ctrl+k",),
     "settings": ("ctrl+k", "comma"),
     "manual": ("ctrl+k", "f1"),
-    "words": ("ctrl+at",),
+    "words": ("ctrl+@",),
     "outline": ("ctrl+l",),
     "legend": ("ctrl+k", "l"),
     "worlds": ("ctrl+k", "o"),

@@ -26,7 +26,17 @@ ROOT = Path(__file__).resolve().parents[2]
 _KITTY = re.compile(rb"\x1b\[[<>=][0-9;]*u")
 """Keyboard protocols that the emulator takes for text."""
 
-F5, F8, F12, CTRL_Q, CTRL_S, TAB, ENTER = "\x1b[15~", "\x1b[19~", "\x1b[24~", "\x11", "\x13", "\t", "\r"
+F5, F8, F12, CTRL_Q, CTRL_S, CTRL_Z, CTRL_SPACE, TAB, ENTER = (
+    "\x1b[15~",
+    "\x1b[19~",
+    "\x1b[24~",
+    "\x11",
+    "\x13",
+    "\x1a",
+    "\0",
+    "\t",
+    "\r",
+)
 
 
 class Terminal:
@@ -245,6 +255,17 @@ def test_a_lost_line_halts_and_keeps_the_text(terminal, tmp_path, controls):
     assert donnie.process.wait(PATIENCE) == 128 + signal.SIGHUP
     copies = list((tmp_path / ".local/state/donnie/unsaved").glob("*.gd"))
     assert [each.read_text(encoding="utf-8") for each in copies] == ["FW 1000"]
+
+
+def test_ctrl_space_offers_words_and_ctrl_z_takes_back_what_was_chosen(terminal):
+    """As the bytes that a terminal sends."""
+    donnie = terminal()
+    donnie.type("S" + CTRL_SPACE)
+    donnie.shows("SCAN")
+    donnie.type(ENTER)
+    donnie.shows("1  SPEAK")
+    donnie.type(CTRL_Z)
+    donnie.shows("Line 1: S")
 
 
 def test_the_size_of_the_terminal_may_change(terminal):

@@ -26,7 +26,7 @@ def kept(tmp_path) -> dict:
 
 async def test_ctrl_space_lists_the_words_and_enter_takes_one(work):
     async with work() as desk:
-        await desk.press(*"REP", "ctrl+at")
+        await desk.press(*"REP", "ctrl+@")
         await desk.until(lambda: isinstance(desk.app.screen, Completions), "the list")
         assert "REPEAT" in desk.screen
         await desk.press("enter")
@@ -36,7 +36,7 @@ async def test_ctrl_space_lists_the_words_and_enter_takes_one(work):
 async def test_the_cursor_of_the_terminal_stands_on_the_chosen_word(work):
     async with work("FW 1 ") as desk:
         desk.place.editor.move_cursor((0, 5))
-        await desk.press("ctrl+at")
+        await desk.press("ctrl+@")
         await desk.until(lambda: isinstance(desk.app.screen, Completions), "the list")
         await desk.press("down", "down")
         await desk.pilot.pause()
@@ -48,7 +48,7 @@ async def test_the_cursor_of_the_terminal_stands_on_the_chosen_word(work):
 
 async def test_a_letter_goes_on_typing_and_leaves_the_list(work):
     async with work() as desk:
-        await desk.press(*"RE", "ctrl+at")
+        await desk.press(*"RE", "ctrl+@")
         await desk.until(lambda: isinstance(desk.app.screen, Completions), "the list")
         await desk.press("P")
         await desk.until(lambda: desk.app.work.text == "REP", "the letter")
@@ -94,6 +94,29 @@ async def test_one_key_puts_what_was_meant(work):
         assert desk.place.editor.next_mistake is None
         await desk.press("ctrl+z")
         assert "TIMS" in desk.app.work.text
+
+
+async def test_after_mending_a_word_typing_goes_on_where_it_was(work):
+    async with work("") as desk:
+        await desk.press(*"FW 1 TRR 90")
+        await desk.press("ctrl+t")
+        await desk.told("Line 1: TR now.")
+        await desk.press("enter", *"FW 2")
+        await desk.until(lambda: desk.app.work.text == "FW 1 TR 90\nFW 2", desk.app.work.text)
+
+
+async def test_ctrl_z_tells_what_it_took_back_and_ctrl_y_makes_it_again(work):
+    async with work("FW 1\nFW 2") as desk:
+        await desk.type_line("DELETE 1")
+        await desk.told("Line 1 deleted.")
+        desk.place.editor.focus()
+        await desk.press("ctrl+z")
+        await desk.told("Line 1: FW 1")
+        assert desk.app.work.text == "FW 1\nFW 2"
+
+        await desk.press("ctrl+y")
+        await desk.told("Line 1: FW 2")
+        assert desk.app.work.text == "FW 2"
 
 
 async def test_what_nobody_can_guess_is_told(work):

@@ -59,7 +59,12 @@ _PURPOSES = {
     "insert": ("A new line before it.", "Linha nova antes dela.", "Línea nueva antes de ella."),
     "delete": ("Deletes lines 2 to 5.", "Apaga as linhas 2 a 5.", "Borra las líneas 2 a 5."),
     "move": ("Line 5 goes before line 2.", "A linha 5 vai antes da 2.", "La línea 5 va antes de la 2."),
-    "undo": ("Takes the last change back.", "Volta a última mudança.", "Vuelve el último cambio."),
+    "undo": ("Takes the last change back.", "Desfaz a última mudança.", "Deshace el último cambio."),
+    "redo": (
+        "Makes the change again that UNDO took back.",
+        "Faz de novo a mudança que DESFAZER desfez.",
+        "Hace de nuevo el cambio que DESHACER deshizo.",
+    ),
     "read": ("Reads line 3.", "Lê a linha 3.", "Lee la línea 3."),
     "next": ("Reads the next line.", "Lê a linha seguinte.", "Lee la línea siguiente."),
     "back": ("Reads the line before.", "Lê a linha de antes.", "Lee la línea de antes."),

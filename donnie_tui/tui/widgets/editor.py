@@ -45,7 +45,12 @@ LEAST_TYPED = 2
 LEAST_NOTE = 12
 """Columns that the sentence of a mistake needs."""
 
-LINEAR_WORDS = frozenset(BY_NAME["linear"].word(each).casefold() for each in LANGUAGES)
+FIRST_WORDS = {
+    BY_NAME[name].word(language).casefold(): name
+    for name in ("linear", "tour", "recover")
+    for language in LANGUAGES
+}
+"""What the first lines of the log ask for, and the use case of each."""
 
 
 class Editor(TextArea):
@@ -55,8 +60,13 @@ class Editor(TextArea):
 
     BINDINGS: ClassVar[list[BindingType]] = [Binding("ctrl+a", "select_all", show=False)]
 
-    class LinearTyped(Message):
-        """LINEAR and Enter, and nothing else: what the first line of the log asks for."""
+    class FirstWordTyped(Message):
+        """A word that the first lines of the log ask for, and Enter, and nothing else."""
+
+        def __init__(self, name: str) -> None:
+            """``name`` of its use case."""
+            super().__init__()
+            self.name = name
 
     class LineFinished(Message):
         """Enter, in that row (from 0)."""
@@ -69,7 +79,7 @@ class Editor(TextArea):
         super().__init__(id=id, soft_wrap=True, tab_behavior="focus", show_line_numbers=True)
         self.cursor_blink = False
         self.is_nobodys = True
-        """Whether the text is no file's: only there LINEAR and Enter is no text."""
+        """Whether the text is no file's: only there a first word and Enter is no text."""
         self._marks: dict[int, str] = {}
         self._notes: dict[int, Mistake] = {}
         self.breakpoints: frozenset[int] = frozenset()
@@ -90,15 +100,18 @@ class Editor(TextArea):
     # --- typing
 
     async def _on_key(self, event: events.Key) -> None:
-        if event.key == "enter" and self._is_way_to_linear():
+        first_word = self._first_word if event.key == "enter" else None
+        if first_word is not None:
             event.stop()
             event.prevent_default()
-            self.post_message(self.LinearTyped())
+            self.post_message(self.FirstWordTyped(first_word))
         elif event.key == "enter":
             self.post_message(self.LineFinished(self.cursor_location[0]))
 
-    def _is_way_to_linear(self) -> bool:
-        return self.is_nobodys and len(self.text) < 20 and self.text.strip().casefold() in LINEAR_WORDS
+    @property
+    def _first_word(self) -> str | None:
+        is_short = self.is_nobodys and len(self.text) < 20
+        return FIRST_WORDS.get(self.text.strip().casefold()) if is_short else None
 
     async def _on_paste(self, event: events.Paste) -> None:
         from donnie_tui.core.harmless import cleaned  # not for the first frame

@@ -23,6 +23,9 @@ def words(text: str, language: str = "en", colours: tuple[str, ...] | None = Non
         ("HABL", "es", "HABLAR"),
         ("COLOR r", "en", "RED"),
         ("PROCEDURE Square: n DO END PROCEDURE\nSq", "en", "Square"),
+        ("IF 1 == 1 DO REPEAT 3 TIMES\nFW 1\nEND", "en", "END REPEAT"),
+        ("IF 1 == 1 DO REPEAT 3 TIMES\nEND REPEAT\nEND", "en", "END IF"),
+        ("REPITA 3 VEZES\nFI", "pt", "FIM REPITA"),
     ],
 )
 def test_the_likely_word_comes_first(text: str, language: str, first: str) -> None:

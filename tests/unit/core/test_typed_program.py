@@ -219,6 +219,37 @@ def test_what_had_run_before_a_change_does_not_wait_again_once_the_change_is_tak
     assert (program.lines, program.waiting) == (("A", "B"), 0)
 
 
+def test_every_change_that_was_taken_back_can_be_made_again() -> None:
+    program = typed("A", "B")
+    program.change(2, "X")
+    program.delete(1, 1)
+    for _ in range(4):
+        program.undo()
+    assert program.lines == ()
+
+    assert [program.redo() for _ in range(5)] == [1, 2, 2, 1, None]
+    assert program.lines == ("X",)
+    assert program.undo() == 1
+    assert program.lines == ("A", "X")
+
+
+def test_a_new_change_ends_what_can_be_made_again() -> None:
+    program = typed("A")
+    program.change(1, "X")
+    program.undo()
+    program.add("B")
+
+    assert (program.redo(), program.lines) == (None, ("A", "B"))
+
+
+def test_a_line_made_again_that_had_run_does_not_wait() -> None:
+    program = typed("A")
+    program.batch_ran()
+    program.undo()
+
+    assert (program.redo(), program.lines, program.waiting) == (1, ("A",), 0)
+
+
 @pytest.mark.parametrize("meanwhile", [TypedProgram.batch_ran, TypedProgram.rewind])
 def test_what_ran_in_between_counts_more_than_what_had_run_before_a_change(
     meanwhile: Callable[[TypedProgram], None],
