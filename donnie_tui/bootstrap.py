@@ -12,7 +12,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING, TextIO
 
 from devices.ports.robot import Pace, Watcher
-from devices.ports.values import mutable
+from devices.ports.values import frozen
 from donnie_tui.core.belt_telling import BeltTelling
 from donnie_tui.core.chronicle import Chronicle
 from donnie_tui.core.events import Announced
@@ -24,6 +24,7 @@ from donnie_tui.core.team import Team
 from donnie_tui.core.until_said import UntilSaid
 from donnie_tui.i18n.words import Unusable, Words
 from donnie_tui.outlets.audible import Audible, make_audible
+from donnie_tui.outlets.outlets import Outlets
 from donnie_tui.outlets.tangible import belt_settings, connect_belt
 from donnie_tui.outlets.written import Written
 from donnie_tui.process.collecting import loaded
@@ -45,30 +46,36 @@ if TYPE_CHECKING:
 __all__ = ["Donnie", "Unusable", "assemble", "colours_of_world"]
 
 
-@mutable
+@frozen
+class Notices:
+    """What had to be done without, a sentence each, to be told once at the start."""
+
+    about_settings: tuple[str, ...]
+    about_voice: tuple[str, ...]
+    about_devices: tuple[str, ...]
+    """The belt and the robot."""
+
+    @property
+    def all(self) -> tuple[str, ...]:
+        return self.about_settings + self.about_voice + self.about_devices
+
+
+@frozen
 class Donnie:
     """Everything that a front end works with. ``close`` leaves nothing running."""
 
-    team: Team
-    """The robots of the world, and who of them is talked to."""
     words: Words
-    notices: tuple[str, ...]
-    """What had to be done without, a sentence each, to be told once at the start."""
-    about_devices: tuple[str, ...]
-    """Those of the notices that are about the belt and the robot."""
     world: ChosenWorld
     """Its name, scene, and title, description and task where it is one of ours."""
+    team: Team
+    """The robots of the world, and who of them is talked to."""
     connection: Connection
     """Whether the robot is simulated or real, and changing that."""
     chronicle: Chronicle
     """What happened lately, to go back through."""
-    belt_telling: BeltTelling
-    """The belt in words."""
+    outlets: Outlets
+    notices: Notices
     _shared: World
-    audible: Audible
-    """What makes a voice and sounds."""
-    _until_said: UntilSaid
-    _written: Written
     _closing: ExitStack
 
     @property
@@ -98,30 +105,6 @@ class Donnie:
         """Load now what the first movement would load, while nobody waits for anything."""
         if not self.connection.is_real:
             self._shared.get_ready()
-
-    def is_quiet_within(self, seconds: float) -> bool:
-        """Wait until everything was said, that long at most; False if that was not enough."""
-        return self.audible.is_quiet_within(seconds)
-
-    def adjust_sound(self, **changed: object) -> None:
-        """Settings of voice and cues from now on, by the names of their fields."""
-        self.audible.adjust(**changed)
-        self.let_programs_wait()
-
-    def let_programs_wait(self) -> None:
-        """Until what they say was heard, where the learner wants that."""
-        waits = self.audible.settings.wait_for_speech
-        self._until_said.is_quiet_within = self.audible.is_quiet_within if waits else None
-
-    @property
-    def has_lost_output(self) -> bool:
-        """Whether something that was asked for could not be written; it was told when that happened."""
-        return bool(self._written.lost)
-
-    @property
-    def file_of_this_world(self) -> str | None:
-        """What is being recorded here, which going on in another world would begin anew."""
-        return self._written.of_this_session
 
     def stop_real_robot(self) -> bool:
         """Before this process rests: a board would drive on by itself. True if it had something to stop.
@@ -158,59 +141,78 @@ def assemble(
     ``terminal``: QUIT is allowed, and a name may be declared again by a later batch. ``is_linear``: what is
     told is printed line by line, so that a screen reader reads it. ``search``: for the robot, to give it up.
     """
-    words = Words(settings.language, settings.verbosity)
-    world = _inhabited_world(settings, words)
     closing = ExitStack()
     try:
-        from sim.world import World
-
-        until_said, shared = UntilSaid(), World(world.scene, seed=settings.seed)
-        team = make_team(settings, words, world, terminal, until_said=until_said, shared=shared)
-        session = team.chosen
-        connection = Connection(settings, words, world, session, search=search)
-        closing.callback(connection.close)
-        closing.callback(team.close)
-        if team.has_several:
-            holding_up = HoldingUp(team, shared.turn, words, is_excused=lambda: until_said.waiting > 0)
-            holding_up.watch()
-            closing.callback(holding_up.close)
-        chronicle = Chronicle()
-        session.hub.subscribe(chronicle)
-        written = Written(settings, session.hub, words, closing)
-        written.events(out)
-        written.recording(world)
-        written.log()
-        closing.callback(keep((*written.paths, *_sound_files(settings), *files_of(world))))
-        about_settings = tuple(words(each.code, **each.values) for each in settings.notices)
-        audible = make_audible(settings, session, words, closing, is_linear=is_linear)
-        belt_telling = BeltTelling(team, words, belt_settings(settings))
-        belt_news = connect_belt(settings, team, words, closing)
-        about_robot = _connect_robot(connection, settings, words, world, terminal)
-        about_devices = belt_news() + about_robot
+        donnie = _assembled(settings, closing, terminal, out, is_linear=is_linear, search=search)
     except BaseException:
         closing.close()
         raise
-    about_voice = audible.notices + (_decided(audible, words) if terminal else ())
-    notices = about_settings + about_voice + about_devices
-    donnie = Donnie(
-        team,
-        words,
-        notices,
-        about_devices,
-        world,
-        connection,
-        chronicle,
-        belt_telling,
-        shared,
-        audible,
-        until_said,
-        written,
-        closing,
-    )
-    donnie.let_programs_wait()
+    donnie.outlets.let_programs_wait()
     closing.callback(NetworkWatch(donnie.stop_unreachable_robot, os.environ).close)
     loaded()
     return donnie
+
+
+def _assembled(
+    settings: Settings,
+    closing: ExitStack,
+    terminal: bool,
+    out: TextIO | None,
+    *,
+    is_linear: bool,
+    search: Search | None,
+) -> Donnie:
+    """What hears the stream is there before anything happens: the robot is connected last."""
+    from sim.world import World
+
+    words = Words(settings.language, settings.verbosity)
+    world = _inhabited_world(settings, words)
+    until_said, shared = UntilSaid(), World(world.scene, seed=settings.seed)
+    team = make_team(settings, words, world, terminal, until_said=until_said, shared=shared)
+    connection = Connection(settings, words, world, team.chosen, search=search)
+    closing.callback(connection.close)
+    closing.callback(team.close)
+    if team.has_several:
+        _tell_hold_ups(team, shared, words, until_said, closing)
+    chronicle = Chronicle()
+    team.chosen.hub.subscribe(chronicle)
+    written = _written(settings, team.chosen, words, world, out, closing)
+    audible = make_audible(settings, team.chosen, words, closing, is_linear=is_linear)
+    outlets = Outlets(audible, BeltTelling(team, words, belt_settings(settings)), written, until_said)
+    belt_news = connect_belt(settings, team, words, closing)
+    about_robot = _connect_robot(connection, settings, words, world, terminal)
+    notices = Notices(
+        tuple(words(each.code, **each.values) for each in settings.notices),
+        audible.notices + (_decided(audible, words) if terminal else ()),
+        belt_news() + about_robot,
+    )
+    return Donnie(words, world, team, connection, chronicle, outlets, notices, shared, closing)
+
+
+def _tell_hold_ups(
+    team: Team, shared: World, words: Words, until_said: UntilSaid, closing: ExitStack
+) -> None:
+    """A program that says something at its own pace holds the others up on purpose."""
+    holding_up = HoldingUp(team, shared.turn, words, is_excused=lambda: until_said.waiting > 0)
+    holding_up.watch()
+    closing.callback(holding_up.close)
+
+
+def _written(
+    settings: Settings,
+    session: Session,
+    words: Words,
+    world: ChosenWorld,
+    out: TextIO | None,
+    closing: ExitStack,
+) -> Written:
+    """The files of the session, none of which is written onto meanwhile."""
+    written = Written(settings, session.hub, words, closing)
+    written.events(out)
+    written.recording(world)
+    written.log()
+    closing.callback(keep((*written.paths, *_sound_files(settings), *files_of(world))))
+    return written
 
 
 def _sound_files(settings: Settings) -> tuple[Path, ...]:

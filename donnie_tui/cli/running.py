@@ -60,7 +60,7 @@ def _run(order: Order, files: Sequence[str], *, trace: bool) -> int:
         with_words = order.settings.events != "-"
         donnie.session.hub.subscribe(_printer(donnie, output, with_words=with_words))
         code = _run_to_the_end(donnie, assigned, output, trace)  # it closes behind itself
-        return codes.UNUSABLE if donnie.has_lost_output else code
+        return codes.UNUSABLE if donnie.outlets.written.lost else code
     finally:
         donnie.close()
 
@@ -103,7 +103,7 @@ def _run_to_the_end(donnie: Donnie, programs: Mapping[str, Assigned], output: Ou
             _await_end(each, stopped, donnie)
         if rested.is_set():
             output.complaint(donnie.words("suspended-stopped"))
-        let_speak(donnie.is_quiet_within, stopped)
+        let_speak(donnie.outlets.audible.is_quiet_within, stopped)
     return max(codes.FAILED if each.outcome is None else _CODE_OF[each.outcome] for each in started)
 
 
@@ -141,5 +141,5 @@ def _printer(donnie: Donnie, output: Output, *, with_words: bool) -> Callable[[S
 def _tell_notices(settings: Settings, donnie: Donnie, output: Output) -> None:
     """Only to those who chose how Donnie speaks: a run is quiet about what nobody asked for."""
     asked_for = settings.source_of("speech") is not Origin.DEFAULT
-    for notice in donnie.notices if asked_for else donnie.about_devices:
+    for notice in donnie.notices.all if asked_for else donnie.notices.about_devices:
         output.complaint(notice)

@@ -56,7 +56,7 @@ def run_linear(
         ours = contextlib.ExitStack()
         closing.push(ours)
         if donnie:
-            donnie.audible.move_to(is_linear=True)
+            donnie.outlets.audible.move_to(is_linear=True)
         try:
             donnie = donnie or _begun(console, settings, greeting, is_there=is_there)
         except Gone:

@@ -69,9 +69,9 @@ class Conversation:
         self._console = console
         console.before_suspending = donnie.stop_real_robot
         if attended:
-            console.on_key = donnie.audible.hush
+            console.on_key = donnie.outlets.audible.hush
         if editing:
-            editing.on_key = KeyEcho(donnie.audible, donnie.words)
+            editing.on_key = KeyEcho(donnie.outlets.audible, donnie.words)
         ends.apply_habits()
 
     def close(self) -> None:
@@ -135,8 +135,8 @@ class Conversation:
         What is about the robot and the belt comes at once: whoever types must know which robot will move.
         """
         desk = self._desk
-        desk.tell(*desk.donnie.notices)
-        self._console.has_news = bool(desk.donnie.about_devices)
+        desk.tell(*desk.donnie.notices.all)
+        self._console.has_news = bool(desk.donnie.notices.about_devices)
         if desk.is_attended and desk.programs.copies.offered():
             desk.answer("answer-rescued")
 

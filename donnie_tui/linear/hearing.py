@@ -35,7 +35,7 @@ class Hearing:
         """Whether a line is being typed, and a robot that runs beside the conversation told something."""
         ends.console.lines_wait = self._lines_wait
         self._summing_up = SummingUp(donnie.words, ends.console.now, self._has_pace)
-        told_as_printed = donnie.audible.tell_as(self._summing_up)
+        told_as_printed = donnie.outlets.audible.tell_as(self._summing_up)
         self._unsubscribe = [donnie.session.hub.subscribe(self._hear), told_as_printed]
 
     def close(self) -> None:

@@ -14,7 +14,7 @@ def _quiet(desk: Desk) -> None:
         sound_words.quiet(desk.donnie)
         desk.showing.is_repeating = True
     else:
-        desk.donnie.audible.hush_all()
+        desk.donnie.outlets.audible.hush_all()
         desk.showing.print_now("quiet")
 
 

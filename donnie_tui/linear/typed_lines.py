@@ -49,7 +49,7 @@ class TypedLines:
 
     def _add(self, line: str) -> bool:
         self._quit_was_refused = False
-        hears_blocks = self._desk.is_attended and self._desk.donnie.audible.has_cues
+        hears_blocks = self._desk.is_attended and self._desk.donnie.outlets.audible.has_cues
         before = self._desk.program.depth if hears_blocks else 0
         try:
             self._desk.program.add(line)

@@ -50,7 +50,7 @@ class ChosenSettings:
         elif key == "speed":
             work.donnie.session.speed = settings.speed
         elif key in AUDIBLE:
-            work.donnie.adjust_sound(**{key: getattr(settings, key)})
+            work.donnie.outlets.adjust_sound(**{key: getattr(settings, key)})
         elif key == "completion":
             self._offer_words()
         elif key == "motion":

@@ -54,8 +54,8 @@ class AroundDeeds:
 
         Whoever records this one stays in it: what was recorded would be lost.
         """
-        if self._host.donnie.file_of_this_world is not None:
-            self._host.tell(Answer("world-kept", {"path": self._host.donnie.file_of_this_world}))
+        if self._host.donnie.outlets.written.of_this_session is not None:
+            self._host.tell(Answer("world-kept", {"path": self._host.donnie.outlets.written.of_this_session}))
             return
         words, here = self._host.words, self._host.donnie.world.name
         rows = [

@@ -148,7 +148,7 @@ class SettingsDeeds:
                 await self._choose_volume(chosen)
 
     def _volume(self, cue: str) -> int:
-        return self._host.donnie.audible.settings.cues.get(cue, _LOUD)
+        return self._host.donnie.outlets.audible.settings.cues.get(cue, _LOUD)
 
     def _cue_row(self, cue: str, percent: int) -> str:
         words = self._host.words
@@ -164,7 +164,7 @@ class SettingsDeeds:
 
     def _set_cue(self, cue: str, percent: int) -> None:
         """From now on, and heard at once."""
-        volumes: Mapping[str, int] = {**self._host.donnie.audible.settings.cues, cue: percent}
+        volumes: Mapping[str, int] = {**self._host.donnie.outlets.audible.settings.cues, cue: percent}
         self._host.prefer("cues", ", ".join(f"{name} {each}" for name, each in volumes.items()))
         sound_words.chime(self._host.donnie, cue)
 

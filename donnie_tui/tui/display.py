@@ -203,7 +203,7 @@ class Display:
         variables = self._donnie.session.variables if self._running.doing is Doing.READY else {}
         distances = self._distances if self.shows_distances else {}
         readings = tuple(self._readings.values())
-        belt = self._donnie.belt_telling.rows() if self._has_belt else ()
+        belt = self._donnie.outlets.belt.rows() if self._has_belt else ()
         self._place.inspector.show(
             inspector_lines(self._running.frames, variables, distances, readings, belt, self._words)
         )

@@ -47,7 +47,7 @@ def run_full_screen(
 
 def _through_worlds(settings: Settings, file: Path | None, text: str | None, donnie: Donnie | None) -> int:
     if donnie:
-        donnie.audible.move_to(is_linear=False)
+        donnie.outlets.audible.move_to(is_linear=False)
     while True:
         app = _shown(settings, file, text, donnie)
         if not app.next_world:

@@ -59,7 +59,7 @@ class WhileTyping:
     def line_finished(self, row: int) -> None:
         """Enter was pressed in that row (from 0): a block that it opens or closes is heard."""
         text, donnie = self._editor.text, self._work.donnie
-        if donnie.audible.has_cues and len(text) <= LARGEST:
+        if donnie.outlets.audible.has_cues and len(text) <= LARGEST:
             lines = text.split("\n")
             depths = (block_depth("\n".join(lines[:end])) for end in (row, row + 1))
             sound_words.chime_block(donnie, *depths)

@@ -91,7 +91,7 @@ class Work:
             receive=self._receive,
             write=self._write,
         )
-        self._key_echo = KeyEcho(donnie.audible, self.words)
+        self._key_echo = KeyEcho(donnie.outlets.audible, self.words)
         self.answers = AnswerLog()
         self.trail = Trail(lambda: donnie.session.hub.robot)
         self.past = Past(self)
@@ -105,7 +105,7 @@ class Work:
 
     def begin(self, file: Path | None, text: str | None) -> None:
         """Open what was asked for. ``text``: what the other mode left, unsaved changes included."""
-        self.display.note(*self._donnie.notices)
+        self.display.note(*self._donnie.notices.all)
         for entry in not_understood(self.preferences.settings.keys):
             self.display.note(self.words("keys-not-understood", entry=printable(entry[:40])))
         if text is not None:
@@ -158,7 +158,7 @@ class Work:
 
     def key_pressed(self, event: Event, focused: Widget | None) -> None:
         """Any key ends what is being said, and is said itself where somebody wants that."""
-        self._donnie.audible.hush()
+        self._donnie.outlets.audible.hush()
         self._key_echo(event, focused)
         self.display.acted()
 

@@ -33,7 +33,7 @@ def connect(donnie: Donnie, typed: str, show: Callable[[], object] = lambda: Non
 
 def feel(donnie: Donnie, typed: str) -> None:
     """Tell what the belt shows, with ROWS each motor; with ON and OFF from now on every change, or none."""
-    telling, is_on = donnie.belt_telling, switched(typed)
+    telling, is_on = donnie.outlets.belt, switched(typed)
     if is_on is not None:
         telling.is_on = is_on
         _say(donnie, "belt-words-on" if is_on else "belt-words-off")

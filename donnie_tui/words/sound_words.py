@@ -107,7 +107,7 @@ _LONGEST_NAME = 100
 
 def quiet(donnie: Donnie) -> None:
     """End what is being said; the answer to that is in print alone."""
-    donnie.audible.hush_all()
+    donnie.outlets.audible.hush_all()
     donnie.session.hub.publish(Answered(donnie.words("quiet"), in_print_only=True))
 
 
@@ -119,10 +119,10 @@ def play_cues(donnie: Donnie, typed: str) -> Iterator[float]:
 
     Whoever goes through it waits that long, and may leave it at any time; a hush ends it.
     """
-    hushed = donnie.audible.hushed
+    hushed = donnie.outlets.audible.hushed
     for seconds in _played(donnie, typed):
         yield seconds
-        if donnie.audible.hushed != hushed:
+        if donnie.outlets.audible.hushed != hushed:
             break
 
 
@@ -131,7 +131,7 @@ def _played(donnie: Donnie, typed: str) -> Iterator[float]:
     if typed and name is None:
         _say(donnie, "cues-unknown", name=typed[:40])
         return
-    if not donnie.audible.has_cues:
+    if not donnie.outlets.audible.has_cues:
         _say(donnie, "cues-silent")
     elif name is None:
         _say(donnie, "cues-count", count=len(CUE_WORDS))
@@ -159,7 +159,7 @@ def find_cue(typed: str) -> str | None:
 
 def chime_block(donnie: Donnie, before: int, after: int) -> None:
     """The cue for so many open blocks: the deeper, the higher. Silent if their number is the same."""
-    if before == after or not donnie.audible.has_cues:
+    if before == after or not donnie.outlets.audible.has_cues:
         return
     from devices.sound.tones import pitch_of_level
 
@@ -169,20 +169,20 @@ def chime_block(donnie: Donnie, before: int, after: int) -> None:
 
 def _play_cue(donnie: Donnie, name: str) -> Iterator[float]:
     """First the sound, then the sentence (a cue never waits for it)."""
-    if donnie.audible.has_cues:
+    if donnie.outlets.audible.has_cues:
         chime(donnie, name)
     _say(donnie, "cues-line", name=CUE_WORDS[name][_at(donnie)], meaning=donnie.words(f"cue-{name}"))
-    if donnie.audible.has_cues:
+    if donnie.outlets.audible.has_cues:
         yield from _until_said(donnie)
 
 
 def _until_said(donnie: Donnie) -> Iterator[float]:
-    if not donnie.audible.speaks:
+    if not donnie.outlets.audible.speaks:
         yield FOR_READERS
         return
     for _ in range(_LONGEST_NAME):
         yield _GLANCE
-        if donnie.is_quiet_within(0):
+        if donnie.outlets.audible.is_quiet_within(0):
             break
     yield BETWEEN
 
@@ -213,7 +213,7 @@ def set_sound(donnie: Donnie, field: str, typed: str) -> None:
         _tell_setting(donnie, field)
         _tell_choices(donnie, field)
         return
-    donnie.adjust_sound(**{field: value})
+    donnie.outlets.adjust_sound(**{field: value})
     _tell_setting(donnie, field)
     _keep(donnie, field, _KEPT_AS[value] if isinstance(value, bool) else value)
 
@@ -236,7 +236,7 @@ def read_setting(field: str, typed: str) -> str | int | bool | None:
 
 
 def _tell_setting(donnie: Donnie, field: str) -> None:
-    at, value = _at(donnie), getattr(donnie.audible.settings, field)
+    at, value = _at(donnie), getattr(donnie.outlets.audible.settings, field)
     words = SETTINGS[field][1].get(value)
     spelled = words[at] if words else str(value)
     _say(donnie, "sound-setting", name=SETTINGS[field][0][at], value=spelled)
@@ -260,8 +260,8 @@ def _set_cue(donnie: Donnie, typed: str) -> None:
         return
     volume = read_cue_volume(value) if name and value else None
     if name and volume is not None:
-        volumes = {**donnie.audible.settings.cues, name: volume}
-        donnie.adjust_sound(cues=volumes)
+        volumes = {**donnie.outlets.audible.settings.cues, name: volume}
+        donnie.outlets.adjust_sound(cues=volumes)
         _keep(donnie, "cues", ", ".join(f"{each} {percent}" for each, percent in volumes.items()))
         chime(donnie, name)
     for each in (name,) if name else CUE_WORDS:
@@ -282,7 +282,7 @@ def read_cue_volume(typed: str) -> int | None:
 
 
 def _tell_cue(donnie: Donnie, name: str) -> None:
-    at, percent = _at(donnie), donnie.audible.settings.cues.get(name, _LOUD)
+    at, percent = _at(donnie), donnie.outlets.audible.settings.cues.get(name, _LOUD)
     value = str(percent) if percent else SWITCH[False][at]
     _say(donnie, "sound-setting-cue", name=CUE[at], cue=CUE_WORDS[name][at], value=value)
 

@@ -714,7 +714,7 @@ def test_the_start_does_not_wait_for_a_belt_at_an_address_and_that_there_is_none
     donnie.session.hub.subscribe(lambda stamped: told.append(getattr(stamped.event, "text", "")))
     answers.set()
     try:
-        assert donnie.notices == ()
+        assert donnie.notices.all == ()
         assert until(lambda: told == ["No belt at socket://far:1: timed out. I go on without."])
     finally:
         donnie.close()

@@ -422,7 +422,7 @@ async def test_the_belt_is_beside_the_variables_in_words_and_motor_by_motor_whil
         assert "Upper row" not in desk.screen
         await desk.press("f5")
         await desk.until(lambda: "Belt: " in desk.screen and "Upper row: " in desk.screen, "the belt")
-        levels = desk.app.work.donnie.belt_telling.rows()
+        levels = desk.app.work.donnie.outlets.belt.rows()
         await desk.until(lambda: all(each in desk.place.inspector.lines for each in levels), "the rows")
         assert any(digit in levels[2] for digit in "123")
 

@@ -14,9 +14,9 @@ from donnie_tui.tui.screens.key_menu import KeyMenu
 async def test_any_key_ends_what_is_being_said(work) -> None:  # type: ignore[no-untyped-def]
     """V3."""
     async with work() as desk:
-        before = desk.app.work.donnie.audible.hushed
+        before = desk.app.work.donnie.outlets.audible.hushed
         await desk.press("x")
-        assert desk.app.work.donnie.audible.hushed > before
+        assert desk.app.work.donnie.outlets.audible.hushed > before
 
 
 @pytest.fixture
@@ -43,11 +43,11 @@ async def test_each_row_of_a_list_is_said_as_it_is_reached_and_stands_in_no_log(
             lambda: "open_floor" in "".join(pointed[-1:]), "the title and the world that it is in"
         )
         del pointed[:]
-        hushed = desk.app.work.donnie.audible.hushed
+        hushed = desk.app.work.donnie.outlets.audible.hushed
         await desk.press("down")
         await desk.until(lambda: pointed, "the next world")
         assert pointed == [desk.app.screen._fitting[desk.app.screen.rows.line].text]
-        assert desk.app.work.donnie.audible.hushed > hushed, "what was being said has ended"
+        assert desk.app.work.donnie.outlets.audible.hushed > hushed, "what was being said has ended"
         assert not any(pointed[0] in line for line in desk.log)
         await desk.press(*"qqq")
         await desk.until(lambda: pointed[-1] == "Nothing of that name.", "that nothing fits")
@@ -71,13 +71,13 @@ async def test_each_row_of_the_help_and_of_the_keys_behind_a_key_is_said(work, p
         await desk.until(lambda: pointed[-1].endswith(f". {rows.lines[0]}"), "the title and the first")
         await desk.until(lambda: rows.has_focus, "the focus")
         del pointed[:]
-        hushed = desk.app.work.donnie.audible.hushed
+        hushed = desk.app.work.donnie.outlets.audible.hushed
         for key in ("down", "down", "up", "end", "home"):
             await desk.press(key)
         await desk.until(lambda: len(pointed) == 5, "the rows")
         second = rows._rows[2] if rows._heights[1] > 1 else rows.lines[2]
         assert pointed == [rows.lines[1], second, rows.lines[1], rows.lines[-1], rows.lines[0]]
-        assert desk.app.work.donnie.audible.hushed > hushed, "what was being said has ended"
+        assert desk.app.work.donnie.outlets.audible.hushed > hushed, "what was being said has ended"
         assert not any(pointed[0] in line for line in desk.log)
 
 
@@ -166,7 +166,7 @@ async def test_what_is_chosen_about_the_voice_counts_at_once(work, tmp_path, mon
     async with work() as desk:
         desk.app.work.prefer("rate", "300")
         await desk.told("Words a minute: 300.")
-        audible: Audible = desk.app.work.donnie.audible
+        audible: Audible = desk.app.work.donnie.outlets.audible
         assert audible.settings.rate == 300
         desk.app.work.prefer("wait_for_speech", True)
         await desk.told("Programs wait for the voice: on.")
@@ -179,7 +179,7 @@ async def test_each_sound_has_a_volume_of_its_own_that_is_chosen_from_a_list(
     """C7."""
     monkeypatch.setenv("XDG_CONFIG_HOME", str(tmp_path))
     async with work() as desk:
-        audible: Audible = desk.app.work.donnie.audible
+        audible: Audible = desk.app.work.donnie.outlets.audible
         await desk.type_line("SET cue")
         await desk.until(lambda: "bump: A collision. Volume 100." in desk.screen, "the sounds")
         await desk.press(*"bump", "enter")

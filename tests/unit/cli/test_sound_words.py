@@ -57,7 +57,7 @@ def test_what_comes_after_a_key_is_said(home: Listening) -> None:
     """What SPEAK says is dropped by nobody but the key that ends it."""
     for text in ("one", "two"):
         home.donnie.session.hub.publish(Spoke(text))
-    home.donnie.audible.hush()
+    home.donnie.outlets.audible.hush()
     home.donnie.session.hub.publish(Spoke("three"))
 
     assert home.ear.heard == ["one", "two", "(hush)", "three"]
@@ -80,7 +80,7 @@ def test_every_cue_sounds_with_its_name_a_line_each(home: Listening) -> None:
 
 def test_a_key_ends_the_cues(home: Listening) -> None:
     for _ in play_cues(home.donnie, ""):
-        home.donnie.audible.hush()
+        home.donnie.outlets.audible.hush()
 
     assert home.ear.cues == []
 
@@ -156,7 +156,7 @@ def test_a_setting_counts_at_once_and_is_kept(
     assert found is not None
     set_sound(home.donnie, found, rest)
 
-    assert getattr(home.donnie.audible.settings, field) == value
+    assert getattr(home.donnie.outlets.audible.settings, field) == value
     assert home.printed == [told]
     assert kept(tmp_path) == {field: written}
     again, notices = resolve({}, {}, kept(tmp_path))
@@ -174,7 +174,7 @@ def test_rate_pitch_and_volume_reach_the_voice_that_speaks(home: Listening) -> N
 
 def test_the_channel_changes_while_donnie_runs(home: Listening) -> None:
     set_sound(home.donnie, "speech", "off")
-    assert not home.donnie.audible.speaks
+    assert not home.donnie.outlets.audible.speaks
     home.donnie.session.hub.publish(Spoke("In print."))
     assert "In print." not in home.ear.heard
 
@@ -190,7 +190,7 @@ def test_a_voice_made_anew_is_as_silent_as_the_one_before(home: Listening) -> No
     home.donnie.session.hub.publish(Spoke("Nobody hears this."))
 
     assert "Nobody hears this." not in home.ear.heard
-    assert not home.donnie.audible.has_cues
+    assert not home.donnie.outlets.audible.has_cues
 
 
 @pytest.mark.parametrize(
@@ -245,7 +245,7 @@ def test_programs_wait_for_the_voice_as_soon_as_that_is_wanted(home: Listening) 
 
 
 def typed_keys(home: Listening, text: str) -> list[str]:
-    echo, before = KeyEcho(home.donnie.audible, home.donnie.words), ""
+    echo, before = KeyEcho(home.donnie.outlets.audible, home.donnie.words), ""
     for letter in text:
         echo(Key(Act.TEXT, letter), before)
         before += letter
@@ -262,13 +262,13 @@ def typed_keys(home: Listening, text: str) -> list[str]:
     ],
 )
 def test_what_is_typed_is_said_as_somebody_wants_it(home: Listening, kind: str, heard: list[str]) -> None:
-    home.donnie.adjust_sound(key_echo=kind)
+    home.donnie.outlets.adjust_sound(key_echo=kind)
     assert typed_keys(home, "Fw 3") == heard
 
 
 def test_a_deleted_character_is_said(home: Listening) -> None:
-    home.donnie.adjust_sound(key_echo="characters")
-    KeyEcho(home.donnie.audible, home.donnie.words)(Key(Act.BACKSPACE), "x <")
+    home.donnie.outlets.adjust_sound(key_echo="characters")
+    KeyEcho(home.donnie.outlets.audible, home.donnie.words)(Key(Act.BACKSPACE), "x <")
     assert home.ear.heard == ["less sign."]
 
 
@@ -285,7 +285,7 @@ def test_the_other_mode_may_have_another_channel(monkeypatch: pytest.MonkeyPatch
     """A screen reader reads the lines of one mode and not the screen of the other."""
     with listening(monkeypatch, settings=Settings(speech="tts")) as made:
         before = made.ear.opened
-        made.donnie.audible.move_to(is_linear=True)
+        made.donnie.outlets.audible.move_to(is_linear=True)
         assert made.ear.opened == before
-        made.donnie.audible.move_to(is_linear=False)
+        made.donnie.outlets.audible.move_to(is_linear=False)
         assert (made.ear.opened, made.ear.closed) == (before + 1, before)
