@@ -14,14 +14,14 @@ from typing import TYPE_CHECKING, TextIO
 from devices.ports.robot import Pace, Watcher
 from devices.ports.values import frozen
 from donnie_tui.core.belt_telling import BeltTelling
-from donnie_tui.core.chronicle import Chronicle
 from donnie_tui.core.events import Announced
 from donnie_tui.core.holding_up import HoldingUp
 from donnie_tui.core.hub import Stream
 from donnie_tui.core.in_use import keep
+from donnie_tui.core.outlets import UntilSaid
 from donnie_tui.core.session import ResettableRobot, Session
 from donnie_tui.core.team import Team
-from donnie_tui.core.until_said import UntilSaid
+from donnie_tui.core.timeline import Chronicle
 from donnie_tui.i18n.words import Unusable, Words
 from donnie_tui.outlets.audible import Audible, make_audible
 from donnie_tui.outlets.outlets import Outlets

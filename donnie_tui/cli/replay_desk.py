@@ -14,7 +14,7 @@ from donnie_tui.cli import codes
 from donnie_tui.cli.ending import stopped_by_signals
 from donnie_tui.cli.output import Output
 from donnie_tui.cli.replay_map import ReplayMap
-from donnie_tui.core import numbers
+from donnie_tui.core import poses
 from donnie_tui.core.events import Answered, Stamped
 from donnie_tui.core.hub import Hub, Stream
 from donnie_tui.core.replay import Replay
@@ -153,8 +153,8 @@ class ReplayDesk:
                 place = self._words(
                     "position",
                     facing=facing(pose, self._words),
-                    x=numbers.whole(pose.x),
-                    y=numbers.whole(pose.y),
+                    x=poses.whole(pose.x),
+                    y=poses.whole(pose.y),
                 )
                 self._tell(said_by(robot, place, self._words))
 

@@ -9,8 +9,8 @@ from collections.abc import Callable
 from itertools import groupby, takewhile
 
 from devices.ports.robot import Bearing, Motion, Pose, Robot, RobotProblem, Sighting, StoppedBy
-from donnie_tui.core import numbers
-from donnie_tui.core.belt_feeling import BeltFeeling
+from donnie_tui.core import poses
+from donnie_tui.core.belt import BeltFeeling
 from donnie_tui.core.events import (
     CueSounded,
     Moved,
@@ -24,10 +24,9 @@ from donnie_tui.core.events import (
     Waited,
 )
 from donnie_tui.core.handling import Handling, MovedThings
-from donnie_tui.core.history import History
 from donnie_tui.core.hub import Hub
-from donnie_tui.core.telling import Teller
-from donnie_tui.core.until_said import UntilSaid
+from donnie_tui.core.outlets import UntilSaid
+from donnie_tui.core.telling import History, Teller
 from language.diagnostics import Kind, Refused
 from language.syntax import Axis
 
@@ -135,7 +134,7 @@ class RobotActions:
             whole_time = self._robot.wait(asked)
         except RobotProblem as problem:
             raise _refused(problem) from None
-        self._hub.publish(Waited(asked if whole_time else numbers.whole(self._robot.time() - before)))
+        self._hub.publish(Waited(asked if whole_time else poses.whole(self._robot.time() - before)))
 
     def _walk(self, steps: int, command: str, *, forward: bool) -> None:
         _refuse_beyond_limit(steps)
@@ -184,9 +183,9 @@ class RobotActions:
     def position(self, axis: Axis) -> int:
         pose = self._robot.pose()
         value = {
-            Axis.X: numbers.whole(pose.x),
-            Axis.Y: numbers.whole(pose.y),
-            Axis.ANGLE: numbers.heading(pose),
+            Axis.X: poses.whole(pose.x),
+            Axis.Y: poses.whole(pose.y),
+            Axis.ANGLE: poses.heading(pose),
         }
         return self._read("position", axis.value, value[axis])
 
@@ -256,7 +255,7 @@ def _groups(sightings: tuple[Sighting, ...]) -> tuple[SeenGroup, ...]:
 
 def _group(angle: int, several: list[Sighting]) -> SeenGroup:
     side = "left" if angle < 0 else "right" if angle > 0 else "ahead"
-    nearest = min(numbers.whole(each.steps) for each in several)
+    nearest = min(poses.whole(each.steps) for each in several)
     return SeenGroup(side, abs(angle), nearest, tuple(each.colour for each in several))
 
 

@@ -9,8 +9,7 @@ from __future__ import annotations
 from typing import assert_never
 
 from devices.ports.robot import Met, Pose, Pushed, StoppedBy
-from donnie_tui.core import numbers
-from donnie_tui.core.directions import SIDES
+from donnie_tui.core import poses
 from donnie_tui.core.events import (
     Announced,
     Answered,
@@ -41,6 +40,7 @@ from donnie_tui.core.events import (
 )
 from donnie_tui.core.hub import Hub
 from donnie_tui.core.naming import called, the_coloured
+from donnie_tui.core.poses import SIDES
 from donnie_tui.core.telling import Teller
 from donnie_tui.core.wording import Wording
 
@@ -169,7 +169,7 @@ class Announcer:
     def _tell_place(self, code: str, pose: Pose) -> None:
         """At full, where a movement led."""
         if self._say.detail == "full":
-            x, y = numbers.whole(pose.x), numbers.whole(pose.y)
+            x, y = poses.whole(pose.x), poses.whole(pose.y)
             self._teller.announce(code, "position", facing=self._teller.facing(pose), x=x, y=y)
 
     def _bumped(self, stopped_by: StoppedBy | None, bearing: float) -> None:

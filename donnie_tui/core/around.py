@@ -12,9 +12,9 @@ from typing import TYPE_CHECKING
 
 from devices.ports.robot import Pose
 from devices.ports.values import frozen
-from donnie_tui.core.directions import COMPASS, SIDES
 from donnie_tui.core.map_grid import WALL, MapGrid
 from donnie_tui.core.naming import coloured_thing, name_of
+from donnie_tui.core.poses import COMPASS, SIDES
 from donnie_tui.core.wording import Wording
 from language.source import fold_name
 

@@ -1,12 +1,40 @@
-"""The belt in words, for those who have none: on request, or whenever what it shows has changed."""
+"""Whose belt is felt, and the belt in words for those who have none: on request, or whenever it changes.
+
+Of several robots in a world only the one that is talked to is felt.
+"""
 
 from __future__ import annotations
 
+from collections.abc import Callable
+
 from donnie_tui.core.belt import OFF, BeltSettings, Levels, in_words, rows_in_words
-from donnie_tui.core.belt_watching import ChosenBelt
-from donnie_tui.core.events import Announced
+from donnie_tui.core.events import Announced, BeltShown, RunEnded, Stamped
 from donnie_tui.core.team import Team
 from donnie_tui.core.wording import Wording
+
+
+class ChosenBelt:
+    """A listener that shows the chosen robot's levels, and none once its run is over, whatever happened."""
+
+    def __init__(self, chosen: Callable[[], str | None], show: Callable[[Levels], None]) -> None:
+        """``chosen``: the robot's name as its events have it, None where there is but one."""
+        self._chosen = chosen
+        self._show = show
+        self._levels: dict[str | None, Levels] = {}
+        self._shown = OFF
+
+    def __call__(self, stamped: Stamped) -> None:
+        match stamped.event:
+            case BeltShown(levels=levels):
+                self._levels[stamped.robot] = levels
+            case RunEnded():
+                self._levels[stamped.robot] = OFF
+            case _:
+                pass
+        levels = self._levels.get(self._chosen(), OFF)
+        if levels != self._shown:
+            self._shown = levels
+            self._show(levels)
 
 
 class BeltTelling:

@@ -13,7 +13,7 @@ from math import cos, hypot, radians, sin
 from typing import TYPE_CHECKING
 
 from devices.ports.robot import Pose
-from donnie_tui.core import numbers
+from donnie_tui.core import poses
 from donnie_tui.core.naming import coloured, coloured_thing, name_of
 from donnie_tui.core.telling import facing
 from donnie_tui.core.wording import Wording
@@ -78,7 +78,7 @@ def _robots(picture: Picture, pose: Pose, robot: str | None, wording: Wording) -
     """Who they are, where the first one starts, and where the others are from there."""
     if robot is None:
         return (wording("world-no-robot"),)
-    start = {"x": numbers.whole(pose.x), "y": numbers.whole(pose.y), "facing": facing(pose, wording)}
+    start = {"x": poses.whole(pose.x), "y": poses.whole(pose.y), "facing": facing(pose, wording)}
     others = _by_distance((each for each in picture.things if each.is_robot), pose)
     if not others:
         return (wording("world-robot-start", name=robot, **start),)

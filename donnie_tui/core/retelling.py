@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterable
 
 from devices.ports.robot import Pose
-from donnie_tui.core import numbers
+from donnie_tui.core import poses
 from donnie_tui.core.events import (
     TYPED,
     Announced,
@@ -110,7 +110,7 @@ def _place(event: Event, pose: Pose | None, wording: Wording) -> str:
         return ""
     if isinstance(event, Turned) or part == "turn":
         return wording("undone-facing", facing=facing(pose, wording))
-    return wording("undone-position", x=numbers.whole(pose.x), y=numbers.whole(pose.y))
+    return wording("undone-position", x=poses.whole(pose.x), y=poses.whole(pose.y))
 
 
 def _quoted(text: str) -> str:

@@ -14,15 +14,14 @@ from devices.ports.robot import Pace, Pose, Robot, Watcher
 from donnie_tui import __version__
 from donnie_tui.core.actions import RobotActions, RobotWatcher
 from donnie_tui.core.announcer import Announcer
-from donnie_tui.core.belt import BeltSettings
-from donnie_tui.core.belt_feeling import BeltFeeling
+from donnie_tui.core.belt import BeltFeeling, BeltSettings
 from donnie_tui.core.documents import lines_in
 from donnie_tui.core.events import HowStarted, Outcome, Reset, RunStarted, Sensed
 from donnie_tui.core.handling import Deed, DeedRun, MovedThings
 from donnie_tui.core.hub import Hub, Stream
+from donnie_tui.core.outlets import UntilSaid
 from donnie_tui.core.runner import Readable, Run, Stage, TakesTurns
 from donnie_tui.core.telling import Teller
-from donnie_tui.core.until_said import UntilSaid
 from donnie_tui.core.wording import Wording
 from language.compiler import compile_program
 from language.control import ControlState, ExecutionControl

@@ -1,16 +1,56 @@
-"""The answers to questions: STATE, HISTORY, POS and HELP in words, published as announcements."""
+"""The answers to questions: STATE, HISTORY, POS and HELP in words, published as announcements.
+
+``History`` is every movement of a robot, in the words that STATE and HISTORY need.
+"""
 
 from __future__ import annotations
 
 from collections.abc import Iterable
 
-from devices.ports.robot import Pose
-from donnie_tui.core import numbers
-from donnie_tui.core.directions import COMPASS
-from donnie_tui.core.events import Announced
-from donnie_tui.core.history import Movement
+from devices.ports.robot import Pose, StoppedBy
+from devices.ports.values import frozen
+from donnie_tui.core import poses
+from donnie_tui.core.events import Announced, Moved, Turned
 from donnie_tui.core.hub import Hub
+from donnie_tui.core.poses import COMPASS
 from donnie_tui.core.wording import Wording
+
+
+@frozen
+class Movement:
+    """One movement: its number from 1, the command as typed, how far it came, and where that was."""
+
+    number: int
+    command: str
+    turned: bool
+    done: int
+    crashed: bool
+    pose: Pose
+
+
+class History:
+    """The movements so far, oldest first."""
+
+    def __init__(self) -> None:
+        self._movements: list[Movement] = []
+
+    def remember(self, event: Moved | Turned) -> None:
+        done = event.walked if isinstance(event, Moved) else event.turned
+        crashed = event.stopped_by not in (None, StoppedBy.LINK)
+        number = len(self._movements) + 1
+        turned = isinstance(event, Turned)
+        self._movements.append(Movement(number, event.command, turned, done, crashed, event.pose))
+
+    def forget(self) -> None:
+        self._movements.clear()
+
+    @property
+    def last(self) -> Movement | None:
+        return self._movements[-1] if self._movements else None
+
+    @property
+    def movements(self) -> tuple[Movement, ...]:
+        return tuple(self._movements)
 
 
 class Teller:
@@ -38,7 +78,7 @@ class Teller:
         self._no_movement("history", pose)
 
     def position(self, pose: Pose) -> None:
-        self.announce("position", facing=self.facing(pose), x=numbers.whole(pose.x), y=numbers.whole(pose.y))
+        self.announce("position", facing=self.facing(pose), x=poses.whole(pose.x), y=poses.whole(pose.y))
 
     def facing(self, pose: Pose) -> str:
         return facing(pose, self._say)
@@ -74,10 +114,10 @@ class Teller:
 
 def facing(pose: Pose, wording: Wording) -> str:
     """The heading in words: "north", or "40 degrees, near northeast"."""
-    degrees = numbers.heading(pose)
+    degrees = poses.heading(pose)
     point = wording(f"compass-{COMPASS[round(degrees / 45) % 8]}")
     return point if degrees % 45 == 0 else wording("facing-between", degrees=degrees, point=point)
 
 
 def _whole(pose: Pose) -> dict[str, int]:
-    return {"x": numbers.whole(pose.x), "y": numbers.whole(pose.y), "heading": numbers.heading(pose)}
+    return {"x": poses.whole(pose.x), "y": poses.whole(pose.y), "heading": poses.heading(pose)}

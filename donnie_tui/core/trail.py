@@ -6,7 +6,7 @@ from collections import deque
 from collections.abc import Callable
 
 from devices.ports.robot import Pose
-from donnie_tui.core import numbers
+from donnie_tui.core import poses
 from donnie_tui.core.events import Moved, RunEnded, RunStarted, Stamped, Turned
 from donnie_tui.core.telling import facing
 from donnie_tui.core.wording import Wording
@@ -55,9 +55,9 @@ class Trail:
             (
                 each.command,
                 each.walked if isinstance(each, Moved) else each.turned,
-                numbers.whole(each.pose.x),
-                numbers.whole(each.pose.y),
-                numbers.heading(each.pose),
+                poses.whole(each.pose.x),
+                poses.whole(each.pose.y),
+                poses.heading(each.pose),
                 each.stopped_by is not None,
             )
             for each in self._moves
@@ -66,7 +66,7 @@ class Trail:
 
 def place_in_words(pose: Pose, trail: Trail, wording: Wording, *, is_full: bool) -> tuple[str, ...]:
     """For WHERE: where the robot is; where more is wanted, its last move too."""
-    x, y = numbers.whole(pose.x), numbers.whole(pose.y)
+    x, y = poses.whole(pose.x), poses.whole(pose.y)
     place = wording("position", facing=facing(pose, wording), x=x, y=y)
     return (place, *trail.in_words(1, wording)) if is_full else (place,)
 
@@ -75,5 +75,5 @@ def _move(event: Moved | Turned, wording: Wording) -> str:
     if isinstance(event, Turned):
         return wording("trail-turned", command=event.command, facing=facing(event.pose, wording))
     code = "trail-blocked" if event.stopped_by else "trail-walked"
-    x, y = numbers.whole(event.pose.x), numbers.whole(event.pose.y)
+    x, y = poses.whole(event.pose.x), poses.whole(event.pose.y)
     return wording(code, command=event.command, done=event.walked, x=x, y=y)

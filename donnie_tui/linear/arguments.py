@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable
 from typing import TypeAlias
 
-from donnie_tui.core.typed_arguments import count_in
+from donnie_tui.core.typed_words import count_in
 from donnie_tui.linear.desk import Desk
 from donnie_tui.linear.runs import Runs
 

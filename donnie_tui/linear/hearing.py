@@ -7,11 +7,10 @@ from __future__ import annotations
 
 from donnie_tui.bootstrap import Donnie
 from donnie_tui.core.events import TRANSIENT, Announced, Answered, Error, RunStarted, Stamped
-from donnie_tui.core.summing_up import SummingUp
 from donnie_tui.core.timeline import Timeline
 from donnie_tui.core.told_errors import ToldErrors
 from donnie_tui.core.trail import Trail
-from donnie_tui.core.transcript import told_lines
+from donnie_tui.core.transcript import SummingUp, told_lines
 from donnie_tui.linear.beside import Beside
 from donnie_tui.linear.ends import Ends
 

@@ -6,7 +6,7 @@ from collections.abc import Callable
 from functools import partial
 
 from donnie_tui.core import line_words
-from donnie_tui.core.typed_arguments import number_and_text, numbers_in
+from donnie_tui.core.typed_words import number_and_text, numbers_in
 from donnie_tui.linear.arguments import Handler, alone
 from donnie_tui.linear.desk import Desk
 from donnie_tui.linear.output import LARGEST_BLOCK

@@ -10,8 +10,7 @@ from collections.abc import Callable, Iterator
 from pathlib import Path
 
 from donnie_tui.core.breakpoints import KeptBreakpoints
-from donnie_tui.core.copies import Copies
-from donnie_tui.core.copy_keeping import CopyKeeping, settle_all
+from donnie_tui.core.copies import Copies, CopyKeeping, settle_all
 from donnie_tui.core.documents import DocumentError
 from donnie_tui.core.typed_program import TypedProgram
 from donnie_tui.linear.safekeeping import Quiet, Safekeeping

@@ -8,7 +8,7 @@ from __future__ import annotations
 from collections.abc import Callable
 
 from donnie_tui.core.reading import ProgramText, line_in_words, outline_in_words, place_in_words
-from donnie_tui.core.typed_arguments import number_in
+from donnie_tui.core.typed_words import number_in
 from donnie_tui.linear.arguments import Handler, alone
 from donnie_tui.linear.desk import Desk
 from donnie_tui.linear.runs import Runs

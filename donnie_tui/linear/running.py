@@ -5,7 +5,7 @@ from __future__ import annotations
 from donnie_tui.core import speeds
 from donnie_tui.core.retelling import told_back
 from donnie_tui.core.session import Busy
-from donnie_tui.core.typed_arguments import numbers_in
+from donnie_tui.core.typed_words import numbers_in
 from donnie_tui.core.watching import may_be_watched
 from donnie_tui.linear.arguments import Handler, alone
 from donnie_tui.linear.desk import Desk

@@ -10,7 +10,7 @@ from donnie_tui.core.naming import shown_name
 from donnie_tui.core.sensor_words import sensors_in_words
 from donnie_tui.core.trail import place_in_words
 from donnie_tui.core.transcript import lines_said_by
-from donnie_tui.core.typed_arguments import numbers_in
+from donnie_tui.core.typed_words import numbers_in
 from donnie_tui.linear.arguments import Handler, alone, counted
 from donnie_tui.linear.desk import Desk
 from donnie_tui.linear.runs import Runs

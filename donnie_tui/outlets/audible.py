@@ -18,7 +18,7 @@ from devices.speech.probe import look_around, ssip_address
 from donnie_tui.core.events import Answered, SoundSwitched, Stamped
 from donnie_tui.core.hub import HasHub
 from donnie_tui.core.outlets import Cues, Hears, Voice
-from donnie_tui.core.summing_up import Telling, TellingAll
+from donnie_tui.core.transcript import Telling, TellingAll
 from donnie_tui.i18n.words import Words
 from donnie_tui.settings.chosen import Settings, Source
 from donnie_tui.settings.folders import own_sounds

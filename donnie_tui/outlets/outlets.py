@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from devices.ports.values import frozen
 from donnie_tui.core.belt_telling import BeltTelling
-from donnie_tui.core.until_said import UntilSaid
+from donnie_tui.core.outlets import UntilSaid
 from donnie_tui.outlets.audible import Audible
 from donnie_tui.outlets.written import Written
 

@@ -12,7 +12,7 @@ from contextlib import ExitStack
 from typing import TYPE_CHECKING
 
 from donnie_tui.core.belt import BeltSettings
-from donnie_tui.core.belt_watching import ChosenBelt
+from donnie_tui.core.belt_telling import ChosenBelt
 from donnie_tui.core.events import Answered
 from donnie_tui.core.team import Team
 from donnie_tui.i18n.words import Unusable, Words

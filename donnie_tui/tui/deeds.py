@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING
 
 from donnie_tui.core import use_cases
 from donnie_tui.core.speeds import speed_words
-from donnie_tui.core.typed_arguments import number_in
+from donnie_tui.core.typed_words import number_in
 from donnie_tui.core.watching import may_be_watched
 from donnie_tui.tui.actions import BY_NAME
 from donnie_tui.tui.deeds_around import AroundDeeds

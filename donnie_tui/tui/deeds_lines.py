@@ -11,8 +11,8 @@ from typing import TYPE_CHECKING
 
 from donnie_tui.core import line_words
 from donnie_tui.core.line_words import Edited
-from donnie_tui.core.typed_arguments import number_and_text, numbers_in
 from donnie_tui.core.typed_program import TypedProgram, lines_of
+from donnie_tui.core.typed_words import number_and_text, numbers_in
 
 if TYPE_CHECKING:
     from donnie_tui.tui.host import WorkHost

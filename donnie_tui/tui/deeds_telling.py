@@ -20,7 +20,7 @@ from donnie_tui.core.sensor_words import sensors_in_words
 from donnie_tui.core.told_errors import ToldErrors, line_of
 from donnie_tui.core.trail import place_in_words
 from donnie_tui.core.transcript import lines_said_by
-from donnie_tui.core.typed_arguments import count_in, numbers_in
+from donnie_tui.core.typed_words import count_in, numbers_in
 from donnie_tui.core.wording import Wording
 from donnie_tui.i18n.catalogue.signs import SPELLED_OF
 from donnie_tui.tui.running import Answer

@@ -12,8 +12,7 @@ from pathlib import Path
 
 from donnie_tui.core.breakpoints import KeptBreakpoints
 from donnie_tui.core.copies import Copies
-from donnie_tui.core.documents import DocumentError
-from donnie_tui.core.filing import Document, saved_text
+from donnie_tui.core.documents import Document, DocumentError, saved_text
 from donnie_tui.core.wording import Wording
 from donnie_tui.tui.desk import Desk, told
 from donnie_tui.tui.open_programs import OpenPrograms, Program

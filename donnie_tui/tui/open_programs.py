@@ -6,10 +6,8 @@ from collections.abc import Callable, Iterator
 from dataclasses import dataclass
 from pathlib import Path
 
-from donnie_tui.core.copies import Copies, Rescued
-from donnie_tui.core.copy_keeping import CopyKeeping, settle_all
-from donnie_tui.core.documents import DocumentError
-from donnie_tui.core.filing import Document
+from donnie_tui.core.copies import Copies, CopyKeeping, Rescued, settle_all
+from donnie_tui.core.documents import Document, DocumentError
 from donnie_tui.core.wording import Wording
 from donnie_tui.tui.desk import Desk
 from donnie_tui.tui.running import Answer

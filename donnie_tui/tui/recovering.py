@@ -6,8 +6,7 @@ from pathlib import Path
 
 from donnie_tui.core.breakpoints import KeptBreakpoints
 from donnie_tui.core.copies import Rescued
-from donnie_tui.core.documents import DocumentError
-from donnie_tui.core.filing import saved_text
+from donnie_tui.core.documents import DocumentError, saved_text
 from donnie_tui.tui.desk import Desk, told
 from donnie_tui.tui.open_programs import OpenPrograms
 from donnie_tui.tui.running import Answer

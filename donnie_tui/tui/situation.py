@@ -8,7 +8,7 @@ from __future__ import annotations
 from collections.abc import Mapping, Sequence
 
 from devices.ports.robot import Bearing, Pose
-from donnie_tui.core import numbers
+from donnie_tui.core import poses
 from donnie_tui.core.actions import bearing_name
 from donnie_tui.core.events import Read
 from donnie_tui.core.speeds import speed_words
@@ -23,13 +23,13 @@ def robot_sentence(name: str | None, pose: Pose, words: Wording, teller: Teller)
 
     Between the points of the compass its heading is a number: the line is short.
     """
-    heading = numbers.heading(pose)
+    heading = poses.heading(pose)
     facing = teller.facing(pose) if heading % 45 == 0 else words("status-degrees", degrees=heading)
     return words(
         "status-robot",
         robot=name or "Donnie",
-        x=numbers.whole(pose.x),
-        y=numbers.whole(pose.y),
+        x=poses.whole(pose.x),
+        y=poses.whole(pose.y),
         facing=facing,
     )
 

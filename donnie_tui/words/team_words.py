@@ -6,7 +6,7 @@ ROBOTS and ROBOT name, START (a run that nobody waits for), TOGETHER, STOP ALL, 
 from __future__ import annotations
 
 from donnie_tui.bootstrap import Donnie
-from donnie_tui.core import numbers
+from donnie_tui.core import poses
 from donnie_tui.core.events import Answered
 from donnie_tui.core.handling import Deed
 from donnie_tui.core.runner import Run
@@ -108,8 +108,8 @@ def robot_in_words(donnie: Donnie, session: Session) -> str:
     return donnie.words(
         "robot-listed" if session.run is None else "robot-listed-running",
         name=session.name,
-        x=numbers.whole(pose.x),
-        y=numbers.whole(pose.y),
+        x=poses.whole(pose.x),
+        y=poses.whole(pose.y),
         facing=facing(pose, donnie.words),
     )
 

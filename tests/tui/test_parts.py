@@ -11,7 +11,7 @@ from textual.widgets import TextArea
 
 from devices.ports.robot import Bearing, Pose, StoppedBy
 from donnie_tui.core.copies import MOST_COPIES, Copies
-from donnie_tui.core.documents import DocumentError
+from donnie_tui.core.documents import Document, DocumentError, as_lines
 from donnie_tui.core.events import (
     Announced,
     Answered,
@@ -25,7 +25,6 @@ from donnie_tui.core.events import (
     Spoke,
     Stamped,
 )
-from donnie_tui.core.filing import Document, as_lines
 from donnie_tui.core.speeds import SPEEDS
 from donnie_tui.i18n.catalogue import SENTENCES
 from donnie_tui.i18n.sentence import LANGUAGES

@@ -7,9 +7,9 @@ import threading
 import pytest
 
 from donnie_tui.bootstrap import assemble
-from donnie_tui.core import copies, filing
+from donnie_tui.core import copies, documents
 from donnie_tui.core.copies import Copies
-from donnie_tui.core.filing import Document
+from donnie_tui.core.documents import Document
 from donnie_tui.settings.chosen import Settings
 from donnie_tui.tui import beginning, deeds_text, patience, saving
 from tests.patience import PATIENCE
@@ -118,7 +118,7 @@ def _slow_disk(monkeypatch, gate):
 
         return do
 
-    for module, name in ((copies, "write_program"), (copies, "read_program"), (filing, "read_program")):
+    for module, name in ((copies, "write_program"), (copies, "read_program"), (documents, "read_program")):
         monkeypatch.setattr(module, name, slowly(getattr(module, name)))
     return came
 
@@ -188,8 +188,8 @@ async def test_opening_is_given_up_by_asking_for_something_else_and_that_is_told
     path = tmp_path / "walk.gd"
     path.write_text("FW 1\n")
     _slow_disk(monkeypatch, gate)
-    read, has_read = filing.read_program, threading.Event()
-    monkeypatch.setattr(filing, "read_program", lambda path: (read(path), has_read.set())[0])
+    read, has_read = documents.read_program, threading.Event()
+    monkeypatch.setattr(documents, "read_program", lambda path: (read(path), has_read.set())[0])
     async with work() as desk:
         await desk.type_line(f"OPEN {path}")
         await desk.told("Opening walk.gd, it takes a while.")

@@ -7,8 +7,7 @@ import pytest
 from devices.ports.robot import Bearing, Pose
 from donnie_tui.core import belt
 from donnie_tui.core.belt import OFF, BeltSettings, bump, felt, in_words, presence, pulse, rows
-from donnie_tui.core.belt_telling import BeltTelling
-from donnie_tui.core.belt_watching import ChosenBelt
+from donnie_tui.core.belt_telling import BeltTelling, ChosenBelt
 from donnie_tui.core.events import (
     Answered,
     BeltShown,

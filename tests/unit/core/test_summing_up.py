@@ -14,8 +14,7 @@ from donnie_tui.core.events import (
     Stamped,
     Turned,
 )
-from donnie_tui.core.summing_up import SummingUp
-from donnie_tui.core.transcript import told_lines
+from donnie_tui.core.transcript import SummingUp, told_lines
 from donnie_tui.i18n.words import Words
 
 HERE = Pose(0, 0, 0)

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from donnie_tui.core.until_said import LONGEST, SLICE, UntilSaid
+from donnie_tui.core.outlets import LONGEST, SLICE, UntilSaid
 
 
 def test_without_a_voice_nobody_waits() -> None:

@@ -1,4 +1,4 @@
-"""Poses in whole numbers, as GoDonnie tells them: cut towards zero, headings from 0 to 359."""
+"""Poses as GoDonnie tells them: whole numbers, cut towards zero, headings from 0 to 359, eight directions."""
 
 from __future__ import annotations
 
@@ -16,3 +16,8 @@ def whole(value: float) -> int:
 def heading(pose: Pose) -> int:
     """Whole compass degrees, 0 to 359."""
     return whole(pose.heading) % 360
+
+
+COMPASS = ("north", "northeast", "east", "southeast", "south", "southwest", "west", "northwest")
+SIDES = ("front", "front-right", "right", "back-right", "back", "back-left", "left", "front-left")
+"""As the robot stands."""
