@@ -91,6 +91,8 @@ class Session:
         self._own_robot, self._until_said = make_robot, until_said
         self._moved_things = moved_things
         self._take(make_robot)
+        self.name = self.hub.robot or self._robot.name
+        """As its world calls it, whichever robot takes its place."""
         self._announcer = Announcer(self.hub, self.teller, wording)
         self._memory = Memory()
         self._world, self._seed, self._terminal = world, seed, terminal
@@ -290,11 +292,6 @@ class Session:
             self._robot.halt()
 
     # --- the robot
-
-    @property
-    def name(self) -> str:
-        """As its world calls it where that has several, whichever robot takes its place."""
-        return self.hub.robot or self._robot.name
 
     @property
     def takes_turns(self) -> bool:

@@ -10,6 +10,7 @@ last one was off, and for what a walk between them was uneven by.
 
 from __future__ import annotations
 
+import contextlib
 import io
 import json
 import re
@@ -20,6 +21,8 @@ from typing import Any
 import pytest
 
 from donnie_tui.bootstrap import assemble
+from donnie_tui.core.events import Outcome
+from donnie_tui.core.team import Assigned
 from donnie_tui.settings.chosen import Settings
 from tests.programs.test_conformance import runner  # noqa: F401 -- a fixture
 
@@ -145,6 +148,25 @@ def test_our_own_programs_do_the_same_on_the_simulated_board() -> None:
 
     assert compared >= 8
     assert found == {}
+
+
+@pytest.mark.parametrize("robot", ["sim", "double"])
+def test_whatever_its_world_calls_the_robot_a_program_runs_on_the_simulated_board_too(
+    robot: str, tmp_path: Path
+) -> None:
+    file = tmp_path / "ana.world"
+    text = 'include "donnie.inc"\ndonnie( name "Ana" pose [ 0 0 0 90 ] )'
+    file.write_text(text, encoding="utf-8")
+    donnie = assemble(
+        Settings(world=str(file), robot=robot, speed=None, speech="off", sound=False), terminal=False
+    )
+    with contextlib.closing(donnie):
+        (run,) = donnie.team.start_together({"Ana": Assigned("FW 2", "a.gd")})
+        assert run.wait(PATIENCE)
+
+        assert run.outcome is Outcome.COMPLETED
+        assert donnie.session.name == "Ana"
+        assert donnie.mounted()
 
 
 def test_something_in_the_way_ends_a_walk_alike(tmp_path: Path) -> None:
