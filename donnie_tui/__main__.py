@@ -5,15 +5,13 @@ from __future__ import annotations
 import os
 import sys
 
+from donnie_tui.process import HIGHEST_STANDARD
 from donnie_tui.process.collecting import load_undisturbed
 from donnie_tui.process.hanging_up import hear_hang_up
 
 TYPE_CHECKING = False  # that of typing costs as much as the rest of the first prompt
 if TYPE_CHECKING:
     from donnie_tui.linear.greeting import Greeting
-
-HIGHEST_STANDARD = 2
-"""Input, output and errors are 0, 1 and 2."""
 
 
 def main() -> int:

@@ -11,8 +11,8 @@ import re
 from collections.abc import Callable
 from typing import NoReturn, TypeAlias
 
+from donnie_tui import LANGUAGES
 from donnie_tui.cli.arguments import COMMANDS, COMMON, TO_COME, WrongUsage
-from donnie_tui.settings.readers import LANGUAGES
 
 _PLACEHOLDERS = {
     "world": "NAME_OR_FILE",

@@ -18,6 +18,7 @@ from donnie_tui.cli.ending import heard_signals, let_speak, stopped_by_signals, 
 from donnie_tui.cli.order import Order
 from donnie_tui.cli.output import Guarded, Output
 from donnie_tui.core.events import Answered, Outcome, Stamped
+from donnie_tui.core.patience import LAST_WORDS
 from donnie_tui.core.runner import Run
 from donnie_tui.core.team import Assigned
 from donnie_tui.core.transcript import told_lines
@@ -28,9 +29,6 @@ from donnie_tui.settings.chosen import Source as Origin
 
 _GLANCE = 0.5
 """Seconds between two looks for a signal where waiting can't be interrupted by one."""
-
-_LAST_WORDS = 1.0
-"""Seconds for a stopped run to end; it needs a few thousandths unless its output is stuck."""
 
 _CODE_OF = {
     Outcome.COMPLETED: codes.DONE,
@@ -111,7 +109,7 @@ def _await_end(run: Run, stopped: threading.Event, donnie: Donnie) -> None:
     """Wait for the run. One that was stopped and can't end, because nobody reads what it says, is left,
     once its robot stands."""
     while not run.wait(_GLANCE):
-        if stopped.is_set() and not run.wait(_LAST_WORDS):
+        if stopped.is_set() and not run.wait(LAST_WORDS):
             _leave_at_once(donnie)
 
 

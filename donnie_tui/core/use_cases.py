@@ -14,11 +14,10 @@ from functools import cache
 from typing import TYPE_CHECKING
 
 from devices.ports.values import frozen
+from donnie_tui import LANGUAGES
 
 if TYPE_CHECKING:
     from donnie_tui.core.wording import Wording
-
-LANGUAGES = ("en", "pt", "es")
 
 LONGEST_WORD = 24
 """Characters of the longest word of a use case, blanks included, with room to spare."""

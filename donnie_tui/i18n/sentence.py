@@ -11,10 +11,9 @@ from string import Formatter
 from typing import TypeAlias
 
 from devices.ports.values import frozen
+from donnie_tui import LANGUAGES
 
-LANGUAGES = ("en", "pt", "es")
 _DECIMAL_SIGNS = {"en": ".", "pt": ",", "es": ","}
-DETAILS = ("brief", "normal", "full")
 
 _BEGINNINGS = {"capital": str.upper, "small": str.lower}
 

@@ -11,12 +11,13 @@ import os
 from pathlib import Path
 
 from donnie_tui.bootstrap import Donnie, Unusable, assemble
+from donnie_tui.core.patience import SLOW, SLOW_AGAIN
 from donnie_tui.i18n.words import Words
 from donnie_tui.linear.console import Console, Gone
 from donnie_tui.linear.conversation import Conversation
 from donnie_tui.linear.greeting import Greeting
 from donnie_tui.linear.habits import of_settings
-from donnie_tui.linear.patience import SLOW, SLOW_AGAIN, aside
+from donnie_tui.linear.patience import aside
 from donnie_tui.robot.search import Search
 from donnie_tui.settings.chosen import Settings
 from donnie_tui.settings.devices import SIMULATED

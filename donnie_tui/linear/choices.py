@@ -4,12 +4,12 @@ from __future__ import annotations
 
 import os
 
+from donnie_tui import LANGUAGES
 from donnie_tui.core import use_cases
 from donnie_tui.core.documents import DocumentError
 from donnie_tui.core.typed_words import detail_named, language_named
 from donnie_tui.core.use_cases import UseCase
 from donnie_tui.core.view_cases import PREFERENCES
-from donnie_tui.i18n.sentence import LANGUAGES
 from donnie_tui.linear import habits
 from donnie_tui.linear.arguments import Handler
 from donnie_tui.linear.desk import Desk

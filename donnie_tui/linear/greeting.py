@@ -11,6 +11,7 @@ from __future__ import annotations
 import os
 import sys
 
+from donnie_tui import DETAILS, LANGUAGES
 from donnie_tui.i18n.first_words import CAUSES, HINT, PROMPT, TOUR
 from donnie_tui.settings.first_start import offers_tour
 from donnie_tui.settings.folders import state_path
@@ -19,16 +20,15 @@ TYPE_CHECKING = False  # that of typing costs as much as the rest of the first p
 if TYPE_CHECKING:
     from donnie_tui.linear.terminal import Terminal
 
-_LANGUAGES = ("en", "pt", "es")
 _NOBODY_READS = 129
 """The exit code, as after a lost terminal."""
 _HARMLESS = ("DONNIE_LANG", "DONNIE_LINEAR", "DONNIE_READER", "DONNIE_TOUR")
 _SWITCH = ("on", "off")
 PLAIN_VALUES = {
-    "--lang": _LANGUAGES,
+    "--lang": LANGUAGES,
     "--speech": ("auto", "text", "ssip", "tts", "robot", "off"),
     "--sound": _SWITCH,
-    "--verbosity": ("brief", "normal", "full"),
+    "--verbosity": DETAILS,
 }
 """What an option takes that has few values; anything else may be refused, and is told before the greeting."""
 _WITH_VALUE = ("--world", "--events")
@@ -67,7 +67,7 @@ class Greeting:
         self.was_printed, self.has_prompt = True, prompt is not None and os.isatty(0)
         if is_editable(environment):
             self.terminal = _taken_terminal()
-        at = _LANGUAGES.index(language)
+        at = LANGUAGES.index(language)
         is_first = tour and self.has_prompt and offers_tour(state_path(environment), environment)
         hint = (TOUR if is_first else HINT)[at]
         lines = CAUSES[cause][at] + "\n" + ("" if prompt is None else hint + "\n")
@@ -110,7 +110,7 @@ def language_of(options: dict[str, str], environment: os._Environ[str] | dict[st
     """The language of the options, else of ``DONNIE_LANG``, else of the locale, else English."""
     locale = environment.get("LC_ALL") or environment.get("LC_MESSAGES") or environment.get("LANG") or ""
     for given in (options.get("--lang", ""), environment.get("DONNIE_LANG", ""), locale):
-        if given[:2].lower() in _LANGUAGES:
+        if given[:2].lower() in LANGUAGES:
             return given[:2].lower()
     return "en"
 

@@ -10,13 +10,11 @@ import threading
 from collections.abc import Callable
 from typing import Generic, TypeVar
 
+from donnie_tui.core.patience import SLOW, SLOW_AGAIN
 from donnie_tui.linear.console import Console, Gone
 from donnie_tui.linear.desk import Desk
 
 T = TypeVar("T")
-
-SLOW, SLOW_AGAIN = 1.0, 10.0
-"""Seconds after which something that takes long is told, and then each time again."""
 
 
 class GivenUp(Exception):

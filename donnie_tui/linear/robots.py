@@ -10,12 +10,13 @@ from pathlib import Path
 
 from donnie_tui.core.events import TYPED
 from donnie_tui.core.handling import Deed
+from donnie_tui.core.patience import SLOW_AGAIN
 from donnie_tui.core.runner import Run
 from donnie_tui.core.team import Assigned
 from donnie_tui.core.typed_program import TypedProgram
 from donnie_tui.linear.arguments import Handler, alone
 from donnie_tui.linear.desk import Desk
-from donnie_tui.linear.patience import SLOW_AGAIN, patiently
+from donnie_tui.linear.patience import patiently
 from donnie_tui.linear.runs import Runs
 from donnie_tui.words import robot_words, team_words
 

@@ -19,16 +19,13 @@ from donnie_tui.core.events import Answered
 from donnie_tui.core.hub import Hub
 from donnie_tui.i18n.words import Unusable, Words
 from donnie_tui.outlets.tangible import belt_settings
+from donnie_tui.process import HIGHEST_STANDARD
 from donnie_tui.settings.chosen import Settings
 from donnie_tui.world.choice import ChosenWorld, files_of
 
 if TYPE_CHECKING:
     from donnie_tui.core.recording import Header
     from donnie_tui.world.bundle import WorldBundle
-
-
-HIGHEST_STANDARD = 2
-"""Standard output is waited for: who reads a whole run there wants all of it."""
 
 
 class Written:
@@ -155,7 +152,7 @@ def bundle_of(world: ChosenWorld, settings: Settings) -> WorldBundle:
 
 
 def is_named_pipe(out: TextIO) -> bool:
-    """Whether it was opened by its name, and not as our standard output."""
+    """Whether it was opened by its name, and not as our standard output: who reads a run there wants all."""
     try:
         return out.fileno() > HIGHEST_STANDARD and S_ISFIFO(os.fstat(out.fileno()).st_mode)
     except (OSError, AttributeError, ValueError):  # no file at all

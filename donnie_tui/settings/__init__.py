@@ -1,1 +1,5 @@
 """What a learner has chosen, what is remembered from one start to the next, and where that lies."""
+
+ON = ("on", "yes", "true", "1")
+OFF = ("off", "no", "false", "0")
+"""How variables and the file write a switch."""

@@ -11,9 +11,10 @@ from enum import Enum
 from pathlib import Path
 
 from devices.ports.values import field, frozen
+from donnie_tui import LANGUAGES
 from donnie_tui.settings.devices import Columns, Sonars
 from donnie_tui.settings.keys import BY_KEY, KEYS, Key
-from donnie_tui.settings.readers import LANGUAGES, Sound, folders_of
+from donnie_tui.settings.readers import Sound, folders_of
 
 FRONT_END_SPEED = 5.0
 """Times the real robot's pace in the front ends; ``donnie run`` is unlimited unless told otherwise."""

@@ -9,10 +9,10 @@ from __future__ import annotations
 
 import os
 
+from donnie_tui.settings import OFF
+
 MARKER = "tour-was-offered"
 VOICE_MARKER = "voice-was-told"
-
-_OFF = ("off", "no", "false", "0")
 
 TYPE_CHECKING = False  # that of typing costs as much as the rest of the first prompt
 if TYPE_CHECKING:
@@ -22,7 +22,7 @@ if TYPE_CHECKING:
 def offers_tour(folder: str, environment: Mapping[str, str]) -> bool:
     """Whether it is to be offered now; the next time it is not. ``folder``: the one of the state."""
     path = f"{folder}/{MARKER}"
-    if environment.get("DONNIE_TOUR", "").strip().lower() in _OFF or os.path.exists(path):  # noqa: PTH110 -- pathlib is slow to load
+    if environment.get("DONNIE_TOUR", "").strip().lower() in OFF or os.path.exists(path):  # noqa: PTH110 -- pathlib is slow to load
         return False
     try:
         os.makedirs(folder, exist_ok=True)  # noqa: PTH103

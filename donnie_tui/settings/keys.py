@@ -6,6 +6,7 @@ import os
 from collections.abc import Callable
 
 from devices.ports.values import frozen
+from donnie_tui import DETAILS, LANGUAGES
 from donnie_tui.settings.devices import (
     BUMPERS_WANTED,
     COLUMNS_WANTED,
@@ -24,7 +25,6 @@ from donnie_tui.settings.devices import (
 )
 from donnie_tui.settings.readers import (
     FASTEST,
-    LANGUAGES,
     SLOWEST,
     SPEECH,
     one_of,
@@ -47,7 +47,6 @@ from donnie_tui.settings.readers import (
 SPEAK = ("here", "robot", "both")
 PUNCTUATION = ("none", "some", "all")
 KEY_ECHO = ("none", "characters", "words")
-VERBOSITY = ("brief", "normal", "full")
 THEMES = ("dark", "light", "contrast", "terminal")
 MOTION = ("full", "reduced")
 
@@ -90,7 +89,7 @@ KEYS = (
     Key("key_echo", "key_echo", one_of(KEY_ECHO), ", ".join(KEY_ECHO)),
     Key("cues", "cues", read_cues, CUES_WANTED),
     Key("wait_for_speech", "wait_for_speech", read_switch, "on, off"),
-    Key("verbosity", "verbosity", one_of(VERBOSITY), ", ".join(VERBOSITY)),
+    Key("verbosity", "verbosity", one_of(DETAILS), ", ".join(DETAILS)),
     Key("events", "events", read_text, "FILE, -"),
     Key("record", "record", read_text, "FILE"),
     Key("belt", "belt", read_text, "PORT"),

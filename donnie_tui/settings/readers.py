@@ -11,6 +11,9 @@ from collections.abc import Callable, Mapping
 from pathlib import Path
 from typing import TypeAlias
 
+from donnie_tui import LANGUAGES
+from donnie_tui.settings import OFF, ON
+
 Sound: TypeAlias = bool | str
 """On, off, or the WAV file into which a run's cues are written."""
 
@@ -19,20 +22,17 @@ LARGEST_SEED = 2**63 - 1
 LONGEST_PROGRESS = 3600
 """Seconds between two signs of life of a long run."""
 
-LANGUAGES = ("en", "pt", "es")
 SPEECH = ("auto", "off", "text", "ssip", "tts", "robot")
 
-_ON = ("on", "yes", "true", "1")
-_OFF = ("off", "no", "false", "0")
 _WAV = "wav:"
 
 
 def read_switch(text: str) -> bool:
     """On or off, in the ways in which files and variables write it."""
     folded = text.strip().lower()
-    if folded not in _ON + _OFF:
+    if folded not in ON + OFF:
         raise ValueError(text)
-    return folded in _ON
+    return folded in ON
 
 
 def one_of(words: tuple[str, ...]) -> Callable[[str], str]:

@@ -18,11 +18,11 @@ from rich.text import Text
 from textual import events
 from textual.screen import Screen
 
+from donnie_tui import LANGUAGES
 from donnie_tui.i18n import first_screen
 from donnie_tui.robot.search import Search
 from donnie_tui.settings.chosen import Settings
 from donnie_tui.settings.folders import state_folder
-from donnie_tui.settings.readers import LANGUAGES
 from donnie_tui.tui.beginning import Beginning
 from donnie_tui.tui.ending import Ending
 from donnie_tui.tui.key_table import KeyTable

@@ -13,11 +13,12 @@ from typing import TYPE_CHECKING
 
 from textual.app import App
 
+from donnie_tui import LANGUAGES
+from donnie_tui.core.patience import SLOW
 from donnie_tui.i18n import first_screen
 from donnie_tui.robot.search import Search
 from donnie_tui.settings.chosen import Settings
 from donnie_tui.settings.devices import SERIAL
-from donnie_tui.settings.readers import LANGUAGES
 from donnie_tui.tui.key_table import KeyTable
 from donnie_tui.tui.screens.workplace import Workplace
 from donnie_tui.tui.session_behind import SessionBehind
@@ -25,9 +26,6 @@ from donnie_tui.tui.session_behind import SessionBehind
 if TYPE_CHECKING:
     from donnie_tui.bootstrap import Donnie
     from donnie_tui.tui.work import Work
-
-SLOW = 1.0
-"""Seconds after which somebody is told what takes so long."""
 
 
 class Beginning:

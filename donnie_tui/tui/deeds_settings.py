@@ -9,9 +9,9 @@ from collections.abc import Mapping
 from functools import partial
 from typing import TYPE_CHECKING
 
+from donnie_tui import LANGUAGES
 from donnie_tui.core.harmless import printable
 from donnie_tui.core.typed_words import detail_named, language_named, switched
-from donnie_tui.i18n.sentence import LANGUAGES
 from donnie_tui.settings.keys import THEMES
 from donnie_tui.tui.actions import ACTIONS, BY_NAME, key_label
 from donnie_tui.tui.key_table import is_free_to_give, with_choice

@@ -7,6 +7,7 @@ from typing import TYPE_CHECKING
 
 from textual.widgets.text_area import Selection
 
+from donnie_tui import LANGUAGES
 from donnie_tui.core import finding
 from donnie_tui.core.documents import lines_in
 from donnie_tui.core.harmless import printable
@@ -14,7 +15,6 @@ from donnie_tui.core.mistakes import mended
 from donnie_tui.core.reading import ProgramText, line_in_words, place_in_words
 from donnie_tui.core.typed_program import first_difference, lines_of
 from donnie_tui.core.typed_words import language_named, number_in
-from donnie_tui.i18n.sentence import LANGUAGES
 from donnie_tui.tui.running import Answer
 from donnie_tui.tui.screens.chooser import Choice
 from language.formatter import formatted

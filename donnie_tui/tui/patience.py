@@ -8,10 +8,9 @@ from typing import Protocol, TypeVar
 
 from textual.timer import Timer
 
-T = TypeVar("T")
+from donnie_tui.core.patience import SLOW, SLOW_AGAIN
 
-SLOW, SLOW_AGAIN = 1.0, 10.0
-"""Seconds after which something that takes long is told, and then each time again."""
+T = TypeVar("T")
 
 
 class Clock(Protocol):

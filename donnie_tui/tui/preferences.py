@@ -9,12 +9,12 @@ from collections.abc import Mapping
 from typing import Any
 
 from devices.ports.values import frozen, replace
+from donnie_tui import DETAILS, LANGUAGES
 from donnie_tui.core.documents import DocumentError
 from donnie_tui.i18n.words import Words
 from donnie_tui.settings import file as settings_file
 from donnie_tui.settings.chosen import Settings
-from donnie_tui.settings.keys import KEY_ECHO, KEYS, MOTION, PUNCTUATION, SPEAK, THEMES, VERBOSITY
-from donnie_tui.settings.readers import LANGUAGES
+from donnie_tui.settings.keys import KEY_ECHO, KEYS, MOTION, PUNCTUATION, SPEAK, THEMES
 from donnie_tui.tui.actions import BY_NAME, key_label
 from donnie_tui.tui.key_table import not_understood, understood
 from donnie_tui.words.sound_words import cue_name
@@ -24,7 +24,7 @@ _SWITCH = ("on", "off")
 CHOICES: dict[str, tuple[str, ...]] = {
     "theme": THEMES,
     "lang": LANGUAGES,
-    "verbosity": VERBOSITY,
+    "verbosity": DETAILS,
     "speed": (),
     "speech": ("auto", "off", "tts"),
     "sound": _SWITCH,

@@ -12,15 +12,13 @@ from enum import Enum
 
 from devices.ports.values import field, frozen
 from donnie_tui.core import speeds
+from donnie_tui.core.patience import LAST_WORDS
 from donnie_tui.core.runner import Run
 from donnie_tui.core.session import Busy, Session
 from donnie_tui.core.watching import Watch
 from donnie_tui.settings.readers import FASTEST, SLOWEST, read_speed
 from language.control import ControlState, ExecutionControl
 from language.runtime import Frame
-
-_LAST_WORDS = 1.0
-"""Seconds that a program which has told its end may take to be gone; it needs microseconds."""
 
 
 class Doing(Enum):
@@ -169,7 +167,7 @@ class Running:
 
     def ended(self) -> None:
         """The run has told its end; once this returns another one may start."""
-        if self._run is not None and self._run.wait(_LAST_WORDS):
+        if self._run is not None and self._run.wait(LAST_WORDS):
             self._own.run = None
 
     def stop(self) -> Answer | None:

@@ -23,6 +23,7 @@ from donnie_tui.core.breakpoints import KeptBreakpoints
 from donnie_tui.core.copies import Copies
 from donnie_tui.core.events import Answered, Pointed
 from donnie_tui.core.harmless import printable
+from donnie_tui.core.patience import LAST_WORDS
 from donnie_tui.core.trail import Trail
 from donnie_tui.core.transcript import said_by
 from donnie_tui.core.watching import Watch
@@ -53,9 +54,6 @@ from language.control import ControlState
 from language.keywords import canonical
 
 T = TypeVar("T")
-
-_LAST_WORDS = 1.0
-"""Seconds that a stopped program may take to be gone."""
 
 
 class Work:
@@ -337,7 +335,7 @@ class Work:
         self._donnie.team.stop()
         for session in self._donnie.team.sessions:
             if session.run is not None:
-                session.run.wait(_LAST_WORDS)
+                session.run.wait(LAST_WORDS)
         self.files.programs.settle_copies()
         return self._donnie
 

@@ -8,11 +8,11 @@ from __future__ import annotations
 import os
 from collections.abc import Iterator, Mapping
 
+from donnie_tui import LANGUAGES
 from donnie_tui.bootstrap import Donnie
 from donnie_tui.core.documents import DocumentError
 from donnie_tui.core.events import Answered, Chimed
 from donnie_tui.core.typed_words import SWITCH, switched
-from donnie_tui.i18n.sentence import LANGUAGES
 from donnie_tui.settings.file import remember
 from donnie_tui.settings.readers import read_percent, read_rate
 from language.source import fold_name

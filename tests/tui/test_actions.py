@@ -4,10 +4,10 @@ from collections.abc import Callable
 
 import pytest
 
+from donnie_tui import LANGUAGES
 from donnie_tui.core.use_cases import USE_CASES, find
 from donnie_tui.core.view_cases import VIEW_CASES
 from donnie_tui.i18n.catalogue import SENTENCES
-from donnie_tui.i18n.sentence import LANGUAGES
 from donnie_tui.tui.actions import ACTIONS, BY_NAME, CASES, MENU, key_label
 from language.keywords import canonical
 

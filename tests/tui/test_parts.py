@@ -10,6 +10,7 @@ from textual.app import App, ComposeResult
 from textual.widgets import TextArea
 
 from devices.ports.robot import Bearing, Pose, StoppedBy
+from donnie_tui import LANGUAGES
 from donnie_tui.core.copies import MOST_COPIES, Copies
 from donnie_tui.core.documents import Document, DocumentError, as_lines
 from donnie_tui.core.events import (
@@ -27,7 +28,6 @@ from donnie_tui.core.events import (
 )
 from donnie_tui.core.speeds import SPEEDS
 from donnie_tui.i18n.catalogue import SENTENCES
-from donnie_tui.i18n.sentence import LANGUAGES
 from donnie_tui.i18n.words import Words
 from donnie_tui.tui.actions import ACTIONS, BY_NAME, find, key_label
 from donnie_tui.tui.bridge import MOST_LINES, NO_MAIL, Began, Bridge, Ended, Happened, LogLine

@@ -9,10 +9,10 @@ import pytest
 from textual import events
 from textual.filter import Monochrome, NoColor
 
+from donnie_tui import LANGUAGES
 from donnie_tui.bootstrap import assemble
 from donnie_tui.core.copies import Copies
 from donnie_tui.i18n import first_screen
-from donnie_tui.i18n.sentence import LANGUAGES
 from donnie_tui.i18n.words import Words
 from donnie_tui.settings.chosen import Settings
 from donnie_tui.tui import lifeline

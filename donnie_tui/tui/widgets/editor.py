@@ -24,8 +24,8 @@ from textual.strip import Strip
 from textual.widgets import TextArea
 from textual.widgets.text_area import TextAreaTheme
 
+from donnie_tui import LANGUAGES
 from donnie_tui.core.breakpoints import alike, followed, shifted
-from donnie_tui.i18n.sentence import LANGUAGES
 from donnie_tui.tui import themes
 from donnie_tui.tui.actions import BY_NAME
 

@@ -2,8 +2,8 @@
 
 from itertools import pairwise
 
+from donnie_tui import LANGUAGES
 from donnie_tui.core.speeds import SPEEDS, faster, slower, speed_words
-from donnie_tui.i18n.sentence import LANGUAGES
 from donnie_tui.i18n.words import Words
 
 

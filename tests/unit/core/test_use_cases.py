@@ -2,7 +2,8 @@
 
 import pytest
 
-from donnie_tui.core.use_cases import BY_NAME, LANGUAGES, LONGEST_WORD, USE_CASES, UseCase, find, help_line
+from donnie_tui import LANGUAGES
+from donnie_tui.core.use_cases import BY_NAME, LONGEST_WORD, USE_CASES, UseCase, find, help_line
 from donnie_tui.core.view_cases import IN_WORDS, PREFERENCES, VIEW_CASES
 from donnie_tui.i18n.catalogue import SENTENCES
 from donnie_tui.i18n.words import Words

@@ -13,6 +13,8 @@ import pytest
 
 import donnie_tui
 from devices.audio_worker.notices import NoticeCode
+from devices.speech import voices
+from donnie_tui import DETAILS, LANGUAGES
 from donnie_tui.i18n.catalogue import (
     SENTENCES,
     TOPICS,
@@ -33,8 +35,9 @@ from donnie_tui.i18n.catalogue import (
 )
 from donnie_tui.i18n.catalogue.signs import CODE_OF
 from donnie_tui.i18n.first_words import CAUSES
-from donnie_tui.i18n.sentence import DETAILS, LANGUAGES, Sentence, filled
+from donnie_tui.i18n.sentence import Sentence, filled
 from donnie_tui.i18n.words import Words
+from language import keywords
 from language.diagnostics import Kind
 from sim.worldfile.mistakes import Code
 
@@ -152,6 +155,10 @@ def places(text: str) -> Counter[str]:
 
 def with_samples(text: str) -> str:
     return filled(text, {name: SAMPLES.get(name, "FW") for _, name, _, _ in Formatter().parse(text) if name})
+
+
+def test_what_is_told_is_understood_and_said_in_the_same_languages() -> None:
+    assert keywords.LANGUAGES == voices.LANGUAGES == LANGUAGES
 
 
 def test_a_code_belongs_to_one_topic() -> None:

@@ -4,9 +4,9 @@ import re
 
 import pytest
 
+from donnie_tui import LANGUAGES
 from donnie_tui.core.events import INTERNAL
 from donnie_tui.i18n.catalogue.explain import SENTENCES
-from donnie_tui.i18n.sentence import LANGUAGES
 from language import keywords
 from language.diagnostics import Kind
 

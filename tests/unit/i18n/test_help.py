@@ -2,8 +2,8 @@
 
 import pytest
 
+from donnie_tui import LANGUAGES
 from donnie_tui.i18n.help import ENTRIES, example
-from donnie_tui.i18n.sentence import LANGUAGES
 from donnie_tui.i18n.words import Words
 from language import keywords
 from language.parser import parse

@@ -9,7 +9,7 @@ import subprocess
 import pytest
 
 from devices.speech.ear import for_the_ear
-from donnie_tui.i18n.sentence import LANGUAGES
+from donnie_tui import LANGUAGES
 from tests.unit.i18n.test_catalogue import all_texts, with_samples
 
 pytestmark = pytest.mark.skipif(shutil.which("espeak-ng") is None, reason="needs espeak-ng")

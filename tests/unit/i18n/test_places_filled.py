@@ -8,8 +8,8 @@ from string import Formatter
 import pytest
 
 import donnie_tui
+from donnie_tui import DETAILS, LANGUAGES
 from donnie_tui.i18n.catalogue import SENTENCES
-from donnie_tui.i18n.sentence import DETAILS, LANGUAGES
 
 ROOT = Path(donnie_tui.__file__).parent
 TELLERS = {

@@ -4,9 +4,9 @@ import re
 
 import pytest
 
+from donnie_tui import LANGUAGES
 from donnie_tui.core import use_cases
 from donnie_tui.i18n.catalogue.tour import SENTENCES
-from donnie_tui.i18n.sentence import LANGUAGES
 from donnie_tui.i18n.tour import PAGES, page, tour
 from donnie_tui.i18n.words import Words
 from language import keywords

@@ -4,7 +4,7 @@ from pathlib import Path
 
 import pytest
 
-from donnie_tui.i18n.sentence import LANGUAGES
+from donnie_tui import LANGUAGES
 from donnie_tui.i18n.words import Words
 from donnie_tui.i18n.world_mistakes import world_mistake, world_note
 from sim.scene import Note, NoteKind

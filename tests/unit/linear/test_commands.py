@@ -4,9 +4,9 @@ from importlib import import_module
 
 import pytest
 
+from donnie_tui import LANGUAGES
 from donnie_tui.core import use_cases
 from donnie_tui.core.use_cases import USE_CASES
-from donnie_tui.i18n.sentence import LANGUAGES
 from donnie_tui.i18n.words import Words
 from donnie_tui.linear.commands import HANDLED_IN, OF_CONVERSATION, find, listed
 

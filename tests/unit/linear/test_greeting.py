@@ -7,7 +7,6 @@ from pathlib import Path
 import pytest
 
 from donnie_tui.linear import greeting
-from donnie_tui.settings.keys import VERBOSITY
 from donnie_tui.settings.readers import SPEECH
 
 
@@ -72,7 +71,6 @@ def test_a_program_on_the_command_line_gets_the_second_line(tmp_path: Path, prin
 
 def test_what_options_take_is_what_the_settings_say() -> None:
     assert set(greeting.PLAIN_VALUES["--speech"]) == set(SPEECH)
-    assert set(greeting.PLAIN_VALUES["--verbosity"]) == set(VERBOSITY)
 
 
 def test_it_greets_once(printed: list[bytes]) -> None:
