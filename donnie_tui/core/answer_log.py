@@ -28,15 +28,40 @@ class AnswerLog:
     """The answers so far, oldest first."""
 
     def __init__(self) -> None:
-        self._answers: deque[tuple[str, ...]] = deque(maxlen=KEPT)
+        self._answers: deque[deque[str]] = deque(maxlen=KEPT)
+        self._goes_on = False
+        self._said_again: deque[str] = deque()
+        """What is told again, and not remembered when it comes."""
 
     def add(self, lines: Sequence[str]) -> None:
         if lines:
-            self._answers.append(tuple(lines[-LONGEST_ANSWER:]))
+            self._answers.append(deque(lines, maxlen=LONGEST_ANSWER))
+
+    def add_line(self, line: str) -> None:
+        """Where answers come line by line: one more of the answer that is being told."""
+        if self._said_again and line == self._said_again[0]:
+            self._said_again.popleft()
+            return
+        if self._goes_on:
+            self._answers[-1].append(line)
+        else:
+            self.add((line,))
+        self._goes_on = True
+
+    def end_answer(self) -> None:
+        """What comes line by line from now on is another answer."""
+        self._goes_on = False
+        self._said_again.clear()
+
+    def again(self, which: int = 1) -> tuple[str, ...]:
+        """As ``last``, to be told line by line without being remembered twice."""
+        lines = self.last(which)
+        self._said_again = deque(lines)
+        return lines
 
     def last(self, which: int = 1) -> tuple[str, ...]:
         """The ``which``-th last answer, empty if there is none."""
-        return self._answers[-which] if 1 <= which <= len(self._answers) else ()
+        return tuple(self._answers[-which]) if 1 <= which <= len(self._answers) else ()
 
     def last_line(self, which: int = 1) -> str:
         """Of that answer its last line, where what counts mostly stands alone; empty if there is none."""

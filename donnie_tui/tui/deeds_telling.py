@@ -111,7 +111,7 @@ class TellingDeeds:
     def last(self, argument: str) -> bool:
         which = count_in(argument, 1)
         if which is not None:
-            self._tell(*(self._host.answers.last(which) or (self._host.words("answer-nothing-said"),)))
+            self._tell(*(self._host.answers.again(which) or (self._host.words("answer-nothing-said"),)))
         return which is not None
 
     def last_word(self, _argument: str) -> None:

@@ -121,11 +121,12 @@ class Work:
 
     def do(self, name: str, argument: str = "") -> Awaitable[None] | None:
         """Do an action of the table. One that asks something is to be awaited."""
+        self._end_answer()
         return self._deeds.do(name, argument)
 
     def typed(self, text: str) -> Awaitable[None] | None:
         """A line of the command line: a word of the screen, or a command of GoDonnie."""
-        self._intake.write()
+        self._end_answer()
         self.display.write([(f"> {text}", "typed")])
         found = find(text)
         if found is not None:
@@ -134,6 +135,12 @@ class Work:
             self.tell(self.running.command(text, self.words("typed-program")))
             self.look()
         return None
+
+    def _end_answer(self) -> None:
+        """What is told from now on is the answer to something else."""
+        self._intake.take()
+        self._intake.write()
+        self.answers.end_answer()
 
     def _explain(self, typed: str) -> bool:
         """HELP with a word of the screen: what that is for."""
@@ -170,7 +177,7 @@ class Work:
     def _write(self, lines: Sequence[LogLine]) -> None:
         """Into the log, and into what can be said again."""
         for line in lines:
-            self.answers.add((line.text,))
+            self.answers.add_line(line.text)
         self.display.write(lines)
 
     # --- what the actions ask for

@@ -270,6 +270,23 @@ async def test_mistakes_are_gone_through_and_explained_as_in_the_linear_mode(wor
         assert desk.place.editor.line == 1
 
 
+async def test_last_says_the_whole_answer_again_and_the_one_before_it(work):
+    async with work() as desk:
+        await desk.type_line("FW 1 SPEAK 7")
+        await desk.told("7")
+        await desk.idle()
+        await desk.type_line("BREAK 99")
+        await desk.told("There is no line 99. The last is 1.")
+
+        for _ in range(2):
+            before = len(desk.log)
+            await desk.type_line("LAST 2")
+            await desk.until(
+                lambda before=before: desk.log[before + 1 :] == ("I walked 1 step forward.", "7"),
+                "both lines",
+            )
+
+
 async def test_the_last_word_is_spelled_and_nothing_is_told_to_be_nothing(work):
     async with work() as desk:
         await desk.type_line("SPELL 9")

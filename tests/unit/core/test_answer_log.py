@@ -39,6 +39,24 @@ def test_words_are_found_in_any_case_and_without_accents_the_newest_last() -> No
     assert len(log(*((f"wall {n}",) for n in range(99))).found("wall")) == MOST_FOUND
 
 
+def test_lines_that_come_one_by_one_are_one_answer_until_it_ends() -> None:
+    made = log(("before",))
+    for line in ("a", "b"):
+        made.add_line(line)
+    made.end_answer()
+    made.add_line("c")
+
+    assert [made.last(), made.last(2), made.last(3)] == [("c",), ("a", "b"), ("before",)]
+
+
+def test_what_is_told_again_is_not_remembered_twice() -> None:
+    made = log(("a", "b"), ("c",))
+    for line in (*made.again(2), "d"):
+        made.add_line(line)
+
+    assert [made.last(), made.last(2), made.last(3)] == [("d",), ("c",), ("a", "b")]
+
+
 def test_all_of_it_as_text_is_a_line_each() -> None:
     assert log(("a", "b"), ("c",)).text() == "a\nb\nc\n"
 
