@@ -13,6 +13,8 @@ Point = tuple[float, float]
 Edge = tuple[float, float, float, float]
 """x and y of both ends."""
 
+HAIR = 1e-9
+"""Metres that computing errs, at most."""
 _QUARTERS = ((1.0, 0.0), (0.0, 1.0), (-1.0, 0.0), (0.0, -1.0))
 
 
@@ -130,11 +132,17 @@ def _in_wedge(edge: Edge, c: float, s: float) -> Edge | None:
     return ax + start * (bx - ax), ay + start * (by - ay), ax + end * (bx - ax), ay + end * (by - ay)
 
 
-def disc_contact(radius: float, edge: Edge) -> float:
-    """How far a disc moves along x from the origin until it touches the edge, or infinity.
+def disc_contact(radius: float, edge: Edge, skin: float = 0.0) -> float:
+    """How far a disc moves along x from the origin until it is within ``skin`` of the edge, or infinity.
 
-    A disc that touches already may leave: it is held only where it would come nearer.
+    A disc that touches already may leave: it is held only where it would come nearer. What it would pass by
+    without its skin is beside its way, and not met.
     """
+    contact = _disc_contact(radius + skin, edge)
+    return inf if skin and contact < inf and _disc_contact(radius, edge) == inf else contact
+
+
+def _disc_contact(radius: float, edge: Edge) -> float:
     x, y = nearest_on_edge(edge)
     if x * x + y * y <= radius * radius:
         return 0.0 if x > 1e-12 else inf
@@ -166,12 +174,15 @@ def _face_contact(radius: float, edge: Edge, length: float) -> float:
     return max(0.0, contact) if contact >= -1e-9 and 0.0 <= along <= 1.0 else inf
 
 
-def outline_contact(mover: Iterable[Edge], obstacle: Sequence[Edge]) -> tuple[float, float]:
+def outline_contact(mover: Sequence[Edge], obstacle: Sequence[Edge]) -> tuple[float, float]:
     """How far the mover's edges go along x until they touch the obstacle's, or infinity.
 
-    Second: about how squarely they meet, from 0 (grazing) to 1.
+    Second: about how squarely they meet, from 0 (grazing) to 1. What lies beside the mover's way does not
+    touch it, even if nothing fits between them.
     """
     nearest, squarely = inf, 1.0
+    if is_beside(mover, obstacle):
+        return nearest, squarely
     starts = [min(other[0], other[2]) for other in obstacle]
     for mine in mover:
         end = max(mine[0], mine[2])
@@ -182,6 +193,12 @@ def outline_contact(mover: Iterable[Edge], obstacle: Sequence[Edge]) -> tuple[fl
             if contact < nearest:
                 nearest, squarely = contact, max(_slope(mine), _slope(other))
     return nearest, squarely
+
+
+def is_beside(mover: Iterable[Edge], obstacle: Sequence[Edge]) -> bool:
+    """Whether the mover passes the obstacle by, or only along its side, on its way along x."""
+    ys, others = [edge[1] for edge in mover], [edge[1] for edge in obstacle]
+    return min(others) > max(ys, default=-inf) - HAIR or max(others) < min(ys, default=inf) + HAIR
 
 
 def _edge_gap(mine: Edge, other: Edge) -> float:

@@ -175,7 +175,7 @@ class Mover:
     def _contact_with(self, part: Part, spot: Spot, angle: float) -> float:
         obstacle = edges(seen_from(part.points, spot.x, spot.y, angle))
         if self.body.is_round or self._overlaps(spot, part):
-            return min(disc_contact(self.body.radius + SKIN, edge) for edge in obstacle)
+            return min(disc_contact(self.body.radius, edge, SKIN) for edge in obstacle)
         contact, squarely = outline_contact(self.body.outline(spot.yaw - angle), obstacle)
         return less_skin(contact, squarely)
 

@@ -10,7 +10,7 @@ from collections.abc import Container, Sequence
 from math import inf
 
 from devices.ports.values import frozen, replace
-from sim.geometry import Edge, Point, direction, edges, outline_contact, overlapping, seen_from
+from sim.geometry import Edge, Point, direction, edges, is_beside, outline_contact, overlapping, seen_from
 from sim.ground import Ground
 from sim.motion import WIDEST_SKIN, Contact, Mover, less_skin
 from sim.parts import Part
@@ -148,9 +148,10 @@ def _gap(points: tuple[Point, ...], other: Part, angle: float, apart: bool) -> f
 
     ``apart``: it is known not to.
     """
-    if not apart and overlapping(points, other.points):
+    mine, others = _seen(points, angle), _seen(other.points, angle)
+    if not apart and not is_beside(mine, others) and overlapping(points, other.points):
         return 0.0
-    return less_skin(*outline_contact(_seen(points, angle), _seen(other.points, angle)))
+    return less_skin(*outline_contact(mine, others))
 
 
 def _seen(points: tuple[Point, ...], angle: float) -> tuple[Edge, ...]:
