@@ -3,17 +3,15 @@
 from __future__ import annotations
 
 import sys
-from collections.abc import Iterator
 from pathlib import Path
 
 import pytest
 
-from devices.firmware_double.board import SimulatedBoard
 from devices.firmware_double.on_pty import DoubleOnPty
 from donnie_tui.core.events import Announced, Stamped
 from donnie_tui.process import lost_network
 from donnie_tui.process.lost_network import attempts, ends_of
-from tests.sessions.test_devices import assembled, until
+from tests.sessions.real_robot import assembled, until
 
 BY_SSH = {"SSH_CONNECTION": "10.77.0.2 42475 10.77.0.1 40223"}
 HEAD = "  sl  local_address rem_address   st tx_queue rx_queue tr tm->when retrnsmt   uid  timeout inode\n"
@@ -51,12 +49,6 @@ def test_an_address_of_version_6_is_found() -> None:
 @pytest.mark.parametrize("told", ["", "UNKNOWN 65535 UNKNOWN 65535", "one two", "::1 x ::1 2"])
 def test_who_came_by_no_network_has_no_ends(told: str) -> None:
     assert ends_of({"SSH_CONNECTION": told}) == ()
-
-
-@pytest.fixture
-def robot() -> Iterator[DoubleOnPty]:
-    with DoubleOnPty(SimulatedBoard(boot_loader=0.1)) as double:
-        yield double
 
 
 def test_a_robot_whose_learner_is_out_of_reach_is_stopped_and_that_is_told(

@@ -3,22 +3,14 @@
 from __future__ import annotations
 
 import subprocess
-from collections.abc import Iterator
 from pathlib import Path
 
 import pytest
 
-from devices.firmware_double.board import SimulatedBoard
 from devices.firmware_double.on_pty import DoubleOnPty
 from tests.patience import PATIENCE
 from tests.sessions.command import COMMAND, QUIET, environment, start
-from tests.sessions.test_devices import LONG_WALK, program, serial, until
-
-
-@pytest.fixture
-def robot() -> Iterator[DoubleOnPty]:
-    with DoubleOnPty(SimulatedBoard(boot_loader=0.1)) as double:
-        yield double
+from tests.sessions.real_robot import LONG_WALK, program, serial, until
 
 
 @pytest.mark.parametrize("lost", ["stdout", "stderr"])

@@ -13,12 +13,11 @@ from pathlib import Path
 import pexpect
 import pytest
 
-from devices.firmware_double.board import SimulatedBoard
 from devices.firmware_double.on_pty import DoubleOnPty
 from devices.wire.commands import STOP
 from tests.patience import PATIENCE
+from tests.sessions.real_robot import LONG_WALK, program, serial, until
 from tests.sessions.ssh_line import MISSING, SshLine
-from tests.sessions.test_devices import LONG_WALK, program, serial, until
 from tests.unit.ssip.server import Server
 
 pytestmark = pytest.mark.skipif(MISSING is not None, reason=f"needs {MISSING}")
@@ -33,12 +32,6 @@ def line(tmp_path: Path) -> Iterator[SshLine]:
     for pid in made.donnies():
         with suppress(ProcessLookupError):
             os.kill(pid, signal.SIGKILL)
-
-
-@pytest.fixture
-def robot() -> Iterator[DoubleOnPty]:
-    with DoubleOnPty(SimulatedBoard(boot_loader=0.1)) as double:
-        yield double
 
 
 def over_ssh(line: SshLine, *arguments: str, typed: str = "") -> subprocess.CompletedProcess[bytes]:

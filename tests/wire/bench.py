@@ -7,10 +7,15 @@ from devices.firmware_double.faults import BadWire
 from devices.firmware_double.surroundings import Surroundings
 from devices.firmware_double.virtual_line import VirtualLine
 from devices.ports.robot import LinkNews
-from devices.wire.commands import STOP, Drive
+from devices.wire.commands import Drive, frame
+from devices.wire.connection import Connection
+from devices.wire.link_config import LinkConfig
 from devices.wire.link_state import LinkState
 
 FAR = 1e9
+
+HALF_A_FRAME = bytes.fromhex("aabb3228")
+"""Announces fifty bytes, and swallows whatever comes next as them."""
 
 
 class Bench:
@@ -68,4 +73,14 @@ def board_that_drives_on(half_a_frame: bytes = b"") -> SimulatedBoard:
     return board
 
 
-__all__ = ["FAR", "STOP", "Bench", "board_that_drives_on"]
+def streaming() -> Connection:
+    """As a Connection is once a board has answered, at second 1."""
+    connection = Connection(LinkConfig())
+    connection.open(0.0)
+    connection.opened(0.0)
+    connection.received(frame(0xC7, b"\x2b"), 0.1)
+    for now in (0.1, 0.2, 0.3):
+        connection.actions(now)
+    connection.received(frame(0x81, bytes(8)), 1.0)
+    assert connection.state is LinkState.STREAMING
+    return connection

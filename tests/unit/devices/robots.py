@@ -9,6 +9,9 @@ from devices.firmware_double.surroundings import OpenFloor, Place, Surroundings,
 from devices.ports.robot import STEP, LinkNews, Motion, Pose
 from devices.serial_robot.config import RobotConfig
 
+NEAR = 0.1
+"""Steps by which the board's true place may differ from what was asked, after a walk."""
+
 Happening = tuple[float, Callable[[], None]]
 """Seconds of waiting after which something is done."""
 

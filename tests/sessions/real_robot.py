@@ -1,0 +1,48 @@
+"""What the sessions with a robot on a real line have in common."""
+
+from __future__ import annotations
+
+import os
+import time
+from collections.abc import Callable
+from pathlib import Path
+
+from devices.firmware_double.on_pty import DoubleOnPty
+from donnie_tui.bootstrap import Donnie, assemble
+from donnie_tui.settings.chosen import Settings
+from tests.patience import PATIENCE
+
+LONG_WALK = "FW 100\n"
+
+
+def until(is_met: Callable[[], bool]) -> bool:
+    """Wait for it, looking often."""
+    ends = time.monotonic() + PATIENCE
+    while not is_met() and time.monotonic() < ends:
+        time.sleep(0.005)
+    return is_met()
+
+
+def program(folder: Path, text: str) -> str:
+    file = folder / "program.gd"
+    file.write_text(text, encoding="utf-8")
+    return str(file)
+
+
+def serial(robot: DoubleOnPty) -> tuple[str, ...]:
+    return "--robot", f"serial:{robot.path}"
+
+
+def is_suspended(pid: int) -> bool:
+    _, status = os.waitpid(pid, os.WUNTRACED)
+    return os.WIFSTOPPED(status)
+
+
+def half_a_frame(robot: DoubleOnPty) -> None:
+    """The board takes what is said next for the rest of fifty bytes, the stops as well."""
+    robot.disturb(bytes.fromhex("aabb3228"))
+
+
+def assembled(robot: DoubleOnPty) -> Donnie:
+    settings = Settings(robot=f"serial:{robot.path}", speech="off", sound=False)
+    return assemble(settings, terminal=False)

@@ -1,0 +1,196 @@
+"""Whatever ends the program that drives a robot, the board is told to stop."""
+
+from __future__ import annotations
+
+import signal
+import sys
+import threading
+from pathlib import Path
+
+import pexpect
+import pytest
+
+from devices.firmware_double.on_pty import DoubleOnPty
+from devices.wire.commands import STOP
+from donnie_tui.core.events import CueSounded, Outcome, Stamped
+from tests.patience import PATIENCE
+from tests.sessions.command import COMMAND, QUIET, donnie, environment, start
+from tests.sessions.learner import Learner
+from tests.sessions.real_robot import LONG_WALK, assembled, half_a_frame, is_suspended, program, serial, until
+
+ENDING = [signal.SIGINT, signal.SIGTERM, signal.SIGHUP, signal.SIGQUIT]
+
+
+@pytest.mark.parametrize("number", ENDING, ids=lambda each: each.name)
+def test_a_signal_stops_the_robot(tmp_path: Path, robot: DoubleOnPty, number: signal.Signals) -> None:
+    process = start(tmp_path, "run", program(tmp_path, LONG_WALK), *serial(robot), *QUIET)
+    assert until(lambda: robot.board.is_driving)
+    process.send_signal(number)
+
+    assert until(lambda: not robot.board.is_driving)
+    assert process.wait(PATIENCE) == 130
+    assert robot.heard.endswith(STOP)
+
+
+@pytest.mark.parametrize("number", ENDING, ids=lambda each: each.name)
+def test_a_signal_while_connecting_ends_it_with_a_stop(
+    tmp_path: Path, robot: DoubleOnPty, number: signal.Signals
+) -> None:
+    robot.board.is_mute = True
+    process = start(tmp_path, "run", program(tmp_path, LONG_WALK), *serial(robot), *QUIET)
+    assert until(lambda: bool(robot.heard))
+    process.send_signal(number)
+
+    assert process.communicate(timeout=PATIENCE) == (b"", b"")
+    assert process.returncode == 130
+    assert until(lambda: robot.heard.endswith(STOP))
+
+
+def test_control_z_stops_the_robot_before_the_run_rests(tmp_path: Path, robot: DoubleOnPty) -> None:
+    process = start(tmp_path, "run", program(tmp_path, LONG_WALK), *serial(robot), *QUIET)
+    assert until(lambda: robot.board.is_driving)
+    process.send_signal(signal.SIGTSTP)
+    assert is_suspended(process.pid)
+    assert until(lambda: not robot.board.is_driving)
+    process.send_signal(signal.SIGCONT)
+
+    _, said = process.communicate(timeout=PATIENCE)
+    assert process.returncode == 130
+    assert "You left with Ctrl+Z, so I stopped the robot." in said.decode().splitlines()
+
+
+def test_control_z_stops_the_robot_of_the_linear_mode(tmp_path: Path, robot: DoubleOnPty) -> None:
+    learner = Learner(tmp_path, *serial(robot), program(tmp_path, LONG_WALK))
+    learner.sees("Robot connected.")
+    learner.sees_prompt()
+    learner.types("RUN\r")
+    assert until(lambda: robot.board.is_driving)
+    learner.child.kill(signal.SIGTSTP)
+    assert is_suspended(learner.child.pid)
+    assert until(lambda: not robot.board.is_driving)
+    learner.child.kill(signal.SIGCONT)
+    learner.sees("You left with Ctrl+Z, so I stopped the robot.")
+    learner.sees("Stopped")
+
+
+@pytest.mark.parametrize("number", [signal.SIGINT, signal.SIGTERM], ids=lambda each: each.name)
+def test_a_run_leaves_no_robot_that_half_a_frame_keeps_from_hearing_the_stop(
+    tmp_path: Path, robot: DoubleOnPty, number: signal.Signals
+) -> None:
+    """Nor does an impatient second signal."""
+    process = start(tmp_path, "run", program(tmp_path, LONG_WALK), *serial(robot), *QUIET)
+    assert until(lambda: robot.board.is_driving)
+    half_a_frame(robot)
+    process.send_signal(number)
+    assert until(lambda: STOP + STOP in robot.heard)
+    process.send_signal(number)
+
+    assert process.wait(PATIENCE) == 130
+    assert not robot.board.is_driving
+
+
+def test_a_run_that_rests_leaves_no_robot_that_half_a_frame_keeps_from_hearing_the_stop(
+    tmp_path: Path, robot: DoubleOnPty
+) -> None:
+    process = start(tmp_path, "run", program(tmp_path, LONG_WALK), *serial(robot), *QUIET)
+    assert until(lambda: robot.board.is_driving)
+    half_a_frame(robot)
+    process.send_signal(signal.SIGTSTP)
+
+    assert is_suspended(process.pid)
+    assert not robot.board.is_driving
+    process.kill()
+    process.communicate()
+
+
+@pytest.mark.parametrize(
+    "number", [signal.SIGHUP, signal.SIGTERM, signal.SIGTSTP], ids=lambda each: each.name
+)
+def test_the_linear_mode_leaves_no_robot_that_half_a_frame_keeps_from_hearing_the_stop(
+    tmp_path: Path, robot: DoubleOnPty, number: signal.Signals
+) -> None:
+    learner = Learner(tmp_path, *serial(robot), program(tmp_path, LONG_WALK))
+    learner.sees("Robot connected.")
+    learner.sees_prompt()
+    learner.types("RUN\r")
+    assert until(lambda: robot.board.is_driving)
+    half_a_frame(robot)
+    learner.child.kill(number)
+
+    if number is signal.SIGTSTP:
+        assert is_suspended(learner.child.pid)
+        assert not robot.board.is_driving
+        learner.child.kill(signal.SIGKILL)
+    else:
+        learner.leaves()
+        assert not robot.board.is_driving
+
+
+@pytest.mark.parametrize(
+    "number", [signal.SIGTERM, signal.SIGHUP, signal.SIGQUIT], ids=lambda each: each.name
+)
+@pytest.mark.parametrize("mode", ["--linear", "--visual"])
+def test_a_signal_to_a_front_end_stops_the_robot(
+    tmp_path: Path, robot: DoubleOnPty, mode: str, number: signal.Signals
+) -> None:
+    front_end = pexpect.spawn(
+        sys.executable,
+        [*COMMAND[1:], mode, *serial(robot), *QUIET, program(tmp_path, LONG_WALK)],
+        env=environment(tmp_path, {"TERM": "xterm-256color"}),
+        cwd=str(tmp_path),
+        dimensions=(24, 80),
+        timeout=PATIENCE,
+    )
+    drained = threading.Thread(target=front_end.expect, args=(pexpect.EOF,), daemon=True)
+    assert until(lambda: robot.board.is_configured)
+    front_end.expect("onnected")
+    front_end.send("\x1b[15~" if mode == "--visual" else "RUN\r")
+    drained.start()
+    assert until(lambda: robot.board.is_driving)
+    front_end.kill(number)
+
+    assert until(lambda: not robot.board.is_driving)
+    drained.join(PATIENCE)
+    assert robot.heard.endswith(STOP)
+
+
+def test_a_killed_program_leaves_a_robot_that_donnie_stop_halts(tmp_path: Path, robot: DoubleOnPty) -> None:
+    process = start(tmp_path, "run", program(tmp_path, LONG_WALK), *serial(robot), *QUIET)
+    assert until(lambda: robot.board.is_driving)
+    process.kill()
+    process.wait(PATIENCE)
+    assert robot.board.is_driving
+
+    done = donnie(tmp_path, "stop", robot.path)
+    assert done.stdout.decode() == f"The robot stands. Port {robot.path}.\n"
+    assert done.returncode == 0
+    assert not robot.board.is_driving
+
+
+def test_a_listener_that_fails_in_the_middle_of_a_walk_stops_the_robot(robot: DoubleOnPty) -> None:
+    donnie = assembled(robot)
+
+    def fail(stamped: Stamped) -> None:
+        if isinstance(stamped.event, CueSounded) and stamped.event.name == "step-forward":
+            raise ZeroDivisionError("a fault of ours")
+
+    try:
+        donnie.session.hub.subscribe(fail)
+        run = donnie.session.start("FW 100", "test.gd", hooked=False)
+        assert until(lambda: robot.board.is_driving)
+        assert run.wait(PATIENCE)
+
+        assert run.outcome is Outcome.FAILED
+        assert until(lambda: not robot.board.is_driving)
+    finally:
+        donnie.close()
+
+
+def test_closing_stops_what_runs(robot: DoubleOnPty) -> None:
+    donnie = assembled(robot)
+    donnie.session.start("FW 100", "test.gd", hooked=False)
+    assert until(lambda: robot.board.is_driving)
+    donnie.close()
+
+    assert until(lambda: not robot.board.is_driving)
+    assert robot.heard.endswith(STOP)

@@ -1,0 +1,159 @@
+"""Where nobody reads what is told of a robot, it is stopped all the same."""
+
+from __future__ import annotations
+
+import contextlib
+import os
+import signal
+import sys
+import termios
+from collections.abc import Callable, Iterator
+from itertools import cycle
+from pathlib import Path
+
+import pexpect
+import pytest
+
+from devices.firmware_double.on_pty import DoubleOnPty
+from devices.wire.commands import STOP
+from tests.patience import PATIENCE
+from tests.sessions.command import COMMAND, QUIET, environment
+from tests.sessions.learner import Learner
+from tests.sessions.real_robot import half_a_frame, is_suspended, program, serial, until
+
+
+@contextlib.contextmanager
+def terminal_that_takes_nothing(child: pexpect.spawn) -> Iterator[None]:
+    """As after Ctrl+S, or over a network that hangs."""
+    terminal = os.open(Path(f"/proc/{child.pid}/fd/1").readlink(), os.O_RDWR | os.O_NOCTTY)
+    termios.tcflow(terminal, termios.TCOOFF)
+    try:
+        yield
+    finally:
+        termios.tcflow(terminal, termios.TCOON)
+        os.close(terminal)
+
+
+def is_stuck(child: pexpect.spawn) -> Callable[[], bool]:
+    """Whether a thread of it waits for the terminal."""
+    waits = ("tty", "wait_woken", "n_tty_write")
+    threads = Path(f"/proc/{child.pid}/task")
+    return lambda: any(_place(each) in waits for each in threads.iterdir())
+
+
+def _place(thread: Path) -> str:
+    """Where in the kernel a thread waits; nowhere once it has ended."""
+    try:
+        return (thread / "wchan").read_text()
+    except OSError:
+        return ""
+
+
+@pytest.mark.parametrize("number", [signal.SIGINT, signal.SIGTERM], ids=lambda each: each.name)
+def test_a_run_whose_news_nobody_reads_stops_its_robot_and_ends(
+    tmp_path: Path, robot: DoubleOnPty, number: signal.Signals
+) -> None:
+    """Whoever prints the news hangs, the run as well, and the board is in the middle of half a frame."""
+    run = pexpect.spawn(
+        sys.executable,
+        [*COMMAND[1:], "run", program(tmp_path, "FW 300\n"), *serial(robot), *QUIET],
+        env=environment(tmp_path),
+        cwd=str(tmp_path),
+        timeout=PATIENCE,
+    )
+    assert until(lambda: robot.board.is_driving)
+    with terminal_that_takes_nothing(run):
+        robot.board.millivolts = 6000
+        assert until(is_stuck(run))
+        half_a_frame(robot)
+        run.kill(number)
+
+        assert until(lambda: not run.isalive())
+        assert not robot.board.is_driving
+    assert run.exitstatus == 130
+
+
+def test_control_z_stops_the_robot_of_the_linear_mode_although_its_terminal_takes_nothing(
+    tmp_path: Path, robot: DoubleOnPty
+) -> None:
+    learner = Learner(tmp_path, *serial(robot), program(tmp_path, "FW 300\n"))
+    learner.sees("Robot connected.")
+    learner.sees_prompt()
+    learner.types("RUN\r")
+    assert until(lambda: robot.board.is_driving)
+    with terminal_that_takes_nothing(learner.child):
+        robot.board.millivolts = 6000
+        assert until(is_stuck(learner.child))
+        learner.child.kill(signal.SIGTSTP)
+
+        assert until(lambda: not robot.board.is_driving)
+    assert is_suspended(learner.child.pid)
+    learner.child.kill(signal.SIGCONT)
+    learner.sees("You left with Ctrl+Z, so I stopped the robot.")
+
+
+PAINT_ANEW = "\x0b\x1b[15~"
+"""The keys for it: all of the screen is more than a terminal keeps; a robot that walks changes few cells."""
+
+
+def is_full(screen: pexpect.spawn) -> Callable[[], bool]:
+    """Whether a thread of it waits for the terminal in most looks, but for what a signal wakes it."""
+    is_waiting, looks = is_stuck(screen), list[bool]()
+
+    def look() -> bool:
+        if len(looks) % 50 == 0:
+            screen.send(PAINT_ANEW)
+        looks.append(is_waiting())
+        return len(looks) > 50 and sum(looks[-50:]) > 40
+
+    return look
+
+
+def unread_screen(folder: Path, robot: DoubleOnPty) -> pexpect.spawn:
+    """The full screen, its robot driving, at a terminal whose output nobody reads from then on."""
+    screen = pexpect.spawn(
+        sys.executable,
+        [*COMMAND[1:], "--visual", *serial(robot), *QUIET, program(folder, "FW 1000\n")],
+        env=environment(folder, {"TERM": "xterm-256color"}),
+        cwd=str(folder),
+        dimensions=(60, 200),
+        timeout=PATIENCE,
+    )
+    assert until(lambda: robot.board.is_configured)
+    screen.expect("onnected")
+    screen.send("\x1b[15~")
+    assert until(lambda: (read(screen), robot.board.is_driving)[1])
+    assert until(is_full(screen))
+    return screen
+
+
+def read(screen: pexpect.spawn) -> bytes:
+    """What waits to be read."""
+    try:
+        return screen.read_nonblocking(65536, timeout=0)
+    except pexpect.TIMEOUT:
+        return b""
+
+
+def test_a_screen_that_takes_nothing_stops_the_robot_by_itself(tmp_path: Path, robot: DoubleOnPty) -> None:
+    """Although one signal after the other comes."""
+    screen = unread_screen(tmp_path, robot)
+    widths = cycle((200, 199))
+
+    assert until(lambda: (screen.setwinsize(60, next(widths)), not robot.board.is_driving)[1])
+    assert screen.isalive()
+    screen.kill(signal.SIGKILL)
+
+
+@pytest.mark.parametrize(
+    "number", [signal.SIGTERM, signal.SIGHUP, signal.SIGQUIT], ids=lambda each: each.name
+)
+def test_a_signal_ends_a_screen_that_takes_nothing(
+    tmp_path: Path, robot: DoubleOnPty, number: signal.Signals
+) -> None:
+    screen = unread_screen(tmp_path, robot)
+    screen.kill(number)
+
+    assert until(lambda: not robot.board.is_driving)
+    assert until(lambda: not screen.isalive())
+    assert robot.heard.endswith(STOP)

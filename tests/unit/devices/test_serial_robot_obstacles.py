@@ -1,0 +1,149 @@
+"""The real robot stops at what is in its way, at what it bumps into, and where its wheels don't turn."""
+
+from __future__ import annotations
+
+import pytest
+
+from devices.firmware_double.surroundings import Switch
+from devices.ports.robot import STEP, Met, StoppedBy
+from devices.serial_robot.config import RobotConfig
+from tests.unit.devices.robots import NEAR, Real, Sonars, wall_ahead
+
+# --- obstacles
+
+
+@pytest.mark.parametrize(("away", "walked"), [(4, 3), (3, 2), (6, 5), (2, 1), (1.5, 0), (1, 0)])
+def test_a_step_that_would_leave_less_than_one_free_is_not_begun(away: float, walked: int) -> None:
+    real = Real(wall_ahead(away))
+
+    moved = real.robot.forward(9)
+
+    assert (moved.walked, moved.stopped_by) == (walked, StoppedBy.OBSTACLE)
+    assert moved.met == Met("something", "", 0.0)
+    assert real.board.wheels.place.y / STEP == pytest.approx(walked, abs=NEAR)
+    assert real.stands
+
+
+def test_the_back_sensor_stops_the_way_back() -> None:
+    real = Real(wall_ahead(-4))
+
+    assert (real.robot.backward(9).walked, real.robot.forward(1).stopped_by) == (3, None)
+
+
+def test_ranges_an_echo_that_is_there_once_and_not_twice_is_no_obstacle() -> None:
+    """What is 2.6 metres away looks near, once in a while."""
+    sonars = Sonars(far=150.0)
+    real = Real(sonars)
+    glimpses = iter(range(10_000))
+    sonars.far[1] = lambda place: 4.0 if next(glimpses) % 2 else 150.0
+
+    moved = real.robot.forward(6)
+
+    assert (moved.walked, moved.stopped_by) == (6, None)
+
+
+def test_ranges_a_false_echo_before_the_first_step_is_waited_for_and_not_believed() -> None:
+    sonars = Sonars(far=150.0)
+    real = Real(sonars)
+    real.robot.wait(1.0)
+    echoes = iter([4.0])
+    sonars.far[1] = lambda place: next(echoes, 150.0)
+    while real.line.telemetry.ranges[-1].centimetres[1] != 4:
+        real.line.advance(0.02)
+
+    assert real.robot.forward(2).stopped_by is None
+
+
+def test_ranges_what_nothing_is_known_about_is_no_obstacle() -> None:
+    real = Real(Sonars(far=256.0))
+
+    assert real.line.telemetry.ranges[-1].centimetres[1] == 0
+    assert real.robot.forward(2).stopped_by is None
+
+
+def test_after_an_obstacle_the_robot_turns_and_leaves() -> None:
+    real = Real(wall_ahead(3))
+    real.robot.forward(9)
+    real.robot.turn(180)
+
+    assert real.robot.forward(2).stopped_by is None
+
+
+# --- bumpers and stalls
+
+
+@pytest.mark.parametrize(("switch", "side"), [(Switch.NE, 45.0), (Switch.NW, -45.0)])
+def test_a_front_bumper_ends_a_walk_forward_and_tells_its_side(switch: Switch, side: float) -> None:
+    sonars = Sonars()
+    real = Real(sonars, at=[(2.5, lambda: setattr(sonars, "pressed", frozenset({switch})))])
+
+    moved = real.robot.forward(9)
+
+    assert (moved.walked, moved.stopped_by) == (2, StoppedBy.COLLISION)
+    assert moved.met == Met("something", "", side)
+    assert moved.pose.y == pytest.approx(2.5, abs=0.3)
+    assert real.stands
+
+
+def test_a_back_bumper_ends_a_walk_back_and_hinders_none_forward() -> None:
+    sonars = Sonars()
+    real = Real(sonars)
+    sonars.pressed = frozenset({Switch.SW})
+    real.robot.wait(0.1)
+
+    assert (real.robot.backward(1).stopped_by, real.robot.forward(1).stopped_by) == (
+        StoppedBy.COLLISION,
+        None,
+    )
+
+
+def test_a_bumper_that_is_pressed_meanwhile_ends_a_turn_and_one_that_was_before_does_not() -> None:
+    sonars = Sonars()
+    real = Real(sonars, at=[(1.0, lambda: setattr(sonars, "pressed", frozenset({Switch.NE})))])
+
+    turned = real.robot.turn(90)
+    assert (turned.stopped_by, turned.met) == (StoppedBy.COLLISION, Met("something", "", 45.0))
+    assert real.robot.turn(-30).stopped_by is None
+
+
+def test_bumpers_are_where_the_configuration_says() -> None:
+    sonars = Sonars()
+    real = Real(sonars, RobotConfig(front_bumpers=frozenset({3}), back_bumpers=frozenset({0})))
+    sonars.pressed = frozenset({Switch.SE})
+    real.robot.wait(0.1)
+
+    assert real.robot.forward(1).stopped_by is StoppedBy.COLLISION
+
+
+@pytest.mark.parametrize("is_walk", [True, False])
+def test_host_watchdog_wheels_that_do_not_turn_are_a_stall(is_walk: bool) -> None:
+    real = Real()
+    real.board.wheels.is_stuck = True
+
+    done = real.robot.forward(3) if is_walk else real.robot.turn(90)
+
+    assert done.stopped_by is StoppedBy.STALL
+    assert real.robot.time() == pytest.approx(0.6, abs=0.2)
+    assert real.stands
+
+
+def test_wheels_that_get_stuck_on_the_way_are_a_stall_and_what_was_walked_counts() -> None:
+    real = Real()
+    real.pace.due = [(3.5, lambda: setattr(real.board.wheels, "is_stuck", True))]
+
+    moved = real.robot.forward(9)
+
+    assert (moved.walked, moved.stopped_by) == (3, StoppedBy.STALL)
+
+
+@pytest.mark.parametrize("wheel", ["is_left_stuck", "is_right_stuck"])
+@pytest.mark.parametrize("is_walk", [True, False], ids=["walk", "turn"])
+def test_one_stuck_wheel_is_a_stall_although_the_other_one_turns(wheel: str, is_walk: bool) -> None:
+    real = Real()
+    real.pace.due = [(1.2, lambda: setattr(real.board.wheels, wheel, True))]
+
+    done = real.robot.forward(9) if is_walk else real.robot.turn(360)
+
+    assert done.stopped_by is StoppedBy.STALL
+    assert real.robot.time() == pytest.approx(1.8, abs=0.2)
+    assert real.stands
