@@ -10,6 +10,7 @@ from itertools import combinations, product
 from pathlib import Path
 
 from donnie_tui.cli.order import Order
+from donnie_tui.core.documents import is_same_file
 from donnie_tui.i18n.words import Unusable
 from donnie_tui.settings.chosen import Settings
 
@@ -20,11 +21,11 @@ def refuse_overwriting(order: Order) -> None:
     if not outputs:
         return
     for (option, path), (other, other_path) in combinations(outputs, 2):
-        if _is_same(path, other_path):
+        if is_same_file(path, other_path):
             raise Unusable(order.words("output-twice", option=option, other=other, path=path))
     read = (*_programs(order), *_files_of_world(order, outputs))
     for (option, path), source in product(outputs, read):
-        if _is_same(path, source):
+        if is_same_file(path, source):
             raise Unusable(order.words("output-is-input", option=option, path=path))
 
 
@@ -75,14 +76,4 @@ def _is_regular(path: Path) -> bool:
     try:
         return path.is_file()
     except (OSError, ValueError):
-        return False
-
-
-def _is_same(one: Path, other: Path) -> bool:
-    """Of two files that may not be there yet. What is no regular file, such as a terminal, may be shared."""
-    try:
-        if one.exists() and other.exists():
-            return one.is_file() and one.samefile(other)
-        return one.resolve() == other.resolve()
-    except (OSError, ValueError, RuntimeError):
         return False

@@ -11,6 +11,7 @@ import contextlib
 import errno
 import os
 import re
+from collections.abc import Iterable
 from pathlib import Path
 
 from donnie_tui.core.harmless import cleaned
@@ -55,6 +56,17 @@ def program_to_save(name: str) -> Path:
     return meant
 
 
+def page_to_save(name: str, open_programs: Iterable[Path | None]) -> Path:
+    """Where a page that is no program is written, a log or a report. Raises ``DocumentError``.
+
+    Nobody is asked whether it replaces an open program: that is never meant.
+    """
+    path = program_to_save(name)
+    if any(each is not None and is_same_file(path, each) for each in open_programs):
+        raise DocumentError("file-is-open", str(path))
+    return path
+
+
 def _typed_path(name: str) -> Path:
     """The path of a name that may stand between quotes. Raises ``DocumentError``."""
     path = Path(unquoted(name))
@@ -76,6 +88,16 @@ def exists(path: Path) -> bool:
     try:
         return path.exists()
     except OSError:
+        return False
+
+
+def is_same_file(one: Path, other: Path) -> bool:
+    """Of two that may not be there yet. What is no regular file, such as a terminal, may be shared."""
+    try:
+        if one.exists() and other.exists():
+            return one.is_file() and one.samefile(other)
+        return one.resolve() == other.resolve()
+    except (OSError, ValueError, RuntimeError):
         return False
 
 

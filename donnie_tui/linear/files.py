@@ -128,9 +128,14 @@ def _save(desk: Desk, path: Path) -> bool:
 
 
 def may_replace(desk: Desk, path: Path) -> bool:
-    """A file that is not the program's own is replaced only by somebody who wants it."""
-    if str(path) == desk.program.name or not desk.is_attended or not exists(path):
+    """A file that is not the program's own is replaced only by somebody who wants it.
+
+    Raises ``DocumentError`` where nobody can be asked.
+    """
+    if str(path) == desk.program.name or not exists(path):
         return True
+    if not desk.is_attended:
+        raise DocumentError("file-exists", str(path))
     return desk.asking.ask_yes("linear-ask-replace", name=path.name)
 
 

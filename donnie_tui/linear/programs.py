@@ -61,6 +61,11 @@ class Programs:
         others = (each for name, each in self._by_robot.items() if name != self._robot())
         return (self.current, *others)
 
+    @property
+    def files(self) -> tuple[Path | None, ...]:
+        """Of all of them."""
+        return tuple(_path_of(each) for each in self.all())
+
     @contextlib.contextmanager
     def as_current(self, program: TypedProgram) -> Iterator[None]:
         """For a while that one is the current one, whoever is talked to."""

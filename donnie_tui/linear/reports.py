@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from donnie_tui.core.documents import DocumentError, program_to_save, write_program
+from donnie_tui.core.documents import DocumentError, page_to_save, write_program
 from donnie_tui.core.report_text import Subject, asked, report, with_suffix
 from donnie_tui.linear.arguments import Handler
 from donnie_tui.linear.desk import Desk
@@ -37,7 +37,7 @@ def _subject(desk: Desk) -> Subject:
 
 def _write(desk: Desk, name: str, text: str) -> None:
     try:
-        path = program_to_save(name)
+        path = page_to_save(name, desk.programs.files)
         if not may_replace(desk, path):
             desk.answer("answer-unchanged")
             return

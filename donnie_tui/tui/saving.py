@@ -10,7 +10,7 @@ import contextlib
 from pathlib import Path
 
 from donnie_tui.core.breakpoints import KeptBreakpoints
-from donnie_tui.core.documents import DocumentError, program_to_save, write_program
+from donnie_tui.core.documents import DocumentError, page_to_save, write_program
 from donnie_tui.core.wording import Wording
 from donnie_tui.tui.desk import Desk, YesOrNo, told
 from donnie_tui.tui.open_programs import OpenPrograms, Program
@@ -96,7 +96,7 @@ class Saving:
     async def write_beside(self, name: str, text: str) -> None:
         """Another file than the program's; what was there is replaced only by somebody who wants it."""
         try:
-            path = program_to_save(name)
+            path = page_to_save(name, [each.document.path for each in self._programs])
             if not await self.may_replace(path):
                 return
         except DocumentError as error:

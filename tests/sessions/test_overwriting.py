@@ -86,3 +86,26 @@ def test_no_word_of_a_session_writes_onto_what_the_session_needs(
     assert main(["replay", "b.rec", "--check", *QUIET]) == 0
     assert Path("b.jsonl").read_text().count("run_ended") == 2
     assert Path("c.gd").exists()
+
+
+@pytest.mark.parametrize("word", ["SAVE LOG", "REPORT LIST"])
+def test_no_page_takes_the_place_of_a_program_that_is_open(word: str, tmp_path: Path) -> None:
+    typed = f"{word} a.gd\n{word} ./link.gd\nROBOT bob\n{word} a.gd\n"
+
+    done = donnie(tmp_path, "--linear", "a.gd", "--world", "two_robots", *QUIET, typed=typed)
+
+    said = done.stdout.decode()
+    assert said.count("a.gd is an open program. Give another name.") == 2
+    assert "link.gd is an open program. Give another name." in said
+    assert Path("a.gd").read_text() == "FW 1\n"
+
+
+@pytest.mark.parametrize("word", ["SAVE AS", "SAVE LOG", "REPORT LIST"])
+def test_typed_lines_of_a_file_replace_nothing_since_nobody_can_be_asked(word: str, tmp_path: Path) -> None:
+    Path("mine.gd").write_text("BW 1\n")
+
+    done = donnie(tmp_path, "--linear", "a.gd", *QUIET, typed=f"{word} mine.gd\nREPORT MAP mine.html\n")
+
+    assert "mine.gd exists. Give another name." in done.stdout.decode()
+    assert Path("mine.gd").read_text() == "BW 1\n"
+    assert Path("mine.html").exists()

@@ -239,6 +239,16 @@ async def test_the_log_replaces_a_file_only_after_a_yes(work, program):
         await desk.until(lambda: "SAVE LOG" in program.read_text(encoding="utf-8"), "the log")
 
 
+@pytest.mark.parametrize("word", ["SAVE LOG", "REPORT LIST"])
+async def test_no_page_takes_the_place_of_a_program_that_is_open(work, program, word):
+    async with work(file=program) as desk:
+        await desk.type_line(f"{word} {program}")
+        await desk.told("is an open program. Give another name.")
+
+        assert desk.app.screen is desk.place
+        assert program.read_text(encoding="utf-8") == "FW 1\nTR 90\n"
+
+
 async def test_nobody_is_asked_to_replace_what_the_session_needs(work, tmp_path):
     needed = tmp_path / "run.rec"
     needed.write_text("{}\n", encoding="utf-8")

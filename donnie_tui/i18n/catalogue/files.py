@@ -18,6 +18,22 @@ SENTENCES: dict[str, Sentence] = {
         "{path} está em uso aqui. Dê outro nome.",
         "{path} está en uso aquí. Da otro nombre.",
     ),
+    "file-is-open": Sentence(
+        "{path} is an open program. Give another name.",
+        "{path} é um programa aberto. Dê outro nome.",
+        "{path} es un programa abierto. Da otro nombre.",
+        brief=(
+            "{path} is an open program.",
+            "{path} é um programa aberto.",
+            "{path} es un programa abierto.",
+        ),
+    ),
+    "file-exists": Sentence(
+        "{path} exists. Give another name.",
+        "{path} já existe. Dê outro nome.",
+        "{path} ya existe. Da otro nombre.",
+        brief=("{path} exists already.", "{path} já existe.", "{path} ya existe."),
+    ),
     "file-no-file": Sentence(
         "{path} is no ordinary file.", "{path} não é um arquivo comum.", "{path} no es un archivo común."
     ),
