@@ -147,3 +147,17 @@ def _parts(colour: str) -> tuple[int, int, int]:
 def test_every_setting_of_the_look_is_one():
     assert tuple(map(themes.name_of, THEMES)) == themes.NAMES
     assert tuple(themes.theme(name).name for name in themes.NAMES) == themes.NAMES
+
+
+@pytest.mark.parametrize("name", themes.NAMES)
+@pytest.mark.parametrize("keys", [("ctrl+g",), ("down", "end", "ctrl+@")], ids=["question", "words"])
+async def test_what_somebody_asks_about_is_seen_beside_the_question(work, name, keys):
+    """In the terminal's own colours, too, which Textual can't make transparent by a percentage."""
+    async with work("FW 1\nREP") as desk:
+        desk.app.theme = name
+        await desk.press(*keys)
+        await desk.until(lambda: desk.app.screen is not desk.place, "the question")
+        await desk.until(lambda: "Ready" not in desk.screen or "REPEAT" in desk.screen, "its picture")
+
+        assert "1  FW 1" in desk.screen
+        assert "Map: " in desk.screen
