@@ -75,8 +75,13 @@ class TerminalApp(App[int], inherit_bindings=False):
 
     def repaint(self) -> None:
         """All of it: something else may have written over the terminal."""
+        self._painted.forget()
         self.refresh()
         self.show_cursor()
+
+    def on_resize(self) -> None:
+        """Terminals move what they show."""
+        self._painted.forget()
 
     def _set_pointer_shape(self, shape: str) -> None:
         """Nobody asks for it, it costs bytes, and a console shows it as letters."""

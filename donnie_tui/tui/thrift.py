@@ -17,7 +17,11 @@ from rich.color import ColorSystem
 from rich.console import Console, RenderableType
 from rich.control import Control
 from rich.style import Style
-from textual._compositor import ChopsUpdate, CompositorUpdate  # Textual's only name for what it paints
+from textual._compositor import (  # Textual's only names for what it paints
+    ChopsUpdate,
+    CompositorUpdate,
+    LayoutUpdate,
+)
 from textual.geometry import Offset
 from textual.strip import Strip
 
@@ -28,6 +32,8 @@ _MOST_TYPED = 2
 _FIRST_COMBINING = "\u0300"
 _SOFT_HYPHEN = "\xad"
 
+Update = ChopsUpdate | LayoutUpdate
+"""Parts of the screen, or all of it."""
 Cell = tuple[str, Style]
 Piece = tuple[Style, str]
 """A style, and a text with the way to its place."""
@@ -38,6 +44,13 @@ class Painted:
 
     def __init__(self) -> None:
         self._cells: dict[tuple[int, int], Cell] = {}
+        self._first: LayoutUpdate | None = None
+        """What was painted where nothing was known; not looked at before something else is painted."""
+
+    def forget(self) -> None:
+        """Nobody knows what the terminal shows: all of it is painted next."""
+        self._cells.clear()
+        self._first = None
 
     def less(
         self, update: RenderableType | None, *, rows: bool = False, typing: Offset | None = None
@@ -46,11 +59,26 @@ class Painted:
 
         ``typing``: where the cursor stands in a text that is typed; letters that come there stay letters.
         """
-        if isinstance(update, ChopsUpdate):
+        if isinstance(update, LayoutUpdate) and not self._knows_something:
+            self._first = update
+        elif isinstance(update, Update):
+            self._learn()
             return cast(RenderableType, Changes(update, self, rows=rows, typing=typing))
-        if update is not None:
-            self._cells.clear()  # the whole screen, or something else
+        elif update is not None:
+            self.forget()
         return update
+
+    @property
+    def _knows_something(self) -> bool:
+        return self._first is not None or bool(self._cells)
+
+    def _learn(self) -> None:
+        """What the first picture has shown."""
+        first, self._first = self._first, None
+        if first is not None:
+            for x, y, strip in _strips_of(first):
+                cells = _cells_of(strip) or ()
+                self._cells.update({(at, y): cell for at, cell in enumerate(cells, x)})
 
     def differs(self, x: int, y: int, strip: Strip, *, letters: bool = False) -> int | None:
         """The first column that differs from what is shown, in its look or in its ``letters``; None: none."""
@@ -82,16 +110,16 @@ class Painted:
 
 
 class Changes(CompositorUpdate):
-    """Textual's partial update, less what is there already. A style is said once, whatever wears it."""
+    """Textual's update, less what is there already. A style is said once, whatever wears it."""
 
     def __init__(
-        self, update: ChopsUpdate, painted: Painted, *, rows: bool = False, typing: Offset | None = None
+        self, update: Update, painted: Painted, *, rows: bool = False, typing: Offset | None = None
     ) -> None:
         self._update, self._painted, self._rows, self._typing = update, painted, rows, typing
 
     def render_segments(self, console: Console) -> str:
         by_style: dict[Style, list[str]] = {}
-        pieces = list(self._pieces())
+        pieces = list(_strips_of(self._update))
         typed = self._typed_row(pieces) if self._rows and self._typing else None
         for x, y, strip in pieces:
             for style, text in self._painted.changes(x, y, strip, rows=self._rows and y != typed):
@@ -113,13 +141,25 @@ class Changes(CompositorUpdate):
         first = self._painted.differs(x, cursor.y, strip, letters=True)
         return cursor.y if first is not None and first >= cursor.x - 2 else None
 
-    def _pieces(self) -> Iterator[tuple[int, int, Strip]]:
-        """Column, row and cells of whatever is to be painted, from the beginning of its widget's row."""
-        update = self._update
-        for y, first, last in update.spans:
-            for end, (x, strip) in zip(update.chop_ends[y], update.chops[y].items(), strict=False):
-                if strip is not None and x <= last and end > first:
-                    yield x, y, strip if end <= last else strip.crop(0, last - x)
+
+def _strips_of(update: Update) -> Iterator[tuple[int, int, Strip]]:
+    """Column, row and cells of whatever is to be painted, from the beginning of its widget's row."""
+    return _strips_of_all(update) if isinstance(update, LayoutUpdate) else _strips_of_parts(update)
+
+
+def _strips_of_all(update: LayoutUpdate) -> Iterator[tuple[int, int, Strip]]:
+    for y, strips in enumerate(update.strips, update.region.y):
+        x = update.region.x
+        for strip in strips:
+            yield x, y, strip
+            x += strip.cell_length
+
+
+def _strips_of_parts(update: ChopsUpdate) -> Iterator[tuple[int, int, Strip]]:
+    for y, first, last in update.spans:
+        for end, (x, strip) in zip(update.chop_ends[y], update.chops[y].items(), strict=False):
+            if strip is not None and x <= last and end > first:
+                yield x, y, strip if end <= last else strip.crop(0, last - x)
 
 
 def _runs(changed: Sequence[int]) -> Iterator[tuple[int, int]]:

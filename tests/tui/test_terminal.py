@@ -257,6 +257,21 @@ def test_a_lost_line_halts_and_keeps_the_text(terminal, tmp_path, controls):
     assert [each.read_text(encoding="utf-8") for each in copies] == ["FW 1000"]
 
 
+@pytest.mark.parametrize(("layout", "most"), [((), 1500), (("--plain",), 2500)], ids=["panes", "plain"])
+def test_going_to_the_next_pane_writes_what_changes(terminal, layout, most):
+    """Titles, the status line and the keys, not the whole screen; in the plain layout another pane."""
+    donnie = terminal(*layout)
+    donnie.type(TAB)  # where Textual paints styles for the first time
+    assert falls_silent(donnie, 1.0)
+    for _ in range(3):
+        before = len(donnie.raw)
+        donnie.type(TAB)
+        donnie.until(lambda before=before: len(donnie.raw) > before, "an answer")
+        assert falls_silent(donnie, 1.0)
+
+        assert len(donnie.raw) - before < most
+
+
 def test_ctrl_space_offers_words_and_ctrl_z_takes_back_what_was_chosen(terminal):
     """As the bytes that a terminal sends."""
     donnie = terminal()

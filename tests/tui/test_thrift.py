@@ -6,8 +6,8 @@ import pyte
 from rich.console import Console
 from rich.segment import Segment
 from rich.style import Style
-from textual._compositor import ChopsUpdate
-from textual.geometry import Offset
+from textual._compositor import ChopsUpdate, LayoutUpdate
+from textual.geometry import Offset, Region
 from textual.strip import Strip
 
 from donnie_tui.tui.thrift import Changes, Painted
@@ -25,6 +25,11 @@ def update(x: int, y: int, strip: Strip) -> ChopsUpdate:
     return ChopsUpdate(
         [{x: strip} if row == y else {} for row in range(ROWS)], [(y, 0, COLUMNS)], [[COLUMNS]] * ROWS
     )
+
+
+def whole_screen(chance: random.Random) -> LayoutUpdate:
+    strips = [[some_strip(chance), some_strip(chance)] for _ in range(ROWS)]
+    return LayoutUpdate(strips, Region(0, 0, COLUMNS, ROWS))
 
 
 def some_strip(chance: random.Random) -> Strip:
@@ -59,8 +64,9 @@ def test_the_terminal_shows_the_same():
     thin, whole, painted = Seen(), Seen(), Painted()
     for _ in range(600):
         x, y, strip = chance.randrange(2) * 12, chance.randrange(ROWS), some_strip(chance)
-        thin.feed(painted.less(update(x, y, strip)).render_segments(CONSOLE))
-        whole.feed(update(x, y, strip).render_segments(CONSOLE))
+        given = whole_screen(chance) if chance.random() < 0.1 else update(x, y, strip)
+        thin.feed(painted.less(given).render_segments(CONSOLE))
+        whole.feed(given.render_segments(CONSOLE))
 
         assert thin.cells() == whole.cells()
 
@@ -74,12 +80,21 @@ def test_what_is_there_already_costs_nothing_and_one_letter_little():
     assert painted.less(update(0, 0, after)).render_segments(CONSOLE) == "\x1b[31;40m\x1b[1;10H5\x1b[0m"
 
 
-def test_after_the_whole_screen_was_painted_nothing_is_known():
+def test_after_something_else_was_written_nothing_is_known():
     painted, strip = Painted(), Strip([Segment("FW 4", STYLES[0])])
     sent = painted.less(update(0, 0, strip)).render_segments(CONSOLE)
-    painted.less("something else")
+    for forget in (lambda: painted.less("something else"), painted.forget):
+        forget()
+        assert painted.less(update(0, 0, strip)).render_segments(CONSOLE) == sent
 
-    assert painted.less(update(0, 0, strip)).render_segments(CONSOLE) == sent
+
+def test_a_whole_screen_that_shows_the_same_costs_nothing():
+    """Textual paints all of it where the focus goes elsewhere."""
+    rows = [[Strip([Segment("Program".ljust(12), each)])] for each in STYLES[:ROWS]]
+    painted, screen = Painted(), LayoutUpdate(rows, Region(0, 0, COLUMNS, ROWS))
+
+    assert painted.less(screen).render_segments(CONSOLE) == screen.render_segments(CONSOLE)
+    assert painted.less(screen).render_segments(CONSOLE) == ""
 
 
 def sent(painted: Painted, text: str, *, row: int = 0, typing: Offset | None = None) -> str:
