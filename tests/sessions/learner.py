@@ -12,6 +12,9 @@ import pexpect
 
 from tests.patience import PATIENCE
 
+ESC, UP, DOWN, LEFT, HOME = "\x1b", "\x1b[A", "\x1b[B", "\x1b[D", "\x1b[H"
+CTRL_C, CTRL_D, CTRL_Z, BACKSPACE = "\x03", "\x04", "\x1a", "\x7f"
+
 
 class Learner:
     """One session of ``donnie --linear`` in a folder of its own, on a terminal of 80 by 24."""
@@ -87,3 +90,8 @@ def until(happened: object, patience: float = PATIENCE) -> None:
     while not happened():
         assert time.monotonic() < end, "it did not happen"
         time.sleep(0.01)
+
+
+def said(learner: Learner) -> list[str]:
+    """The lines without the typed ones."""
+    return [line for line in learner.lines if line and not re.match(r"[0-9]*> ", line)]

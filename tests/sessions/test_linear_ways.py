@@ -14,11 +14,6 @@ TAB, SHIFT_TAB = "\t", "\x1b[Z"
 SQUARE = ("REPEAT 2 TIMES", "FW 2", "TR 90", "END REPEAT")
 
 
-@pytest.fixture
-def learner(tmp_path: Path) -> Learner:
-    return Learner(tmp_path)
-
-
 def settled(learner: Learner, *lines: str) -> None:
     """Enter the lines, then wait for the prompt."""
     learner.enters(*lines)

@@ -1,0 +1,82 @@
+"""The linear mode without a terminal: a script through a pipe, whatever is in it."""
+
+from __future__ import annotations
+
+import os
+import subprocess
+import sys
+from pathlib import Path
+
+import pytest
+
+
+def test_the_output_of_a_pipe_needs_no_terminal(tmp_path: Path) -> None:
+    """Only whole lines, no prompts; the words of the session work there too."""
+    script = (
+        "FW 3\nTR 90\n\nREPEAT 2 TIMES\nFW 1\nEND REPEAT\nRUN\nWHERE\nFWD\nRUN\nSAVE kept\nQUIT\nFW 99\nRUN\n"
+    )
+    done = _piped(script.encode(), tmp_path)
+
+    assert done.stdout.decode().splitlines() == [
+        "Linear mode, from the option.",
+        "HELP lists the commands.",
+        "I walked 3 steps forward.",
+        "I turned 90 degrees to the right.",
+        "I walked 1 step forward.",
+        "I walked 1 step forward.",
+        "Position 2, 3. Facing east.",
+        "Error, line 6, column 1: I do not know FWD.",
+        "Line 6: FWD",
+        "Did you mean FW?",
+        "Saved kept.gd, 5 lines.",
+        "Goodbye.",
+    ]
+    assert (done.returncode, done.stderr) == (0, b"")
+
+
+def test_a_script_that_forgets_run_is_told(tmp_path: Path) -> None:
+    done = _piped(b"FW 3\nFW 4\n", tmp_path)
+
+    assert done.stdout.decode().splitlines()[2:] == ["2 lines did not run. RUN was missing.", "Goodbye."]
+
+
+@pytest.mark.parametrize(
+    "garbage",
+    [b"\xfd\xff\x00\n\nRUN\n", b"\x1b[A\x07\n\n", b'SPEAK "\xed\xb3\xbf"\nRUN\n', b"(" * 5000 + b"\nRUN\n"],
+    ids=["bytes", "keys", "surrogate", "parentheses"],
+)
+def test_garbage_is_answered(garbage: bytes, tmp_path: Path) -> None:
+    done = _piped(garbage, tmp_path)
+
+    assert done.returncode == 0
+    assert done.stderr == b""
+    assert b"Error, line 1" in done.stdout or b'SPEAK "' in garbage
+
+
+def _piped(script: bytes, folder: Path) -> subprocess.CompletedProcess[bytes]:
+    environment = {
+        **os.environ,
+        "XDG_STATE_HOME": str(folder / "state"),
+        "XDG_CONFIG_HOME": str(folder / "config"),
+        "DONNIE_TOUR": "off",
+    }
+    command = [
+        sys.executable,
+        "-m",
+        "donnie_tui",
+        "--linear",
+        "--speech",
+        "off",
+        "--sound",
+        "off",
+        "--lang",
+        "en",
+    ]
+    return subprocess.run(
+        [*command, "--speed", "max"],
+        input=script,
+        capture_output=True,
+        timeout=60,
+        cwd=folder,
+        env=environment,
+    )

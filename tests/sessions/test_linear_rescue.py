@@ -1,0 +1,77 @@
+"""What was typed is there again after a signal, after a power failure; what was saved leaves no copy."""
+
+from __future__ import annotations
+
+import signal
+from pathlib import Path
+
+import pytest
+
+from tests.sessions.learner import (
+    UP,
+    Learner,
+    until,
+)
+
+
+@pytest.mark.parametrize("number", [signal.SIGTERM, signal.SIGHUP])
+def test_a_signal_to_leave_rescues_the_program(number: int, tmp_path: Path) -> None:
+    learner = Learner(tmp_path)
+    learner.enters("FW 1", "FW 2")
+    learner.sees_prompt()
+    learner.child.kill(number)
+
+    assert learner.leaves() == 128 + number
+    again = Learner(tmp_path)
+    again.enters("RECOVER")
+    again.sees("A program was rescued. RECOVER opens it.\r\nHere it is again, 2 lines.")
+    again.enters("LIST")
+    again.sees("1: FW 1\r\n2: FW 2\r\n> ")
+
+
+def test_a_rescued_program_has_its_file_again(tmp_path: Path) -> None:
+    (tmp_path / "walk.gd").write_text("FW 1\n")
+    learner = Learner(tmp_path)
+    learner.enters(f"OPEN {tmp_path / 'walk.gd'}", "FW 2")
+    learner.sees_prompt()
+    learner.child.kill(signal.SIGTERM)
+    learner.leaves()
+    again = Learner(tmp_path)
+    again.enters("RECOVER")
+    again.sees("Here walk.gd is again, 2 lines. SAVE saves it.")
+    again.enters("SAVE")
+    again.sees("Saved walk.gd, 2 lines.")
+    assert (tmp_path / "walk.gd").read_text() == "FW 1\nFW 2\n"
+
+
+def copies(folder: Path) -> list[Path]:
+    return list((folder / "state").rglob("unsaved-*.gd"))
+
+
+def test_what_was_typed_is_there_again_after_donnie_was_killed_in_mid_line(tmp_path: Path) -> None:
+    learner = Learner(tmp_path, language="es")
+    learner.types("AV 1\rGD 90\rHABL")
+    learner.sees("> HABL")
+    until(lambda: [each.read_text() for each in copies(tmp_path)] == ["AV 1\nGD 90\n"])
+    learner.child.kill(signal.SIGKILL)
+    learner.leaves()
+
+    again = Learner(tmp_path, language="es")
+    again.enters("RECUPERAR", "LISTAR")
+    again.sees("1: AV 1\r\n2: GD 90\r\n> ")
+    again.types(UP + UP + "\r")
+    again.sees("RECUPERAR")
+    again.sees("> ")
+    again.types("SALIR\r")
+
+    assert again.leaves() == 0
+    assert list((tmp_path / "state").rglob("unsaved-*")) == []
+
+
+def test_a_program_that_was_saved_leaves_no_copy(learner: Learner, tmp_path: Path) -> None:
+    learner.enters("FW 1")
+    learner.sees_prompt()
+    until(lambda: list((tmp_path / "state").rglob("unsaved-*")) != [])
+    learner.types("SAVE mine\r")
+    learner.sees_prompt()
+    until(lambda: list((tmp_path / "state").rglob("unsaved-*")) == [])

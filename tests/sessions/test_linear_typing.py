@@ -1,0 +1,169 @@
+"""Programs as a learner types them with real keys: mended, run, stepped through, recalled, saved and left."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+from tests.sessions.learner import (
+    CTRL_D,
+    ESC,
+    HOME,
+    UP,
+    Learner,
+    said,
+)
+
+
+def test_a_mistake_is_told_with_its_line_and_what_was_meant(learner: Learner) -> None:
+    learner.enters("FW 1", "RUN", "FWD 3", "RUN")
+    learner.sees_prompt()
+
+    assert said(learner)[3:] == [
+        "Error, line 2, column 1: I do not know FWD.",
+        "Line 2: FWD 3",
+        "Did you mean FW?",
+    ]
+
+
+def test_lines_with_a_mistake_are_kept_and_mended(learner: Learner) -> None:
+    learner.enters("FW 1", "TRR 90", "RUN")
+    learner.sees("Nothing ran. CHANGE 2 mends line 2, DELETE 2 deletes it.")
+    learner.enters("CHANGE 2")
+    learner.sees("Edit line 2, then Enter.\r\n> TRR 90")
+    learner.types(HOME + "\x1b[3~" + "\r")
+    learner.sees("Line 2: RR 90")
+    learner.enters("CHANGE 2 TR 90", "RUN")
+    learner.sees("I turned 90 degrees to the right.\r\n> ")
+
+
+def test_an_empty_line_runs_what_waits_but_not_half_a_block(learner: Learner) -> None:
+    learner.enters("REPEAT 2 TIMES", "FW 1", "")
+    learner.sees("Still open: REPEAT from line 1.")
+    learner.enters("END REPEAT", "")
+    learner.sees("I walked 1 step forward.\r\nI walked 1 step forward.\r\n> ")
+
+
+def test_escape_runs_the_unfinished_line_too(learner: Learner) -> None:
+    learner.sees_prompt()
+    learner.types("FW 2" + ESC)
+    learner.sees("I walked 2 steps forward.")
+
+
+def test_run_without_anything_to_run_says_so(learner: Learner) -> None:
+    learner.enters("RUN")
+    learner.sees("Nothing to run.\r\n> ")
+
+
+def test_a_run_that_tells_nothing_says_that_it_is_done(learner: Learner) -> None:
+    learner.enters("VAR x = 5", "RUN")
+    learner.sees("Done.\r\n> ")
+
+
+def test_arrow_up_brings_back_what_was_typed_also_in_the_next_session(
+    learner: Learner, tmp_path: Path
+) -> None:
+    learner.enters("FW 3", "RUN", "QUIT")
+    assert learner.leaves() == 0
+
+    again = Learner(tmp_path)
+    again.sees_prompt()
+    again.types(UP)
+    again.sees("QUIT")
+    again.types(UP + UP)
+    again.sees("FW 3")
+    again.types("0" + ESC)
+    again.sees("I walked 30 steps forward.")
+
+
+def test_a_program_is_saved_and_opened(learner: Learner, tmp_path: Path) -> None:
+    learner.enters("FW 3", "TR 90", "SAVE corner")
+    learner.sees("Saved corner.gd, 2 lines.")
+    learner.enters("NEW", "LIST")
+    learner.sees("No lines yet.")
+    learner.enters("OPEN corner", "SAVE AS other name")
+    learner.sees("Saved other name.gd, 2 lines.")
+    learner.enters("RUN")
+    learner.sees("I turned 90 degrees to the right.")
+
+    assert (tmp_path / "corner.gd").read_text() == "FW 3\nTR 90\n"
+
+
+def test_another_file_is_replaced_only_if_wanted(learner: Learner, tmp_path: Path) -> None:
+    (tmp_path / "mine.gd").write_text("BW 1\n")
+    learner.enters("FW 3", "SAVE mine")
+    learner.sees("mine.gd exists. Replace it, y or n? Enter means no.")
+    learner.enters("maybe")
+    learner.sees("Type y or n.")
+    learner.enters("")
+    learner.sees("Nothing was changed.")
+
+    assert (tmp_path / "mine.gd").read_text() == "BW 1\n"
+
+
+def test_a_program_on_the_command_line_waits_to_be_run(tmp_path: Path) -> None:
+    (tmp_path / "walk.gd").write_text("FW 2\n-- turn\nTR 90\n")
+    learner = Learner(tmp_path, "walk.gd")
+    learner.sees_prompt()
+
+    assert said(learner) == ["Linear mode, from the option.", "Opened walk.gd, 3 lines."]
+
+
+def _says(learner: Learner, line: str, answer: str) -> None:
+    """The learner says a line to the held program, and is answered."""
+    learner.types(f"{line}\r")
+    learner.sees(answer)
+
+
+def test_a_program_is_stepped_through(learner: Learner) -> None:
+    learner.enters("VAR x = 2", "FW x", "TR 90", "STEP")
+    learner.sees("Line 1: VAR x = 2\r\n> ")
+    _says(learner, "", "Line 2: FW x\r\n> ")
+    _says(learner, "WHERE", "Position 0, 0. Facing north.\r\n> ")
+    _says(learner, "", "I walked 2 steps forward.\r\nLine 3: TR 90\r\n> ")
+    _says(learner, "RUN", "I turned 90 degrees to the right.\r\n> ")
+
+
+def test_the_reading_place_is_the_line_where_a_program_holds(learner: Learner) -> None:
+    learner.enters("FW 1", "TR 90", "FW 2", "STEP")
+    learner.sees("Line 1: FW 1\r\n> ")
+    _says(learner, "", "Line 2: TR 90\r\n> ")
+    _says(learner, "PLACE", "Line 2 of 3, level 0.\r\n> ")
+    _says(learner, "READ", "Line 2: TR 90\r\n> ")
+
+
+def test_quit_runs_what_waits_and_leaves(learner: Learner) -> None:
+    learner.enters("FW 3", "QUIT")
+
+    assert learner.leaves() == 0
+    assert said(learner)[2:] == ["I walked 3 steps forward.", "Goodbye."]
+
+
+def test_quit_leaves_the_second_time_where_the_first_could_not_be_reached(learner: Learner) -> None:
+    learner.enters("FWD 3", "TRR 3", "QUIT")
+    learner.sees("Nothing ran.")
+    learner.enters("QUIT")
+
+    assert learner.leaves() == 0
+
+
+def test_a_program_that_would_be_missed_is_asked_about_once(learner: Learner, tmp_path: Path) -> None:
+    learner.enters("FW 1", "FW 2", "FW 3", "FW 4", "FW 5")
+    learner.sees_prompt()
+    learner.types(CTRL_D)
+    learner.sees("5 lines are not saved. Save first, y or n? Enter means no.")
+    learner.enters("y", "five")
+
+    assert learner.leaves() == 0
+    assert (tmp_path / "five.gd").read_text() == "FW 1\nFW 2\nFW 3\nFW 4\nFW 5\n"
+
+
+def test_the_three_languages_are_all_understood_and_one_is_spoken(tmp_path: Path) -> None:
+    learner = Learner(tmp_path, language="pt")
+    learner.enters("PF 2", "EXECUTAR")
+    learner.sees("Andei 2 passos para frente.")
+    learner.enters("IDIOMA es", "AV 1", "EJECUTAR")
+    learner.sees("Caminé 1 paso hacia adelante.")
+    learner.enters("WHERE", "SAIR")
+
+    assert learner.leaves() == 0
+    assert said(learner)[-2:] == ["Posición 0, 3. Mirando al norte.", "Hasta luego."]
