@@ -14,21 +14,19 @@ from typing import TYPE_CHECKING, TextIO
 from devices.ports.robot import Pace, Watcher
 from devices.ports.values import frozen
 from donnie_tui.core.belt_telling import BeltTelling
+from donnie_tui.core.chronicle import Chronicle
 from donnie_tui.core.events import Announced
-from donnie_tui.core.holding_up import HoldingUp
 from donnie_tui.core.hub import Stream
 from donnie_tui.core.in_use import keep
 from donnie_tui.core.outlets import UntilSaid
 from donnie_tui.core.session import ResettableRobot, Session
 from donnie_tui.core.team import Team
-from donnie_tui.core.timeline import Chronicle
 from donnie_tui.i18n.words import Unusable, Words
 from donnie_tui.outlets.audible import Audible, make_audible
 from donnie_tui.outlets.outlets import Outlets
 from donnie_tui.outlets.tangible import belt_settings, connect_belt
 from donnie_tui.outlets.written import Written
 from donnie_tui.process.collecting import loaded
-from donnie_tui.process.lost_network import NetworkWatch
 from donnie_tui.robot.connection import Connection
 from donnie_tui.robot.search import Search
 from donnie_tui.settings.chosen import Settings, Source
@@ -148,7 +146,10 @@ def assemble(
         closing.close()
         raise
     donnie.outlets.let_programs_wait()
-    closing.callback(NetworkWatch(donnie.stop_unreachable_robot, os.environ).close)
+    if os.environ.get("SSH_CONNECTION"):
+        from donnie_tui.process.lost_network import NetworkWatch  # who came by a network
+
+        closing.callback(NetworkWatch(donnie.stop_unreachable_robot, os.environ).close)
     loaded()
     return donnie
 
@@ -193,6 +194,8 @@ def _tell_hold_ups(
     team: Team, shared: World, words: Words, until_said: UntilSaid, closing: ExitStack
 ) -> None:
     """A program that says something at its own pace holds the others up on purpose."""
+    from donnie_tui.core.holding_up import HoldingUp
+
     holding_up = HoldingUp(team, shared.turn, words, is_excused=lambda: until_said.waiting > 0)
     holding_up.watch()
     closing.callback(holding_up.close)

@@ -22,7 +22,7 @@ from typing import Any, NoReturn
 from devices.ports.robot import Bearing
 from language.control import ControlState, ExecutionControl
 from language.diagnostics import Kind, LanguageError, QuitRequested, Refused, Stopped
-from language.levels import DEEPEST_CALL, Level, Levels, first_link, variables_in
+from language.levels import DEEPEST_CALL, NO_CALLS, Level, Levels, first_link, variables_in
 from language.numbers import checked, divide
 from language.runtime import Actions, Frame, Memory, Trace, told_levels
 from language.syntax import Axis
@@ -67,11 +67,12 @@ class Execution:
         """Run to the end; raises what ``Runnable.run`` says."""
         stored = [value for _, value in sorted(self._memory.variables.items())]
         program = FunctionType(self._units[0].code, self._globals)
+        link = first_link() if self._units[0].calls else NO_CALLS
         failure = None
         warm_up(self._units)
         self._control.attach(self._heed)
         try:
-            self._keep(variables_in(program(first_link(), *stored)))
+            self._keep(variables_in(program(link, *stored)))
         except BaseException as error:
             failure = self._failure(error)
             if failure is None:
@@ -268,7 +269,7 @@ def warm_up(units: tuple[Unit, ...]) -> None:
         function = FunctionType(unit.code, attention)
         for _ in range(_ENTRIES):
             with suppress(_Left):
-                function(first_link(), *[0] * (unit.code.co_argcount - 1))
+                function(NO_CALLS, *[0] * (unit.code.co_argcount - 1))
 
 
 def _leave_at_once(*_place: int) -> NoReturn:

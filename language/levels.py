@@ -142,6 +142,9 @@ DEEPEST_CALL = 20_000
 Link: TypeAlias = "tuple[int] | tuple[int, Link]"
 """How many calls are open, and the link for one call more; the deepest has none."""
 
+NO_CALLS: Link = (0,)
+"""The link of a program that calls no procedure."""
+
 _PYTHON_FRAMES = 1_000_000
 """More than a program can use: a call in deeply nested loops takes several frames of Python."""
 

@@ -10,7 +10,6 @@ from collections.abc import Collection, Mapping
 
 from language.diagnostics import Diagnostic, Kind, LanguageError, ProgramError, Refused
 from language.levels import DEEPEST_CALL, Level, call_sites
-from language.nearby import nearest
 from language.syntax import Call, Declare, For, Name, Procedure, Program, Span, walk
 from language.translated import procedure_taking
 
@@ -59,6 +58,8 @@ def _undeclared(
 
 
 def _meant(program: Program, name: Name, existing: Collection[str], most_compared: int | None) -> str:
+    from language.nearby import nearest  # only for names that there are not
+
     near = nearest(name.name, sorted(existing)[:most_compared])
     return _as_declared(program, near) if near else ""
 

@@ -19,7 +19,7 @@ from collections.abc import Callable, Iterable
 from pathlib import Path
 
 from devices.ports.values import frozen
-from donnie_tui.core.documents import DocumentError, as_lines, read_program, write_program
+from donnie_tui.core.documents import DocumentError, as_lines, new_file, read_program, write_program
 
 MOST_COPIES = 20
 """Copies that are kept; the oldest go first."""
@@ -147,15 +147,13 @@ class Copies:
         write_program(own, _with_file(wanted))
 
     def _new(self) -> Path:
-        import tempfile  # slow to load, and few sessions write
-
         self._folder.mkdir(parents=True, exist_ok=True)
-        handle, name = tempfile.mkstemp(dir=self._folder, prefix=f"{_PREFIX}{os.getpid()}-", suffix=_SUFFIX)
+        handle, own = new_file(self._folder, _PREFIX, _SUFFIX)
         os.close(handle)
         for old in [each for each in self._newest_first() if not _is_in_use(each)][MOST_COPIES:]:
             with contextlib.suppress(OSError):
                 old.unlink()
-        return Path(name)
+        return own
 
     def _newest_first(self) -> list[Path]:
         try:

@@ -9,6 +9,7 @@ from __future__ import annotations
 
 import contextlib
 import errno
+import itertools
 import os
 import re
 from collections.abc import Iterable
@@ -156,20 +157,34 @@ def write_program(path: Path, text: str) -> None:
         raise DocumentError("file-unwritable", str(path), _reason(problem)) from None
 
 
-def _write_beside(target: Path, text: str) -> None:
-    import tempfile  # slow to load, and few sessions write
+_numbers = itertools.count()
+"""Of the files of this process: a name is never given twice."""
 
-    handle, beside = tempfile.mkstemp(dir=target.parent, prefix=f".{target.name}.")
+
+def new_file(folder: Path, prefix: str, suffix: str = "") -> tuple[int, Path]:
+    """A file that was not there before, open to be written by its owner alone. Raises ``OSError``.
+
+    ``tempfile`` would do the same: to load it takes as long as to write a hundred files.
+    """
+    for number in _numbers:
+        path = folder / f"{prefix}{os.getpid()}-{number}{suffix}"
+        with contextlib.suppress(FileExistsError):
+            return os.open(path, os.O_RDWR | os.O_CREAT | os.O_EXCL, 0o600), path
+    raise AssertionError("numbers end nowhere")
+
+
+def _write_beside(target: Path, text: str) -> None:
+    handle, beside = new_file(target.parent, f".{target.name}.")
     try:
         with os.fdopen(handle, "w", encoding="utf-8", newline="\n") as out:
             out.write(text)
             out.flush()
             os.fsync(out.fileno())
-        Path(beside).chmod(_mode(target))
-        Path(beside).replace(target)
+        beside.chmod(_mode(target))
+        beside.replace(target)
     except BaseException:
         with contextlib.suppress(OSError):
-            Path(beside).unlink()
+            beside.unlink()
         raise
 
 

@@ -1,19 +1,17 @@
-"""What happened lately, and going through it: event by event or step by step, forwards and backwards.
+"""Going through what happened: event by event or step by step, forwards and backwards.
 
 A position is the number of events that have happened, from 0 to all of them. At each one the timeline knows
 where every robot is and how it came there; variables are known only where a run ended. A step is what one
-command did, with all that was told about it. The chronicle is the listener that keeps the newest events.
+command did, with all that was told about it.
 """
 
 from __future__ import annotations
 
-from collections import deque
 from collections.abc import Sequence
 
 from devices.ports.robot import Pose
 from devices.ports.values import frozen
 from donnie_tui.core.events import (
-    TRANSIENT,
     Announced,
     BeltShown,
     CueSounded,
@@ -195,24 +193,3 @@ def _leads_on(event: Event) -> bool:
             return True
         case _:
             return False
-
-
-MOST = 50_000
-"""Events that are kept, the newest ones: a lesson has some thousands."""
-
-
-class Chronicle:
-    """Keeps what is not transient. Any thread may tell it, any may ask."""
-
-    def __init__(self, most: int = MOST) -> None:
-        self._events: deque[Stamped] = deque(maxlen=most)
-
-    def __call__(self, stamped: Stamped) -> None:
-        if not isinstance(stamped.event, TRANSIENT):
-            self._events.append(stamped)
-
-    def timeline(self) -> Timeline:
-        """What is kept just now, seen from its end."""
-        timeline = Timeline(tuple(self._events.copy()))
-        timeline.go_to(len(timeline))
-        return timeline

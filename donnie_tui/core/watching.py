@@ -9,7 +9,6 @@ from collections.abc import Callable, Iterable, Sequence
 from typing import TYPE_CHECKING
 
 from donnie_tui.core.events import Answered
-from donnie_tui.core.step_words import changes
 from donnie_tui.core.wording import Wording
 from language.source import fold_name
 
@@ -86,6 +85,8 @@ class Watching:
         if not self._names:
             return ()
         now = _folded(variables)
+        from donnie_tui.core.step_words import changes  # few watch anything
+
         told = tuple(changes(self._names, self._known, now, self._say))
         self._known |= now
         return told

@@ -11,13 +11,11 @@ import os
 from pathlib import Path
 
 from donnie_tui.bootstrap import Donnie, Unusable, assemble
-from donnie_tui.core.patience import SLOW, SLOW_AGAIN
 from donnie_tui.i18n.words import Words
 from donnie_tui.linear.console import Console, Gone
 from donnie_tui.linear.conversation import Conversation
 from donnie_tui.linear.greeting import Greeting
 from donnie_tui.linear.habits import of_settings
-from donnie_tui.linear.patience import aside
 from donnie_tui.robot.search import Search
 from donnie_tui.settings.chosen import Settings
 from donnie_tui.settings.devices import SIMULATED
@@ -97,6 +95,9 @@ def _awaited(
 
     if is_there and settings.world in worlds.names():
         return assemble(settings, terminal=True, search=search)
+    from donnie_tui.core.patience import SLOW, SLOW_AGAIN
+    from donnie_tui.linear.patience import aside
+
     words, name = Words(settings.language, settings.verbosity), Path(settings.world).name
     sentence = words("slow-world", name=name) if is_there else words("slow-connect")
 

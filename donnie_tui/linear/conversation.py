@@ -7,18 +7,19 @@ the robot stops and no typed program is lost.
 from __future__ import annotations
 
 import os
+from functools import cached_property
 from pathlib import Path
+from typing import TYPE_CHECKING
 
 from donnie_tui.bootstrap import Donnie
 from donnie_tui.core.breakpoints import KeptBreakpoints
 from donnie_tui.core.copies import Copies
-from donnie_tui.linear import files
 from donnie_tui.linear.console import Console, Gone
 from donnie_tui.linear.desk import Desk
 from donnie_tui.linear.ends import Ends
 from donnie_tui.linear.greeting import Greeting
 from donnie_tui.linear.habits import Habits
-from donnie_tui.linear.key_echo import KeyEcho
+from donnie_tui.linear.keys import Key
 from donnie_tui.linear.leaving import Leaving
 from donnie_tui.linear.output import Output
 from donnie_tui.linear.reader import EditingReader, How, PlainReader, Typed
@@ -28,6 +29,9 @@ from donnie_tui.linear.typed_lines import TypedLines
 from donnie_tui.linear.while_running import WhileRunning
 from donnie_tui.settings.folders import BREAKPOINTS
 from donnie_tui.words.switching import SwitchMode
+
+if TYPE_CHECKING:
+    from donnie_tui.linear.key_echo import KeyEcho
 
 
 class Conversation:
@@ -71,8 +75,18 @@ class Conversation:
         if attended:
             console.on_key = donnie.outlets.audible.hush
         if editing:
-            editing.on_key = KeyEcho(donnie.outlets.audible, donnie.words)
+            editing.on_key = self._say_key
         ends.apply_habits()
+
+    def _say_key(self, key: Key, before: str) -> None:
+        if self._desk.donnie.outlets.audible.echoes:
+            self._key_echo(key, before)
+
+    @cached_property
+    def _key_echo(self) -> KeyEcho:
+        from donnie_tui.linear.key_echo import KeyEcho  # where the own voice speaks
+
+        return KeyEcho(self._desk.donnie.outlets.audible, self._desk.donnie.words)
 
     def close(self) -> None:
         """Hear no more of the session."""
@@ -106,6 +120,8 @@ class Conversation:
         if text is not None:
             self._take_over(text, file)
         elif file is not None:
+            from donnie_tui.linear import files
+
             files.open_file(desk, file)
         self._tell_notices()
         if offers_to_remember:
@@ -122,6 +138,8 @@ class Conversation:
 
     def _take_over(self, text: str, file: Path | None) -> None:
         """The program that the full screen left; it is saved if its file says the same."""
+        from donnie_tui.linear import files
+
         program = self._desk.program
         program.replace(text, str(file) if file else None)
         program.saved = files.holds(file, text) if file else not text.strip()

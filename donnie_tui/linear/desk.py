@@ -6,13 +6,13 @@ Rule: an answer goes through the hub like everything else that is told, so that 
 from __future__ import annotations
 
 from collections.abc import Callable
+from typing import TYPE_CHECKING
 
 from donnie_tui.bootstrap import Donnie
 from donnie_tui.core.answer_log import AnswerLog
 from donnie_tui.core.breakpoints import KeptBreakpoints
 from donnie_tui.core.copies import Copies
 from donnie_tui.core.events import Answered
-from donnie_tui.core.reading import ProgramText
 from donnie_tui.core.session import Session
 from donnie_tui.core.transcript import lines_said_by, said_by
 from donnie_tui.core.typed_program import TypedProgram
@@ -24,6 +24,9 @@ from donnie_tui.linear.ends import Ends
 from donnie_tui.linear.hearing import Hearing
 from donnie_tui.linear.programs import Programs
 from donnie_tui.linear.showing import Showing
+
+if TYPE_CHECKING:
+    from donnie_tui.core.reading import ProgramText
 
 
 class Desk:

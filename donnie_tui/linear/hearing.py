@@ -5,14 +5,18 @@ Rule: any thread may tell something; it never prints, it wakes who does.
 
 from __future__ import annotations
 
+from typing import TYPE_CHECKING
+
 from donnie_tui.bootstrap import Donnie
 from donnie_tui.core.events import TRANSIENT, Announced, Answered, Error, RunStarted, Stamped
-from donnie_tui.core.timeline import Timeline
 from donnie_tui.core.told_errors import ToldErrors
 from donnie_tui.core.trail import Trail
 from donnie_tui.core.transcript import SummingUp, told_lines
 from donnie_tui.linear.beside import Beside
 from donnie_tui.linear.ends import Ends
+
+if TYPE_CHECKING:
+    from donnie_tui.core.timeline import Timeline
 
 CANNOT_WAIT = ("link",)
 """Codes of announcements that are told in the middle of a line that is being typed."""

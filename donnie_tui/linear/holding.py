@@ -4,14 +4,17 @@ from __future__ import annotations
 
 from collections.abc import Callable
 from enum import Enum, auto
+from typing import TYPE_CHECKING
 
 from devices.ports.values import frozen
 from donnie_tui.core.events import Read, RunEnded, Stamped
-from donnie_tui.core.step_words import StepWords
 from donnie_tui.i18n.first_words import PROMPT
 from donnie_tui.linear.desk import Desk
 from donnie_tui.linear.reader import Typed
 from language.control import ControlState, ExecutionControl
+
+if TYPE_CHECKING:
+    from donnie_tui.core.step_words import StepWords
 
 
 class Goes(Enum):
@@ -86,6 +89,8 @@ class Holding:
     def _tell(self) -> None:
         frames = self._desk.session.frames
         if self._words is None:
+            from donnie_tui.core.step_words import StepWords  # a program that is held
+
             program = self._desk.session.parse(self._text, self._first_line).program
             self._words = StepWords(program, self._desk.program.lines, self._desk.say)
         line, column = self._control.held_at if self._control else (0, 0)

@@ -7,7 +7,6 @@ asked, a copy of it is kept.
 from __future__ import annotations
 
 from donnie_tui.core.typed_program import TypedProgram
-from donnie_tui.linear import files
 from donnie_tui.linear.desk import Desk
 
 _INTERRUPTED = 130
@@ -58,6 +57,8 @@ class Leaving:
         if not wants_to_save:
             return wants_to_save is False
         with desk.programs.as_current(program):
+            from donnie_tui.linear import files
+
             return files.save_named(desk, "")
 
     def _leave_with_copies(self, code: int) -> None:

@@ -17,7 +17,6 @@ from donnie_tui.linear.asking import GRACE
 from donnie_tui.linear.desk import Desk
 from donnie_tui.linear.holding import Goes, Holding, Wish
 from donnie_tui.linear.output import LARGEST_BLOCK
-from donnie_tui.linear.progress import sign_of_life
 from donnie_tui.linear.reader import Typed
 from donnie_tui.linear.told import Told
 from language.control import ExecutionControl
@@ -276,6 +275,8 @@ class Runs:
         self._expect_sign(max(FIRST_SIGN, self._desk.ends.habits.progress))
 
     def _give_sign(self) -> None:
+        from donnie_tui.linear.progress import sign_of_life  # long runs
+
         sign_of_life(self._desk)
         self._desk.showing.show_told()
         self._expect_next_sign()

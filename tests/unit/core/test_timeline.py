@@ -3,6 +3,7 @@
 import pytest
 
 from devices.ports.robot import Pose
+from donnie_tui.core.chronicle import Chronicle
 from donnie_tui.core.events import (
     TRANSIENT,
     Announced,
@@ -20,7 +21,7 @@ from donnie_tui.core.events import (
     ThingsMoved,
 )
 from donnie_tui.core.retelling import told_back
-from donnie_tui.core.timeline import Chronicle, Timeline
+from donnie_tui.core.timeline import Timeline
 from donnie_tui.i18n.words import Words
 from tests.floor import Floor
 from tests.unit.core.values import HERE

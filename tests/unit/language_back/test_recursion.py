@@ -6,7 +6,7 @@ import threading
 
 import pytest
 
-from language.levels import DEEPEST_CALL
+from language.levels import DEEPEST_CALL, first_link
 from tests.unit.language_back.recorder import BACK_ENDS, Make, Outcome, fast, hooked, run
 
 back_ends = pytest.mark.parametrize("make", BACK_ENDS.values(), ids=BACK_ENDS.keys())
@@ -18,6 +18,15 @@ ENDLESS = "PROCEDURE P DO\nSPEAK 1\nP []\nEND PROCEDURE\nP []"
 @back_ends
 def test_as_many_calls_as_the_limit_are_open_at_once(make: Make) -> None:
     assert run(f"{DOWN} DOWN [{DEEPEST_CALL}]", make).actions.said == [1]
+
+
+@pytest.mark.parametrize("make", [fast, hooked])
+def test_a_program_that_calls_nothing_needs_no_room_for_calls(make: Make) -> None:
+    """To make it takes as long as to load ten modules: nobody should wait for it who calls nothing."""
+    first_link.cache_clear()
+
+    assert run("PROCEDURE P DO SPEAK 2 END PROCEDURE SPEAK 1", make).actions.said == [1]
+    assert first_link.cache_info().currsize == 0
 
 
 @back_ends
