@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import os
 from collections.abc import Iterator
 from pathlib import Path
 
@@ -9,6 +10,7 @@ import pytest
 
 from devices.firmware_double.board import SimulatedBoard
 from devices.firmware_double.on_pty import DoubleOnPty
+from tests.sessions.here import Here
 from tests.sessions.learner import Learner
 
 
@@ -21,3 +23,12 @@ def robot() -> Iterator[DoubleOnPty]:
 @pytest.fixture
 def learner(tmp_path: Path) -> Learner:
     return Learner(tmp_path)
+
+
+@pytest.fixture
+def here(capsys: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch, tmp_path: Path) -> Here:
+    for name in [each for each in os.environ if each.startswith(("DONNIE_", "LC_", "LANG"))]:
+        monkeypatch.delenv(name)
+    monkeypatch.setenv("XDG_CONFIG_HOME", str(tmp_path / "config"))
+    monkeypatch.chdir(tmp_path)
+    return Here(capsys, monkeypatch, tmp_path)
