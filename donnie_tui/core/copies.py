@@ -1,8 +1,10 @@
 """A copy of what is not saved, for the case of a crash: what a crash left is offered at the next start.
 
 Copies are written into the state folder while somebody types, one file a program, and removed once the text
-is saved or given up on purpose. Rule: whoever types waits for no disk. ``want`` says what is to be kept,
-``settle`` writes it down, in whatever thread; the last one that was wanted is what is there at the end.
+is saved. Whoever leaves without saving leaves the copy behind: the next start does not speak of it, for most
+have done with it, but brings it back for whoever asks. Rule: whoever types waits for no disk. ``want`` says
+what is to be kept, ``settle`` writes it down, in whatever thread; the last one that was wanted is what is
+there at the end.
 
 A front end's copies (``CopyKeeping``) are written in a thread of their own, which is there only while there
 is something to write; each program's by one thread at a time, and what is wanted meanwhile is written once
@@ -22,9 +24,11 @@ from devices.ports.values import frozen
 from donnie_tui.core.documents import DocumentError, as_lines, new_file, read_program, write_program
 
 MOST_COPIES = 20
-"""Copies that are kept; the oldest go first."""
+"""Copies of each kind that are kept; the oldest go first."""
 
 _PREFIX, _SUFFIX = "unsaved-", ".gd"
+_LEFT = "left-"
+"""In the place of the prefix: somebody left without saving it."""
 _FILE = "-- What was not saved of the file: "
 """The first line of a copy, with the path of the file; a comment of the language, for whoever looks."""
 
@@ -60,12 +64,17 @@ class Copies:
     # --- what others left
 
     def offered(self) -> Path | None:
-        """The newest copy that an earlier start left."""
+        """The one that is to be brought back first."""
         return next(iter(self.all_offered()), None)
 
     def all_offered(self) -> list[Path]:
-        """All of them, the newest first: there may have been several programs."""
-        return [each for each in self._newest_first() if each not in self._ours and not _is_in_use(each)]
+        """Those that nobody wanted to leave, then those that somebody left; of each the newest first."""
+        return self.rescued() + self._newest_first(_LEFT)
+
+    def rescued(self) -> list[Path]:
+        """Those that a crash or a lost line left, the newest first: there may have been several programs."""
+        found = self._newest_first(_PREFIX)
+        return [each for each in found if each not in self._ours and not _is_in_use(each)]
 
     def read(self, copy: Path) -> Rescued:
         """What it holds; nothing changes. Raises ``DocumentError``."""
@@ -116,6 +125,16 @@ class Copies:
         self.want(text, path)
         self.settle()
 
+    def leave(self) -> None:
+        """Leave the copy, if there is one, to whoever asks for it: this start has done with the program."""
+        with self._writing:
+            own, self._own = self._own, None
+            if own is not None:
+                self._ours.discard(own)
+                with contextlib.suppress(OSError):
+                    own.rename(own.with_name(_LEFT + own.name.removeprefix(_PREFIX)))
+                _forget_oldest(self._newest_first(_LEFT))
+
     def forget(self) -> None:
         """Remove the copy at once."""
         self.want_none()
@@ -150,17 +169,21 @@ class Copies:
         self._folder.mkdir(parents=True, exist_ok=True)
         handle, own = new_file(self._folder, _PREFIX, _SUFFIX)
         os.close(handle)
-        for old in [each for each in self._newest_first() if not _is_in_use(each)][MOST_COPIES:]:
-            with contextlib.suppress(OSError):
-                old.unlink()
+        _forget_oldest(each for each in self._newest_first(_PREFIX) if not _is_in_use(each))
         return own
 
-    def _newest_first(self) -> list[Path]:
+    def _newest_first(self, prefix: str) -> list[Path]:
         try:
-            found = [(each.stat().st_mtime, each) for each in self._folder.glob(f"{_PREFIX}*{_SUFFIX}")]
+            found = [(each.stat().st_mtime_ns, each) for each in self._folder.glob(f"{prefix}*{_SUFFIX}")]
         except OSError:
             return []
         return [each for _, each in sorted(found, reverse=True)]
+
+
+def _forget_oldest(newest_first: Iterable[Path]) -> None:
+    for old in [*newest_first][MOST_COPIES:]:
+        with contextlib.suppress(OSError):
+            old.unlink()
 
 
 def _with_file(wanted: Rescued) -> str:

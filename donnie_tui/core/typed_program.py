@@ -3,7 +3,8 @@
 Rules: lines keep their numbers from the first to the last, so that errors and listings agree. What is
 typed waits until it is run; what was run stays, so that the whole can be saved or run again. After a
 mistake of form nothing has run: one line is forgotten (the learner types it again), several lines are kept
-(the learner mends the one that was wrong).
+(the learner mends the one that was wrong). No change is for good: another program that takes its place is one
+that can be taken back like any other.
 """
 
 from __future__ import annotations
@@ -17,7 +18,9 @@ from donnie_tui.core.harmless import cleaned
 from language.outline import OutlineItem, block_depth, open_block
 
 WORTH_SAVING = 5
-"""Unsaved lines from which on a learner is asked before they are lost."""
+"""Unsaved lines from which on a learner is asked first; fewer are kept without a question."""
+ANOTHER_PROGRAM = 0
+"""In the place of a line: what was done or taken back changed no line, but the program."""
 
 LARGEST = 8 * 1024 * 1024
 """Characters that may be typed into one program."""
@@ -34,6 +37,15 @@ class ProgramTooLong(Exception):
 
 
 @frozen
+class _File:
+    """Which program it is."""
+
+    name: str | None
+    kept: list[str] | None
+    breakpoints: frozenset[int]
+
+
+@frozen
 class _Before:
     """The program before a change."""
 
@@ -42,6 +54,8 @@ class _Before:
     """How many of them had run."""
     runs: int
     """How often anything had been run or rewound then."""
+    file: _File | None = None
+    """Where the change was that another program took its place."""
 
 
 @frozen
@@ -147,11 +161,13 @@ class TypedProgram:
 
     def replace(self, text: str, name: str | None) -> None:
         """Another program takes its place, and waits."""
+        self._undone.clear()
+        if self._lines:
+            self._before.append(self._now_as(self._file))
         self._lines = lines_of(text)
         self._run = 0
         self._size = len(text)
-        self._before.clear()
-        self._undone.clear()
+        self._forget_oldest()
         self.breakpoints = frozenset()
         self.name = name
         self.saved = True
@@ -222,12 +238,13 @@ class TypedProgram:
     def undo(self) -> int | None:
         """Take the last change back. The first line that is another one now, or None without a change.
 
-        Lines that had run before the change have run again, unless something ran in between.
+        ``ANOTHER_PROGRAM`` where the change was that another program took its place. Lines that had run
+        before the change have run again, unless something ran in between.
         """
         if not self._before:
             return None
         before = self._before.pop()
-        self._undone.append(self._now)
+        self._undone.append(self._now_for(before))
         if isinstance(before, int):  # a line typed last is gone, whether it has run or not
             before = _Before(self._lines[:before], min(self._run, before), self._runs)
         return self._become(before)
@@ -237,12 +254,24 @@ class TypedProgram:
         if not self._undone:
             return None
         after = self._undone.pop()
-        self._before.append(self._now)
+        self._before.append(self._now_for(after))
         return self._become(after)
 
     @property
     def _now(self) -> _Before:
-        return _Before(self._lines.copy(), self._run, self._runs)
+        return self._now_as(None)
+
+    def _now_as(self, file: _File | None) -> _Before:
+        return _Before(self._lines.copy(), self._run, self._runs, file)
+
+    def _now_for(self, other: _Before | int) -> _Before:
+        """To come back from that one."""
+        is_another = isinstance(other, _Before) and other.file is not None
+        return self._now_as(self._file if is_another else None)
+
+    @property
+    def _file(self) -> _File:
+        return _File(self.name, self._kept, self.breakpoints)
 
     def _become(self, other: _Before) -> int:
         """Those lines from now on. The first one that is another one."""
@@ -253,7 +282,12 @@ class TypedProgram:
         if other.runs == self._runs:
             self._run = other.run
         self._forget_oldest()
-        return same + 1
+        return same + 1 if other.file is None else self._be(other.file)
+
+    def _be(self, file: _File) -> int:
+        self.name, self._kept, self.breakpoints = file.name, file.kept, file.breakpoints
+        self._size = sum(len(line) + 1 for line in self._lines)
+        return ANOTHER_PROGRAM
 
     def _keep(self) -> None:
         """Remember the lines as they are."""

@@ -46,4 +46,11 @@ TOUR = (
 )
 """At the first start, once, in the place of the hint: no more than two lines come before a prompt."""
 
+RESCUED = (
+    "A program was rescued. RECOVER opens it.",
+    "Programa resgatado. RECUPERAR o abre.",
+    "Programa rescatado. RECUPERAR lo abre.",
+)
+"""In the place of the hint, too, where a crash left a program."""
+
 PROMPT = "> "

@@ -27,7 +27,7 @@ from donnie_tui.linear.recall import Past
 from donnie_tui.linear.told import Told
 from donnie_tui.linear.typed_lines import TypedLines
 from donnie_tui.linear.while_running import WhileRunning
-from donnie_tui.settings.folders import BREAKPOINTS
+from donnie_tui.settings.folders import BREAKPOINTS, UNSAVED
 from donnie_tui.words.switching import SwitchMode
 
 if TYPE_CHECKING:
@@ -63,7 +63,7 @@ class Conversation:
             is_terminal=os.isatty(1),
             offered=greeting.offered,
         )
-        self._desk = Desk(donnie, ends, Copies(folder / "unsaved"), kept_breakpoints)
+        self._desk = Desk(donnie, ends, Copies(folder / UNSAVED), kept_breakpoints)
         self._desk.past = self._past.lines
         self._desk.take_again = self._take_again
         self._leaving = Leaving(self._desk)
@@ -155,7 +155,7 @@ class Conversation:
         desk = self._desk
         desk.tell(*desk.donnie.notices.all)
         self._console.has_news = bool(desk.donnie.notices.about_devices)
-        if desk.is_attended and desk.programs.copies.offered():
+        if desk.is_attended and not self._greeting.told_rescued and desk.programs.copies.rescued():
             desk.answer("answer-rescued")
 
     def _prompt(self) -> str:

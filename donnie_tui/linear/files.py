@@ -14,6 +14,7 @@ from donnie_tui.core.documents import (
 )
 from donnie_tui.linear.arguments import Handler, alone
 from donnie_tui.linear.desk import Desk
+from donnie_tui.linear.lines import tell_back_again
 from donnie_tui.linear.patience import GivenUp, patiently
 from donnie_tui.linear.runs import Runs
 
@@ -97,10 +98,7 @@ def _take_copy(desk: Desk, copy: Path) -> None:
     desk.program.replace(found.text, str(found.path) if found.path else None)
     desk.program.saved = False
     desk.programs.bring_breakpoints()
-    if found.path is None:
-        desk.answer("answer-recovered", lines=len(desk.program.lines))
-    else:
-        desk.answer("answer-recovered-file", name=found.path.name, lines=len(desk.program.lines))
+    tell_back_again(desk)
 
 
 def holds(path: Path, text: str) -> bool:

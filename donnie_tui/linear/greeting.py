@@ -12,9 +12,9 @@ import os
 import sys
 
 from donnie_tui import DETAILS, LANGUAGES
-from donnie_tui.i18n.first_words import CAUSES, HINT, PROMPT, TOUR
+from donnie_tui.i18n.first_words import CAUSES, HINT, PROMPT, RESCUED, TOUR
 from donnie_tui.settings.first_start import offers_tour
-from donnie_tui.settings.folders import state_path
+from donnie_tui.settings.folders import UNSAVED, state_path
 
 TYPE_CHECKING = False  # that of typing costs as much as the rest of the first prompt
 if TYPE_CHECKING:
@@ -45,6 +45,8 @@ class Greeting:
         """The modes that somebody was asked about whether to begin in them; nobody is asked twice."""
         self.terminal: Terminal | None = None
         """Once it was taken."""
+        self.told_rescued = False
+        """Whether it was told that a program was rescued."""
 
     def greet(
         self,
@@ -68,10 +70,17 @@ class Greeting:
         if is_editable(environment):
             self.terminal = _taken_terminal()
         at = LANGUAGES.index(language)
-        is_first = tour and self.has_prompt and offers_tour(state_path(environment), environment)
-        hint = (TOUR if is_first else HINT)[at]
+        hint = self._hint(environment, tour=tour)[at]
         lines = CAUSES[cause][at] + "\n" + ("" if prompt is None else hint + "\n")
         _print(lines + (prompt if prompt and self.has_prompt else ""))
+
+    def _hint(self, environment: os._Environ[str] | dict[str, str], *, tour: bool) -> tuple[str, ...]:
+        """What is most worth knowing before the first prompt, where no more than two lines may stand."""
+        folder = state_path(environment)
+        if self.has_prompt and has_rescued(f"{folder}/{UNSAVED}"):
+            self.told_rescued = True
+            return RESCUED
+        return TOUR if tour and self.has_prompt and offers_tour(folder, environment) else HINT
 
     def take_prompt(self) -> bool:
         """Whether the prompt was printed already; from now on it is somebody else's."""
@@ -92,8 +101,22 @@ class Greeting:
 
     def forget(self) -> None:
         """The conversation is over. Another one, after the full screen, is greeted anew."""
-        self.was_printed = self.has_prompt = False
+        self.was_printed = self.has_prompt = self.told_rescued = False
         self.terminal = None
+
+
+def has_rescued(folder: str) -> bool:
+    """Whether a crash left a copy there. What knows copies is loaded only where one may be."""
+    try:
+        if not any(each.startswith("unsaved-") for each in os.listdir(folder)):  # noqa: PTH208 -- pathlib is slow
+            return False
+    except OSError:
+        return False
+    from pathlib import Path
+
+    from donnie_tui.core.copies import Copies
+
+    return bool(Copies(Path(folder)).rescued())
 
 
 def begin(arguments: list[str], environment: os._Environ[str] | dict[str, str]) -> Greeting | None:

@@ -1,7 +1,8 @@
 """How a conversation ends: by a word, by the end of the input, by Ctrl+C in a script, by a signal.
 
-Rule: a program that would be missed is saved or given up first; who does neither stays. Where nobody can be
-asked, a copy of it is kept.
+Rule: of a program that would be missed is asked whether to save it first; who does not answer stays. A copy
+of whatever is not saved is left: where nobody could be asked it is offered the next time, else it is there
+for whoever asks for it.
 """
 
 from __future__ import annotations
@@ -54,6 +55,8 @@ class Leaving:
         if not (desk.is_attended and program.is_worth_saving):
             return True
         wants_to_save = desk.asking.decide("linear-ask-save", lines=len(program.lines))
+        if wants_to_save is False:
+            desk.answer("linear-left")
         if not wants_to_save:
             return wants_to_save is False
         with desk.programs.as_current(program):
@@ -92,4 +95,4 @@ class Leaving:
         self._desk.heard.hear_out()
         self._desk.showing.show_told()
         if self._desk.leaving == 0 and not self._keeps_copies:
-            self._desk.programs.forget_copies()
+            self._desk.programs.leave_copies(of_all=self._desk.is_attended)

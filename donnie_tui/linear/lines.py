@@ -4,8 +4,10 @@ from __future__ import annotations
 
 from collections.abc import Callable
 from functools import partial
+from pathlib import Path
 
 from donnie_tui.core import line_words
+from donnie_tui.core.typed_program import ANOTHER_PROGRAM
 from donnie_tui.core.typed_words import number_and_text, numbers_in
 from donnie_tui.linear.arguments import Handler, alone
 from donnie_tui.linear.desk import Desk
@@ -66,10 +68,24 @@ def redo(desk: Desk) -> None:
 def _tell_changed(desk: Desk, changed: int | None) -> None:
     if changed is None:
         desk.answer("answer-unchanged")
+    elif changed == ANOTHER_PROGRAM:
+        tell_back_again(desk)
     elif changed <= len(desk.program.lines):
         _say_line(desk, changed)
     else:
         desk.answer("linear-lines", lines=len(desk.program.lines))
+
+
+def tell_back_again(desk: Desk) -> None:
+    """Another program is the current one, which was there before; its name, where it has one."""
+    name, lines = desk.program.name, len(desk.program.lines)
+    desk.place = 0
+    if name is None:
+        desk.answer("answer-recovered" if lines else "answer-new", lines=lines)
+    elif desk.program.saved:
+        desk.answer("answer-opened", name=Path(name).name, lines=lines)
+    else:
+        desk.answer("answer-recovered-file", name=Path(name).name, lines=lines)
 
 
 def _say_line(desk: Desk, number: int) -> None:

@@ -94,16 +94,16 @@ class Programs:
 
     def keep_for_later(self) -> None:
         """Save what is not saved beside everything else; quietly, since nobody may be there to hear."""
-        settle_all(self._wanted())
+        settle_all(self._wanted(self.all()))
 
     def _keep_beside(self) -> None:
         """As ``keep_for_later``, while whoever types goes on."""
-        for copies in self._wanted():
+        for copies in self._wanted(self.all()):
             self._keeping.bring_up(copies)
 
-    def _wanted(self) -> Iterator[Copies]:
-        """The copies of each program, which know now what is wanted of them."""
-        for program in self.all():
+    def _wanted(self, programs: tuple[TypedProgram, ...]) -> Iterator[Copies]:
+        """The copies of each, which know now what is wanted of them."""
+        for program in programs:
             copies = self.copies_of(program)
             copies.follow(program.text, _path_of(program), is_saved=program.saved)
             yield copies
@@ -114,11 +114,15 @@ class Programs:
             self._copies[program] = self.copies.another() if self._copies else self.copies
         return self._copies[program]
 
-    def forget_copies(self) -> None:
-        """Leaving on purpose: nothing is missed."""
+    def leave_copies(self, *, of_all: bool) -> None:
+        """Leaving on purpose: what is not saved can be asked for the next time.
+
+        ``of_all``: not only of what came out of a copy, because no file has what somebody typed.
+        """
         self._safekeeping.end()
+        settle_all(self._wanted(self.all() if of_all else tuple(self._copies)))
         for copies in self._copies.values():
-            copies.forget()
+            copies.leave()
 
     def hand_over(self) -> None:
         """Somebody else goes on with the current program; the others are offered there."""

@@ -15,6 +15,8 @@ if TYPE_CHECKING:
     from pathlib import Path
 
 SETTINGS_NAME = "settings.toml"
+UNSAVED = "unsaved"
+"""In the state folder: the folder of the copies of what is not saved."""
 BREAKPOINTS = "breakpoints.txt"
 """In the state folder: the breakpoints of each program."""
 

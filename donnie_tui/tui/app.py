@@ -22,7 +22,7 @@ from donnie_tui import LANGUAGES
 from donnie_tui.i18n import first_screen
 from donnie_tui.robot.search import Search
 from donnie_tui.settings.chosen import Settings
-from donnie_tui.settings.folders import state_folder
+from donnie_tui.settings.folders import UNSAVED, state_folder
 from donnie_tui.tui.beginning import Beginning
 from donnie_tui.tui.ending import Ending
 from donnie_tui.tui.key_table import KeyTable
@@ -67,7 +67,7 @@ class DonnieApp(TerminalApp, inherit_bindings=False):
         super().__init__(settings)
         self._settings, self._file, self._text = settings, file, text
         self._language = LANGUAGES.index(settings.language)
-        self._folder = Path(folder or state_folder(os.environ)) / "unsaved"
+        self._folder = Path(folder or state_folder(os.environ)) / UNSAVED
         self.workplace = Workplace(self.size, plain=is_plain(settings))
         self.key_table = KeyTable()
         self._bind(settings.keys)

@@ -40,6 +40,7 @@ class OpenPrograms:
         self._programs = [Program(Document(), make_copies())]
         self.current = self._programs[0]
         """The one in the editor."""
+        self._are_left = False
 
     def __iter__(self) -> Iterator[Program]:
         return iter(tuple(self._programs))
@@ -103,6 +104,17 @@ class OpenPrograms:
     def settle_copies(self) -> None:
         """What is still to be written down or removed, of any program: done once this returns."""
         settle_all(each.copies for each in self._programs)
+        if self._are_left:
+            for each in self._programs:
+                each.copies.leave()
+
+    def leave_copies(self) -> None:
+        """Leaving on purpose: once they are settled, what is not saved can be asked for the next time."""
+        self.take_from_desk()
+        for each in self._programs:
+            is_saved = not each.document.is_changed(each.text)
+            each.copies.follow(each.text, each.document.path, is_saved=is_saved)
+        self._are_left = True
 
     def keep_rescued(self, rescued: Rescued, copy: Path) -> None:
         """The current one came out of a copy of an earlier start, which is removed once it has its own."""

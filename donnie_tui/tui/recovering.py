@@ -27,12 +27,14 @@ class Recovering:
         self._programs = programs
         self._saving = saving
         self._kept_breakpoints = kept_breakpoints
-        self._offered = programs.current.copies.all_offered()
+        copies = programs.current.copies
+        self._offered = copies.all_offered()
+        self._rescued = set(copies.rescued())
 
     @property
     def is_offered(self) -> bool:
-        """Whether there is one."""
-        return bool(self._offered)
+        """Whether there is one that nobody wanted to leave; what somebody left is there for who asks."""
+        return not self._rescued.isdisjoint(self._offered)
 
     async def recover(self) -> None:
         """Bring back the newest, as the program in the editor; others one by one."""
@@ -63,5 +65,5 @@ class Recovering:
         self._programs.keep_rescued(found, copy)
         code = "answer-recovered" if found.path is None else "answer-recovered-file"
         self._desk.tell(Answer(code, {"lines": lines, "name": self._programs.name}))
-        if self._offered:
+        if self.is_offered:
             self._desk.tell(Answer("answer-rescued"))

@@ -70,8 +70,13 @@ class WhileTyping:
         self._copying = None
         self._work.files.programs.keep_copy()
 
+    def leave_copies(self) -> None:
+        """Leaving on purpose: what is not saved is there for whoever asks for it."""
+        self._stop_copying()
+        self._work.files.programs.leave_copies()
+
     def give_up_copies(self) -> None:
-        """Leaving on purpose: no copy is needed."""
+        """The text goes on elsewhere: no copy is needed."""
         self._stop_copying()
         self._work.files.programs.forget_copies()
 

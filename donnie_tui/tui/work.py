@@ -318,8 +318,8 @@ class Work:
         self._host.leave(for_linear=True)
 
     def leave(self) -> None:
-        """For good, on purpose: no copy is needed."""
-        self.while_typing.give_up_copies()
+        """For good, on purpose."""
+        self.while_typing.leave_copies()
         self._host.leave()
 
     def change_world(self, name: str) -> None:

@@ -31,11 +31,48 @@ def asked(tmp_path: Path) -> Learner:
     return learner
 
 
-def test_who_says_no_leaves_without_a_copy(asked: Learner, tmp_path: Path) -> None:
-    asked.types("n\r")
+@pytest.mark.parametrize("answer", ["n\r", "\r"], ids=["no", "enter"])
+def test_who_does_not_save_has_the_program_again_by_recover(
+    asked: Learner, tmp_path: Path, answer: str
+) -> None:
+    asked.types(answer)
+    asked.sees("Not saved. RECOVER brings it back.")
 
     assert asked.leaves() == 0
     assert copied(tmp_path) == []
+    again = Learner(tmp_path)
+    again.sees("HELP lists the commands.\r\n> ")
+    again.types("RECOVER\r")
+    again.sees("Here it is again, 5 lines.\r\n> ")
+
+
+@pytest.mark.parametrize("leaves", ["QUIT\r", CTRL_D])
+def test_a_few_lines_are_left_without_a_question_and_are_there_again_by_recover(
+    tmp_path: Path, leaves: str
+) -> None:
+    learner = Learner(tmp_path)
+    learner.enters("FW 1")
+    learner.sees_prompt()
+    learner.types(leaves)
+    learner.sees("Goodbye.")
+    assert learner.leaves() == 0
+
+    again = Learner(tmp_path)
+    again.enters("RECOVER")
+    again.sees("Here it is again, 1 line.\r\n> ")
+    again.types("QUIT\r")
+    again.leaves()
+    once_more = Learner(tmp_path)
+    once_more.enters("RECOVER")
+    once_more.sees("Here it is again, 1 line.\r\n> ")
+
+
+def test_an_empty_program_leaves_nothing(tmp_path: Path) -> None:
+    learner = Learner(tmp_path)
+    learner.enters("NEW", "QUIT")
+    learner.leaves()
+
+    assert list((tmp_path / "state").rglob("left-*")) == []
 
 
 IN_VAIN = {

@@ -25,3 +25,20 @@ def test_a_program_of_thousands_of_lines_is_there_again_after_donnie_was_killed(
     again = Learner(tmp_path)
     again.enters("RECOVER")
     again.sees("Here long.gd is again, 6001 lines.")
+
+
+def test_that_a_program_was_rescued_is_told_before_the_first_prompt_and_once(tmp_path: Path) -> None:
+    learner = Learner(tmp_path)
+    learner.enters("FW 1")
+    learner.sees_prompt()
+    until(lambda: copied(tmp_path) == ["FW 1\n"])
+    learner.child.kill(signal.SIGKILL)
+    learner.leaves()
+
+    again = Learner(tmp_path)
+    again.sees("A program was rescued. RECOVER opens it.\r\n> ")
+    again.types("WHERE\r")
+    again.sees_prompt()
+    again.types("RECOVER\r")
+    again.sees("Here it is again, 1 line.")
+    assert sum("rescued" in line for line in again.lines) == 1

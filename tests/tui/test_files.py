@@ -120,15 +120,18 @@ async def test_going_back_from_the_question_keeps_the_program(work):
         assert desk.app.work.text == "FW 2"
 
 
-async def test_quitting_without_saving_leaves_no_copy(work, tmp_path):
+async def test_what_was_left_without_saving_is_not_spoken_of_and_comes_back_for_who_asks(work, tmp_path):
     async with work("FW 2") as desk:
-        desk.app.work.files.programs.keep_copy_now()
-        assert list((tmp_path / "unsaved").iterdir())
         await desk.press("ctrl+q")
         await desk.answer("no")
         await desk.until(lambda: not desk.app.is_running, "the end")
+    assert [each.read_text() for each in (tmp_path / "unsaved").iterdir()] == ["FW 2"]
 
-    assert list((tmp_path / "unsaved").iterdir()) == []
+    async with work() as desk:
+        await desk.type_line("RECOVER")
+        await desk.told("Here it is again, 1 line.")
+        assert desk.app.work.text == "FW 2"
+        assert "A program was rescued. RECOVER opens it." not in desk.log
 
 
 async def test_going_to_the_linear_mode_rescues_the_programs_that_it_does_not_take_along(work, tmp_path):

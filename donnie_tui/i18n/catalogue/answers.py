@@ -1,5 +1,6 @@
 """What both front ends answer to the same request, in the same words."""
 
+from donnie_tui.i18n import first_words
 from donnie_tui.i18n.sentence import Sentence
 
 _RUNNING = {
@@ -43,11 +44,7 @@ _PROGRAM = {
     ),
     "answer-new": Sentence("A new program.", "Um programa novo.", "Un programa nuevo."),
     "answer-unchanged": Sentence("Nothing was changed.", "Nada foi mudado.", "No se cambió nada."),
-    "answer-rescued": Sentence(
-        "A program was rescued. RECOVER opens it.",
-        "Um programa foi salvo. RECUPERAR abre.",
-        "Se salvó un programa. RECUPERAR lo abre.",
-    ),
+    "answer-rescued": Sentence(*first_words.RESCUED),
     "answer-recovered": Sentence(
         "Here it is again, {lines} {lines:line|lines}.",
         "Aqui está de novo, {lines} {lines:linha|linhas}.",

@@ -159,6 +159,11 @@ _FILES = {
         "¿Qué nombre de archivo? Enter es ninguno.",
         brief=("Which file name? Enter: none.", "Qual nome? Enter: nenhum.", "¿Qué nombre? Enter: ninguno."),
     ),
+    "linear-left": Sentence(
+        "Not saved. RECOVER brings it back.",
+        "Não foi salvo. RECUPERAR traz de volta.",
+        "No se guardó. RECUPERAR lo devuelve.",
+    ),
     "linear-yes-or-no": Sentence("Type y or n.", "Digite s ou n.", "Escribe s o n."),
 }
 

@@ -61,9 +61,9 @@ _PURPOSES = {
     "move": ("Line 5 goes before line 2.", "A linha 5 vai antes da 2.", "La línea 5 va antes de la 2."),
     "undo": ("Takes the last change back.", "Desfaz a última mudança.", "Deshace el último cambio."),
     "redo": (
-        "Makes the change again that UNDO took back.",
-        "Faz de novo a mudança que DESFAZER desfez.",
-        "Hace de nuevo el cambio que DESHACER deshizo.",
+        "Makes again what UNDO took back.",
+        "Faz de novo o que DESFAZER desfez.",
+        "Hace de nuevo lo que DESHACER quitó.",
     ),
     "read": ("Reads line 3.", "Lê a linha 3.", "Lee la línea 3."),
     "next": ("Reads the next line.", "Lê a linha seguinte.", "Lee la línea siguiente."),

@@ -9,7 +9,7 @@ from pathlib import Path
 
 import pytest
 
-from donnie_tui.core.copies import Copies
+from donnie_tui.core.copies import MOST_COPIES, Copies
 
 
 def test_a_copy_knows_its_file_and_holds_the_text_to_the_letter(tmp_path: Path) -> None:
@@ -92,3 +92,58 @@ def test_a_copy_whose_number_another_program_has_now_is_offered(tmp_path: Path) 
         copy = copy_of(other, tmp_path)
 
         assert Copies(tmp_path).offered() == copy
+
+
+def texts_offered(folder: Path) -> list[str]:
+    copies = Copies(folder)
+    return [copies.read(each).text for each in copies.all_offered()]
+
+
+def leave_one(folder: Path, text: str, path: Path | None = None) -> None:
+    copies = Copies(folder)
+    copies.keep(text, path)
+    copies.leave()
+
+
+def test_what_somebody_left_is_brought_back_for_whoever_asks_and_not_spoken_of(tmp_path: Path) -> None:
+    leave_one(tmp_path, "FW 1", tmp_path / "walk.gd")
+    copies = Copies(tmp_path)
+    assert copies.rescued() == []
+
+    copy = copies.offered()
+    assert copy is not None
+    found = copies.take(copy)
+    assert (found.text, found.path) == ("FW 1", tmp_path / "walk.gd")
+    assert copies.offered() is None
+
+
+def test_what_a_crash_left_comes_before_what_somebody_left_since(tmp_path: Path) -> None:
+    with process("donnie") as crashed:
+        copy_of(crashed, tmp_path).write_text("crashed")
+    leave_one(tmp_path, "older")
+    leave_one(tmp_path, "newer")
+
+    assert texts_offered(tmp_path) == ["crashed", "newer", "older"]
+    assert len(Copies(tmp_path).rescued()) == 1
+
+
+def test_of_what_was_left_only_the_newest_is_kept_and_what_a_crash_left_stays(tmp_path: Path) -> None:
+    with process("donnie") as crashed:
+        copy_of(crashed, tmp_path)
+    for number in range(MOST_COPIES + 5):
+        leave_one(tmp_path, f"FW {number}")
+
+    assert texts_offered(tmp_path) == [
+        "FW 1",
+        *(f"FW {MOST_COPIES + 4 - back}" for back in range(MOST_COPIES)),
+    ]
+
+
+def test_a_program_that_is_saved_leaves_no_copy(tmp_path: Path) -> None:
+    copies = Copies(tmp_path)
+    copies.keep("FW 1")
+    copies.follow("FW 1", is_saved=True)
+    copies.settle()
+    copies.leave()
+
+    assert list(tmp_path.iterdir()) == []

@@ -5,7 +5,14 @@ from collections.abc import Callable
 import pytest
 
 from donnie_tui.core import typed_program
-from donnie_tui.core.typed_program import WORTH_SAVING, Batch, ProgramTooLong, TypedProgram, lines_of
+from donnie_tui.core.typed_program import (
+    ANOTHER_PROGRAM,
+    WORTH_SAVING,
+    Batch,
+    ProgramTooLong,
+    TypedProgram,
+    lines_of,
+)
 
 
 def typed(*lines: str) -> TypedProgram:
@@ -261,3 +268,36 @@ def test_what_ran_in_between_counts_more_than_what_had_run_before_a_change(
 
     program.undo()
     assert program.waiting == 2
+
+
+def test_another_program_in_its_place_is_taken_back_with_its_file_and_what_was_saved() -> None:
+    program = TypedProgram()
+    program.replace("A\nB\n", "mine.gd")
+    program.breakpoints = frozenset({2})
+    program.batch_ran()
+    program.add("C")
+    program.clear()
+    program.add("X")
+
+    assert (program.undo(), program.undo(), program.lines) == (1, ANOTHER_PROGRAM, ("A", "B", "C"))
+    assert (program.name, program.saved, program.waiting) == ("mine.gd", False, 1)
+    assert program.breakpoints == {2}
+    assert (program.undo(), program.lines, program.saved) == (3, ("A", "B"), True)
+
+
+def test_another_program_that_was_taken_back_is_there_again_by_redo() -> None:
+    program = typed("A")
+    program.replace("X\n", "other.gd")
+    program.undo()
+    assert (program.lines, program.name, program.saved) == (("A",), None, False)
+
+    assert program.redo() == ANOTHER_PROGRAM
+    assert (program.lines, program.name, program.saved) == (("X",), "other.gd", True)
+    assert (program.undo(), program.lines) == (ANOTHER_PROGRAM, ("A",))
+
+
+def test_an_empty_program_is_nothing_to_come_back_to() -> None:
+    program = TypedProgram()
+    program.replace("A\n", "mine.gd")
+
+    assert program.undo() is None
