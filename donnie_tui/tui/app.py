@@ -24,6 +24,7 @@ from donnie_tui.robot.search import Search
 from donnie_tui.settings.chosen import Settings
 from donnie_tui.settings.folders import UNSAVED, state_folder
 from donnie_tui.tui.beginning import Beginning
+from donnie_tui.tui.coming import Coming
 from donnie_tui.tui.ending import Ending
 from donnie_tui.tui.key_table import KeyTable
 from donnie_tui.tui.keyboard import STOPS, Keyboard, bindings
@@ -72,6 +73,7 @@ class DonnieApp(TerminalApp, inherit_bindings=False):
         self.key_table = KeyTable()
         self._bind(settings.keys)
         self._behind = SessionBehind(search)
+        self._coming = Coming(self, self.workplace, self._let_keys)
         self._keyboard = self._with_keyboard()
         self.beginning = Beginning(
             self,
@@ -81,7 +83,7 @@ class DonnieApp(TerminalApp, inherit_bindings=False):
             search=search,
             assemble=assemble,
             work_with=self._work_with,
-            let_keys=self._keyboard.let_go,
+            let_keys=self._let_keys,
         )
         self.ending = Ending(
             self, self._behind, self._folder, stop_all=lambda: self.do("stop_all"), repaint=self.repaint
@@ -97,7 +99,7 @@ class DonnieApp(TerminalApp, inherit_bindings=False):
             self.workplace,
             self.key_table,
             feed=super().on_event,
-            must_wait=lambda: self.beginning.holds_keys,
+            must_wait=lambda: self.beginning.holds_keys or self._coming.holds_keys,
             do=self.do,
         )
 
@@ -110,6 +112,7 @@ class DonnieApp(TerminalApp, inherit_bindings=False):
             wear=self.wear,
             repaint=self.repaint,
             point=self._behind.point,
+            coming=self._coming,
         )
 
     def _work_with(self, donnie: Donnie) -> Work:
@@ -209,6 +212,11 @@ class DonnieApp(TerminalApp, inherit_bindings=False):
     def _stops(self, parameters: tuple[object, ...]) -> bool:
         return self._behind.runs and parameters[0] in STOPS
 
+    def _let_keys(self) -> None:
+        """Those that waited; as it ends there is nothing more that they could be for."""
+        if self.screen_stack:
+            self._keyboard.let_go()
+
     def action_do(self, name: str, _only_while_running: bool = False) -> None:
         """A key was pressed."""
         self._keyboard.act(name)
@@ -249,10 +257,13 @@ class DonnieApp(TerminalApp, inherit_bindings=False):
     def _await(self, asking: Awaitable[None] | None) -> None:
         """An action that asks something has its effect when it is answered."""
         if asking is not None:
-            self.run_worker(self._finish(asking), exclusive=True)
+            self.run_worker(self._finish(asking, self._coming.begins()), exclusive=True)
 
-    async def _finish(self, asking: Awaitable[None]) -> None:
-        await asking
+    async def _finish(self, asking: Awaitable[None], name: object) -> None:
+        try:
+            await asking
+        finally:
+            self._coming.done(name)
         if self.work is not None and self.is_running:
             self.work.look()
 

@@ -11,7 +11,7 @@ from typing import TYPE_CHECKING
 from textual import events
 from textual.app import App
 from textual.binding import Binding, BindingsMap
-from textual.widgets import Input
+from textual.widgets import Input, TextArea
 
 from donnie_tui.tui.actions import MENU
 from donnie_tui.tui.key_table import KeyTable
@@ -67,7 +67,7 @@ class Keyboard:
         """
         self._app, self._behind, self._place, self._key_table = app, behind, place, key_table
         self._feed, self._must_wait, self._do = feed, must_wait, do
-        self._turns = Turns(app, self._take)
+        self._turns = Turns(app, self._take, must_wait)
         self._menu: KeyMenu | None = None
         """The list of the keys behind a key, while one of them is waited for."""
 
@@ -89,12 +89,17 @@ class Keyboard:
             await self._take(event)
 
     async def _take(self, event: events.Event) -> None:
-        """A key whose turn it is. What is no letter may mean something further up: letters behind it wait."""
+        """A key whose turn it is. What is no letter to write may mean something further up: the next wait."""
         if isinstance(event, events.Key) and self._did_by_menu(event.key):
             return
         await self._feed(event)
-        if isinstance(event, events.Key) and not event.is_printable:
+        if isinstance(event, events.Key) and not (event.is_printable and self._is_writing):
             self._turns.follow(submits=event.key == "enter" and isinstance(self._app.focused, Input))
+
+    @property
+    def _is_writing(self) -> bool:
+        """Whether a letter is just a letter; elsewhere it may call for something."""
+        return isinstance(self._app.focused, (Input, TextArea))
 
     def _is_stop(self, event: events.Event) -> bool:
         return self._is_stop_key(event) and self._behind.runs

@@ -16,6 +16,7 @@ from textual.screen import Screen
 from textual.timer import Timer
 
 from donnie_tui.settings.chosen import Settings
+from donnie_tui.tui.coming import Coming
 from donnie_tui.tui.key_table import KeyTable
 from donnie_tui.tui.screens.workplace import Workplace
 
@@ -40,11 +41,12 @@ class ScreenHost:
         wear: Callable[[Settings], None],
         repaint: Callable[[], None],
         point: Callable[[str], None],
+        coming: Coming,
     ) -> None:
         self._app = app
         self.workplace, self.key_table = workplace, key_table
         self.begin_with, self.wear, self.repaint = begin_with, wear, repaint
-        self._point = point
+        self._point, self._coming = point, coming
         self.next_world = ""
         """The world in which the screen is to come back."""
         self.left_for_linear = False
@@ -87,6 +89,7 @@ class ScreenHost:
 
     async def _answer_of(self, screen: Screen[T]) -> T:
         """A question that nobody waits for any more, since something else was asked for, goes away."""
+        self._coming.call_for(screen)
         try:
             return await self._app.push_screen_wait(screen)
         except asyncio.CancelledError:
@@ -94,6 +97,8 @@ class ScreenHost:
                 screen.pop_until_active()
                 screen.dismiss()
             raise
+        finally:
+            self._coming.gone(screen)
 
     # --- something to read
 
@@ -102,7 +107,9 @@ class ScreenHost:
     ) -> None:
         from donnie_tui.tui.screens.help import Help
 
-        self._app.push_screen(Help(title, lines, self._point, further))
+        page = Help(title, lines, self._point, further)
+        self._coming.call_for(page)
+        self._app.push_screen(page)
 
     def show_outside(self, text: str) -> Answer | None:
         """In the terminal's pager; or why that is impossible."""

@@ -32,9 +32,15 @@ Deed: TypeAlias = Callable[[], None]
 class Turns:
     """Keeps the order. ``feed`` takes an event as if it came just now."""
 
-    def __init__(self, app: App[int], feed: Callable[[Event], Awaitable[None]]) -> None:
+    def __init__(
+        self,
+        app: App[int],
+        feed: Callable[[Event], Awaitable[None]],
+        must_wait: Callable[[], bool] = lambda: False,
+    ) -> None:
+        """``must_wait``: whether there is nothing yet that keys are for; ``do`` lets them go on later."""
         self._app = app
-        self._feed = feed
+        self._feed, self._must_wait = feed, must_wait
         self._held: deque[Event] = deque()
         self._deed: Deed | None = None
         self._then: deque[tuple[Deed, int]] = deque()
@@ -104,5 +110,5 @@ class Turns:
         deed()
         if self._then and self._deed is None:
             self.do(*self._then.popleft())
-        while self._held and self._deed is None:
+        while self._held and self._deed is None and not self._must_wait():
             await self._feed(self._held.popleft())

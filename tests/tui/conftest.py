@@ -14,6 +14,7 @@ from pathlib import Path  # noqa: E402
 from typing import Any  # noqa: E402
 
 import pytest  # noqa: E402
+from textual import events  # noqa: E402
 from textual.pilot import Pilot  # noqa: E402
 
 from donnie_tui.bootstrap import assemble  # noqa: E402
@@ -27,6 +28,12 @@ WAITING = "WHILE 1 == 1 DO\nWAIT 1000\nEND WHILE"
 
 COMPUTING = "WHILE 1 == 1 DO\nVAR x = 1\nEND WHILE"
 """Without end, and never idle."""
+
+
+def burst(desk, *keys: str) -> None:
+    """Keys that arrive at once."""
+    for key in keys:
+        desk.app.post_message(events.Key(key, {"space": " "}.get(key, key if len(key) == 1 else None)))
 
 
 class Desk:

@@ -21,7 +21,7 @@ from donnie_tui.tui.ending import FAULT
 from donnie_tui.tui.key_table import KeyTable
 from donnie_tui.tui.running import Doing
 from donnie_tui.tui.screens.help import help_text
-from tests.tui.conftest import WAITING
+from tests.tui.conftest import WAITING, burst
 
 COLOURED = re.compile(r"\x1b\[[0-9;]*(?:38|48);2;")
 
@@ -117,12 +117,6 @@ async def test_a_program_is_stopped_whatever_is_in_front_of_it(work, key, opened
         await desk.until(lambda: desk.app.screen is not desk.place, "what is in front")
         await desk.press(key)
         await desk.told("Stopped at line")
-
-
-def burst(desk, *keys: str) -> None:
-    """Keys that arrive at once."""
-    for key in keys:
-        desk.app.post_message(events.Key(key, {"space": " "}.get(key, key if len(key) == 1 else None)))
 
 
 async def test_f5_runs_what_was_typed_just_before_it_and_not_what_comes_after(work):

@@ -521,3 +521,15 @@ def test_keys_in_one_burst_keep_their_order(terminal):
 
     donnie.shows("1  FW 126")
     donnie.shows("2  FW 357")
+
+
+def test_what_comes_in_one_burst_with_the_key_of_a_question_is_the_answer(terminal, tmp_path):
+    donnie = terminal()
+    donnie.type("FW 1" + ENTER + "TR 90")
+    donnie.shows("2  TR 90")
+    donnie.type(CTRL_S + str(tmp_path / "lesson") + ENTER)
+    donnie.shows("Saved lesson.gd, 2 lines.")
+    donnie.type("\x071" + ENTER + "BW 1" + ENTER + CTRL_Q + "no" + ENTER)
+
+    assert donnie.ended() == 0
+    assert (tmp_path / "lesson.gd").read_text(encoding="utf-8") == "FW 1\nTR 90\n"

@@ -1,0 +1,92 @@
+"""Keys that come with the key of a question, or right after a question: they are for nobody else."""
+
+from __future__ import annotations
+
+import asyncio
+
+import pytest
+
+from donnie_tui.tui import coming
+from tests.tui.conftest import burst
+
+LINES = "FW 1\nTR 90\nBW 2"
+
+
+@pytest.fixture(autouse=True)
+def own_folder(tmp_path, monkeypatch) -> None:  # type: ignore[no-untyped-def]
+    monkeypatch.chdir(tmp_path)
+
+
+async def until_answered(desk) -> None:  # type: ignore[no-untyped-def]
+    await desk.until(lambda: desk.app.screen is desk.place and not desk.app.workers, "the end of it")
+    await desk.pilot.pause()
+
+
+@pytest.mark.parametrize("focus", ["editor", "map"])
+async def test_a_name_that_comes_with_the_key_that_asks_for_it_is_the_answer(work, tmp_path, focus) -> None:  # type: ignore[no-untyped-def]
+    async with work(LINES) as desk:
+        getattr(desk.place, focus).focus()
+        await desk.pilot.pause()
+        burst(desk, "ctrl+s", *"lesson", "enter")
+        await desk.told("Saved lesson.gd")
+
+        assert desk.app.work.text == LINES
+    assert (tmp_path / "lesson.gd").read_text(encoding="utf-8").splitlines() == LINES.splitlines()
+
+
+async def test_what_comes_behind_an_answer_in_the_same_burst_goes_where_it_leads(work) -> None:  # type: ignore[no-untyped-def]
+    async with work(LINES) as desk:
+        burst(desk, "ctrl+g", "3", "enter", *"12", "ctrl+g", "1", "enter", *"FW")
+        await desk.until(lambda: desk.app.work.text == "FWFW 1\nTR 90\n12BW 2", "all in its place")
+
+
+async def test_a_word_that_comes_with_the_key_of_search_is_searched(work) -> None:  # type: ignore[no-untyped-def]
+    async with work(LINES) as desk:
+        burst(desk, "ctrl+f", *"BW", "enter")
+        await desk.until(lambda: desk.place.editor.line == 3, "the line that was found")
+
+        assert desk.app.work.text == LINES
+
+
+async def test_no_with_the_key_that_leaves_leaves_and_is_not_saved(work, tmp_path) -> None:  # type: ignore[no-untyped-def]
+    async with work() as desk:
+        burst(desk, *"FW", "ctrl+q", *"no", "enter")
+        await desk.until(lambda: desk.app.return_code is not None, "the way out")
+
+        assert desk.app.work.text == "FW"
+
+
+async def test_letters_that_come_with_the_key_of_a_list_narrow_it(work) -> None:  # type: ignore[no-untyped-def]
+    async with work(LINES) as desk:
+        burst(desk, "ctrl+p", *"coordinates", "enter", "X")
+        await until_answered(desk)
+        await desk.until(lambda: desk.app.work.text == f"X{LINES}", "the letter behind it")
+
+
+async def test_a_question_typed_as_a_word_has_the_line_behind_it(work, tmp_path) -> None:  # type: ignore[no-untyped-def]
+    async with work(LINES) as desk:
+        desk.place.command_line.focus()
+        await desk.pilot.pause()
+        burst(desk, *"SAVE", "space", *"AS", "enter", *"mine", "enter", *"WHERE", "enter")
+        await desk.told("Position 0, 0")
+
+        assert [line for line in desk.log if line[0] == ">" or "Saved" in line] == [
+            "> SAVE AS",
+            "Saved mine.gd, 3 lines.",
+            "> WHERE",
+        ]
+
+
+async def test_letters_in_front_of_a_page_that_comes_are_not_for_the_program(work) -> None:  # type: ignore[no-untyped-def]
+    async with work(LINES) as desk:
+        burst(desk, "f1", "q", "1")
+        await desk.until(lambda: desk.app.screen is desk.place and desk.app.work.text == f"1{LINES}")
+
+
+async def test_keys_do_not_wait_for_what_takes_long_without_asking(work, monkeypatch) -> None:  # type: ignore[no-untyped-def]
+    """As looking for a robot does: the text is there to be typed in meanwhile."""
+    monkeypatch.setattr(coming, "SLOW", 0.01)
+    async with work() as desk:
+        monkeypatch.setattr(desk.app.work, "do", lambda _name: asyncio.Event().wait())
+        burst(desk, "ctrl+n", *"FW")
+        await desk.until(lambda: desk.app.work.text == "FW", "the letters")
