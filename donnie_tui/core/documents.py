@@ -122,6 +122,14 @@ def read_to_the_end(path: Path) -> str:
         raise DocumentError("file-unreadable", str(path), _reason(problem)) from None
 
 
+def changed_since(path: Path, known: str) -> bool:
+    """Whether a program's file is there with another text than the one last read from it or written to it."""
+    try:
+        return exists(path) and lines_in(read_program(path)) != lines_in(known)
+    except DocumentError:
+        return False
+
+
 def decode(data: bytes, name: str) -> str:
     """UTF-8, else the old Windows code page of our learners' languages; cleaned. Raises ``DocumentError``."""
     if len(data) > LARGEST:
@@ -237,6 +245,10 @@ class Document:
             return path.exists() and (self.path is None or not path.samefile(self.path))
         except OSError:
             return False
+
+    def was_changed_outside(self, path: Path) -> bool:
+        """Whether somebody else wrote into this program's own file since it was read or saved."""
+        return self.path is not None and is_same_file(path, self.path) and changed_since(path, self._kept)
 
 
 def as_lines(text: str) -> str:

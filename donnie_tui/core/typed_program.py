@@ -96,6 +96,11 @@ class TypedProgram:
         self._kept = self._lines.copy() if saved else None
 
     @property
+    def saved_text(self) -> str | None:
+        """What the file has, as far as it is known."""
+        return None if self._kept is None else "".join(f"{line}\n" for line in self._kept)
+
+    @property
     def is_worth_saving(self) -> bool:
         """Whether enough would be lost that the learner must be asked first."""
         return not self.saved and (self.name is not None or len(self._lines) >= WORTH_SAVING)

@@ -6,6 +6,7 @@ from pathlib import Path
 
 from donnie_tui.core.documents import (
     DocumentError,
+    changed_since,
     exists,
     program_to_open,
     program_to_save,
@@ -126,15 +127,20 @@ def _save(desk: Desk, path: Path) -> bool:
 
 
 def may_replace(desk: Desk, path: Path) -> bool:
-    """A file that is not the program's own is replaced only by somebody who wants it.
+    """What this program did not put there is replaced only by somebody who wants it.
 
     Raises ``DocumentError`` where nobody can be asked.
     """
-    if str(path) == desk.program.name or not exists(path):
+    is_own = str(path) == desk.program.name
+    known = desk.program.saved_text
+    if is_own and (known is None or not changed_since(path, known)):
+        return True
+    if not exists(path):
         return True
     if not desk.is_attended:
         raise DocumentError("file-exists", str(path))
-    return desk.asking.ask_yes("linear-ask-replace", name=path.name)
+    asked = "linear-ask-replace-changed" if is_own else "linear-ask-replace"
+    return desk.asking.ask_yes(asked, name=path.name)
 
 
 def _open(desk: Desk, _: Runs, rest: str) -> bool:

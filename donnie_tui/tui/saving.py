@@ -41,7 +41,7 @@ class Saving:
         """Save, asking for a name where there is none. False if it was not saved."""
         path = self._programs.document.path
         if not name and path is not None:
-            return await self._write(path)
+            return await self._save_to(path)
         return await self.save_as(name)
 
     async def save_as(self, name: str) -> bool:
@@ -49,16 +49,28 @@ class Saving:
         name = name or await self._desk.ask(self._words("ask-save"), value=own) or ""
         if not name:
             return False
-        document = self._programs.document
         try:
-            path = document.place_for(name)
+            path = self._programs.document.place_for(name)
         except DocumentError as error:
             self._desk.tell(told(error))
             return False
-        if document.overwrites(path) and not await self._question.ask("ask-replace", path.name):
+        return await self._save_to(path)
+
+    async def _save_to(self, path: Path) -> bool:
+        """Asks before it replaces what this program did not put there."""
+        slow = Answer("slow-saving", {"name": path.name})
+        asked = await self._desk.patiently(lambda: self._to_be_asked(path), slow)
+        if asked and not await self._question.ask(asked, path.name):
             self._desk.tell(Answer("answer-unchanged"))
             return False
         return await self._write(path)
+
+    def _to_be_asked(self, path: Path) -> str:
+        """The code of a question; empty where nothing would be lost."""
+        document = self._programs.document
+        if document.overwrites(path):
+            return "ask-replace"
+        return "ask-replace-changed" if document.was_changed_outside(path) else ""
 
     async def _write(self, path: Path) -> bool:
         """To its end, whatever is asked meanwhile."""

@@ -88,6 +88,26 @@ def test_a_program_is_saved_and_opened(learner: Learner, tmp_path: Path) -> None
     assert (tmp_path / "corner.gd").read_text() == "FW 3\nTR 90\n"
 
 
+def test_what_somebody_else_wrote_into_the_program_s_file_is_replaced_only_if_wanted(
+    learner: Learner, tmp_path: Path
+) -> None:
+    learner.enters("FW 3", "SAVE mine")
+    learner.sees("Saved mine.gd, 1 line.")
+    (tmp_path / "mine.gd").write_text("BW 1\n")
+    learner.enters("FW 4", "SAVE")
+    learner.sees("mine.gd was changed by somebody else. Replace it, y or n? Enter means no.")
+    learner.enters("")
+    learner.sees("Nothing was changed.")
+    assert (tmp_path / "mine.gd").read_text() == "BW 1\n"
+
+    learner.enters("SAVE")
+    learner.sees("somebody else")
+    learner.enters("y")
+    learner.sees("Saved mine.gd, 2 lines.")
+    learner.enters("SAVE")
+    learner.sees("Saved mine.gd, 2 lines.")
+
+
 def test_another_file_is_replaced_only_if_wanted(learner: Learner, tmp_path: Path) -> None:
     (tmp_path / "mine.gd").write_text("BW 1\n")
     learner.enters("FW 3", "SAVE mine")

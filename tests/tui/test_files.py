@@ -91,6 +91,22 @@ async def test_another_file_is_replaced_only_after_a_yes(work, program, answer, 
         assert program.read_text(encoding="utf-8") == text
 
 
+@pytest.mark.parametrize(("answer", "text"), [("yes", "XFW 1\nTR 90\n"), ("no", "BW 1\n")])
+@pytest.mark.parametrize("word", ["SAVE", "SAVE {}"])
+async def test_what_somebody_else_wrote_meanwhile_is_replaced_only_after_a_yes(
+    work, program, answer, text, word
+):
+    async with work(file=program) as desk:
+        await desk.press("X")
+        program.write_text("BW 1\n", encoding="utf-8")
+        await desk.type_line(word.format(program))
+        await desk.until(lambda: "walk.gd was changed by somebody else." in desk.screen, "the question")
+        await desk.answer(answer)
+        await desk.told("Saved walk.gd" if answer == "yes" else "Nothing was changed.")
+
+        assert program.read_text(encoding="utf-8") == text
+
+
 async def test_a_folder_that_can_t_be_written_is_a_sentence(work, tmp_path):
     async with work("FW 2") as desk:
         await desk.type_line(f"SAVE {tmp_path / 'nowhere' / 'a.gd'}")

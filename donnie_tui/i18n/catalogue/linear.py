@@ -117,6 +117,16 @@ _PROGRAM = {
 
 _FILES = {
     "linear-nothing-to-save": Sentence("Nothing to save.", "Nada para salvar.", "Nada que guardar."),
+    "linear-ask-replace-changed": Sentence(
+        "{name} was changed by somebody else. Replace it, y or n? Enter means no.",
+        "{name} foi mudado por outra pessoa. Substituir, s ou n? Enter é não.",
+        "Otra persona cambió {name}. ¿Reemplazar, s o n? Enter es no.",
+        brief=(
+            "{name} changed. Replace, y or n? Enter: no.",
+            "{name} mudou. Trocar, s ou n? Enter: não.",
+            "{name} cambió. ¿Cambiar, s o n? Enter: no.",
+        ),
+    ),
     "linear-ask-replace": Sentence(
         "{name} exists. Replace it, y or n? Enter means no.",
         "{name} já existe. Substituir, s ou n? Enter é não.",

@@ -113,6 +113,11 @@ _QUESTIONS = {
         "{name} já existe. Substituir? sim ou não:",
         "{name} ya existe. ¿Reemplazar? sí o no:",
     ),
+    "ask-replace-changed": Sentence(
+        "{name} was changed by somebody else. Replace it? yes or no:",
+        "{name} foi mudado por outra pessoa. Substituir? sim ou não:",
+        "Otra persona cambió {name}. ¿Reemplazar? sí o no:",
+    ),
     "ask-unsaved": Sentence(
         "{name} is not saved. Save it? yes or no:",
         "{name} não foi salvo. Salvar? sim ou não:",
