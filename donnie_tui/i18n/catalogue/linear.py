@@ -122,9 +122,9 @@ _FILES = {
         "{name} foi mudado por outra pessoa. Substituir, s ou n? Enter é não.",
         "Otra persona cambió {name}. ¿Reemplazar, s o n? Enter es no.",
         brief=(
-            "{name} changed. Replace, y or n? Enter: no.",
-            "{name} mudou. Trocar, s ou n? Enter: não.",
-            "{name} cambió. ¿Cambiar, s o n? Enter: no.",
+            "{name} changed. Replace? Enter: no.",
+            "{name} mudou. Trocar? Enter: não.",
+            "{name} cambió. ¿Cambiar? Enter: no.",
         ),
     ),
     "linear-ask-replace": Sentence(
