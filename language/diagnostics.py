@@ -73,6 +73,8 @@ class Diagnostic:
     details: Mapping[str, str | int] = field(default_factory=dict)
     """What else the sentence needs: ``name``, ``opener``, ``opener_line``, ``wanted``, ``limit`` ..."""
     severity: Severity = Severity.ERROR
+    meant_end: int | None = None
+    """The offset behind all of what ``meant`` is to replace, where that is more than the span."""
 
 
 @frozen

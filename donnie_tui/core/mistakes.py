@@ -21,7 +21,7 @@ class Mistake:
     is_hint: bool
     start: int
     end: int
-    """Offsets of what stands there."""
+    """Offsets of what stands there, and is to be replaced."""
     meant: str
     """What to put there instead; empty where nobody knows."""
 
@@ -34,7 +34,8 @@ def mistakes(found: Iterable[Diagnostic], wording: Wording) -> dict[int, Mistake
         is_hint = each.severity is Severity.HINT
         message = (wording.hint(each) if is_hint else None) or wording.mistake(each)
         meant = each.meant if each.found and span.end > span.start else ""
-        by_line.setdefault(span.line, Mistake(span.line, message, is_hint, span.start, span.end, meant))
+        end = each.meant_end or span.end
+        by_line.setdefault(span.line, Mistake(span.line, message, is_hint, span.start, end, meant))
     return by_line
 
 

@@ -23,7 +23,7 @@ def read_unknown_command(reading: Reading) -> None:
     near, width = (pair, 2) if pair else (_command_meant(reading, token[5]), 1)
     code = "call-brackets" if reading.following[0] == LPAR and near is None else ""
     reading.begun = reading.at
-    reading.tell(Kind.UNKNOWN_COMMAND, token, code, ("command",), near.text if near else "")
+    reading.tell(Kind.UNKNOWN_COMMAND, token, code, ("command",), near.text if near else "", width=width)
     read_as(reading, near, width)
 
 
@@ -47,7 +47,7 @@ def read_unknown_pair(reading: Reading) -> None:
         tell_reserved(reading, token)
         near = None
     else:
-        reading.tell(Kind.UNKNOWN_COMMAND, token, "", ("command",), near.text if near else "")
+        reading.tell(Kind.UNKNOWN_COMMAND, token, "", ("command",), near.text if near else "", width=width)
     read_as(reading, near, width)
 
 

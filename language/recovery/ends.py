@@ -56,7 +56,7 @@ def _closing(reading: Reading, token: Token, end: str, meant: str, width: int) -
     if token[0] != END and block.kind in (end, ""):
         return Closing.INNERMOST
     if block.kind:
-        _tell_about_end(reading, Kind.WRONG_END, token, block, meant)
+        _tell_about_end(reading, Kind.WRONG_END, token, block, meant, width)
     closing = best_closing(kinds_of(reading.blocks), end, reading.tokens[reading.at + width :])
     return Closing.INNERMOST if token[0] == END and closing is Closing.STRAY else closing
 
@@ -68,9 +68,11 @@ def tell_missing_ends(reading: Reading) -> None:
             _tell_about_end(reading, Kind.MISSING_END, block.token, block)
 
 
-def _tell_about_end(reading: Reading, kind: Kind, token: Token, block: Block, meant: str = "") -> None:
+def _tell_about_end(
+    reading: Reading, kind: Kind, token: Token, block: Block, meant: str = "", width: int = 1
+) -> None:
     details: dict[str, str | int] = {"opener": block.kind, "opener_line": block.token[3]}
-    reading.tell(kind, token, "", (f"END {block.kind}",), meant, details)
+    reading.tell(kind, token, "", (f"END {block.kind}",), meant, details, width=width)
 
 
 def read_else(reading: Reading) -> None:

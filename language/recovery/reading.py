@@ -110,12 +110,17 @@ class Reading:
         expected: tuple[str, ...] = (),
         meant: str = "",
         details: dict[str, str | int] | None = None,
+        *,
+        width: int = 1,
     ) -> None:
-        """A mistake, unless it may follow from one that was told."""
+        """A mistake, unless it may follow from one that was told. ``width``: the words that were meant."""
         if kind is not Kind.MISSING_END and self._is_flawed():
             return
         typed = self.typed(token)
-        self.found.append(Diagnostic(kind, span_of(token), code, typed, expected, meant, details or {}))
+        end = self.tokens[self.at + width - 1][2] if meant and width > 1 else None
+        self.found.append(
+            Diagnostic(kind, span_of(token), code, typed, expected, meant, details or {}, meant_end=end)
+        )
 
     def _is_flawed(self) -> bool:
         """Whether something in this command was told already."""

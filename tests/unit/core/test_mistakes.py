@@ -1,0 +1,52 @@
+"""What was meant takes the place of all that was typed for it, of each of its words."""
+
+import pytest
+
+from donnie_tui.core.mistakes import mended, mistakes
+from donnie_tui.i18n.words import Words
+from language.keywords import all_words, canonical
+from language.parser import parse
+
+PAIRS = sorted(word for word in all_words() if " " in word)
+
+
+def fixed(text: str) -> str:
+    """With the first mistake mended that is known."""
+    parsed = parse(text)
+    known = [each for each in mistakes(parsed.diagnostics, Words()).values() if each.meant]
+    return mended(text, known[0]) if known else text
+
+
+@pytest.mark.parametrize(
+    ("typed", "meant"),
+    [
+        ("repita 2 vezes pf 1 fim repitta", "repita 2 vezes pf 1 FIM REPITA"),
+        ("repetir 2 veces av 1 fin repetr", "repetir 2 veces av 1 FIN REPETIR"),
+        ("REPEAT 2 TIMES FW 1 END REPET FW 2", "REPEAT 2 TIMES FW 1 END REPEAT FW 2"),
+        ("REPEAT 2 TIMES FW 1 ENDREPEAT", "REPEAT 2 TIMES FW 1 END REPEAT"),
+        ("gira direita 90", "GIRAR DIREITA 90"),
+        ("girar diretta 90", "GIRAR DIREITA 90"),
+        ("para frent 3", "PARA FRENTE 3"),
+        ("RIGHT 90", "RIGHT TURN 90"),
+        ("RIGHT TRUN 90", "RIGHT TURN 90"),
+    ],
+)
+def test_all_of_the_words_that_were_typed_are_replaced(typed: str, meant: str) -> None:
+    assert fixed(typed) == meant
+
+
+HEADS = {
+    "END IF": "IF 1 == 1 THEN",
+    "END FOR": "FOR VAR i = 1; i < 3; i = i + 1 DO",
+    "END REPEAT": "REPEAT 2 TIMES",
+    "END WHILE": "WHILE 1 == 1 DO",
+    "END PROCEDURE": "PROCEDURE P DO",
+}
+
+
+@pytest.mark.parametrize("pair", PAIRS)
+def test_a_second_word_with_a_letter_too_many_is_not_left_behind(pair: str) -> None:
+    head, value = HEADS.get(canonical(pair) or "", ""), "" if canonical(pair) in HEADS else " 1"
+    typed = f"{head} {pair}{pair[-1]}{value}"
+
+    assert fixed(typed) == f"{head} {pair}{value}"
