@@ -13,6 +13,7 @@ from string import ascii_lowercase
 from devices.ports.robot import STEP
 from devices.ports.values import field, frozen
 from sim.geometry import Point
+from sim.parts import body_of
 from sim.raster import Raster, covered
 from sim.scene import Model, Scene
 
@@ -51,6 +52,8 @@ class Thing:
     """Compass degrees; what a robot looks at."""
     index: int = field(default=0, compare=False)
     """Its number among the world's models, by which events tell that it was moved."""
+    outlines: tuple[tuple[Point, ...], ...] = field(default=(), compare=False)
+    """Its polygons where they lie, in steps."""
 
 
 @frozen
@@ -80,6 +83,10 @@ class Picture:
     things: tuple[Thing, ...]
     has_walls: bool
     """Without walls the grid is a window on an endless floor."""
+    walls: tuple[tuple[Point, ...], ...] = ()
+    """The polygons of the walls, in steps."""
+    body: tuple[tuple[Point, ...], ...] = ()
+    """Those of the robot itself, in steps around its middle; it looks along x."""
 
     def at(self, x: float, y: float) -> tuple[int, int] | None:
         """Row and column of a place given in steps, or None outside the grid."""
@@ -120,7 +127,15 @@ def picture(scene: Scene, robot: str | None = None) -> Picture:
     robots = frozenset(scene.robots)
     things = tuple(_thing(shape, letters, robots) for shape in shapes if not shape.is_wall)
     has_walls = any(shape.is_wall for shape in shapes)
-    return Picture(left, bottom, width, height, cell, grid.rows(), things, has_walls)
+    walls = tuple(points for shape in shapes if shape.is_wall for points in shape.outlines)
+    return Picture(left, bottom, width, height, cell, grid.rows(), things, has_walls, walls, _body(scene, me))
+
+
+def _body(scene: Scene, me: Model | None) -> tuple[tuple[Point, ...], ...]:
+    if me is None:
+        return ()
+    polygons = body_of(scene, me.index).polygons
+    return tuple(tuple((x / STEP, y / STEP) for x, y in points) for points in polygons)
 
 
 def drawings(scene: Scene) -> tuple[Drawing, ...]:
@@ -272,4 +287,5 @@ def _thing(shape: _Shape, letters: dict[str, str], robots: frozenset[int]) -> Th
         is_robot=is_robot,
         heading=round(90.0 - model.pose.yaw, 6) % 360.0 if is_robot else 0.0,
         index=model.index,
+        outlines=shape.outlines,
     )

@@ -1,18 +1,20 @@
 """What is around the robot, told by direction: how many things, then clockwise from ahead (or from north).
 
-Every thing in range is named exactly once, in the direction in which its middle is; a direction with neither
-thing nor wall is free. Directions are 4, 8 at detail full, or the 12 hours of a clock face.
+Every thing in range is named exactly once, in the direction in which its nearest edge is; a direction with
+neither thing nor wall is free. Steps are counted from the robot's edge to that of the thing or wall, as
+DISTANCE counts them: straight on where the robot would meet it, else as near as it is. Directions are 4, 8 at
+detail full, or the 12 hours of a clock face.
 """
 
 from __future__ import annotations
 
 from collections.abc import Iterator
-from math import atan2, cos, degrees, hypot, radians, sin
+from math import floor
 from typing import TYPE_CHECKING
 
 from devices.ports.robot import Pose
 from devices.ports.values import frozen
-from donnie_tui.core.map_grid import WALL, MapGrid
+from donnie_tui.core.map_grid import MapGrid
 from donnie_tui.core.naming import coloured_thing, name_of
 from donnie_tui.core.poses import COMPASS, SIDES
 from donnie_tui.core.wording import Wording
@@ -20,9 +22,12 @@ from language.source import fold_name
 
 if TYPE_CHECKING:
     from sim.picture import Thing
+    from sim.room import Room
 
 RANGE = 10
 """Steps that are looked at in each direction."""
+HALF_A_CENTIMETRE = 0.1
+"""In steps."""
 
 
 _POINTS = (
@@ -49,6 +54,10 @@ class Face:
     """Of the sentence that names each sector; with ``{hour}`` for a clock face."""
     told_when_free: tuple[int, ...]
 
+    def heading(self, sector: int) -> float:
+        """The compass heading of a sector's middle."""
+        return self.first + sector * 360 / self.sectors
+
 
 def compass_point(typed: str) -> int | None:
     """The point of the compass that a word means, in eighths clockwise from north; None if it means none."""
@@ -64,11 +73,14 @@ def around_in_words(
     ``compass``: by the compass, beginning with that point; else as the robot looks.
     """
     face = _face(pose.heading, wording.detail, compass=compass, clock=clock)
-    sectors = _things_by_sector(grid, pose, face)
+    from sim.room import Room  # who doesn't ask what is around needs no geometry
+
+    room = Room(grid.picture, pose)
+    sectors = _things_by_sector(grid, room, face)
     count = sum(map(len, sectors))
     lines = [wording("around-things" if count else "around-none", count=count, steps=RANGE)]
     for sector in range(face.sectors):
-        lines += _sector_in_words(grid, pose, face, sector, sectors[sector], wording)
+        lines += _sector_in_words(room, face, sector, sectors[sector], wording)
     return tuple(lines)
 
 
@@ -84,42 +96,37 @@ def _face(heading: float, detail: str, *, compass: int | None, clock: bool) -> F
     return Face(8 // step, first, tuple(codes[::step]), tuple(range(8 // step)))
 
 
-def _things_by_sector(grid: MapGrid, pose: Pose, face: Face) -> list[list[tuple[int, Thing]]]:
+def _things_by_sector(grid: MapGrid, room: Room, face: Face) -> list[list[tuple[int, Thing]]]:
     """The things in range with their distances, the nearest first, by sector."""
     found: list[list[tuple[int, Thing]]] = [[] for _ in range(face.sectors)]
     for thing in grid.picture.things:
-        east, north = thing.x - pose.x, thing.y - pose.y
-        steps = round(hypot(east, north))
-        if steps <= RANGE:
-            turned = degrees(atan2(east, north)) - face.first
-            found[round(turned / (360 / face.sectors)) % face.sectors].append((steps, thing))
+        gap, heading = room.nearest(thing.outlines)
+        if (steps := _in_range(gap)) is not None:
+            sector = round((heading - face.first) / (360 / face.sectors)) % face.sectors
+            straight = _in_range(room.ahead(thing.outlines, face.heading(sector)))
+            found[sector].append((steps if straight is None else straight, thing))
     return [sorted(each, key=lambda found: (found[0], found[1].name)) for each in found]
 
 
 def _sector_in_words(
-    grid: MapGrid, pose: Pose, face: Face, sector: int, things: list[tuple[int, Thing]], wording: Wording
+    room: Room, face: Face, sector: int, things: list[tuple[int, Thing]], wording: Wording
 ) -> Iterator[str]:
     where = wording(face.codes[sector], hour=sector or 12)
-    wall = _steps_to_wall(grid, pose, face.first + sector * 360 / face.sectors)
+    wall, free = (_in_range(room.ahead(each, face.heading(sector))) for each in (room.walls, room.all))
     told = [(steps, _named(thing, wording)) for steps, thing in things]
     if wall is not None and (told or sector in face.told_when_free):
         told = sorted([*told, (wall, wording("cell-wall"))], key=lambda each: each[0])
     for steps, name in told:
         yield wording("around-thing", where=where, thing=name, steps=steps)
     if not told and sector in face.told_when_free:
-        yield wording("around-free", where=where, steps=RANGE)
+        yield wording("around-free", where=where, steps=RANGE if free is None else free)
+
+
+def _in_range(steps: float) -> int | None:
+    """Whole steps of whole centimetres, as the robot's sensors count them; None beyond what is told."""
+    whole = floor(min(steps, RANGE + 1) + HALF_A_CENTIMETRE)
+    return whole if whole <= RANGE else None
 
 
 def _named(thing: Thing, wording: Wording) -> str:
     return name_of(thing, wording) if wording.detail == "brief" else coloured_thing(thing, wording)
-
-
-def _steps_to_wall(grid: MapGrid, pose: Pose, heading: float) -> int | None:
-    """Steps to the first square of wall in that direction, None if there is none in range."""
-    east, north = sin(radians(heading)), cos(radians(heading))
-    for half_steps in range(1, 2 * RANGE + 1):
-        steps = half_steps / 2
-        there = Pose(pose.x + east * steps, pose.y + north * steps, 0.0)
-        if grid.floor_letter(grid.cell_of(there)) == WALL:
-            return round(steps + 0.01)
-    return None

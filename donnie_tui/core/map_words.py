@@ -64,14 +64,20 @@ def column_in_words(grid: MapGrid, x: int, wording: Wording) -> tuple[str, ...]:
 def square_in_words(grid: MapGrid, x: int, y: int, pose: Pose, wording: Wording) -> str:
     """What is at a place, and where that is from the robot."""
     cell = _nearest_cell(grid, x, y)
-    what = wording("cell-outside") if _is_outside(grid, cell) else square_content(grid, cell, wording)
+    what = _beyond(grid, wording) if _is_beyond(grid, cell) else square_content(grid, cell, wording)
     return wording("map-square", x=x, y=y, what=what, place=place_of(x, y, pose, wording))
 
 
-def _is_outside(grid: MapGrid, cell: Cell) -> bool:
-    """Behind the walls there is no floor; without walls it never ends. A trail is floor anywhere."""
-    is_on_it = 0 <= cell.x < grid.picture.width and 0 <= cell.y < grid.picture.height
-    return grid.picture.has_walls and not is_on_it and grid.kind(cell) is Kind.FREE
+def _is_beyond(grid: MapGrid, cell: Cell) -> bool:
+    """Where the map has neither row nor column any more. A trail is floor anywhere."""
+    bounds = grid.bounds
+    is_on_it = bounds.left <= cell.x <= bounds.right and bounds.bottom <= cell.y <= bounds.top
+    return not is_on_it and grid.kind(cell) is Kind.FREE
+
+
+def _beyond(grid: MapGrid, wording: Wording) -> str:
+    """Behind the walls there is no floor; without walls it never ends."""
+    return wording("cell-outside" if grid.picture.has_walls else "cell-beyond")
 
 
 def square_content(grid: MapGrid, cell: Cell, wording: Wording) -> str:

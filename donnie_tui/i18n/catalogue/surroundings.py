@@ -8,6 +8,7 @@ _CELLS = {
     "cell-trail": Sentence("trail", "rastro", "rastro"),
     "cell-wall": Sentence("wall", "parede", "pared"),
     "cell-outside": Sentence("outside the world", "fora do mundo", "fuera del mundo"),
+    "cell-beyond": Sentence("beyond the map", "além do mapa", "más allá del mapa"),
     "cell-free": Sentence("free", "livre", "libre"),
 }
 

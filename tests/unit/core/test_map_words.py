@@ -2,12 +2,14 @@
 
 import re
 from dataclasses import replace
+from math import hypot
 
 import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from devices.ports.robot import Pose
+import worlds
+from devices.ports.robot import Bearing, Pose
 from donnie_tui.core.around import RANGE, around_in_words, compass_point
 from donnie_tui.core.map_grid import FREE, MapGrid
 from donnie_tui.core.map_words import (
@@ -18,14 +20,36 @@ from donnie_tui.core.map_words import (
     square_in_words,
 )
 from donnie_tui.i18n.words import Words
-from sim.picture import Picture, Thing
+from sim.picture import Picture, Thing, picture
+from sim.world import World
+from sim.worldfile import load_world
+from tests.unit.sim.floors import Unpaced
 
 LANGUAGES = ("en", "pt", "es")
 DETAILS = ("brief", "normal", "full")
 
 
+def square(x: float, y: float) -> tuple[tuple[float, float], ...]:
+    return ((x - 0.5, y - 0.5), (x + 0.5, y - 0.5), (x + 0.5, y + 0.5), (x - 0.5, y + 0.5))
+
+
 def thing(letter: str, x: float, y: float, kind: str = "") -> Thing:
-    return Thing("", kind or {"c": "chair", "C": "chair", "t": "table"}[letter], letter, "red", x, y, 1, 1)
+    kind = kind or {"c": "chair", "C": "chair", "t": "table"}[letter]
+    return Thing("", kind, letter, "red", x, y, 1, 1, outlines=(square(x, y),))
+
+
+BODY = ((-0.45, -0.45), (0.45, -0.45), (0.45, 0.45), (-0.45, 0.45))
+
+
+def room(*rows: str, things: tuple[Thing, ...] = ()) -> Picture:
+    """A floor of squares, and a robot that almost fills one."""
+    walls = tuple(
+        square(x, len(rows) - 1 - y)
+        for y, row in enumerate(rows)
+        for x, letter in enumerate(row)
+        if letter == "#"
+    )
+    return Picture(0, 0, len(rows[0]), len(rows), 1, rows, things, bool(walls), walls, (BODY,))
 
 
 @st.composite
@@ -90,7 +114,7 @@ def test_everything_in_range_is_named_exactly_once(
     near = [
         each
         for each in picture.things
-        if round(((each.x - pose.x) ** 2 + (each.y - pose.y) ** 2) ** 0.5) <= RANGE
+        if hypot(*(max(0, abs(a - b) - 0.5) for a, b in ((each.x, pose.x), (each.y, pose.y)))) < RANGE + 0.9
     ]
 
     assert sum(" chair" in line or " table" in line for line in told) == len(near)
@@ -98,9 +122,7 @@ def test_everything_in_range_is_named_exactly_once(
     assert all(len(line) <= (40 if detail == "brief" else 80) for line in told)
 
 
-ROOM = Picture(
-    0, 0, 7, 5, 1, ("#######", "#..c..#", "#.....#", "#.....#", "#######"), (thing("c", 3, 3),), True
-)
+ROOM = room("#######", "#..c..#", "#.....#", "#.....#", "#######", things=(thing("c", 3, 3),))
 
 
 def test_around_begins_ahead_and_goes_clockwise() -> None:
@@ -108,11 +130,11 @@ def test_around_begins_ahead_and_goes_clockwise() -> None:
 
     assert around_in_words(MapGrid(ROOM, pose), pose, Words()) == (
         "1 thing within 10 steps.",
-        "Ahead: chair, red, 2 steps.",
-        "Ahead: wall, 3 steps.",
-        "Right: wall, 3 steps.",
-        "Behind: wall, 1 step.",
-        "Left: wall, 3 steps.",
+        "Ahead: chair, red, 1 step.",
+        "Ahead: wall, 2 steps.",
+        "Right: wall, 2 steps.",
+        "Behind: wall, 0 steps.",
+        "Left: wall, 2 steps.",
     )
 
 
@@ -120,7 +142,7 @@ def test_around_by_the_compass_begins_in_the_north_whatever_the_heading() -> Non
     pose = Pose(3, 1, 90)
     told = around_in_words(MapGrid(ROOM, pose), pose, Words(), compass=0)
 
-    assert told[1] == "North: chair, red, 2 steps."
+    assert told[1] == "North: chair, red, 1 step."
 
 
 @pytest.mark.parametrize(
@@ -139,12 +161,55 @@ def test_around_begins_with_the_point_that_is_named() -> None:
     assert sorted(by_east) == sorted(by_north)
 
 
+def test_a_wide_thing_is_where_the_robot_would_meet_it_and_not_where_its_middle_is() -> None:
+    sofa = Thing("", "sofa", "S", "blue", 9, 4, 13, 2, outlines=(((2.5, 3), (15.5, 3), (15.5, 5), (2.5, 5)),))
+    pose = Pose(3, 0, 0)
+
+    told = around_in_words(MapGrid(room(*("." * 16,) * 6, things=(sofa,)), pose), pose, Words())
+
+    assert told[:3] == (
+        "1 thing within 10 steps.",
+        "Ahead: sofa, blue, 2 steps.",
+        "Right: free, 10 steps.",
+    )
+
+
+def test_a_direction_is_as_free_as_what_is_told_elsewhere_leaves_it() -> None:
+    long = thing("t", 0, 0)
+    long = replace(long, outlines=(((-2.5, 5), (0.2, 5), (0.2, 5.2), (-2, 5.2), (-2, -1), (-2.5, -1)),))
+    pose = Pose(0, 0, 0)
+
+    told = around_in_words(MapGrid(room(*("." * 16,) * 6, things=(long,)), pose), pose, Words())
+
+    assert told[1] == "Ahead: free, 4 steps."
+    assert told[-1] == "Left: table, red, 1 step."
+
+
+@pytest.mark.parametrize(
+    ("right", "ahead"), [(0, "small sofa, blue"), (11, "large sofa, blue"), (30, "chair, green")]
+)
+@pytest.mark.parametrize("steps", [2, 40])
+def test_around_and_the_sensors_measure_alike(right: int, ahead: str, steps: int) -> None:
+    """From the robot's edge to that of what stands there, in whole steps."""
+    scene = load_world(worlds.path("living_room"))
+    robot = World(scene).robot(pace=Unpaced())
+    robot.turn(90)
+    robot.forward(right)
+    robot.turn(-90)
+    robot.forward(steps)
+    pose, distance = robot.pose(), robot.distance(Bearing.FRONT)
+
+    told = around_in_words(MapGrid(picture(scene), pose), pose, Words())
+
+    assert told[1] == ("Ahead: free, 10 steps." if distance > 10 else f"Ahead: {ahead}, {distance} step.")
+
+
 def test_around_on_a_clock_face_names_the_hours() -> None:
     pose = Pose(3, 1, 90)
     told = around_in_words(MapGrid(ROOM, pose), pose, Words(), clock=True)
 
-    assert told[1:3] == ("12 o'clock: wall, 3 steps.", "3 o'clock: wall, 1 step.")
-    assert "9 o'clock: chair, red, 2 steps." in told
+    assert told[1:3] == ("12 o'clock: wall, 2 steps.", "3 o'clock: wall, 0 steps.")
+    assert "9 o'clock: chair, red, 1 step." in told
 
 
 def test_a_free_direction_is_told_to_be_free() -> None:
@@ -175,7 +240,9 @@ def test_behind_the_walls_nothing_is_called_free() -> None:
         square_in_words(MapGrid(ROOM, pose), 900, 1, pose, Words("pt"))
         == "900, 1: fora do mundo. 899 à direita."
     )
-    assert square_in_words(MapGrid(endless, pose), 900, 1, pose, Words()) == "900, 1: free. 899 right."
+    told = square_in_words(MapGrid(endless, pose), 900, 1, pose, Words())
+    assert told == "900, 1: beyond the map. 899 right."
+    assert square_in_words(MapGrid(endless, pose), 2, 1, pose, Words()) == "2, 1: free. 1 right."
 
 
 def test_a_row_that_is_not_there_is_told_with_those_that_are() -> None:
