@@ -17,7 +17,7 @@ from donnie_tui.core.belt_telling import BeltTelling
 from donnie_tui.core.chronicle import Chronicle
 from donnie_tui.core.events import Announced
 from donnie_tui.core.hub import Stream
-from donnie_tui.core.in_use import keep
+from donnie_tui.core.in_use import FilesInUse
 from donnie_tui.core.outlets import UntilSaid
 from donnie_tui.core.session import ResettableRobot, Session
 from donnie_tui.core.team import Team
@@ -73,6 +73,7 @@ class Donnie:
     """What happened lately, to go back through."""
     outlets: Outlets
     notices: Notices
+    in_use: FilesInUse
     _shared: World
     _closing: ExitStack
 
@@ -187,7 +188,8 @@ def _assembled(
         audible.notices + (_decided(audible, words) if terminal else ()),
         belt_news() + about_robot,
     )
-    return Donnie(words, world, team, connection, chronicle, outlets, notices, shared, closing)
+    in_use = FilesInUse((*written.paths, *_sound_files(settings), *files_of(world)))
+    return Donnie(words, world, team, connection, chronicle, outlets, notices, in_use, shared, closing)
 
 
 def _tell_hold_ups(
@@ -209,12 +211,10 @@ def _written(
     out: TextIO | None,
     closing: ExitStack,
 ) -> Written:
-    """The files of the session, none of which is written onto meanwhile."""
     written = Written(settings, session.hub, words, closing)
     written.events(out)
     written.recording(world)
     written.log()
-    closing.callback(keep((*written.paths, *_sound_files(settings), *files_of(world))))
     return written
 
 

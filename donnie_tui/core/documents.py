@@ -16,7 +16,7 @@ from collections.abc import Iterable
 from pathlib import Path
 
 from donnie_tui.core.harmless import cleaned
-from donnie_tui.core.in_use import is_in_use
+from donnie_tui.core.in_use import FilesInUse
 
 _LINE_END = r"\r\n|\r|\n"
 """A pattern, made when something is read: a start reads nothing."""
@@ -45,24 +45,24 @@ def program_to_open(name: str) -> Path:
     return suffixed if not exists(path) and exists(suffixed) else path
 
 
-def program_to_save(name: str) -> Path:
+def program_to_save(name: str, in_use: FilesInUse) -> Path:
     """The file that a program is saved to: the suffix is added where a name has none.
 
     Raises ``DocumentError``, also for what is in use, so that nobody is asked whether to replace that.
     """
     path = _typed_path(name)
     meant = path if path.suffix or exists(path) else path.with_name(path.name + SUFFIX)
-    if is_in_use(meant):
+    if meant in in_use:
         raise DocumentError("file-in-use", str(meant))
     return meant
 
 
-def page_to_save(name: str, open_programs: Iterable[Path | None]) -> Path:
+def page_to_save(name: str, open_programs: Iterable[Path | None], in_use: FilesInUse) -> Path:
     """Where a page that is no program is written, a log or a report. Raises ``DocumentError``.
 
     Nobody is asked whether it replaces an open program: that is never meant.
     """
-    path = program_to_save(name)
+    path = program_to_save(name, in_use)
     if any(each is not None and is_same_file(path, each) for each in open_programs):
         raise DocumentError("file-is-open", str(path))
     return path
@@ -154,8 +154,6 @@ def write_program(path: Path, text: str) -> None:
         target = path.resolve()
         if target.is_dir():
             raise DocumentError("file-is-folder", str(path))
-        if is_in_use(target):
-            raise DocumentError("file-in-use", str(path))
         if target.exists() and not target.is_file():  # taking a device's place would break the machine
             raise DocumentError("file-no-file", str(path))
         if target.exists() and not os.access(target, os.W_OK):
@@ -211,7 +209,8 @@ def _reason(problem: Exception) -> str:
 class Document:
     """The file of the editor's text."""
 
-    def __init__(self) -> None:
+    def __init__(self, in_use: FilesInUse) -> None:
+        self._in_use = in_use
         self.path: Path | None = None
         self._kept = ""
         """The text as the file has it, or as it was given up."""
@@ -231,13 +230,15 @@ class Document:
 
     def write(self, path: Path, text: str) -> None:
         """Save, under this name from now on. Raises ``DocumentError``."""
+        if path in self._in_use:
+            raise DocumentError("file-in-use", str(path))
         write_program(path, text if not text or text.endswith("\n") else f"{text}\n")
         self.path = path
         self._kept = text
 
     def place_for(self, name: str) -> Path:
         """Where a program of that name is saved. Raises ``DocumentError``."""
-        return program_to_save(name)
+        return program_to_save(name, self._in_use)
 
     def overwrites(self, path: Path) -> bool:
         """Whether saving there would replace a file that is not this program's own."""

@@ -64,7 +64,7 @@ def save_named(desk: Desk, name: str) -> bool:
         desk.answer("answer-unchanged")
         return False
     try:
-        return _save(desk, program_to_save(name))
+        return _save(desk, program_to_save(name, desk.donnie.in_use))
     except DocumentError as error:
         refuse(desk, error)
         return False

@@ -37,7 +37,7 @@ def _subject(desk: Desk) -> Subject:
 
 def _write(desk: Desk, name: str, text: str) -> None:
     try:
-        path = page_to_save(name, desk.programs.files)
+        path = page_to_save(name, desk.programs.files, desk.donnie.in_use)
         if not may_replace(desk, path):
             desk.answer("answer-unchanged")
             return

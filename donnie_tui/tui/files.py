@@ -13,6 +13,7 @@ from pathlib import Path
 from donnie_tui.core.breakpoints import KeptBreakpoints
 from donnie_tui.core.copies import Copies
 from donnie_tui.core.documents import Document, DocumentError, saved_text
+from donnie_tui.core.in_use import FilesInUse
 from donnie_tui.core.wording import Wording
 from donnie_tui.tui.desk import Desk, told
 from donnie_tui.tui.open_programs import OpenPrograms, Program
@@ -30,6 +31,7 @@ class Files:
         desk: Desk,
         words: Wording,
         make_copies: Callable[[], Copies],
+        in_use: FilesInUse,
         recent: Recent,
         kept_breakpoints: KeptBreakpoints,
     ) -> None:
@@ -38,7 +40,7 @@ class Files:
         self._words = words
         self._recent = recent
         self._kept_breakpoints = kept_breakpoints
-        self.programs = OpenPrograms(desk, words, make_copies)
+        self.programs = OpenPrograms(desk, words, make_copies, in_use)
         self.saving = Saving(desk, words, self.programs, recent, kept_breakpoints)
         self.recovering = Recovering(desk, self.programs, self.saving, kept_breakpoints)
 

@@ -8,6 +8,7 @@ from pathlib import Path
 
 from donnie_tui.core.copies import Copies, CopyKeeping, Rescued, settle_all
 from donnie_tui.core.documents import Document, DocumentError
+from donnie_tui.core.in_use import FilesInUse
 from donnie_tui.core.wording import Wording
 from donnie_tui.tui.desk import Desk
 from donnie_tui.tui.running import Answer
@@ -31,13 +32,16 @@ class Program:
 class OpenPrograms:
     """All of them, and which one is in the editor."""
 
-    def __init__(self, desk: Desk, words: Wording, make_copies: Callable[[], Copies]) -> None:
+    def __init__(
+        self, desk: Desk, words: Wording, make_copies: Callable[[], Copies], in_use: FilesInUse
+    ) -> None:
         """``make_copies`` gives each program its own."""
         self._desk = desk
         self._words = words
         self._make_copies = make_copies
+        self.in_use = in_use
         self._keeping = CopyKeeping(self._tell_not_kept)
-        self._programs = [Program(Document(), make_copies())]
+        self._programs = [Program(Document(in_use), make_copies())]
         self.current = self._programs[0]
         """The one in the editor."""
         self._are_left = False
@@ -48,6 +52,11 @@ class OpenPrograms:
     @property
     def document(self) -> Document:
         return self.current.document
+
+    @property
+    def files(self) -> tuple[Path | None, ...]:
+        """Of all of them; None of one that has none."""
+        return tuple(each.document.path for each in self._programs)
 
     @property
     def name(self) -> str:
@@ -79,7 +88,7 @@ class OpenPrograms:
     def at(self, which: int | None) -> Program:
         """By its place in the list; None is one more, which is empty."""
         if which is None:
-            self._programs.append(Program(Document(), self._make_copies()))
+            self._programs.append(Program(Document(self.in_use), self._make_copies()))
             return self._programs[-1]
         return self._programs[which]
 

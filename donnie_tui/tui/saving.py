@@ -108,7 +108,7 @@ class Saving:
     async def write_beside(self, name: str, text: str) -> None:
         """Another file than the program's; what was there is replaced only by somebody who wants it."""
         try:
-            path = page_to_save(name, [each.document.path for each in self._programs])
+            path = page_to_save(name, self._programs.files, self._programs.in_use)
             if not await self.may_replace(path):
                 return
         except DocumentError as error:

@@ -75,6 +75,7 @@ class Work:
             self,
             self.words,
             lambda: Copies(folder),
+            donnie.in_use,
             Recent(folder.parent / "recent.txt"),
             KeptBreakpoints(folder.parent / BREAKPOINTS),
         )

@@ -6,7 +6,6 @@ from pathlib import Path
 
 import pytest
 
-from donnie_tui.core.in_use import keep
 from tests.tui.conftest import WAITING
 
 
@@ -270,20 +269,15 @@ async def test_no_page_takes_the_place_of_a_program_that_is_open(work, program, 
 
 async def test_nobody_is_asked_to_replace_what_the_session_needs(work, tmp_path):
     needed = tmp_path / "run.rec"
-    needed.write_text("{}\n", encoding="utf-8")
-    async with work("FW 1") as desk:
-        release = keep([needed])
-        try:
-            await desk.type_line(f"SAVE AS {needed}")
-            await desk.told("is in use here. Give another name.")
-            await desk.type_line(f"REPORT MAP {needed}")
-            await desk.until(
-                lambda: sum("is in use here" in line for line in desk.log) == 2, "the second answer"
-            )
-        finally:
-            release()
+    async with work("FW 1", record=str(needed)) as desk:
+        recorded = needed.read_text(encoding="utf-8")
+        await desk.type_line(f"SAVE AS {needed}")
+        await desk.told("is in use here. Give another name.")
+        await desk.type_line(f"REPORT MAP {needed}")
+        await desk.until(lambda: sum("is in use here" in line for line in desk.log) == 2, "the second answer")
 
-        assert needed.read_text(encoding="utf-8") == "{}\n"
+    assert recorded
+    assert needed.read_text(encoding="utf-8").startswith(recorded)
 
 
 async def test_all_programs_that_a_crash_left_are_brought_back_one_by_one(work, tmp_path):

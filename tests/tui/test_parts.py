@@ -26,6 +26,7 @@ from donnie_tui.core.events import (
     Spoke,
     Stamped,
 )
+from donnie_tui.core.in_use import FilesInUse
 from donnie_tui.core.speeds import SPEEDS
 from donnie_tui.i18n.catalogue import SENTENCES
 from donnie_tui.i18n.words import Words
@@ -398,7 +399,7 @@ def test_lines_end_alike_in_the_editor_however_they_ended_in_the_file():
 
 
 def test_a_document_overwrites_others_not_itself(tmp_path: Path):
-    document = Document()
+    document = Document(FilesInUse())
     own, other = tmp_path / "own.gd", tmp_path / "other.gd"
     other.write_text("")
     document.write(own, "FW 1")

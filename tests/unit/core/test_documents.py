@@ -17,6 +17,7 @@ from donnie_tui.core.documents import (
     read_to_the_end,
     write_program,
 )
+from donnie_tui.core.in_use import FilesInUse
 
 
 @pytest.mark.parametrize(
@@ -114,8 +115,8 @@ def test_a_program_is_found_without_its_suffix(tmp_path: Path) -> None:
 
     assert program_to_open(str(tmp_path / "a")) == tmp_path / "a.gd"
     assert program_to_open(str(tmp_path / "b")) == tmp_path / "b"
-    assert program_to_save(f'"{tmp_path / "b"}"') == tmp_path / "b.gd"
-    assert program_to_save(str(tmp_path / "b.txt")) == tmp_path / "b.txt"
+    assert program_to_save(f'"{tmp_path / "b"}"', FilesInUse()) == tmp_path / "b.gd"
+    assert program_to_save(str(tmp_path / "b.txt"), FilesInUse()) == tmp_path / "b.txt"
 
 
 @pytest.mark.parametrize(
