@@ -1,6 +1,7 @@
 """``donnie calibrate``: the robot walks and turns, a person measures, its sizes go into the settings file.
 
-Rule: whatever ends it, a signal too, the robot stands before the port is let go.
+Rules: whatever ends it, a signal too, the robot stands before the port is let go, and nothing has changed;
+what a simulated board was measured to be is not kept, since the settings are the real robot's.
 """
 
 from __future__ import annotations
@@ -9,11 +10,11 @@ import sys
 import threading
 from collections.abc import Callable
 from contextlib import closing
-from dataclasses import dataclass
 from types import FrameType
 from typing import NoReturn
 
-from devices.ports.robot import Moved, RobotProblem, Turned
+from devices.ports.robot import STEP, LinkNews, Moved, RobotProblem, StoppedBy, Turned
+from devices.ports.values import frozen, mutable
 from devices.serial_robot.calibration import axle_length, wheel_radius
 from devices.serial_robot.config import RobotConfig
 from devices.wire.telemetry import Telemetry
@@ -26,6 +27,7 @@ from donnie_tui.process.lost_readers import ReaderWatch
 from donnie_tui.process.taken_signals import LEAVING, TakenSignals
 from donnie_tui.robot.choice import sentences_of
 from donnie_tui.robot.connection import MeasurableRobot, make_measurable, robot_config
+from donnie_tui.settings.devices import DOUBLE, SIMULATED
 from donnie_tui.settings.file import remember
 
 STEPS = 20
@@ -33,11 +35,14 @@ STEPS = 20
 DEGREES = 720
 """Two turns, for the same reason."""
 
+FAR = 2.0
+"""Times what was asked: a measure that is so far off is asked again, and taken if it is meant."""
+
 _SMALLEST, _LARGEST = 0.001, 1.0
 """Metres that a radius or an axle can have in the settings."""
 
 
-@dataclass(slots=True)
+@mutable
 class _Steady:
     """The pace of a robot that nobody programs: real time, until somebody wants it to end."""
 
@@ -47,19 +52,73 @@ class _Steady:
         return not self.ended.wait(seconds)
 
 
+@frozen
+class _Sizes:
+    """In metres; None is not measured."""
+
+    wheel_radius: float | None
+    axle_length: float | None
+
+
+class _Lost(Exception):
+    """The line was lost in the middle of a movement, and that was told."""
+
+
 def calibrate(order: Order, made: Callable[..., MeasurableRobot] = make_measurable) -> int:
     """Ask, walk, ask, turn, ask, write. The exit code is 1 if nothing was measured."""
+    if order.invocation.options.get("robot") == SIMULATED:
+        raise Unusable(order.words("calibrate-simulator"))
     try:
-        robot = made(order.settings, order.words, _Steady(threading.Event()))
-        with (
-            TakenSignals(dict.fromkeys(LEAVING, _end)),
-            closing(ReaderWatch()),
-            closing(robot),
-            stopped_by_suspension(lambda: _halted(robot)),
-        ):
-            return _Calibration(order, robot).talk()
+        sizes = _measured(order, made)
     except RobotProblem as problem:
         raise Unusable(" ".join(sentences_of(problem, order.words))) from None
+    except _Lost:
+        order.output.line(order.words("calibrate-ended"))
+        return codes.UNUSABLE
+    except KeyboardInterrupt:
+        order.output.line(order.words("calibrate-ended"))
+        raise
+    return _keep(order, sizes)
+
+
+def _measured(order: Order, made: Callable[..., MeasurableRobot]) -> _Sizes:
+    """The robot stands, and its port is free, once this is answered or raised."""
+
+    def tell(news: LinkNews, _reason: str) -> None:
+        if news is not LinkNews.CONNECTED:
+            order.output.line(order.words(f"link-{news.value}"))
+
+    robot = made(order.settings, order.words, _Steady(threading.Event()), tell)
+    with (
+        TakenSignals(dict.fromkeys(LEAVING, _end)),
+        closing(ReaderWatch()),
+        closing(robot),
+        stopped_by_suspension(lambda: _halted(robot)),
+    ):
+        return _Calibration(order, robot).talk()
+
+
+def _keep(order: Order, sizes: _Sizes) -> int:
+    """Write what was measured. Raises ``Unusable``."""
+    measured = {"wheel_radius": sizes.wheel_radius, "axle_length": sizes.axle_length}
+    if not any(measured.values()):
+        order.output.line(order.words("calibrate-nothing"))
+        return codes.FAILED
+    is_real = order.settings.robot != DOUBLE
+    for key, metres in measured.items():
+        if metres is not None:
+            order.output.line(order.words(f"calibrate-{key.replace('_', '-')}", millimetres=metres * 1000))
+            if is_real:
+                _write(order, key, metres)
+    order.output.line(order.words("calibrate-kept" if is_real else "calibrate-not-kept"))
+    return codes.DONE
+
+
+def _write(order: Order, key: str, metres: float) -> None:
+    try:
+        remember(key, metres, order.environment)
+    except DocumentError as problem:
+        raise Unusable(order.words(problem.code, path=problem.path, reason=problem.reason)) from None
 
 
 class _Calibration:
@@ -70,29 +129,24 @@ class _Calibration:
         self._robot = robot
         self._config: RobotConfig = robot_config(order.settings)
 
-    def talk(self) -> int:
+    def talk(self) -> _Sizes:
+        """Raises ``_Lost``, and ``RobotProblem`` where nothing moves."""
         self._say("calibrate-start")
         self._robot.connect()
         radius = self._measured_radius()
-        axle = self._measured_axle(radius or self._config.wheel_radius)
-        for key, value in (("wheel_radius", radius), ("axle_length", axle)):
-            if value is not None:
-                self._write(key, value)
-        if radius is None and axle is None:
-            self._say("calibrate-nothing")
-            return codes.FAILED
-        return codes.DONE
+        return _Sizes(radius, self._measured_axle(radius or self._config.wheel_radius))
 
     def _measured_radius(self) -> float | None:
         counts = self._counted("calibrate-walk", STEPS, lambda: self._robot.forward(STEPS))
-        centimetres = self._ask("calibrate-ask-centimetres") if counts else None
+        asked = 100 * STEPS * STEP
+        centimetres = self._ask("calibrate-ask-centimetres", asked) if counts else None
         if not counts or centimetres is None:
             return None
         return self._sound(wheel_radius(counts, self._config.counts_a_turn, centimetres / 100))
 
     def _measured_axle(self, radius: float) -> float | None:
         counts = self._counted("calibrate-turn", DEGREES, lambda: self._robot.turn(DEGREES))
-        degrees = self._ask("calibrate-ask-degrees") if counts else None
+        degrees = self._ask("calibrate-ask-degrees", DEGREES) if counts else None
         if not counts or degrees is None:
             return None
         return self._sound(axle_length(counts, self._config.counts_a_turn, radius, degrees))
@@ -100,10 +154,14 @@ class _Calibration:
     def _counted(self, code: str, amount: int, go: Callable[[], Moved | Turned]) -> float:
         """What the wheels counted on the average of both; 0 if that is not to be measured."""
         self._say(code, amount=amount)
-        if self._line() is None:
+        while line := self._line():
+            self._say("calibrate-enter-alone")
+        if line is None:
             return 0.0
         before = self._robot.telemetry
         done = go()
+        if done.stopped_by is StoppedBy.LINK:
+            raise _Lost
         if done.stopped_by is not None:
             self._say("calibrate-cut-short")
             return 0.0
@@ -115,28 +173,21 @@ class _Calibration:
         self._say("calibrate-absurd")
         return None
 
-    def _write(self, key: str, value: float) -> None:
-        try:
-            remember(key, value, self._order.environment)
-        except DocumentError as problem:
-            raise Unusable(
-                self._order.words(problem.code, path=problem.path, reason=problem.reason)
-            ) from None
-        self._say(f"calibrate-{key.replace('_', '-')}", millimetres=value * 1000)
-
     # --- asking
 
-    def _ask(self, code: str) -> float | None:
-        """A number above 0, or None for nothing."""
+    def _ask(self, code: str, expected: float) -> float | None:
+        """A number above 0 that is near what is expected, or was typed twice; None for nothing."""
         self._say(code)
+        doubted = 0.0
         while line := self._line():
-            try:
-                number = float(line.replace(",", "."))
-            except ValueError:
-                number = 0.0
-            if 0 < number < 1e6:
+            number = _number(line)
+            if number and (number == doubted or expected / FAR < number < expected * FAR):
                 return number
-            self._say("calibrate-number")
+            doubted = number
+            if number:
+                self._say("calibrate-far", number=line, expected=round(expected))
+            else:
+                self._say("calibrate-number")
         return None
 
     def _line(self) -> str | None:
@@ -152,6 +203,15 @@ def _halted(robot: MeasurableRobot) -> bool:
     robot.halt()
     robot.wait_until_standing()
     return True
+
+
+def _number(line: str) -> float:
+    """A number above 0, with a point or a comma; 0 for anything else."""
+    try:
+        number = float(line.replace(",", "."))
+    except ValueError:
+        return 0.0
+    return number if 0 < number < 1e6 else 0.0
 
 
 def _mean_counts(before: Telemetry, after: Telemetry) -> float:

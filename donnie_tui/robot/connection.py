@@ -232,15 +232,18 @@ class Connection:
         return sentences_of(problem, self._words)
 
 
-def make_measurable(settings: Settings, words: Words, pace: Pace) -> MeasurableRobot:
+def make_measurable(
+    settings: Settings, words: Words, pace: Pace, on_event: Callable[[LinkNews, str], None]
+) -> MeasurableRobot:
     """The real robot of the settings, or the simulated board, without a session. Raises ``Unusable``."""
     if settings.robot == DOUBLE:
         from devices.firmware_double.robot import DoubleRobot
 
-        return DoubleRobot(config=robot_config(settings), pace=pace, speed=settings.speed)
+        return DoubleRobot(config=robot_config(settings), pace=pace, speed=settings.speed, on_event=on_event)
     from donnie_tui.robot.choice import find_port
 
-    return _serial_robot(find_port(settings, words), settings, pace)
+    port = find_port(settings, words, remedy="remedy-calibrate")
+    return _serial_robot(port, settings, pace, on_event=on_event)
 
 
 def _serial_robot(

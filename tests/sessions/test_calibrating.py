@@ -2,33 +2,102 @@
 
 from __future__ import annotations
 
+import io
+import re
 import signal
 import subprocess
+import sys
+from argparse import Namespace
 from pathlib import Path
 
 import pytest
 
 from devices.firmware_double.on_pty import DoubleOnPty
+from devices.firmware_double.robot import DoubleRobot
+from devices.ports.robot import Pace
+from donnie_tui.cli.arguments import Invocation
+from donnie_tui.cli.calibrating import calibrate
+from donnie_tui.cli.order import Order
+from donnie_tui.cli.output import Output
+from donnie_tui.i18n.words import Words
+from donnie_tui.robot.connection import robot_config
+from donnie_tui.settings.chosen import Settings
 from tests.patience import PATIENCE
 from tests.sessions.command import COMMAND, donnie, environment
 from tests.sessions.real_robot import is_suspended, serial, until
 
+WRONG = {"DONNIE_WHEEL_RADIUS": "0.024", "DONNIE_AXLE_LENGTH": "0.080"}
+"""The board's wheels have a radius of 21 mm, its axle 68 mm; the settings believe something else."""
+CENTIMETRES, TURNED = 100 * 21 / 24, 720 * (21 / 24) * (80 / 68)
+"""What a tape measure shows: 20 steps of 5 cm, by wheels that are smaller than believed."""
+MEASURES = f"\n{CENTIMETRES:.2f}\n\n{TURNED:.1f}\n"
 
-def test_a_calibration_finds_the_wheels_and_the_axle_that_the_robot_really_has(tmp_path: Path) -> None:
-    """The board's wheels have a radius of 21 mm, its axle 68 mm; the settings believe something else."""
-    config = tmp_path / "config" / "donnie"
-    config.mkdir(parents=True)
-    wrong = {"DONNIE_WHEEL_RADIUS": "0.024", "DONNIE_AXLE_LENGTH": "0.080"}
-    # What a tape measure shows: 20 steps of 5 cm, by wheels that are smaller than believed.
-    centimetres, degrees = 100 * 21 / 24, 720 * (21 / 24) * (80 / 68)
 
-    typed = f"\n{centimetres:.2f}\n\n{degrees:.1f}\n"
-    done = donnie(tmp_path, "calibrate", "--robot", "double", typed=typed, changes=wrong)
-    assert done.returncode == 0
-    settings = next((tmp_path / "config").rglob("*.toml")).read_text()
-    found = dict(line.split(" = ") for line in settings.splitlines())
-    assert float(found["wheel_radius"]) == pytest.approx(0.021, rel=0.01)
-    assert float(found["axle_length"]) == pytest.approx(0.068, rel=0.01)
+def sizes(said: str) -> tuple[float, float]:
+    """Millimetres of the wheels' radius and the axle."""
+    radius, axle = re.search(r"Wheel radius ([\d.]+) .*\nAxle ([\d.]+) ", said).groups()  # type: ignore[union-attr]
+    return float(radius), float(axle)
+
+
+def test_a_calibration_finds_the_wheels_and_the_axle_that_the_robot_really_has(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
+) -> None:
+    """The driver of the real robot; only its line is a simulated one."""
+    monkeypatch.setattr(sys, "stdin", io.StringIO(MEASURES))
+    settings = Settings(robot="serial:/dev/robot", wheel_radius=0.024, axle_length=0.080)
+    home = {"XDG_CONFIG_HOME": str(tmp_path)}
+    order = Order(Invocation("calibrate", {}, Namespace()), settings, Words("en"), Output(), home)
+
+    def made(settings: Settings, _words: Words, pace: Pace, _told: object) -> DoubleRobot:
+        return DoubleRobot(config=robot_config(settings), pace=pace, speed=None)
+
+    assert calibrate(order, made) == 0
+    said = capsys.readouterr().out
+    assert said.splitlines()[-1] == "Kept in the settings."
+    assert sizes(said) == (pytest.approx(21, rel=0.01), pytest.approx(68, rel=0.01))
+    kept = dict(line.split(" = ") for line in next(tmp_path.rglob("*.toml")).read_text().splitlines())
+    assert [float(kept[each]) * 1000 for each in ("wheel_radius", "axle_length")] == [
+        pytest.approx(each, abs=0.006) for each in sizes(said)
+    ]
+
+
+def test_of_a_simulated_board_nothing_is_kept_since_the_settings_are_the_real_robots(tmp_path: Path) -> None:
+    done = donnie(tmp_path, "calibrate", "--robot", "double", typed=MEASURES, changes=WRONG)
+
+    said = done.stdout.decode()
+    assert (done.returncode, done.stderr) == (0, b"")
+    assert sizes(said) == (pytest.approx(21, rel=0.01), pytest.approx(68, rel=0.01))
+    assert said.splitlines()[-1] == "That was a simulated board. Nothing is kept."
+    assert not list((tmp_path / "config").rglob("*.toml"))
+
+
+def test_the_simulator_has_no_wheels(tmp_path: Path) -> None:
+    done = donnie(tmp_path, "calibrate", "--robot", "sim")
+
+    assert done.returncode == 2
+    assert done.stderr.decode().startswith("The simulator has no wheels to measure.")
+
+
+def test_a_measure_that_is_far_off_is_asked_again_and_taken_if_it_is_meant(tmp_path: Path) -> None:
+    typed = "\n720\n100\n\n360\n1440\n1440\n"
+
+    said = donnie(tmp_path, "calibrate", "--robot", "double", typed=typed).stdout.decode()
+
+    far = [line.partition(".")[0] for line in said.splitlines() if "is far from" in line]
+    assert far == ["720 is far from 100", "360 is far from 720", "1440 is far from 720"]
+    assert sizes(said) == (pytest.approx(21, rel=0.01), pytest.approx(34, rel=0.01))
+
+
+def test_a_number_before_the_walk_moves_nothing_and_is_told_to_be_too_early(tmp_path: Path) -> None:
+    said = donnie(tmp_path, "calibrate", "--robot", "double", typed="98\n\n98\n\n\n").stdout.decode()
+
+    lines = said.splitlines()
+    assert lines[1:4] == [
+        "Mark where it stands. Enter: it walks 20 steps.",
+        "Enter alone, please. I ask for the number afterwards.",
+        "How many centimetres did it walk? Enter alone skips this.",
+    ]
+    assert any(line.startswith("Wheel radius 20.") for line in lines)
 
 
 @pytest.mark.parametrize("typed", ["", "\n\n\n\n", "\nfar\n\n", "\n-3\n0\n\n\n\n"])
@@ -76,3 +145,27 @@ def test_a_signal_in_the_middle_of_a_calibration_stops_the_robot(
 
     assert until(lambda: not robot.board.is_driving)
     assert process.wait(PATIENCE) == 130
+
+
+def test_a_cable_out_in_the_walk_is_told_at_once_and_ends_the_calibration(
+    tmp_path: Path, robot: DoubleOnPty
+) -> None:
+    process = calibration(tmp_path, robot)
+    robot.unplug()
+
+    assert process.wait(PATIENCE) == 2  # nothing more is typed, and the input has not ended
+    assert process.stdout is not None
+    assert process.stdout.read().decode().splitlines()[2:] == [
+        "Robot lost. If it drives, switch it off.",
+        "I stop here. Nothing has changed.",
+    ]
+
+
+def test_control_c_in_the_walk_halts_the_robot_and_says_so(tmp_path: Path, robot: DoubleOnPty) -> None:
+    process = calibration(tmp_path, robot)
+    process.send_signal(signal.SIGINT)
+
+    assert process.wait(PATIENCE) == 130
+    assert not robot.board.is_driving
+    assert process.stdout is not None
+    assert process.stdout.read().decode().splitlines()[2:] == ["I stop here. Nothing has changed."]

@@ -60,6 +60,16 @@ _PORTS: dict[str, Sentence] = {
             "Quizás haya otro Donnie abierto.",
         ),
     ),
+    "remedy-calibrate": Sentence(
+        "To try the conversation without one: --robot double.",
+        "Para experimentar a conversa sem ele: --robot double.",
+        "Para probar la conversación sin él: --robot double.",
+        brief=(
+            "To try without one: --robot double.",
+            "Para experimentar: --robot double.",
+            "Para probar: --robot double.",
+        ),
+    ),
     "remedy-simulator": Sentence(
         "The simulator needs none: --robot sim.",
         "O simulador não precisa: --robot sim.",
@@ -286,14 +296,42 @@ _CALIBRATION: dict[str, Sentence] = {
         "Eso no puede ser. Lo dejo fuera.",
     ),
     "calibrate-wheel-radius": Sentence(
-        "Wheel radius {millimetres:.2f} millimetres, kept in the settings.",
-        "Raio da roda {millimetres:.2f} milímetros, guardado nas configurações.",
-        "Radio de la rueda {millimetres:.2f} milímetros, guardado en los ajustes.",
+        "Wheel radius {millimetres:.2f} millimetres.",
+        "Raio da roda {millimetres:.2f} milímetros.",
+        "Radio de la rueda {millimetres:.2f} milímetros.",
     ),
     "calibrate-axle-length": Sentence(
-        "Axle {millimetres:.2f} millimetres, kept in the settings.",
-        "Eixo {millimetres:.2f} milímetros, guardado nas configurações.",
-        "Eje {millimetres:.2f} milímetros, guardado en los ajustes.",
+        "Axle {millimetres:.2f} millimetres.",
+        "Eixo {millimetres:.2f} milímetros.",
+        "Eje {millimetres:.2f} milímetros.",
+    ),
+    "calibrate-kept": Sentence(
+        "Kept in the settings.", "Guardado nas configurações.", "Guardado en los ajustes."
+    ),
+    "calibrate-not-kept": Sentence(
+        "That was a simulated board. Nothing is kept.",
+        "Foi uma placa simulada. Nada é guardado.",
+        "Fue una placa simulada. No se guarda nada.",
+    ),
+    "calibrate-simulator": Sentence(
+        "The simulator has no wheels to measure. donnie calibrate --robot serial measures a robot.",
+        "O simulador não tem rodas para medir. donnie calibrate --robot serial mede um robô.",
+        "El simulador no tiene ruedas que medir. donnie calibrate --robot serial mide un robot.",
+    ),
+    "calibrate-enter-alone": Sentence(
+        "Enter alone, please. I ask for the number afterwards.",
+        "Só Enter, por favor. Pergunto o número depois.",
+        "Solo Enter, por favor. Pregunto el número después.",
+    ),
+    "calibrate-far": Sentence(
+        "{number} is far from {expected}. How much was it? The same number again counts.",
+        "{number} está longe de {expected}. Quanto foi? O mesmo número de novo vale.",
+        "{number} está lejos de {expected}. ¿Cuánto fue? El mismo número otra vez vale.",
+    ),
+    "calibrate-ended": Sentence(
+        "I stop here. Nothing has changed.",
+        "Parei aqui. Nada mudou.",
+        "Paré aquí. Nada cambió.",
     ),
     "calibrate-nothing": Sentence(
         "Nothing was measured. Nothing has changed.",
