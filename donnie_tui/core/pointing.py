@@ -6,14 +6,19 @@ the first one as if the robot stood there.
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from dataclasses import dataclass, replace
 from math import hypot
+from typing import TYPE_CHECKING
 
 from donnie_tui.core.describe import place_of
 from donnie_tui.core.map_grid import Cell, Kind
 from donnie_tui.core.map_scene import MapScene
-from donnie_tui.core.naming import coloured_thing, name_of
+from donnie_tui.core.naming import coloured_thing, name_of, shade
 from donnie_tui.core.wording import Wording
+
+if TYPE_CHECKING:
+    from sim.picture import Thing
 
 
 @dataclass(slots=True)
@@ -92,12 +97,23 @@ def content(scene: MapScene, cell: Cell, wording: Wording) -> str:
 
 
 def legend(scene: MapScene, wording: Wording) -> tuple[str, ...]:
-    """What the letters of the map mean, those of the things of this floor last."""
-    letters: dict[str, str] = {}
+    """What the letters of the map mean, those of the things of this floor last, with their colours."""
+    letters: dict[str, list[Thing]] = {}
     for thing in scene.things:
-        letters.setdefault(thing.letter, name_of(thing, wording))
+        letters.setdefault(thing.letter, []).append(thing)
     fixed = ("robot", "start", "trail", "wall", "ray", "free")
     return (
         *(wording(f"legend-{each}", name=scene.grid.name or wording("cell-robot")) for each in fixed),
-        *(wording("map-legend", letter=letter, name=name) for letter, name in sorted(letters.items())),
+        *(
+            wording("map-legend", letter=letter, name=_in_their_colours(things, wording))
+            for letter, things in sorted(letters.items())
+        ),
     )
+
+
+def _in_their_colours(things: Sequence[Thing], wording: Wording) -> str:
+    """ "box, red", or what they are called and each colour once: "flower: red, blue"."""
+    shades = dict.fromkeys(shade(each, wording) for each in things)
+    if len(shades) == 1:
+        return coloured_thing(things[0], wording)
+    return f"{name_of(things[0], wording)}: {', '.join(shades)}"

@@ -64,6 +64,17 @@ async def test_the_likely_word_is_shown_behind_the_cursor_and_taken_with_the_rig
         assert desk.app.work.text == "REPEAT"
 
 
+async def test_what_is_only_offered_is_underlined(work):
+    """By colour alone it would be typed text where there are no colours."""
+    async with work() as desk:
+        await desk.press(*"REPE")
+        await desk.pilot.pause()
+        row = desk.place.editor.render_line(0)
+
+        underlined = [each.text for each in row if each.style and each.style.underline]
+        assert "".join(underlined) == "AT"
+
+
 async def test_completion_can_be_switched_off_and_that_is_kept(work, tmp_path):
     async with work() as desk:
         desk.app.work.prefer("completion", "off")

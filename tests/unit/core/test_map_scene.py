@@ -1,5 +1,7 @@
 """The map with everything on it: rays, robots, moved things, large squares, names, a finger."""
 
+import dataclasses
+
 import pytest
 
 from devices.ports.robot import Pose
@@ -170,8 +172,29 @@ def test_from_here_to_there_is_told_in_words() -> None:
     assert pointer.way(Words("en")) == "From 1, 1 to 3, 4: 2 right, 3 ahead."
 
 
+def test_things_of_one_letter_are_told_apart_by_their_colours_in_words() -> None:
+    """Where the whole name has no room the colour may have."""
+    rows = (
+        "######################",
+        "#..cc................#",
+        "#######cc......#######",
+        "#....................#",
+    )
+    blue = dataclasses.replace(CHAIR, colour="blue", x=6, y=1, index=1)
+    red = dataclasses.replace(CHAIR, y=2)
+    picture = Picture(-1, 0, 22, 4, 1, rows, (red, blue), has_walls=True)
+    it = MapScene(picture, Pose(0, 0, 0))
+    written = labels(MapScale(it), 1, Words("en"))
+
+    def label_of(row: int) -> str:
+        return "".join(written[each] for each in sorted(written) if each.y == row).strip()
+
+    assert (label_of(2), label_of(1)) == ("chair, red", "blue")
+    assert legend(it, Words("en"))[-1] == "c is chair: red, blue."
+
+
 def test_the_legend_tells_every_letter_of_the_floor() -> None:
     lines = legend(scene(), Words("en"))
 
-    assert lines[-1] == "c is chair."
+    assert lines[-1] == "c is chair, red."
     assert any(line.startswith("# ") for line in lines)
