@@ -1,6 +1,7 @@
 """The mistakes of a run after they were told: gone through one by one, told again, explained.
 
-The same for both front ends; where the cursor or the reading place goes is theirs.
+The same for both front ends; where the cursor or the reading place goes is theirs. Rule: of several mistakes
+the first one is meant until somebody goes on to another, for it is the one to be mended first.
 """
 
 from __future__ import annotations
@@ -18,30 +19,25 @@ MOST_KEPT = 200
 class ToldErrors:
     """Those of one run, and at which of them somebody is."""
 
-    def __init__(self, errors: Iterable[Error] = (), at: int | None = None) -> None:
-        """``at``: where somebody was taken, from 0; None where all were told and nobody was taken to one."""
+    def __init__(self, errors: Iterable[Error] = ()) -> None:
         self.all = tuple(errors)
-        self._at = at
+        self._at = 0
 
     def add(self, error: Error) -> None:
         self.all = (*self.all[-MOST_KEPT + 1 :], error)
 
     @property
     def now(self) -> Error | None:
-        """The one somebody is at; else the one told last."""
-        return self.all[-1 if self._at is None else self._at] if self.all else None
+        """The one somebody is at."""
+        return self.all[self._at] if self.all else None
 
     def go(self, by: int, wording: Wording) -> tuple[Error | None, tuple[str, ...]]:
-        """To the one so many further on, and what is told; to none where there is none.
-
-        Whoever was taken nowhere is at the last one, and the next one after all that were told is the first.
-        """
+        """To the one so many further on, and what is told; to none where there is none."""
         if not self.all:
             return None, self._none(wording)
-        now = len(self.all) - 1 if self._at is None else self._at
-        wanted = 0 if self._at is None and by > 0 else now + by
+        wanted = self._at + by
         if not 0 <= wanted < len(self.all):
-            return None, (wording("answer-no-more-errors", number=now + 1, count=len(self.all)),)
+            return None, (wording("answer-no-more-errors", number=self._at + 1, count=len(self.all)),)
         self._at = wanted
         return self.all[wanted], lines_of(self.all[wanted], wording)
 

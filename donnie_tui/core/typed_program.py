@@ -83,6 +83,8 @@ class TypedProgram:
         """How often what has run became another part, but by changes."""
         self._before: deque[_Before | int] = deque(maxlen=MOST_UNDONE)
         """What was before each of the last changes; how many lines, where one was added behind them."""
+        self.refused: str | None = None
+        """The line that was forgotten after a mistake, until another one is there."""
         self._undone: list[_Before] = []
         """What was there before each change that was taken back, since the last change."""
 
@@ -135,6 +137,7 @@ class TypedProgram:
 
     def add(self, line: str) -> None:
         """One line more at the end. Raises ``ProgramTooLong``."""
+        self.refused = None
         line = cleaned(line)
         self._grow(line)
         self._undone.clear()
@@ -154,6 +157,7 @@ class TypedProgram:
         """After a mistake of form. True if the lines were kept for mending, False if there was but one."""
         if sum(bool(line.strip()) for line in self._lines[self._run :]) > 1:
             return True
+        self.refused = next((line for line in self._lines[self._run :] if line.strip()), None)
         del self._lines[self._run :]
         while self._before and isinstance(self._before[-1], int) and self._before[-1] >= self._run:
             self._before.pop()
@@ -166,6 +170,7 @@ class TypedProgram:
 
     def replace(self, text: str, name: str | None) -> None:
         """Another program takes its place, and waits."""
+        self.refused = None
         self._undone.clear()
         if self._lines:
             self._before.append(self._now_as(self._file))

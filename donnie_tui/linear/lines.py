@@ -22,12 +22,27 @@ def list_lines(desk: Desk, first: int | None, last: int | None) -> None:
 
 def change_line(desk: Desk, number: int, text: str) -> None:
     """Line ``number`` becomes ``text``, or what is typed next."""
-    lines = desk.program.lines
-    if text or not 1 <= number <= len(lines):
+    lines, refused = desk.program.lines, desk.program.refused
+    if refused is not None and number == len(lines) + 1 and (text or desk.ends.can_edit):
+        offer_again(desk, text or refused)
+    elif text or not 1 <= number <= len(lines):
         _change(desk, number, text)
     else:
         desk.asking.offered = lines[number - 1].strip()
         _ask_for_line(desk, number, "linear-edit", lambda typed: _change(desk, number, typed))
+
+
+def offer_again(desk: Desk, line: str) -> None:
+    """A line that was forgotten because of a mistake: at the prompt again, to be looked at and entered.
+
+    Where nothing can be offered it is a line of the program again, which waits.
+    """
+    if desk.ends.can_edit:
+        desk.asking.offered = line.strip()
+        desk.answer("linear-edit", line=len(desk.program.lines) + 1)
+    else:
+        desk.program.add(line)
+        _say_line(desk, len(desk.program.lines))
 
 
 def insert_line(desk: Desk, number: int, text: str) -> None:

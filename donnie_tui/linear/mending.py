@@ -9,7 +9,7 @@ from donnie_tui.core.typed_words import language_named
 from donnie_tui.i18n.catalogue.manual import CHAPTERS
 from donnie_tui.linear.arguments import Handler, alone
 from donnie_tui.linear.desk import Desk
-from donnie_tui.linear.lines import warning_of_all
+from donnie_tui.linear.lines import offer_again, warning_of_all
 from donnie_tui.linear.patience import GivenUp, patiently
 from donnie_tui.linear.reading import go_to
 from donnie_tui.linear.runs import Runs
@@ -17,13 +17,31 @@ from language.formatter import formatted
 
 
 def _fix(desk: Desk) -> None:
-    """What was probably meant takes the place of what stands there, at the first mistake that is known."""
+    """What was probably meant takes the place of what stands there.
+
+    At the mistake that ERROR and EXPLAIN speak of, else at the first one that is known. A line that was
+    forgotten because of a mistake comes back, mended as far as that is known, to be looked at.
+    """
+    if desk.program.refused is not None:
+        _fix_refused(desk, desk.program.refused)
+        return
     found = mistakes(desk.session.check(desk.program.text), desk.say)
     known = [each for _, each in sorted(found.items()) if each.meant]
+    now = desk.heard.errors.now
+    first = next((each for each in known if now is not None and each.line == now.line), None)
     if not known:
         desk.answer("screen-no-fix" if found else "screen-nothing-to-fix")
-    elif _rewrite(desk, mended(desk.program.text, known[0])):
-        go_to(desk, known[0].line)
+    elif _rewrite(desk, mended(desk.program.text, first or known[0])):
+        go_to(desk, (first or known[0]).line)
+
+
+def _fix_refused(desk: Desk, line: str) -> None:
+    found = mistakes(desk.session.check(line, whole=False), desk.say)
+    known = next((each for each in found.values() if each.meant), None)
+    if known is None:
+        desk.answer("screen-no-fix")
+    if known is not None or desk.ends.can_edit:
+        offer_again(desk, line if known is None else mended(line, known))
 
 
 def _rewrite(desk: Desk, text: str) -> bool:

@@ -100,7 +100,7 @@ class Following:
         self._forget_reading()
         self._past.to_present()
         work.running.ended()
-        self.errors = ToldErrors(event.errors, at=0 if work.running.is_program else None)
+        self.errors = ToldErrors(event.errors)
         work.ask_distances()
         self._intake.take()
         work.display.move((event.event.pose,))

@@ -29,6 +29,28 @@ def test_what_was_probably_meant_takes_the_place_of_a_mistake(tmp_path: Path) ->
     ]
 
 
+def test_error_explain_and_fix_speak_of_the_same_mistake_the_first_one(tmp_path: Path) -> None:
+    answers = told(tmp_path, "FWD 1", "TRR 90", "SPEK 1", "RUN", "ERROR", "EXPLAIN", "FIX", "ERROR NEXT")[10:]
+
+    assert answers[:3] == ["Error, line 1, column 1: I do not know FWD.", "Line 1: FWD 1", "Did you mean FW?"]
+    assert answers[5:8] == ["Line 1: FWD 1", "Line 1: FW 1", "Error, line 2, column 1: I do not know TRR."]
+
+
+def test_after_going_on_to_another_mistake_that_one_is_mended(tmp_path: Path) -> None:
+    answers = told(tmp_path, "FWD 1", "TRR 90", "RUN", "ERROR NEXT", "FIX", "LIST")
+
+    assert answers[-3:] == ["Line 2: TR 90", "1: FWD 1", "2: TR 90"]
+
+
+def test_a_single_line_that_was_forgotten_because_of_a_mistake_comes_back_mended(tmp_path: Path) -> None:
+    assert told(tmp_path, "FWD 1", "RUN", "FIX", "RUN")[3:] == ["Line 1: FW 1", "I walked 1 step forward."]
+    assert told(tmp_path, "SPEAK", "RUN", "FIX", "CHANGE 1 SPEAK 5", "RUN")[2:] == [
+        "I don't know what was meant.",
+        "Line 1: SPEAK 5",
+        "5",
+    ]
+
+
 def test_a_pipe_is_no_program_and_holds_no_prompt(tmp_path: Path) -> None:
     os.mkfifo(tmp_path / "pipe")
 
@@ -111,7 +133,7 @@ def test_the_manual_is_read_chapter_by_chapter(tmp_path: Path) -> None:
 
 def test_errors_are_walked_through_and_explained(tmp_path: Path) -> None:
     lines = told(
-        tmp_path, "FWD 1", "TR", "RUN", "ERROR NEXT", "ERROR NEXT", "ERROR NEXT", "ERROR PREVIOUS", "EXPLAIN"
+        tmp_path, "FWD 1", "TR", "RUN", "ERROR", "ERROR NEXT", "ERROR NEXT", "ERROR PREVIOUS", "EXPLAIN"
     )
     start = lines.index("Nothing ran. CHANGE 1 mends line 1, DELETE 1 deletes it.") + 1
 

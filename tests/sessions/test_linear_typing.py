@@ -36,6 +36,19 @@ def test_lines_with_a_mistake_are_kept_and_mended(learner: Learner) -> None:
     learner.sees("I turned 90 degrees to the right.\r\n> ")
 
 
+def test_a_forgotten_line_is_offered_again_mended_or_as_it_was(learner: Learner) -> None:
+    learner.enters("FWD 3", "")
+    learner.enters("FIX")
+    learner.sees("Edit line 1, then Enter.\r\n> FW 3")
+    learner.types("\r")
+    learner.enters("", "SPEAK", "")
+    learner.enters("CHANGE 2")
+    learner.sees("Edit line 2, then Enter.\r\n> SPEAK")
+    learner.types(" 5\r")
+    learner.enters("")
+    learner.sees("\n5\r\n> ")
+
+
 def test_an_empty_line_runs_what_waits_but_not_half_a_block(learner: Learner) -> None:
     learner.enters("REPEAT 2 TIMES", "FW 1", "")
     learner.sees("Still open: REPEAT from line 1.")

@@ -15,19 +15,14 @@ def way(errors: ToldErrors, *moves: int) -> list[int | None]:
     return [error and error.line for by in moves for error, _ in (errors.go(by, SAY),)]
 
 
-def test_after_all_were_told_the_last_one_is_now_and_the_next_one_is_the_first() -> None:
-    assert ToldErrors(MISTAKES).now == MISTAKES[2]
-    assert way(ToldErrors(MISTAKES), 1, 1, 1, 1, -1) == [1, 2, 3, None, 2]
-    assert way(ToldErrors(MISTAKES), 0, -1, 0) == [3, 2, 2]
-
-
-def test_whoever_was_taken_to_the_first_one_goes_on_with_the_second() -> None:
-    assert ToldErrors(MISTAKES, at=0).now == MISTAKES[0]
-    assert way(ToldErrors(MISTAKES, at=0), -1, 0, 1) == [None, 1, 2]
+def test_the_first_one_is_meant_until_somebody_goes_on() -> None:
+    assert ToldErrors(MISTAKES).now == MISTAKES[0]
+    assert way(ToldErrors(MISTAKES), 0, 1, 0, 1, 1, -1) == [1, 2, 2, 3, None, 2]
+    assert way(ToldErrors(MISTAKES), -1, 0) == [None, 1]
 
 
 def test_past_the_ends_it_is_told_which_one_it_is() -> None:
-    assert ToldErrors(MISTAKES, at=2).go(1, SAY)[1] == ("No more errors. That is 3 of 3.",)
+    assert ToldErrors(MISTAKES).go(3, SAY)[1] == ("No more errors. That is 1 of 3.",)
 
 
 @pytest.mark.parametrize("by", [-1, 0, 1])
@@ -37,7 +32,8 @@ def test_where_there_are_none_that_is_told(by: int) -> None:
 
 
 def test_a_mistake_is_explained_with_whose_it_is_and_with_its_line() -> None:
-    errors = ToldErrors(MISTAKES, at=1)
+    errors = ToldErrors(MISTAKES)
+    errors.go(1, SAY)
 
     told = errors.explained("bob", SAY)
     assert told == ("bob: Donnie does not know this word.", "Check its letters: FW 3.")

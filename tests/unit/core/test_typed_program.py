@@ -46,6 +46,15 @@ def test_after_a_mistake_one_line_is_forgotten_and_several_are_kept() -> None:
     assert (several.batch_was_refused(), several.waiting) == (True, 2)
 
 
+def test_a_line_that_was_forgotten_is_known_until_another_one_is_there() -> None:
+    program = typed("FWD 1")
+    program.batch_was_refused()
+    assert program.refused == "FWD 1"
+
+    program.add("FW 1")
+    assert program.refused is None
+
+
 def test_the_innermost_open_block_is_told_with_its_line_in_the_program() -> None:
     program = typed("FW 1")
     program.batch_ran()
