@@ -6,7 +6,7 @@ import os
 from collections.abc import Callable, Mapping
 from typing import TYPE_CHECKING
 
-from devices.ports.values import replace
+from devices.ports.values import frozen, replace
 from donnie_tui.cli import codes
 from donnie_tui.cli.arguments import TO_COME, Invocation, WrongUsage
 from donnie_tui.cli.order import Order
@@ -21,16 +21,27 @@ if TYPE_CHECKING:
     from donnie_tui.linear.greeting import Greeting
 
 
+@frozen
+class _Start:
+    """What there is before a command is understood."""
+
+    output: Output
+    file: Mapping[str, object]
+    """What the settings file says."""
+    troubles: tuple[Notice, ...]
+    """What is wrong with it."""
+    greeting: Greeting | None
+
+
 def main(arguments: list[str], greeting: Greeting | None = None) -> int:
     """Do it, and give the exit code. Prints; never raises for what the user did.
 
     ``greeting``: what the linear mode printed before anything was loaded.
     """
-    output = Output()
-    file, troubles = read_settings(os.environ)
-    words = Words(language_before_parsing(arguments, os.environ, file))
+    start = _Start(Output(), *read_settings(os.environ), greeting)
+    words = Words(language_before_parsing(arguments, os.environ, start.file))
     try:
-        return _obey(arguments, words, output, file, troubles, greeting)
+        return _obey(arguments, words, start)
     except WrongUsage as wrong:
         complaint = words(wrong.code, what=wrong.what)
     except BadOption as bad:
@@ -42,45 +53,33 @@ def main(arguments: list[str], greeting: Greeting | None = None) -> int:
         return codes.STOPPED
     if greeting is not None:
         greeting.withdraw()
-    output.complaint(complaint)
+    start.output.complaint(complaint)
     return codes.UNUSABLE
 
 
-def _obey(
-    arguments: list[str],
-    words: Words,
-    output: Output,
-    file: Mapping[str, object],
-    troubles: tuple[Notice, ...],
-    greeting: Greeting | None,
-) -> int:
+def _obey(arguments: list[str], words: Words, start: _Start) -> int:
     invocation = understand(arguments, words)
     if invocation.command in TO_COME:
         raise Unusable(words("command-to-come", command=invocation.command))
-    order = _order(invocation, output, file, troubles, greeting)
+    order = _order(invocation, start)
     refuse_overwriting(order)
     code = _handler(order)(order)
-    if output.problem is not None:
-        raise Unusable(order.words("output-unwritable", reason=output.problem))
+    if start.output.problem is not None:
+        raise Unusable(order.words("output-unwritable", reason=start.output.problem))
     return code
 
 
-def _order(
-    invocation: Invocation,
-    output: Output,
-    file: Mapping[str, object],
-    troubles: tuple[Notice, ...],
-    greeting: Greeting | None,
-) -> Order:
+def _order(invocation: Invocation, start: _Start) -> Order:
     """What is odd about the settings is told at once by a command, and by a front end once it listens."""
     is_command = bool(invocation.command or invocation.arguments.run)
     default_speed = None if is_command else FRONT_END_SPEED
-    settings, notices = resolve(invocation.options, os.environ, file, default_speed=default_speed)
+    settings, notices = resolve(invocation.options, os.environ, start.file, default_speed=default_speed)
     words = Words(settings.language, settings.verbosity)
-    for notice in troubles + notices if is_command else ():
-        output.complaint(words(notice.code, **notice.values))
-    settings = replace(settings, notices=() if is_command else troubles + notices)
-    return Order(invocation, _with_original_flags(settings, invocation), words, output, os.environ, greeting)
+    for notice in start.troubles + notices if is_command else ():
+        start.output.complaint(words(notice.code, **notice.values))
+    settings = replace(settings, notices=() if is_command else start.troubles + notices)
+    settings = _with_original_flags(settings, invocation)
+    return Order(invocation, settings, words, start.output, os.environ, start.greeting)
 
 
 def _with_original_flags(settings: Settings, invocation: Invocation) -> Settings:
