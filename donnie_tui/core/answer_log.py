@@ -53,6 +53,11 @@ class AnswerLog:
         self._goes_on = False
         self._said_again.clear()
 
+    @property
+    def has_begun(self) -> bool:
+        """Whether anything was told since the last answer ended."""
+        return self._goes_on
+
     def again(self, which: int = 1) -> tuple[str, ...]:
         """As ``last``, to be told line by line without being remembered twice."""
         lines = self.last(which)

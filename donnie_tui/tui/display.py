@@ -152,9 +152,13 @@ class Display:
         self._show_inspector()
         answers = [text for text, kind in told if kind != "typed"]
         if answers:
-            self._has_acted = False
-            self._answer = answers[-1] if answers[-1].endswith((".", "!", "?", ":")) else f"{answers[-1]}."
-            self.say_status()
+            self.keep(answers[-1])
+
+    def keep(self, sentence: str) -> None:
+        """In the status line, until somebody looks elsewhere."""
+        self._has_acted = False
+        self._answer = sentence if sentence.endswith((".", "!", "?", ":")) else f"{sentence}."
+        self.say_status()
 
     def _kind_words(self, kind: str) -> str:
         """What the log calls a kind; looked up once each, a flood has few kinds."""

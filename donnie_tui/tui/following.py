@@ -12,6 +12,7 @@ from textual.message import Message
 
 from donnie_tui.core.events import Outcome
 from donnie_tui.core.told_errors import ToldErrors
+from donnie_tui.core.transcript import lines_of
 from donnie_tui.tui.bridge import Began, Ended
 from donnie_tui.tui.glances import Glances
 from donnie_tui.tui.intake import Intake
@@ -112,6 +113,8 @@ class Following:
         if event.errors and work.running.is_program:
             work.display.acted()
             work.display.looked()  # the status line is about the first mistake, not the one told last
+        elif event.errors:
+            work.display.keep(lines_of(event.errors[0], work.words)[0])
         work.look()
 
     def _tell_end(self, event: Ended) -> None:
@@ -122,6 +125,15 @@ class Following:
             work.tell(work.running.stopped)
         elif outcome is Outcome.COMPLETED and work.running.is_program:
             work.tell(Answer("screen-done", of_robot=True))
+        elif outcome is Outcome.COMPLETED and self._told_nothing:
+            work.tell(Answer("linear-done", of_robot=True))
+
+    @property
+    def _told_nothing(self) -> bool:
+        """Since the command was typed."""
+        self._intake.take()
+        self._intake.write()
+        return not self._work.answers.has_begun
 
     # --- which robot, and where it stands
 

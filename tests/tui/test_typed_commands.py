@@ -1,0 +1,69 @@
+"""Each command of the command line is answered, and what is wrong with one stays in the status line."""
+
+from __future__ import annotations
+
+import pytest
+
+
+def answers(desk) -> list[str]:  # type: ignore[no-untyped-def]
+    """What was told since the last typed line."""
+    typed = max(at for at, line in enumerate(desk.log) if line.startswith("> "))
+    return list(desk.log[typed + 1 :])
+
+
+@pytest.mark.parametrize(("language", "done"), [("en", "Done."), ("pt", "Feito."), ("es", "Hecho.")])
+async def test_what_tells_nothing_is_answered_with_done(work, language, done) -> None:  # type: ignore[no-untyped-def]
+    async with work(language=language) as desk:
+        await desk.type_line("VAR a = 3")
+        await desk.until(lambda: answers(desk) == [done], done)
+        await desk.idle()
+        await desk.type_line("a = 5")
+        await desk.until(lambda: desk.log.count(done) == 2, f"{done} again")
+
+        assert desk.status.startswith(f" {done}")
+
+
+async def test_what_tells_something_is_not_answered_with_done_as_well(work) -> None:  # type: ignore[no-untyped-def]
+    async with work() as desk:
+        for typed in ("VAR a = 3", "SPEAK a", "FWD 1", "WATCH a", "a = 4"):
+            await desk.idle()
+            await desk.type_line(typed)
+            await desk.until(lambda: answers(desk), typed)
+            await desk.idle()
+            await desk.pilot.pause()
+            assert ("Done." in answers(desk)) is (typed == "VAR a = 3"), typed
+
+
+async def test_a_program_that_tells_nothing_ends_as_programs_do(work) -> None:  # type: ignore[no-untyped-def]
+    async with work() as desk:
+        await desk.run("VAR a = 3")
+
+        assert "Done." not in desk.log
+
+
+@pytest.mark.parametrize(
+    ("typed", "wrong"),
+    [
+        ("xyzzy", "I do not know xyzzy."),
+        ("IF a", "a comparison."),
+        ("xyzzy plugh FWD", "I do not know xyzzy."),
+    ],
+)
+async def test_the_status_line_keeps_what_is_wrong_and_not_the_line(work, typed, wrong) -> None:  # type: ignore[no-untyped-def]
+    async with work() as desk:
+        await desk.type_line(typed)
+        await desk.until(lambda: answers(desk), "the mistake")
+        await desk.idle()
+        await desk.pilot.pause()
+
+        assert desk.status.startswith(f" {answers(desk)[0]}"), desk.log
+        assert wrong in desk.status
+
+
+async def test_an_answer_takes_the_place_of_a_mistake(work) -> None:  # type: ignore[no-untyped-def]
+    async with work() as desk:
+        await desk.type_line("xyzzy")
+        await desk.until(lambda: answers(desk), "the mistake")
+        await desk.idle()
+        await desk.type_line("VAR a = 3")
+        await desk.until(lambda: desk.status.startswith(" Done."), "the answer")
