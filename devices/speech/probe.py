@@ -12,8 +12,10 @@ import sys
 from collections.abc import Iterator, Mapping
 from functools import cached_property
 from pathlib import Path
+from typing import TYPE_CHECKING
 
-from devices.speech.dispatcher import Address, find_address, is_reachable
+if TYPE_CHECKING:
+    from devices.speech.dispatcher import Address
 
 _READERS = frozenset({"orca", "fenrir", "yasr", "tdsr", "emacspeak", "speakup"})
 """Readers that speak. BRLTTY alone does not."""
@@ -60,6 +62,8 @@ class Around:
 
     @cached_property
     def has_ssip(self) -> bool:
+        from devices.speech.dispatcher import is_reachable
+
         return is_reachable(ssip_address(self._variables))
 
 
@@ -84,6 +88,8 @@ def ssip_address(variables: Mapping[str, str]) -> Address | None:
     """Where a speech-dispatcher may be that the learner hears: over SSH only one that was brought along."""
     if is_over_ssh(variables) and not variables.get("SPEECHD_ADDRESS"):
         return None
+    from devices.speech.dispatcher import find_address
+
     return find_address(variables)
 
 

@@ -24,7 +24,7 @@ from donnie_tui.cli.order import Order
 from donnie_tui.core.documents import DocumentError
 from donnie_tui.i18n.words import Unusable
 from donnie_tui.process.lost_readers import ReaderWatch
-from donnie_tui.process.taken_signals import LEAVING, TakenSignals
+from donnie_tui.process.signals import LEAVING, TakenSignals
 from donnie_tui.robot.choice import sentences_of
 from donnie_tui.robot.connection import MeasurableRobot, make_measurable, robot_config
 from donnie_tui.settings.devices import DOUBLE, SIMULATED

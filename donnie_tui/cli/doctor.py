@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from donnie_tui.cli import codes
 from donnie_tui.cli.examination import Finding, examine
-from donnie_tui.cli.mode import cause_of_linear, surroundings
+from donnie_tui.cli.front_ends import cause_of_linear, surroundings
 from donnie_tui.cli.order import Order
 from donnie_tui.i18n.words import Words
 

@@ -7,10 +7,8 @@ import threading
 from collections.abc import Callable, Iterator
 from contextlib import closing, contextmanager
 
-from donnie_tui.process.deputy import Deputy
 from donnie_tui.process.lost_readers import ReaderWatch
-from donnie_tui.process.suspending import suspend
-from donnie_tui.process.taken_signals import LEAVING, TakenSignals
+from donnie_tui.process.signals import LEAVING, Deputy, TakenSignals, suspend
 
 _MOMENT = 0.05
 """Seconds within which a signal ends the voice too."""

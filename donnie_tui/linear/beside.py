@@ -11,7 +11,6 @@ from collections.abc import Callable
 from donnie_tui.bootstrap import Donnie
 from donnie_tui.linear.output import LARGEST_BLOCK
 from donnie_tui.linear.told import Told
-from donnie_tui.words import team_words
 from language.control import ControlState
 
 _ENDING = (ControlState.STOPPING, ControlState.ENDED)
@@ -50,6 +49,8 @@ class Beside:
 
     def stop(self, left_out: int = 0) -> None:
         """Stop all, and say so; ``left_out``: lines that were not printed, besides those that wait now."""
+        from donnie_tui.words import team_words  # robots that were STARTed
+
         code = team_words.stopped_all(self._donnie)
         self.leave_out(left_out)
         self._answer(code)

@@ -15,10 +15,8 @@ import time
 from collections.abc import Callable
 
 from donnie_tui.linear.terminal import Terminal, size
-from donnie_tui.process.deputy import Deputy
 from donnie_tui.process.lost_readers import ReaderWatch
-from donnie_tui.process.suspending import suspend
-from donnie_tui.process.taken_signals import LEAVING, WakingSignals
+from donnie_tui.process.signals import LEAVING, Deputy, WakingSignals, suspend
 
 MOST_AHEAD = 64 * 1024
 """Bytes that are taken from the terminal before somebody reads them."""

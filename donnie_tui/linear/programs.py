@@ -1,6 +1,9 @@
 """The typed program of each robot, its breakpoints, and the copies that keep it when it can't be saved.
 
-Rule: no typed line is lost, whether the power fails, Donnie is killed or the terminal is gone.
+Rule: no typed line is lost, whether the power fails, Donnie is killed or the terminal is gone. While somebody
+thinks, it is written down (``Safekeeping``). In a burst, where each line would have the whole program written
+anew, it is put off: until nothing more is typed, though a line may be half done by then or a program run,
+and for no longer than ``SOON``.
 """
 
 from __future__ import annotations
@@ -8,12 +11,12 @@ from __future__ import annotations
 import contextlib
 from collections.abc import Callable, Iterator
 from pathlib import Path
+from typing import Protocol
 
 from donnie_tui.core.breakpoints import KeptBreakpoints
 from donnie_tui.core.copies import Copies, CopyKeeping, settle_all
 from donnie_tui.core.documents import DocumentError
 from donnie_tui.core.typed_program import TypedProgram
-from donnie_tui.linear.safekeeping import Quiet, Safekeeping
 
 
 class Programs:
@@ -136,3 +139,46 @@ class Programs:
 
 def _path_of(program: TypedProgram) -> Path | None:
     return Path(program.name) if program.name else None
+
+
+SOON = 1.0
+"""Seconds between two copies in a burst."""
+
+
+class Quiet(Protocol):
+    """What the console knows of the typing."""
+
+    when_idle: Callable[[], None] | None
+
+    def now(self) -> float: ...
+
+    def has_input(self) -> bool: ...
+
+
+class Safekeeping:
+    """Looks at each prompt."""
+
+    def __init__(self, console: Quiet, unsaved: Callable[[], object], write: Callable[[], None]) -> None:
+        """``unsaved`` tells what is not saved, ``write`` writes it down, or removes what was."""
+        self._console = console
+        self._unsaved, self._write = unsaved, write
+        self._copied: object = ()
+        self._due = console.now()
+
+    def look(self) -> None:
+        """A prompt is shown."""
+        if self._console.has_input() and self._console.now() < self._due:
+            self._console.when_idle = self._keep
+        else:
+            self._keep()
+
+    def end(self) -> None:
+        """What was put off is wanted no more."""
+        self._console.when_idle = None
+
+    def _keep(self) -> None:
+        self.end()
+        unsaved = self._unsaved()
+        if unsaved != self._copied:
+            self._copied, self._due = unsaved, self._console.now() + SOON
+            self._write()

@@ -43,7 +43,7 @@ class TypedLines:
             pass
         elif found := commands.find(line):
             commands.do(*found, self._desk, self._runs)
-        elif not commands.is_probably_ours(line, self._desk):
+        elif first is not None or not commands.is_probably_ours(line, self._desk):
             return self._add(line)
         return False
 

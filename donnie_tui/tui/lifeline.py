@@ -18,9 +18,7 @@ from functools import partial
 from types import FrameType
 from typing import Any
 
-from donnie_tui.process.deputy import Deputy, attempt
-from donnie_tui.process.suspending import suspend
-from donnie_tui.process.taken_signals import LEAVING, Handler, WakingSignals, numbers_of
+from donnie_tui.process.signals import LEAVING, Deputy, Handler, WakingSignals, attempt, numbers_of, suspend
 
 LOOK = 0.5
 """Seconds between two looks at the output."""

@@ -2,7 +2,7 @@
 
 import os
 
-from donnie_tui.process.suspending import is_hung_up
+from donnie_tui.process.signals import is_hung_up
 
 
 def test_a_terminal_that_was_closed_is_gone() -> None:

@@ -193,8 +193,13 @@ def test_ssh_is_seen_in_the_environment(tmp_path: Path) -> None:
 
 def test_for_who_wants_silence_nothing_is_looked_for(monkeypatch: pytest.MonkeyPatch) -> None:
     looked: list[str] = []
-    for name in ("find_screen_reader", "has_voice", "has_sound_device", "is_reachable"):
-        monkeypatch.setattr(f"devices.speech.probe.{name}", lambda *_, name=name: looked.append(name))
+    for module, name in (
+        ("probe", "find_screen_reader"),
+        ("probe", "has_voice"),
+        ("probe", "has_sound_device"),
+        ("dispatcher", "is_reachable"),
+    ):
+        monkeypatch.setattr(f"devices.speech.{module}.{name}", lambda *_, name=name: looked.append(name))
 
     for wish in ("off", "text"):
         choose_channel(wish, look_around({}))

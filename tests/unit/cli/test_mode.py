@@ -2,7 +2,7 @@
 
 import pytest
 
-from donnie_tui.cli.mode import Surroundings, cause_of_linear
+from donnie_tui.cli.front_ends import Surroundings, cause_of_linear
 from donnie_tui.i18n.first_words import CAUSES
 
 TTY, PIPE = True, False

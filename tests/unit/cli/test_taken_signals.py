@@ -8,7 +8,7 @@ import threading
 
 import pytest
 
-from donnie_tui.process.taken_signals import LEAVING, TakenSignals, WakingSignals
+from donnie_tui.process.signals import LEAVING, TakenSignals, WakingSignals
 
 NUMBERS = (signal.SIGINT, *LEAVING)
 

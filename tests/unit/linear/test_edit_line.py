@@ -5,8 +5,7 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from donnie_tui.linear.cells import clusters, places, width
-from donnie_tui.linear.edit_line import LONGEST, EditLine
+from donnie_tui.linear.edit_line import LONGEST, EditLine, clusters, places, width
 from donnie_tui.linear.keys import Act
 
 COLUMNS, ROWS = 20, 12

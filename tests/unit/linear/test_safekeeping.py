@@ -8,7 +8,7 @@ from collections.abc import Callable, Iterator
 import pytest
 
 from donnie_tui.linear.console import Console
-from donnie_tui.linear.safekeeping import SOON, Safekeeping
+from donnie_tui.linear.programs import SOON, Safekeeping
 
 
 class Typing:

@@ -1,0 +1,165 @@
+"""Signals that somebody takes for a while, and gives back as they were found; Ctrl+Z.
+
+Rules: the main thread takes them and gives them back. What they ask for is done by a thread of its own, the
+``Deputy``: a handler interrupts the main thread in the midst of anything, another handler included, so it
+must not take a lock that is held there. It calls ``do`` and nothing else that might wait. A process that
+rests can't stop its robot, and a board drives on by itself: what has to stop is stopped first, and stands,
+before ``suspend`` is called.
+"""
+
+from __future__ import annotations
+
+import os
+import select
+import signal
+import threading
+from collections.abc import Callable, Mapping
+from contextlib import suppress
+from queue import Empty, SimpleQueue
+from stat import S_ISCHR
+from types import FrameType
+from typing import Self, TypeAlias
+
+Handler: TypeAlias = Callable[[int, FrameType | None], object]
+
+
+def numbers_of(*names: str) -> tuple[int, ...]:
+    """Those of the signals that there are on this platform."""
+    return tuple(getattr(signal, name) for name in names if hasattr(signal, name))
+
+
+LEAVING = numbers_of("SIGTERM", "SIGHUP", "SIGQUIT")
+"""They want us to leave."""
+
+
+class TakenSignals:
+    """Taken from the making to ``give_back``, or the end of ``with``."""
+
+    def __init__(self, handlers: Mapping[int, Handler]) -> None:
+        """Raises ``ValueError`` outside of the main thread."""
+        self._found = {number: signal.signal(number, handler) for number, handler in handlers.items()}
+        self._are_taken = True
+
+    def handler_before(self, number: int) -> Handler | None:
+        """What handled this one when it was taken; None where that was no function."""
+        found = self._found[number]
+        return found if callable(found) else None
+
+    def give_back(self) -> None:
+        """Any number of times."""
+        if self._are_taken:
+            self._are_taken = False
+            for number, handler in self._found.items():
+                signal.signal(number, handler)
+
+    def __enter__(self) -> Self:
+        return self
+
+    def __exit__(self, *_: object) -> None:
+        self.give_back()
+
+
+class WakingSignals(TakenSignals):
+    """They wake whoever waits for input from here too, with their numbers."""
+
+    def __init__(self, handlers: Mapping[int, Handler]) -> None:
+        super().__init__(handlers)
+        self._reading, self._writing = os.pipe()
+        os.set_blocking(self._reading, False)
+        os.set_blocking(self._writing, False)
+        self._fd_before = signal.set_wakeup_fd(self._writing, warn_on_full_buffer=False)
+
+    def fileno(self) -> int:
+        """For ``select``."""
+        return self._reading
+
+    def numbers(self) -> bytes:
+        """Those that came since the last time, and a 0 for each nudge. Never waits."""
+        try:
+            return os.read(self._reading, 4096)
+        except BlockingIOError:
+            return b""
+
+    def nudge(self) -> None:
+        """Wake whoever waits. From any thread."""
+        with suppress(OSError):
+            os.write(self._writing, b"\0")
+
+    def give_back(self) -> None:
+        if self._are_taken:
+            signal.set_wakeup_fd(self._fd_before)
+        super().give_back()
+
+    def close(self) -> None:
+        """Behind ``give_back``, once nobody waits here any more."""
+        os.close(self._reading)
+        os.close(self._writing)
+
+
+_LAST_DEEDS = 2.0
+"""Seconds that ``close`` waits for what was asked for; it needs a few thousandths unless something hangs."""
+
+Deed: TypeAlias = Callable[[], object]
+
+
+class Deputy:
+    """Does one thing after the other. From its making to ``close``."""
+
+    def __init__(self) -> None:
+        self._deeds: SimpleQueue[Deed | None] = SimpleQueue()  # its ``put`` may interrupt itself
+        self._thread = threading.Thread(target=self._work, name="deputy", daemon=True)
+        self._thread.start()
+
+    def do(self, deed: Deed) -> None:
+        """Have it done. Any thread, a signal's handler too; never waits."""
+        self._deeds.put(deed)
+
+    def see_done(self, deed: Deed, seconds: float) -> None:
+        """Have it done and wait for that, at most so long: the caller may hold what the deed needs."""
+        done: SimpleQueue[None] = SimpleQueue()
+
+        def do_and_tell() -> None:
+            try:
+                deed()
+            finally:
+                done.put(None)
+
+        self.do(do_and_tell)
+        with suppress(Empty):
+            done.get(timeout=seconds)
+
+    def close(self) -> None:
+        """All that was asked for is done, unless something hangs."""
+        self._deeds.put(None)
+        self._thread.join(_LAST_DEEDS)
+
+    def _work(self) -> None:
+        while (deed := self._deeds.get()) is not None:
+            attempt(deed)
+
+
+def attempt(deed: Deed) -> None:
+    """Do it; a failure is logged, and nothing else: the next signal must be heeded all the same."""
+    try:
+        deed()
+    except Exception:
+        import logging  # slow to load, and not needed as long as all is well
+
+        logging.getLogger(__name__).exception("what a signal asked for failed")
+
+
+_STANDARD = (0, 1, 2)
+
+
+def suspend() -> None:
+    """Rest until somebody brings us back; not where the terminal was closed: nobody ever would."""
+    if not any(map(is_hung_up, _STANDARD)):
+        os.kill(os.getpid(), signal.SIGSTOP)
+
+
+def is_hung_up(number: int) -> bool:
+    """Whether that file is a terminal that is gone; a pipe whose writer is done is none."""
+    poll = select.poll()
+    poll.register(number, 0)
+    is_gone = any(told & select.POLLHUP for _, told in poll.poll(0))
+    return is_gone and S_ISCHR(os.fstat(number).st_mode)
