@@ -125,6 +125,7 @@ def desk(console: Any, answers: list[str]) -> Any:
         console=console,
         showing=SimpleNamespace(show_told=lambda: None),
         program=program,
+        programs=SimpleNamespace(files=()),
         is_attended=False,
         answer=lambda code, **_: answers.append(code),
     )

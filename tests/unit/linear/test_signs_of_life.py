@@ -10,7 +10,7 @@ import pytest
 from donnie_tui.core.events import Outcome
 from donnie_tui.core.watching import Watch
 from donnie_tui.i18n.words import Words
-from donnie_tui.linear import runs
+from donnie_tui.linear import progress
 from donnie_tui.linear.runs import Runs
 from donnie_tui.linear.told import Told
 
@@ -60,7 +60,7 @@ def signs(seconds: float, interval: float, monkeypatch: pytest.MonkeyPatch) -> l
         beside=SimpleNamespace(is_watching=False),
         showing=SimpleNamespace(show_told=_nothing),
     )
-    monkeypatch.setattr(runs, "sign_of_life", lambda _: told_at.append(round(console.time, 3)))
+    monkeypatch.setattr(progress, "sign_of_life", lambda _: told_at.append(round(console.time, 3)))
     made = Runs(desk, Told(_nothing), lambda _: None, lambda: False)
     run: Any = Run(console, seconds)
     made.watch_together(lambda: (("typed", run),))
