@@ -126,6 +126,7 @@ def desk(console: Any, answers: list[str]) -> Any:
         showing=SimpleNamespace(show_told=lambda: None),
         program=program,
         programs=SimpleNamespace(files=()),
+        donnie=SimpleNamespace(in_use=()),
         is_attended=False,
         answer=lambda code, **_: answers.append(code),
     )
