@@ -1,6 +1,7 @@
 """What is written never destroys what is read: programs, recordings, the world and all its files.
 
-Looked at before anything is opened. Two outputs are never the same file either.
+Nor what an option can't have written itself, such as a program that is not opened. Looked at before
+anything is opened. Two outputs are never the same file either.
 """
 
 from __future__ import annotations
@@ -9,6 +10,7 @@ from collections.abc import Iterator
 from itertools import combinations, product
 from pathlib import Path
 
+from donnie_tui.cli.kinds import may_be_replaced
 from donnie_tui.cli.order import Order
 from donnie_tui.core.documents import is_same_file
 from donnie_tui.i18n.words import Unusable
@@ -27,6 +29,9 @@ def refuse_overwriting(order: Order) -> None:
     for (option, path), source in product(outputs, read):
         if is_same_file(path, source):
             raise Unusable(order.words("output-is-input", option=option, path=path))
+    for option, path in outputs:
+        if not may_be_replaced(option, path):
+            raise Unusable(order.words("output-is-other", option=option, path=path))
 
 
 def _outputs(settings: Settings) -> Iterator[tuple[str, Path]]:

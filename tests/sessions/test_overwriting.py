@@ -53,6 +53,56 @@ def test_what_is_read_is_not_overwritten(line: str, capsys: pytest.CaptureFixtur
     assert not Path("new.gd").exists()
 
 
+@pytest.mark.parametrize(
+    "line",
+    [
+        "run a.gd --record mine.gd",
+        "run a.gd --events MINE",
+        "run a.gd --sound wav:mine.gd",
+        "run a.gd --record my.world",
+        "run a.gd --events b.rec",
+        "run a.gd --record b.jsonl",
+        "--linear --record mine.gd",
+        "--linear --events mine.gd",
+        "replay b.rec --events mine.gd",
+        "world corridor --svg mine.gd",
+        "world corridor --brf mine.gd",
+        "world corridor --brf MINE",
+        "world corridor --svg my.world",
+    ],
+)
+def test_what_is_of_another_kind_is_not_replaced(line: str, capsys: pytest.CaptureFixture[str]) -> None:
+    assert main(["run", "a.gd", "--record", "b.rec", "--events", "b.jsonl", *QUIET]) == 0
+    for name in ("mine.gd", "MINE", "my.world"):
+        Path(name).write_text("FW 3\nTR 90\n")
+    kept = {each: each.read_bytes() for each in Path().iterdir() if each.is_file()}
+    capsys.readouterr()
+
+    assert main([*line.split(), "--speech", "off"]) == 2, line
+    assert "which is something else. Give another name." in capsys.readouterr().err
+    assert {each: each.read_bytes() for each in kept} == kept
+
+
+def test_what_an_option_wrote_before_it_may_write_again() -> None:
+    Path("empty.rec").touch()
+    run = [
+        "run",
+        "a.gd",
+        "--record",
+        "b.rec",
+        "--events",
+        "b.jsonl",
+        "--speech",
+        "off",
+        "--sound",
+        "wav:b.wav",
+    ]
+    svg, brf = (["world", "corridor", f"--{each}", f"b.{each}"] for each in ("svg", "brf"))
+
+    assert [main(each) for each in (run, run, svg, svg, brf, brf)] == [0] * 6
+    assert main(["run", "a.gd", "--record", "empty.rec", *QUIET]) == 0
+
+
 def test_two_outputs_are_two_files(capsys: pytest.CaptureFixture[str]) -> None:
     assert main(["run", "a.gd", "--record", "b", "--events", "./b", *QUIET]) == 2
 

@@ -30,6 +30,11 @@ SENTENCES: dict[str, Sentence] = {
         "{option} sobrescreveria {path}, que é lido aqui. Dê outro nome.",
         "{option} sobrescribiría {path}, que se lee aquí. Da otro nombre.",
     ),
+    "output-is-other": Sentence(
+        "{option} would overwrite {path}, which is something else. Give another name.",
+        "{option} sobrescreveria {path}, que é outra coisa. Dê outro nome.",
+        "{option} sobrescribiría {path}, que es otra cosa. Da otro nombre.",
+    ),
     "output-twice": Sentence(
         "{option} and {other} can't both write {path}. Give two names.",
         "{option} e {other} não podem gravar ambos em {path}. Dê dois nomes.",
