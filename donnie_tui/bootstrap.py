@@ -35,6 +35,7 @@ from donnie_tui.settings.first_start import is_new_decision
 from donnie_tui.settings.folders import state_path
 from donnie_tui.world.choice import ChosenWorld, choose_world, files_of
 from donnie_tui.world.moved_things import ThingWatch
+from donnie_tui.world.remarks import remarks
 
 if TYPE_CHECKING:
     from sim.mounted import Mounted
@@ -48,6 +49,8 @@ __all__ = ["Donnie", "Unusable", "assemble", "colours_of_world"]
 class Notices:
     """What had to be done without, a sentence each, to be told once at the start."""
 
+    about_world: tuple[str, ...]
+    """Slips in a file of the learner's own."""
     about_settings: tuple[str, ...]
     about_voice: tuple[str, ...]
     about_devices: tuple[str, ...]
@@ -55,7 +58,7 @@ class Notices:
 
     @property
     def all(self) -> tuple[str, ...]:
-        return self.about_settings + self.about_voice + self.about_devices
+        return self.about_world + self.about_settings + self.about_voice + self.about_devices
 
 
 @frozen
@@ -184,6 +187,7 @@ def _assembled(
     belt_news = connect_belt(settings, team, words, closing)
     about_robot = _connect_robot(connection, settings, words, world, terminal)
     notices = Notices(
+        remarks(world, words),
         tuple(words(each.code, **each.values) for each in settings.notices),
         audible.notices + (_decided(audible, words) if terminal else ()),
         belt_news() + about_robot,

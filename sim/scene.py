@@ -29,8 +29,8 @@ class Note:
     """One remark. Codes: ``unknown-property`` (name, nearest), ``unused-property`` (name), ``not-simulated``
     (type, name), ``second-define`` (name), ``unknown-colour`` (name, nearest), ``random-colour``,
     ``lone-sensor`` (name), ``walls-made-solid`` (name), ``not-utf8`` (path), ``margin-cropped`` (path),
-    ``no-robot``, ``robot-without-name`` and ``robot-renamed`` (name, alias); of a configuration file
-    ``driver-not-used`` (name), ``unknown-model`` (name, nearest)."""
+    ``no-robot``, ``robot-without-name`` and ``robot-renamed`` (name, alias), ``starts-inside`` (name,
+    thing); of a configuration file ``driver-not-used`` (name), ``unknown-model`` (name, nearest)."""
 
     kind: NoteKind
     code: str

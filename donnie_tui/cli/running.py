@@ -137,7 +137,8 @@ def _printer(donnie: Donnie, output: Output, *, with_words: bool) -> Callable[[S
 
 
 def _tell_notices(settings: Settings, donnie: Donnie, output: Output) -> None:
-    """Only to those who chose how Donnie speaks: a run is quiet about what nobody asked for."""
+    """Of the voice only to those who chose how Donnie speaks: a run is quiet about what nobody asked for."""
     asked_for = settings.source_of("speech") is not Origin.DEFAULT
-    for notice in donnie.notices.all if asked_for else donnie.notices.about_devices:
+    notices = donnie.notices
+    for notice in notices.all if asked_for else notices.about_world + notices.about_devices:
         output.complaint(notice)

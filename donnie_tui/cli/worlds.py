@@ -20,6 +20,7 @@ from donnie_tui.core.naming import name_of
 from donnie_tui.i18n.words import Unusable, Words
 from donnie_tui.i18n.world_mistakes import world_note
 from donnie_tui.world.choice import WITHOUT_WORLD, ChosenWorld, choose_world
+from donnie_tui.world.remarks import remarks
 
 if TYPE_CHECKING:
     from sim.picture import Picture
@@ -54,6 +55,9 @@ def tell_world(order: Order) -> int:
         return codes.DONE
     for line in _lines(arguments, world, words):
         order.output.line(line)
+    if not arguments.report:
+        for remark in remarks(world, words):
+            (order.output.line if is_told else order.output.complaint)(remark)
     return codes.DONE
 
 

@@ -6,7 +6,9 @@ from collections import Counter
 from collections.abc import Iterable, Mapping
 from pathlib import Path
 
+from devices.ports.values import replace
 from sim.scene import LoadReport, Model, Note, NoteKind, Scene
+from sim.worldfile.beginnings import standing_inside
 from sim.worldfile.build import Builder
 from sim.worldfile.entities import Expander, Setting
 from sim.worldfile.plans import Plans
@@ -52,7 +54,9 @@ def _scene(name: str, reader: FileReader, statements: Iterable[Placed]) -> Scene
         *_no_robot(reader, robots),
     )
     report = LoadReport(tuple(dict.fromkeys(reader.files)), _counts(models), notes, tuple(reader.pictures))
-    return Scene(name, models, robots, _plain(expander.settings), report)
+    scene = Scene(name, models, robots, _plain(expander.settings), report)
+    inside = tuple(standing_inside(scene))
+    return replace(scene, report=replace(report, notes=(*notes, *inside))) if inside else scene
 
 
 def _robots(models: tuple[Model, ...]) -> tuple[int, ...]:

@@ -211,12 +211,14 @@ SENTENCES: dict[str, Sentence] = {
         "{name} se define dos veces. Vale el primero.",
     ),
     "note-unknown-colour": Sentence(
-        "the colour {name} is not known.", "a cor {name} não é conhecida.", "el color {name} no se conoce."
+        "the colour {name} is not known; red is taken.",
+        "a cor {name} não é conhecida; fica vermelho.",
+        "el color {name} no se conoce; queda rojo.",
     ),
     "note-unknown-colour-near": Sentence(
-        "the colour {name} is not known. Did you mean {nearest}?",
-        "a cor {name} não é conhecida. Você quis dizer {nearest}?",
-        "el color {name} no se conoce. Quizá querías decir {nearest}.",
+        "the colour {name} is not known; red is taken. Did you mean {nearest}?",
+        "a cor {name} não é conhecida; fica vermelho. Você quis dizer {nearest}?",
+        "el color {name} no se conoce; queda rojo. Quizá querías decir {nearest}.",
     ),
     "note-random-colour": Sentence(
         "the colour random is one of seven, each time the same.",
@@ -265,6 +267,26 @@ SENTENCES: dict[str, Sentence] = {
         "Another robot {name} is called {alias}.",
         "Outro robô {name} se chama {alias}.",
         "Otro robot {name} se llama {alias}.",
+    ),
+    "note-starts-inside": Sentence(
+        "Robot {name} begins inside {thing}. One of them needs another pose.",
+        "O robô {name} começa dentro de {thing}. Mude a pose de um deles.",
+        "El robot {name} empieza dentro de {thing}. Cambia la pose de uno.",
+        brief=(
+            "Robot {name} begins inside {thing}.",
+            "O robô {name} começa dentro de {thing}.",
+            "El robot {name} empieza dentro de {thing}.",
+        ),
+    ),
+    "world-remarks": Sentence(
+        "{count} {count:slip|slips} in the world. donnie world {path} --report tells {count:it|them}.",
+        "{count} {count:deslize|deslizes} no mundo. donnie world {path} --report {count:o|os} diz.",
+        "{count} {count:descuido|descuidos} en el mundo. donnie world {path} --report {count:lo|los} dice.",
+        brief=(
+            "{count} {count:slip|slips} in the world. See --report.",
+            "{count} {count:deslize|deslizes} no mundo. Veja --report.",
+            "{count} {count:descuido|descuidos} en el mundo. Ve --report.",
+        ),
     ),
     "note-no-robot": Sentence("The world has no robot.", "O mundo não tem robô.", "El mundo no tiene robot."),
     # --- a world in words

@@ -79,6 +79,7 @@ NOTES = {
     "unused-property": {"name": "mass"},
     "not-simulated": {"name": "arm", "type": "gripper"},
     "second-define": {"name": "wall"},
+    "starts-inside": {"name": "Ana", "thing": "box a"},
     "unknown-colour": {"name": "gren", "nearest": "green"},
     "random-colour": {},
     "lone-sensor": {"name": "sonar"},
