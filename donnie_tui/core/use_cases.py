@@ -147,7 +147,8 @@ USE_CASES = (
     UseCase("connect", "CONNECT", "CONECTAR", "CONECTAR", argument="count"),
     UseCase("connect", "DEVICES", "DISPOSITIVOS", "DISPOSITIVOS", argument="count", hidden=True),
     UseCase("feel", "FEEL", "SENTIR", "SENTIR", _ALWAYS, "switch"),
-    UseCase("world", "WORLD", "MUNDO", "MUNDO", _HELD),
+    UseCase("world", "WORLD", "MUNDO", "MUNDO", _HELD, "world"),
+    UseCase("worlds", "WORLDS", "MUNDOS", "MUNDOS", argument="world"),
     UseCase("show_program", "SHOW PROGRAM", "MOSTRAR PROGRAMA", "MOSTRAR PROGRAMA", _ALWAYS),
     UseCase("show_map", "SHOW MAP", "MOSTRAR MAPA", "MOSTRAR MAPA", _ALWAYS),
     UseCase("show_log", "SHOW LOG", "MOSTRAR REGISTRO", "MOSTRAR REGISTRO", _ALWAYS),
@@ -195,6 +196,8 @@ def typed_form(case: UseCase, wording: Wording) -> str:
 
 def not_understood(case: UseCase, wording: Wording) -> str:
     """What is told where nobody knows what stands behind its word."""
+    if not case.argument:
+        return wording("word-takes-nothing", word=case.word(wording.language))
     return wording("linear-like-this", example=typed_form(case, wording))
 
 

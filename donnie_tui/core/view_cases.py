@@ -29,7 +29,6 @@ VIEW_CASES = (
     UseCase("recent", "RECENT", "RECENTES", "RECIENTES"),
     UseCase("programs", "PROGRAMS", "PROGRAMAS", "PROGRAMAS"),
     # --- around
-    UseCase("worlds", "WORLDS", "MUNDOS", "MUNDOS"),
     UseCase("theme", "THEME", "TEMA", "TEMA", _ALWAYS, "theme"),
     UseCase("plain", "PLAIN", "SIMPLES", "SENCILLO", _ALWAYS),
     UseCase("redraw", "REDRAW", "REDESENHAR", "REDIBUJAR", _ALWAYS),
@@ -52,7 +51,6 @@ IN_WORDS = {
     "go_to": "read",
     "recent": "open",
     "programs": "robot",
-    "worlds": "world",
     "settings": "set",
     "open_log": "show_log",
     "keys_here": "help",

@@ -8,19 +8,21 @@ from __future__ import annotations
 
 import contextlib
 import os
+from collections.abc import Callable
 from pathlib import Path
 
+from devices.ports.values import replace
 from donnie_tui.bootstrap import Donnie, Unusable, assemble
 from donnie_tui.i18n.words import Words
 from donnie_tui.linear.console import Console, Gone
-from donnie_tui.linear.conversation import Conversation
+from donnie_tui.linear.conversation import Conversation, Kept
 from donnie_tui.linear.greeting import Greeting
-from donnie_tui.linear.habits import of_settings
+from donnie_tui.linear.habits import Habits, of_settings
 from donnie_tui.robot.search import Search
 from donnie_tui.settings.chosen import Settings
 from donnie_tui.settings.devices import SIMULATED
 from donnie_tui.settings.folders import state_folder
-from donnie_tui.words.switching import SwitchMode
+from donnie_tui.words.switching import GoToWorld, SwitchMode
 
 
 def run_linear(
@@ -63,17 +65,60 @@ def run_linear(
         except Unusable:
             greeting.withdraw()
             raise
-        console.give_up = donnie.connection.search.give_up
-        ours.callback(donnie.close)
-        talk = Conversation(donnie, console, Path(state_folder(os.environ)), habits, greeting)
-        closing.callback(talk.close)
+        stay = _Stay(console, greeting, settings, habits, Path(state_folder(os.environ)), ours)
+        offers = cause == "word" and settings.linear is not True
+        return stay.until_left(donnie, lambda talk: talk.until_left(file, text, offers_to_remember=offers))
+
+
+class _Stay:
+    """One conversation after the other, each in its world, until somebody leaves."""
+
+    def __init__(
+        self,
+        console: Console,
+        greeting: Greeting,
+        settings: Settings,
+        habits: Habits,
+        folder: Path,
+        ours: contextlib.ExitStack,
+    ) -> None:
+        """``ours`` closes the session that there is in the end, unless it goes on in the other mode."""
+        self._console, self._greeting = console, greeting
+        self._settings, self._habits, self._folder = settings, habits, folder
+        self._ours = ours
+
+    def until_left(self, donnie: Donnie, begin: Callable[[Conversation], int]) -> int:
+        """The exit code. ``begin`` is how the first one goes. Raises as ``run_linear`` does."""
+        kept: Kept | None = None
+        while True:
+            self._console.give_up = donnie.connection.search.give_up
+            self._ours.callback(donnie.close)
+            talk = Conversation(donnie, self._console, self._folder, self._habits, self._greeting, kept)
+            with contextlib.closing(talk):
+                try:
+                    return talk.go_on() if kept else begin(talk)
+                except GoToWorld as going:
+                    donnie = self._move(donnie, going.name)
+                    kept = talk.packed()
+                except SwitchMode:
+                    self._ours.pop_all()
+                    raise
+
+    def _move(self, donnie: Donnie, name: str) -> Donnie:
+        """The session in that world, which can be loaded; where its devices fail, in the one before."""
+        from donnie_tui.words.world_going import settings_there
+
+        before = settings_there(donnie, donnie.outlets.audible.settings, self._settings.world)
+        self._ours.close()
+        there = replace(before, world=name)
         try:
-            return talk.until_left(
-                file, text, offers_to_remember=cause == "word" and settings.linear is not True
-            )
-        except SwitchMode:
-            ours.pop_all()
-            raise
+            found = _begun(self._console, there, self._greeting, is_there=there.robot == SIMULATED)
+        except Unusable as unusable:
+            self._console.write(f"{unusable.sentence}\n")
+            found = _begun(self._console, before, self._greeting, is_there=before.robot == SIMULATED)
+        else:
+            self._settings = there
+        return found
 
 
 def _begun(console: Console, settings: Settings, greeting: Greeting, *, is_there: bool) -> Donnie:

@@ -7,11 +7,14 @@ the robot stops and no typed program is lost.
 from __future__ import annotations
 
 import os
+from collections.abc import Callable
 from functools import cached_property
 from pathlib import Path
 from typing import TYPE_CHECKING
 
+from devices.ports.values import frozen
 from donnie_tui.bootstrap import Donnie
+from donnie_tui.core.answer_log import AnswerLog
 from donnie_tui.core.breakpoints import KeptBreakpoints
 from donnie_tui.core.copies import Copies
 from donnie_tui.linear.console import Console, Gone
@@ -22,30 +25,50 @@ from donnie_tui.linear.habits import Habits
 from donnie_tui.linear.keys import Key
 from donnie_tui.linear.leaving import Leaving
 from donnie_tui.linear.output import Output
+from donnie_tui.linear.programs import Programs
 from donnie_tui.linear.reader import EditingReader, How, PlainReader, Typed
 from donnie_tui.linear.recall import Past
 from donnie_tui.linear.told import Told
 from donnie_tui.linear.typed_lines import TypedLines
 from donnie_tui.linear.while_running import WhileRunning
 from donnie_tui.settings.folders import BREAKPOINTS, UNSAVED
-from donnie_tui.words.switching import SwitchMode
+from donnie_tui.words.switching import GoToWorld, SwitchMode
 
 if TYPE_CHECKING:
     from donnie_tui.linear.key_echo import KeyEcho
+
+
+@frozen
+class Kept:
+    """What goes along to another world."""
+
+    programs: Programs
+    answers: AnswerLog
+    past: Past
+    editing: EditingReader | None
+    plain: PlainReader
+    """With what was typed ahead."""
 
 
 class Conversation:
     """From the first prompt to the goodbye."""
 
     def __init__(
-        self, donnie: Donnie, console: Console, folder: Path, habits: Habits, greeting: Greeting
+        self,
+        donnie: Donnie,
+        console: Console,
+        folder: Path,
+        habits: Habits,
+        greeting: Greeting,
+        kept: Kept | None = None,
     ) -> None:
-        """``folder`` keeps what was typed before and what could not be saved."""
+        """``folder`` keeps what was typed before and what could not be saved, ``kept`` what came along."""
         told = Told(console.nudge)
         self._greeting = greeting
         edits, attended = greeting.terminal is not None, os.isatty(0)
-        self._past = Past(folder / "history" if edits else None)
-        editing = EditingReader(console, self._past, self._candidates) if edits else None
+        self._past = kept.past if kept else Past(folder / "history" if edits else None)
+        self._plain = kept.plain if kept else PlainReader(console)
+        self._editing = editing = self._reader_with(kept, console) if edits else None
         output = Output(
             console,
             paced=os.isatty(1),
@@ -55,7 +78,7 @@ class Conversation:
         ends = Ends(
             console,
             editing,
-            PlainReader(console),
+            self._plain,
             output,
             told,
             habits,
@@ -63,7 +86,10 @@ class Conversation:
             is_terminal=os.isatty(1),
             offered=greeting.offered,
         )
-        self._desk = Desk(donnie, ends, Copies(folder / UNSAVED), kept_breakpoints)
+        answers = kept.answers if kept else AnswerLog()
+        self._desk = Desk(donnie, ends, Copies(folder / UNSAVED), kept_breakpoints, answers)
+        if kept:
+            self._desk.programs.take_over(kept.programs)
         self._desk.past = self._past.lines
         self._desk.take_again = self._take_again
         self._leaving = Leaving(self._desk)
@@ -100,8 +126,31 @@ class Conversation:
 
         ``offers_to_remember``: somebody came here by a word and may want to begin here the next time.
         """
+        return self._kept_safe(lambda: self._talk(file, text, offers_to_remember))
+
+    def go_on(self) -> int:
+        """As ``until_left``, in another world, with what came along."""
+        return self._kept_safe(self._talk_there)
+
+    def packed(self) -> Kept:
+        """What goes along to another world."""
+        return Kept(self._desk.programs, self._desk.answers, self._past, self._editing, self._plain)
+
+    def _reader_with(self, kept: Kept | None, console: Console) -> EditingReader:
+        """The one that came along, or a new one."""
+        reader = kept.editing if kept else None
+        if reader is None:
+            return EditingReader(console, self._past, self._candidates)
+        reader.complete = self._candidates
+        return reader
+
+    def _kept_safe(self, talk: Callable[[], int]) -> int:
         try:
-            return self._talk(file, text, offers_to_remember)
+            return talk()
+        except GoToWorld:
+            self._desk.programs.keep_for_later()
+            self._desk.showing.show_told()
+            raise
         except SwitchMode:
             self._desk.programs.hand_over()
             raise
@@ -128,6 +177,21 @@ class Conversation:
             from donnie_tui.linear import modes
 
             modes.offer_to_remember(desk, linear=True)
+        return self._take_lines(is_shown=is_shown)
+
+    def _talk_there(self) -> int:
+        from donnie_tui.words.world_going import tell_arrival
+
+        desk = self._desk
+        tell_arrival(desk.donnie)
+        desk.tell(*desk.donnie.notices.about_devices)
+        if desk.program.lines:
+            desk.answer("linear-lines", lines=len(desk.program.lines))
+        return self._take_lines(is_shown=False)
+
+    def _take_lines(self, *, is_shown: bool) -> int:
+        """``is_shown``: whether the prompt stands there already."""
+        desk = self._desk
         if desk.is_attended:
             self._console.once_idle.append(desk.donnie.get_ready_to_move)
         while desk.leaving is None:

@@ -32,8 +32,15 @@ if TYPE_CHECKING:
 class Desk:
     """One conversation."""
 
-    def __init__(self, donnie: Donnie, ends: Ends, copies: Copies, kept_breakpoints: KeptBreakpoints) -> None:
-        """``copies`` keep a program which can't be kept otherwise."""
+    def __init__(
+        self,
+        donnie: Donnie,
+        ends: Ends,
+        copies: Copies,
+        kept_breakpoints: KeptBreakpoints,
+        answers: AnswerLog | None = None,
+    ) -> None:
+        """``copies`` keep a program which can't be kept otherwise; ``answers`` were told before."""
         self.say = donnie.words
         self.donnie = donnie
         self.ends = ends
@@ -44,7 +51,7 @@ class Desk:
             ends.console,
             lambda error: self.answer("answer-not-kept", reason=error.reason),
         )
-        self.answers = AnswerLog()
+        self.answers = answers or AnswerLog()
         self.beside = Beside(donnie, ends.told, self.answer)
         self.heard = Hearing(donnie, ends, self.beside)
         self.showing = Showing(ends, self.say, self.answers)

@@ -49,6 +49,13 @@ class Programs:
     def close(self) -> None:
         self._safekeeping.end()
 
+    def take_over(self, before: Programs) -> None:
+        """All programs of the world before: the current one stays so, the others wait for their robots."""
+        self.current, self.copies, self._copies = before.current, before.copies, before._copies
+        here = self._robot()
+        others = {name: each for name, each in before.by_robot().items() if each is not self.current}
+        self._by_robot = {f"{name} 2" if name == here else name: each for name, each in others.items()}
+
     def change_robot(self, before: str) -> None:
         """After ``before`` another robot is talked to: its own program is the current one."""
         self._by_robot[before] = self.current

@@ -67,10 +67,10 @@ class EditingReader:
     holds_newline = True
 
     def __init__(self, console: Console, past: Past, complete: Callable[[str], tuple[str, ...]]) -> None:
-        """``complete`` knows the words that the last one of a text may become."""
         self._console = console
         self._past = past
-        self._complete = complete
+        self.complete = complete
+        """Knows the words that the last one of a text may become."""
         self.on_key: Callable[[Key, str], None] = _nothing
         """Told of each key before it is done, and of what stands before the cursor."""
         self._decoder = KeyDecoder()
@@ -141,7 +141,7 @@ class EditingReader:
     def _completed(self, line: EditLine) -> tuple[tuple[str, ...], str]:
         """The words to choose from, none if there is but one; and what typing their common part writes."""
         typed = line.text_before.rpartition(" ")[2]
-        found = self._complete(line.text_before)
+        found = self.complete(line.text_before)
         common = _common(found)
         if len(common) > len(typed) or len(found) == 1:
             return (), line.complete(typed, common + (" " if len(found) == 1 else ""))

@@ -88,7 +88,7 @@ def _sensors(desk: Desk) -> None:
         desk.tell(*sensors_in_words(desk.donnie.mounted(), shown_name(desk.session.name), desk.say))
 
 
-def _world(desk: Desk) -> None:
+def say_world(desk: Desk) -> None:
     """What its author says of the world, what stands in it, and what to try there."""
     world = desk.donnie.world
     floor = lines_said_by(desk.session.hub.robot, _map_in_words(desk), desk.say)
@@ -105,5 +105,4 @@ HANDLERS: dict[str, Handler] = {
     "map_picture": alone(_picture),
     "sensors": alone(_sensors),
     "trail": counted(_trail, _DEFAULT_TRAIL),
-    "world": alone(_world),
 }

@@ -176,13 +176,15 @@ DONE_HERE = tuple(_BY_CASE)
 
 
 def find(typed: str) -> tuple[Action, str] | None:
-    """The action that a typed line asks for, in any language, and its argument; None if it is no action."""
+    """The action that a typed line asks for, in any language, and what stands behind its word; None if none.
+
+    Behind a word of GoDonnie's own, what stands there is GoDonnie's too.
+    """
     found = use_cases.find(typed, CASES)
     if found is None:
         return None
     case, argument = found
-    takes_argument = bool(case.argument) and not case.is_godonnie
-    if case not in _BY_CASE or (argument and not takes_argument):
+    if case not in _BY_CASE or (argument and case.is_godonnie):
         return None
     return _BY_CASE[case], argument
 

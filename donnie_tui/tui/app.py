@@ -40,6 +40,7 @@ from donnie_tui.tui.widgets.text_rows import TextRows
 if TYPE_CHECKING:
     from donnie_tui.bootstrap import Donnie
     from donnie_tui.tui.bridge import Began, Ended
+    from donnie_tui.tui.brought import Brought
     from donnie_tui.tui.work import Work
 
 WIPE = "\x1b[0m\x1b[H\x1b[2J"
@@ -60,13 +61,16 @@ class DonnieApp(TerminalApp, inherit_bindings=False):
         assemble: Callable[[], Donnie],
         search: Search | None = None,
         folder: Path | None = None,
+        brought: Brought | None = None,
     ) -> None:
         """``text``: what the other mode left, unsaved changes included. ``folder`` holds the copies.
+
+        ``brought``: what came along from another world.
 
         ``search``: what gives up the search for a robot, where ``assemble`` looks for one.
         """
         super().__init__(settings)
-        self._settings, self._file, self._text = settings, file, text
+        self._settings, self._file, self._text, self._brought = settings, file, text, brought
         self._language = LANGUAGES.index(settings.language)
         self._folder = Path(folder or state_folder(os.environ)) / UNSAVED
         self.workplace = Workplace(self.size, plain=is_plain(settings))
@@ -119,7 +123,7 @@ class DonnieApp(TerminalApp, inherit_bindings=False):
         from donnie_tui.tui.work import Work
 
         work = self._behind.work = Work(self._host, donnie, self._folder, self._settings)
-        work.begin(self._file, self._text)
+        work.begin(self._file, self._text, self._brought)
         if self._first_word is not None:
             self.call_later(self._do_first_word, self._first_word)
         return work
@@ -176,7 +180,7 @@ class DonnieApp(TerminalApp, inherit_bindings=False):
     def on_mount(self) -> None:
         self.ending.begin()
         self.app_resume_signal.subscribe(self, lambda _: self.show_cursor())
-        self.beginning.greet(self.key_table)
+        self.beginning.greet(self.key_table, self._brought)
         self.call_after_refresh(self.beginning.begin)
 
     def watch_app_focus(self, has_focus: bool) -> None:

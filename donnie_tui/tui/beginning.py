@@ -25,6 +25,7 @@ from donnie_tui.tui.session_behind import SessionBehind
 
 if TYPE_CHECKING:
     from donnie_tui.bootstrap import Donnie
+    from donnie_tui.tui.brought import Brought
     from donnie_tui.tui.work import Work
 
 
@@ -63,8 +64,8 @@ class Beginning:
         """While a robot is looked for, or the first file is read: what is typed then waits."""
         return self._is_searching or self.is_opening
 
-    def greet(self, key_table: KeyTable) -> None:
-        """The titles, and which keys there are."""
+    def greet(self, key_table: KeyTable, brought: Brought | None = None) -> None:
+        """The titles, and which keys there are; or what was told in the world before."""
         language, place = LANGUAGES.index(self._settings.language), self._place
         for pane, title in zip(
             place.panes,
@@ -72,10 +73,14 @@ class Beginning:
             strict=True,
         ):
             pane.entitle(title[language])
+        place.status.say(f" {first_screen.STARTING[language]}")
+        if brought is not None:
+            place.log_rows.looks.update(brought.looks)
+            place.log_lines(brought.log)
+            return
         keys = {name: key_table.label(name) or word for name, word in (("run", "RUN"), ("help", "HELP"))}
         about_keys = first_screen.START_KEYS[language].format(**keys)
         place.log_lines(((first_screen.START[language], ""), (about_keys, "")))
-        place.status.say(f" {first_screen.STARTING[language]}")
 
     # --- the session
 

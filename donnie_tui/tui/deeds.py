@@ -45,6 +45,9 @@ class Deeds:
 
     def do(self, name: str, argument: str) -> Awaitable[None] | None:
         """Do the action. Raises ``AttributeError`` for a name that is not in the table."""
+        if argument and not BY_NAME[name].argument:
+            self._refuse(name)
+            return None
         part = next((each for each in self._parts if hasattr(each, name)), self)
         done = getattr(part, name)(argument)
         self._host.look()
@@ -58,7 +61,11 @@ class Deeds:
 
     def _answer(self, name: str, understood: bool | None) -> None:
         if understood is False:
-            self._host.tell_sentences(use_cases.not_understood(BY_NAME[name].case, self._host.words))
+            self._refuse(name)
+
+    def _refuse(self, name: str) -> None:
+        """Nobody knows what stands behind its word."""
+        self._host.tell_sentences(use_cases.not_understood(BY_NAME[name].case, self._host.words))
 
     # --- running
 

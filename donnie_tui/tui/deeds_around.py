@@ -7,9 +7,10 @@ from typing import TYPE_CHECKING
 import worlds
 from donnie_tui.core import report_text
 from donnie_tui.core.typed_program import lines_of
-from donnie_tui.core.wording import Wording
+from donnie_tui.core.world_words import world_row
 from donnie_tui.tui.running import Answer
 from donnie_tui.tui.screens.chooser import Choice
+from donnie_tui.words import world_going
 
 if TYPE_CHECKING:
     from donnie_tui.tui.host import WorkHost
@@ -49,23 +50,18 @@ class AroundDeeds:
         if chosen is not None:
             files.turn_to(None if chosen == "new" else int(chosen))
 
-    async def worlds(self, _argument: str) -> None:
-        """The worlds that ship, with what their authors say of them, and what to try there.
-
-        Whoever records this one stays in it: what was recorded would be lost.
-        """
-        if self._host.donnie.outlets.written.of_this_session is not None:
-            self._host.tell(Answer("world-kept", {"path": self._host.donnie.outlets.written.of_this_session}))
+    async def worlds(self, argument: str) -> None:
+        """The worlds that ship, with what their authors say, and what to try there; or one by name."""
+        if argument:
+            await go_to_world(self._host, argument)
             return
-        words, here = self._host.words, self._host.donnie.world.name
-        rows = [
-            Choice(name, _world_row(name, worlds.about(name, words.language), words), name == here)
-            for name in worlds.names()
-        ]
+        words, donnie = self._host.words, self._host.donnie
+        if not world_going.may_leave_world(donnie):
+            return
+        rows = [Choice(name, world_row(name, words), name == donnie.world.name) for name in worlds.names()]
         chosen = await self._host.choose(words("ask-worlds"), rows)
-        is_elsewhere = chosen is not None and chosen != self._host.donnie.world.name
-        if chosen and is_elsewhere and await self._host.files.are_safe_to_leave():
-            self._host.change_world(chosen)
+        if chosen:
+            await go_to_world(self._host, chosen)
 
     async def report(self, argument: str) -> bool:
         """REPORT map map.html; with .csv a table."""
@@ -98,12 +94,9 @@ class AroundDeeds:
         return "".join(f"{line}\n" for line in self._host.workplace.log_rows.lines)
 
 
-def _world_row(name: str, about: worlds.About, words: Wording) -> str:
-    return words(
-        "world-row",
-        name=name,
-        title=about.title,
-        difficulty=words(f"difficulty-{about.difficulty.value}"),
-        about=" ".join(about.sentences),
-        task=" ".join(about.task.split()),
-    )
+async def go_to_world(host: WorkHost, typed: str) -> None:
+    """With the same program, once nothing is lost by it; a file of one's own may take long to be read."""
+    donnie, slow = host.donnie, Answer("slow-world", {"name": typed[:40]})
+    name = await host.patiently(lambda: world_going.world_to_go_to(donnie, typed), slow)
+    if name is not None and await host.files.are_safe_to_leave():
+        host.change_world(name)

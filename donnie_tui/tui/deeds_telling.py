@@ -6,7 +6,7 @@ The sentences are the core's, the same as in the linear mode.
 from __future__ import annotations
 
 import asyncio
-from collections.abc import Callable, Sequence
+from collections.abc import Awaitable, Callable, Sequence
 from typing import TYPE_CHECKING
 
 from donnie_tui.core import map_words
@@ -23,6 +23,7 @@ from donnie_tui.core.transcript import lines_said_by
 from donnie_tui.core.typed_words import count_in, numbers_in
 from donnie_tui.core.wording import Wording
 from donnie_tui.i18n.catalogue.signs import SPELLED_OF
+from donnie_tui.tui.deeds_around import go_to_world
 from donnie_tui.tui.running import Answer
 from donnie_tui.tui.screens.chooser import Choice
 from donnie_tui.words import sound_words
@@ -199,12 +200,15 @@ class TellingDeeds:
 
     # --- the world
 
-    def world(self, _argument: str) -> None:
-        """What its author says of it, and what stands in it."""
+    def world(self, argument: str) -> Awaitable[None] | None:
+        """What its author says of it, and what stands in it; or another one, by its name."""
+        if argument:
+            return go_to_world(self._host, argument)
         host, words = self._host, self._host.words
         floor = map_words.map_in_words(self._grid.picture, host.pose, words)
         world, of_robot = host.donnie.world, lines_said_by(host.donnie.session.hub.robot, floor, words)
         self._tell(*told_world(world.name, world.about(words.language), of_robot, words))
+        return None
 
     # --- telling
 

@@ -19,6 +19,7 @@ from donnie_tui.tui.terminal import wants_mouse
 
 if TYPE_CHECKING:
     from donnie_tui.bootstrap import Donnie
+    from donnie_tui.tui.brought import Brought
 
 SWITCH = 0.0002
 """Seconds that a program which computes may keep the interpreter from the screen. A key passes from thread to
@@ -48,11 +49,12 @@ def run_full_screen(
 def _through_worlds(settings: Settings, file: Path | None, text: str | None, donnie: Donnie | None) -> int:
     if donnie:
         donnie.outlets.audible.move_to(is_linear=False)
+    brought: Brought | None = None
     while True:
-        app = _shown(settings, file, text, donnie)
+        app = _shown(settings, file, text, donnie, brought)
         if not app.next_world:
             break
-        settings, file, text = _in_next_world(app)
+        settings, file, text, brought = _in_next_world(app)
         donnie = None
     from donnie_tui.tui.outside import leave_behind
 
@@ -60,11 +62,22 @@ def _through_worlds(settings: Settings, file: Path | None, text: str | None, don
     return CRASHED if app.return_code == CRASHED else app.return_value or 0
 
 
-def _shown(settings: Settings, file: Path | None, text: str | None, donnie: Donnie | None) -> DonnieApp:
+def _shown(
+    settings: Settings,
+    file: Path | None,
+    text: str | None,
+    donnie: Donnie | None,
+    brought: Brought | None,
+) -> DonnieApp:
     """The screen until it is left. Raises as ``run_full_screen`` does."""
     search = Search(is_coming=True) if donnie is None and _takes_time(settings) else None
     app = DonnieApp(
-        settings, file, text=text, assemble=lambda: donnie or _assembled(settings, search), search=search
+        settings,
+        file,
+        text=text,
+        assemble=lambda: donnie or _assembled(settings, search),
+        search=search,
+        brought=brought,
     )
     try:
         app.run(mouse=wants_mouse(settings))
@@ -82,11 +95,15 @@ def _shown(settings: Settings, file: Path | None, text: str | None, donnie: Donn
     return app
 
 
-def _in_next_world(app: DonnieApp) -> tuple[Settings, Path | None, str]:
-    """The settings as they were chosen, the program's file and its text."""
-    settings = app.work.preferences.settings if app.work is not None else Settings()
-    path = app.work.files.document.path if app.work is not None else None
-    return replace(settings, world=app.next_world), path, app.workplace.editor.text
+def _in_next_world(app: DonnieApp) -> tuple[Settings, Path | None, str, Brought | None]:
+    """The settings as they were chosen, the program's file and its text, and what was told."""
+    text = app.workplace.editor.text
+    if app.work is None:
+        return replace(Settings(), world=app.next_world), None, text, None
+    from donnie_tui.words.world_going import settings_there
+
+    settings = settings_there(app.work.donnie, app.work.preferences.settings, app.next_world)
+    return settings, app.work.files.document.path, text, app.work.brought_along()
 
 
 def _takes_time(settings: Settings) -> bool:

@@ -34,6 +34,7 @@ from donnie_tui.settings.folders import BREAKPOINTS
 from donnie_tui.tui import patience
 from donnie_tui.tui.actions import DONE_HERE, find
 from donnie_tui.tui.bridge import Began, Bridge, Ended, LogLine, Mail
+from donnie_tui.tui.brought import Brought
 from donnie_tui.tui.chosen_settings import ChosenSettings
 from donnie_tui.tui.deeds import Deeds
 from donnie_tui.tui.display import Display
@@ -50,6 +51,7 @@ from donnie_tui.tui.running import Answer, Running
 from donnie_tui.tui.screens.chooser import Choice
 from donnie_tui.tui.while_typing import WhileTyping
 from donnie_tui.tui.workbench import Host
+from donnie_tui.words.world_going import stop_before_going, tell_arrival
 from language.control import ControlState
 from language.keywords import canonical
 
@@ -102,9 +104,13 @@ class Work:
         self._hear_no_more = donnie.team.stream.subscribe(bridge)
         self._follow_no_more = donnie.team.stream.subscribe(self.trail.hear)
 
-    def begin(self, file: Path | None, text: str | None) -> None:
-        """Open what was asked for. ``text``: what the other mode left, unsaved changes included."""
-        self.display.note(*self._donnie.notices.all)
+    def begin(self, file: Path | None, text: str | None, brought: Brought | None = None) -> None:
+        """Open what was asked for. ``text``: what the other mode left, unsaved changes included.
+
+        ``brought``: what came along from another world.
+        """
+        notices = self._donnie.notices
+        self.display.note(*(notices.all if brought is None else notices.about_devices))
         for entry in not_understood(self.preferences.settings.keys):
             self.display.note(self.words("keys-not-understood", entry=printable(entry[:40])))
         if text is not None:
@@ -114,9 +120,23 @@ class Work:
             self._host.begin_with(self.files.open(str(file)))
         elif self.preferences.settings.tour and offers_tour(str(self._state_folder), os.environ):
             self.tell_sentences(self.words("tour-offer"))
-        if self.files.recovering.is_offered:
+        if brought is not None:
+            self._arrive(brought)
+        elif self.files.recovering.is_offered:
             self.display.note(self.words("answer-rescued"))
         self.look()
+
+    def _arrive(self, brought: Brought) -> None:
+        """With what was told in the world before; and that this one is there."""
+        self.answers = brought.answers
+        self.answers.end_answer()
+        self.workplace.editor.set_breakpoints(brought.breakpoints)
+        tell_arrival(self._donnie)
+
+    def brought_along(self) -> Brought:
+        """What goes along to another world."""
+        log = self.workplace.log_rows
+        return Brought(log.with_kinds, log.looks, self.answers, self.breakpoints)
 
     # --- doing
 
@@ -325,7 +345,8 @@ class Work:
 
     def change_world(self, name: str) -> None:
         """Another world, with the same program: everything begins anew there."""
-        self.tell(Answer("world-going", {"name": name}))
+        self.running.note_line()
+        stop_before_going(self._donnie, name)
         self._intake.take()
         self._intake.write()
         self.while_typing.give_up_copies()

@@ -8,6 +8,14 @@ if TYPE_CHECKING:
     from donnie_tui.bootstrap import Donnie
 
 
+class GoToWorld(Exception):
+    """Raised by a front end that is left for the same one in another world, which can be loaded."""
+
+    def __init__(self, name: str) -> None:
+        super().__init__("world")
+        self.name = name
+
+
 class SwitchMode(Exception):
     """Raised by a front end that the user leaves for the other one. What was made goes with it."""
 

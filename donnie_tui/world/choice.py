@@ -58,10 +58,13 @@ def files_of(world: ChosenWorld) -> tuple[Path, ...]:
     return (world.path, *(Path(each) for each in (*report.files, *report.pictures)))
 
 
-def choose_world(name_or_file: str, words: Words, folders: tuple[Path, ...] = ()) -> ChosenWorld:
+def choose_world(
+    name_or_file: str, words: Words, folders: tuple[Path, ...] = (), *, unknown: str = "world-unknown"
+) -> ChosenWorld:
     """The world of ``--world``. Raises ``Unusable``.
 
-    ``folders``: those from which its files may include others, besides their own.
+    ``folders``: those from which its files may include others, besides their own. ``unknown``: the code of
+    the sentence for a name that is near to none.
     """
     if name_or_file in worlds.names():
         path = worlds.path(name_or_file)
@@ -69,7 +72,7 @@ def choose_world(name_or_file: str, words: Words, folders: tuple[Path, ...] = ()
         return ChosenWorld(name_or_file, path, scene, ships=True)
     path = Path(name_or_file)
     if not _looks_like_a_file(name_or_file) and not exists(path):
-        raise Unusable(_unknown_world(name_or_file, words))
+        raise Unusable(_unknown_world(name_or_file, words, unknown))
     if path.suffix.lower() == ".cfg":
         return _configured(path, words, folders)
     return ChosenWorld(path.name, path, _load(path, words, folders), ships=False)
@@ -97,13 +100,13 @@ def _looks_like_a_file(name: str) -> bool:
     return "/" in name or "\\" in name or Path(name).suffix != ""
 
 
-def _unknown_world(name: str, words: Words) -> str:
+def _unknown_world(name: str, words: Words, code: str) -> str:
     import difflib
 
     near = difflib.get_close_matches(name.lower().replace(" ", "_"), worlds.names(), n=1)
     if near:
         return words("world-unknown-near", name=name, near=near[0])
-    return words("world-unknown", name=name)
+    return words(code, name=name)
 
 
 def _load(path: Path, words: Words, folders: tuple[Path, ...]) -> Scene:

@@ -61,6 +61,53 @@ def test_another_world_has_the_same_program(monkeypatch, tmp_path):
     assert seen == [("open_floor", ""), ("maze", WALK)]
 
 
+def test_a_typed_name_goes_to_that_world_and_what_was_told_stays_told(monkeypatch, tmp_path):
+    """T4: that it is there is told, with what it has; what runs is stopped first, and told so."""
+    monkeypatch.setenv("XDG_STATE_HOME", str(tmp_path / "state"))
+    seen = []
+
+    async def work_through(desk):
+        seen.append(desk.app.work.donnie.world.name)
+        if len(seen) == 1:
+            await desk.type_line('SPEAK "before"')
+            await desk.told("before")
+            desk.app.work.load("WHILE 1 == 1 DO\nWAIT 1\nEND WHILE")
+            await desk.press("f5")
+            await desk.until(lambda: desk.app.work.running.is_busy, "the run")
+            await desk.type_line("WORLDS living room")
+            await desk.until(lambda: desk.app.screen is not desk.place, "the question")
+            await desk.answer("no")
+        else:
+            await desk.told("5 things. WORLD tells more.")
+            seen.extend(desk.log)
+            desk.app.exit(0)
+        await desk.until(lambda: not desk.app.is_running, "the end")
+
+    assert begin(monkeypatch, work_through) == 0
+    assert seen[:2] == ["open_floor", "living_room"]
+    assert seen.index("before") < seen.index("All stopped.") < seen.index("I go to living_room.")
+    assert seen[-3:] == [
+        "This is the world living_room: Living room.",
+        "42 by 42 steps, walls included.",
+        "5 things. WORLD tells more.",
+    ]
+
+
+def test_a_word_says_what_may_not_stand_behind_it(monkeypatch, tmp_path):
+    monkeypatch.setenv("XDG_STATE_HOME", str(tmp_path / "state"))
+
+    async def work_through(desk):
+        await desk.type_line("WORLD nowhere")
+        await desk.told("There is no world nowhere. WORLDS lists them.")
+        await desk.type_line("WHERE 3")
+        await desk.told("WHERE takes nothing behind it. Type WHERE alone.")
+        await desk.type_line("LEGEND x")
+        await desk.told("LEGEND takes nothing behind it. Type LEGEND alone.")
+        desk.app.exit(0)
+
+    assert begin(monkeypatch, work_through) == 0
+
+
 def test_the_threads_take_turns_as_before_once_the_screen_is_left(monkeypatch, tmp_path):
     monkeypatch.setenv("XDG_STATE_HOME", str(tmp_path / "state"))
     found, seen = sys.getswitchinterval(), []

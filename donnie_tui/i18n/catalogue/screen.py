@@ -372,7 +372,6 @@ _ACTIONS = {
             "Lista os programas abertos.",
             "Lista los programas abiertos.",
         ),
-        ("worlds", "Lists the worlds to go to.", "Lista os mundos aonde ir.", "Lista los mundos adonde ir."),
         ("theme", "Chooses the look.", "Escolhe a aparência.", "Elige el aspecto."),
         (
             "plain",

@@ -56,6 +56,11 @@ SENTENCES: dict[str, Sentence] = {
         "Saia com SAIR e depois inicie o donnie com --world.",
         "Me quedo en este mundo: {path} se está escribiendo, y otro mundo lo empezaría de nuevo. "
         "Sal con SALIR y después inicia donnie con --world.",
+        brief=(
+            "I stay. {path} is being written.",
+            "Fico. {path} está sendo escrito.",
+            "Me quedo. {path} se está escribiendo.",
+        ),
     ),
     "text-changed-meanwhile": Sentence(
         "The program was changed meanwhile, so I left it as it is.",

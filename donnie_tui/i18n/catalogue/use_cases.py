@@ -25,6 +25,7 @@ _ARGUMENTS = {
     "setting": ("page ask", "página perguntar", "página preguntar"),
     "switch": ("on", "ligado", "encendido"),
     "topic": ("FW", "PF", "AV"),
+    "world": ("maze", "labirinto", "laberinto"),
 }
 
 _PURPOSES = {
@@ -60,11 +61,7 @@ _PURPOSES = {
     "delete": ("Deletes lines 2 to 5.", "Apaga as linhas 2 a 5.", "Borra las líneas 2 a 5."),
     "move": ("Line 5 goes before line 2.", "A linha 5 vai antes da 2.", "La línea 5 va antes de la 2."),
     "undo": ("Takes the last change back.", "Desfaz a última mudança.", "Deshace el último cambio."),
-    "redo": (
-        "Makes again what UNDO took back.",
-        "Faz de novo o que DESFAZER desfez.",
-        "Hace de nuevo lo que DESHACER quitó.",
-    ),
+    "redo": ("Makes that change again.", "Faz de novo essa mudança.", "Hace de nuevo ese cambio."),
     "read": ("Reads line 3.", "Lê a linha 3.", "Lee la línea 3."),
     "next": ("Reads the next line.", "Lê a linha seguinte.", "Lee la línea siguiente."),
     "back": ("Reads the line before.", "Lê a linha de antes.", "Lee la línea de antes."),
@@ -100,7 +97,8 @@ _PURPOSES = {
     "sensors": ("What the robot has.", "O que o robô tem.", "Lo que el robot tiene."),
     "connect": ("Lists robots, or takes one.", "Lista robôs, ou escolhe um.", "Lista robots, o elige uno."),
     "feel": ("What the belt shows.", "O que o cinto mostra.", "Lo que da el cinturón."),
-    "world": ("Tells about the world.", "Fala sobre o mundo.", "Habla sobre el mundo."),
+    "world": ("Goes there, or tells.", "Vai para lá, ou fala.", "Va allí, o habla de él."),
+    "worlds": ("Lists the worlds.", "Lista os mundos.", "Lista los mundos."),
     "show_program": ("Goes to the program.", "Vai ao programa.", "Va al programa."),
     "show_map": ("Goes to the map.", "Vai ao mapa.", "Va al mapa."),
     "show_log": ("What was said.", "O que foi dito.", "Lo que se dijo."),

@@ -118,6 +118,11 @@ class TextRows(ScrollView, can_focus=True):
         return tuple(self._lines)
 
     @property
+    def with_kinds(self) -> tuple[tuple[str, str], ...]:
+        """All texts, each with its kind."""
+        return tuple(zip(self._lines, self._kinds, strict=True))
+
+    @property
     def row(self) -> int:
         """The row being read, from 0."""
         return max(0, len(self._rows) - 1) if self._row is None else self._row

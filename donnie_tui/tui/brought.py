@@ -1,0 +1,19 @@
+"""What goes along to another world at the screen: what was told before, and the breakpoints."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+
+from devices.ports.values import frozen
+from donnie_tui.core.answer_log import AnswerLog
+
+
+@frozen
+class Brought:
+    """The program itself goes along as from the other mode."""
+
+    log: tuple[tuple[str, str], ...]
+    """The lines of the log, each with the words of its kind."""
+    looks: Mapping[str, str]
+    answers: AnswerLog
+    breakpoints: frozenset[int]
