@@ -137,31 +137,32 @@ def _has_library(root: Path) -> bool:
 
 
 def _speakup_speaks(root: Path) -> bool:
-    synth = _read(root / "sys/accessibility/speakup/synth").strip()
+    synth = _read(f"{root}/sys/accessibility/speakup/synth").strip()
     return synth not in ("", "none")
 
 
 def _running_readers(root: Path) -> Iterator[str]:
+    """All processes are looked at before the first frame: their files are read without detours."""
     own_user = os.getuid() if hasattr(os, "getuid") else -1
-    for entry in _processes(root / "proc"):
-        reader = _reader_in(entry)
-        if reader and (reader in _SYSTEM_READERS or _owner(entry) == own_user):
+    for process in _processes(f"{root}/proc"):
+        reader = _reader_in(process)
+        if reader and (reader in _SYSTEM_READERS or _owner(process) == own_user):
             yield reader
 
 
-def _processes(proc: Path) -> list[Path]:
+def _processes(proc: str) -> list[str]:
     try:
-        return [Path(entry.path) for entry in os.scandir(proc) if entry.name.isdigit()]
+        return [entry.path for entry in os.scandir(proc) if entry.name.isdigit()]
     except OSError:
         return []
 
 
-def _reader_in(entry: Path) -> str | None:
+def _reader_in(process: str) -> str | None:
     """A reader is a program, a script that an interpreter runs, or Emacs with Emacspeak's files."""
-    arguments = _read(entry / "cmdline").rstrip("\0").split("\0")
+    arguments = _read(f"{process}/cmdline").rstrip("\0").split("\0")
     if arguments == [""]:  # a kernel thread, or a process that has just ended
         return None
-    found = _READERS & {*_program_names(arguments), _read(entry / "comm").strip().lower()}
+    found = _READERS & {*_program_names(arguments)} or _READERS & {_read(f"{process}/comm").strip().lower()}
     if found:
         return min(found)
     return "emacspeak" if any("/emacspeak/" in argument for argument in arguments[:6]) else None
@@ -176,19 +177,22 @@ def _program_names(arguments: list[str]) -> Iterator[str]:
 
 
 def _bare_name(path: str) -> str:
-    return Path(path).name.lower().removesuffix(".py")
+    return path.rpartition("/")[2].lower().removesuffix(".py")
 
 
-def _owner(entry: Path) -> int | None:
+def _owner(process: str) -> int | None:
     try:
-        return entry.stat().st_uid
+        return os.stat(process).st_uid  # noqa: PTH116 -- as above
     except OSError:
         return None
 
 
-def _read(path: Path) -> str:
+def _read(path: str) -> str:
     try:
-        with path.open("rb") as file:
-            return file.read(4096).decode("utf-8", "replace")
+        file = os.open(path, os.O_RDONLY)
+        try:
+            return os.read(file, 4096).decode("utf-8", "replace")
+        finally:
+            os.close(file)
     except OSError:
         return ""
