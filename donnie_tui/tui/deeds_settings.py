@@ -13,8 +13,9 @@ from donnie_tui import LANGUAGES
 from donnie_tui.core.harmless import printable
 from donnie_tui.core.typed_words import detail_named, language_named, switched
 from donnie_tui.settings.keys import THEMES
-from donnie_tui.tui.actions import ACTIONS, BY_NAME, key_label
+from donnie_tui.tui.actions import ACTIONS, BY_NAME
 from donnie_tui.tui.key_table import is_free_to_give, with_choice
+from donnie_tui.tui.keys import key_label
 from donnie_tui.tui.running import Answer
 from donnie_tui.tui.screens.chooser import Choice
 from donnie_tui.words import sound_words

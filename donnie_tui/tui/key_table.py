@@ -9,7 +9,7 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 
-from donnie_tui.tui.actions import ACTIONS, MENU, key_label
+from donnie_tui.tui.keys import KEYS, MENU, key_label
 
 _OF_TEXTS = frozenset(
     (
@@ -18,8 +18,6 @@ _OF_TEXTS = frozenset(
     )
 )
 """They go on, write and move wherever the focus is; two of them stop and list everything."""
-
-_NAMES = frozenset(each.name for each in ACTIONS if not each.hidden)
 
 _LONGEST_KEY = 40
 
@@ -33,7 +31,7 @@ class KeyTable:
 
     def choose(self, chosen: str) -> None:
         """Those of the choice from now on, and no earlier one."""
-        keys = {each.name: each.keys for each in ACTIONS if not each.hidden}
+        keys = dict(KEYS)
         for name, key in understood(chosen):
             keys = {other: tuple(each for each in have if each != key) for other, have in keys.items()}
             keys[name] = (key, *keys[name])
@@ -75,7 +73,7 @@ def _is_function_key(key: str) -> bool:
 def understood(chosen: str) -> tuple[tuple[str, str], ...]:
     """The pairs of a choice that mean something: an action, and a key that can be given to it."""
     pairs = (_pair(entry) for entry in chosen.split(","))
-    return tuple((name, key) for name, key in pairs if name in _NAMES and is_free_to_give(key))
+    return tuple((name, key) for name, key in pairs if name in KEYS and is_free_to_give(key))
 
 
 def not_understood(chosen: str) -> tuple[str, ...]:

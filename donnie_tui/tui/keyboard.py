@@ -13,8 +13,8 @@ from textual.app import App
 from textual.binding import Binding, BindingsMap
 from textual.widgets import Input, TextArea
 
-from donnie_tui.tui.actions import MENU
 from donnie_tui.tui.key_table import KeyTable
+from donnie_tui.tui.keys import MENU
 from donnie_tui.tui.screens.workplace import Workplace
 from donnie_tui.tui.session_behind import SessionBehind
 from donnie_tui.tui.turns import Turns

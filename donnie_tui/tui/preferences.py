@@ -15,8 +15,9 @@ from donnie_tui.i18n.words import Words
 from donnie_tui.settings import file as settings_file
 from donnie_tui.settings.chosen import Settings
 from donnie_tui.settings.keys import KEY_ECHO, KEYS, MOTION, PUNCTUATION, SPEAK, THEMES
-from donnie_tui.tui.actions import BY_NAME, key_label
+from donnie_tui.tui.actions import BY_NAME
 from donnie_tui.tui.key_table import not_understood, understood
+from donnie_tui.tui.keys import key_label
 from donnie_tui.words.sound_words import cue_name
 
 _SWITCH = ("on", "off")

@@ -27,6 +27,8 @@ class TerminalApp(App[int], inherit_bindings=False):
     """Looks and output; what is shown is up to those who build on it."""
 
     def __init__(self, settings: Settings) -> None:
+        self._variables_of: dict[str, dict[str, str]] = {}
+        """By theme. They are asked for again and again before the first frame."""
         super().__init__(ansi_color=True if "NO_COLOR" in os.environ else None)  # the filters ask at once
         self.animation_level = "none"
         for name in themes.NAMES:
@@ -44,6 +46,13 @@ class TerminalApp(App[int], inherit_bindings=False):
         """The one that somebody chose, where there are colours."""
         if not self.no_color:
             self.theme = themes.name_of(settings.theme)
+
+    def get_css_variables(self) -> dict[str, str]:
+        """Worked out once for each theme, which stays as it is."""
+        if self.theme not in self._variables_of:
+            self._variables_of[self.theme] = super().get_css_variables()
+        self.theme_variables = self._variables_of[self.theme]
+        return self.theme_variables
 
     def get_theme_variable_defaults(self) -> dict[str, str]:
         """Before a theme of ours is chosen the style sheet is read with Textual's own."""

@@ -41,6 +41,7 @@ def test_the_first_frame_needs_no_session(tmp_path: Path) -> None:
             "worlds",
             "argparse",
         ),
+        *("donnie_tui.core.use_cases", "donnie_tui.tui.actions", "donnie_tui.core.map_grid"),
     }
 
 

@@ -8,7 +8,8 @@ from donnie_tui import LANGUAGES
 from donnie_tui.core.use_cases import USE_CASES, find
 from donnie_tui.core.view_cases import VIEW_CASES
 from donnie_tui.i18n.catalogue import SENTENCES
-from donnie_tui.tui.actions import ACTIONS, BY_NAME, CASES, MENU, key_label
+from donnie_tui.tui.actions import ACTIONS, BY_NAME, CASES
+from donnie_tui.tui.keys import MENU, key_label
 from language.keywords import canonical
 
 ARGUMENTS = {

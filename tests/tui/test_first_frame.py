@@ -4,12 +4,14 @@ from pathlib import Path
 
 import pytest
 from textual.css.stylesheet import Stylesheet
+from textual.design import ColorSystem
 from textual.pilot import Pilot
 from textual.widget import Widget
 
 from donnie_tui.bootstrap import assemble
 from donnie_tui.i18n import first_screen
 from donnie_tui.settings.chosen import Settings
+from donnie_tui.tui import themes
 from donnie_tui.tui.app import DonnieApp
 from donnie_tui.tui.widgets.text_rows import TextRows
 
@@ -71,3 +73,23 @@ async def test_only_what_takes_the_focus_gets_its_style_twice_before_the_session
 
     assert not {"workplace", "map-pane", "inspector-pane", "log-pane"} & {*styled}
     assert app.workplace.is_plain or "program-pane" not in styled
+
+
+async def test_the_colours_of_a_theme_are_worked_out_once(
+    app: DonnieApp, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """Textual asks for them whenever it reads or compares a style sheet."""
+    worked_out: list[ColorSystem] = []
+    generate = ColorSystem.generate
+    monkeypatch.setattr(ColorSystem, "generate", lambda it: worked_out.append(it) or generate(it))
+    try:
+        async with app.run_test(size=(80, 24)) as pilot:
+            await until_work(app, pilot)
+            for name in (*themes.NAMES, *themes.NAMES):
+                app.theme = name
+                await pilot.pause()
+                assert app.theme_variables["muted"] == themes.theme(name).variables["muted"]
+    finally:
+        app.close_session()
+
+    assert len(worked_out) == len(themes.NAMES) - 1  # the one of the start was there already

@@ -30,7 +30,7 @@ from donnie_tui.core.in_use import FilesInUse
 from donnie_tui.core.speeds import SPEEDS
 from donnie_tui.i18n.catalogue import SENTENCES
 from donnie_tui.i18n.words import Words
-from donnie_tui.tui.actions import ACTIONS, BY_NAME, find, key_label
+from donnie_tui.tui.actions import ACTIONS, BY_NAME, find
 from donnie_tui.tui.bridge import MOST_LINES, NO_MAIL, Began, Bridge, Ended, Happened, LogLine
 from donnie_tui.tui.deeds import Deeds
 from donnie_tui.tui.deeds_around import AroundDeeds
@@ -42,6 +42,7 @@ from donnie_tui.tui.deeds_telling import TellingDeeds
 from donnie_tui.tui.deeds_text import TextDeeds
 from donnie_tui.tui.highlighting import highlights
 from donnie_tui.tui.intake import Intake
+from donnie_tui.tui.keys import key_label
 from donnie_tui.tui.widgets.editor import Editor
 from donnie_tui.tui.widgets.text_rows import MOST_LINES as MOST_LOGGED
 from donnie_tui.tui.widgets.text_rows import TextRows

@@ -13,7 +13,7 @@ from textual.containers import Vertical
 from textual.screen import ModalScreen
 from textual.widgets import Static
 
-from donnie_tui.tui.actions import MENU
+from donnie_tui.tui.keys import MENU
 from donnie_tui.tui.widgets.input_line import InputLine
 
 

@@ -11,7 +11,8 @@ from textual.screen import ModalScreen
 from textual.widgets import Static
 
 from donnie_tui.core.wording import Wording
-from donnie_tui.tui.actions import BY_NAME, MENU, key_label
+from donnie_tui.tui.actions import BY_NAME
+from donnie_tui.tui.keys import MENU, key_label
 from donnie_tui.tui.widgets.text_rows import TextRows
 
 

@@ -24,10 +24,8 @@ from textual.strip import Strip
 from textual.widgets import TextArea
 from textual.widgets.text_area import TextAreaTheme
 
-from donnie_tui import LANGUAGES
 from donnie_tui.core.breakpoints import alike, followed, shifted
 from donnie_tui.tui import themes
-from donnie_tui.tui.actions import BY_NAME
 
 if TYPE_CHECKING:
     from donnie_tui.core.completion import Completion
@@ -44,13 +42,6 @@ LEAST_TYPED = 2
 """Letters before a word is offered."""
 LEAST_NOTE = 12
 """Columns that the sentence of a mistake needs."""
-
-FIRST_WORDS = {
-    BY_NAME[name].word(language).casefold(): name
-    for name in ("linear", "tour", "recover")
-    for language in LANGUAGES
-}
-"""What the first lines of the log ask for, and the use case of each."""
 
 
 class Editor(TextArea):
@@ -110,8 +101,11 @@ class Editor(TextArea):
 
     @property
     def _first_word(self) -> str | None:
-        is_short = self.is_nobodys and len(self.text) < 20
-        return FIRST_WORDS.get(self.text.strip().casefold()) if is_short else None
+        if not self.is_nobodys or len(self.text) >= 20:
+            return None
+        from donnie_tui.tui.actions import FIRST_WORDS  # not for the first frame
+
+        return FIRST_WORDS.get(self.text.strip().casefold())
 
     async def _on_paste(self, event: events.Paste) -> None:
         from donnie_tui.core.harmless import cleaned  # not for the first frame

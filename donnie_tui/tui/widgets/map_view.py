@@ -19,10 +19,8 @@ from textual.message import Message
 from textual.scroll_view import ScrollView
 from textual.strip import Strip
 
-from donnie_tui.core.map_grid import Bounds
-
 if TYPE_CHECKING:
-    from donnie_tui.core.map_grid import Cell, MapGrid
+    from donnie_tui.core.map_grid import Bounds, Cell, MapGrid
     from donnie_tui.core.map_scale import MapScale
     from donnie_tui.core.map_scene import MapScene
     from donnie_tui.core.pointing import Pointer
@@ -78,7 +76,8 @@ class MapView(ScrollView, can_focus=True):
         self._written: dict[Cell, str] = {}
         self._zoom = 0
         self._columns = 1
-        self._bounds = Bounds(0, 0, 0, 0)
+        self._bounds: Bounds
+        """Of the floor as it was laid out last, once there is one."""
         self._looks: dict[str, Style] = {}
 
     # --- what is shown

@@ -71,7 +71,7 @@ def test_the_linear_mode_does_every_use_case() -> None:
 
 
 def test_the_full_screen_does_every_use_case() -> None:
-    from donnie_tui.tui.actions import KEYS
+    from donnie_tui.tui.keys import KEYS
 
     assert set(BY_NAME) <= set(KEYS)
 
@@ -79,7 +79,7 @@ def test_the_full_screen_does_every_use_case() -> None:
 def test_every_word_and_setting_of_the_full_screen_is_answered_in_the_linear_mode() -> None:
     """L4: done there, or told what is typed in its place, or that it is only for the eye."""
     from donnie_tui.linear.habits import SPELLINGS
-    from donnie_tui.tui.actions import KEYS
+    from donnie_tui.tui.keys import KEYS
     from donnie_tui.tui.preferences import CHOICES
     from donnie_tui.words.sound_words import SETTINGS, find_setting
 
