@@ -1,12 +1,15 @@
 """The four looks: dark, light, high contrast, and the terminal's own colours.
 
 Rules: every text is at least 7:1 against what it stands on (a test measures what is painted), and no colour
-says what letters and words don't. One table of roles a look; CSS and the editor take colours from it only.
+says what letters and words don't. One table of roles a look; style sheet and widgets have no other colours.
 """
 
 from __future__ import annotations
 
+from functools import cache
+
 from rich.style import Style
+from textual.color import Color
 from textual.theme import Theme
 
 DARK, LIGHT, CONTRAST, TERMINAL = "donnie-dark", "donnie-light", "donnie-contrast", "donnie-terminal"
@@ -49,6 +52,21 @@ _PALETTES: dict[str, dict[str, str]] = {
 
 NAMES = tuple(_PALETTES)
 
+_LOOKS: dict[str, tuple[str, str, str]] = {
+    "note": ("error", "", "italic"), "selected": ("on-chosen", "chosen", ""),
+
+    "robot": ("accent", "", "bold"), "other": ("warning", "", "bold"), "start": ("success", "", "bold"),
+    "trail": ("success", "", ""), "wall": ("foreground", "", ""), "free": ("muted", "", ""),
+    "ray": ("warning", "", ""), "name": ("foreground", "", "italic"), "ruler": ("muted", "panel", ""),
+    **{f"thing-{colour}": (colour, "", "bold") for colour in COLOURS},
+
+    "kind": ("muted", "", "italic"), "error": ("error", "", "bold"), "warning": ("warning", "", "bold"),
+    "says": ("accent", "", ""), "typed": ("success", "", "italic"), "row": ("on-chosen", "chosen", ""),
+}  # fmt: skip
+"""What the widgets paint row by row, by its name: in the editor, on the map, in rows of text. Its role, that
+of its background where it has one of its own, and how it is written. As classes of the style sheet each was
+worked out for each widget before the first frame, and whenever the focus came or went."""
+
 
 def name_of(setting: str) -> str:
     """The look of a setting: ``dark``, ``light``, ``contrast`` or ``terminal``."""
@@ -59,7 +77,6 @@ def theme(name: str) -> Theme:
     """Textual's form of a look."""
     roles = _PALETTES[name]
     own = {role: roles[role] for role in ("muted", "chosen", "on-chosen")}
-    own |= {f"thing-{colour}": roles[colour] for colour in COLOURS}
     return Theme(
         name=name,
         primary=roles["accent"],
@@ -104,6 +121,23 @@ def _of_textual(roles: dict[str, str], *, is_ansi: bool) -> dict[str, str]:
         "screen-selection-background": background,
         "screen-selection-foreground": foreground,
     }
+
+
+@cache
+def looks(name: str) -> dict[str, Style]:
+    """What the names of looks mean in that theme."""
+    roles = _PALETTES.get(name, _PALETTES[TERMINAL])
+
+    def painted(role: str, behind: str, how: str) -> Style:
+        colour, background = (
+            Color.parse(roles[each]).rich_color if each else None for each in (role, behind)
+        )
+        return Style(color=colour, bgcolor=background) + Style.parse(how)
+
+    found = {look: painted(*of_it) for look, of_it in _LOOKS.items()}
+    if roles["chosen"] == roles["background"]:
+        found["selected"] += Style(reverse=True)
+    return found
 
 
 def syntax_styles(name: str) -> dict[str, Style]:

@@ -93,3 +93,23 @@ async def test_the_colours_of_a_theme_are_worked_out_once(
         app.close_session()
 
     assert len(worked_out) == len(themes.NAMES) - 1  # the one of the start was there already
+
+
+async def test_what_widgets_paint_row_by_row_has_no_styles_of_its_own(app: DonnieApp) -> None:
+    """Each was worked out for each widget, before the first frame and whenever the focus came or went."""
+    try:
+        async with app.run_test(size=(80, 24)) as pilot:
+            await until_work(app, pilot)
+            place = app.workplace
+            of_textual = {"input", "text-area", "screen"}
+            for widget in (
+                place,
+                place.editor,
+                place.map,
+                place.inspector,
+                place.log_rows,
+                place.command_line,
+            ):
+                assert {name.partition("--")[0] for name in widget._component_styles} <= of_textual
+    finally:
+        app.close_session()

@@ -47,8 +47,6 @@ LEAST_NOTE = 12
 class Editor(TextArea):
     """The text and its marks."""
 
-    COMPONENT_CLASSES: ClassVar[set[str]] = {"editor--note", "editor--chosen"}
-
     BINDINGS: ClassVar[list[BindingType]] = [Binding("ctrl+a", "select_all", show=False)]
 
     class FirstWordTyped(Message):
@@ -301,7 +299,7 @@ class Editor(TextArea):
         text_end = max(cell_len(strip.text.rstrip()), self.gutter_width + 1)
         begin = self.gutter_width + (first.x if row == first.y else 0)
         end = self.gutter_width + last.x if row == last.y else max(text_end, begin)
-        look = self.get_component_rich_style("editor--chosen", partial=True)
+        look = themes.looks(self.app.theme)["selected"]
         chosen = strip.crop(begin, end)
         painted = Strip([Segment(each.text, (each.style or Style()) + look) for each in chosen])
         if painted.text == _EMPTY_LINE:
@@ -338,7 +336,7 @@ class Editor(TextArea):
             return strip
         words = f"{HINT if note.is_hint else MISTAKE} {note.message}"
         shown = words if len(words) <= room else f"{words[: room - 3]}..."
-        style = self.get_component_rich_style("editor--note")
+        style = self.rich_style + themes.looks(self.app.theme)["note"]
         segment = Segment(shown.ljust(room), style)
         return Strip.join([strip.crop(0, used), Strip([segment])])
 

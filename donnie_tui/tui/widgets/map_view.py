@@ -19,6 +19,8 @@ from textual.message import Message
 from textual.scroll_view import ScrollView
 from textual.strip import Strip
 
+from donnie_tui.tui import themes
+
 if TYPE_CHECKING:
     from donnie_tui.core.map_grid import Bounds, Cell, MapGrid
     from donnie_tui.core.map_scale import MapScale
@@ -28,9 +30,6 @@ if TYPE_CHECKING:
 _MARGIN = 3
 """Cells that stay visible between the robot and the border, where there is more floor beyond."""
 
-_COLOURS = ("red", "green", "blue", "yellow", "orange", "pink", "gray")
-_KINDS = ("robot", "other", "start", "trail", "wall", "ray", "free", "name", "ruler")
-"""As ``map_grid.Kind`` has them; it is loaded later than this."""
 RULER = 4
 """Columns of the numbers at the left; at the top they take one row."""
 _EVERY = 5
@@ -39,11 +38,6 @@ _EVERY = 5
 
 class MapView(ScrollView, can_focus=True):
     """Shows a ``MapScene``. Empty until it is given one."""
-
-    COMPONENT_CLASSES: ClassVar[set[str]] = {
-        *(f"map-view--{kind}" for kind in _KINDS),
-        *(f"map-view--thing-{colour}" for colour in _COLOURS),
-    }
 
     BINDINGS: ClassVar[list[BindingType]] = [
         Binding("up", "explore(0, 1)", show=False),
@@ -298,8 +292,8 @@ class MapView(ScrollView, can_focus=True):
 
     def _look(self, kind: str) -> Style:
         if kind not in self._looks:
-            known = kind if kind in _KINDS or kind[6:] in _COLOURS else "thing-gray"
-            self._looks[kind] = self.get_component_rich_style(f"map-view--{known}")
+            looks = themes.looks(self.app.theme)
+            self._looks[kind] = self.rich_style + (looks.get(kind) or looks["thing-gray"])
         return self._looks[kind]
 
     # --- numbers

@@ -22,6 +22,8 @@ from textual.message import Message
 from textual.scroll_view import ScrollView
 from textual.strip import Strip
 
+from donnie_tui.tui import themes
+
 MOST_LINES = 100_000
 """Lines that are kept; beyond, the oldest tenth is forgotten."""
 
@@ -44,11 +46,6 @@ LOOKS = {
 
 class TextRows(ScrollView, can_focus=True):
     """Shows lines with their kinds; both are given as the words to show. ``follows``: a log."""
-
-    COMPONENT_CLASSES: ClassVar[set[str]] = {
-        "text-rows--row",
-        *(f"text-rows--{look}" for look in ("kind", *LOOKS.values())),
-    }
 
     BINDINGS: ClassVar[list[BindingType]] = [
         Binding("up", "row(-1)", show=False),
@@ -334,7 +331,7 @@ class TextRows(ScrollView, can_focus=True):
         return self.rich_style + self._look("row") if here else self.rich_style
 
     def _look(self, name: str) -> Style:
-        return self.get_component_rich_style(f"text-rows--{name}", partial=True)
+        return themes.looks(self.app.theme)[name]
 
 
 def _with_kind(text: str, kind: str) -> str:
