@@ -6,8 +6,10 @@ worlds of the manual's chapter on world files, step by step.
 
 from __future__ import annotations
 
+import re
 from enum import Enum
 from pathlib import Path
+from typing import Any
 
 from devices.ports.values import frozen
 
@@ -16,6 +18,11 @@ SCENES = Path(__file__).resolve().parent / "scenes"
 MANUAL = SCENES.parent / "manual"
 """The folder with the worlds of the manual."""
 
+WORDS = ".toml"
+"""Beside ``maze.world`` lies ``maze.toml`` with its words."""
+LANGUAGES = ("en", "pt", "es")
+LARGEST = 100_000
+"""Bytes of words that are read."""
 _ORDER = (
     *("open_floor", "living_room", "corridor", "colour_garden", "object_field"),
     *("two_robots", "race_track", "cave", "factory", "maze"),
@@ -78,8 +85,54 @@ def path(name: str) -> Path:
 
 def about(name: str, language: str) -> About:
     """What to say of a world in ``en``, ``pt`` or ``es``. KeyError if there is no such world or language."""
+    return _about(_read(path(name).with_suffix(WORDS)), language)
+
+
+class BadWords(Exception):
+    """A file of words that can't be used."""
+
+    def __init__(self, file: Path, key: str = "", line: str = "") -> None:
+        super().__init__(f"{file}: {key or line}")
+        self.file = file
+        self.key = key
+        """What is missing in it or is no text, such as ``en.title``; empty if it can't be read at all."""
+        self.line = line
+        """Where it can't be read, if that is known."""
+
+
+def words_beside(world: Path, language: str) -> About | None:
+    """What the author of a world file says of it in a file beside it, None without one. Raises ``BadWords``.
+
+    In that language if it is there, else in English, else in any of the three.
+    """
+    file = world.with_suffix(WORDS)
+    if not file.is_file():
+        return None
+    told = _read(file)
+    written = [each for each in (language, *LANGUAGES) if each in told]
+    if not written:
+        raise BadWords(file, language)
+    for key in ("title", "description", "task"):
+        if not isinstance(told[written[0]], dict) or not isinstance(told[written[0]].get(key), str):
+            raise BadWords(file, f"{written[0]}.{key}")
+    if told.get("difficulty") not in [each.value for each in Difficulty]:
+        raise BadWords(file, "difficulty")
+    return _about(told, written[0])
+
+
+def _read(file: Path) -> dict[str, Any]:
     import tomllib  # slow to load, and a start needs no words
 
-    told = tomllib.loads(path(name).with_suffix(".toml").read_text(encoding="utf-8"))
+    try:
+        with file.open("rb") as stream:
+            return tomllib.loads(stream.read(LARGEST).decode("utf-8-sig").replace("\r\n", "\n"))
+    except OSError:
+        raise BadWords(file) from None
+    except (ValueError, RecursionError) as problem:
+        place = re.search(r"line (\d+)", str(problem))
+        raise BadWords(file, line=place[1] if place else "") from None
+
+
+def _about(told: dict[str, Any], language: str) -> About:
     words = told[language]
     return About(words["title"], words["description"].strip(), words["task"], Difficulty(told["difficulty"]))

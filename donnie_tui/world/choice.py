@@ -41,8 +41,13 @@ class ChosenWorld:
     """The configuration file that has no world; what was loaded is only there to draw its robot on."""
 
     def about(self, language: str) -> worlds.About | None:
-        """Title, description and task; None for a file of the learner's own."""
-        return worlds.about(self.name, language) if self.ships else None
+        """Title, description and task; None for a file of the learner's own without any beside it."""
+        if self.ships:
+            return worlds.about(self.name, language)
+        try:
+            return worlds.words_beside(self.path, language)
+        except worlds.BadWords:
+            return None  # that was told when the world was loaded
 
     def start(self) -> Pose:
         """Where its first robot stands; the middle, facing north, if it has none."""

@@ -1,5 +1,6 @@
 """What is told of a world file of somebody's own when it is loaded: that a robot begins inside of something,
-and how many slips its report has. A learner who never asks for the report would look for them in the program.
+that its author's words can't be read, and how many slips its report has. A learner who never asks for the
+report would look for them in the program.
 """
 
 from __future__ import annotations
@@ -7,6 +8,7 @@ from __future__ import annotations
 import shlex
 from typing import TYPE_CHECKING
 
+import worlds
 from donnie_tui.i18n.phrasing import Phrasing
 
 if TYPE_CHECKING:
@@ -25,8 +27,20 @@ def remarks(world: ChosenWorld, words: Phrasing) -> tuple[str, ...]:
         return ()
     notes = world.scene.report.notes
     inside = [note for note in notes if note.code == _TOLD]
+    bad_words = _bad_words(world, words)
     others = len(inside[MOST_TOLD:]) + sum(note.code in _SLIPS for note in notes)
-    told = tuple(words(f"note-{_TOLD}", **note.details) for note in inside[:MOST_TOLD])
+    told = (*bad_words, *(words(f"note-{_TOLD}", **note.details) for note in inside[:MOST_TOLD]))
     if not others:
         return told
     return (*told, words("world-remarks", count=others, path=shlex.quote(str(world.path))))
+
+
+def _bad_words(world: ChosenWorld, words: Phrasing) -> tuple[str, ...]:
+    """Why the author's words are not told, if there are any."""
+    try:
+        worlds.words_beside(world.path, words.language)
+    except worlds.BadWords as problem:
+        code = "key" if problem.key else "line" if problem.line else "file"
+        values = {"file": problem.file.name, "key": problem.key, "line": problem.line}
+        return (words(f"world-words-{code}", **values),)
+    return ()

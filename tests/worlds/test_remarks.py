@@ -90,3 +90,65 @@ def test_both_front_ends_and_a_run_have_it_among_what_is_told_at_the_start(tmp_p
     assert donnie.notices.all[0].startswith("Robot Ana begins inside box.")
     ran = command.donnie(tmp_path, "run", "-", "--world", "my.world", *command.QUIET, typed="FW 1")
     assert ran.stderr.startswith(b"Robot Ana begins inside box.")
+
+
+WORDS = """difficulty = "easy"
+[en]
+title = "The gym"
+description = "A box is in the east.\\nIt is red."
+task = "Walk to it."
+[es]
+title = "El gimnasio"
+description = "Hay una caja al este."
+task = "Ve hasta ella."
+"""
+
+
+@pytest.mark.parametrize(("language", "title"), [("en", "The gym"), ("es", "El gimnasio"), ("pt", "The gym")])
+def test_a_file_beside_a_world_of_ones_own_gives_its_words(tmp_path: Path, language: str, title: str) -> None:
+    (tmp_path / "my.toml").write_text(WORDS, encoding="utf-8")
+
+    assert remarks_on(tmp_path, ANA) == ()
+    about = choose_world(str(tmp_path / "my.world"), Words()).about(language)
+
+    assert about is not None
+    assert (about.title, about.difficulty) == (title, worlds.Difficulty.EASY)
+    told = command.donnie(tmp_path, "world", "my.world", "--lang", language).stdout.decode()
+    assert about.task in told
+    assert told.startswith(f"my.world: {title}.\n")
+    assert all(sentence in told.splitlines() for sentence in about.sentences)
+
+
+@pytest.mark.parametrize(
+    ("words", "remark"),
+    [
+        (WORDS.replace('task = "Walk', "task = 3 # "), "In my.toml en.task is missing or wrong"),
+        (WORDS.replace("title =", "titel ="), "In my.toml en.title is missing or wrong"),
+        (WORDS.replace("easy", "simple"), "In my.toml difficulty is missing or wrong"),
+        ("", "In my.toml en is missing or wrong"),
+        ('en = "The gym"', "In my.toml en.title is missing or wrong"),
+        (WORDS.replace('gym"', "gym"), "I can't read line 3 of my.toml"),
+        ('a = "\0"', "I can't read line 1 of my.toml"),
+        ("a = " + "[" * 50_000, "I can't read my.toml"),
+        ("\udcff", "I can't read my.toml"),
+    ],
+    ids=range(9),
+)
+def test_words_that_can_not_be_read_are_told_and_the_world_is_there(
+    tmp_path: Path, words: str, remark: str
+) -> None:
+    (tmp_path / "my.toml").write_bytes(words.encode(errors="surrogateescape"))
+
+    assert remarks_on(tmp_path, ANA) == (f"{remark}, so the world has no words.",)
+    assert choose_world(str(tmp_path / "my.world"), Words()).about("en") is None
+
+
+def test_the_copy_of_a_world_that_ships_keeps_its_words(tmp_path: Path) -> None:
+    for suffix in (".world", ".toml"):
+        file = worlds.path("living_room").with_suffix(suffix)
+        (tmp_path / f"room{suffix}").write_bytes(file.read_bytes())
+
+    copied = choose_world(str(tmp_path / "room.world"), Words())
+
+    assert copied.about("pt") == worlds.about("living_room", "pt")
+    assert remarks(copied, Words()) == ()

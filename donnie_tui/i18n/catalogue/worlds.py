@@ -278,6 +278,21 @@ SENTENCES: dict[str, Sentence] = {
             "El robot {name} empieza dentro de {thing}.",
         ),
     ),
+    "world-words-file": Sentence(
+        "I can't read {file}, so the world has no words.",
+        "Não consigo ler {file}; o mundo fica sem palavras.",
+        "No puedo leer {file}; el mundo queda sin palabras.",
+    ),
+    "world-words-line": Sentence(
+        "I can't read line {line} of {file}, so the world has no words.",
+        "Não entendo a linha {line} de {file}; o mundo fica sem palavras.",
+        "No entiendo la línea {line} de {file}; el mundo queda sin palabras.",
+    ),
+    "world-words-key": Sentence(
+        "In {file} {key} is missing or wrong, so the world has no words.",
+        "Em {file} falta {key} ou está errado; o mundo fica sem palavras.",
+        "En {file} falta {key} o está mal; el mundo queda sin palabras.",
+    ),
     "world-remarks": Sentence(
         "{count} {count:slip|slips} in the world. donnie world {path} --report tells {count:it|them}.",
         "{count} {count:deslize|deslizes} no mundo. donnie world {path} --report {count:o|os} diz.",
