@@ -20,4 +20,4 @@ def printable(text: str) -> str:
 
 def cleaned(text: str) -> str:
     """The text with its lines: tabs and the language's own line ends (CR, LF) stay."""
-    return re.sub(rf"(?![\t\r\n]){HARMFUL}", " ", text)
+    return text if text.isprintable() else re.sub(rf"(?![\t\r\n]){HARMFUL}", " ", text)

@@ -7,7 +7,6 @@ language's own sign; text is told as it is.
 
 from __future__ import annotations
 
-from string import Formatter
 from typing import TypeAlias
 
 from devices.ports.values import frozen
@@ -36,29 +35,33 @@ class Sentence:
         return texts[LANGUAGES.index(language)]
 
 
-class _Agreeing(Formatter):
-    """``str.format`` in which ``{n:one|many}`` chooses a word by the number n.
+class _Place:
+    """A value as the place asks for it: ``{n:one|many}`` chooses a word by the number n.
 
     ``{text:capital}`` begins with a capital letter, ``{text:small}`` with a small one.
     """
 
-    def __init__(self, decimal_sign: str) -> None:
+    __slots__ = ("_decimal_sign", "_value")
+
+    def __init__(self, value: object, decimal_sign: str) -> None:
+        self._value = value
         self._decimal_sign = decimal_sign
 
-    def format_field(self, value: object, format_spec: str) -> str:
-        if "|" in format_spec:
-            one, many = format_spec.split("|")
+    def __format__(self, wanted: str) -> str:
+        value = self._value
+        if "|" in wanted:
+            one, many = wanted.split("|")
             return one if value in (1, -1) else many
-        if format_spec in _BEGINNINGS:
+        if wanted in _BEGINNINGS:
             text = str(value)
-            return _BEGINNINGS[format_spec](text[:1]) + text[1:]
-        told = str(super().format_field(value, format_spec))
+            return _BEGINNINGS[wanted](text[:1]) + text[1:]
+        told = format(value, wanted)
         return told.replace(".", self._decimal_sign) if isinstance(value, float) else told
-
-
-_FORMATTERS = {language: _Agreeing(_DECIMAL_SIGNS[language]) for language in LANGUAGES}
 
 
 def filled(text: str, values: dict[str, object], language: str = "en") -> str:
     """The text with its places filled. Raises ``KeyError`` for a place without a value."""
-    return _FORMATTERS[language].vformat(text, (), values) if "{" in text or "}" in text else text
+    if "{" not in text and "}" not in text:
+        return text
+    sign = _DECIMAL_SIGNS[language]
+    return text.format_map({name: _Place(value, sign) for name, value in values.items()})

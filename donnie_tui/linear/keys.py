@@ -78,8 +78,9 @@ _LETTERS = {
 _NUMBERS = {"1": Act.HOME, "3": Act.DELETE, "4": Act.END, "7": Act.HOME, "8": Act.END}
 
 _TEXT = re.compile(r"[^\x00-\x1f\x7f-\x9f]+")
-_SEQUENCE = re.compile(r"\x1b(?:\[\[[A-E]|\[([0-9:;<=>?]*)[ -/]*([@-~])|O([A-Za-z]))")
-_UNFINISHED = re.compile(r"\x1b(?:\[\[?|\[[0-9:;<=>?]*[ -/]*|O)?\Z")
+_SEQUENCE = r"\x1b(?:\[\[[A-E]|\[([0-9:;<=>?]*)[ -/]*([@-~])|O([A-Za-z]))"
+_UNFINISHED = r"\x1b(?:\[\[?|\[[0-9:;<=>?]*[ -/]*|O)?\Z"
+"""Patterns, made with the first ESC."""
 _LONGEST_SEQUENCE = 32
 
 
@@ -102,7 +103,11 @@ class KeyDecoder:
         keys: list[Key] = []
         at = 0
         while at < len(text):
-            if text[at] == "\x1b" and _UNFINISHED.match(text, at) and len(text) - at < _LONGEST_SEQUENCE:
+            if (
+                text[at] == "\x1b"
+                and re.compile(_UNFINISHED).match(text, at)
+                and len(text) - at < _LONGEST_SEQUENCE
+            ):
                 self._pending = text[at:]
                 break
             at = _next_key(text, at, keys)
@@ -114,6 +119,11 @@ class KeyDecoder:
         if not pending:
             return []
         return [Key(Act.ESCAPE), *([Key(Act.TEXT, pending[1:])] if pending[1:] else [])]
+
+
+def _is_unfinished(text: str, at: int) -> bool:
+    """Whether the sequence that begins there may go on."""
+    return len(text) - at < _LONGEST_SEQUENCE and bool(re.compile(_UNFINISHED).match(text, at))
 
 
 def _next_key(text: str, at: int, keys: list[Key]) -> int:
@@ -132,7 +142,7 @@ def _next_key(text: str, at: int, keys: list[Key]) -> int:
 
 
 def _escape(text: str, at: int, keys: list[Key]) -> int:
-    sequence = _SEQUENCE.match(text, at)
+    sequence = re.compile(_SEQUENCE).match(text, at)
     if not sequence:
         keys.append(Key(Act.ESCAPE))
         return at + 1
