@@ -225,6 +225,19 @@ async def test_a_list_opens_at_what_is_chosen_now_and_stays_there_when_the_termi
         assert desk.app.screen.rows.row_text.startswith("factory")
 
 
+async def test_the_chosen_line_of_a_list_is_seen_as_far_as_a_small_terminal_has_room(work):
+    """Its first words say little: living room, easy, a room of ..."""
+    async with work(size=(40, 12), world="open_floor") as desk:
+        await desk.press("ctrl+k", "o")
+        await desk.until(lambda: desk.app.screen is not desk.place, "the worlds")
+        await desk.pilot.pause()
+        for _ in range(len(desk.app.screen.rows.lines)):
+            rows = desk.app.screen.rows
+            words = " ".join(rows.lines[rows.line].split()[:20])
+            await desk.until(lambda words=words: words in " ".join(desk.screen.split()), words)
+            await desk.press("down")
+
+
 # --- the mouse
 
 

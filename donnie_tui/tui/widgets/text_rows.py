@@ -135,8 +135,11 @@ class TextRows(ScrollView, can_focus=True):
         return max(0, len(self._lines) - 1)
 
     def read_line(self, line: int) -> None:
-        """Read the first row of a line."""
-        self._read(sum(self._heights[:line]))
+        """Read the first row of a line; its others are seen too, as far as there is room."""
+        first = sum(self._heights[:line])
+        self._read(first)
+        if line < len(self._heights):
+            self._bring_into_view(first, min(self._heights[line], max(1, self.size.height)))
 
     @property
     def is_read(self) -> bool:
@@ -241,7 +244,10 @@ class TextRows(ScrollView, can_focus=True):
         """Show the row that is being read; the newest of all once there is room for any."""
         if self._row is None and not self.size.height:
             return
-        place = Region(0, self.row, 1, 1)
+        self._bring_into_view(self.row, 1)
+
+    def _bring_into_view(self, row: int, rows: int) -> None:
+        place = Region(0, row, 1, rows)
         self.scroll_to_region(place, animate=False, force=True, immediate=True)
 
     @property
