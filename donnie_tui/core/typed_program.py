@@ -78,6 +78,8 @@ class TypedProgram:
         self._lines: list[str] = []
         self._kept: list[str] | None = []
         self._run = 0
+        self.was_brought = False
+        """Whether what waits came from a file, or from before, and was never asked to run here."""
         self._size = 0
         self._runs = 0
         """How often what has run became another part, but by changes."""
@@ -151,6 +153,7 @@ class TypedProgram:
 
     def batch_ran(self) -> None:
         self._run = len(self._lines)
+        self.was_brought = False
         self._runs += 1
 
     def batch_was_refused(self) -> bool:
@@ -176,6 +179,7 @@ class TypedProgram:
             self._before.append(self._now_as(self._file))
         self._lines = lines_of(text)
         self._run = 0
+        self.was_brought = bool(self._lines)
         self._size = len(text)
         self._forget_oldest()
         self.breakpoints = frozenset()
@@ -209,6 +213,7 @@ class TypedProgram:
         if waiting:
             self._keep()
         del self._lines[self._run :]
+        self.was_brought = False
         return waiting
 
     def delete(self, first: int, last: int) -> None:
@@ -296,6 +301,7 @@ class TypedProgram:
 
     def _be(self, file: _File) -> int:
         self.name, self._kept, self.breakpoints = file.name, file.kept, file.breakpoints
+        self.was_brought = bool(self._lines)
         self._size = sum(len(line) + 1 for line in self._lines)
         return ANOTHER_PROGRAM
 

@@ -77,9 +77,15 @@ class TypedLines:
             go_on()
 
     def _quit(self, line: str) -> None:
-        """QUIT runs what waits, then leaves; where that can't be run, a second one leaves all the same."""
+        """QUIT runs what was typed, then leaves; where that can't be run, a second one leaves all the same.
+
+        What was opened and never run moves no robot because somebody leaves.
+        """
         desk, block = self._desk, self._desk.program.open_block
         if self._quit_was_refused:
+            self._leaving.leave(0)
+        elif desk.program.was_brought and desk.program.is_waiting:
+            desk.answer("linear-did-not-run", lines=desk.program.waiting)
             self._leaving.leave(0)
         elif block is None:
             self._run_and_quit(line)

@@ -4,6 +4,8 @@ from __future__ import annotations
 
 from pathlib import Path
 
+import pytest
+
 from tests.sessions.learner import (
     CTRL_D,
     ESC,
@@ -169,6 +171,30 @@ def test_quit_runs_what_waits_and_leaves(learner: Learner) -> None:
 
     assert learner.leaves() == 0
     assert said(learner)[2:] == ["I walked 3 steps forward.", "Goodbye."]
+
+
+@pytest.mark.parametrize("typed", [(), ("TR 90",)], ids=["opened", "typed behind it"])
+def test_quit_moves_no_robot_by_a_program_that_was_only_opened(
+    tmp_path: Path, typed: tuple[str, ...]
+) -> None:
+    (tmp_path / "walk.gd").write_text("FW 2\nREPEAT 2 TIMES\nFW 1\n")
+    learner = Learner(tmp_path, "walk.gd")
+    learner.enters(*typed, "QUIT")
+    learner.sees(f"{3 + len(typed)} lines did not run. RUN was missing.")
+    if typed:
+        learner.enters("n")  # not saved
+
+    assert learner.leaves() == 0
+    assert not [line for line in said(learner) if line.startswith("I ")]
+
+
+def test_quit_runs_what_was_typed_after_the_opened_program_ran(tmp_path: Path) -> None:
+    (tmp_path / "walk.gd").write_text("FW 2\n")
+    learner = Learner(tmp_path, "walk.gd")
+    learner.enters("RUN", "TR 90", "QUIT", "n")
+
+    assert learner.leaves() == 0
+    assert "I turned 90 degrees to the right." in said(learner)
 
 
 def test_quit_leaves_the_second_time_where_the_first_could_not_be_reached(learner: Learner) -> None:
