@@ -8,8 +8,8 @@ Rule: whatever the text, the answer is a program or mistakes, in time and memory
 
 from __future__ import annotations
 
-from collections.abc import Callable
-from typing import Any
+from collections.abc import Callable, Mapping
+from typing import TYPE_CHECKING, Any
 
 from devices.ports.values import frozen
 from language.diagnostics import Diagnostic, Kind
@@ -18,6 +18,9 @@ from language.lexer import Lexed, Token, lex, span_of
 from language.syntax import Program
 from language.tables import ACTIONS, END, GOTOS, RULES, START
 from language.tree import MOST_LEVELS, Reductions, TooDeep
+
+if TYPE_CHECKING:
+    from language.scopes import Declared
 
 SHALLOW = 200
 """With fewer states on the stack than these, nothing can be nested too deeply."""
@@ -34,11 +37,18 @@ class Parsed:
     """Mistakes of form in the order of the text; empty if there is a program."""
 
 
-def parse(source: str, *, first_line: int = 1, colours: frozenset[str] | None = None) -> Parsed:
+def parse(
+    source: str,
+    *,
+    first_line: int = 1,
+    colours: frozenset[str] | None = None,
+    declared: Mapping[str, Declared] | None = None,
+) -> Parsed:
     """Read a program.
 
     ``first_line`` is the number of its first line. ``colours`` are the colours that the robot can see, as
-    English words; another one is a mistake. None allows all.
+    English words; another one is a mistake. None allows all. ``declared`` are the procedures of earlier
+    batches, by folded name: who calls one wrongly is told how.
     """
     lexed = lex(source, first_line)
     mistakes = unseen_colours(lexed, colours)
@@ -51,15 +61,19 @@ def parse(source: str, *, first_line: int = 1, colours: frozenset[str] | None = 
         else:
             if body is not None:
                 return Parsed(Program(source, body), ())
-    return Parsed(None, _mistakes(lexed, mistakes, first_line, colours))
+    return Parsed(None, _mistakes(lexed, mistakes, first_line, colours, declared))
 
 
 def _mistakes(
-    lexed: Lexed, known: tuple[Diagnostic, ...], first_line: int, colours: frozenset[str] | None
+    lexed: Lexed,
+    known: tuple[Diagnostic, ...],
+    first_line: int,
+    colours: frozenset[str] | None,
+    declared: Mapping[str, Declared] | None,
 ) -> tuple[Diagnostic, ...]:
     from language.recovery.finder import mistakes_in  # only texts with mistakes need it
 
-    return mistakes_in(lexed, known + _nested_too_deeply(lexed), first_line, colours)
+    return mistakes_in(lexed, known + _nested_too_deeply(lexed), first_line, colours, declared)
 
 
 def _nested_too_deeply(lexed: Lexed) -> tuple[Diagnostic, ...]:

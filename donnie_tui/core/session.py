@@ -120,7 +120,9 @@ class Session:
 
         A robot without eyes says so when it is asked to look.
         """
-        return parse(text, first_line=first_line, colours=self._robot.colours or None)
+        return parse(
+            text, first_line=first_line, colours=self._robot.colours or None, declared=self._memory.procedures
+        )
 
     def start(
         self,

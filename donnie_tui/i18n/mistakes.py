@@ -124,7 +124,7 @@ _SENTENCE_OF: dict[Kind, Callable[[Diagnostic, Phrasing], str]] = {
 # --- what would put it right
 
 
-def _hint_for_syntax(diagnostic: Diagnostic, words: Phrasing) -> str | None:
+def _hint_by_code(diagnostic: Diagnostic, words: Phrasing) -> str | None:
     special = f"hint-{diagnostic.code}"
     if diagnostic.code and words.knows(special):
         return words(special, **_values(diagnostic, words))
@@ -187,7 +187,8 @@ def _hint_for_belt(_: Diagnostic, words: Phrasing) -> str:
 
 
 _HINT_OF: dict[Kind, Callable[[Diagnostic, Phrasing], str | None]] = {
-    Kind.SYNTAX: _hint_for_syntax,
+    Kind.SYNTAX: _hint_by_code,
+    Kind.UNKNOWN_COMMAND: _hint_by_code,
     Kind.UNKNOWN_CHARACTER: _hint_for_character,
     Kind.INVALID_NAME: lambda _, words: words("hint-invalid-name"),
     Kind.RESERVED_WORD: lambda _, words: words("hint-reserved-word"),

@@ -7,6 +7,7 @@ from language.keywords import is_reserved
 from language.lexer import NUMBER, STRING
 from language.nearby import Near, nearest_keyword, pair_ending_with
 from language.recovery.arguments import follows_taker, read_bad_argument
+from language.recovery.calls import read_call_without_brackets
 from language.recovery.going_on import can_open, read_as, skip_command
 from language.recovery.kinds import ASSIGN, LPAR, SIGN
 from language.recovery.pairs import pair_meant, pair_with_misspelt_first
@@ -18,6 +19,8 @@ def read_unknown_command(reading: Reading) -> None:
     token = reading.token
     if follows_taker(reading):
         read_bad_argument(reading)
+        return
+    if read_call_without_brackets(reading):
         return
     pair = pair_with_misspelt_first(reading)
     near, width = (pair, 2) if pair else (_command_meant(reading, token[5]), 1)

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from itertools import pairwise
 
 from language.diagnostics import MOST_MISTAKES, Diagnostic, Kind
@@ -14,6 +15,7 @@ from language.recovery.kinds import BEHIND_FIRST_NAME, COMMANDS, ELSE
 from language.recovery.pairs import has_misspelt_second
 from language.recovery.reading import Reading
 from language.recovery.within import read_mistake_within
+from language.scopes import Declared
 from language.source import line_ends
 from language.tree import MOST_LEVELS
 
@@ -26,15 +28,16 @@ def mistakes_in(
     others: tuple[Diagnostic, ...] = (),
     first_line: int = 1,
     colours: frozenset[str] | None = None,
+    declared: Mapping[str, Declared] | None = None,
 ) -> tuple[Diagnostic, ...]:
     """The mistakes in a text, together with ``others`` that are known, in the order of the text.
 
-    ``colours`` are the ones that the robot can see, where that is known.
+    ``colours`` are the ones that the robot can see, where that is known. ``declared``: see ``Reading``.
     """
-    found = _found_in(lexed, first_line, colours)
+    found = _found_in(lexed, first_line, colours, declared or {})
     if lexed.open_quote is not None and len(found) > len(lexed.mistakes):
         again = _with_another_quote_open(lexed, first_line)
-        found_again = _found_in(again, first_line, colours) if again else found
+        found_again = _found_in(again, first_line, colours, declared or {}) if again else found
         found = found_again if len(found_again) <= len(found) else found
     if any(each.kind is Kind.TOO_DEEP for each in others):
         found = [each for each in found if each.kind is not Kind.TOO_DEEP]
@@ -43,8 +46,10 @@ def mistakes_in(
     return tuple(everything[:MOST_MISTAKES])
 
 
-def _found_in(lexed: Lexed, first_line: int, colours: frozenset[str] | None) -> list[Diagnostic]:
-    reading = Reading(lexed, first_line, colours)
+def _found_in(
+    lexed: Lexed, first_line: int, colours: frozenset[str] | None, declared: Mapping[str, Declared]
+) -> list[Diagnostic]:
+    reading = Reading(lexed, first_line, colours, declared)
     _read(reading)
     return lexed.mistakes + reading.found
 

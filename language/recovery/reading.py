@@ -7,26 +7,43 @@ the tokens before the place bring it, with each mistake read as what it was take
 from __future__ import annotations
 
 from bisect import bisect_left, insort
+from collections.abc import Mapping
 from functools import cached_property
+from types import MappingProxyType
 
 from language.diagnostics import Diagnostic, Kind
-from language.lexer import KIND, STRING, Lexed, Token, span_of, without_comments
+from language.lexer import KIND, NAME, STRING, Lexed, Token, span_of, without_comments
 from language.origin import language_of, languages_in
 from language.outline import OPENERS
 from language.recovery.automaton import Automaton
 from language.recovery.kinds import HEAD_ENDS
 from language.recovery.open_blocks import Block
+from language.scopes import Declared
 from language.source import Lines
+
+_NONE: Mapping[str, Declared] = MappingProxyType({})
+
+_PROCEDURE, _COLON, _COMMA = (KIND[name] for name in ("PROCEDURE", "COLON", "COMMA"))
 
 
 class Reading:
     """Made for one text, at its beginning."""
 
-    def __init__(self, lexed: Lexed, first_line: int, colours: frozenset[str] | None) -> None:
-        """``colours`` are the ones that the robot can see, where that is known."""
+    def __init__(
+        self,
+        lexed: Lexed,
+        first_line: int,
+        colours: frozenset[str] | None,
+        declared: Mapping[str, Declared] = _NONE,
+    ) -> None:
+        """``colours`` are the ones that the robot can see, where that is known.
+
+        ``declared`` are the procedures that were declared before the text, by folded name.
+        """
         self._lexed = lexed
         self._flaws = list(lexed.flaws)
         self.colours = colours
+        self._declared = declared
         self.language = language_of(lexed.tokens, lexed.source)
         self.tokens = [*lexed.tokens, _end_token(lexed, first_line)]
         self.at = 0
@@ -64,6 +81,24 @@ class Reading:
     def spoken(self) -> list[str]:
         """Every language that has a keyword in the text."""
         return sorted(languages_in(self._lexed.tokens, self._lexed.source))
+
+    @cached_property
+    def procedures(self) -> dict[str, tuple[str, ...]]:
+        """Of each, declared before the text or anywhere in it, the names of its values."""
+        before = {
+            name: tuple(each.program.typed(value.span) for value in each.procedure.parameters)
+            for name, each in self._declared.items()
+        }
+        heads = (at + 1 for at, token in enumerate(self.tokens) if token[0] == _PROCEDURE)
+        here = {self.tokens[at][5]: self._names(at + 1) for at in heads if self.tokens[at][0] == NAME}
+        return before | here
+
+    def _names(self, at: int) -> tuple[str, ...]:
+        found: list[str] = []
+        while self.tokens[at][0] in (_COLON, _COMMA) and self.tokens[at + 1][0] == NAME:
+            found.append(self.typed(self.tokens[at + 1]))
+            at += 2
+        return tuple(found)
 
     def typed(self, token: Token) -> str:
         typed = self._lexed.source[token[1] : token[2]]

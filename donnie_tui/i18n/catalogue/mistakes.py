@@ -61,6 +61,9 @@ SENTENCES: dict[str, Sentence] = {
     "mistake-unknown-command": Sentence(
         "I do not know {found}.", "Não conheço {found}.", "No conozco {found}."
     ),
+    "mistake-unknown-command-procedure": Sentence(
+        "{found} is a procedure.", "{found} é um procedimento.", "{found} es un procedimiento."
+    ),
     "mistake-unknown-character": Sentence(
         "I can't use {sign} here.", "Não posso usar {sign} aqui.", "No puedo usar {sign} aquí."
     ),
@@ -169,6 +172,12 @@ SENTENCES: dict[str, Sentence] = {
     # --- what would put it right
     "hint-meant": Sentence(
         "Did you mean {meant}?", "Você quis dizer {meant}?", "Quizá querías decir {meant}."
+    ),
+    "hint-procedure": Sentence("Call it {call}.", "Chame assim: {call}.", "Llámalo así: {call}."),
+    "hint-call-brackets": Sentence(
+        "A procedure is called {found} [1].",
+        "Um procedimento se chama {found} [1].",
+        "Un procedimiento se llama {found} [1].",
     ),
     "hint-text-plus": Sentence(
         "Write another {SPEAK} for the rest.",

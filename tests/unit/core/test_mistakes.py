@@ -27,6 +27,7 @@ def fixed(text: str) -> str:
         ("gira direita 90", "GIRAR DIREITA 90"),
         ("girar diretta 90", "GIRAR DIREITA 90"),
         ("para frent 3", "PARA FRENTE 3"),
+        ("PROCEDURE P: x DO FW x END PROCEDURE P: 2 FW 1", "PROCEDURE P: x DO FW x END PROCEDURE P [2] FW 1"),
         ("RIGHT 90", "RIGHT TURN 90"),
         ("RIGHT TRUN 90", "RIGHT TURN 90"),
     ],

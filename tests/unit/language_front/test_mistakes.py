@@ -315,3 +315,29 @@ def test_an_else_in_two_words_is_one_mistake(source: str, typed: str, meant: str
 
 def test_a_variable_that_is_called_no_is_none() -> None:
     assert parse("var no = 3\nsi no > 2 entonces\nsi no == 3 entonces\nhablar no\nfin si\nfin si").program
+
+
+PROCEDURES = "PROCEDURE AB: x DO FW x END PROCEDURE PROCEDURE Cd DO FW 1 END PROCEDURE "
+
+
+@pytest.mark.parametrize(
+    ("call", "meant", "called"),
+    [
+        ("AB 2", "AB [2]", "AB [x]"),
+        ("AB: 2", "AB [2]", "AB [x]"),
+        ("AB (2) FW 1", "AB [2]", "AB [x]"),
+        ("ab n", "ab [n]", "ab [x]"),
+        ("CD", "CD []", "CD []"),
+        ("AB", "", "AB [x]"),
+        ("AB 2 + 1", "", "AB [x]"),
+        ("CD 3", "", "CD []"),
+        ("AB 2\nFW 3", "AB [2]", "AB [x]"),
+    ],
+)
+def test_a_procedure_without_its_brackets_is_told_with_the_way_to_call_it(
+    call: str, meant: str, called: str
+) -> None:
+    mistake = the_mistake(PROCEDURES + call)
+
+    assert (mistake.kind, mistake.code, mistake.meant) == (Kind.UNKNOWN_COMMAND, "procedure", meant)
+    assert mistake.details["call"] == called
