@@ -17,6 +17,10 @@ LONGEST_TOLD = 40
 """Characters of a word that is told not to be there."""
 
 
+NOTHING_INSTEAD = '""'
+"""What is typed to delete a word everywhere."""
+
+
 @frozen
 class Place:
     """Where a word stands: its row and its columns, from 0, the last one not included."""
@@ -40,6 +44,14 @@ def found_from(lines: Sequence[str], wanted: str, row: int, column: int = 0) -> 
 def told(wanted: str) -> str:
     """The word as it is told."""
     return printable(wanted[:LONGEST_TOLD])
+
+
+def replacement(typed: str | None) -> str | None:
+    """What a word is to be replaced by; None for no answer and for Enter alone, which change nothing.
+
+    Two quotes delete it: that is never typed by a slip.
+    """
+    return "" if typed == NOTHING_INSTEAD else typed or None
 
 
 def not_found(wanted: str, wording: Wording) -> str:

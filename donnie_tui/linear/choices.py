@@ -59,7 +59,10 @@ def _keep(desk: Desk, key: str, value: str | bool | float) -> None:
 
 
 def _set(desk: Desk, _: Runs, rest: str) -> bool:
-    """SET alone says all, SET name one with its choices, SET name value changes it and keeps it."""
+    """SET alone says all, SET name one with its choices, SET name value changes it.
+
+    What somebody chooses at a prompt is kept; typed lines of a file choose for themselves.
+    """
     name, _blank, value = rest.partition(" ")
     if not name:
         for each in habits.SPELLINGS:
@@ -68,7 +71,7 @@ def _set(desk: Desk, _: Runs, rest: str) -> bool:
         return True
     sound = sound_words.find_setting(name)
     if sound is not None:
-        sound_words.set_sound(desk.donnie, sound, value.strip())
+        sound_words.set_sound(desk.donnie, sound, value.strip(), keeps=desk.is_attended)
         return True
     field = habits.find(name)
     if field is None and fold_name(name) in PREFERENCES:
@@ -97,7 +100,8 @@ def _change(desk: Desk, field: str, typed: str) -> bool:
         return _say_choices(desk, field)
     setattr(desk.ends.habits, field, value)
     desk.ends.apply_habits()
-    _keep(desk, field, habits.kept_as(field, value))
+    if desk.is_attended:
+        _keep(desk, field, habits.kept_as(field, value))
     _say_habit(desk, field)
     return True
 

@@ -79,11 +79,13 @@ class Leaving:
     def interrupt(self, line: str) -> None:
         """Ctrl+C where nothing runs: it clears the line. A script is ended by it."""
         desk = self._desk
-        desk.next_line = desk.goes_on = None
+        gives_up, desk.next_line, desk.goes_on = desk.next_line is not None, None, None
         if desk.donnie.team.running:
             desk.beside.stop()
         elif not desk.is_attended:
             desk.leaving = _INTERRUPTED
+        elif gives_up:
+            desk.answer("answer-unchanged")
         elif line:
             desk.answer("linear-cleared")
         else:

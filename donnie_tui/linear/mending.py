@@ -78,7 +78,10 @@ def _replace(desk: Desk, _: Runs, rest: str) -> bool:
     if not count:
         desk.tell(finding.not_found(rest, desk.say))
         return True
-    instead = desk.asking.ask("ask-replace-by", word=finding.told(rest))
+    instead = finding.replacement(desk.asking.ask("ask-replace-by", word=finding.told(rest)))
+    if instead is None:
+        desk.answer("answer-unchanged")
+        return True
     if not _rewrite(desk, desk.program.text.replace(rest, instead)):
         return True
     desk.answer("screen-replaced", count=count)

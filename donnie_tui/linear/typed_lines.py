@@ -21,7 +21,10 @@ class TypedLines:
 
     def take_and_run(self, line: str) -> None:
         """ESC: what stands there is finished, and everything runs."""
-        if not line.strip() or self.take(line):
+        if not line.strip() and self._desk.next_line is not None:
+            self._desk.next_line = None
+            self._desk.answer("answer-unchanged")
+        elif not line.strip() or self.take(line):
             self._runs.run_waiting()
 
     def take(self, line: str) -> bool:

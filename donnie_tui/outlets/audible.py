@@ -133,6 +133,14 @@ class Audible:
         return self._made.cue_player is not None and self._is_on
 
     @property
+    def why_no_cues(self) -> str:
+        """The code of the sentence that tells why no cue is heard now, and what to do."""
+        if self._made.cue_player is not None:
+            return "cues-switched-off"
+        is_missing = bool(self._settings.sound) and not self._facts.has_sound_device
+        return "cues-no-device" if is_missing else "cues-silent"
+
+    @property
     def echoes(self) -> bool:
         """Whether what is typed may be said: by the own voice, and only where no screen reader does."""
         is_own = self.choice.channel is Channel.TTS and self._facts.screen_reader is None

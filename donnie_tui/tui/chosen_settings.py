@@ -7,6 +7,7 @@ from typing import TYPE_CHECKING
 from donnie_tui.tui.intake import CALM, FRAME, Intake
 from donnie_tui.tui.preferences import AUDIBLE
 from donnie_tui.tui.running import Answer
+from donnie_tui.words.sound_words import tell_what_is_missing
 
 if TYPE_CHECKING:
     from donnie_tui.tui.while_typing import WhileTyping
@@ -36,6 +37,7 @@ class ChosenSettings:
         problem = preferences.keep(key)
         told = next(each for each in preferences.all if each.key == key).told(work.words)
         work.tell(Answer("setting-row", {"name": work.words(f"setting-{key}"), "value": told}))
+        tell_what_is_missing(work.donnie, key)
         if problem is not None:
             work.tell(Answer(problem.code, {"path": problem.path, "reason": problem.reason}))
 

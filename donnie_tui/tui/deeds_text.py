@@ -111,8 +111,11 @@ class TextDeeds:
         if not count:
             self._host.tell_sentences(finding.not_found(wanted, self._host.words))
             return
-        instead = await self._host.ask(self._host.words("ask-replace-by", word=finding.told(wanted)))
-        if instead is not None:
+        asked = self._host.words("ask-replace-by", word=finding.told(wanted))
+        instead = finding.replacement(await self._host.ask(asked))
+        if instead is None:
+            self._host.tell(Answer("answer-unchanged"))
+        else:
             self._put(self._editor.text.replace(wanted, instead), self._editor.offset_of_cursor)
             self._host.tell(Answer("screen-replaced", {"count": count}))
 

@@ -132,7 +132,7 @@ def _played(donnie: Donnie, typed: str) -> Iterator[float]:
         _say(donnie, "cues-unknown", name=typed[:40])
         return
     if not donnie.outlets.audible.has_cues:
-        _say(donnie, "cues-silent")
+        _say(donnie, donnie.outlets.audible.why_no_cues)
     elif name is None:
         _say(donnie, "cues-count", count=len(CUE_WORDS))
         yield from _until_said(donnie)
@@ -203,10 +203,13 @@ def tell_settings(donnie: Donnie) -> None:
         _tell_setting(donnie, field)
 
 
-def set_sound(donnie: Donnie, field: str, typed: str) -> None:
-    """Change a setting, keep it and tell it; without a value that can be understood, tell the choices."""
+def set_sound(donnie: Donnie, field: str, typed: str, *, keeps: bool = True) -> None:
+    """Change a setting and tell it; without a value that can be understood, tell the choices.
+
+    ``keeps``: for the next time too. Where nobody will speak with it, that is told at once.
+    """
     if field == "cues":
-        _set_cue(donnie, typed)
+        _set_cue(donnie, typed, keeps=keeps)
         return
     value = read_setting(field, typed)
     if value is None:
@@ -215,7 +218,15 @@ def set_sound(donnie: Donnie, field: str, typed: str) -> None:
         return
     donnie.outlets.adjust_sound(**{field: value})
     _tell_setting(donnie, field)
-    _keep(donnie, field, _KEPT_AS[value] if isinstance(value, bool) else value)
+    tell_what_is_missing(donnie, field)
+    if keeps:
+        _keep(donnie, field, _KEPT_AS[value] if isinstance(value, bool) else value)
+
+
+def tell_what_is_missing(donnie: Donnie, field: str) -> None:
+    """Why what was just chosen is not heard, where it is not."""
+    for sentence in donnie.outlets.audible.notices if field in ("speech", "speak", "sound") else ():
+        donnie.session.hub.publish(Answered(sentence))
 
 
 def read_setting(field: str, typed: str) -> str | int | bool | None:
@@ -251,7 +262,7 @@ def _tell_choices(donnie: Donnie, field: str) -> None:
         _say(donnie, "habit-choices", choices=choices)
 
 
-def _set_cue(donnie: Donnie, typed: str) -> None:
+def _set_cue(donnie: Donnie, typed: str, *, keeps: bool) -> None:
     """``bump``, ``bump off`` or ``bump 50``; alone, all of them."""
     word, _, value = typed.partition(" ")
     name = find_cue(word)
@@ -262,7 +273,8 @@ def _set_cue(donnie: Donnie, typed: str) -> None:
     if name and volume is not None:
         volumes = {**donnie.outlets.audible.settings.cues, name: volume}
         donnie.outlets.adjust_sound(cues=volumes)
-        _keep(donnie, "cues", ", ".join(f"{each} {percent}" for each, percent in volumes.items()))
+        if keeps:
+            _keep(donnie, "cues", ", ".join(f"{each} {percent}" for each, percent in volumes.items()))
         chime(donnie, name)
     for each in (name,) if name else CUE_WORDS:
         _tell_cue(donnie, each)

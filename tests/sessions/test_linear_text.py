@@ -72,7 +72,7 @@ def test_words_are_found_from_the_reading_place_on_and_once_round(tmp_path: Path
 
 def test_a_word_is_replaced_everywhere_and_that_is_one_change(tmp_path: Path) -> None:
     assert told(tmp_path, "FW 1", "FW 2", "REPLACE FW", "BW", "LIST", "UNDO", "LIST") == [
-        "Instead of FW, everywhere:",
+        'Instead of FW, everywhere; Enter leaves it, "" deletes it:',
         "2 times replaced.",
         "1: BW 1",
         "2: BW 2",
@@ -80,6 +80,28 @@ def test_a_word_is_replaced_everywhere_and_that_is_one_change(tmp_path: Path) ->
         "1: FW 1",
         "2: FW 2",
     ]
+
+
+def test_a_word_that_nothing_is_typed_for_stays_as_it_is(tmp_path: Path) -> None:
+    """L21: an empty answer, or the end of the input, changes nothing; two quotes delete the word."""
+    empty = told(
+        tmp_path, "FW 1 FW 2", "REPLACE FW", "", "LIST", 'REPLACE 1 "', "LIST", "REPLACE FW", '""', "LIST"
+    )
+    ended = donnie(tmp_path, "--linear", *QUIET, typed="FW 1\nREPLACE FW\n").stdout.decode().splitlines()
+
+    assert empty[1:3] == ["Nothing was changed.", "1: FW 1 FW 2"]
+    assert empty[-2:] == ["2 times replaced.", "1: 1  2"]
+    assert ended[3] == "Nothing was changed."
+
+
+def test_what_typed_lines_of_a_file_set_counts_for_them_alone(tmp_path: Path) -> None:
+    """As DETAIL and LANGUAGE: nobody at a prompt chose it."""
+    lines = told(
+        tmp_path, "SET rate 9999", "SET speech own", "SET page off", "SET bump off", "SET cue bump off"
+    )
+
+    assert "Set page: off." in " ".join(lines) or "page: off" in " ".join(lines)
+    assert not (tmp_path / "config").exists()
 
 
 def test_a_program_is_laid_out_and_its_words_translated(tmp_path: Path) -> None:

@@ -51,6 +51,25 @@ def test_a_forgotten_line_is_offered_again_mended_or_as_it_was(learner: Learner)
     learner.sees("\n5\r\n> ")
 
 
+def test_a_line_that_is_asked_for_is_given_up_by_escape_and_by_ctrl_c(learner: Learner) -> None:
+    learner.enters("FW 1", "TR 90", "INSERT 1")
+    for give_up in (ESC, "\x03"):
+        learner.sees_prompt()
+        learner.types(give_up)
+        learner.sees("Nothing was changed.")
+        learner.enters("LIST")
+        learner.sees("1: FW 1\r\n2: TR 90\r\n")
+        learner.enters("INSERT 1")
+    learner.sees_prompt()
+    learner.types(ESC)
+    learner.enters("REPLACE FW")
+    learner.sees_prompt()
+    learner.types("\x03")
+    learner.sees("Nothing was changed.")
+    learner.enters("LIST")
+    learner.sees("1: FW 1\r\n")
+
+
 def test_an_empty_line_runs_what_waits_but_not_half_a_block(learner: Learner) -> None:
     learner.enters("REPEAT 2 TIMES", "FW 1", "")
     learner.sees("Still open: REPEAT from line 1.")

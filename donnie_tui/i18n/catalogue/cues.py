@@ -18,9 +18,33 @@ SENTENCES: dict[str, Sentence] = {
     "cue-block-opened": Sentence("A block begins.", "Um bloco começa.", "Un bloque empieza."),
     "cue-block-closed": Sentence("A block ends.", "Um bloco termina.", "Un bloque termina."),
     "cues-silent": Sentence(
-        "Sounds are off here. HELP SOUND tells more.",
-        "Os sons estão desligados. Veja AJUDA SOM.",
-        "Los sonidos están apagados. Ve AYUDA SONIDO.",
-        brief=("Sounds are off here.", "Os sons estão desligados.", "Los sonidos están apagados."),
+        "Sounds are off here. Start donnie with --sound on.",
+        "Os sons estão desligados aqui. Inicie o donnie com --sound on.",
+        "Los sonidos están apagados aquí. Inicia donnie con --sound on.",
+        brief=(
+            "Sounds are off. Start with --sound on.",
+            "Sem sons. Inicie com --sound on.",
+            "Sin sonidos. Inicia con --sound on.",
+        ),
+    ),
+    "cues-switched-off": Sentence(
+        "Sounds are off. SOUND ON turns them on.",
+        "Os sons estão desligados. SOM LIGADO liga.",
+        "Los sonidos están apagados. SONIDO ENCENDIDO los enciende.",
+        brief=(
+            "Sounds are off. SOUND ON helps.",
+            "Sem sons. SOM LIGADO liga.",
+            "Sin sonidos. Usa SONIDO ENCENDIDO.",
+        ),
+    ),
+    "cues-no-device": Sentence(
+        "No sounds: there is no sound device. The command donnie doctor says what to do.",
+        "Sem sons: não há dispositivo de som. O comando donnie doctor diz o que fazer.",
+        "Sin sonidos: no hay dispositivo de sonido. El comando donnie doctor dice qué hacer.",
+        brief=(
+            "No sound device. See donnie doctor.",
+            "Sem dispositivo. Veja donnie doctor.",
+            "Sin dispositivo. Ve donnie doctor.",
+        ),
     ),
 }

@@ -189,9 +189,14 @@ _EDITOR = {
 _QUESTIONS = {
     "ask-search": Sentence("Search for:", "Procurar:", "Buscar:"),
     "ask-replace-by": Sentence(
-        "Instead of {word}, everywhere:",
-        "No lugar de {word}, em todo lugar:",
-        "En lugar de {word}, en todas partes:",
+        'Instead of {word}, everywhere; Enter leaves it, "" deletes it:',
+        'No lugar de {word}, em todo lugar; Enter deixa, "" apaga:',
+        'En lugar de {word}, en todas partes; Enter lo deja, "" lo borra:',
+        brief=(
+            "Instead of {word} (Enter: leave it):",
+            "No lugar de {word} (Enter: deixa):",
+            "En lugar de {word} (Enter: lo deja):",
+        ),
     ),
     "ask-translate": Sentence(
         "Keywords in which language", "Palavras-chave em que idioma", "Palabras clave en qué idioma"

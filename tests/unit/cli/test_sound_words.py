@@ -102,7 +102,7 @@ def test_where_nothing_sounds_the_names_come_at_once(home: Listening) -> None:
     del home.printed[:]
 
     assert list(play_cues(home.donnie, "")) == []
-    assert home.printed[0] == "Sounds are off here. HELP SOUND tells more."
+    assert home.printed[0] == "Sounds are off. SOUND ON turns them on."
     assert len(home.printed) == 1 + len(CUE_NAMES)
     assert home.ear.cues == []
 
