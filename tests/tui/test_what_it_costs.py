@@ -3,6 +3,7 @@
 from collections.abc import Callable
 
 from textual.containers import Horizontal, Vertical
+from textual.dom import DOMNode
 from textual.widget import Widget
 
 from donnie_tui.tui.glances import SELDOM, SOON, Glances
@@ -133,3 +134,27 @@ async def test_a_run_that_begins_where_the_robot_stands_paints_no_more_of_the_ma
         await desk.pilot.pause()
 
         assert len({*rows}) <= 1
+
+
+async def test_rows_that_are_painted_again_have_the_looks_that_they_had(work, monkeypatch):
+    asked: list[Widget] = []
+    rich_style = DOMNode.rich_style.fget
+    monkeypatch.setattr(DOMNode, "rich_style", property(lambda self: asked.append(self) or rich_style(self)))
+    async with work(size=(120, 40), world="living_room") as desk:
+        await desk.run("REPEAT 30 TIMES SPEAK 1 END REPEAT")
+        rows = (desk.place.log_rows, desk.place.map, desk.place.inspector)
+        painted: list[Widget] = []
+        render_lines = Widget.render_lines
+        monkeypatch.setattr(
+            Widget, "render_lines", lambda self, crop: painted.append(self) or render_lines(self, crop)
+        )
+        await desk.pilot.pause()
+        asked.clear()
+        for each in rows:
+            each.refresh()
+        await desk.until(lambda: {*rows} <= {*painted}, "all are painted")
+        assert not {*rows} & {*asked}
+
+        before = desk.place.map.painted_as("wall")
+        desk.app.theme = "donnie-light"
+        await desk.until(lambda: desk.place.map.painted_as("wall") != before, "the looks of the other theme")

@@ -16,10 +16,10 @@ from rich.style import Style
 from textual.binding import Binding, BindingType
 from textual.geometry import Offset, Region, Size
 from textual.message import Message
-from textual.scroll_view import ScrollView
 from textual.strip import Strip
 
-from donnie_tui.tui import themes
+from donnie_tui.tui.themes import COLOURS
+from donnie_tui.tui.widgets.painted_rows import PaintedRows
 
 if TYPE_CHECKING:
     from donnie_tui.core.map_grid import Bounds, Cell, MapGrid
@@ -36,7 +36,7 @@ _EVERY = 5
 """Steps between two numbers."""
 
 
-class MapView(ScrollView, can_focus=True):
+class MapView(PaintedRows, can_focus=True):
     """Shows a ``MapScene``. Empty until it is given one."""
 
     BINDINGS: ClassVar[list[BindingType]] = [
@@ -72,7 +72,6 @@ class MapView(ScrollView, can_focus=True):
         self._columns = 1
         self._bounds: Bounds
         """Of the floor as it was laid out last, once there is one."""
-        self._looks: dict[str, Style] = {}
 
     # --- what is shown
 
@@ -246,13 +245,9 @@ class MapView(ScrollView, can_focus=True):
 
     # --- painting
 
-    def notify_style_update(self) -> None:
-        self._looks = {}
-        super().notify_style_update()
-
     def render_line(self, y: int) -> Strip:
         """One row of the window, equal neighbours joined into one segment."""
-        base = self.rich_style
+        base = self.painted_as()
         if self.scale is None:
             return Strip.blank(self.size.width, base)
         ruler_x, ruler_y = self._rulers
@@ -265,12 +260,12 @@ class MapView(ScrollView, can_focus=True):
     def _floor_row(self, north: int) -> Strip:
         assert self.scale is not None
         if north < self._bounds.bottom:
-            return Strip.blank(self.size.width, self.rich_style)
+            return Strip.blank(self.size.width, self.painted_as())
         first, last = self._visible_columns()
         segments = [self._segment(self.scale.robot._replace(x=x, y=north)) for x in range(first, last)]
         strip = Strip(Segment.simplify(segments))
         cut = self.scroll_offset.x - (first - self._bounds.left) * self._columns
-        return strip.crop_extend(cut, cut + self.size.width, self.rich_style)
+        return strip.crop_extend(cut, cut + self.size.width, self.painted_as())
 
     def _visible_columns(self) -> tuple[int, int]:
         first = self._bounds.left + self.scroll_offset.x // self._columns
@@ -291,10 +286,9 @@ class MapView(ScrollView, can_focus=True):
         return letter * self._columns if is_solid else letter.ljust(self._columns)
 
     def _look(self, kind: str) -> Style:
-        if kind not in self._looks:
-            looks = themes.looks(self.app.theme)
-            self._looks[kind] = self.rich_style + (looks.get(kind) or looks["thing-gray"])
-        return self._looks[kind]
+        """Things of a colour that has no look are grey."""
+        _thing, is_thing, colour = kind.partition("thing-")
+        return self.painted_as("thing-gray" if is_thing and colour not in COLOURS else kind)
 
     # --- numbers
 

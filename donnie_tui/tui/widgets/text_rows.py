@@ -22,7 +22,7 @@ from textual.message import Message
 from textual.scroll_view import ScrollView
 from textual.strip import Strip
 
-from donnie_tui.tui import themes
+from donnie_tui.tui.widgets.painted_rows import PaintedRows
 
 MOST_LINES = 100_000
 """Lines that are kept; beyond, the oldest tenth is forgotten."""
@@ -44,7 +44,7 @@ LOOKS = {
 """The looks of the kinds that have one; of all others it is ``kind``. The words say the same."""
 
 
-class TextRows(ScrollView, can_focus=True):
+class TextRows(PaintedRows, can_focus=True):
     """Shows lines with their kinds; both are given as the words to show. ``follows``: a log."""
 
     BINDINGS: ClassVar[list[BindingType]] = [
@@ -313,14 +313,14 @@ class TextRows(ScrollView, can_focus=True):
     def render_line(self, y: int) -> Strip:
         row = y + self.scroll_offset.y
         if row >= self._painted_rows:
-            return Strip.blank(self.size.width, self.rich_style)
+            return Strip.blank(self.size.width, self.painted_as())
         return Strip(self._segments(row)).adjust_cell_length(self.size.width, self._style(row))
 
     def _segments(self, row: int) -> list[Segment]:
         style, text = self._style(row), self._words_of(row)
         here = self.is_read and row == self.row
         kind = self._row_kinds[row][:_KIND_WIDTH]
-        look = style if here else style + self._look(self.looks.get(self._row_kinds[row], "kind"))
+        look = style if here else self.painted_as(self.looks.get(self._row_kinds[row], "kind"))
         before = Segment(">" if here else " ", style)
         if kind and self._begins_with_kinds:
             return [before, Segment(text[: len(kind)], look), Segment(text[len(kind) :], style)]
@@ -334,10 +334,7 @@ class TextRows(ScrollView, can_focus=True):
 
     def _style(self, row: int) -> Style:
         here = self.is_read and row == self.row
-        return self.rich_style + self._look("row") if here else self.rich_style
-
-    def _look(self, name: str) -> Style:
-        return themes.looks(self.app.theme)[name]
+        return self.painted_as("row" if here else "")
 
 
 def _with_kind(text: str, kind: str) -> str:
