@@ -13,7 +13,7 @@ if TYPE_CHECKING:
     from sim.scene import Note
     from sim.worldfile.mistakes import WorldError
 
-_WITHOUT_PLACE = ("file-not-found", "file-unreadable", "file-too-large")
+_WITHOUT_PLACE = ("is-folder", "file-not-found", "file-unreadable", "file-too-large")
 """About the file as a whole, where the file is the world itself."""
 
 

@@ -7,12 +7,13 @@ children add up, and of two macros of one name the first wins. Unlike in Stage a
 from __future__ import annotations
 
 from collections.abc import Iterable, Mapping
-from difflib import get_close_matches
+from pathlib import Path
 
 from devices.ports.values import frozen
 from sim.scene import Note, NoteKind
 from sim.worldfile import tree
 from sim.worldfile.mistakes import Code, WorldError
+from sim.worldfile.nearby import defining, near_name
 from sim.worldfile.reader import Placed
 
 MODEL_TYPES = frozenset(
@@ -67,9 +68,10 @@ _NOWHERE: _Names = frozenset()
 class Expander:
     """Turns the statements of a world into entities."""
 
-    def __init__(self, types: frozenset[str] = BUILT_IN) -> None:
-        """``types``: what there is to make things of, besides macros."""
+    def __init__(self, types: frozenset[str] = BUILT_IN, folders: tuple[Path, ...] = ()) -> None:
+        """``types``: what there is to make things of, besides macros. ``folders``: with files to include."""
         self._types = types
+        self._folders = folders
         self.notes: list[Note] = []
         self.settings: dict[str, Setting] = {}
         """The properties at the top level, the last of each name."""
@@ -138,7 +140,7 @@ class Expander:
         return name, bodies[::-1]
 
     def _unknown(self, name: str, place: tuple[str, int, int]) -> WorldError:
-        known = sorted(self._types | self._macros.keys())
-        close = get_close_matches(name, known, 1, 0.7) if len(name) < 60 else []
-        nearest = _RENAMED.get(name) or next(iter(close), "")
+        if path := defining(name, self._folders):
+            return WorldError(Code.MISSING_INCLUDE, *place, ("type",), found=name[:60], path=path)
+        nearest = _RENAMED.get(name) or near_name(name, self._types | self._macros.keys())
         return WorldError(Code.UNKNOWN_TYPE, *place, ("type",), found=name[:60], nearest=nearest)

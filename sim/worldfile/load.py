@@ -37,7 +37,7 @@ def load_text(text: str, path: Path, *, allowed: tuple[Path, ...] = ()) -> Scene
 
 
 def _scene(name: str, reader: FileReader, statements: Iterable[Placed]) -> Scene:
-    expander, values = Expander(), ValueReader()
+    expander, values = Expander(folders=reader.folders), ValueReader()
     entities = expander.expand(statements)
     values.use_units(expander.settings)
     values.check(expander.settings, quiet=True)

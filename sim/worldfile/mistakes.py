@@ -13,7 +13,8 @@ class Code(Enum):
     """What is wrong. The details that come with each are named behind it."""
 
     # files
-    FILE_NOT_FOUND = "file-not-found"  # path
+    FILE_NOT_FOUND = "file-not-found"  # path, nearest
+    IS_FOLDER = "is-folder"  # path, nearest: a world in it
     FILE_UNREADABLE = "file-unreadable"  # path
     FILE_TOO_LARGE = "file-too-large"  # path, limit (bytes)
     INCLUDE_CYCLE = "include-cycle"  # path
@@ -26,6 +27,7 @@ class Code(Enum):
     BITMAP_UNREADABLE = "bitmap-unreadable"  # path
     # text
     UNKNOWN_CHARACTER = "unknown-character"  # found
+    COMMENT_SIGN = "comment-sign"  # found: how comments begin in other languages
     UNTERMINATED_STRING = "unterminated-string"
     BAD_NUMBER = "bad-number"  # found
     NUMBER_TOO_LARGE = "number-too-large"  # found
@@ -35,6 +37,7 @@ class Code(Enum):
     MISPLACED = "misplaced"  # found: a word that stands at the top level only
     # meaning
     UNKNOWN_TYPE = "unknown-type"  # found, nearest
+    MISSING_INCLUDE = "missing-include"  # found, path: the file that defines it
     DEFINE_CYCLE = "define-cycle"  # found
     TOO_MUCH = "too-much"  # limit
     WRONG_TYPE = "wrong-type"  # name

@@ -2,13 +2,14 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 from pathlib import Path
 
 from devices.ports.values import frozen
 from sim.scene import Note, NoteKind
 from sim.worldfile import tree
 from sim.worldfile.mistakes import Code, WorldError
+from sim.worldfile.nearby import near_file, worlds_in
 from sim.worldfile.parser import parse
 
 LARGEST_FILE = 8_000_000
@@ -29,7 +30,7 @@ class FileReader:
     """Reads a world and its includes; ``allowed``: the folders, besides its own, that may be read."""
 
     def __init__(self, top: Path, allowed: tuple[Path, ...]) -> None:
-        self._folders = (top.resolve().parent, *(folder.resolve() for folder in allowed))
+        self.folders = (top.resolve().parent, *(folder.resolve() for folder in allowed))
         self.files: list[str] = []
         self.pictures: list[str] = []
         self.notes: list[Note] = []
@@ -37,7 +38,7 @@ class FileReader:
     def read(self, path: Path) -> Iterator[Placed]:
         """All statements of the world at ``path``, includes replaced by what they include."""
         if not _is_file(path):
-            raise WorldError(Code.FILE_NOT_FOUND, str(path), path=str(path))
+            raise _no_world(path)
         yield from self.statements(self._text(path, tree.Include(1, 1, str(path)), str(path)), path, ())
 
     def statements(self, text: str, path: Path, above: tuple[Path, ...]) -> Iterator[Placed]:
@@ -51,7 +52,7 @@ class FileReader:
 
     def find(self, name: str, including: Path) -> Path | None:
         """The file that ``name`` means in ``including``, or None; WorldError-free, but may lie outside."""
-        places = [including.resolve().parent, *self._folders]
+        places = [including.resolve().parent, *self.folders]
         candidates = [folder / name for folder in places]
         existing = [path for path in candidates if _is_file(path)]
         inside = [path for path in existing if self.is_allowed(path)]
@@ -59,7 +60,7 @@ class FileReader:
 
     def is_allowed(self, path: Path) -> bool:
         resolved = path.resolve()
-        return any(resolved.is_relative_to(folder) for folder in self._folders)
+        return any(resolved.is_relative_to(folder) for folder in self.folders)
 
     def _included(self, include: tree.Include, path: Path, above: tuple[Path, ...]) -> Iterator[Placed]:
         found = self._checked(include, path, above)
@@ -68,7 +69,8 @@ class FileReader:
     def _checked(self, include: tree.Include, path: Path, above: tuple[Path, ...]) -> Path:
         found = self.find(include.path, path)
         if found is None:
-            raise self._mistake(Code.FILE_NOT_FOUND, include, path)
+            nearest = near_file(include.path, (path.resolve().parent, *self.folders))
+            raise self._mistake(Code.FILE_NOT_FOUND, include, path, nearest=nearest)
         if not self.is_allowed(found):
             raise self._mistake(Code.INCLUDE_OUTSIDE, include, path)
         if found.resolve() in above:
@@ -79,8 +81,9 @@ class FileReader:
             )
         return found
 
-    def _mistake(self, code: Code, include: tree.Include, path: Path) -> WorldError:
-        return WorldError(code, str(path), include.line, include.column, path=include.path[:200])
+    def _mistake(self, code: Code, include: tree.Include, path: Path, nearest: str = "") -> WorldError:
+        place = (str(path), include.line, include.column)
+        return WorldError(code, *place, path=include.path[:200], nearest=nearest)
 
     def _text(self, path: Path, include: tree.Include, file: str) -> str:
         try:
@@ -103,8 +106,19 @@ class FileReader:
         return text.replace("\r\n", "\n").replace("\r", "\n")
 
 
+def _no_world(path: Path) -> WorldError:
+    if _is(path, Path.is_dir):
+        return WorldError(Code.IS_FOLDER, str(path), path=str(path), nearest=worlds_in(path))
+    return WorldError(Code.FILE_NOT_FOUND, str(path), path=str(path))
+
+
 def _is_file(path: Path) -> bool:
+    return _is(path, Path.is_file)
+
+
+def _is(path: Path, what: Callable[[Path], bool]) -> bool:
+    """False also for a path that no system could have."""
     try:
-        return path.is_file()
+        return what(path)
     except (OSError, ValueError):
         return False

@@ -77,6 +77,10 @@ def _token(kind: str, word: str, file: str, line: int, column: int) -> Token:
     return Token(kind, word, line, column)
 
 
+_COMMENTS = ("//", "/*", "--", ";;")
+"""What other languages begin comments with."""
+
+
 def _unreadable(text: str, position: int, file: str, line: int, column: int) -> WorldError:
     found = text[position]
     if found == '"':
@@ -85,4 +89,6 @@ def _unreadable(text: str, position: int, file: str, line: int, column: int) -> 
         number = re.match(r"[\w.+\-]{1,40}", text[position : position + 40])
         word = number[0] if number else found
         return WorldError(Code.BAD_NUMBER, file, line, column, ("number",), found=word)
+    if text.startswith(_COMMENTS, position):
+        return WorldError(Code.COMMENT_SIGN, file, line, column, ("#",), found=text[position : position + 2])
     return WorldError(Code.UNKNOWN_CHARACTER, file, line, column, found=found)

@@ -116,7 +116,7 @@ def test_a_folder_is_no_world(tmp_path: Path) -> None:
     with pytest.raises(WorldError) as caught:
         load_world(tmp_path)
 
-    assert caught.value.code is Code.FILE_NOT_FOUND
+    assert caught.value.code is Code.IS_FOLDER
 
 
 def test_files_that_include_each_other_are_told_at_the_second_include(tmp_path: Path) -> None:

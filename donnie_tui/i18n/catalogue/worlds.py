@@ -33,6 +33,11 @@ SENTENCES: dict[str, Sentence] = {
     "world-file-not-found": Sentence(
         "There is no file {path}.", "Não existe o arquivo {path}.", "No existe el archivo {path}."
     ),
+    "world-is-folder": Sentence(
+        "{path} is a folder and no world file.",
+        "{path} é uma pasta, não um mundo.",
+        "{path} es una carpeta, no un mundo.",
+    ),
     "world-file-unreadable": Sentence(
         "I can't read {path}.", "Não consigo ler {path}.", "No puedo leer {path}."
     ),
@@ -80,6 +85,11 @@ SENTENCES: dict[str, Sentence] = {
     "world-unknown-character": Sentence(
         "I can't use {found} here.", "Não posso usar {found} aqui.", "No puedo usar {found} aquí."
     ),
+    "world-comment-sign": Sentence(
+        "A comment begins with #, not with {found}.",
+        "Um comentário começa com #, não com {found}.",
+        "Un comentario empieza con #, no con {found}.",
+    ),
     "world-unterminated-string": Sentence(
         "This string has no closing quote.",
         "Falta fechar as aspas deste texto.",
@@ -121,6 +131,11 @@ SENTENCES: dict[str, Sentence] = {
         "I do not know the model {found}.",
         "Não conheço o modelo {found}.",
         "No conozco el modelo {found}.",
+    ),
+    "world-missing-include": Sentence(
+        'I do not know the model {found}. It is in {path}: write include "{path}" above.',
+        'Não conheço o modelo {found}. Está em {path}: escreva include "{path}" acima.',
+        'No conozco el modelo {found}. Está en {path}: escribe include "{path}" arriba.',
     ),
     "world-meant": Sentence(
         "{message} Did you mean {near}?",

@@ -1,0 +1,47 @@
+"""Slips of those who write their first world: what was meant is told with the mistake."""
+
+from pathlib import Path
+
+import pytest
+
+from donnie_tui.i18n.words import Unusable, Words
+from donnie_tui.world.choice import choose_world
+
+DONNIE = 'include "donnie.inc"\ndonnie( )\n'
+TOLD = {
+    'include "donie.inc"': "There is no file donie.inc. Did you mean donnie.inc?",
+    'include "pupils.inc"': "There is no file pupils.inc. Did you mean pupil.inc?",
+    'include "qwerty.inc"': "There is no file qwerty.inc.",
+    "donnie( )": 'I do not know the model donnie. It is in donnie.inc: write include "donnie.inc" above.',
+    "desk( )": 'I do not know the model desk. It is in pupil.inc: write include "pupil.inc" above.',
+    DONNIE + 'include "furniture.inc" sofa( )': "I do not know the model sofa. Did you mean large_sofa?",
+    DONNIE + "modle( )": "I do not know the model modle. Did you mean model?",
+    DONNIE + "qwerty( )": "I do not know the model qwerty.",
+    DONNIE + "// the room": "A comment begins with #, not with //.",
+    "/* the room */": "A comment begins with #, not with /*.",
+    "model( / )": "I can't use a slash here.",
+}
+
+
+def told(path: Path) -> str:
+    with pytest.raises(Unusable) as caught:
+        choose_world(str(path), Words())
+    return caught.value.sentence
+
+
+@pytest.mark.parametrize("text", TOLD, ids=range(len(TOLD)))
+def test_a_slip_is_told_with_what_was_meant(tmp_path: Path, text: str) -> None:
+    (tmp_path / "pupil.inc").write_text("define desk model ( )")
+    (tmp_path / "folder.inc").mkdir()
+    world = tmp_path / "my.world"
+    world.write_text(text)
+
+    assert told(world).split(": ", 1)[1] == TOLD[text]
+
+
+def test_a_folder_is_no_world_but_may_have_one(tmp_path: Path) -> None:
+    assert told(tmp_path) == f"{tmp_path} is a folder and no world file."
+    (tmp_path / "b.world").write_text(DONNIE)
+    (tmp_path / "a.world").write_text(DONNIE)
+
+    assert told(tmp_path) == f"{tmp_path} is a folder and no world file. Did you mean {tmp_path / 'a.world'}?"
