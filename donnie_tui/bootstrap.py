@@ -35,7 +35,6 @@ from donnie_tui.settings.first_start import is_new_decision
 from donnie_tui.settings.folders import state_path
 from donnie_tui.world.choice import ChosenWorld, choose_world, files_of
 from donnie_tui.world.moved_things import ThingWatch
-from donnie_tui.world.remarks import remarks
 
 if TYPE_CHECKING:
     from sim.mounted import Mounted
@@ -187,13 +186,19 @@ def _assembled(
     belt_news = connect_belt(settings, team, words, closing)
     about_robot = _connect_robot(connection, settings, words, world, terminal)
     notices = Notices(
-        remarks(world, words),
+        () if world.ships else _remarks(world, words),
         tuple(words(each.code, **each.values) for each in settings.notices),
         audible.notices + (_decided(audible, words) if terminal else ()),
         belt_news() + about_robot,
     )
     in_use = FilesInUse((*written.paths, *_sound_files(settings), *files_of(world)))
     return Donnie(words, world, team, connection, chronicle, outlets, notices, in_use, shared, closing)
+
+
+def _remarks(world: ChosenWorld, words: Words) -> tuple[str, ...]:
+    from donnie_tui.world.remarks import remarks
+
+    return remarks(world, words)
 
 
 def _tell_hold_ups(

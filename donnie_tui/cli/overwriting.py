@@ -10,7 +10,6 @@ from collections.abc import Iterator
 from itertools import combinations, product
 from pathlib import Path
 
-from donnie_tui.cli.kinds import may_be_replaced
 from donnie_tui.cli.order import Order
 from donnie_tui.core.documents import is_same_file
 from donnie_tui.i18n.words import Unusable
@@ -29,6 +28,8 @@ def refuse_overwriting(order: Order) -> None:
     for (option, path), source in product(outputs, read):
         if is_same_file(path, source):
             raise Unusable(order.words("output-is-input", option=option, path=path))
+    from donnie_tui.cli.kinds import may_be_replaced  # for who writes something
+
     for option, path in outputs:
         if not may_be_replaced(option, path):
             raise Unusable(order.words("output-is-other", option=option, path=path))
