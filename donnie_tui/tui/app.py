@@ -172,7 +172,7 @@ class DonnieApp(TerminalApp, inherit_bindings=False):
     def _bind(self, chosen: str) -> None:
         """The keys of the table, with those that somebody chose in their place."""
         self.key_table.choose(chosen)
-        self._bindings = bindings(self.key_table, self.COMMAND_PALETTE_BINDING)
+        self._bindings = bindings(self.key_table)
 
     def get_default_screen(self) -> Screen[None]:
         return self.workplace

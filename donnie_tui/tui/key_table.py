@@ -9,12 +9,12 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 
-from donnie_tui.tui.keys import KEYS, MENU, key_label
+from donnie_tui.tui.keys import KEYS, MENU, PALETTE, key_label
 
 _OF_TEXTS = frozenset(
     (
         *("tab", "shift+tab", "enter", "up", "down", "left", "right", "home", "end", "pageup", "pagedown"),
-        *("backspace", "delete", "space", "ctrl+c", "ctrl+p", MENU),
+        *("backspace", "delete", "space", "ctrl+c", PALETTE, MENU),
     )
 )
 """They go on, write and move wherever the focus is; two of them stop and list everything."""

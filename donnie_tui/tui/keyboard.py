@@ -14,7 +14,7 @@ from textual.binding import Binding, BindingsMap
 from textual.widgets import Input, TextArea
 
 from donnie_tui.tui.key_table import KeyTable
-from donnie_tui.tui.keys import MENU
+from donnie_tui.tui.keys import MENU, PALETTE
 from donnie_tui.tui.screens.workplace import Workplace
 from donnie_tui.tui.session_behind import SessionBehind
 from donnie_tui.tui.turns import Turns
@@ -27,8 +27,8 @@ STOPS = ("stop", "stop_all")
 """What is done at once, whatever was typed before."""
 
 
-def bindings(key_table: KeyTable, palette: str) -> BindingsMap:
-    """The keys of the table, and those that are everybody's; ``palette`` lists all actions."""
+def bindings(key_table: KeyTable) -> BindingsMap:
+    """The keys of the table, and those that are everybody's."""
     own = [
         Binding(key, f"do('{name}')", show=False, priority=True)
         for name, keys in key_table.all.items()
@@ -39,7 +39,7 @@ def bindings(key_table: KeyTable, palette: str) -> BindingsMap:
         [
             *own,
             Binding(MENU, "key_menu", show=False, priority=True),
-            Binding(palette, "command_palette", show=False, priority=True),
+            Binding(PALETTE, "command_palette", show=False, priority=True),
             Binding("ctrl+c", "do('stop_all', True)", show=False, priority=True),
             Binding("tab", "app.focus_next", show=False),
             Binding("shift+tab", "app.focus_previous", show=False),

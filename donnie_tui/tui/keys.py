@@ -9,6 +9,9 @@ from __future__ import annotations
 MENU = "ctrl+k"
 """Before a letter: the key of what has none of its own. It lists those letters."""
 
+PALETTE = "ctrl+p"
+"""Lists every action."""
+
 KEYS: dict[str, tuple[str, ...]] = {
     "run": ("f5", "escape"),
     "again": (),

@@ -6,9 +6,12 @@ from collections.abc import Sequence
 from typing import TYPE_CHECKING
 
 from donnie_tui.i18n.manual import manual
-from donnie_tui.i18n.tour import tour
+from donnie_tui.i18n.tour import SCREEN_PAGES, screen_page
+from donnie_tui.tui.actions import ACTIONS
+from donnie_tui.tui.keys import MENU, PALETTE, key_label
 from donnie_tui.tui.keys_here import keys_here
 from donnie_tui.tui.screens.help import help_text
+from donnie_tui.tui.screens.tour import Page
 from language.keywords import canonical
 
 if TYPE_CHECKING:
@@ -22,6 +25,8 @@ class Pages:
         self._work = work
         self._words = work.words
         self._host = host
+        self._tour_at = 0
+        """The page of the tour that was left, from 0."""
 
     def show_lines(self, title: str, lines: Sequence[str]) -> None:
         self._host.show_help(self._words("lines-title", title=title), tuple(lines))
@@ -33,8 +38,27 @@ class Pages:
             self._work.tell(problem)
 
     def show_tour(self) -> None:
-        """Donnie in a few pages, the same as in the linear mode."""
-        self.show_lines(self._words("tour-title"), tour(self._words))
+        """The screen in a few pages, from the one that was left to try what it says."""
+        self._host.show_tour(self._tour_pages, self._tour_at, self._turned)
+
+    @property
+    def _tour_pages(self) -> tuple[Page, ...]:
+        words, keys = self._words, self._keys_by_name
+        numbers = range(1, SCREEN_PAGES + 1)
+        return tuple(
+            Page(words("screen-tour-title", page=each, pages=SCREEN_PAGES), screen_page(each, words, keys))
+            for each in numbers
+        )
+
+    @property
+    def _keys_by_name(self) -> dict[str, str]:
+        """The key of each action as it is now; of one without a key the word."""
+        table, language = self._host.key_table, self._words.language
+        own = {each.name: table.label(each.name) or each.word(language) for each in ACTIONS}
+        return own | {"menu": key_label(MENU), "palette": key_label(PALETTE)}
+
+    def _turned(self, at: int) -> None:
+        self._tour_at = at
 
     def show_manual(self) -> None:
         self._host.show_help(self._words("manual-title"), manual(self._words))

@@ -23,6 +23,7 @@ from donnie_tui.tui.screens.workplace import Workplace
 if TYPE_CHECKING:
     from donnie_tui.tui.running import Answer
     from donnie_tui.tui.screens.chooser import Choice
+    from donnie_tui.tui.screens.tour import Page
 
 
 T = TypeVar("T")
@@ -107,7 +108,14 @@ class ScreenHost:
     ) -> None:
         from donnie_tui.tui.screens.help import Help
 
-        page = Help(title, lines, self._point, further)
+        self._read(Help(title, lines, self._point, further))
+
+    def show_tour(self, pages: Sequence[Page], at: int, turned: Callable[[int], None]) -> None:
+        from donnie_tui.tui.screens.tour import Tour
+
+        self._read(Tour(pages, at, turned, self._point))
+
+    def _read(self, page: Screen[None]) -> None:
         self._coming.call_for(page)
         self._app.push_screen(page)
 

@@ -24,6 +24,7 @@ from donnie_tui.tui.key_table import KeyTable
 from donnie_tui.tui.preferences import Preferences
 from donnie_tui.tui.running import Answer, Running
 from donnie_tui.tui.screens.chooser import Choice
+from donnie_tui.tui.screens.tour import Page
 from donnie_tui.tui.screens.workplace import Workplace
 
 T = TypeVar("T")
@@ -61,6 +62,8 @@ class Host(Protocol):
     def show_help(
         self, title: str, lines: tuple[str, ...], further: Callable[[], None] | None = None
     ) -> None: ...
+
+    def show_tour(self, pages: Sequence[Page], at: int, turned: Callable[[int], None]) -> None: ...
 
     def show_outside(self, text: str) -> Answer | None: ...
 

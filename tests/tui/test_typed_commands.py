@@ -11,6 +11,15 @@ def answers(desk) -> list[str]:  # type: ignore[no-untyped-def]
     return list(desk.log[typed + 1 :])
 
 
+async def type_and_hear(desk, typed: str) -> None:  # type: ignore[no-untyped-def]
+    """To the end of what it does."""
+    before = len(desk.log)
+    await desk.type_line(typed)
+    await desk.until(lambda: f"> {typed}" in desk.log[before:] and answers(desk), typed)
+    await desk.idle()
+    await desk.pilot.pause()
+
+
 @pytest.mark.parametrize(("language", "done"), [("en", "Done."), ("pt", "Feito."), ("es", "Hecho.")])
 async def test_what_tells_nothing_is_answered_with_done(work, language, done) -> None:  # type: ignore[no-untyped-def]
     async with work(language=language) as desk:
@@ -26,11 +35,7 @@ async def test_what_tells_nothing_is_answered_with_done(work, language, done) ->
 async def test_what_tells_something_is_not_answered_with_done_as_well(work) -> None:  # type: ignore[no-untyped-def]
     async with work() as desk:
         for typed in ("VAR a = 3", "SPEAK a", "FWD 1", "WATCH a", "a = 4"):
-            await desk.idle()
-            await desk.type_line(typed)
-            await desk.until(lambda: answers(desk), typed)
-            await desk.idle()
-            await desk.pilot.pause()
+            await type_and_hear(desk, typed)
             assert ("Done." in answers(desk)) is (typed == "VAR a = 3"), typed
 
 
@@ -51,10 +56,7 @@ async def test_a_program_that_tells_nothing_ends_as_programs_do(work) -> None:  
 )
 async def test_the_status_line_keeps_what_is_wrong_and_not_the_line(work, typed, wrong) -> None:  # type: ignore[no-untyped-def]
     async with work() as desk:
-        await desk.type_line(typed)
-        await desk.until(lambda: answers(desk), "the mistake")
-        await desk.idle()
-        await desk.pilot.pause()
+        await type_and_hear(desk, typed)
 
         assert desk.status.startswith(f" {answers(desk)[0]}"), desk.log
         assert wrong in desk.status
@@ -62,8 +64,6 @@ async def test_the_status_line_keeps_what_is_wrong_and_not_the_line(work, typed,
 
 async def test_an_answer_takes_the_place_of_a_mistake(work) -> None:  # type: ignore[no-untyped-def]
     async with work() as desk:
-        await desk.type_line("xyzzy")
-        await desk.until(lambda: answers(desk), "the mistake")
-        await desk.idle()
+        await type_and_hear(desk, "xyzzy")
         await desk.type_line("VAR a = 3")
         await desk.until(lambda: desk.status.startswith(" Done."), "the answer")

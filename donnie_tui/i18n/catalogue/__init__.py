@@ -42,6 +42,7 @@ TOPICS = (
     "recordings",
     "explain",
     "tour",
+    "screen_tour",
     "manual",
     "doctor",
 )

@@ -204,7 +204,6 @@ _QUESTIONS = {
     "ask-line": Sentence("Line:", "Linha:", "Línea:"),
     "ask-recent": Sentence("Recent programs", "Programas recentes", "Programas recientes"),
     "ask-worlds": Sentence("Worlds", "Mundos", "Mundos"),
-    "tour-title": Sentence("Tour", "Passeio", "Paseo"),
     "ask-programs": Sentence("Open programs", "Programas abertos", "Programas abiertos"),
     "ask-save-log": Sentence(
         "Write the log into the file:", "Gravar o registro no arquivo:", "Escribir el registro en el archivo:"
