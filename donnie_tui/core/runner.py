@@ -78,6 +78,8 @@ class Run:
         self._has_read = threading.Event()
         self._over = threading.Event()
         self.has_begun = False
+        self.when_read: Callable[[], None] | None = None
+        """Called in the program's thread once it was read, before anything of it runs."""
 
     def start(self, then: Callable[[Run], None]) -> None:
         """Begin; ``then`` is called in the program's thread, before ``wait`` returns."""
@@ -124,6 +126,8 @@ class Run:
         except Exception as problem:  # noqa: BLE001 -- raised again where it is told
             self._problem = problem
         finally:
+            if self.when_read is not None:
+                self.when_read()
             self._has_read.set()
 
     def _run_in_turn(self) -> Outcome:

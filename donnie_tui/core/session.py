@@ -8,6 +8,7 @@ from __future__ import annotations
 
 import threading
 from collections.abc import Callable
+from functools import partial
 from typing import Protocol, TypeAlias
 
 from devices.ports.robot import Pace, Pose, Robot, Watcher
@@ -39,6 +40,9 @@ class ResettableRobot(Robot, Protocol):
     def reset(self) -> None: ...
 
 
+LONGEST_STOP = 2.0
+"""Seconds that a program may take to end once it was told to stop."""
+
 MakeRobot: TypeAlias = Callable[[Pace, Watcher], ResettableRobot]
 
 
@@ -51,8 +55,11 @@ class _CurrentPace:
 
     def __init__(self) -> None:
         self.control: ExecutionControl | None = None
+        self.has_waited = threading.Event()
+        """Whether the program waited for its robot, or is over."""
 
     def sleep(self, seconds: float) -> bool:
+        self.has_waited.set()
         return self.control is not None and self.control.sleep(seconds)
 
     def goes_on(self) -> bool:
@@ -136,6 +143,7 @@ class Session:
         terminal: bool | None = None,
         prepare: Callable[[ExecutionControl], None] | None = None,
         each_statement: Callable[[], None] | None = None,
+        when_read: Callable[[Run], None] | None = None,
     ) -> Run:
         """Run a program. Raises ``Busy`` while another one runs.
 
@@ -143,12 +151,14 @@ class Session:
         steppable; ``terminal`` is the session's own where it is not given (the program of an editor is no
         terminal, the line below it is); ``prepare`` is given the control before the first statement (to step
         from the start, say); ``each_statement`` is called before each one, in the program's thread, where
-        the program is ``hooked``.
+        the program is ``hooked``; ``when_read`` once it was read, in that thread, before anything of it runs.
         """
         run = self.claim(
             text, name, fresh=fresh, hooked=hooked, trace=trace, first_line=first_line, terminal=terminal
         )
         run.control.look_before_each(each_statement if hooked else None)
+        if when_read is not None:
+            run.when_read = partial(when_read, run)
         try:
             if prepare:
                 prepare(run.control)
@@ -197,6 +207,7 @@ class Session:
             )
             self._run = self._new_run(name, how, hooked or trace, deed)
             self._pace.control = self._run.control
+            self._pace.has_waited.clear()
             return self._run
 
     def use_gripper(self, deed: Deed) -> Run:
@@ -261,6 +272,7 @@ class Session:
         with self._lock:
             if self._run is run:
                 self._run = None
+                self._pace.has_waited.set()
 
     def check(self, text: str, *, whole: bool = True) -> tuple[Diagnostic, ...]:
         """All mistakes of form, or the hints of a program that has none.
@@ -292,6 +304,16 @@ class Session:
         if run:
             run.control.stop()
             self._robot.halt()
+
+    def settle(self) -> bool:
+        """A program that was told to stop is waited for, some moments at most. Whether none is left."""
+        run = self._run
+        is_ending = run is not None and run.control.state in (ControlState.STOPPING, ControlState.ENDED)
+        return run is None or not is_ending or run.wait(LONGEST_STOP)
+
+    def wait_until_acting(self, seconds: float) -> None:
+        """Until the robot is at its first movement or wait, its program is over, or that time has passed."""
+        self._pace.has_waited.wait(seconds)
 
     # --- the robot
 

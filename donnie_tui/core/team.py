@@ -150,6 +150,12 @@ class Team:
         for session in self.sessions:
             session.stop()
 
+    def settle(self) -> None:
+        """Those that were told to stop are waited for, some moments at most."""
+        for session in self.sessions:
+            if not session.settle():
+                return
+
     def close(self, seconds: float = 1.0) -> None:
         """Stop all, wait for each program's thread that long, halt the robots."""
         self.stop()

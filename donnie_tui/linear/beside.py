@@ -48,10 +48,13 @@ class Beside:
         return not self._told.has_first
 
     def stop(self, left_out: int = 0) -> None:
-        """Stop all, and say so; ``left_out``: lines that were not printed, besides those that wait now."""
+        """Stop all, and say so once it is done; ``left_out``: lines that were not printed, besides those that
+        wait now."""
         from donnie_tui.words import team_words  # robots that were STARTed
 
         code = team_words.stopped_all(self._donnie)
+        self._told.let_pass()
+        self._donnie.team.settle()
         self.leave_out(left_out)
         self._answer(code)
 

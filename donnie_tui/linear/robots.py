@@ -20,6 +20,9 @@ from donnie_tui.linear.patience import patiently
 from donnie_tui.linear.runs import Runs
 from donnie_tui.words import robot_words, team_words
 
+LONGEST_BEGINNING = 1.0
+"""Seconds that a file of typed lines waits for a robot to set out; a program may compute first."""
+
 
 def _robots(desk: Desk) -> None:
     desk.tell(*team_words.robots_in_words(desk.donnie))
@@ -45,9 +48,16 @@ def _start(desk: Desk, runs: Runs, rest: str) -> bool:
             runs.watch_deed(lambda: run)
         elif run is not None:
             desk.program.batch_ran()
+            _let_begin(desk)
     else:
         desk.answer("answer-nothing-to-run")
     return True
+
+
+def _let_begin(desk: Desk) -> None:
+    """Lines of a file come at once: a STOP among them finds the robot on its way, each time the same."""
+    if not desk.is_attended:
+        desk.session.wait_until_acting(LONGEST_BEGINNING)
 
 
 def _together(desk: Desk, runs: Runs, rest: str) -> bool:

@@ -13,6 +13,7 @@ from pathlib import Path
 
 from donnie_tui.core.events import TYPED, Outcome, RunEnded, Stamped
 from donnie_tui.core.runner import Run
+from donnie_tui.core.session import LONGEST_STOP
 from donnie_tui.linear.asking import GRACE
 from donnie_tui.linear.desk import Desk
 from donnie_tui.linear.holding import Goes, Holding, Wish
@@ -28,8 +29,6 @@ NEVER = 1e9
 MOST_HINTS = 3
 LAST_LINES = 3
 """Lines of a stopped program that are still told; what more waited is left out, which is said."""
-LONGEST_STOP = 2.0
-"""Seconds that we wait for a program to end before we leave without it."""
 
 
 class Runs:
@@ -219,6 +218,7 @@ class Runs:
         self._console.before_suspending = self._desk.donnie.stop_real_robot
         if self._stopping and self._console.pressed_interrupt():
             self._heed_interrupt()
+        self._desk.donnie.team.settle()
         if self._console.leaving is None:
             self._tell_left_out()
             if run.outcome is Outcome.STOPPED:
@@ -310,8 +310,9 @@ class Runs:
         self._desk.session.stop()
 
     def stop_beside(self) -> None:
-        """The program that runs beside the conversation."""
+        """The program that runs beside the conversation; said once it is done."""
         self.stop()
+        self._desk.session.settle()
         self._rested, self._left_out = False, 0
         self._robot = self._desk.session.hub.robot
         self._desk.beside.leave_out()

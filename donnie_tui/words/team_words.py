@@ -55,20 +55,25 @@ def start(donnie: Donnie, text: str, name: str) -> Run | None:
     form. None if the robot is busy."""
     session = donnie.session
     donnie.team.give(session.name, Assigned(text, name))
+    session.settle()
+
+    def tell(run: Run) -> None:
+        if not run.was_refused:
+            _say(donnie, "robot-started", name=session.name)
+
     try:
-        run = session.start(text, name, fresh=True, hooked=False, terminal=False)
+        run = session.start(text, name, fresh=True, hooked=False, terminal=False, when_read=tell)
     except Busy:
         _say(donnie, "robot-busy", name=session.name)
         return None
     run.wait_until_read(LONGEST_READING)
-    if not run.was_refused:
-        _say(donnie, "robot-started", name=session.name)
     return run
 
 
 def start_together(donnie: Donnie) -> tuple[tuple[str, Run], ...]:
     """All robots that were given programs begin at the same moment. The runs by name, none if one is busy."""
     team = donnie.team
+    team.settle()
     programs = {name: each for name, each in team.given.items() if each.text.strip()}
     busy = [session.name for session in team.running if session.name in programs]
     if not programs:
@@ -95,6 +100,7 @@ def stopped_all(donnie: Donnie) -> str:
 
 def use_gripper(donnie: Donnie, deed: Deed) -> Run | None:
     """Close or open it; None if the robot is busy."""
+    donnie.session.settle()
     try:
         return donnie.session.use_gripper(deed)
     except Busy:

@@ -179,3 +179,36 @@ def test_of_robots_that_were_started_together_each_tells_where_it_stopped(tmp_pa
     learner.types("\x03")
     learner.sees("alice: Stopped at line 1.")
     learner.sees("bob: Stopped at line 2.")
+
+
+def test_after_a_stop_the_next_word_finds_the_robots_idle_and_all_is_told_in_its_order(
+    tmp_path: Path,
+) -> None:
+    """Typed lines of a file come faster than a robot stops."""
+    typed = "FW 1\nROBOT bob\nFW 2\nSTART\nSTOP ALL\nTOGETHER\nSTART\nSTOP\nAGAIN\nSTART\nSTOP ALL\nRESET\n"
+    told = _told(tmp_path, "--speed", "1", "--world", "two_robots", typed=typed)
+    told = [line for line in told if not line.startswith("Still")]
+
+    walked, stopped = "bob: I walked 2 steps forward.", "bob: I walked only 0 steps forward. I was stopped."
+    assert told[2:-1] == [
+        "You talk to bob.",
+        "bob begins.",
+        stopped,
+        "All stopped.",
+        "alice: I walked 1 step forward.",
+        walked,
+        "bob begins.",
+        stopped,
+        "bob: Stopped at line 1.",
+        walked,
+        "bob begins.",
+        stopped,
+        "All stopped.",
+        "bob: I am back at the start.",
+    ]
+
+
+def test_that_a_robot_begins_is_told_before_what_it_says(tmp_path: Path) -> None:
+    told = _told(tmp_path, "--speed", "max", typed='SPEAK "hi"\nSTART\nSTOP ALL\n')
+
+    assert told[2:4] == ["donnie begins.", "hi"]
