@@ -122,7 +122,7 @@ class Beginning:
     def _begin_work(self, donnie: Donnie) -> None:
         work = self._work_with(donnie)
         if self._was_slow:
-            work.tell_sentences(work.words("slow-world-done", name=self._world_name))
+            work.talk.tell_sentences(work.words("slow-world-done", name=self._world_name))
         self._app.call_after_refresh(donnie.get_ready_to_move)
 
     def _fail(self, trouble: Exception) -> None:

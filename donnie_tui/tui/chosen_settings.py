@@ -10,8 +10,9 @@ from donnie_tui.tui.running import Answer
 from donnie_tui.words.sound_words import tell_what_is_missing
 
 if TYPE_CHECKING:
+    from donnie_tui.tui.application import Host
     from donnie_tui.tui.while_typing import WhileTyping
-    from donnie_tui.tui.workbench import Host, Workbench
+from donnie_tui.tui.workbench import Workbench
 
 
 class ChosenSettings:
@@ -30,16 +31,16 @@ class ChosenSettings:
         work, preferences = self._work, self._work.preferences
         value = ("on" if typed else "off") if isinstance(typed, bool) else str(typed)
         if not preferences.understands(key, value):
-            work.tell(Answer(f"setting-{key}-wanted"))
+            work.talk.tell(Answer(f"setting-{key}-wanted"))
             return
         preferences.choose(key, value)
         self._apply(key)
         problem = preferences.keep(key)
         told = next(each for each in preferences.all if each.key == key).told(work.words)
-        work.tell(Answer("setting-row", {"name": work.words(f"setting-{key}"), "value": told}))
+        work.talk.tell(Answer("setting-row", {"name": work.words(f"setting-{key}"), "value": told}))
         tell_what_is_missing(work.donnie, key)
         if problem is not None:
-            work.tell(Answer(problem.code, {"path": problem.path, "reason": problem.reason}))
+            work.talk.tell(Answer(problem.code, {"path": problem.path, "reason": problem.reason}))
 
     def _apply(self, key: str) -> None:
         work, settings = self._work, self._work.preferences.settings

@@ -65,7 +65,7 @@ class Deeds:
 
     def _refuse(self, name: str) -> None:
         """Nobody knows what stands behind its word."""
-        self._host.tell_sentences(use_cases.not_understood(BY_NAME[name].case, self._host.words))
+        self._host.talk.tell_sentences(use_cases.not_understood(BY_NAME[name].case, self._host.words))
 
     # --- running
 
@@ -74,30 +74,30 @@ class Deeds:
         return self._host.workplace.editor.text, self._host.files.name
 
     def run(self, _argument: str) -> None:
-        self._host.tell(self._host.running.run(*self._program))
+        self._host.talk.tell(self._host.running.run(*self._program))
 
     def again(self, argument: str) -> None:
         self.run(argument)
 
     def stop(self, _argument: str) -> None:
         self._host.past.to_present()
-        self._host.tell(self._host.running.stop())
+        self._host.talk.tell(self._host.running.stop())
 
     def pause(self, _argument: str) -> None:
         self._host.past.to_present()
-        self._host.tell(self._host.running.pause_or_continue())
+        self._host.talk.tell(self._host.running.pause_or_continue())
 
     def continue_(self, _argument: str) -> None:
         self._host.past.to_present()
-        self._host.tell(self._host.running.go_on())
+        self._host.talk.tell(self._host.running.go_on())
 
     def step(self, _argument: str) -> None:
         self._host.past.to_present()
-        self._host.tell(self._host.running.step(*self._program))
+        self._host.talk.tell(self._host.running.step(*self._program))
 
     def step_over(self, _argument: str) -> None:
         self._host.past.to_present()
-        self._host.tell(self._host.running.step_over(*self._program))
+        self._host.talk.tell(self._host.running.step_over(*self._program))
 
     def step_back(self, _argument: str) -> None:
         self._host.past.step_back()
@@ -108,22 +108,22 @@ class Deeds:
         if line is None:
             return False
         if not 1 <= line <= editor.line_count:
-            self._host.tell(Answer("answer-no-line", {"line": line, "last": editor.line_count}))
+            self._host.talk.tell(Answer("answer-no-line", {"line": line, "last": editor.line_count}))
         else:
             self._host.past.to_present()
-            self._host.tell(self._host.running.run_to(line, *self._program))
+            self._host.talk.tell(self._host.running.run_to(line, *self._program))
         return True
 
     def reset(self, _argument: str) -> None:
         self._host.past.to_present()
-        self._host.tell(self._host.running.reset())
+        self._host.talk.tell(self._host.running.reset())
         self._host.following.show_pose()
 
     def watch(self, argument: str) -> bool:
         """A variable is told at each change; again, no more; without a name, which are."""
         if argument and not may_be_watched(argument):
             return False
-        self._host.tell_sentences(*self._host.watch.toggle(argument))
+        self._host.talk.tell_sentences(*self._host.watch.toggle(argument))
         return True
 
     # --- speed
@@ -139,13 +139,13 @@ class Deeds:
     def speed(self, argument: str) -> None:
         wrong = self._host.running.set_speed(argument) if argument else None
         if wrong:
-            self._host.tell(wrong)
+            self._host.talk.tell(wrong)
         else:
             self._tell_speed()
 
     def _tell_speed(self) -> None:
         speed = speed_words(self._host.running.speed, self._host.words)
-        self._host.tell(Answer("answer-speed", {"speed": speed}))
+        self._host.talk.tell(Answer("answer-speed", {"speed": speed}))
 
     # --- the robot
 
@@ -173,7 +173,7 @@ class Deeds:
         """Whether nothing runs; told if something does."""
         if self._host.running.doing is Doing.READY:
             return True
-        self._host.tell(Answer("screen-busy"))
+        self._host.talk.tell(Answer("screen-busy"))
         return False
 
     # --- looking
@@ -199,7 +199,7 @@ class Deeds:
     # --- leaving
 
     def visual(self, _argument: str) -> None:
-        self._host.tell(Answer("screen-is-visual"))
+        self._host.talk.tell(Answer("screen-is-visual"))
 
     def linear(self, _argument: str) -> None:
         self._host.switch_to_linear()

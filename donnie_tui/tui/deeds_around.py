@@ -32,10 +32,10 @@ class AroundDeeds:
     async def recent(self, _argument: str) -> None:
         paths = self._host.files.recent
         if not paths:
-            self._host.tell(Answer("screen-no-recent"))
+            self._host.talk.tell(Answer("screen-no-recent"))
             return
         rows = [Choice(str(path), f"{path.name}, {path.parent}") for path in paths]
-        chosen = await self._host.choose(self._host.words("ask-recent"), rows)
+        chosen = await self._host.talk.choose(self._host.words("ask-recent"), rows)
         if chosen:
             await self._host.files.open(chosen)
 
@@ -46,7 +46,7 @@ class AroundDeeds:
             Choice(str(at), name, is_current) for at, (name, is_current) in enumerate(files.open_programs)
         ]
         rows.append(Choice("new", words("another-program")))
-        chosen = await self._host.choose(words("ask-programs"), rows)
+        chosen = await self._host.talk.choose(words("ask-programs"), rows)
         if chosen is not None:
             files.turn_to(None if chosen == "new" else int(chosen))
 
@@ -59,7 +59,7 @@ class AroundDeeds:
         if not world_going.may_leave_world(donnie):
             return
         rows = [Choice(name, world_row(name, words), name == donnie.world.name) for name in worlds.names()]
-        chosen = await self._host.choose(words("ask-worlds"), rows)
+        chosen = await self._host.talk.choose(words("ask-worlds"), rows)
         if chosen:
             await go_to_world(self._host, chosen)
 
@@ -85,7 +85,7 @@ class AroundDeeds:
 
     async def save_log(self, argument: str) -> None:
         """All that was told, as plain text."""
-        name = argument or await self._host.ask(self._host.words("ask-save-log"), value="log.txt")
+        name = argument or await self._host.talk.ask(self._host.words("ask-save-log"), value="log.txt")
         if name:
             await self._host.files.saving.write_beside(report_text.with_suffix(name, ".txt"), self._log_text)
 
@@ -97,6 +97,6 @@ class AroundDeeds:
 async def go_to_world(host: WorkHost, typed: str) -> None:
     """With the same program, once nothing is lost by it; a file of one's own may take long to be read."""
     donnie, slow = host.donnie, Answer("slow-world", {"name": typed[:40]})
-    name = await host.patiently(lambda: world_going.world_to_go_to(donnie, typed), slow)
+    name = await host.talk.patiently(lambda: world_going.world_to_go_to(donnie, typed), slow)
     if name is not None and await host.files.are_safe_to_leave():
         host.change_world(name)

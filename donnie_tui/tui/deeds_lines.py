@@ -36,10 +36,10 @@ class LineDeeds:
         first, last = (*given, None, None)[:2]
         told = line_words.listed(lines, first, last, words, many=MOST_TOLD)
         if len(told) > MOST_TOLD:
-            self._host.tell_sentences(told[0])
+            self._host.talk.tell_sentences(told[0])
             self._host.pages.show_lines(words("key-show_program"), told)
         else:
-            self._host.tell_sentences(*told)
+            self._host.talk.tell_sentences(*told)
         return True
 
     async def change(self, argument: str) -> bool:
@@ -51,7 +51,7 @@ class LineDeeds:
         lines = lines_of(self._editor.text)
         if not text and 1 <= number <= len(lines):
             asked = self._host.words("linear-edit", line=number)
-            text = await self._host.ask(asked, value=lines[number - 1].strip()) or ""
+            text = await self._host.talk.ask(asked, value=lines[number - 1].strip()) or ""
         self._edit(lambda program: line_words.changed(program, number, text, self._host.words))
         return True
 
@@ -62,7 +62,7 @@ class LineDeeds:
             return False
         number, text = given
         if not text and 1 <= number <= len(lines_of(self._editor.text)) + 1:
-            text = await self._host.ask(self._host.words("linear-type-line", line=number)) or ""
+            text = await self._host.talk.ask(self._host.words("linear-type-line", line=number)) or ""
         self._edit(lambda program: line_words.inserted(program, number, text, self._host.words))
         return True
 
@@ -91,4 +91,4 @@ class LineDeeds:
         self._editor.become(program.lines)
         if done.line is not None:
             self._editor.go_to(done.line)
-        self._host.tell_sentences(*done.sentences)
+        self._host.talk.tell_sentences(*done.sentences)

@@ -32,7 +32,7 @@ class MapDeeds:
     def _to_thing(self, *, forward: bool) -> None:
         pointer = self._map.pointer
         if pointer is None or not pointer.scene.things:
-            self._host.tell(Answer("world-bare"))
+            self._host.talk.tell(Answer("world-bare"))
         else:
             self._explore(lambda pointer: pointer.to_next_thing(forward))
 
@@ -43,11 +43,11 @@ class MapDeeds:
         self._explore(Pointer.mark)
         if self._map.pointer is not None:
             x, y = self._map.pointer.scene.place(self._map.pointer.here)
-            self._host.tell(Answer("map-marked", {"x": x, "y": y}))
+            self._host.talk.tell(Answer("map-marked", {"x": x, "y": y}))
 
     def to_there(self, _argument: str) -> None:
         if self._map.pointer is not None:
-            self._host.tell_sentences(self._map.pointer.way(self._host.words))
+            self._host.talk.tell_sentences(self._map.pointer.way(self._host.words))
 
     def _explore(self, change: Callable[[Pointer], object]) -> None:
         """With the focus on the map: there the cursor stands on what is told."""
@@ -76,7 +76,7 @@ class MapDeeds:
         if scale is not None:
             steps = scale.factor * scale.scene.picture.cell
             code = "map-shows-all" if self._map.shows_all else "map-follows"
-            self._host.tell(Answer(code, {"steps": steps}))
+            self._host.talk.tell(Answer(code, {"steps": steps}))
 
     def names(self, _argument: str) -> None:
         placed = None if self._map.has_names else partial(map_labels.labels, wording=self._host.words)
@@ -88,7 +88,7 @@ class MapDeeds:
         self._switched("coordinates", self._map.has_rulers)
 
     def _switched(self, name: str, on: bool) -> None:
-        self._host.tell(Answer(f"screen-{name}-{'on' if on else 'off'}"))
+        self._host.talk.tell(Answer(f"screen-{name}-{'on' if on else 'off'}"))
 
     def legend(self, _argument: str) -> None:
         if self._map.scale is not None:

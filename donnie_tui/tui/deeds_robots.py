@@ -50,12 +50,12 @@ class RobotDeeds:
             for name in donnie.team.names
             for each in (donnie.team.session(name),)
         ]
-        return await self._host.choose(self._host.words("ask-robot"), rows)
+        return await self._host.talk.choose(self._host.words("ask-robot"), rows)
 
     def start(self, _argument: str) -> None:
         """On the screen nobody waits for a run anyway."""
         self._give_text()
-        self._host.tell(self._host.running.run(self._host.workplace.editor.text, self._host.files.name))
+        self._host.talk.tell(self._host.running.run(self._host.workplace.editor.text, self._host.files.name))
 
     def together(self, _argument: str) -> None:
         self._give_text()
@@ -69,7 +69,7 @@ class RobotDeeds:
         if others:
             team_words.stop_all(self._host.donnie)
         else:
-            self._host.tell(answer)
+            self._host.talk.tell(answer)
 
     async def connect_to(self, argument: str) -> None:
         """Another robot, by its number or from a list. It takes some seconds, in which the screen goes on."""
@@ -83,7 +83,7 @@ class RobotDeeds:
         """The number of a robot: the simulator, the boards that are plugged in, each with its state."""
         found = await asyncio.to_thread(robot_words.choices_in_words, self._host.donnie)
         rows = [Choice(str(number), *row) for number, row in enumerate(found, 1)]
-        return await self._host.choose(self._host.words("ask-connect"), rows)
+        return await self._host.talk.choose(self._host.words("ask-connect"), rows)
 
     def feel(self, argument: str) -> None:
         """The belt in words."""

@@ -56,7 +56,7 @@ class SettingsDeeds:
         if chosen is None:
             current = self._host.preferences.value(key)
             rows = [Choice(value, name, value == current) for value, name in names.items()]
-            chosen = await self._host.choose(words(f"setting-{key}"), rows)
+            chosen = await self._host.talk.choose(words(f"setting-{key}"), rows)
         if chosen is not None:
             self._host.prefer(key, chosen)
 
@@ -65,7 +65,7 @@ class SettingsDeeds:
 
     def redraw(self, _argument: str) -> None:
         self._host.repaint()
-        self._host.tell(Answer("screen-redrawn"))
+        self._host.talk.tell(Answer("screen-redrawn"))
 
     async def settings(self, _argument: str) -> None:
         """One setting after the other, until somebody goes back."""
@@ -80,7 +80,7 @@ class SettingsDeeds:
             ]
             at = next((index for index, row in enumerate(rows) if row.value == chosen), 0)
             rows[at] = Choice(rows[at].value, rows[at].text, True)
-            chosen = await self._host.choose(words("settings-title"), rows)
+            chosen = await self._host.talk.choose(words("settings-title"), rows)
             if chosen is not None:
                 await self._change(chosen)
 
@@ -91,7 +91,7 @@ class SettingsDeeds:
         if not name:
             await self.settings("")
         elif key is None:
-            self._host.tell(Answer("screen-no-setting", {"name": printable(name[:40])}))
+            self._host.talk.tell(Answer("screen-no-setting", {"name": printable(name[:40])}))
         elif key == "cues":
             await self._set_cue_typed(value.strip())
         elif self._host.preferences.values(key):
@@ -126,7 +126,7 @@ class SettingsDeeds:
             return None if preferences.understands(key, typed) else words(f"setting-{key}-wanted")
 
         asked = words(f"setting-{key}-wanted")
-        typed = await self._host.ask(asked, value=str(preferences.value(key) or ""), accepts=wrong)
+        typed = await self._host.talk.ask(asked, value=str(preferences.value(key) or ""), accepts=wrong)
         if typed is not None:
             self._host.prefer(key, typed)
 
@@ -144,7 +144,7 @@ class SettingsDeeds:
                 Choice(each, self._cue_row(each, self._volume(each)), each == chosen)
                 for each in sound_words.CUE_WORDS
             ]
-            chosen = await self._host.choose(self._host.words("setting-cues"), rows)
+            chosen = await self._host.talk.choose(self._host.words("setting-cues"), rows)
             if chosen is not None:
                 await self._choose_volume(chosen)
 
@@ -159,7 +159,7 @@ class SettingsDeeds:
 
     async def _choose_volume(self, cue: str) -> None:
         rows = [Choice(str(each), self._cue_row(cue, each), each == self._volume(cue)) for each in _VOLUMES]
-        chosen = await self._host.choose(self._host.words("setting-cues"), rows)
+        chosen = await self._host.talk.choose(self._host.words("setting-cues"), rows)
         if chosen is not None:
             self._set_cue(cue, int(chosen))
 
@@ -176,7 +176,7 @@ class SettingsDeeds:
         if not word:
             await self._choose_cues()
         elif cue is None:
-            self._host.tell(Answer("cues-unknown", {"name": printable(word[:40])}))
+            self._host.talk.tell(Answer("cues-unknown", {"name": printable(word[:40])}))
         elif volume is None:
             await self._choose_volume(cue)
         else:
@@ -192,7 +192,7 @@ class SettingsDeeds:
                 Choice(each.name, self._key_row(each.name), each.name == chosen) for each in self._givable
             ]
             first = [Choice(_AS_BEFORE, words("keys-as-before"))] if self._chosen_keys else []
-            answer = await self._host.choose(words("keys-title"), [*first, *rows])
+            answer = await self._host.talk.choose(words("keys-title"), [*first, *rows])
             if answer is None:
                 return
             chosen = answer
@@ -218,14 +218,14 @@ class SettingsDeeds:
         def wrong(key: str) -> str | None:
             return None if is_free_to_give(key) else words("keys-not-this", key=key_label(key))
 
-        key = await self._host.press_key(words("keys-ask", word=word), wrong)
+        key = await self._host.talk.press_key(words("keys-ask", word=word), wrong)
         if key is None:
             return
         before = self._host.key_table.action_of(key) if key else None
         self._host.prefer("keys", with_choice(self._chosen_keys, name, key or None))
-        self._host.tell(Answer("keys-now", {"row": self._key_row(name).partition(".")[0]}))
+        self._host.talk.tell(Answer("keys-now", {"row": self._key_row(name).partition(".")[0]}))
         if before not in (None, name):
-            self._host.tell(Answer("keys-now", {"row": self._key_row(str(before)).partition(".")[0]}))
+            self._host.talk.tell(Answer("keys-now", {"row": self._key_row(str(before)).partition(".")[0]}))
 
 
 def _meant(names: Mapping[str, str], typed: str) -> str | None:

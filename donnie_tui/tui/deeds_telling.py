@@ -143,12 +143,12 @@ class TellingDeeds:
         if lines:
             await self._choose_again(lines[-count:])
         else:
-            self._host.tell(Answer("linear-nothing-typed"))
+            self._host.talk.tell(Answer("linear-nothing-typed"))
         return True
 
     async def _choose_again(self, lines: Sequence[str]) -> None:
         rows = [Choice(each, each) for each in dict.fromkeys(reversed(lines))]
-        chosen = await self._host.choose(self._host.words("key-typed"), rows)
+        chosen = await self._host.talk.choose(self._host.words("key-typed"), rows)
         again = self._host.typed(chosen) if chosen else None
         if again is not None:
             await again
@@ -218,4 +218,4 @@ class TellingDeeds:
         self._tell(*lines_said_by(robot, sentences, words))
 
     def _tell(self, *sentences: str) -> None:
-        self._host.tell_sentences(*sentences)
+        self._host.talk.tell_sentences(*sentences)

@@ -39,9 +39,9 @@ class TextDeeds:
         editor.focus()
         found = self._host.while_typing.completion(editor.text, editor.offset_of_cursor)
         if not found.words:
-            self._host.tell(Answer("screen-nothing-to-complete"))
+            self._host.talk.tell(Answer("screen-nothing-to-complete"))
             return
-        word, letter = await self._host.choose_word(found.words, editor.cursor_screen_offset)
+        word, letter = await self._host.talk.choose_word(found.words, editor.cursor_screen_offset)
         if word:
             editor.put_in_place_of(found.typed, word)
         elif letter:
@@ -52,10 +52,10 @@ class TextDeeds:
         self._host.while_typing.check_now()
         mistake = self._editor.next_mistake
         if mistake is None or not mistake.meant:
-            self._host.tell(Answer("screen-nothing-to-fix" if mistake is None else "screen-no-fix"))
+            self._host.talk.tell(Answer("screen-nothing-to-fix" if mistake is None else "screen-no-fix"))
             return
         self._put(mended(self._editor.text, mistake), self._after_mending(mistake))
-        self._host.tell(Answer("screen-fixed", {"line": mistake.line, "word": mistake.meant}))
+        self._host.talk.tell(Answer("screen-fixed", {"line": mistake.line, "word": mistake.meant}))
         self._host.while_typing.check_now()
 
     def _after_mending(self, mistake: Mistake) -> int:
@@ -72,19 +72,19 @@ class TextDeeds:
         if 1 <= line <= self._editor.line_count:
             self._toggle_breakpoint(line)
         else:
-            self._host.tell(Answer("answer-no-line", {"line": line, "last": self._editor.line_count}))
+            self._host.talk.tell(Answer("answer-no-line", {"line": line, "last": self._editor.line_count}))
         return True
 
     def _toggle_breakpoint(self, line: int) -> None:
         is_set = self._editor.toggle_breakpoint(line)
         self._host.running.breakpoints_changed()
         self._host.files.keep_breakpoints()
-        self._host.tell(Answer("screen-break-on" if is_set else "screen-break-off", {"line": line}))
+        self._host.talk.tell(Answer("screen-break-on" if is_set else "screen-break-off", {"line": line}))
 
     # --- searching
 
     async def search(self, argument: str) -> None:
-        wanted = argument or await self._host.ask(self._host.words("ask-search"), value=self._searched)
+        wanted = argument or await self._host.talk.ask(self._host.words("ask-search"), value=self._searched)
         if wanted:
             self._searched = wanted
             self._search(wanted)
@@ -97,27 +97,27 @@ class TextDeeds:
         editor = self._editor
         place = finding.found_from(editor.document.lines, wanted, *editor.cursor_location)
         if place is None:
-            self._host.tell_sentences(finding.not_found(wanted, self._host.words))
+            self._host.talk.tell_sentences(finding.not_found(wanted, self._host.words))
             return
         editor.focus()
         editor.selection = Selection((place.row, place.start), (place.row, place.end))
-        self._host.tell(Answer("answer-line", {"line": place.row + 1, "text": self._line(place.row)}))
+        self._host.talk.tell(Answer("answer-line", {"line": place.row + 1, "text": self._line(place.row)}))
 
     async def replace(self, argument: str) -> None:
-        wanted = argument or await self._host.ask(self._host.words("ask-search"), value=self._searched)
+        wanted = argument or await self._host.talk.ask(self._host.words("ask-search"), value=self._searched)
         if not wanted:
             return
         count = self._editor.text.count(wanted)
         if not count:
-            self._host.tell_sentences(finding.not_found(wanted, self._host.words))
+            self._host.talk.tell_sentences(finding.not_found(wanted, self._host.words))
             return
         asked = self._host.words("ask-replace-by", word=finding.told(wanted))
-        instead = finding.replacement(await self._host.ask(asked))
+        instead = finding.replacement(await self._host.talk.ask(asked))
         if instead is None:
-            self._host.tell(Answer("answer-unchanged"))
+            self._host.talk.tell(Answer("answer-unchanged"))
         else:
             self._put(self._editor.text.replace(wanted, instead), self._editor.offset_of_cursor)
-            self._host.tell(Answer("screen-replaced", {"count": count}))
+            self._host.talk.tell(Answer("screen-replaced", {"count": count}))
 
     def undo(self, _argument: str) -> None:
         """The last change is taken back; the first line that is another one now is told."""
@@ -133,11 +133,11 @@ class TextDeeds:
         after = lines_of(self._editor.text)
         row = first_difference(before, after)
         if before == after:
-            self._host.tell(Answer("answer-unchanged"))
+            self._host.talk.tell(Answer("answer-unchanged"))
         elif row < len(after):
-            self._host.tell(Answer("answer-line", {"line": row + 1, "text": self._line(row)}))
+            self._host.talk.tell(Answer("answer-line", {"line": row + 1, "text": self._line(row)}))
         else:
-            self._host.tell(Answer("linear-lines", {"lines": len(after)}))
+            self._host.talk.tell(Answer("linear-lines", {"lines": len(after)}))
 
     # --- layout
 
@@ -149,24 +149,24 @@ class TextDeeds:
         chosen = language_named(argument)
         if chosen is None:
             rows = [Choice(each, words(f"language-{each}")) for each in LANGUAGES]
-            chosen = await self._host.choose(words("ask-translate"), rows) or ""
+            chosen = await self._host.talk.choose(words("ask-translate"), rows) or ""
         if chosen:
             await self._lay_out(chosen)
 
     async def _lay_out(self, language: str | None) -> None:
         text = self._editor.text
-        result = await self._host.patiently(lambda: formatted(text, language), Answer("slow-layout"))
+        result = await self._host.talk.patiently(lambda: formatted(text, language), Answer("slow-layout"))
         if self._editor.text != text:
-            self._host.tell(Answer("text-changed-meanwhile"))
+            self._host.talk.tell(Answer("text-changed-meanwhile"))
             return
         if result.text is None:
             first = result.diagnostics[0]
-            self._host.tell(Answer("screen-not-formatted", {"line": first.span.line}))
+            self._host.talk.tell(Answer("screen-not-formatted", {"line": first.span.line}))
             return
         line = self._editor.line
         self._put(result.text.removesuffix("\n"), 0)
         self._editor.go_to(line)
-        self._host.tell(Answer("screen-formatted"))
+        self._host.talk.tell(Answer("screen-formatted"))
 
     def _put(self, text: str, at: int) -> None:
         """Another text as one edit, which can be undone."""
@@ -176,7 +176,7 @@ class TextDeeds:
     # --- moving
 
     async def go_to(self, argument: str) -> bool:
-        typed = argument or await self._host.ask(self._host.words("ask-line"))
+        typed = argument or await self._host.talk.ask(self._host.words("ask-line"))
         line = number_in(typed or "", self._editor.line)
         return not typed or self._go_to_typed(line)
 
@@ -184,7 +184,7 @@ class TextDeeds:
         lines = self._text.outline_lines
         words = self._host.words
         if not lines:
-            self._host.tell(Answer("outline-none"))
+            self._host.talk.tell(Answer("outline-none"))
             return
         rows = [
             Choice(
@@ -192,7 +192,7 @@ class TextDeeds:
             )
             for each in lines
         ]
-        chosen = await self._host.choose(words("outline-count", count=len(lines)), rows)
+        chosen = await self._host.talk.choose(words("outline-count", count=len(lines)), rows)
         if chosen:
             self._go_to(int(chosen))
 
@@ -207,12 +207,12 @@ class TextDeeds:
         """To a line, telling it as the linear mode does; or that there is none to go to."""
         text = self._text
         if line is None or not 1 <= line <= len(text):
-            self._host.tell(Answer("screen-no-way"))
+            self._host.talk.tell(Answer("screen-no-way"))
             return
         before = text.line(min(self._editor.line, len(text)))
         self._editor.go_to(line)
         self._editor.focus()
-        self._host.tell_sentences(line_in_words(text.line(line), before, self._host.words))
+        self._host.talk.tell_sentences(line_in_words(text.line(line), before, self._host.words))
 
     def read(self, argument: str) -> bool:
         line = number_in(argument, self._editor.line)
@@ -225,7 +225,7 @@ class TextDeeds:
         """To a line by its number, or say which is the last. Whether it is a number."""
         last = len(self._text)
         if line is not None and not 1 <= line <= last:
-            self._host.tell(Answer("answer-no-line", {"line": line, "last": last}))
+            self._host.talk.tell(Answer("answer-no-line", {"line": line, "last": last}))
         elif line is not None:
             self._go_to(line)
         return line is not None
@@ -261,4 +261,4 @@ class TextDeeds:
     def place(self, _argument: str) -> None:
         text = self._text
         if 1 <= self._editor.line <= len(text):
-            self._host.tell_sentences(*place_in_words(text, self._editor.line, self._host.words))
+            self._host.talk.tell_sentences(*place_in_words(text, self._editor.line, self._host.words))

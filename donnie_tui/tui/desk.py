@@ -2,19 +2,19 @@
 
 from __future__ import annotations
 
-from collections.abc import Awaitable, Callable
-from typing import Protocol, TypeVar
+from typing import Protocol
 
 from donnie_tui.core.documents import DocumentError
 from donnie_tui.core.typed_words import answered
 from donnie_tui.core.wording import Wording
 from donnie_tui.tui.running import Answer
-
-T = TypeVar("T")
+from donnie_tui.tui.talk import Talk
 
 
 class Desk(Protocol):
     """What a file is opened onto: an editor, and somebody to ask."""
+
+    talk: Talk
 
     @property
     def text(self) -> str: ...
@@ -23,14 +23,6 @@ class Desk(Protocol):
     def breakpoints(self) -> frozenset[int]: ...
 
     def load(self, text: str, breakpoints: frozenset[int] = frozenset()) -> None: ...
-
-    def patiently(self, do: Callable[[], T], slow: Answer) -> Awaitable[T]: ...
-
-    def tell(self, answer: Answer) -> None: ...
-
-    def ask(
-        self, asked: str, value: str = "", accepts: Callable[[str], str | None] | None = None
-    ) -> Awaitable[str | None]: ...
 
 
 def told(error: DocumentError) -> Answer:
@@ -52,5 +44,5 @@ class YesOrNo:
         def unclear(typed: str) -> str | None:
             return None if answered(typed) is not None else f"{self._words('ask-yes-no')} {question}"
 
-        typed = await self._desk.ask(question, accepts=unclear)
+        typed = await self._desk.talk.ask(question, accepts=unclear)
         return None if typed is None else answered(typed)

@@ -82,7 +82,7 @@ class Ending:
         elif number:
             self.leave(number)
         elif self._behind.work is not None:
-            self._behind.work.tell_sentences(self._behind.work.words("stuck-stopped"))
+            self._behind.work.talk.tell_sentences(self._behind.work.words("stuck-stopped"))
 
     def _interrupt(self) -> None:
         """As the key that stops all."""

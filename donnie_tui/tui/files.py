@@ -76,7 +76,7 @@ class Files:
     def _turn_to(self, program: Program) -> None:
         self.programs.keep_copy()
         self.programs.turn_to(program)
-        self._desk.tell(Answer("screen-turned-to", {"name": self.name}))
+        self._desk.talk.tell(Answer("screen-turned-to", {"name": self.name}))
 
     async def are_safe_to_leave(self) -> bool:
         """Whether every open program may go."""
@@ -98,7 +98,7 @@ class Files:
         try:
             found = await self._read(name) if name else await self._asked_for()
         except DocumentError as error:
-            self._desk.tell(told(error))
+            self._desk.talk.tell(told(error))
             return
         if found is not None and await self.saving.is_safe_to_leave():
             self._opened(*found)
@@ -106,15 +106,15 @@ class Files:
     def _opened(self, path: Path, text: str) -> None:
         self._become(path, text)
         self._recent.add(path)
-        self._desk.tell(Answer("answer-opened", {"name": path.name, "lines": text.count("\n") + 1}))
+        self._desk.talk.tell(Answer("answer-opened", {"name": path.name, "lines": text.count("\n") + 1}))
         if self._desk.breakpoints:
             lines = ", ".join(map(str, sorted(self._desk.breakpoints)))
-            self._desk.tell(Answer("break-lines", {"lines": lines}))
+            self._desk.talk.tell(Answer("break-lines", {"lines": lines}))
 
     async def _asked_for(self) -> tuple[Path, str] | None:
         """The file of a typed name; what is wrong with it is asked in its place. None: nothing is opened."""
         asked, name = self._words("ask-open"), ""
-        while name := await self._desk.ask(asked, value=name) or "":
+        while name := await self._desk.talk.ask(asked, value=name) or "":
             try:
                 return await self._read(name)
             except DocumentError as error:
@@ -124,12 +124,12 @@ class Files:
     async def _read(self, name: str) -> tuple[Path, str]:
         """Beside the screen. Raises ``DocumentError``."""
         slow = Answer("slow-opening", {"name": Path(name).name or name})
-        return await self._desk.patiently(lambda: self.document.read(name), slow)
+        return await self._desk.talk.patiently(lambda: self.document.read(name), slow)
 
     async def new(self) -> None:
         if await self.saving.is_safe_to_leave():
             self._become(None, "")
-            self._desk.tell(Answer("answer-new"))
+            self._desk.talk.tell(Answer("answer-new"))
 
     def bring(self, text: str, name: str | None) -> None:
         """A program from the other mode: its file's name, and whatever it is now, saved or not."""
@@ -142,7 +142,7 @@ class Files:
         document = self.document
         path = document.path
         if path is not None:
-            saved = await self._desk.patiently(
+            saved = await self._desk.talk.patiently(
                 lambda: saved_text(path), Answer("slow-opening", {"name": path.name})
             )
             if document.path == path:

@@ -21,8 +21,9 @@ from donnie_tui.tui.running import Answer, Doing
 from language.control import ControlState
 
 if TYPE_CHECKING:
+    from donnie_tui.tui.application import Host
     from donnie_tui.tui.past import Past
-    from donnie_tui.tui.workbench import Host, Workbench
+from donnie_tui.tui.workbench import Workbench
 
 
 class Paused(Message):
@@ -68,7 +69,7 @@ class Following:
         """A huge program is still being read and checked: nothing of it has run yet."""
         running = self._work.running
         if running.doing is Doing.RUNNING and not running.frames:
-            self._work.tell(Answer("slow-reading", {"lines": self._work.workplace.editor.line_count}))
+            self._work.talk.tell(Answer("slow-reading", {"lines": self._work.workplace.editor.line_count}))
         else:
             self._forget_reading()
 
@@ -94,7 +95,7 @@ class Following:
         editor = self._work.workplace.editor
         editor.go_to(line)
         text = editor.document.get_line(min(line, editor.line_count) - 1).strip()
-        self._work.tell(Answer("answer-line", {"line": line, "text": text}))
+        self._work.talk.tell(Answer("answer-line", {"line": line, "text": text}))
 
     def ended(self, event: Ended) -> None:
         work = self._work
@@ -122,11 +123,11 @@ class Following:
         if event.errors and work.running.is_program:
             work.workplace.editor.go_to(event.errors[0].line, event.errors[0].column)
         if outcome is Outcome.STOPPED:
-            work.tell(work.running.stopped)
+            work.talk.tell(work.running.stopped)
         elif outcome is Outcome.COMPLETED and work.running.is_program:
-            work.tell(Answer("screen-done", of_robot=True))
+            work.talk.tell(Answer("screen-done", of_robot=True))
         elif outcome is Outcome.COMPLETED and self._told_nothing:
-            work.tell(Answer("linear-done", of_robot=True))
+            work.talk.tell(Answer("linear-done", of_robot=True))
 
     @property
     def _told_nothing(self) -> bool:

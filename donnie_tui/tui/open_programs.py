@@ -140,7 +140,7 @@ class OpenPrograms:
             self.forget_copy(program)
 
     def _tell_not_kept(self, error: DocumentError) -> None:
-        self._desk.tell(Answer("answer-not-kept", {"reason": error.reason}))
+        self._desk.talk.tell(Answer("answer-not-kept", {"reason": error.reason}))
 
     def _follow(self) -> None:
         self.current.copies.follow(self._desk.text, self.document.path, is_saved=not self.is_changed)

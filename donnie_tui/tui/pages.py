@@ -15,7 +15,8 @@ from donnie_tui.tui.screens.tour import Page
 from language.keywords import canonical
 
 if TYPE_CHECKING:
-    from donnie_tui.tui.workbench import Host, Workbench
+    from donnie_tui.tui.application import Host
+from donnie_tui.tui.workbench import Workbench
 
 
 class Pages:
@@ -35,7 +36,7 @@ class Pages:
         """In the pager, where the terminal's own ways of reading work."""
         problem = self._host.show_outside(text)
         if problem is not None:
-            self._work.tell(problem)
+            self._work.talk.tell(problem)
 
     def show_tour(self) -> None:
         """The screen in a few pages, from the one that was left to try what it says."""

@@ -27,12 +27,12 @@ class Past:
         """Show what was before: where everything was, and what is undone, in words."""
         work = self._work
         if work.running.doing not in (Doing.READY, Doing.PAUSED):
-            work.tell(Answer("screen-busy"))
+            work.talk.tell(Answer("screen-busy"))
             return
         timeline = self._timeline = self._timeline or work.donnie.chronicle.timeline()
         undone = timeline.step_back()
         work.display.show_past(timeline)
-        work.tell_sentences(told_back(undone, timeline, work.words))
+        work.talk.tell_sentences(told_back(undone, timeline, work.words))
 
     def to_present(self) -> None:
         """Whatever is done now is done from where the robot really is."""

@@ -39,15 +39,15 @@ class Recovering:
     async def recover(self) -> None:
         """Bring back the newest, as the program in the editor; others one by one."""
         if not self._offered:
-            self._desk.tell(Answer("answer-nothing-to-recover"))
+            self._desk.talk.tell(Answer("answer-nothing-to-recover"))
             return
         copy = self._offered[0]
         try:
-            found, saved = await self._desk.patiently(
+            found, saved = await self._desk.talk.patiently(
                 lambda: self._read(copy), Answer("slow-opening", {"name": copy.name})
             )
         except DocumentError as error:
-            self._desk.tell(told(error))
+            self._desk.talk.tell(told(error))
             return
         if await self._saving.is_safe_to_leave() and copy in self._offered:
             self._bring_back(copy, found, saved)
@@ -64,6 +64,6 @@ class Recovering:
         self._programs.document.become(found.path, saved)
         self._programs.keep_rescued(found, copy)
         code = "answer-recovered" if found.path is None else "answer-recovered-file"
-        self._desk.tell(Answer(code, {"lines": lines, "name": self._programs.name}))
+        self._desk.talk.tell(Answer(code, {"lines": lines, "name": self._programs.name}))
         if self.is_offered:
-            self._desk.tell(Answer("answer-rescued"))
+            self._desk.talk.tell(Answer("answer-rescued"))

@@ -46,22 +46,22 @@ class Saving:
 
     async def save_as(self, name: str) -> bool:
         own = str(self._programs.document.path or "")
-        name = name or await self._desk.ask(self._words("ask-save"), value=own) or ""
+        name = name or await self._desk.talk.ask(self._words("ask-save"), value=own) or ""
         if not name:
             return False
         try:
             path = self._programs.document.place_for(name)
         except DocumentError as error:
-            self._desk.tell(told(error))
+            self._desk.talk.tell(told(error))
             return False
         return await self._save_to(path)
 
     async def _save_to(self, path: Path) -> bool:
         """Asks before it replaces what this program did not put there."""
         slow = Answer("slow-saving", {"name": path.name})
-        asked = await self._desk.patiently(lambda: self._to_be_asked(path), slow)
+        asked = await self._desk.talk.patiently(lambda: self._to_be_asked(path), slow)
         if asked and not await self._question.ask(asked, path.name):
-            self._desk.tell(Answer("answer-unchanged"))
+            self._desk.talk.tell(Answer("answer-unchanged"))
             return False
         return await self._write(path)
 
@@ -84,15 +84,15 @@ class Saving:
         """A slow disk holds nobody up; whatever is typed meanwhile is not saved, and has its copy."""
         slow = Answer("slow-saving", {"name": path.name})
         try:
-            await self._desk.patiently(lambda: program.document.write(path, text), slow)
+            await self._desk.talk.patiently(lambda: program.document.write(path, text), slow)
         except DocumentError as error:
-            self._desk.tell(told(error))
+            self._desk.talk.tell(told(error))
             return False
         if self._desk.text == text and self._programs.current is program:
             self._programs.forget_copy(program)
             self._kept_breakpoints.keep(path, self._desk.breakpoints)
         self._recent.add(path)
-        self._desk.tell(Answer("answer-saved", {"name": path.name, "lines": text.count("\n") + 1}))
+        self._desk.talk.tell(Answer("answer-saved", {"name": path.name, "lines": text.count("\n") + 1}))
         return True
 
     # --- other files than the program's
@@ -101,7 +101,7 @@ class Saving:
         """Whether nothing is there, or somebody wants it replaced; that it stays is told."""
         with contextlib.suppress(OSError, ValueError, RuntimeError):
             if path.expanduser().exists() and not await self._question.ask("ask-replace", path.name):
-                self._desk.tell(Answer("answer-unchanged"))
+                self._desk.talk.tell(Answer("answer-unchanged"))
                 return False
         return True
 
@@ -112,7 +112,7 @@ class Saving:
             if not await self.may_replace(path):
                 return
         except DocumentError as error:
-            self._desk.tell(told(error))
+            self._desk.talk.tell(told(error))
         else:
             await asyncio.shield(asyncio.ensure_future(self._write_other(path, text)))
 
@@ -120,11 +120,11 @@ class Saving:
         """To its end, whatever is asked meanwhile."""
         slow = Answer("slow-report", {"name": path.name})
         try:
-            await self._desk.patiently(lambda: write_program(path, text), slow)
+            await self._desk.talk.patiently(lambda: write_program(path, text), slow)
         except DocumentError as error:
-            self._desk.tell(told(error))
+            self._desk.talk.tell(told(error))
         else:
-            self._desk.tell(Answer("answer-written", {"name": path.name}))
+            self._desk.talk.tell(Answer("answer-written", {"name": path.name}))
 
     # --- before a text goes
 

@@ -30,7 +30,7 @@ T = TypeVar("T")
 
 
 class ScreenHost:
-    """``workbench.Host`` of the work. ``next_world`` and ``left_for_linear`` tell how it was left."""
+    """``application.Host`` of the work. ``next_world`` and ``left_for_linear`` tell how it was left."""
 
     def __init__(
         self,

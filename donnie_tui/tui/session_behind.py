@@ -50,7 +50,7 @@ class SessionBehind:
     def point(self, words: str) -> None:
         """Say what somebody looks at."""
         if self.work is not None:
-            self.work.point(words)
+            self.work.talk.point(words)
 
     def keep_text(self) -> None:
         """Write down what is not saved, for the next start."""

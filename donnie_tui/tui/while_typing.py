@@ -16,7 +16,8 @@ from donnie_tui.words import sound_words
 from language.outline import block_depth
 
 if TYPE_CHECKING:
-    from donnie_tui.tui.workbench import Host, Workbench
+    from donnie_tui.tui.application import Host
+from donnie_tui.tui.workbench import Workbench
 
 CHECK_AFTER = 0.4
 """Seconds without typing after which mistakes are marked."""

@@ -6,14 +6,12 @@ the screen reach; programs run in their own threads, and nothing here waits for 
 
 from __future__ import annotations
 
-import asyncio
 import os
-from collections.abc import Awaitable, Callable, Sequence
+from collections.abc import Awaitable, Sequence
 from pathlib import Path
 from typing import TypeVar
 
 from textual.events import Event
-from textual.geometry import Offset
 from textual.widget import Widget
 
 from devices.ports.robot import Pose
@@ -21,18 +19,16 @@ from donnie_tui.bootstrap import Donnie
 from donnie_tui.core.answer_log import AnswerLog
 from donnie_tui.core.breakpoints import KeptBreakpoints
 from donnie_tui.core.copies import Copies
-from donnie_tui.core.events import Answered, Pointed
 from donnie_tui.core.harmless import printable
 from donnie_tui.core.patience import LAST_WORDS
 from donnie_tui.core.trail import Trail
-from donnie_tui.core.transcript import said_by
 from donnie_tui.core.watching import Watch
 from donnie_tui.i18n.words import Words
 from donnie_tui.settings.chosen import Settings
 from donnie_tui.settings.first_start import offers_tour
 from donnie_tui.settings.folders import BREAKPOINTS
-from donnie_tui.tui import patience
 from donnie_tui.tui.actions import DONE_HERE, find
+from donnie_tui.tui.application import Host
 from donnie_tui.tui.bridge import Began, Bridge, Ended, LogLine, Mail
 from donnie_tui.tui.brought import Brought
 from donnie_tui.tui.chosen_settings import ChosenSettings
@@ -48,9 +44,8 @@ from donnie_tui.tui.past import Past
 from donnie_tui.tui.preferences import Preferences
 from donnie_tui.tui.recent import Recent
 from donnie_tui.tui.running import Answer, Running
-from donnie_tui.tui.screens.chooser import Choice
+from donnie_tui.tui.talk import Talk
 from donnie_tui.tui.while_typing import WhileTyping
-from donnie_tui.tui.workbench import Host
 from donnie_tui.words.world_going import stop_before_going, tell_arrival
 from language.control import ControlState
 from language.keywords import canonical
@@ -68,6 +63,7 @@ class Work:
         self._state_folder = folder.parent
         self.words: Words = donnie.words
         self.workplace = host.workplace
+        self.talk = Talk(host, donnie)
         self.watch = Watch(self.words)
         self.running = Running(
             lambda: donnie.session, self._paused, self.watch, lambda: self.workplace.editor.breakpoints
@@ -119,7 +115,7 @@ class Work:
         elif file is not None:
             self._host.begin_with(self.files.open(str(file)))
         elif self.preferences.settings.tour and offers_tour(str(self._state_folder), os.environ):
-            self.tell_sentences(self.words("tour-offer"))
+            self.talk.tell_sentences(self.words("tour-offer"))
         if brought is not None:
             self._arrive(brought)
         elif self.files.recovering.is_offered:
@@ -153,7 +149,7 @@ class Work:
         if found is not None:
             return self.do(found[0].name, found[1])
         if not self._explain(text) and not self._is_slip(text):
-            self.tell(self.running.command(text, self.words("typed-program")))
+            self.talk.tell(self.running.command(text, self.words("typed-program")))
             self.look()
         return None
 
@@ -169,7 +165,7 @@ class Work:
         found = find(words[1]) if len(words) == 2 and canonical(words[0]) == "HELP" else None
         if found is None or canonical(words[1]) is not None:
             return False
-        self.tell(Answer(f"action-{found[0].name}"))
+        self.talk.tell(Answer(f"action-{found[0].name}"))
         return True
 
     def _is_slip(self, typed: str) -> bool:
@@ -179,7 +175,7 @@ class Work:
         session, lines = self._donnie.session, self.text.split("\n")
         unknown = unknown_word(typed, lines, DONE_HERE, self.words.language, session.parse)
         if unknown is not None:
-            self.tell(Answer("help-unknown-near", {"topic": unknown.word, "near": unknown.meant}))
+            self.talk.tell(Answer("help-unknown-near", {"topic": unknown.word, "near": unknown.meant}))
         return unknown is not None
 
     def key_pressed(self, event: Event, focused: Widget | None) -> None:
@@ -250,62 +246,16 @@ class Work:
 
     # --- telling
 
-    def tell(self, answer: Answer | None) -> None:
-        """An answer of our own: through the hub, so that it is spoken too."""
-        if answer is not None:
-            sentence, hub = self.words(answer.code, **answer.values), self._donnie.session.hub
-            hub.publish(Answered(said_by(hub.robot if answer.of_robot else None, sentence, self.words)))
-
-    def tell_sentences(self, *sentences: str) -> None:
-        """Answers that are sentences already."""
-        for sentence in sentences:
-            self._donnie.session.hub.publish(Answered(sentence))
-
-    def point(self, words: str) -> None:
-        """Say what somebody looks at on the map or in a list; any key ends it, and it stands in no log."""
-        self._donnie.session.hub.publish(Pointed(words))
-
     def explored(self) -> None:
         """Another square of the map: said too, and shown in the status line."""
         pointer = self.workplace.map.pointer
         if pointer is not None and pointer.cell is not None:
-            self.point(pointer.words(self.words))
+            self.talk.point(pointer.words(self.words))
         self.display.looked()
 
     def entered(self) -> None:
         """The focus came to another part: said too, and shown in the status line."""
-        self.point(self.display.focus_sentence)
-
-    # --- asking
-
-    async def ask(
-        self, asked: str, value: str = "", accepts: Callable[[str], str | None] | None = None
-    ) -> str | None:
-        return await self._host.ask(asked, self.words("ask-keys"), value, accepts)
-
-    async def choose(self, title: str, choices: Sequence[Choice]) -> str | None:
-        return await self._host.choose(
-            title, self.words("chooser-keys"), self.words("palette-nothing"), choices
-        )
-
-    async def press_key(self, asked: str, accepts: Callable[[str], str | None]) -> str | None:
-        return await self._host.press_key(
-            asked, self.words("keys-capture"), self.words("keys-behind"), accepts
-        )
-
-    async def choose_word(self, words: Sequence[str], below: Offset) -> tuple[str, str]:
-        return await self._host.choose_word(words, below)
-
-    async def patiently(self, do: Callable[[], T], slow: Answer) -> T:
-        """Do what may take long beside the screen; ``slow`` is told if it does, again and again.
-
-        Where something else is asked for meanwhile, it is told that nothing comes of it.
-        """
-        try:
-            return await patience.patiently(self._host, do, lambda: self.tell(slow))
-        except asyncio.CancelledError:
-            self.tell(Answer("answer-unchanged"))
-            raise
+        self.talk.point(self.display.focus_sentence)
 
     # --- what the application hears
 
