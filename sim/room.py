@@ -7,7 +7,7 @@ and the thing. Picture in, numbers out.
 from __future__ import annotations
 
 from collections.abc import Sequence
-from math import inf
+from math import floor, inf
 
 from devices.ports.robot import Pose
 from sim.geometry import (
@@ -23,6 +23,8 @@ from sim.geometry import (
 )
 from sim.picture import Picture
 
+HALF_A_CENTIMETRE = 0.1
+"""In steps."""
 Outlines = Sequence[Sequence[Point]]
 
 
@@ -50,6 +52,11 @@ class Room:
         gap = min((edges_apart(a, b) for a in self._edges(0.0) for b in theirs), default=inf)
         x, y = min((nearest_on_edge(edge) for edge in theirs), key=_length2, default=(0.0, 0.0))
         return gap, 90.0 - angle_of(x, y)
+
+    @staticmethod
+    def whole(steps: float) -> int:
+        """Whole steps of whole centimetres, as range sensors count them."""
+        return floor(steps + HALF_A_CENTIMETRE)
 
     def _edges(self, angle: float) -> tuple[Edge, ...]:
         """The body's, around the origin, seen by who looks to ``angle``."""

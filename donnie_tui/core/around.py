@@ -9,7 +9,6 @@ detail full, or the 12 hours of a clock face.
 from __future__ import annotations
 
 from collections.abc import Iterator
-from math import floor
 from typing import TYPE_CHECKING
 
 from devices.ports.robot import Pose
@@ -26,8 +25,6 @@ if TYPE_CHECKING:
 
 RANGE = 10
 """Steps that are looked at in each direction."""
-HALF_A_CENTIMETRE = 0.1
-"""In steps."""
 
 
 _POINTS = (
@@ -101,9 +98,9 @@ def _things_by_sector(grid: MapGrid, room: Room, face: Face) -> list[list[tuple[
     found: list[list[tuple[int, Thing]]] = [[] for _ in range(face.sectors)]
     for thing in grid.picture.things:
         gap, heading = room.nearest(thing.outlines)
-        if (steps := _in_range(gap)) is not None:
+        if (steps := _in_range(room, gap)) is not None:
             sector = round((heading - face.first) / (360 / face.sectors)) % face.sectors
-            straight = _in_range(room.ahead(thing.outlines, face.heading(sector)))
+            straight = _in_range(room, room.ahead(thing.outlines, face.heading(sector)))
             found[sector].append((steps if straight is None else straight, thing))
     return [sorted(each, key=lambda found: (found[0], found[1].name)) for each in found]
 
@@ -112,7 +109,7 @@ def _sector_in_words(
     room: Room, face: Face, sector: int, things: list[tuple[int, Thing]], wording: Wording
 ) -> Iterator[str]:
     where = wording(face.codes[sector], hour=sector or 12)
-    wall, free = (_in_range(room.ahead(each, face.heading(sector))) for each in (room.walls, room.all))
+    wall, free = (_in_range(room, room.ahead(each, face.heading(sector))) for each in (room.walls, room.all))
     told = [(steps, _named(thing, wording)) for steps, thing in things]
     if wall is not None and (told or sector in face.told_when_free):
         told = sorted([*told, (wall, wording("cell-wall"))], key=lambda each: each[0])
@@ -122,9 +119,9 @@ def _sector_in_words(
         yield wording("around-free", where=where, steps=RANGE if free is None else free)
 
 
-def _in_range(steps: float) -> int | None:
-    """Whole steps of whole centimetres, as the robot's sensors count them; None beyond what is told."""
-    whole = floor(min(steps, RANGE + 1) + HALF_A_CENTIMETRE)
+def _in_range(room: Room, steps: float) -> int | None:
+    """Whole steps; None beyond what is told."""
+    whole = room.whole(min(steps, RANGE + 1))
     return whole if whole <= RANGE else None
 
 

@@ -16,6 +16,7 @@ from devices.ports.robot import Pose
 from donnie_tui.core import poses
 from donnie_tui.core.naming import coloured, coloured_thing, name_of
 from donnie_tui.core.telling import facing
+from donnie_tui.core.wall_words import walls_in_words
 from donnie_tui.core.wording import Wording
 
 if TYPE_CHECKING:
@@ -42,28 +43,30 @@ def describe(
     ``robot``: who starts at ``pose``, None where no robot is. ``about``: what the world's author says of it.
     """
     return (
-        *_overview(picture, about, wording),
+        *_overview(picture, pose, about, wording),
         *_robots(picture, pose, robot, wording),
         *_things(picture, pose, robot, wording),
         *((wording("world-task", task=about.task),) if about else ()),
     )
 
 
-def told_world(name: str, about: About | None, in_words: Sequence[str], wording: Wording) -> tuple[str, ...]:
+def told_world(
+    name: str, about: About | None, in_words: Sequence[str], walls: Sequence[str], wording: Wording
+) -> tuple[str, ...]:
     """A world for somebody who is in it: what its author says, what stands there, and what to try.
 
-    ``in_words``: what stands there, as MAP tells it.
+    ``in_words``: what stands there, as MAP tells it; ``walls``: where they are, if the author doesn't say.
     """
     if about is None:
-        return tuple(in_words)
+        return (*in_words[:1], *walls, *in_words[1:])
     title = wording("world-title", name=name, title=about.title)
     return (title, *about.sentences, *in_words, wording("world-task", task=about.task))
 
 
-def _overview(picture: Picture, about: About | None, wording: Wording) -> tuple[str, ...]:
-    """The author's words know what is a room and what a passage; without them there is the size."""
+def _overview(picture: Picture, pose: Pose, about: About | None, wording: Wording) -> tuple[str, ...]:
+    """The author's words know what is a room and what a passage; without them there are size and walls."""
     if about is None:
-        return (_size(picture, wording),)
+        return (_size(picture, wording), *walls_in_words(picture, pose, wording))
     level = wording(f"difficulty-{about.difficulty.value}")
     return (wording("world-difficulty", difficulty=level), *about.sentences)
 

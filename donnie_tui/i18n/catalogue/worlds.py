@@ -335,6 +335,21 @@ SENTENCES: dict[str, Sentence] = {
         "{width} por {height} passos, com as paredes.",
         "{width} por {height} pasos, con las paredes.",
     ),
+    "walls-around": Sentence(
+        "Walls are all around.", "Há paredes por todos os lados.", "Hay paredes por todos lados."
+    ),
+    "walls-seen": Sentence(
+        "Walls from the robot, in steps: {sides}.",
+        "Paredes a partir do robô, em passos: {sides}.",
+        "Paredes desde el robot, en pasos: {sides}.",
+        brief=("Walls: {sides}.", "Paredes: {sides}.", "Paredes: {sides}."),
+    ),
+    "walls-aside": Sentence(
+        "No wall is straight north, east, south or west.",
+        "Nenhuma parede fica bem ao norte, leste, sul ou oeste.",
+        "Ninguna pared queda justo al norte, este, sur u oeste.",
+        brief=("Walls are aside.", "As paredes ficam de lado.", "Las paredes quedan de lado."),
+    ),
     "world-bare": Sentence("There are no things.", "Não há objetos.", "No hay objetos."),
     "world-things": Sentence(
         "{count} {count:thing|things}, the nearest first.",

@@ -1,0 +1,44 @@
+"""Where the walls of a world are, where its author says nothing of them: all around, or on which sides."""
+
+from pathlib import Path
+
+import pytest
+
+from devices.ports.robot import Pose
+from donnie_tui.core.describe import describe
+from donnie_tui.core.wall_words import walls_in_words
+from donnie_tui.i18n.words import Words
+from sim.picture import picture
+from sim.worldfile import load_text
+
+DONNIE = "position( size [ 0.1 0.1 0.1 ] pose [ 0 0 0 90 ] ranger( sensor( ) ) )\n"
+WALL = "define wall model( size [ 2 0.05 0.24 ] )\n"
+NORTH, EAST = "wall( pose [ 0 1 0 0 ] )\n", "wall( pose [ 1 0 0 90 ] )\n"
+SOUTH, WEST = "wall( pose [ 0 -1 0 0 ] )\n", "wall( pose [ -1 0 0 90 ] )\n"
+TOLD = {
+    "": (),
+    NORTH: ("Walls from the robot, in steps: 18 north.",),
+    NORTH + WEST: ("Walls from the robot, in steps: 18 north, 18 west.",),
+    NORTH + EAST + SOUTH: ("Walls from the robot, in steps: 18 north, 18 east, 18 south.",),
+    NORTH + EAST + SOUTH + WEST: ("Walls are all around.",),
+    "model( size [ 2 2 1 ] boundary 1 )": ("Walls are all around.",),
+    "wall( pose [ 2 2 0 0 ] )": ("No wall is straight north, east, south or west.",),
+}
+
+
+@pytest.mark.parametrize("walls", TOLD, ids=range(len(TOLD)))
+def test_walls_are_told_by_the_side_or_all_around(walls: str) -> None:
+    seen = picture(load_text(WALL + DONNIE + walls, Path("my.world")))
+
+    assert walls_in_words(seen, Pose(0, 0, 0), Words()) == TOLD[walls]
+    told = describe(seen, Pose(0, 0, 0), Words(), robot="donnie")
+    assert told[1 : 1 + len(TOLD[walls])] == TOLD[walls]
+
+
+@pytest.mark.parametrize("heading", [0, 90, 215])
+def test_whichever_way_the_robot_looks_the_sides_are_those_of_the_compass(heading: int) -> None:
+    seen = picture(load_text(WALL + DONNIE + NORTH, Path("my.world")))
+
+    (told,) = walls_in_words(seen, Pose(0, 0, heading), Words("es"))
+
+    assert told.endswith(": 18 al norte.")
