@@ -8,6 +8,7 @@ and the letters of directions and axes are ordinary names everywhere else.
 
 from __future__ import annotations
 
+import re
 from collections.abc import Iterable, Mapping
 from functools import cache
 from types import MappingProxyType
@@ -228,6 +229,18 @@ def topic(text: str) -> str | None:
     folded = folded_word(text)
     rows = (table.get(folded) for table in _arguments_by_terminal.values())
     return next((each.topic for each in rows if each), None)
+
+
+def topic_at(line: str, column: int) -> str:
+    """What the last command word is about that begins at or before a column, from 1; empty without one."""
+    found = [*re.finditer(r"[^\W\d_]+", line)]
+    begun = [at for at, each in enumerate(found) if each.start() < column]
+    for at in reversed(begun):
+        both = " ".join(each[0] for each in found[at : at + 2])
+        known = word(both) or word(found[at][0])
+        if known:
+            return known.topic
+    return ""
 
 
 @cache

@@ -227,6 +227,12 @@ class Error:
     source_line: str = field(default="", metadata={"private": True})
     calls: tuple[int, ...] = field(default=(), metadata={"private": True})
     """The lines of the calls that led there, innermost first."""
+    code: str = field(default="", metadata={"private": True})
+    """Which of the mistakes of its kind it is, where that is known."""
+    meant: str = field(default="", metadata={"private": True})
+    """What was probably meant."""
+    topic: str = field(default="", metadata={"private": True})
+    """The command that it is about, as the canonical word of its help."""
 
 
 @frozen

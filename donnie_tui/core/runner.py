@@ -15,6 +15,7 @@ from devices.ports.values import frozen
 from donnie_tui.core.events import INTERNAL, Announced, Error, Outcome, RunEnded, RunStarted, Statement
 from donnie_tui.core.hub import Hub
 from donnie_tui.core.wording import Wording
+from language import keywords
 from language.compiler import Runnable
 from language.control import ExecutionControl
 from language.diagnostics import MOST_MISTAKES, Diagnostic, ProgramError, QuitRequested, Stopped
@@ -205,8 +206,11 @@ class Run:
                 span.column,
                 wording.mistake(diagnostic),
                 wording.hint(diagnostic),
-                self._source_line(span.line),
+                self._source_line(span.line).strip(),
                 calls,
+                diagnostic.code,
+                diagnostic.meant,
+                keywords.topic_at(self._source_line(span.line), span.column),
             )
         )
 
@@ -214,10 +218,9 @@ class Run:
         """Our own fault: told like a mistake, so that nobody waits in silence."""
         frames = self.frames()
         line = frames[0].line if frames else self._first_line
-        self._stage.hub.publish(
-            Error(INTERNAL, line, 1, self._stage.wording("internal-error"), None, self._source_line(line))
-        )
+        told = self._stage.wording("internal-error")
+        self._stage.hub.publish(Error(INTERNAL, line, 1, told, None, self._source_line(line).strip()))
 
     def _source_line(self, line: int) -> str:
         index = line - self._first_line
-        return self._source_lines[index].strip() if 0 <= index < len(self._source_lines) else ""
+        return self._source_lines[index] if 0 <= index < len(self._source_lines) else ""

@@ -9,7 +9,7 @@ from __future__ import annotations
 from collections.abc import Iterable
 
 from donnie_tui.core.events import Error
-from donnie_tui.core.transcript import lines_of, said_by
+from donnie_tui.core.transcript import lines_of, lines_said_by
 from donnie_tui.core.wording import Wording
 
 MOST_KEPT = 200
@@ -49,8 +49,7 @@ class ToldErrors:
         """The one of ``now`` in plain words, and what to do. ``robot`` is whose it is."""
         if self.now is None:
             return self._none(wording)
-        what = said_by(robot, wording(f"explain-{self.now.kind}"), wording)
-        return what, wording(f"mend-{self.now.kind}")
+        return lines_said_by(robot, wording.explanation(self.now), wording)
 
     def _none(self, wording: Wording) -> tuple[str, ...]:
         return (wording("answer-no-errors"),)

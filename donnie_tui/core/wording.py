@@ -2,9 +2,12 @@
 
 from __future__ import annotations
 
-from typing import Protocol
+from typing import TYPE_CHECKING, Protocol
 
 from language.diagnostics import Diagnostic
+
+if TYPE_CHECKING:
+    from donnie_tui.core.events import Error
 
 
 class Wording(Protocol):
@@ -26,6 +29,9 @@ class Wording(Protocol):
 
     def hint(self, diagnostic: Diagnostic) -> str | None:
         """What would put it right, where that is known."""
+
+    def explanation(self, error: Error) -> tuple[str, ...]:
+        """A mistake in plain words, and what to do, with an example where there is one; a line each."""
 
     def help(self, topic: str | None) -> tuple[str, ...]:
         """The help for a word, or the list of commands; a line each."""

@@ -92,12 +92,16 @@ def _purpose(topic: str, words: Phrasing) -> str:
 
 
 def _entry(topic: str, words: Phrasing) -> tuple[str, ...]:
-    entry = ENTRIES[topic]
     return (
         _purpose(topic, words),
-        words("help-form", form=_forms(entry, words)) + ".",
+        form(topic, words),
         words("help-example", example=example(topic, words)) + ".",
     )
+
+
+def form(topic: str, words: Phrasing) -> str:
+    """How the command is written, as a sentence."""
+    return words("help-form", form=_forms(ENTRIES[topic], words)) + "."
 
 
 def _forms(entry: Entry, words: Phrasing) -> str:

@@ -12,6 +12,7 @@ from donnie_tui.i18n.catalogue import SENTENCES
 from donnie_tui.i18n.sentence import filled
 
 if TYPE_CHECKING:
+    from donnie_tui.core.events import Error
     from language.diagnostics import Diagnostic
 
 
@@ -47,6 +48,11 @@ class Words:
         from donnie_tui.i18n.mistakes import hint
 
         return hint(diagnostic, self)
+
+    def explanation(self, error: Error) -> tuple[str, ...]:
+        from donnie_tui.i18n.explanation import explanation
+
+        return explanation(error, self)
 
     def help(self, topic: str | None) -> tuple[str, ...]:
         from donnie_tui.i18n.help import help_lines

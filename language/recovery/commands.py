@@ -66,6 +66,7 @@ def read_stray(reading: Reading) -> None:
         tell_reserved(reading, token)
     else:
         code = "text-plus" if before[0] == STRING and token[0] == SIGN else ""
+        code = "whole-numbers" if reading.is_decimal_comma else code
         reading.tell(Kind.SYNTAX, token, code, reading.automaton.expected())
     reading.at += 1
     skip_command(reading)

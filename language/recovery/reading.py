@@ -12,7 +12,7 @@ from functools import cached_property
 from types import MappingProxyType
 
 from language.diagnostics import Diagnostic, Kind
-from language.lexer import KIND, NAME, STRING, Lexed, Token, span_of, without_comments
+from language.lexer import KIND, NAME, NUMBER, STRING, Lexed, Token, span_of, without_comments
 from language.origin import language_of, languages_in
 from language.outline import OPENERS
 from language.recovery.automaton import Automaton
@@ -76,6 +76,16 @@ class Reading:
     @property
     def is_at_end(self) -> bool:
         return self.token[0] == 0
+
+    @property
+    def is_decimal_comma(self) -> bool:
+        """Whether a number that is not whole is written with a comma here: 2,5."""
+        (before, _, end, *_), (comma, start, comma_end, *_), (after, begin, *_) = (
+            self.before,
+            self.token,
+            self.following,
+        )
+        return (before, comma, after) == (NUMBER, _COMMA, NUMBER) and (end, comma_end) == (start, begin)
 
     @cached_property
     def spoken(self) -> list[str]:

@@ -52,7 +52,8 @@ def _read_unexpected(reading: Reading) -> None:
     token, near = reading.token, None
     if token[0] in (NAME, FRAGMENT):
         near = nearest_keyword(token[5], reading.automaton.acceptable(), reading.language)
-    reading.tell(Kind.SYNTAX, token, "", reading.automaton.expected(), near.text if near else "")
+    code = "whole-numbers" if reading.is_decimal_comma else ""
+    reading.tell(Kind.SYNTAX, token, code, reading.automaton.expected(), near.text if near else "")
     if near and not near.complete:
         read_as(reading, near, 1)
     else:

@@ -26,6 +26,18 @@ _EXPLAINED: dict[str, tuple[Texts, Texts]] = {
         ),
         ("Check its letters: FW 3.", "Confira as letras: PF 3.", "Revisa las letras: AV 3."),
     ),
+    "whole-numbers": (
+        (
+            "Numbers are whole: no comma, no point.",
+            "Números são inteiros: sem vírgula.",
+            "Los números son enteros: sin coma.",
+        ),
+        (
+            "Take a whole one: FW 2, or FW 3.",
+            "Use um inteiro: PF 2, ou PF 3.",
+            "Usa uno entero: AV 2, o AV 3.",
+        ),
+    ),
     "unknown-character": (
         (
             "That sign is not used in GoDonnie.",
@@ -164,11 +176,19 @@ _EXPLAINED: dict[str, tuple[Texts, Texts]] = {
             "Essa palavra só se digita.",
             "Esa palabra solo se escribe.",
         ),
-        ("Take it out of the program.", "Tire do programa.", "Quítala del programa."),
+        (
+            "Take it out. FW 3 alone is a program.",
+            "Tire. PF 3 sozinho é um programa.",
+            "Quítala. AV 3 ya es un programa.",
+        ),
     ),
     "belt-off": (
         ("The belt was not switched on.", "O cinto não foi ligado.", "El cinturón no se encendió."),
-        ("Switch it on first: BELT ON.", "Ligue antes: CINTO ON.", "Enciéndelo antes: CINTURÓN ON."),
+        (
+            "Switch it on first: BELT ON.",
+            "Ligue antes: CINTO LIGADO.",
+            "Enciéndelo: CINTURÓN ENCENDIDO.",
+        ),
     ),
     "robot": (
         ("The program is right.", "O programa está certo.", "El programa está bien."),
@@ -200,6 +220,16 @@ _EXPLAINED: dict[str, tuple[Texts, Texts]] = {
     ),
 }
 
-SENTENCES = {f"explain-{kind}": Sentence(*what) for kind, (what, _) in _EXPLAINED.items()} | {
-    f"mend-{kind}": Sentence(*do) for kind, (_, do) in _EXPLAINED.items()
+_OF_A_CODE = {
+    "explain-unknown-command-procedure": Sentence(
+        "A procedure is called with brackets.",
+        "Um procedimento se chama com colchetes.",
+        "Un procedimiento lleva corchetes.",
+    ),
 }
+
+SENTENCES = (
+    {f"explain-{kind}": Sentence(*what) for kind, (what, _) in _EXPLAINED.items()}
+    | {f"mend-{kind}": Sentence(*do) for kind, (_, do) in _EXPLAINED.items()}
+    | _OF_A_CODE
+)

@@ -274,8 +274,15 @@ OF_COMMANDS = ("written.py",)
 """Modules of what is refused before a conversation begins."""
 
 
+EXPLAINS = SPEAKS / "i18n" / "explanation.py"
+
+
 def trees_of_linear_mode() -> list[ast.Module]:
-    modules = [*SPEAKS.glob("*.py"), *(each for room in ROOMS for each in SPEAKS.glob(f"{room}/*.py"))]
+    modules = [
+        *SPEAKS.glob("*.py"),
+        EXPLAINS,
+        *(each for room in ROOMS for each in SPEAKS.glob(f"{room}/*.py")),
+    ]
     return [ast.parse(each.read_text("utf-8")) for each in modules if each.name not in OF_COMMANDS]
 
 
