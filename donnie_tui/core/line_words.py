@@ -100,6 +100,8 @@ def line_told(program: TypedProgram, number: int, wording: Wording) -> str:
 
 def no_such_line(count: int, number: int, wording: Wording) -> str:
     """That there is no such line, of so many."""
+    if not count:
+        return wording("linear-no-lines")
     return wording("answer-no-line", line=number, last=count)
 
 

@@ -47,15 +47,28 @@ class _Round:
 
     loop: Statement
     calls: int
-    count: int = 1
+    count: int | None
+    """None where nobody saw it begin."""
     total: int | None = None
+    has_gone_round: bool = False
+
+    def go_round(self) -> None:
+        self.has_gone_round = True
+        if self.count is not None:
+            self.count += 1
 
 
 class StepWords:
     """Tells one run, hold by hold."""
 
-    def __init__(self, program: Program | None, lines: Sequence[str], wording: Wording) -> None:
-        """``lines`` are those of the whole program, for what earlier batches declared."""
+    def __init__(
+        self, program: Program | None, lines: Sequence[str], wording: Wording, *, is_first: bool = True
+    ) -> None:
+        """``lines`` are those of the whole program, for what earlier batches declared.
+
+        ``is_first``: the statement before which it holds first was never reached before, as the first one of
+        all or one with a breakpoint; where somebody pauses that is not known.
+        """
         self._program = program
         self._lines = lines
         self._say = wording
@@ -63,7 +76,8 @@ class StepWords:
         self._reads: list[int] = []
         self._rounds: list[_Round] = []
         self._before: Statement | None = None
-        self._level = 0
+        self._is_first = is_first
+        self._level = self._calls = 0
 
     def heard(self, event: Read) -> None:
         """A sensor said something."""
@@ -72,7 +86,7 @@ class StepWords:
     def lose_count(self) -> None:
         """Statements go by without a hold: rounds are not known any more."""
         self._rounds.clear()
-        self._before = None
+        self._before, self._is_first = None, False
 
     def held(self, line: int, column: int, frames: Sequence[Frame]) -> tuple[str, ...]:
         """The program holds before that statement: what came out of the last one, and what is next."""
@@ -81,7 +95,7 @@ class StepWords:
         told = [*self._condition(variables)]
         told += self._round(statement, len(frames), variables)
         told.append(self._next(statement, line, level))
-        self._before, self._level = statement, level
+        self._before, self._level, self._calls = statement, level, len(frames)
         self._reads.clear()
         return tuple(told)
 
@@ -110,22 +124,33 @@ class StepWords:
             self._rounds.pop()
         current = self._rounds[-1] if self._rounds else None
         if current is not None and statement is current.loop and calls == current.calls:
-            current.count += 1
+            current.go_round()
         elif isinstance(statement, Repeat | While | For):
-            self._rounds.append(_Round(statement, calls))
+            self._rounds.append(_Round(statement, calls, 1 if self._begins(statement, calls) else None))
         elif current is not None and self._before is current.loop:
-            yield self._round_in_words(current, variables)
+            yield from self._round_in_words(current, variables)
+
+    def _begins(self, loop: Statement, calls: int) -> bool:
+        """Whether the loop begins here: what was before it was outside of it. Else it may be any round."""
+        if self._before is None:
+            return self._is_first
+        was_inside = loop.span.start <= self._before.span.start < loop.span.end
+        return calls != self._calls or not was_inside
 
     def _is_in(self, current: _Round, statement: Statement | None, calls: int) -> bool:
         if calls != current.calls or statement is None:
             return calls > current.calls
         return current.loop.span.start <= statement.span.start < current.loop.span.end
 
-    def _round_in_words(self, current: _Round, variables: Mapping[str, int]) -> str:
+    def _round_in_words(self, current: _Round, variables: Mapping[str, int]) -> Iterator[str]:
+        """Where the number is not known, only that it is another round."""
+        if current.count is None:
+            yield from (self._say("step-round-next"),) if current.has_gone_round else ()
+            return
         if isinstance(current.loop, Repeat) and current.count == 1:
             current.total = self._value(current.loop.times, variables, iter(self._reads))
         code = "step-round" if current.total is None else "step-round-of"
-        return self._say(code, round=current.count, rounds=current.total)
+        yield self._say(code, round=current.count, rounds=current.total)
 
     # --- conditions
 

@@ -92,7 +92,8 @@ class Holding:
             from donnie_tui.core.step_words import StepWords  # a program that is held
 
             program = self._desk.session.parse(self._text, self._first_line).program
-            self._words = StepWords(program, self._desk.program.lines, self._desk.say)
+            lines, is_first = self._desk.program.lines, not self._desk.is_pausing
+            self._words = StepWords(program, lines, self._desk.say, is_first=is_first)
         line, column = self._control.held_at if self._control else (0, 0)
         self._desk.watch.look(self._desk.session, frames[0].variables if frames else ())
         if self._desk.is_pausing or not line:
@@ -106,5 +107,5 @@ class Holding:
 
     def _go(self, wish: Wish) -> None:
         self.is_held = False
-        if wish.goes is not Goes.STEP and self._words is not None:
+        if wish.goes not in (Goes.STEP, Goes.OVER) and self._words is not None:
             self._words.lose_count()

@@ -87,8 +87,10 @@ def _tell_changed(desk: Desk, changed: int | None) -> None:
         tell_back_again(desk)
     elif changed <= len(desk.program.lines):
         _say_line(desk, changed)
-    else:
+    elif desk.program.lines:
         desk.answer("linear-lines", lines=len(desk.program.lines))
+    else:
+        desk.answer("linear-no-lines")
 
 
 def tell_back_again(desk: Desk) -> None:

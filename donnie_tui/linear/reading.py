@@ -7,6 +7,7 @@ from __future__ import annotations
 
 from collections.abc import Callable
 
+from donnie_tui.core.line_words import no_such_line
 from donnie_tui.core.reading import ProgramText, line_in_words, outline_in_words, place_in_words
 from donnie_tui.core.typed_words import number_in
 from donnie_tui.linear.arguments import Handler, alone
@@ -36,11 +37,7 @@ def go_to(desk: Desk, number: int) -> None:
 
 
 def _refuse(desk: Desk, number: int) -> None:
-    last = len(desk.program.lines)
-    if last:
-        desk.answer("answer-no-line", line=number, last=last)
-    else:
-        desk.answer("linear-no-lines")
+    desk.tell(no_such_line(len(desk.program.lines), number, desk.say))
 
 
 def _read(desk: Desk, _: Runs, rest: str) -> bool:

@@ -19,6 +19,7 @@ from donnie_tui.linear.desk import Desk
 from donnie_tui.linear.patience import patiently
 from donnie_tui.linear.runs import Runs
 from donnie_tui.words import robot_words, team_words
+from donnie_tui.words.silent_ends import SilentEnds
 
 LONGEST_BEGINNING = 1.0
 """Seconds that a file of typed lines waits for a robot to set out; a program may compute first."""
@@ -43,7 +44,10 @@ def _start(desk: Desk, runs: Runs, rest: str) -> bool:
     if rest:
         return False
     if text.strip():
+        ends = SilentEnds(desk.donnie, [desk.session.hub.robot])
         run = team_words.start(desk.donnie, text, _name(desk.program))
+        if run is None or run.was_refused:
+            ends.close()
         if run is not None and run.was_refused:
             runs.watch_deed(lambda: run)
         elif run is not None:
@@ -72,7 +76,10 @@ def _together(desk: Desk, runs: Runs, rest: str) -> bool:
         began.extend(team_words.start_together(desk.donnie))
         return tuple(began)
 
+    team = desk.donnie.team
+    ends = SilentEnds(desk.donnie, [team.session(each).hub.robot for each in team.given])
     runs.watch_together(start)
+    ends.close()
     for name in (name for name, run in began if name in programs and not run.was_refused):
         programs[name].batch_ran()
     return True

@@ -2,7 +2,11 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
+
 from donnie_tui.core import speeds
+from donnie_tui.core.holding_lines import holding_line, toggled, told_elsewhere
+from donnie_tui.core.line_words import no_such_line
 from donnie_tui.core.retelling import told_back
 from donnie_tui.core.session import Busy
 from donnie_tui.core.typed_words import numbers_in
@@ -21,22 +25,34 @@ def _again(_: Desk, runs: Runs, rest: str) -> bool:
     return not rest
 
 
-def _step(_: Desk, runs: Runs, rest: str) -> bool:
+def _step(desk: Desk, runs: Runs, rest: str) -> bool:
     """Where a program is held already, whoever holds it takes the word."""
     if not rest:
-        runs.run_waiting(begin=ExecutionControl.step)
+        _run_held(desk, runs, ExecutionControl.step)
     return not rest
+
+
+def _run_held(desk: Desk, runs: Runs, begin: Callable[[ExecutionControl], None]) -> None:
+    """What waits; where nothing does, the whole program once more, as AGAIN runs it."""
+    if desk.program.is_waiting or not desk.program.lines:
+        runs.run_waiting(begin=begin)
+    else:
+        desk.answer("step-from-start")
+        runs.run_all(begin=begin)
 
 
 def _until(desk: Desk, runs: Runs, rest: str) -> bool:
     given = numbers_in(rest, most=1)
     if not given:
         return False
-    lines = len(desk.program.lines)
-    if 1 <= given[0] <= lines:
-        runs.run_waiting(begin=lambda control: control.run_to(given[0]))
-    else:
-        desk.answer("answer-no-line", line=given[0], last=lines)
+    line, lines = given[0], len(desk.program.lines)
+    if not 1 <= line <= lines:
+        desk.tell(no_such_line(lines, line, desk.say))
+        return True
+    at = holding_line(desk.program.text, line, desk.session.parse)
+    desk.tell(*told_elsewhere(line, at, desk.say))
+    if at is not None:
+        _run_held(desk, runs, lambda control: control.run_to(at))
     return True
 
 
@@ -79,7 +95,7 @@ def _break(desk: Desk, _: Runs, rest: str) -> bool:
     if given is None:
         return False
     if given and not 1 <= given[0] <= len(desk.program.lines):
-        desk.answer("answer-no-line", line=given[0], last=len(desk.program.lines))
+        desk.tell(no_such_line(len(desk.program.lines), given[0], desk.say))
     elif given:
         _toggle_breakpoint(desk, given[0])
     elif desk.program.breakpoints:
@@ -90,8 +106,11 @@ def _break(desk: Desk, _: Runs, rest: str) -> bool:
 
 
 def _toggle_breakpoint(desk: Desk, line: int) -> None:
-    desk.program.breakpoints ^= {line}
-    desk.answer("break-set" if line in desk.program.breakpoints else "break-gone", line=line)
+    program = desk.program
+    program.breakpoints, at = toggled(program.breakpoints, line, program.text, desk.session.parse)
+    desk.tell(*told_elsewhere(line, at, desk.say))
+    if at is not None:
+        desk.answer("break-set" if at in program.breakpoints else "break-gone", line=at)
     desk.programs.keep_breakpoints()
     run = desk.session.run
     if run is not None:

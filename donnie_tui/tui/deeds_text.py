@@ -11,6 +11,7 @@ from donnie_tui import LANGUAGES
 from donnie_tui.core import finding
 from donnie_tui.core.documents import lines_in
 from donnie_tui.core.harmless import printable
+from donnie_tui.core.holding_lines import toggled, told_elsewhere
 from donnie_tui.core.mistakes import mended
 from donnie_tui.core.reading import ProgramText, line_in_words, place_in_words
 from donnie_tui.core.typed_program import first_difference, lines_of
@@ -76,10 +77,18 @@ class TextDeeds:
         return True
 
     def _toggle_breakpoint(self, line: int) -> None:
-        is_set = self._editor.toggle_breakpoint(line)
+        breakpoints, at = toggled(
+            self._editor.breakpoints, line, self._editor.text, self._host.donnie.session.parse
+        )
+        self._host.talk.tell_sentences(*told_elsewhere(line, at, self._host.words))
+        if at is None:
+            return
+        self._editor.set_breakpoints(breakpoints)
         self._host.running.breakpoints_changed()
         self._host.files.keep_breakpoints()
-        self._host.talk.tell(Answer("screen-break-on" if is_set else "screen-break-off", {"line": line}))
+        self._host.talk.tell(
+            Answer("screen-break-on" if at in breakpoints else "screen-break-off", {"line": at})
+        )
 
     # --- searching
 

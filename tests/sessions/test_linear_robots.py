@@ -30,6 +30,16 @@ QUIT
 """
 
 
+def test_a_program_that_tells_nothing_tells_that_it_has_ended(tmp_path: Path) -> None:
+    """L25: after START, which nobody waits for, and after TOGETHER."""
+    typed = "VAR q = 2\nSTART\nSTOP ALL\nTOGETHER\n"
+    done = donnie(tmp_path, "--linear", *QUIET, "--speed", "max", "--world", "two_robots", typed=typed)
+
+    lines = done.stdout.decode().splitlines()[2:-1]
+    assert lines[0] == "alice begins."
+    assert lines[-1] == "alice: Done."
+
+
 def test_the_learner_chooses_whom_to_talk_to_and_all_run_together(tmp_path: Path) -> None:
     done = donnie(tmp_path, "--linear", *QUIET, "--speed", "max", "--world", "two_robots", typed=TYPED)
 

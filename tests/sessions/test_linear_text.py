@@ -94,6 +94,55 @@ def test_a_word_that_nothing_is_typed_for_stays_as_it_is(tmp_path: Path) -> None
     assert ended[3] == "Nothing was changed."
 
 
+def test_a_step_over_a_call_counts_the_round(tmp_path: Path) -> None:
+    """L40."""
+    program = ("PROCEDURE song: a DO", "TR a", "END PROCEDURE", "REPEAT 3 TIMES", "song [10]", "END REPEAT")
+    lines = told(tmp_path, *program, "STEP", "", "", "OVER", "", "OVER", "", "OVER")
+
+    assert [line for line in lines if line.startswith("Round")] == [f"Round {n} of 3." for n in (1, 2, 3)]
+
+
+def test_a_pause_in_a_loop_is_told_without_a_false_round(tmp_path: Path) -> None:
+    """A breakpoint in the loop, as a pause: nobody counted what went before."""
+    program = ("FOR VAR k = 0; k < 9; k = k + 1 DO", "FW 1", "SPEAK k", "END FOR")
+    lines = told(tmp_path, *program, "BREAK 2", "RUN", "BREAK 2", "STEP", "", "", "", "STOP")
+
+    assert "Next round." not in lines
+    assert [line for line in lines if line.startswith("Round")] == []
+
+
+def test_a_program_that_has_run_is_stepped_through_from_the_start(tmp_path: Path) -> None:
+    assert told(tmp_path, "FW 1", "FW 2", "RUN", "STEP", "", "STOP", "RESET", "UNTIL 2", "STOP")[2:8] == [
+        "From the start again.",
+        "Line 1: FW 1",
+        "I walked 1 step forward.",
+        "Line 2: FW 2",
+        "Stopped at line 2.",
+        "I am back at the start.",
+    ]
+
+
+def test_a_breakpoint_where_no_command_begins_goes_to_the_next_one(tmp_path: Path) -> None:
+    lines = told(
+        tmp_path, "BREAK 1", "REPEAT 2 TIMES", "FW 1", "END REPEAT", "FW 2", "BREAK 3", "RUN", "STOP"
+    )
+
+    assert lines[:3] == [
+        "No lines yet.",
+        "No command begins on line 3, so nothing holds there.",
+        "Breakpoint at line 4.",
+    ]
+    assert lines[5:7] == ["Line 4: FW 2", "Stopped at line 4."]
+    assert (
+        told(tmp_path, "FW 1", "-- end", "BREAK 2")[0]
+        == "No command begins on line 2, so nothing holds there."
+    )
+
+
+def test_the_only_line_taken_back_leaves_none(tmp_path: Path) -> None:
+    assert told(tmp_path, "FW 1", "UNDO") == ["No lines yet."]
+
+
 def test_what_typed_lines_of_a_file_set_counts_for_them_alone(tmp_path: Path) -> None:
     """As DETAIL and LANGUAGE: nobody at a prompt chose it."""
     lines = told(

@@ -170,8 +170,7 @@ async def test_a_breakpoint_that_is_set_while_the_program_holds_is_heeded(work):
 
 async def test_a_breakpoint_goes_with_its_line(work):
     async with work("FW 1\nFW 2\nFW 3") as desk:
-        desk.place.editor.toggle_breakpoint(2)
-        desk.place.editor.toggle_breakpoint(3)
+        desk.place.editor.set_breakpoints(frozenset({2, 3}))
         desk.place.editor.move_cursor((0, 4))
         await desk.press("enter")
         assert desk.place.editor.breakpoints == {3, 4}
@@ -513,7 +512,7 @@ async def test_in_the_plain_layout_the_marks_have_columns_of_their_own(work):
     async with work("FW 5\nTR 90", plain=True) as desk:
         editor = desk.place.editor
         editor.focus()
-        editor.toggle_breakpoint(1)
+        editor.set_breakpoints(editor.breakpoints ^ {1})
         await desk.press("end")
         await desk.pilot.pause()
 

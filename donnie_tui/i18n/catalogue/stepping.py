@@ -7,6 +7,7 @@ _ROUNDS = {
     "step-round-of": Sentence(
         "Round {round} of {rounds}.", "Volta {round} de {rounds}.", "Vuelta {round} de {rounds}."
     ),
+    "step-round-next": Sentence("Next round.", "Próxima volta.", "Vuelta siguiente."),
     "step-true": Sentence(
         "Condition true: {how}.", "Condição verdadeira: {how}.", "Condición verdadera: {how}."
     ),
@@ -39,6 +40,19 @@ _HOLDING = {
         "No breakpoint at line {line} now.",
         "Sem parada na linha {line} agora.",
         "Sin parada en la línea {line}.",
+    ),
+    "break-nowhere": Sentence(
+        "No command begins on line {line}, so nothing holds there.",
+        "Nenhum comando começa na linha {line}, então nada para ali.",
+        "Ningún comando empieza en la línea {line}, así que nada para ahí.",
+        brief=(
+            "No command begins on line {line}.",
+            "Nenhum comando na linha {line}.",
+            "Ningún comando en la línea {line}.",
+        ),
+    ),
+    "step-from-start": Sentence(
+        "From the start again.", "Desde o início de novo.", "Desde el inicio otra vez."
     ),
     "break-none": Sentence("No breakpoints.", "Nenhuma parada.", "Ninguna parada."),
     "break-lines": Sentence("Breakpoints: {lines}.", "Paradas: {lines}.", "Paradas: {lines}."),

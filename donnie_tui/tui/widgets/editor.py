@@ -141,12 +141,6 @@ class Editor(TextArea):
         after = [line for line in sorted(self._notes) if line >= self.line] or sorted(self._notes)
         return self._notes[after[0]] if after else None
 
-    def toggle_breakpoint(self, line: int) -> bool:
-        """Set it, or take it away; whether it is set now."""
-        self.breakpoints ^= {line}
-        self.refresh(self._gutter_of(line))
-        return line in self.breakpoints
-
     def set_breakpoints(self, lines: frozenset[int]) -> None:
         """These, and no others."""
         if lines != self.breakpoints:

@@ -41,6 +41,57 @@ def told(source: str, *, detail: str = "brief", values: tuple[int, ...] = ()) ->
     return lines
 
 
+def told_from(source: str, line: int, *, is_first: bool) -> list[str]:
+    """What is told at each step from a hold at a line on, at its second time unless ``is_first``."""
+    program = parse(source).program
+    assert program is not None
+    words = StepWords(program, source.split("\n"), Words("en", "brief"), is_first=is_first)
+    control, runnable, lines = ExecutionControl(), compile_program(program, hooked=True), list[str]()
+    holds = [0]
+
+    def note(state: ControlState) -> None:
+        if state is ControlState.PAUSED:
+            holds[0] += 1
+            if is_first or holds[0] > 1:
+                lines.extend(words.held(*control.held_at, runnable.frames()))
+                control.step()
+            else:
+                control.run_to(line)
+
+    control.observe(note)
+    control.run_to(line)
+    runnable.run(Sensing(words, []), control, Memory())
+    return lines
+
+
+def test_a_loop_that_is_held_in_its_midst_tells_no_number() -> None:
+    """L40: nobody counted the rounds before."""
+    source = "REPEAT 4 TIMES\nFW 1\nTR 90\nEND REPEAT"
+
+    assert told_from(source, 2, is_first=False)[:5] == [
+        "Line 2: FW 1",
+        "Line 3: TR 90",
+        "Line 1: REPEAT 4 TIMES",
+        "Line 2: FW 1",
+        "Line 3: TR 90",
+    ]
+    assert [line for line in told_from(source, 2, is_first=False) if "ound" in line] == ["Next round."]
+
+
+def test_a_loop_that_a_breakpoint_holds_at_its_head_begins_there() -> None:
+    source = "VAR k = 0\nREPEAT 2 TIMES\nFW 1\nEND REPEAT"
+    rounds = [line for line in told_from(source, 2, is_first=True) if line.startswith("Round")]
+
+    assert rounds == ["Round 1 of 2.", "Round 2 of 2."]
+
+
+def test_a_loop_around_the_one_that_was_held_is_not_counted_either() -> None:
+    source = "REPEAT 3 TIMES\nREPEAT 2 TIMES\nFW 1\nEND REPEAT\nEND REPEAT"
+    rounds = [line for line in told_from(source, 3, is_first=False) if "ound" in line]
+
+    assert rounds == ["Round 1 of 2.", "Round 2 of 2.", "Round 1 of 2.", "Round 2 of 2."]
+
+
 def test_a_repeat_tells_which_round_of_how_many() -> None:
     assert told("VAR n = 2\nREPEAT n + 0 TIMES\nFW 1\nTR 90\nEND REPEAT") == [
         "Line 1: VAR n = 2",
