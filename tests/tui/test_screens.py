@@ -3,14 +3,16 @@
 Made anew on purpose with ``pytest tests/tui/test_screens.py --snapshot-update``.
 """
 
+from collections.abc import Callable
 from pathlib import Path
-from typing import Any
+from typing import Any, TypeVar
 
 import pytest
 from pytest_textual_snapshot import SVGImageExtension
 from syrupy.assertion import SnapshotAssertion
 from syrupy.extensions.single_file import SingleFileSnapshotExtension, WriteMode
 
+F = TypeVar("F", bound=Callable[..., Any])
 SNAPSHOTS = Path(__file__).resolve().parents[2] / "snapshots"
 
 RECTANGLE = """\
@@ -27,8 +29,23 @@ SPEAK "done\""""
 SMALL, LARGE = (80, 24), (120, 40)
 
 
+CONTRAST = "donnie-contrast"
+
+
 def by_size(size: tuple[int, int]) -> str:
     return f"{size[0]}x{size[1]}"
+
+
+def looks(*sizes: tuple[int, int]) -> Callable[[F], F]:
+    """At the usual two sizes and these, in the default and in the high-contrast theme."""
+
+    def parametrized(test: F) -> F:
+        of_size = pytest.mark.parametrize("size", [SMALL, LARGE, *sizes], ids=by_size)
+        return of_size(
+            pytest.mark.parametrize("theme", ["donnie-dark", CONTRAST], ids=["dark", "contrast"])(test)
+        )
+
+    return parametrized
 
 
 class InOneFolder:
@@ -62,30 +79,35 @@ def same(snapshot: SnapshotAssertion):
     return compare
 
 
-@pytest.mark.parametrize("size", [SMALL, LARGE], ids=by_size)
-async def test_the_start(work, same, size):
+@looks()
+async def test_the_start(work, same, theme, size):
     async with work(size=size, world="living_room") as desk:
+        desk.app.theme = theme
         await same(desk)
 
 
-@pytest.mark.parametrize("size", [SMALL, LARGE], ids=by_size)
-async def test_a_rectangle_was_walked(work, same, size):
+@looks()
+async def test_a_rectangle_was_walked(work, same, theme, size):
     async with work(size=size, world="living_room") as desk:
+        desk.app.theme = theme
         await desk.run(RECTANGLE)
         await same(desk)
 
 
-@pytest.mark.parametrize("size", [SMALL, LARGE, (40, 12)], ids=by_size)
-async def test_a_pause_inside_a_procedure(work, same, size):
+@looks((40, 12))
+async def test_a_pause_inside_a_procedure(work, same, theme, size):
     async with work(RECTANGLE, size=size, world="living_room") as desk:
+        desk.app.theme = theme
         desk.place.editor.go_to(4)
         await desk.press("f10")
         await desk.told("Line 4: FW height TR 90")
         await same(desk)
 
 
-async def test_a_mistake(work, same):
-    async with work(RECTANGLE.replace("TR", "RIGTH"), world="living_room") as desk:
+@looks()
+async def test_a_mistake(work, same, theme, size):
+    async with work(RECTANGLE.replace("TR", "RIGTH"), world="living_room", size=size) as desk:
+        desk.app.theme = theme
         await desk.press("f5")
         await desk.told("Error, line 3")
         await desk.idle()
@@ -93,25 +115,13 @@ async def test_a_mistake(work, same):
         await same(desk)
 
 
-async def test_the_variables_at_eighty_columns(work, same):
-    async with work('VAR a = 5 VAR d = DISTANCE F SPEAK "ready"\nFW 1') as desk:
+@looks()
+async def test_the_variables(work, same, theme, size):
+    async with work('VAR a = 5 VAR d = DISTANCE F SPEAK "ready"\nFW 1', size=size) as desk:
+        desk.app.theme = theme
         await desk.press("f7", "f9", "f9", "f9")
         await desk.told("Line 2: FW 1")
         await desk.press("f4")
-        await same(desk)
-
-
-async def test_the_help(work, same):
-    async with work() as desk:
-        await desk.press("f1")
-        await desk.until(lambda: desk.app.screen is not desk.place, "the help")
-        await same(desk)
-
-
-async def test_a_question(work, same):
-    async with work("FW 1") as desk:
-        await desk.press("ctrl+n")
-        await desk.until(lambda: desk.app.screen is not desk.place, "the question")
         await same(desk)
 
 
@@ -135,19 +145,10 @@ async def test_the_terminal_s_own_colours(work, same, monkeypatch):
         await same(desk)
 
 
-CONTRAST = "donnie-contrast"
-
-
-@pytest.mark.parametrize("size", [SMALL, LARGE], ids=by_size)
-async def test_high_contrast(work, same, size):
-    async with work(size=size, world="living_room") as desk:
-        desk.app.theme = CONTRAST
-        await desk.run(RECTANGLE)
-        await same(desk)
-
-
-async def opened(desk, *keys: str) -> None:
+async def opened(desk, *keys: str, typed: str = "") -> None:
     await desk.press(*keys)
+    if typed:
+        await desk.type_line(typed)
     await desk.until(lambda: desk.app.screen is not desk.place, "another screen")
     await desk.pilot.pause()
 
@@ -162,11 +163,17 @@ SCREENS = {
     "legend": ("ctrl+k", "l"),
     "worlds": ("ctrl+k", "o"),
     "keys": ("ctrl+k", "0"),
+    "help": ("f1",),
+    "programs": ("ctrl+k", "b"),
+    "save": ("ctrl+s",),
+    "unsaved": ("ctrl+n",),
+    "replace": ("ctrl+k", "r"),
 }
+WORDS = {"themes": "SET theme", "languages": "LANGUAGE", "typed": "TYPED", "robots": "ROBOT"}
+"""Lists that have no key."""
 
 
-@pytest.mark.parametrize("size", [SMALL, LARGE], ids=by_size)
-@pytest.mark.parametrize("theme", ["donnie-dark", CONTRAST], ids=["dark", "contrast"])
+@looks()
 @pytest.mark.parametrize("name", SCREENS)
 async def test_each_screen(work, same, name, theme, size):
     async with work(RECTANGLE, size=size, world="living_room") as desk:
@@ -176,9 +183,20 @@ async def test_each_screen(work, same, name, theme, size):
         await same(desk)
 
 
-@pytest.mark.parametrize("size", [SMALL, (40, 12)], ids=by_size)
-async def test_changing_a_key(work, same, size):
+@looks()
+@pytest.mark.parametrize("name", WORDS)
+async def test_each_list(work, same, name, theme, size):
+    async with work(RECTANGLE, size=size, world="two_robots") as desk:
+        desk.app.theme = theme
+        await desk.type_line("WHERE")
+        await opened(desk, typed=WORDS[name])
+        await same(desk)
+
+
+@looks((40, 12))
+async def test_changing_a_key(work, same, theme, size):
     async with work("FW 1", size=size) as desk:
+        desk.app.theme = theme
         await desk.type_line("CHANGE KEYS")
         await desk.until(lambda: "RUN: F5, Esc" in desk.screen, "the list")
         await desk.press(*"run:", "enter")
@@ -186,32 +204,38 @@ async def test_changing_a_key(work, same, size):
         await same(desk)
 
 
-@pytest.mark.parametrize("size", [SMALL, LARGE], ids=by_size)
-async def test_the_map_with_names_rays_and_coordinates(work, same, size):
+@looks()
+async def test_the_map_with_names_rays_and_coordinates(work, same, theme, size):
     async with work(size=size, world="living_room") as desk:
+        desk.app.theme = theme
         await desk.run("FW 3 TR 45 SPEAK DISTANCE F")
         await desk.press("ctrl+k", "c", "ctrl+k", "t", "ctrl+k", "n")
         await desk.until(lambda: "Map," in desk.status, "the finger")
         await same(desk)
 
 
-async def test_the_whole_of_a_large_map(work, same):
-    async with work(world="living_room") as desk:
+@looks()
+async def test_the_whole_of_a_large_map(work, same, theme, size):
+    async with work(world="living_room", size=size) as desk:
+        desk.app.theme = theme
         await desk.press("ctrl+k", "a")
         await desk.told("All of the map")
         await same(desk)
 
 
-@pytest.mark.parametrize("size", [SMALL, (40, 12)], ids=by_size)
-async def test_the_plain_layout(work, same, size):
+@looks((40, 12))
+async def test_the_plain_layout(work, same, theme, size):
     async with work("FW 3", size=size, world="living_room", plain=True) as desk:
+        desk.app.theme = theme
         await desk.press("f5")
         await desk.told("The program is done.")
         await same(desk)
 
 
-async def test_mistakes_and_breakpoints_beside_the_program(work, same):
-    async with work("FW 1\nFWD 3\nREPEAT 2 TIMES\nFW 1\nEND REPEAT", size=LARGE, world="living_room") as desk:
+@looks()
+async def test_mistakes_and_breakpoints_beside_the_program(work, same, theme, size):
+    async with work("FW 1\nFWD 3\nREPEAT 2 TIMES\nFW 1\nEND REPEAT", world="living_room", size=size) as desk:
+        desk.app.theme = theme
         desk.place.editor.go_to(4)
         await desk.press("ctrl+b")
         await desk.until(lambda: "!2" in desk.screen, "the mark")
