@@ -7,6 +7,7 @@ from __future__ import annotations
 
 import errno
 import os
+import stat
 import sys
 from enum import Enum
 from pathlib import Path
@@ -25,6 +26,8 @@ else:
 GONE = (OSError, ValueError, TypeError, _TerminalError)
 """What is raised when a device is unplugged, depending on where pyserial notices; its own are ``OSError``,
 but what the terminal's settings raise, where there are such, is none."""
+
+_GROUP_MAY_USE = stat.S_IRGRP | stat.S_IWGRP
 
 WRITE_TIMEOUT = 0.2
 """Seconds; a line that takes no bytes for so long is no line."""
@@ -97,9 +100,16 @@ def _number_of(problem: Exception) -> int | None:
     return number if isinstance(number, int) else None
 
 
-def group_of(port: str) -> str:
-    """The group that may use the port, ``dialout`` where that can't be found out."""
+def group_of(port: str) -> str | None:
+    """The group whose members may use the port, ``dialout`` where that can't be found out.
+
+    None where to join one would not help, or never should be advised: root's own, or one that may not both
+    read and write.
+    """
     try:
+        status = Path(port).stat()
+        if status.st_gid == 0 or status.st_mode & _GROUP_MAY_USE != _GROUP_MAY_USE:
+            return None
         return Path(port).group()
     except (OSError, KeyError, NotImplementedError, ValueError):
         return "dialout"

@@ -6,6 +6,7 @@ from collections.abc import Sequence
 from pathlib import Path, PurePath
 
 from donnie_tui.cli.sources import read_source
+from donnie_tui.core.naming import no_such_robot
 from donnie_tui.core.team import Assigned, Team
 from donnie_tui.i18n.words import Unusable, Words
 
@@ -32,7 +33,7 @@ def assign(programs: Sequence[tuple[str | None, Assigned]], team: Team, words: W
     for robot, program in programs:
         name = team.names[0] if robot is None else team.called(robot)
         if name is None:
-            raise Unusable(words("robot-unknown", name=robot, names=_names(team)))
+            raise Unusable(no_such_robot(robot or "", team.names, MOST_NAMES, words))
         if name in assigned:
             raise Unusable(words("robot-twice", name=name))
         assigned[name] = program
@@ -62,8 +63,3 @@ def _refuse_nameless(parts: Sequence[tuple[str | None, str]], words: Words) -> N
 def _program(file: str, words: Words) -> Assigned:
     source = read_source(file, words)
     return Assigned(source.text, PurePath(source.name).name)
-
-
-def _names(team: Team) -> str:
-    shown = ", ".join(team.names[:MOST_NAMES])
-    return f"{shown}, …" if len(team.names) > MOST_NAMES else shown

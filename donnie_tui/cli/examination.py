@@ -80,6 +80,7 @@ def examine(
     yield from look_at_speech(settings, cause_of_linear is not None)
     yield from look_at_own_sounds(own_sounds(environment))
     yield from look_at_ports()
+    yield from look_at_chosen_ports(settings)
     yield from look_at_reset(settings)
     yield from look_at_settings(settings, environment)
 
@@ -204,10 +205,27 @@ def look_at_ports(found: Callable[[], tuple[FoundPort, ...]] | None = None) -> I
     for port in ports:
         if os.access(port.device, os.R_OK | os.W_OK):
             yield well("doctor-port-board" if port.is_board else "doctor-port", port=port.stable)
+        elif (group := group_of(port.device)) is not None:
+            yield amiss("doctor-port-forbidden", port=port.stable, group=group)
         else:
-            yield amiss("doctor-port-forbidden", port=port.stable, group=group_of(port.device))
+            yield amiss("doctor-port-closed", port=port.stable)
     if not ports:
         yield well("doctor-no-ports")
+
+
+def look_at_chosen_ports(
+    settings: Settings, found: Callable[[], tuple[FoundPort, ...]] | None = None
+) -> Iterator[Finding]:
+    """Whether there is something where the robot and the belt are said to be; not of ports with addresses."""
+    from devices.port_listing import list_ports
+    from devices.serial_port import is_same_port
+
+    chosen = {"robot": settings.robot.partition(":")[2], "belt": settings.belt or ""}
+    for setting, port in chosen.items():
+        if not port or "://" in port or os.path.exists(port):  # noqa: PTH110 -- any text may stand there
+            continue
+        if not any(is_same_port(port, each.device) for each in (found or list_ports)()):
+            yield amiss("doctor-nothing-there", port=port[:40], setting=setting)
 
 
 def look_at_reset(settings: Settings, reset: Callable[[str, str], object] | None = None) -> Iterator[Finding]:

@@ -6,6 +6,7 @@ get a phrase that needs none.
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from typing import TYPE_CHECKING
 
 from donnie_tui.core.wording import Wording
@@ -20,6 +21,20 @@ _DONNIE = "donnie"
 def shown_name(robot: str) -> str:
     """A robot's name where it stands for itself in a map; empty for Donnie, who is called so anyway."""
     return "" if robot.lower() == _DONNIE else robot
+
+
+def no_such_robot(typed: str, names: Sequence[str], most: int, wording: Wording) -> str:
+    """That none is called so, and what they are called, so many of them at most."""
+    shown = [*names[:most], *(["…"] if len(names) > most else [])]
+    return wording("robot-unknown", name=typed[:40], names=all_of(shown, wording), count=len(names))
+
+
+def all_of(names: Sequence[str], wording: Wording) -> str:
+    """They as a list in words: "alice, bob and carol"."""
+    if len(names) < 2:
+        return "".join(names)
+    code = "and-before-i" if names[-1].lower().startswith(("i", "í", "hi", "hí")) else "and"
+    return wording(code, first=", ".join(names[:-1]), last=names[-1])
 
 
 def name_of(thing: Thing, wording: Wording) -> str:

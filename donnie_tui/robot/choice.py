@@ -7,7 +7,7 @@ from collections.abc import Callable
 from devices.port_listing import FoundPort, list_ports
 from devices.ports.robot import RobotProblem
 from devices.ports.values import frozen
-from devices.serial_port import PortProblem, group_of, is_same_port
+from devices.serial_port import PortFault, PortProblem, group_of, is_same_port
 from donnie_tui.i18n.words import Unusable, Words
 from donnie_tui.settings.chosen import Settings
 from donnie_tui.settings.devices import DOUBLE, SERIAL, SIMULATED
@@ -75,7 +75,10 @@ def sentences_of(problem: PortProblem | RobotProblem, words: Words) -> tuple[str
     told = words(f"problem-{code}", **values)
     if not words.knows(f"remedy-{code}"):
         return (told,)
-    return told, words(f"remedy-{code}", group=group_of(values.get("port", "")))
+    if code != PortFault.FORBIDDEN.value:
+        return told, words(f"remedy-{code}")
+    group = group_of(values.get("port", ""))
+    return told, words("remedy-no-group") if group is None else words(f"remedy-{code}", group=group)
 
 
 def _boards(settings: Settings, found: Lister) -> tuple[FoundPort, ...]:

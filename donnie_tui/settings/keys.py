@@ -66,6 +66,8 @@ class Key:
     """The value of a text. Raises ``ValueError``."""
     wanted: str
     """What it takes, for the error."""
+    is_example: bool = False
+    """Whether ``wanted`` is one of many that it takes."""
 
     @property
     def variable(self) -> str:
@@ -93,12 +95,12 @@ KEYS = (
     Key("events", "events", read_text, "FILE, -"),
     Key("record", "record", read_text, "FILE"),
     Key("belt", "belt", read_text, "PORT"),
-    Key("belt_steps", "belt_steps", read_steps, STEPS_WANTED),
-    Key("belt_columns", "belt_columns", read_columns, COLUMNS_WANTED),
+    Key("belt_steps", "belt_steps", read_steps, STEPS_WANTED, is_example=True),
+    Key("belt_columns", "belt_columns", read_columns, COLUMNS_WANTED, is_example=True),
     Key("wheel_radius", "wheel_radius", read_metres, METRES_WANTED),
     Key("axle_length", "axle_length", read_metres, METRES_WANTED),
-    Key("sonars", "sonars", read_sonars, SONARS_WANTED),
-    Key("bumpers", "bumpers", read_bumpers, BUMPERS_WANTED),
+    Key("sonars", "sonars", read_sonars, SONARS_WANTED, is_example=True),
+    Key("bumpers", "bumpers", read_bumpers, BUMPERS_WANTED, is_example=True),
     Key("reset_line", "reset_line", read_reset_line, RESET_WANTED),
     Key("linear", "linear", read_switch, "on, off"),
     Key("page", "page", one_of(("rest", "ask", "off")), "rest, ask, off"),

@@ -9,6 +9,7 @@ from donnie_tui.bootstrap import Donnie
 from donnie_tui.core import poses
 from donnie_tui.core.events import Answered
 from donnie_tui.core.handling import Deed
+from donnie_tui.core.naming import no_such_robot
 from donnie_tui.core.runner import Run
 from donnie_tui.core.session import Busy, Session
 from donnie_tui.core.team import Assigned
@@ -42,8 +43,8 @@ def choose_robot(donnie: Donnie, typed: str) -> bool:
     team = donnie.team
     name = team.called(typed)
     if name is None:
-        shown = ", ".join(team.names[:MOST_ROBOTS])
-        _say(donnie, "robot-unknown", name=typed[:40], names=shown)
+        sentence = no_such_robot(typed, team.names, MOST_ROBOTS, donnie.words)
+        donnie.session.hub.publish(Answered(sentence))
         return False
     team.choose(name)
     _say(donnie, "robot-chosen", name=name)

@@ -55,7 +55,7 @@ def test_the_learner_chooses_whom_to_talk_to_and_all_run_together(tmp_path: Path
         "You talk to bob.",
         "alice: 0, 2, facing north.",
         "bob: 0, 27, facing south.",
-        "There is no robot carol here. There is alice, bob.",
+        "There is no robot carol here. There are alice and bob.",
         "bob: I have no gripper.",
         "alice: I walked 2 steps forward.",
         "bob: I walked 3 steps forward.",

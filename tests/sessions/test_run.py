@@ -268,7 +268,7 @@ def test_a_file_with_a_sign_of_equality_in_its_name_is_a_file(tmp_path: Path) ->
 @pytest.mark.parametrize(
     ("arguments", "sentence"),
     [
-        (("alice=alice.gd", "carol=alice.gd"), "There is no robot carol here. There is alice, bob."),
+        (("alice=alice.gd", "carol=alice.gd"), "There is no robot carol here. There are alice and bob."),
         (("alice=alice.gd", "Alice=alice.gd"), "The robot alice has two programs. One is enough."),
         (("alice.gd", "alice.gd"), "Which robot runs alice.gd? Write ROBOT=alice.gd."),
         (("alice=-", "bob=-"), "Only one robot can take its program from standard input."),

@@ -70,7 +70,7 @@ async def test_who_is_unknown_changes_nothing(work):
     async with work("", world="two_robots") as desk:
         await desk.type_line("ROBOT carol")
 
-        await desk.told("There is no robot carol here. There is alice, bob.")
+        await desk.told("There is no robot carol here. There are alice and bob.")
         assert desk.app.work.donnie.session.name == "alice"
 
 

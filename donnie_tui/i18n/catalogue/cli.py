@@ -83,6 +83,26 @@ SENTENCES: dict[str, Sentence] = {
             "Variable {name}: {wanted}, no {value}.",
         ),
     ),
+    "setting-not-understood-example": Sentence(
+        "The setting {name} can't be {value}. For example: {wanted}.",
+        "A configuração {name} não pode ser {value}. Por exemplo: {wanted}.",
+        "El ajuste {name} no puede ser {value}. Por ejemplo: {wanted}.",
+        brief=(
+            "Setting {name}: {wanted}, not {value}.",
+            "Ajuste {name}: {wanted}, não {value}.",
+            "Ajuste {name}: {wanted}, no {value}.",
+        ),
+    ),
+    "variable-not-understood-example": Sentence(
+        "The variable {name} can't be {value}. For example: {wanted}.",
+        "A variável {name} não pode ser {value}. Por exemplo: {wanted}.",
+        "La variable {name} no puede ser {value}. Por ejemplo: {wanted}.",
+        brief=(
+            "Variable {name}: {wanted}, not {value}.",
+            "Variável {name}: {wanted}, não {value}.",
+            "Variable {name}: {wanted}, no {value}.",
+        ),
+    ),
     "settings-file-damaged": Sentence(
         "Settings file damaged, line {line}. Defaults count.",
         "Arquivo de configurações com erro, linha {line}. Valem os padrões.",

@@ -321,6 +321,26 @@ SENTENCES: dict[str, Sentence] = {
         "sudo usermod -aG {group} $USER, e entre de novo.",
         "sudo usermod -aG {group} $USER, y entra otra vez.",
     ),
+    "doctor-port-closed": Sentence(
+        "you may not use port {port}.",
+        "você não pode usar a porta {port}.",
+        "no puedes usar el puerto {port}.",
+    ),
+    "doctor-port-closed-remedy": Sentence(
+        "ask who runs this machine; usually the groups dialout or uucp may.",
+        "peça a quem cuida da máquina; em geral os grupos dialout ou uucp podem.",
+        "pregunta a quien cuida la máquina; suelen poder los grupos dialout o uucp.",
+    ),
+    "doctor-nothing-there": Sentence(
+        "nothing is plugged in at {port}, where {setting} looks.",
+        "nada está conectado em {port}, onde {setting} procura.",
+        "no hay nada conectado en {port}, donde busca {setting}.",
+    ),
+    "doctor-nothing-there-remedy": Sentence(
+        "plug it in, or see donnie devices for what is there.",
+        "conecte-o, ou veja em donnie devices o que há.",
+        "conéctalo, o mira en donnie devices lo que hay.",
+    ),
     "doctor-no-ports": Sentence(
         "No serial port is plugged in.", "Nenhuma porta serial conectada.", "Ningún puerto serie conectado."
     ),

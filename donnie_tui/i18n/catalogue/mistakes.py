@@ -244,6 +244,8 @@ SENTENCES: dict[str, Sentence] = {
     ),
     # --- lists and classes of words
     "or": Sentence("{first} or {last}", "{first} ou {last}", "{first} o {last}"),
+    "and": Sentence("{first} and {last}", "{first} e {last}", "{first} y {last}"),
+    "and-before-i": Sentence("{first} and {last}", "{first} e {last}", "{first} e {last}"),
     "class-number": Sentence("a number", "um número", "un número"),
     "class-name": Sentence("a name", "um nome", "un nombre"),
     "class-expression": Sentence("a value", "um valor", "un valor"),

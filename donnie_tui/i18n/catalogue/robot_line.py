@@ -50,6 +50,16 @@ _PORTS: dict[str, Sentence] = {
         "Entre no grupo {group}: sudo usermod -aG {group} $USER. Depois entre de novo no sistema.",
         "Entra en el grupo {group}: sudo usermod -aG {group} $USER. Luego vuelve a iniciar sesión.",
     ),
+    "remedy-no-group": Sentence(
+        "Ask who runs this machine: usually the groups dialout or uucp may use ports.",
+        "Peça a quem cuida da máquina: em geral os grupos dialout ou uucp usam portas.",
+        "Pregunta a quien cuida la máquina: suelen poder los grupos dialout o uucp.",
+        brief=(
+            "Ask who runs this machine.",
+            "Peça a quem cuida da máquina.",
+            "Pregunta a quien cuida la máquina.",
+        ),
+    ),
     "remedy-port-busy": Sentence(
         "Perhaps another Donnie runs. Leave it first.",
         "Talvez outro Donnie esteja aberto. Saia dele antes.",

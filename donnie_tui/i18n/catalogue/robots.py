@@ -80,11 +80,11 @@ SENTENCES: dict[str, Sentence] = _cut_short() | {
     ),
     # --- several at once
     "robot-unknown": Sentence(
-        "There is no robot {name} here. There is {names}.",
+        "There is no robot {name} here. There {count:is|are} {names}.",
         "Não há robô {name} aqui. Há {names}.",
         "No hay ningún robot {name} aquí. Hay {names}.",
         brief=(
-            "No robot {name}. There is {names}.",
+            "No robot {name}. There {count:is|are} {names}.",
             "Não há {name}. Há {names}.",
             "No hay {name}. Hay {names}.",
         ),

@@ -308,4 +308,8 @@ def test_what_can_not_be_understood_is_an_error_or_a_notice(key: str, value: str
 
     settings, notices = resolve({}, {}, {key: value})
     assert settings == Settings()
-    assert [notice.code for notice in notices] == ["setting-not-understood"]
+    (notice,) = notices
+    told = Words()(notice.code, **notice.values)
+    is_one_of_many = key in ("belt_steps", "belt_columns", "sonars", "bumpers")
+    assert told.startswith(f"The setting {key} can't be ")
+    assert ("For example: " if is_one_of_many else "It takes ") in told

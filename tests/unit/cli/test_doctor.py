@@ -8,12 +8,14 @@ from pathlib import Path
 
 import pytest
 
+from devices import serial_port
 from devices.port_listing import FoundPort
 from devices.reset_line import GpioReset, PinFault
 from devices.speech.choose import Facts, SpeakPlace, SpeechWish, choose_channel
 from donnie_tui.cli import examination
 from donnie_tui.cli.examination import (
     Finding,
+    look_at_chosen_ports,
     look_at_packages,
     look_at_ports,
     look_at_reset,
@@ -93,13 +95,30 @@ def test_a_device_that_is_missing_is_told_with_the_remedy(monkeypatch: pytest.Mo
     assert "doctor-player" in findings or not findings["doctor-no-player"].is_well
 
 
-@pytest.mark.skipif("os.name != 'posix' or os.getuid() == 0", reason="root may use every port")
-def test_a_port_that_we_may_not_use_names_the_group(tmp_path: Path) -> None:
+@pytest.mark.parametrize("group", ["dialout", None])
+def test_a_port_that_we_may_not_use_names_the_group_or_who_to_ask(
+    monkeypatch: pytest.MonkeyPatch, group: str | None
+) -> None:
+    monkeypatch.setattr(os, "access", lambda *_: False)
+    monkeypatch.setattr(serial_port, "group_of", lambda _: group)
+    (finding,) = look_at_ports(lambda: (FoundPort("/dev/ttyS0", "/dev/ttyS0", True),))
+    assert not finding.is_well
+    remedy = Words()(f"{finding.code}-remedy", **finding.values)
+    assert ("usermod -aG dialout" in remedy) == (group is not None)
+
+
+@pytest.mark.parametrize("settings", [{"robot": "serial:/dev/nowhere9"}, {"belt": "/dev/nowhere9"}])
+def test_a_chosen_port_where_nothing_is_plugged_in_is_told(settings: dict[str, str]) -> None:
+    (finding,) = look_at_chosen_ports(Settings(**settings), lambda: ())  # type: ignore[arg-type]
+    assert not finding.is_well
+    assert "/dev/nowhere9" in told([finding])[0]
+
+
+def test_a_chosen_port_that_is_there_or_is_an_address_is_well(tmp_path: Path) -> None:
     port = tmp_path / "ttyACM0"
-    port.touch(mode=0o000)
-    (finding,) = look_at_ports(lambda: (FoundPort(str(port), str(port), True),))
-    assert finding.code == "doctor-port-forbidden"
-    assert finding.values["group"] == port.group()
+    port.touch()
+    settings = Settings(robot=f"serial:{port}", belt="socket://belt:4000")
+    assert list(look_at_chosen_ports(settings, lambda: ())) == []
 
 
 def test_a_port_of_a_board_and_no_port_at_all_are_told(tmp_path: Path) -> None:
