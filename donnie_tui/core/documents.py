@@ -48,12 +48,15 @@ def program_to_open(name: str) -> Path:
 def program_to_save(name: str, in_use: FilesInUse) -> Path:
     """The file that a program is saved to: the suffix is added where a name has none.
 
-    Raises ``DocumentError``, also for what is in use, so that nobody is asked whether to replace that.
+    Raises ``DocumentError``, also for what is in use and for a folder, so that nobody is asked whether to
+    replace that.
     """
     path = _typed_path(name)
     meant = path if path.suffix or exists(path) else path.with_name(path.name + SUFFIX)
     if meant in in_use:
         raise DocumentError("file-in-use", str(meant))
+    if is_folder(meant):
+        raise DocumentError("file-is-folder", str(meant))
     return meant
 
 
@@ -88,6 +91,13 @@ def exists(path: Path) -> bool:
     """Whether anything is there; never what can't even be looked for, as a name that is too long."""
     try:
         return path.exists()
+    except OSError:
+        return False
+
+
+def is_folder(path: Path) -> bool:
+    try:
+        return path.is_dir()
     except OSError:
         return False
 

@@ -32,7 +32,14 @@ class Words:
         self.detail = detail
 
     def __call__(self, code: str, **values: object) -> str:
-        """The sentence of a code. Raises ``KeyError`` for a code that the catalogue lacks."""
+        """The sentence of a code. Raises ``KeyError`` for a code that the catalogue lacks.
+
+        A ``reason`` may be in the system's words.
+        """
+        if values.get("reason"):
+            from donnie_tui.i18n.reasons import reason_told  # only when something failed
+
+            values["reason"] = reason_told(code, str(values["reason"]), self)
         return filled(SENTENCES[code].text(self.language, self.detail), values, self.language)
 
     def knows(self, code: str) -> bool:

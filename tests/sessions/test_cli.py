@@ -204,7 +204,7 @@ def test_a_report_tells_what_was_ignored(printed: Printed) -> None:
         (("world", "no.world"), "There is no file no.world."),
         (
             ("world", "open_floor", "--svg", "no/x.svg"),
-            "I can't write no/x.svg: No such file or directory.",
+            "I can't write no/x.svg: there is no such folder.",
         ),
         (("world", "open_floor", "--brf", "."), ". is a folder."),
         (
@@ -220,7 +220,7 @@ def test_a_report_tells_what_was_ignored(printed: Printed) -> None:
         ),
         (("run", "a.gd", "--speed", "fast"), "The option --speed can't be fast. It takes 0.1-1000, max."),
         (("run", "a.gd", "--world", "bare.world"), "The world bare.world has no robot with sensors."),
-        (("run", "a.gd", "--events", "no/such"), "I can't write no/such: No such file or directory."),
+        (("run", "a.gd", "--events", "no/such"), "I can't write no/such: there is no such folder."),
         (("run", "a.gd", "--foo"), "I do not understand --foo. The option --help tells more."),
         (("run", "--lang", "pt"), "Falta: FILE. A opção --help diz mais."),
         (

@@ -36,6 +36,7 @@ TOPICS = (
     "belt",
     "devices",
     "files",
+    "reasons",
     "scenarios",
     "sensors",
     "signs",

@@ -177,3 +177,10 @@ def test_a_file_that_must_not_be_written_is_not_replaced(
     with pytest.raises(DocumentError):
         write_program(path, "FW 2")
     assert path.read_text() == "FW 1"
+
+
+def test_a_folder_is_told_as_one_before_anybody_is_asked_whether_to_replace_it(tmp_path: Path) -> None:
+    with pytest.raises(DocumentError) as refused:
+        program_to_save(str(tmp_path), FilesInUse())
+
+    assert refused.value.code == "file-is-folder"
