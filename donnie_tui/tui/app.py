@@ -102,6 +102,7 @@ class DonnieApp(TerminalApp, inherit_bindings=False):
             self._behind,
             self.workplace,
             self.key_table,
+            coming=self._coming,
             feed=super().on_event,
             must_wait=lambda: self.beginning.holds_keys or self._coming.holds_keys,
             do=self.do,

@@ -27,6 +27,8 @@ class Coming:
         self._patience: Timer | None = None
         self._screen: Screen[Any] | None = None
         """What was called for and is not there yet."""
+        self._has_gone = False
+        """Whether a question has gone since ``forget_gone``."""
 
     @property
     def holds_keys(self) -> bool:
@@ -52,8 +54,14 @@ class Coming:
     def gone(self, screen: Screen[Any]) -> None:
         """It was answered, or nobody waits for it."""
         self._is_there(screen)
+        self._has_gone = True
         if self._asking is not None:
             self._wait_a_moment()
+
+    def forget_gone(self) -> bool:
+        """Whether a question has gone since this was asked last."""
+        has_gone, self._has_gone = self._has_gone, False
+        return has_gone
 
     def _is_there(self, screen: Screen[Any]) -> None:
         if screen is self._screen:

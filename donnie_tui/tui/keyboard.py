@@ -13,8 +13,9 @@ from textual.app import App
 from textual.binding import Binding, BindingsMap
 from textual.widgets import Input, TextArea
 
+from donnie_tui.tui.coming import Coming
 from donnie_tui.tui.key_table import KeyTable
-from donnie_tui.tui.keys import MENU, PALETTE
+from donnie_tui.tui.keys import MENU, PALETTE, key_label
 from donnie_tui.tui.screens.workplace import Workplace
 from donnie_tui.tui.session_behind import SessionBehind
 from donnie_tui.tui.turns import Turns
@@ -57,6 +58,7 @@ class Keyboard:
         place: Workplace,
         key_table: KeyTable,
         *,
+        coming: Coming,
         feed: Callable[[events.Event], Awaitable[None]],
         must_wait: Callable[[], bool],
         do: Callable[[str], None],
@@ -66,6 +68,7 @@ class Keyboard:
         ``must_wait``: whether there is nothing yet that keys could be for.
         """
         self._app, self._behind, self._place, self._key_table = app, behind, place, key_table
+        self._coming = coming
         self._feed, self._must_wait, self._do = feed, must_wait, do
         self._turns = Turns(app, self._take, must_wait)
         self._menu: KeyMenu | None = None
@@ -90,7 +93,7 @@ class Keyboard:
 
     async def _take(self, event: events.Event) -> None:
         """A key whose turn it is. What is no letter to write may mean something further up: the next wait."""
-        if isinstance(event, events.Key) and self._did_by_menu(event.key):
+        if isinstance(event, events.Key) and (self._did_by_menu(event) or self._is_too_late(event)):
             return
         await self._feed(event)
         if isinstance(event, events.Key) and not (event.is_printable and self._is_writing):
@@ -100,6 +103,18 @@ class Keyboard:
     def _is_writing(self) -> bool:
         """Whether a letter is just a letter; elsewhere it may call for something."""
         return isinstance(self._app.focused, (Input, TextArea))
+
+    def _is_too_late(self, event: events.Key) -> bool:
+        """Esc right behind a question may be meant for it: it drives no robot until it is pressed again."""
+        if self._app.screen is not self._place or not self._coming.forget_gone():
+            return False
+        name, work = self._key_table.action_of(event.key), self._behind.work
+        if event.key != "escape" or name is None or work is None or self._behind.runs:
+            return False
+        from donnie_tui.tui.actions import BY_NAME
+
+        work.talk.tell_sentences(work.words("esc-again", word=BY_NAME[name].word(work.words.language)))
+        return True
 
     def _is_stop(self, event: events.Event) -> bool:
         return self._is_stop_key(event) and self._behind.runs
@@ -138,11 +153,21 @@ class Keyboard:
     def _menu_is_gone(self, _answer: None) -> None:
         self._menu = None
 
-    def _did_by_menu(self, key: str) -> bool:
-        """The letter behind the menu key counts at once, whether its list is seen yet or not."""
-        if self._menu is None or (name := self._menu.names.get(key)) is None:
+    def _did_by_menu(self, event: events.Key) -> bool:
+        """The letter behind the menu key counts at once, whether its list is seen yet or not.
+
+        One that means nothing there closes it, too: what comes next is no command.
+        """
+        menu = self._menu
+        if menu is None or event.key in menu.READING:
             return False
-        menu, self._menu = self._menu, None
+        name, self._menu = menu.names.get(event.key), None
         menu.leave()
-        self._turns.do(lambda: self._do_in_turn(name))
+        self._turns.do(lambda: self._do_in_turn(name) if name else self._tell_nothing_done(event))
         return True
+
+    def _tell_nothing_done(self, event: events.Key) -> None:
+        if self._behind.work is not None:
+            words = self._behind.work.words
+            label = event.character if event.is_printable and event.character else key_label(event.key)
+            self._behind.work.talk.tell_sentences(words("menu-no-key", key=f"{key_label(MENU)} {label}"))

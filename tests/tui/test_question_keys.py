@@ -90,3 +90,54 @@ async def test_keys_do_not_wait_for_what_takes_long_without_asking(work, monkeyp
         monkeypatch.setattr(desk.app.work, "do", lambda _name: asyncio.Event().wait())
         burst(desk, "ctrl+n", *"FW")
         await desk.until(lambda: desk.app.work.text == "FW", "the letters")
+
+
+@pytest.mark.parametrize(("language", "told"), [("en", "RUN"), ("pt", "EXECUTAR"), ("es", "EJECUTAR")])
+async def test_esc_behind_a_question_that_closed_itself_drives_no_robot(work, language, told) -> None:  # type: ignore[no-untyped-def]
+    async with work("FW 1", language=language) as desk:
+        await desk.press("ctrl+g")
+        await desk.answer("99")
+        await desk.until(lambda: any("99" in line for line in desk.log), "no such line")
+        await until_answered(desk)
+        await desk.press("escape")
+        await desk.until(lambda: desk.log[-1].endswith(f": {told}."), "what Esc does")
+        assert desk.app.work.pose.y == 0
+        await desk.press("escape")
+        await desk.until(lambda: desk.app.work.pose.y == 1, "the run")
+
+
+async def test_a_second_esc_in_one_burst_drives_no_robot(work) -> None:  # type: ignore[no-untyped-def]
+    async with work("FW 1") as desk:
+        burst(desk, "ctrl+g", "escape", "escape", "X")
+        await desk.told("Esc again: RUN.")
+        await desk.until(lambda: desk.app.work.text == "XFW 1", "the letter")
+
+        assert desk.app.work.pose.y == 0
+
+
+async def test_esc_behind_anything_else_runs(work) -> None:  # type: ignore[no-untyped-def]
+    async with work("FW 1") as desk:
+        burst(desk, "ctrl+g", "1", "enter", "end", "escape")
+        await desk.until(lambda: desk.app.work.pose.y == 1, "the run")
+
+        assert not any("Esc again: RUN." in line for line in desk.log)
+
+
+@pytest.mark.parametrize("key", ["7", "ñ", "f8", "tab", "ctrl+q"])
+async def test_a_key_that_means_nothing_behind_the_menu_key_closes_the_list_and_is_told(work, key) -> None:  # type: ignore[no-untyped-def]
+    async with work("FW 1") as desk:
+        burst(desk, "ctrl+k", key, "m", "a")
+        await desk.told("does nothing.")
+        await desk.until(lambda: desk.app.work.text == "maFW 1", "what was typed behind it")
+
+        assert desk.app.screen is desk.place
+
+
+async def test_the_keys_behind_the_menu_key_can_be_read_before_one_is_pressed(work) -> None:  # type: ignore[no-untyped-def]
+    async with work("FW 1") as desk:
+        await desk.press("ctrl+k")
+        await desk.until(lambda: desk.app.screen is not desk.place, "the list")
+        await desk.press("down", "pagedown", "up", "end", "home")
+
+        assert desk.app.screen is not desk.place
+        assert not any("does nothing" in line for line in desk.log)

@@ -89,6 +89,12 @@ def _here() -> dict[str, Sentence]:
 
 SENTENCES: dict[str, Sentence] = _here() | {
     "here-key": Sentence("{keys}: {purpose}", "{keys}: {purpose}", "{keys}: {purpose}"),
+    "menu-no-key": Sentence("{key} does nothing.", "{key} não faz nada.", "{key} no hace nada."),
+    "esc-again": Sentence(
+        "It is closed already. Esc again: {word}.",
+        "Já está fechado. Esc de novo: {word}.",
+        "Ya está cerrado. Esc otra vez: {word}.",
+    ),
     "here-tab": Sentence(
         "Tab: the next pane. Shift+Tab: the one before.",
         "Tab: o próximo painel. Shift+Tab: o anterior.",

@@ -21,6 +21,8 @@ class KeyMenu(ModalScreen[None]):
 
     BINDINGS: ClassVar[list[BindingType]] = [Binding("escape", "leave", show=False, priority=True)]
     AUTO_FOCUS = "#key-rows"
+    READING = ("escape", "up", "down", "pageup", "pagedown", "home", "end")
+    """What is pressed to read the list; any other key ends it."""
 
     def __init__(
         self, keys: Mapping[str, tuple[str, ...]], words: Wording, point: Callable[[str], object]
