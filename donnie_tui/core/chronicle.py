@@ -24,6 +24,11 @@ class Chronicle:
         if not isinstance(stamped.event, TRANSIENT):
             self._events.append(stamped)
 
+    @property
+    def last_seq(self) -> int:
+        """The number of the last event; 0 before any."""
+        return self._events[-1].seq if self._events else 0
+
     def timeline(self) -> Timeline:
         """What is kept just now, seen from its end."""
         from donnie_tui.core.timeline import Timeline  # for who goes back

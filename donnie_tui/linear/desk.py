@@ -14,6 +14,7 @@ from donnie_tui.core.breakpoints import KeptBreakpoints
 from donnie_tui.core.copies import Copies
 from donnie_tui.core.events import Answered
 from donnie_tui.core.session import Session
+from donnie_tui.core.stepped import Stepped
 from donnie_tui.core.transcript import lines_said_by, said_by
 from donnie_tui.core.typed_program import TypedProgram
 from donnie_tui.core.watching import Watch
@@ -65,6 +66,8 @@ class Desk:
         self.searched = ""
         """What SEARCH looked for last."""
         self.watch = Watch(self.say)
+        self.stepped = Stepped()
+        """The holds of the program that runs or ran last, for STEP BACK."""
         self.is_pausing = False
         """Whether PAUSE was said to the running program."""
         self.answers_first = False

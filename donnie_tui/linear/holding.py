@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from enum import Enum, auto
 from typing import TYPE_CHECKING
 
@@ -12,6 +12,7 @@ from donnie_tui.i18n.first_words import PROMPT
 from donnie_tui.linear.desk import Desk
 from donnie_tui.linear.reader import Typed
 from language.control import ControlState, ExecutionControl
+from language.runtime import Frame
 
 if TYPE_CHECKING:
     from donnie_tui.core.step_words import StepWords
@@ -57,6 +58,7 @@ class Holding:
         """A run is about to begin."""
         self.is_held, self._control, self._desk.is_pausing = False, control, False
         self._words, self._text, self._first_line = None, text, first_line
+        self._desk.stepped.begin()
         control.observe(self._changed)
         if self._desk.program.breakpoints:
             control.break_at(self._desk.program.breakpoints)
@@ -102,10 +104,18 @@ class Holding:
         if 0 < at <= len(self._desk.program.lines):
             self._desk.place = at
         if line:  # else in the middle of a movement or a wait
-            self._desk.tell(*self._words.held(line, column, frames))
+            told = self._words.held(line, column, frames)
+            self._desk.stepped.held(self._desk.donnie.chronicle.last_seq, told, variables_of(frames))
+            self._desk.tell(*told)
         self._desk.is_pausing = False
 
     def _go(self, wish: Wish) -> None:
         self.is_held = False
         if wish.goes not in (Goes.STEP, Goes.OVER) and self._words is not None:
             self._words.lose_count()
+            self._desk.stepped.goes_on()
+
+
+def variables_of(frames: Sequence[Frame]) -> dict[str, int]:
+    """Those that can be seen there, by name."""
+    return dict(frames[0].variables) if frames else {}

@@ -7,7 +7,6 @@ from collections.abc import Callable
 from donnie_tui.core import speeds
 from donnie_tui.core.holding_lines import holding_line, toggled, told_elsewhere
 from donnie_tui.core.line_words import no_such_line
-from donnie_tui.core.retelling import told_back
 from donnie_tui.core.session import Busy
 from donnie_tui.core.typed_words import numbers_in
 from donnie_tui.core.watching import may_be_watched
@@ -83,10 +82,9 @@ def _continue(desk: Desk) -> None:
 
 def _step_back(desk: Desk) -> None:
     """What happened last, undone in words; once more goes further back."""
-    if desk.heard.timeline is None:
-        desk.heard.timeline = desk.donnie.chronicle.timeline()
-    undone = desk.heard.timeline.step_back()
-    desk.tell(told_back(undone, desk.heard.timeline, desk.say))
+    is_now = desk.heard.timeline is None
+    timeline = desk.heard.timeline = desk.heard.timeline or desk.donnie.chronicle.timeline()
+    desk.tell(*desk.stepped.back(timeline, desk.session.variables, desk.say, is_now=is_now))
 
 
 def _break(desk: Desk, _: Runs, rest: str) -> bool:

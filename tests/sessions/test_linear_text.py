@@ -122,6 +122,54 @@ def test_a_program_that_has_run_is_stepped_through_from_the_start(tmp_path: Path
     ]
 
 
+def test_steps_are_told_backwards_as_they_were_forwards(tmp_path: Path) -> None:
+    """Issue 4: lines, conditions, rounds, and the variables of then; what was not stepped, event by event."""
+    program = ("VAR x = 1", "WHILE x < 3 DO", "x = x + 1", "FW x", "END WHILE")
+    lines = told(
+        tmp_path, *program, "STEP", "", "", "", "", *["STEP BACK"] * 6, "", "CONTINUE", *["STEP BACK"] * 3
+    )
+
+    assert lines[8:23] == [
+        "Back: FW x. Position 0, 0.",
+        "Line 4: FW x",
+        "Back.",
+        "x is 1.",
+        "Condition true: 1 less than 3.",
+        "Round 1.",
+        "Line 3, level 1: x = x + 1",
+        "Back.",
+        "Line 2: WHILE x < 3 DO",
+        "Back.",
+        "x is not there yet.",
+        "Line 1: VAR x = 1",
+        "Back: start of the program.",
+        "This is the start.",
+        "Condition true: 2 less than 3.",
+    ]
+    assert lines[26:29] == [
+        "Back: end of the program. Position 0, 5.",
+        "Back: FW x. Position 0, 2.",
+        "x is 2.",
+    ]
+
+
+def test_a_procedure_that_was_stepped_over_is_taken_back_as_one_step(tmp_path: Path) -> None:
+    program = (
+        "PROCEDURE song: a DO",
+        "REPEAT 9 TIMES",
+        "TR a",
+        "END REPEAT",
+        "END PROCEDURE",
+        "song [10]",
+        "FW 1",
+    )
+    lines = told(tmp_path, *program, "STEP", "", "OVER", "STEP BACK")
+
+    back = lines[lines.index("Line 7: FW 1") + 1 :]
+    assert [line.split(".")[0] for line in back[:6]] == [*["Back: TR a"] * 5, "Back: 4 more"]
+    assert back[6] == "Line 6: song [10]"
+
+
 def test_a_breakpoint_where_no_command_begins_goes_to_the_next_one(tmp_path: Path) -> None:
     lines = told(
         tmp_path, "BREAK 1", "REPEAT 2 TIMES", "FW 1", "END REPEAT", "FW 2", "BREAK 3", "RUN", "STOP"

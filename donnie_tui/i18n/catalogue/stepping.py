@@ -60,6 +60,11 @@ _HOLDING = {
     "watch-gone": Sentence("Not watching {name} now.", "Não vigio mais {name}.", "Ya no vigilo {name}."),
     "watch-none": Sentence("Nothing is watched.", "Nada é vigiado.", "Nada se vigila."),
     "variable-is": Sentence("{name} is {value}.", "{name} é {value}.", "{name} es {value}."),
+    "variable-not-yet": Sentence(
+        "{name} is not there yet.", "{name} ainda não existe.", "{name} todavía no existe."
+    ),
+    "undone-step": Sentence("Back.", "De volta.", "Atrás."),
+    "undone-more": Sentence("Back: {count} more.", "De volta: mais {count}.", "Atrás: {count} más."),
     "variables-none": Sentence("No variables.", "Nenhuma variável.", "Ninguna variable."),
     "call-at": Sentence("In {name}, line {line}.", "Em {name}, linha {line}.", "En {name}, línea {line}."),
     "still-walking": Sentence(
