@@ -9,7 +9,6 @@ from __future__ import annotations
 import os
 from collections.abc import Awaitable, Sequence
 from pathlib import Path
-from typing import TypeVar
 
 from textual.events import Event
 from textual.widget import Widget
@@ -49,8 +48,6 @@ from donnie_tui.tui.while_typing import WhileTyping
 from donnie_tui.words.world_going import stop_before_going, tell_arrival
 from language.control import ControlState
 from language.keywords import canonical
-
-T = TypeVar("T")
 
 
 class Work:
@@ -244,7 +241,7 @@ class Work:
     def repaint(self) -> None:
         self._host.repaint()
 
-    # --- telling
+    # --- what the application hears
 
     def explored(self) -> None:
         """Another square of the map: said too, and shown in the status line."""
@@ -256,8 +253,6 @@ class Work:
     def entered(self) -> None:
         """The focus came to another part: said too, and shown in the status line."""
         self.talk.point(self.display.focus_sentence)
-
-    # --- what the application hears
 
     def began(self, event: Began) -> None:
         self.following.began(event)
