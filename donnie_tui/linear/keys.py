@@ -103,11 +103,7 @@ class KeyDecoder:
         keys: list[Key] = []
         at = 0
         while at < len(text):
-            if (
-                text[at] == "\x1b"
-                and re.compile(_UNFINISHED).match(text, at)
-                and len(text) - at < _LONGEST_SEQUENCE
-            ):
+            if text[at] == "\x1b" and _is_unfinished(text, at):
                 self._pending = text[at:]
                 break
             at = _next_key(text, at, keys)
