@@ -53,7 +53,7 @@ def signs(seconds: float, interval: float, monkeypatch: pytest.MonkeyPatch) -> l
     desk: Any = SimpleNamespace(
         console=console,
         session=SimpleNamespace(hub=hub),
-        donnie=SimpleNamespace(stop_real_robot=bool),
+        donnie=SimpleNamespace(team=SimpleNamespace(settle=_nothing), stop_real_robot=bool),
         ends=SimpleNamespace(habits=SimpleNamespace(progress=interval), can_edit=True, hears_live=False),
         watch=Watch(Words()),
         say=None,

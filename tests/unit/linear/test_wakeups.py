@@ -107,7 +107,7 @@ class Watched:
         self._happens = happens
         self._hub = SimpleNamespace(robot=None, subscribe=lambda _: _nothing, add_gate=lambda _: _nothing)
         session = SimpleNamespace(hub=self._hub, stop=self._stop, frames=())
-        team = SimpleNamespace(stop=self._stop, running=())
+        team = SimpleNamespace(stop=self._stop, settle=lambda: None, running=())
         self.desk: Any = SimpleNamespace(
             console=self.console,
             session=session,
