@@ -50,15 +50,13 @@ def describe(
     )
 
 
-def told_world(
-    name: str, about: About | None, in_words: Sequence[str], walls: Sequence[str], wording: Wording
-) -> tuple[str, ...]:
+def told_world(name: str, about: About | None, in_words: Sequence[str], wording: Wording) -> tuple[str, ...]:
     """A world for somebody who is in it: what its author says, what stands there, and what to try.
 
-    ``in_words``: what stands there, as MAP tells it; ``walls``: where they are, if the author doesn't say.
+    ``in_words``: what stands there, as MAP tells it.
     """
     if about is None:
-        return (*in_words[:1], *walls, *in_words[1:])
+        return tuple(in_words)
     title = wording("world-title", name=name, title=about.title)
     return (title, *about.sentences, *in_words, wording("world-task", task=about.task))
 

@@ -15,10 +15,12 @@ from devices.ports.robot import Pose
 from donnie_tui.core.describe import place_of, things_in_words
 from donnie_tui.core.map_grid import FREE, START, TRAIL, WALL, Bounds, Cell, Kind, MapGrid
 from donnie_tui.core.naming import name_of
+from donnie_tui.core.wall_words import walls_in_words
 from donnie_tui.core.wording import Wording
 
 if TYPE_CHECKING:
     from sim.picture import Picture
+    from worlds import About
 
 WIDEST, HIGHEST = 40, 18
 """Squares of the picture: what a braille display shows of a line, and what a screen reader takes at once."""
@@ -30,15 +32,24 @@ _LINE = {"brief": 40, "normal": 60, "full": 80}
 """Characters of a line of runs."""
 
 
-def map_in_words(picture: Picture, pose: Pose, wording: Wording) -> tuple[str, ...]:
+def map_in_words(
+    picture: Picture, pose: Pose, wording: Wording, about: About | None = None
+) -> tuple[str, ...]:
     """How large the floor is, how many things there are, and where each is, the nearest first."""
+    return (*floor_in_words(picture, pose, wording, about), *things_in_words(picture, pose, wording))
+
+
+def floor_in_words(
+    picture: Picture, pose: Pose, wording: Wording, about: About | None = None
+) -> tuple[str, ...]:
+    """How large it is and how much stands there; where its walls are if nobody says anything ``about`` it."""
     width, height = picture.width * picture.cell, picture.height * picture.cell
     size = (
         wording("world-size", width=width, height=height) if picture.has_walls else wording("world-endless")
     )
-    things = things_in_words(picture, pose, wording)
-    count = wording("world-things", count=len(picture.things)) if things else wording("world-bare")
-    return (size, count, *things)
+    walls = () if about else walls_in_words(picture, pose, wording)
+    count = len(picture.things)
+    return (size, *walls, wording("world-things", count=count) if count else wording("world-bare"))
 
 
 def row_in_words(grid: MapGrid, y: int, wording: Wording) -> tuple[str, ...]:

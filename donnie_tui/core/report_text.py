@@ -11,7 +11,7 @@ from devices.ports.values import frozen
 from donnie_tui.core import use_cases
 from donnie_tui.core.describe import place_of
 from donnie_tui.core.documents import unquoted
-from donnie_tui.core.map_words import map_in_words
+from donnie_tui.core.map_words import floor_in_words
 from donnie_tui.core.naming import name_of, shade
 from donnie_tui.core.reading import ProgramText
 from donnie_tui.core.reports import Section, as_csv, as_html
@@ -103,7 +103,7 @@ def _map(subject: Subject, wording: Wording) -> Section:
         )
         for each in subject.picture.things
     ]
-    lines = map_in_words(subject.picture, subject.pose, wording)[:2]
+    lines = floor_in_words(subject.picture, subject.pose, wording)
     return Section(wording("report-map"), lines, [_columns(wording, "map"), *rows])
 
 

@@ -1,10 +1,11 @@
 """The walls of a world in words, where its author wrote none: all around, or on which sides of the robot.
 
-A way out is looked for on the map, square by square: what can't be left has walls all around.
+A way out is looked for on the map, run by run of squares: what can't be left has walls all around.
 """
 
 from __future__ import annotations
 
+from collections.abc import Iterator
 from math import inf
 from typing import TYPE_CHECKING
 
@@ -33,21 +34,25 @@ def walls_in_words(picture: Picture, pose: Pose, wording: Wording) -> tuple[str,
 
 
 def _has_way_out(picture: Picture, pose: Pose) -> bool:
-    """Whether free squares lead from there over the edge of the map."""
-    waiting = [picture.at(pose.x, pose.y)]
-    seen = set(waiting)
+    """Whether free squares lead from there over the edge of the map; looked for by runs of such squares."""
+    rows, start = picture.rows, picture.at(pose.x, pose.y)
+    waiting = [] if start is None else [start]
+    seen = set[tuple[int, int]]()
     while waiting:
-        if (square := waiting.pop()) is None:
+        row, column = waiting.pop()
+        left, right = rows[row].rfind(_WALL, 0, column) + 1, rows[row].find(_WALL, column)
+        if left == 0 or right < 0 or row in (0, picture.height - 1):
             return True
-        row, column = square
-        for beside in ((row - 1, column), (row + 1, column), (row, column - 1), (row, column + 1)):
-            if not _is_on(picture, *beside):
-                return True
-            if beside not in seen and picture.rows[beside[0]][beside[1]] != _WALL:
-                seen.add(beside)
-                waiting.append(beside)
-    return False
+        if (row, left) not in seen:
+            seen.add((row, left))
+            waiting += [
+                (beside, at) for beside in (row - 1, row + 1) for at in _runs(rows[beside], left, right)
+            ]
+    return start is None
 
 
-def _is_on(picture: Picture, row: int, column: int) -> bool:
-    return 0 <= row < picture.height and 0 <= column < picture.width
+def _runs(row: str, left: int, right: int) -> Iterator[int]:
+    """The first square of each run of free ones between two columns."""
+    for column in range(left, right):
+        if row[column] != _WALL and (column == left or row[column - 1] == _WALL):
+            yield column

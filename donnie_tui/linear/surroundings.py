@@ -11,7 +11,6 @@ from donnie_tui.core.sensor_words import sensors_in_words
 from donnie_tui.core.trail import place_in_words
 from donnie_tui.core.transcript import lines_said_by
 from donnie_tui.core.typed_words import numbers_in
-from donnie_tui.core.wall_words import walls_in_words
 from donnie_tui.linear.arguments import Handler, alone, counted
 from donnie_tui.linear.desk import Desk
 from donnie_tui.linear.runs import Runs
@@ -57,7 +56,8 @@ def say_map(desk: Desk) -> None:
 
 
 def _map_in_words(desk: Desk) -> tuple[str, ...]:
-    return map_words.map_in_words(desk.donnie.picture_now(), desk.session.pose, desk.say)
+    about = desk.donnie.world.about(desk.say.language)
+    return map_words.map_in_words(desk.donnie.picture_now(), desk.session.pose, desk.say, about)
 
 
 def _row(desk: Desk, _: Runs, rest: str) -> bool:
@@ -93,8 +93,7 @@ def say_world(desk: Desk) -> None:
     """What its author says of the world, what stands in it, and what to try there."""
     world = desk.donnie.world
     floor = lines_said_by(desk.session.hub.robot, _map_in_words(desk), desk.say)
-    walls = walls_in_words(desk.donnie.picture_now(), desk.session.pose, desk.say)
-    desk.tell(*told_world(world.name, world.about(desk.say.language), floor, walls, desk.say))
+    desk.tell(*told_world(world.name, world.about(desk.say.language), floor, desk.say))
 
 
 HANDLERS: dict[str, Handler] = {

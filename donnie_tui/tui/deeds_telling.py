@@ -21,7 +21,6 @@ from donnie_tui.core.told_errors import ToldErrors, line_of
 from donnie_tui.core.trail import place_in_words
 from donnie_tui.core.transcript import lines_said_by
 from donnie_tui.core.typed_words import count_in, numbers_in
-from donnie_tui.core.wall_words import walls_in_words
 from donnie_tui.core.wording import Wording
 from donnie_tui.i18n.catalogue.signs import SPELLED_OF
 from donnie_tui.tui.deeds_around import go_to_world
@@ -71,7 +70,8 @@ class TellingDeeds:
             x, y = place
             self._tell_of_robot(map_words.square_in_words(self._grid, x, y, pose, words))
         else:
-            self._tell_of_robot(*map_words.map_in_words(self._grid.picture, pose, words))
+            about = self._host.donnie.world.about(words.language)
+            self._tell_of_robot(*map_words.map_in_words(self._grid.picture, pose, words, about))
         return True
 
     def map_row(self, argument: str) -> bool:
@@ -206,10 +206,10 @@ class TellingDeeds:
         if argument:
             return go_to_world(self._host, argument)
         host, words = self._host, self._host.words
-        picture = self._grid.picture
-        floor, walls = (tell(picture, host.pose, words) for tell in (map_words.map_in_words, walls_in_words))
-        world, of_robot = host.donnie.world, lines_said_by(host.donnie.session.hub.robot, floor, words)
-        self._tell(*told_world(world.name, world.about(words.language), of_robot, walls, words))
+        world, about = host.donnie.world, host.donnie.world.about(words.language)
+        floor = map_words.map_in_words(self._grid.picture, host.pose, words, about)
+        of_robot = lines_said_by(host.donnie.session.hub.robot, floor, words)
+        self._tell(*told_world(world.name, about, of_robot, words))
         return None
 
     # --- telling

@@ -6,9 +6,10 @@ import pytest
 
 from devices.ports.robot import Pose
 from donnie_tui.core.describe import describe
+from donnie_tui.core.map_words import map_in_words
 from donnie_tui.core.wall_words import walls_in_words
 from donnie_tui.i18n.words import Words
-from sim.picture import picture
+from sim.picture import Picture, picture
 from sim.worldfile import load_text
 
 DONNIE = "position( size [ 0.1 0.1 0.1 ] pose [ 0 0 0 90 ] ranger( sensor( ) ) )\n"
@@ -31,6 +32,7 @@ def test_walls_are_told_by_the_side_or_all_around(walls: str) -> None:
     seen = picture(load_text(WALL + DONNIE + walls, Path("my.world")))
 
     assert walls_in_words(seen, Pose(0, 0, 0), Words()) == TOLD[walls]
+    assert map_in_words(seen, Pose(0, 0, 0), Words())[1:-1] == TOLD[walls]
     told = describe(seen, Pose(0, 0, 0), Words(), robot="donnie")
     assert told[1 : 1 + len(TOLD[walls])] == TOLD[walls]
 
@@ -42,3 +44,16 @@ def test_whichever_way_the_robot_looks_the_sides_are_those_of_the_compass(headin
     (told,) = walls_in_words(seen, Pose(0, 0, heading), Words("es"))
 
     assert told.endswith(": 18 al norte.")
+
+
+def test_a_way_out_is_found_wherever_it_winds_and_a_closed_room_has_none() -> None:
+    rows = ("#######", "#...#..", "#.#.#.#", "#.#...#", "#.#####", "#.#...#", "#######")
+    closed = (*rows[:1], "#...#.#", *rows[2:])
+    for floor, pose, told in (
+        (rows, Pose(1, 1, 0), "No wall is straight"),
+        (closed, Pose(1, 1, 0), "Walls are all around."),
+        (rows, Pose(4, 1, 0), "Walls are all around."),
+    ):
+        square = ((-0.5, 6.5), (0.5, 6.5), (0.5, 7.5), (-0.5, 7.5))
+        (line,) = walls_in_words(Picture(0, 0, 7, 7, 1, floor, (), True, (square,)), pose, Words())
+        assert line.startswith(told)
