@@ -211,6 +211,9 @@ class Link:
     reason: str
 
 
+BELT_LINK = "belt-link"
+"""The code of what is announced when the belt is lost or back, while a program runs or not."""
+
 INTERNAL = "internal"
 """The kind of an error that is no mistake of the program: a fault of ours. The others are the language's."""
 

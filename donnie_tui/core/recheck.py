@@ -13,6 +13,7 @@ from typing import Protocol
 
 from devices.ports.values import frozen
 from donnie_tui.core.events import (
+    BELT_LINK,
     TRANSIENT,
     Announced,
     HowStarted,
@@ -214,7 +215,7 @@ class _Checking:
         with self._lock:
             if self._difference is not None or self._at >= self._until:
                 return
-            self._skip_questions(stamped)
+            self._skip_what_came_by(stamped)
             if self._at < self._until and not _is_same(self._events[self._at], stamped):
                 self._difference = Verdict(Result.DIFFERENT, self._at, stamped)
             self._at += 1
@@ -222,11 +223,11 @@ class _Checking:
         if is_over:
             self._team.stop()
 
-    def _skip_questions(self, stamped: Stamped) -> None:
-        """Somebody asked where the robot is while it ran: nothing that a program did."""
+    def _skip_what_came_by(self, stamped: Stamped) -> None:
+        """Somebody asked where the robot is, or the belt was lost: nothing that a program did."""
         while (
             self._at < self._until
-            and _is_question(self._events[self._at])
+            and _came_by(self._events[self._at])
             and not _is_same(self._events[self._at], stamped)
         ):
             self._at += 1
@@ -240,8 +241,8 @@ class _Checking:
         self._at += 1
 
 
-def _is_question(stamped: Stamped) -> bool:
-    return isinstance(stamped.event, Announced) and stamped.event.code in ("position", "help")
+def _came_by(stamped: Stamped) -> bool:
+    return isinstance(stamped.event, Announced) and stamped.event.code in ("position", "help", BELT_LINK)
 
 
 def _is_same(one: Stamped, other: Stamped) -> bool:

@@ -90,8 +90,9 @@ class Session:
         ``moved_things`` tells where the things of the world are.
         """
         self._pace = _CurrentPace()
-        self._began = 0.0
-        self.hub = Hub(lambda: self._robot.time() - self._began, name, stream)
+        self._began: float | None = None
+        """When the last run of this robot began, by its clock; None before the first one."""
+        self.hub = Hub(self._since_began, name, stream)
         self.wording = wording
         self.teller = Teller(self.hub, wording)
         self._belt_settings = belt or BeltSettings()
@@ -105,6 +106,10 @@ class Session:
         self._world, self._seed, self._terminal = world, seed, terminal
         self._lock = threading.Lock()
         self._run: Run | None = None
+
+    def _since_began(self) -> float:
+        """Seconds of robot time; what happens before the first run happens at 0."""
+        return 0.0 if self._began is None else self._robot.time() - self._began
 
     def _take(self, make_robot: MakeRobot) -> None:
         watcher = RobotWatcher(self.hub)
@@ -368,10 +373,12 @@ class Session:
         with self._lock:
             if self._run is not None:
                 raise Busy
+            is_fresh, pose = self._began is None, self.pose
             self._take(make_robot or self._own_robot)
-            self._began = self._robot.time()
+            self._began = None
             self._memory = Memory()
-        self.hub.publish(Reset(self.pose))
+        if not (is_fresh and pose == self.pose):  # else nothing is another than it was
+            self.hub.publish(Reset(self.pose))
 
     def _begin_anew(self) -> None:
         self._robot.reset()

@@ -21,6 +21,7 @@ from typing import Protocol
 
 from devices.ports.values import field, mutable
 from donnie_tui.core.events import (
+    BELT_LINK,
     Announced,
     Answered,
     Error,
@@ -41,8 +42,8 @@ LONGEST_SOURCE = 60
 MOST_CALLS = 10
 """Calls that are told of a mistake deep inside."""
 
-OF_NO_ROBOT = ("help", "more-mistakes")
-"""Announcements that are about the language and not about what a robot does."""
+OF_NO_ROBOT = ("help", "more-mistakes", BELT_LINK)
+"""Announcements that are about the language or the belt and not about what a robot does."""
 
 
 def told_lines(stamped: Stamped, wording: Wording) -> tuple[str, ...]:

@@ -13,7 +13,7 @@ from typing import TYPE_CHECKING
 
 from donnie_tui.core.belt import BeltSettings
 from donnie_tui.core.belt_telling import ChosenBelt
-from donnie_tui.core.events import Answered
+from donnie_tui.core.events import BELT_LINK, Announced
 from donnie_tui.core.team import Team
 from donnie_tui.i18n.words import Unusable, Words
 from donnie_tui.settings.chosen import Settings
@@ -55,7 +55,7 @@ class _News:
             if self._kept is not None:
                 self._kept.append(sentence)
                 return
-        self._team.chosen.hub.publish(Answered(sentence))
+        self._team.chosen.hub.publish(Announced(BELT_LINK, sentence))
 
     def take(self) -> tuple[str, ...]:
         """What was kept; from now on it is events."""

@@ -49,6 +49,23 @@ def test_the_start_does_not_wait_for_a_belt_at_an_address_and_that_there_is_none
         donnie.close()
 
 
+def test_a_belt_that_is_lost_is_an_event_whether_a_program_runs_or_not() -> None:
+    ours, theirs = os.openpty()
+    tty.setraw(ours)
+    told = list[tuple[str, str]]()
+    settings = Settings(belt=os.ttyname(theirs), speech="off", sound=False)
+    donnie = assemble(settings, terminal=True)
+    donnie.session.hub.subscribe(
+        lambda stamped: told.append((getattr(stamped.event, "code", ""), getattr(stamped.event, "text", "")))
+    )
+    os.close(theirs)
+    os.close(ours)
+    try:
+        assert until(lambda: ("belt-link", "The belt is gone.") in told)
+    finally:
+        donnie.close()
+
+
 def test_robot_and_belt_may_not_have_the_same_port(tmp_path: Path, robot: DoubleOnPty) -> None:
     file = program(tmp_path, "FW 1")
     done = donnie(tmp_path, "run", file, *serial(robot), "--belt", robot.path)

@@ -36,6 +36,10 @@ def test_a_program_runs_on_the_robot_and_is_told_as_ever(tmp_path: Path, robot: 
     assert not robot.board.is_driving
     events = [json.loads(line) for line in (tmp_path / "events.jsonl").read_text().splitlines()]
     assert [each["state"] for each in events if each["event"] == "link"] == ["connected"]
+    assert [each["event"] for each in events[:3]] == ["link", "announced", "run_started"]
+    assert [each["t"] for each in events[:2]] == [0.0, 0.0]
+    times = [each["t"] for each in events[2:]]
+    assert times == sorted(times)
 
 
 def test_a_line_that_is_lost_ends_the_walk_and_nothing_goes_on_by_itself(robot: DoubleOnPty) -> None:
