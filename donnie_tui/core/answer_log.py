@@ -90,6 +90,11 @@ class AnswerLog:
         return len(self._answers)
 
 
+def none_so_far(log: AnswerLog, wording: Wording) -> str:
+    """That there is no such answer: none at all, or fewer."""
+    return wording("answers-so-far", count=len(log)) if len(log) else wording("answer-nothing-said")
+
+
 LONGEST_TOLD = 40
 """Characters of a word that is told not to have been said."""
 

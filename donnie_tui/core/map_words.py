@@ -136,7 +136,23 @@ def picture_in_letters(grid: MapGrid, wording: Wording, free: str = FREE) -> tup
         width=window.width,
         height=window.height,
     )
-    return (title, *legend, *("".join(shown_as.get(each, each) for each in row) for row in rows))
+    part = _part_in_words(grid, window, wording)
+    return (title, *part, *legend, *("".join(shown_as.get(each, each) for each in row) for row in rows))
+
+
+def _part_in_words(grid: MapGrid, window: Bounds, wording: Wording) -> tuple[str, ...]:
+    """Which part of the world the picture has, where it has not all of it."""
+    if window == grid.bounds:
+        return ()
+    parts = (("picture-part", window), ("picture-whole", grid.bounds))
+    return tuple(wording(code, **_places(grid, bounds)) for code, bounds in parts)
+
+
+def _places(grid: MapGrid, bounds: Bounds) -> dict[str, int]:
+    """Where it ends, in steps."""
+    left, bottom = grid.place(Cell(bounds.left, bounds.bottom))
+    right, top = grid.place(Cell(bounds.right, bounds.top))
+    return {"left": left, "bottom": bottom, "right": right, "top": top}
 
 
 def _braille_letters(names: dict[str, str]) -> dict[str, str]:

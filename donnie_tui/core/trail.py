@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections import deque
 from collections.abc import Callable
 
-from devices.ports.robot import Pose
+from devices.ports.robot import Pose, StoppedBy
 from donnie_tui.core import poses
 from donnie_tui.core.events import Moved, RunEnded, RunStarted, Stamped, Turned
 from donnie_tui.core.telling import facing
@@ -75,5 +75,7 @@ def _move(event: Moved | Turned, wording: Wording) -> str:
     if isinstance(event, Turned):
         return wording("trail-turned", command=event.command, facing=facing(event.pose, wording))
     code = "trail-blocked" if event.stopped_by else "trail-walked"
+    if event.stopped_by in (StoppedBy.USER, StoppedBy.LINK):
+        code = "trail-stopped"
     x, y = poses.whole(event.pose.x), poses.whole(event.pose.y)
     return wording(code, command=event.command, done=event.walked, x=x, y=y)

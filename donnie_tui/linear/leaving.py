@@ -26,7 +26,8 @@ class Leaving:
         desk = self._desk
         waiting = desk.program.waiting if desk.program.is_waiting else 0
         if waiting and not desk.is_attended:
-            desk.answer("linear-did-not-run", lines=waiting)
+            was_tried = any(each.line > len(desk.program.lines) - waiting for each in desk.heard.errors.all)
+            desk.answer("linear-did-not-run-mistake" if was_tried else "linear-did-not-run", lines=waiting)
         self.leave(0)
 
     def leave(self, code: int) -> None:

@@ -13,7 +13,7 @@ from donnie_tui.core.watching import may_be_watched
 from donnie_tui.linear.arguments import Handler, alone
 from donnie_tui.linear.desk import Desk
 from donnie_tui.linear.runs import Runs
-from donnie_tui.settings.readers import read_speed
+from donnie_tui.settings.readers import FASTEST, SLOWEST, read_speed
 from language.control import ExecutionControl
 from language.source import fold_name
 
@@ -141,7 +141,8 @@ def _speed(desk: Desk, _: Runs, rest: str) -> bool:
         if rest:
             desk.session.speed = read_speed(fold_name(rest))
     except ValueError:
-        return False
+        desk.answer("screen-bad-speed", slowest=SLOWEST, fastest=FASTEST)
+        return True
     _say_speed(desk)
     return True
 

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from donnie_tui.core.answer_log import found_in_words, spelled
+from donnie_tui.core.answer_log import found_in_words, none_so_far, spelled
 from donnie_tui.core.told_errors import line_of
 from donnie_tui.i18n.catalogue.signs import SPELLED_OF
 from donnie_tui.linear.arguments import Handler, alone, counted
@@ -21,7 +21,7 @@ def _last(desk: Desk, which: int) -> None:
         desk.showing.is_repeating = True
         desk.tell(*answer)
     else:
-        desk.answer("answer-nothing-said")
+        desk.tell(none_so_far(desk.answers, desk.say))
 
 
 def _spell(desk: Desk, which: int) -> None:

@@ -6,6 +6,7 @@ program has ended.
 
 from __future__ import annotations
 
+from donnie_tui.core.harmless import printable
 from donnie_tui.core.use_cases import When
 from donnie_tui.linear import commands
 from donnie_tui.linear.desk import Desk
@@ -15,6 +16,9 @@ from donnie_tui.linear.recall import Past
 from donnie_tui.linear.runs import Runs
 from donnie_tui.linear.told import Told
 from language import keywords
+
+LONGEST_QUOTE = 30
+"""Characters of a line that are told when it was not taken."""
 
 _GOES = {"step": Goes.STEP, "step_over": Goes.OVER, "continue_": Goes.ON, "stop": Goes.STOP}
 """How a held program goes on by a word."""
@@ -55,6 +59,7 @@ class WhileRunning:
         if keywords.canonical(words[0]) == "HELP":
             commands.say_help(self._desk, " ".join(words[1:]))
         elif not commands.is_probably_ours(line, self._desk):
+            self._desk.answer("linear-not-taken", line=printable(line[:LONGEST_QUOTE]))
             self._desk.answer("linear-stepping")
 
     def _live(self) -> bool:

@@ -10,7 +10,7 @@ from collections.abc import Awaitable, Callable, Sequence
 from typing import TYPE_CHECKING
 
 from donnie_tui.core import map_words
-from donnie_tui.core.answer_log import found_in_words, spelled
+from donnie_tui.core.answer_log import found_in_words, none_so_far, spelled
 from donnie_tui.core.around import around_in_words, compass_point
 from donnie_tui.core.describe import told_world
 from donnie_tui.core.events import Error
@@ -113,7 +113,8 @@ class TellingDeeds:
     def last(self, argument: str) -> bool:
         which = count_in(argument, 1)
         if which is not None:
-            self._tell(*(self._host.answers.again(which) or (self._host.words("answer-nothing-said"),)))
+            answers = self._host.answers
+            self._tell(*(answers.again(which) or (none_so_far(answers, self._host.words),)))
         return which is not None
 
     def last_word(self, _argument: str) -> None:

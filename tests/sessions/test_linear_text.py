@@ -191,6 +191,27 @@ def test_the_only_line_taken_back_leaves_none(tmp_path: Path) -> None:
     assert told(tmp_path, "FW 1", "UNDO") == ["No lines yet."]
 
 
+def test_a_line_that_is_not_taken_while_held_is_told(tmp_path: Path) -> None:
+    assert told(tmp_path, "FW 1", "FW 2", "STEP", "FW 9", "STOP")[1:3] == [
+        "Not now: FW 9",
+        "Enter goes on. RUN runs the rest. STOP ends.",
+    ]
+
+
+def test_what_is_out_of_range_tells_the_range(tmp_path: Path) -> None:
+    assert told(tmp_path, "SPEED 999999", "WHERE", "LAST 1000") == [
+        "A speed is a number from 0.1 to 1000, or max.",
+        "Position 0, 0. Facing north.",
+        "2 answers so far.",
+    ]
+
+
+def test_lines_that_a_mistake_kept_from_running_are_told_so_at_the_end(tmp_path: Path) -> None:
+    done = donnie(tmp_path, "--linear", *QUIET, typed="FW 1\nTRR 90\nRUN\n")
+
+    assert done.stdout.decode().splitlines()[-2] == "2 lines did not run because of the mistake."
+
+
 def test_what_typed_lines_of_a_file_set_counts_for_them_alone(tmp_path: Path) -> None:
     """As DETAIL and LANGUAGE: nobody at a prompt chose it."""
     lines = told(

@@ -43,6 +43,11 @@ _PROGRAM = {
         "Guardado {name}, {lines} {lines:línea|líneas}.",
     ),
     "answer-new": Sentence("A new program.", "Um programa novo.", "Un programa nuevo."),
+    "answers-so-far": Sentence(
+        "{count} {count:answer|answers} so far.",
+        "{count} {count:resposta|respostas} até agora.",
+        "{count} {count:respuesta|respuestas} hasta ahora.",
+    ),
     "answer-unchanged": Sentence("Nothing was changed.", "Nada foi mudado.", "No se cambió nada."),
     "answer-rescued": Sentence(*first_words.RESCUED),
     "answer-recovered": Sentence(

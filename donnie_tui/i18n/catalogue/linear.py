@@ -60,6 +60,17 @@ _RUNNING = {
             "{lines} {lines:línea|líneas} sin ejecutar.",
         ),
     ),
+    "linear-not-taken": Sentence("Not now: {line}", "Agora não: {line}", "Ahora no: {line}"),
+    "linear-did-not-run-mistake": Sentence(
+        "{lines} {lines:line|lines} did not run because of the mistake.",
+        "{lines} {lines:linha não foi executada|linhas não foram executadas} por causa do erro.",
+        "{lines} {lines:línea no se ejecutó|líneas no se ejecutaron} por el error.",
+        brief=(
+            "{lines} {lines:line|lines} did not run.",
+            "{lines} {lines:linha não executada|linhas não executadas}.",
+            "{lines} {lines:línea|líneas} sin ejecutar.",
+        ),
+    ),
     "linear-stepping": Sentence(
         "Enter goes on. RUN runs the rest. STOP ends.",
         "Enter continua. EXECUTAR faz o resto. PARAR termina.",

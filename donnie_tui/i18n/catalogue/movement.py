@@ -152,8 +152,8 @@ SENTENCES: dict[str, Sentence] = _movements() | {
     ),
     "facing-between": Sentence(
         "{degrees} {degrees:degree|degrees}, near {point}",
-        "{degrees} {degrees:grau|graus}, perto de {point}",
-        "{degrees} {degrees:grado|grados}, cerca del {point}",
+        "{degrees} {degrees:grau|graus}, perto do {point}",
+        "rumbo {degrees}, cerca del {point}",
     ),
     "compass-north": Sentence("north", "norte", "norte"),
     "compass-northeast": Sentence("northeast", "nordeste", "noreste"),

@@ -21,7 +21,7 @@ _OF_THE_SCREEN = {
     "setting-rate": Sentence("Words a minute", "Palavras por minuto", "Palabras por minuto"),
     "setting-pitch": Sentence("Pitch of the voice", "Tom da voz", "Tono de la voz"),
     "setting-volume": Sentence("Volume of the voice", "Volume da voz", "Volumen de la voz"),
-    "setting-punctuation": Sentence("Signs that are said", "Sinais que são ditos", "Signos que se dicen"),
+    "setting-punctuation": Sentence("Signs that are said", "Pontuação que é dita", "Puntuación que se dice"),
     "setting-wait_for_speech": Sentence(
         "Programs wait for the voice", "Programas esperam a voz", "Los programas esperan la voz"
     ),

@@ -54,6 +54,26 @@ _MAP = {
             "{width} por {height}. El robot es {robot}",
         ),
     ),
+    "picture-part": Sentence(
+        "Only a part: x {left} to {right}, y {bottom} to {top}.",
+        "Só uma parte: x {left} a {right}, y {bottom} a {top}.",
+        "Solo una parte: x {left} a {right}, y {bottom} a {top}.",
+        brief=(
+            "Part: x {left} to {right}, y {bottom} to {top}.",
+            "Parte: x {left} a {right}, y {bottom} a {top}.",
+            "Parte: x {left} a {right}, y {bottom} a {top}.",
+        ),
+    ),
+    "picture-whole": Sentence(
+        "The whole: x {left} to {right}, y {bottom} to {top}. MAP ROW tells the rest.",
+        "O todo: x {left} a {right}, y {bottom} a {top}. MAPA LINHA diz o resto.",
+        "El todo: x {left} a {right}, y {bottom} a {top}. MAPA FILA dice el resto.",
+        brief=(
+            "Whole: x {left} to {right}, y {bottom} to {top}.",
+            "Todo: x {left} a {right}, y {bottom} a {top}.",
+            "Todo: x {left} a {right}, y {bottom} a {top}.",
+        ),
+    ),
     "picture-letter": Sentence(
         "{name:capital}: {letter}", "{name:capital}: {letter}", "{name:capital}: {letter}"
     ),
@@ -108,6 +128,11 @@ _TRAIL = {
         "{command}: blocked after {done}, at {x}, {y}.",
         "{command}: bloqueado após {done}, em {x}, {y}.",
         "{command}: bloqueado tras {done}, en {x}, {y}.",
+    ),
+    "trail-stopped": Sentence(
+        "{command}: stopped after {done}, at {x}, {y}.",
+        "{command}: parado após {done}, em {x}, {y}.",
+        "{command}: detenido tras {done}, en {x}, {y}.",
     ),
     "trail-turned": Sentence(
         "{command}: now facing {facing}.",

@@ -101,6 +101,11 @@ _ANSWERS = {
         "A speed is a number from {slowest:g} to {fastest:g}, or max.",
         "A velocidade é um número de {slowest:g} a {fastest:g}, ou max.",
         "La velocidad es un número de {slowest:g} a {fastest:g}, o max.",
+        brief=(
+            "From {slowest:g} to {fastest:g}, or max.",
+            "De {slowest:g} a {fastest:g}, ou max.",
+            "De {slowest:g} a {fastest:g}, o max.",
+        ),
     ),
 }
 

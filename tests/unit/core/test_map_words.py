@@ -262,6 +262,17 @@ def test_the_picture_has_its_legend_first_and_a_letter_a_square(free: str) -> No
     )
 
 
+def test_a_picture_of_a_part_tells_which_part_it_is() -> None:
+    rows = ("." * 50,) * 30
+    picture = Picture(0, 0, 50, 30, 1, rows, (), True)
+    told = picture_in_letters(MapGrid(picture, Pose(10, 10, 0)), Words())
+
+    assert told[1:3] == (
+        "Only a part: x 0 to 39, y 1 to 18.",
+        "The whole: x 0 to 49, y 0 to 29. MAP ROW tells the rest.",
+    )
+
+
 def test_two_letters_never_have_the_same_words() -> None:
     picture = Picture(0, 0, 2, 1, 1, ("cC",), (thing("c", 0, 0), thing("C", 1, 0)), False)
 

@@ -26,6 +26,12 @@ def test_moves_are_told_oldest_first_with_where_they_led() -> None:
     assert trail(WALK, TURN, BLOCKED).in_words(1, Words("pt")) == ("FW 9: bloqueado após 2, em 2, 3.",)
 
 
+def test_a_move_that_was_stopped_is_not_called_blocked() -> None:
+    stopped = Moved("FW 9", 9, 2, StoppedBy.USER, Pose(0, 2, 0), True)
+
+    assert trail(stopped).in_words(1, Words()) == ("FW 9: stopped after 2, at 0, 2.",)
+
+
 def test_without_moves_it_says_so() -> None:
     assert trail().in_words(5, Words("es")) == ("Aún no me moví.",)
 
