@@ -5,23 +5,32 @@ from __future__ import annotations
 import os
 from collections.abc import Iterator
 from pathlib import Path
+from typing import TYPE_CHECKING
 
 import pytest
 
 from devices.firmware_double.board import SimulatedBoard
-from devices.firmware_double.on_pty import DoubleOnPty
 from tests.sessions.here import Here
-from tests.sessions.learner import Learner
+
+if TYPE_CHECKING:
+    from devices.firmware_double.on_pty import DoubleOnPty
+    from tests.sessions.learner import Learner
 
 
 @pytest.fixture
 def robot() -> Iterator[DoubleOnPty]:
+    """A simulated board at the other end of a line; not every system has such lines."""
+    from devices.firmware_double.on_pty import DoubleOnPty
+
     with DoubleOnPty(SimulatedBoard(boot_loader=0.1)) as double:
         yield double
 
 
 @pytest.fixture
 def learner(tmp_path: Path) -> Learner:
+    """On a terminal, which not every system has."""
+    from tests.sessions.learner import Learner
+
     return Learner(tmp_path)
 
 

@@ -23,8 +23,9 @@ def test_a_signal_to_leave_rescues_the_program(number: int, tmp_path: Path) -> N
 
     assert learner.leaves() == 128 + number
     again = Learner(tmp_path)
+    again.sees("A program was rescued. RECOVER opens it.\r\n")
     again.enters("RECOVER")
-    again.sees("A program was rescued. RECOVER opens it.\r\nHere it is again, 2 lines.")
+    again.sees("Here it is again, 2 lines.")
     again.enters("LIST")
     again.sees("1: FW 1\r\n2: FW 2\r\n> ")
 
