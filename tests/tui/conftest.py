@@ -8,7 +8,7 @@ for _name in ("NO_COLOR", "TEXTUAL_THEME", "TEXTUAL_FILTERS", "TEXTUAL_ANIMATION
     os.environ.pop(_name, None)  # read when Textual is imported
 sys.setswitchinterval(0.0002)  # as the application has it: a program that computes must not starve the screen
 
-from collections.abc import AsyncIterator, Callable  # noqa: E402
+from collections.abc import AsyncIterator, Callable, Iterator  # noqa: E402
 from contextlib import asynccontextmanager  # noqa: E402
 from pathlib import Path  # noqa: E402
 from typing import Any  # noqa: E402
@@ -145,3 +145,22 @@ def work(tmp_path: Path):
             app.close_session()
 
     return working
+
+
+@pytest.fixture
+def terminal(tmp_path: Path) -> Iterator[Callable[..., Any]]:
+    """Opens terminals, with the program on them."""
+    from tests.tui.terminal import Terminal  # which not every system has
+
+    opened: list[Terminal] = []
+
+    def open_one(
+        *arguments: str, columns: int = 80, rows: int = 24, controls: bool = False, **environment: str
+    ) -> Terminal:
+        opened.append(Terminal(list(arguments), tmp_path, columns, rows, environment, controls))
+        opened[-1].shows("Command line." if "--plain" in arguments else "Ready, speed")
+        return opened[-1]
+
+    yield open_one
+    for each in opened:
+        each.close()
