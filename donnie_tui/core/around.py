@@ -62,6 +62,12 @@ def compass_point(typed: str) -> int | None:
     return next((point for point, words in enumerate(_POINTS) if folded in words), None)
 
 
+def compass_words(language: str) -> tuple[str, ...]:
+    """The points of the compass, clockwise from north, as they are typed in a language."""
+    at = {"en": 0, "pt": 1, "es": -1}[language]
+    return tuple(words[at] for words in _POINTS)
+
+
 def around_in_words(
     grid: MapGrid, pose: Pose, wording: Wording, *, compass: int | None = None, clock: bool = False
 ) -> tuple[str, ...]:

@@ -207,6 +207,25 @@ def help_line(case: UseCase, wording: Wording, keys: str = "") -> str:
     return f"{typed_form(case, wording)}{behind}: {wording(f'action-{case.name}')}"
 
 
+def help_of(topic: str, wording: Wording, cases: tuple[UseCase, ...] = USE_CASES) -> tuple[str, ...]:
+    """What there is to say about a word of ours: what it is for, its form, an example; nothing of others."""
+    found = find(topic, cases)
+    if found is None or found[0].is_godonnie:
+        return ()
+    case = found[0]
+    form = wording("help-form", form=_form(case, wording)) + "."
+    return help_line(case, wording), form, wording("help-example", example=typed_form(case, wording)) + "."
+
+
+def _form(case: UseCase, wording: Wording) -> str:
+    """With what may follow, or must."""
+    word = case.word(wording.language)
+    if not case.argument:
+        return word
+    whole = f"{word} {wording(f'help-form-{case.argument}')}"
+    return whole if case.required else wording("help-or", first=word, second=whole)
+
+
 @cache
 def _by_word(cases: tuple[UseCase, ...]) -> dict[str, UseCase]:
     return {_folded(each.word(language)): each for each in reversed(cases) for language in LANGUAGES}

@@ -133,10 +133,20 @@ def say_help(desk: Desk, topic: str, own: tuple[UseCase, ...]) -> None:
     elif folded in _KEYS:
         for line in _KEY_LINES:
             desk.answer(f"linear-keys-{line}")
-    elif asked is not None and not asked[0].is_godonnie and not asked[1]:
-        desk.tell(use_cases.help_line(asked[0], desk.say))
+    elif asked is not None and asked[0].name == "set" and _tell_setting(desk, asked[1].split(" ")[0]):
+        pass
     else:
-        desk.tell(*desk.say.help(topic))
+        desk.tell(*(use_cases.help_of(topic, desk.say) or desk.say.help(topic)))
+
+
+def _tell_setting(desk: Desk, name: str) -> bool:
+    """One setting with its choices; whether there is one of that name."""
+    field, sound = habits.find(name), sound_words.find_setting(name)
+    if field is not None:
+        return _say_choices(desk, field)
+    if sound is not None:
+        sound_words.set_sound(desk.donnie, sound, "")
+    return sound is not None
 
 
 def _say_list(desk: Desk, own: tuple[UseCase, ...]) -> None:

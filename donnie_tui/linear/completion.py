@@ -4,7 +4,9 @@ from __future__ import annotations
 
 from pathlib import Path
 
-from donnie_tui.core.use_cases import USE_CASES
+import worlds
+from donnie_tui.core.around import compass_words
+from donnie_tui.core.use_cases import USE_CASES, find
 from donnie_tui.linear.desk import Desk
 from language import keywords
 from language.source import fold_name
@@ -22,12 +24,23 @@ def candidates(desk: Desk, before: str) -> tuple[str, ...]:
         return _files(last)
     if not last:
         return ()
-    known = [*keywords.all_words(desk.say.language), *desk.session.variables]
+    known = [*keywords.all_words(desk.say.language), *desk.session.variables, *_arguments(desk, before)]
     if not blank:
         known += [each.word(desk.say.language) for each in USE_CASES]
     folded = fold_name(last)
     found = sorted({_as_typed(each, last) for each in known if fold_name(each).startswith(folded)})
     return tuple(found[:MOST])
+
+
+def _arguments(desk: Desk, before: str) -> tuple[str, ...]:
+    """What may follow the word of the terminal with which the line begins, where these are few words."""
+    found = find(before)
+    argument = found[0].argument if found is not None else ""
+    if argument == "compass":
+        return compass_words(desk.say.language)
+    if argument == "robot":
+        return tuple(session.name for session in desk.donnie.team.sessions)
+    return worlds.names() if argument == "world" else ()
 
 
 def _as_typed(word: str, typed: str) -> str:

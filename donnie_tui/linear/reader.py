@@ -144,7 +144,8 @@ class EditingReader:
         found = self.complete(line.text_before)
         common = _common(found)
         if len(common) > len(typed) or len(found) == 1:
-            return (), line.complete(typed, common + (" " if len(found) == 1 else ""))
+            is_whole = len(found) == 1 and not common.endswith("/")  # in a folder there is more to choose
+            return (), line.complete(typed, common + (" " if is_whole else ""))
         return found, ""
 
     # --- while a program runs

@@ -21,6 +21,7 @@ from donnie_tui.core.copies import Copies
 from donnie_tui.core.harmless import printable
 from donnie_tui.core.patience import LAST_WORDS
 from donnie_tui.core.trail import Trail
+from donnie_tui.core.use_cases import help_of
 from donnie_tui.core.watching import Watch
 from donnie_tui.i18n.words import Words
 from donnie_tui.settings.chosen import Settings
@@ -157,13 +158,12 @@ class Work:
         self.answers.end_answer()
 
     def _explain(self, typed: str) -> bool:
-        """HELP with a word of the screen: what that is for."""
+        """HELP with a word of the screen: what that is for, as in the linear mode."""
         words = typed.split(maxsplit=1)
-        found = find(words[1]) if len(words) == 2 and canonical(words[0]) == "HELP" else None
-        if found is None or canonical(words[1]) is not None:
-            return False
-        self.talk.tell(Answer(f"action-{found[0].name}"))
-        return True
+        is_help = len(words) == 2 and canonical(words[0]) == "HELP" and canonical(words[1]) is None
+        told = help_of(words[1], self.words, DONE_HERE) if is_help else ()
+        self.talk.tell_sentences(*told)
+        return bool(told)
 
     def _is_slip(self, typed: str) -> bool:
         """A slip in a word of the screen is answered with that word, as in the linear mode."""

@@ -245,3 +245,24 @@ def test_the_three_languages_are_all_understood_and_one_is_spoken(tmp_path: Path
 
     assert learner.leaves() == 0
     assert said(learner)[-2:] == ["Posición 0, 3. Mirando al norte.", "Hasta luego."]
+
+
+def test_tab_goes_on_into_a_folder(learner: Learner, tmp_path: Path) -> None:
+    (tmp_path / "mine").mkdir()
+    (tmp_path / "mine" / "walk.gd").write_text("FW 2\n")
+    learner.sees_prompt()
+    learner.types("OPEN mi\t")
+    learner.sees("ne/")
+    learner.types("w\t")
+    learner.sees("alk.gd ")
+    learner.types("\r")
+    learner.sees("Opened walk.gd, 1 line.")
+
+
+def test_tab_knows_what_may_follow_a_word_of_the_terminal(learner: Learner) -> None:
+    learner.sees_prompt()
+    learner.types("AROUND south\t")
+    learner.sees("3 words.")
+    learner.sees("AROUND south")
+    learner.types("w\t")
+    learner.sees("est ")

@@ -1,7 +1,8 @@
 """What each use case is for, and what may follow its word: the same in both front ends.
 
 ``action-NAME`` is the purpose, read behind the word ("LIST 2 5: Says these lines."), so the whole is to fit
-forty cells wherever it can; ``help-typed-ARGUMENT`` is an example of what may follow the word.
+forty cells wherever it can; ``help-typed-ARGUMENT`` is an example of what may follow the word, and
+``help-form-ARGUMENT`` what that is.
 """
 
 from donnie_tui.i18n.sentence import Sentence
@@ -26,6 +27,31 @@ _ARGUMENTS = {
     "switch": ("on", "ligado", "encendido"),
     "topic": ("FW", "PF", "AV"),
     "world": ("maze", "labirinto", "laberinto"),
+}
+
+_FORMS = {
+    "line": ("line", "linha", "línea"),
+    "variable": ("variable", "variável", "variable"),
+    "speed": ("number", "número", "número"),
+    "file": ("file", "arquivo", "archivo"),
+    "text-file": ("file", "arquivo", "archivo"),
+    "report-file": ("what file", "qual arquivo", "cuál archivo"),
+    "lines": ("first last", "primeira última", "primera última"),
+    "two-lines": ("line before", "linha antes", "línea antes"),
+    "word": ("word", "palavra", "palabra"),
+    "language": ("language", "idioma", "idioma"),
+    "count": ("number", "número", "número"),
+    "cue": ("name", "nome", "nombre"),
+    "compass": ("direction", "direção", "dirección"),
+    "square": ("x y", "x y", "x y"),
+    "row": ("number", "número", "número"),
+    "robot": ("name", "nome", "nombre"),
+    "switch": ("on or off", "ligado ou desligado", "encendido o apagado"),
+    "world": ("name", "nome", "nombre"),
+    "detail": ("detail", "detalhe", "detalle"),
+    "setting": ("name value", "nome valor", "nombre valor"),
+    "topic": ("word", "palavra", "palabra"),
+    "theme": ("name", "nome", "nombre"),
 }
 
 _PURPOSES = {
@@ -117,6 +143,8 @@ _PURPOSES = {
     "quit": ("Leaves Donnie.", "Sai do Donnie.", "Sale de Donnie."),
 }
 
-SENTENCES = {f"help-typed-{name}": Sentence(*texts) for name, texts in _ARGUMENTS.items()} | {
-    f"action-{name}": Sentence(*texts) for name, texts in _PURPOSES.items()
-}
+SENTENCES = {
+    f"help-{kind}-{name}": Sentence(*texts)
+    for kind, table in (("typed", _ARGUMENTS), ("form", _FORMS))
+    for name, texts in table.items()
+} | {f"action-{name}": Sentence(*texts) for name, texts in _PURPOSES.items()}

@@ -3,7 +3,7 @@
 import pytest
 
 from donnie_tui import LANGUAGES
-from donnie_tui.core.use_cases import BY_NAME, LONGEST_WORD, USE_CASES, UseCase, find, help_line
+from donnie_tui.core.use_cases import BY_NAME, LONGEST_WORD, USE_CASES, UseCase, find, help_line, help_of
 from donnie_tui.core.view_cases import IN_WORDS, PREFERENCES, VIEW_CASES
 from donnie_tui.i18n.catalogue import SENTENCES
 from donnie_tui.i18n.words import Words
@@ -97,3 +97,25 @@ def test_a_word_of_the_screen_is_found_beside_those_of_both_modes() -> None:
     found = {word: find(word, (*USE_CASES, *VIEW_CASES)) for _, word in words}
 
     assert [word for case, word in words if found[word] != (case, "")] == []
+
+
+@pytest.mark.parametrize("language", LANGUAGES)
+@pytest.mark.parametrize("case", [each for each in (*USE_CASES, *VIEW_CASES) if not each.is_godonnie])
+def test_each_word_is_explained_with_its_form_and_an_example(case: UseCase, language: str) -> None:
+    words = Words(language)
+    what, form, example = help_of(case.word(language), words, (*USE_CASES, *VIEW_CASES))
+    word = case.word(language)
+
+    assert what.startswith(f"{word}") or word in what
+    assert word in form
+    assert word in example
+    assert ("," in form) == bool(case.argument and not case.required)
+
+
+def test_the_form_says_what_must_follow_and_what_may() -> None:
+    words = Words("en")
+
+    assert help_of("move", words)[1:] == ("Form: MOVE line before.", "Example: MOVE 5 2.")
+    assert help_of("LIST", words)[1] == "Form: LIST, or LIST first last."
+    assert help_of("STEP", words)[1:] == ("Form: STEP.", "Example: STEP.")
+    assert help_of("FW", words) == help_of("RUN", words) == ()
