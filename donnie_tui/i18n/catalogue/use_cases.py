@@ -31,7 +31,7 @@ _ARGUMENTS = {
 
 _FORMS = {
     "line": ("line", "linha", "línea"),
-    "variable": ("variable", "variável", "variable"),
+    "variable": ("name", "nome", "nombre"),
     "speed": ("number", "número", "número"),
     "file": ("file", "arquivo", "archivo"),
     "text-file": ("file", "arquivo", "archivo"),
