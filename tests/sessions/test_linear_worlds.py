@@ -74,7 +74,7 @@ def test_a_world_of_ones_own_is_gone_to_by_its_file(tmp_path: Path) -> None:
 
 
 def test_robots_that_run_are_stopped_first_and_that_is_told(tmp_path: Path) -> None:
-    lines = told(tmp_path, "REPEAT 9999 TIMES\nSPEAK 1\nEND REPEAT\nSTART\nWORLD maze\n", "--speed", "1")
+    lines = told(tmp_path, "REPEAT 9999 TIMES\nWAIT 1\nEND REPEAT\nSTART\nWORLD maze\n", "--speed", "1")
 
     assert "All stopped." in lines
     assert lines.index("All stopped.") < lines.index("I go to maze.")
