@@ -7,17 +7,19 @@ from __future__ import annotations
 
 from collections.abc import Callable
 from contextlib import ExitStack
+from itertools import islice
 from pathlib import Path
 from typing import TextIO, cast
 
 from devices.ports.values import frozen
+from donnie_tui import LANGUAGES
 from donnie_tui.cli import codes
 from donnie_tui.cli.ending import let_speak, stopped_by_signals
 from donnie_tui.cli.order import Order
 from donnie_tui.cli.output import Guarded, Output
 from donnie_tui.cli.replay_desk import ReplayDesk
 from donnie_tui.cli.replay_map import ReplayMap
-from donnie_tui.core.events import Answered, Moved, Stamped, Turned
+from donnie_tui.core.events import Answered, Moved, RunStarted, Stamped, Turned
 from donnie_tui.core.hub import Hub, Stream
 from donnie_tui.core.recording import LARGEST, NoRecordingError, Recording
 from donnie_tui.core.replay import Replay
@@ -29,6 +31,9 @@ from donnie_tui.outlets.audible import make_audible
 from donnie_tui.outlets.written import Written
 from donnie_tui.world.recorded import unpacked
 from language.control import ExecutionControl
+
+_NEAR_THE_BEGINNING = 100
+"""Events in which the first run is looked for."""
 
 FIXED = ("world", "robot", "seed", "belt", "record")
 """Options that mean nothing to what has happened already."""
@@ -112,8 +117,10 @@ class _Telling:
         self._written = Written(order.settings, self._hub, order.words, closing)
         self._written.events(cast(TextIO, Guarded(order.output)))
         with_words = order.settings.events != "-"
-        self._stream.subscribe(_printer(order.output, order.words, with_words=with_words))
-        self._audible = make_audible(order.settings, _Audience(self._hub), order.words, closing)
+        of_run = Words(_first_language(recording) or order.words.language, order.words.detail)
+        self._stream.subscribe(_follower(of_run))
+        self._stream.subscribe(_printer(order.output, of_run, with_words=with_words))
+        self._audible = make_audible(order.settings, _Audience(self._hub), of_run, closing)
         self._replay = Replay(self._timeline, self._control, order.settings.speed)
 
     def tell(self) -> int:
@@ -176,6 +183,28 @@ class _Telling:
         except Unusable as unusable:
             self._order.output.complaint(unusable.sentence)
             return None
+
+
+def _first_language(recording: Recording) -> str | None:
+    """That of the first run, where it stands near the beginning."""
+    first = islice(recording.events, _NEAR_THE_BEGINNING)
+    return next(filter(None, map(_language_of, first)), None)
+
+
+def _follower(of_run: Words) -> Callable[[Stamped], None]:
+    """What was told of a run is in its language: so is what is told around it, the frame of a mistake."""
+
+    def follow(stamped: Stamped) -> None:
+        of_run.language = _language_of(stamped) or of_run.language
+
+    return follow
+
+
+def _language_of(stamped: Stamped) -> str | None:
+    event = stamped.event
+    if not isinstance(event, RunStarted) or event.how is None or event.how.language not in LANGUAGES:
+        return None
+    return event.how.language
 
 
 def _printer(output: Output, words: Words, *, with_words: bool) -> Callable[[Stamped], None]:

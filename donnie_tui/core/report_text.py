@@ -109,7 +109,11 @@ def _map(subject: Subject, wording: Wording) -> Section:
 
 def _trail(subject: Subject, wording: Wording) -> Section:
     lines = subject.trail.in_words(_MOST_MOVES, wording)
-    return Section(wording("report-trail"), lines, [_columns(wording, "trail"), *subject.trail.rows()])
+    rows = [
+        (*rest, wording("report-yes" if is_blocked else "report-no"))
+        for *rest, is_blocked in subject.trail.rows()
+    ]
+    return Section(wording("report-trail"), lines, [_columns(wording, "trail"), *rows])
 
 
 _SECTIONS = {"help": _help, "list": _list, "map": _map, "trail": _trail}

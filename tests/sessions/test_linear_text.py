@@ -317,7 +317,7 @@ def test_reports_are_written_as_pages_tables_and_text(tmp_path: Path) -> None:
 
     assert lines[1:] == ["Wrote m.html.", "Wrote t.csv.", "Wrote h.html.", "Wrote l.txt."]
     assert "<h2>The map</h2>" in (tmp_path / "m.html").read_text()
-    assert (tmp_path / "t.csv").read_text() == "command,done,x,y,heading,blocked\nFW 3,3,0,3,0,False\n"
+    assert (tmp_path / "t.csv").read_text() == "command,done,x,y,heading,blocked\nFW 3,3,0,3,0,no\n"
     assert "I walked 3 steps forward." in (tmp_path / "l.txt").read_text()
 
 

@@ -30,6 +30,14 @@ def test_backwards_each_step_is_told_with_the_place_that_it_leads_to(here: Here)
     ]
 
 
+def test_a_mistake_is_told_again_wholly_in_the_language_of_its_run(here: Here) -> None:
+    here.record("FWD 2", code=1)
+    told = here.replay()
+
+    assert told[0].startswith("Error, line 1")
+    assert here.replay("--lang", "pt") == told
+
+
 def test_a_replay_may_begin_in_the_middle(here: Here) -> None:
     here.record("SPEAK 1\nSPEAK 2\nSPEAK 3")
 

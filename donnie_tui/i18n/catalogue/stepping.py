@@ -115,6 +115,8 @@ _SAID = {
     "report-column-command": Sentence("command", "comando", "comando"),
     "report-column-done": Sentence("done", "feito", "hecho"),
     "report-column-heading": Sentence("heading", "direção", "dirección"),
+    "report-yes": Sentence("yes", "sim", "sí"),
+    "report-no": Sentence("no", "não", "no"),
     "report-column-blocked": Sentence("blocked", "bloqueado", "bloqueado"),
 }
 
