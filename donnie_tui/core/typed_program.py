@@ -273,6 +273,16 @@ class TypedProgram:
         return self._become(after)
 
     @property
+    def replaced(self) -> tuple[tuple[str, str | None], ...]:
+        """The text and the file of the programs that UNDO or REDO would bring back and no file has so."""
+        others = (each for each in (*self._before, *self._undone) if isinstance(each, _Before))
+        return tuple(
+            ("".join(f"{line}\n" for line in each.lines), each.file.name)
+            for each in others
+            if each.file is not None and each.lines != each.file.kept
+        )
+
+    @property
     def _now(self) -> _Before:
         return self._now_as(None)
 

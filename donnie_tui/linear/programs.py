@@ -18,6 +18,9 @@ from donnie_tui.core.copies import Copies, CopyKeeping, settle_all
 from donnie_tui.core.documents import DocumentError
 from donnie_tui.core.typed_program import TypedProgram
 
+MOST_REPLACED = 5
+"""Programs that another one took the place of, and that are left for the next start."""
+
 
 class Programs:
     """Those of a conversation: the one of the robot that is talked to, and the others'."""
@@ -127,11 +130,21 @@ class Programs:
     def leave_copies(self, *, of_all: bool) -> None:
         """Leaving on purpose: what is not saved can be asked for the next time.
 
-        ``of_all``: not only of what came out of a copy, because no file has what somebody typed.
+        ``of_all``: not only of what came out of a copy, because no file has what somebody typed, nor what
+        it was that NEW or OPEN took the place of.
         """
         self._safekeeping.end()
+        if of_all:
+            self._leave_replaced()
         settle_all(self._wanted(self.all() if of_all else tuple(self._copies)))
         for copies in self._copies.values():
+            copies.leave()
+
+    def _leave_replaced(self) -> None:
+        for text, name in [each for program in self.all() for each in program.replaced][-MOST_REPLACED:]:
+            copies = self.copies.another()
+            copies.follow(text, Path(name) if name else None, is_saved=False)
+            settle_all((copies,))
             copies.leave()
 
     def hand_over(self) -> None:

@@ -310,3 +310,14 @@ def test_an_empty_program_is_nothing_to_come_back_to() -> None:
     program.replace("A\n", "mine.gd")
 
     assert program.undo() is None
+
+
+def test_what_another_program_took_the_place_of_is_known_while_no_file_has_it() -> None:
+    program = typed("A")
+    program.replace("X\n", "other.gd")
+    program.add("Y")
+    program.clear()
+    assert program.replaced == (("A\n", None), ("X\nY\n", "other.gd"))
+
+    program.undo()
+    assert program.replaced == (("A\n", None),)

@@ -152,3 +152,16 @@ def test_the_full_screen_takes_the_current_program_along_and_the_others_are_resc
     talk.programs.hand_over()
 
     assert texts(tmp_path) == ["FW 1\n"]
+
+
+def test_what_new_took_the_place_of_can_be_asked_for_after_what_was_there_at_the_end(tmp_path: Path) -> None:
+    talk = Talk(tmp_path)
+    talk.types("FW 1")
+    talk.programs.current.clear()
+    talk.types("FW 2")
+    no_copy_is_written()
+    talk.programs.leave_copies(of_all=True)
+
+    later = Copies(tmp_path)
+    assert [later.read(each).text for each in later.all_offered()] == ["FW 2", "FW 1"]
+    assert later.rescued() == []
