@@ -14,6 +14,7 @@ from sim.geometry import (
     Edge,
     Point,
     angle_of,
+    contains,
     edges,
     edges_apart,
     nearest_on_edge,
@@ -29,16 +30,17 @@ Outlines = Sequence[Sequence[Point]]
 
 
 class Room:
-    """A robot at one place of a picture. All lengths in steps, all directions in compass degrees."""
+    """A robot at one place of a picture. All lengths in steps, all directions in compass degrees.
+
+    What its middle is in, such as a floor drawn as a box, is not in its way: so it is for the simulator.
+    """
 
     def __init__(self, picture: Picture, pose: Pose) -> None:
         self._pose = pose
         self._body = picture.body or (((0.0, 0.0),),)
-        self.walls: Outlines = picture.walls
-        self.all: Outlines = (
-            *picture.walls,
-            *(points for each in picture.things for points in each.outlines),
-        )
+        self.walls: Outlines = [each for each in picture.walls if not contains(each, pose.x, pose.y)]
+        things = (points for each in picture.things for points in each.outlines)
+        self.all: Outlines = (*self.walls, *things)
 
     def ahead(self, outlines: Outlines, heading: float) -> float:
         """How far the robot could be moved to ``heading``, as it stands, until it touches; or infinity."""

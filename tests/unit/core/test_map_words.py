@@ -204,6 +204,15 @@ def test_around_and_the_sensors_measure_alike(right: int, ahead: str, steps: int
     assert told[1] == ("Ahead: free, 10 steps." if distance > 10 else f"Ahead: {ahead}, {distance} step.")
 
 
+def test_a_floor_that_is_drawn_as_a_box_is_no_wall_around_the_robot_on_it() -> None:
+    floor = ((2.5, 0.2), (5.5, 0.2), (5.5, 3.2), (2.5, 3.2))
+    pose, seen = Pose(3, 1, 0), replace(ROOM, walls=(*ROOM.walls, floor))
+
+    assert around_in_words(MapGrid(seen, pose), pose, Words()) == around_in_words(
+        MapGrid(ROOM, pose), pose, Words()
+    )
+
+
 def test_around_on_a_clock_face_names_the_hours() -> None:
     pose = Pose(3, 1, 90)
     told = around_in_words(MapGrid(ROOM, pose), pose, Words(), clock=True)
