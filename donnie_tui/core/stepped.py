@@ -8,12 +8,14 @@ from __future__ import annotations
 
 from collections import deque
 from collections.abc import Mapping
+from typing import TYPE_CHECKING
 
 from devices.ports.values import frozen
-from donnie_tui.core.retelling import told_back
-from donnie_tui.core.timeline import Timeline
 from donnie_tui.core.wording import Wording
 from language.source import fold_name
+
+if TYPE_CHECKING:
+    from donnie_tui.core.timeline import Timeline
 
 MOST_HOLDS = 1000
 MOST_DEEDS = 5
@@ -66,7 +68,7 @@ class Stepped:
             is_held = bool(self._holds) and self._holds[-1].seq >= _seq(timeline)
             self._at = len(self._holds) - 1 if is_held else len(self._holds)
         if self._at <= 0:
-            return (told_back(timeline.step_back(), timeline, wording),)
+            return (_one_back(timeline, wording),)
         before = self._holds[self._at - 1]
         was_stepped = self._holds[self._at].is_next if self._at < len(self._holds) else not self._goes_on
         undone = self._undone(before.seq, timeline, wording, most=None if was_stepped else 1)
@@ -80,10 +82,16 @@ class Stepped:
         """All events behind ``seq``, or the last step of them; a sentence each, the first ones told."""
         told: list[str] = []
         while _seq(timeline) > seq and (most is None or len(told) < most):
-            told.append(told_back(timeline.step_back(), timeline, wording))
+            told.append(_one_back(timeline, wording))
         if len(told) > MOST_DEEDS:
             told[MOST_DEEDS:] = [wording("undone-more", count=len(told) - MOST_DEEDS)]
         return tuple(told) or (wording("undone-step"),)
+
+
+def _one_back(timeline: Timeline, wording: Wording) -> str:
+    from donnie_tui.core.retelling import told_back  # for who goes back
+
+    return told_back(timeline.step_back(), timeline, wording)
 
 
 def _seq(timeline: Timeline) -> int:
