@@ -15,6 +15,7 @@ from enum import Enum
 from time import monotonic
 from typing import Protocol
 
+from devices.belt.doubt import Doubt, Next
 from devices.belt.frame import BAUD, OFF, frame
 from devices.belt.sender import PERIOD, BeltSender
 from devices.serial_port import GONE, PortProblem, open_port
@@ -45,6 +46,8 @@ class BeltNews(Enum):
     """It couldn't be opened, and is not tried again."""
     FOUND = "found"
     """It was opened when nobody waited for that any more."""
+    UNANSWERED = "unanswered"
+    """It takes what is sent, and never answers as a belt does; what is felt is sent all the same."""
     LOST = "lost"
     RESTORED = "restored"
 
@@ -77,6 +80,8 @@ class SerialBelt:
         self._open = opened
         self._line: Line | None = None
         self._sender = BeltSender()
+        self._doubt: Doubt | None = None
+        """About the line that is open."""
         self._changed = threading.Condition()
         self._is_closing = False
         self._is_opening = self._is_awaited = True
@@ -149,6 +154,7 @@ class SerialBelt:
         received = line.read(_MOST_HEARD)
         with self._changed:
             self._sender.heard(received)
+        self._look_whether_it_is_one(received)
         if getattr(
             line, "out_waiting", 0
         ):  # an earlier frame still waits in the system: this one is left out
@@ -157,6 +163,19 @@ class SerialBelt:
             line.write(due)
         else:
             self._rest()
+
+    def _look_whether_it_is_one(self, received: bytes) -> None:
+        if self._doubt is None:
+            self._doubt = Doubt(monotonic())
+        self._doubt.heard(received)
+        match self._doubt.next(monotonic()):
+            case Next.ASK:
+                with self._changed:
+                    self._sender.start_over()
+            case Next.TELL:
+                self._telling.tell(BeltNews.UNANSWERED, "")
+            case Next.NOTHING:
+                pass
 
     def _due(self) -> bytes:
         with self._changed:
@@ -174,6 +193,7 @@ class SerialBelt:
     def _lose(self, problem: Exception) -> None:
         _LOG.info("the belt's line failed: %s", problem)
         self._close_line()
+        self._doubt = None
         self._telling.tell(BeltNews.LOST, "")
 
     def _try_again(self) -> None:

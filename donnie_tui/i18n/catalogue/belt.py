@@ -22,6 +22,12 @@ SENTENCES: dict[str, Sentence] = {
         "Sin cinturón en {port}: {reason}. Sigo sin él.",
     ),
     "belt-found": Sentence("Belt connected.", "Cinto conectado.", "Cinturón conectado."),
+    "belt-unanswered": Sentence(
+        "What is at {port} does not answer as a belt.",
+        "O que está em {port} não responde como um cinto.",
+        "Lo que hay en {port} no responde como un cinturón.",
+        brief=("No belt answers.", "Nenhum cinto responde.", "Ningún cinturón responde."),
+    ),
     "belt-lost": Sentence("The belt is gone.", "O cinto sumiu.", "El cinturón no está."),
     "belt-restored": Sentence("The belt is back.", "O cinto voltou.", "El cinturón volvió."),
     "belt-same-port": Sentence(

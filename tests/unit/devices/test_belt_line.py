@@ -17,6 +17,13 @@ from devices.belt.line import BeltNews, Line, SerialBelt
 from devices.serial_port import PortFault, PortProblem
 from tests.patience import PATIENCE
 
+
+@pytest.fixture(autouse=True)
+def _is_taken_for_a_belt(monkeypatch: pytest.MonkeyPatch) -> None:
+    """These lines answer nothing, and a busy machine takes its time."""
+    monkeypatch.setattr("devices.belt.doubt.ASKED_AGAIN", 1e9)
+
+
 FRONT = (0, 0, 0, 3, 0, 0, 0) * 2
 ANSWER = 0.008
 """Seconds that a board takes to complain, with the way there and back at 9600 baud."""
@@ -319,3 +326,13 @@ def test_the_real_line_carries_frames_to_a_board(news: News) -> None:
     os.close(ours)
     os.close(theirs)
     assert news.told == []
+
+
+def test_a_line_on_which_no_belt_answers_is_told(monkeypatch: pytest.MonkeyPatch, news: News) -> None:
+    monkeypatch.setattr("devices.belt.doubt.ASKED_AGAIN", 0.0)
+    monkeypatch.setattr("devices.belt.doubt.GIVEN_UP", 0.0)
+    belt = SerialBelt("belt", news, lambda _: FakeLine())
+    try:
+        assert news.wait_for(BeltNews.UNANSWERED)
+    finally:
+        belt.close()
