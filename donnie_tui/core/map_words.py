@@ -173,7 +173,8 @@ def _runs_in_words(
     done = 0
     for name, same in groupby(cells, lambda cell: _floor_words(grid, cell, names, wording)):
         count = len(list(same))
-        run = f"{count} {name}" if count > 1 else name
+        many = wording("cell-free-many") if name == names[FREE] else name
+        run = f"{count} {many}" if count > 1 else name
         line = _line_of_runs(grid, code, number, start, [*runs, run], wording)
         if runs and len(line) > _LINE[wording.detail]:
             yield _line_of_runs(grid, code, number, start, runs, wording)

@@ -10,6 +10,7 @@ _CELLS = {
     "cell-outside": Sentence("outside the world", "fora do mundo", "fuera del mundo"),
     "cell-beyond": Sentence("beyond the map", "além do mapa", "más allá del mapa"),
     "cell-free": Sentence("free", "livre", "libre"),
+    "cell-free-many": Sentence("free", "livres", "libres"),
 }
 
 _MAP = {

@@ -70,6 +70,7 @@ def pictures(draw: st.DrawFn) -> Picture:
 def parsed(lines: tuple[str, ...], names: dict[str, str], robot: str) -> tuple[int, str]:
     """Where a row begins, and its letters, read back from the words."""
     letters = {name: letter for letter, name in names.items()} | {robot: "@"}
+    letters |= dict.fromkeys(("livres", "libres"), letters[names["."]])
     told, begin = "", 0
     for line in lines:
         found = re.fullmatch(r"\w+ -?\d+, \w+ (-?\d+): (.*)\.", line)
