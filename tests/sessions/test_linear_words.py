@@ -50,7 +50,7 @@ def every_word(language: str, *, without: set[str] = ELSEWHERE) -> list[str]:
         form = typed_form(case, words)
         lines.append(setting if case.name == "set" else form)
         if case.name == "replace":
-            lines.append("x")  # by what
+            lines.append("")  # by what, where it is found
         if case.name in ("step", "step_over", "run_to"):
             lines.append(words_of("continue_", language))
     return lines
