@@ -48,6 +48,8 @@ class Kept:
     editing: EditingReader | None
     plain: PlainReader
     """With what was typed ahead."""
+    watched: tuple[str, ...]
+    is_silent: bool
 
 
 class Conversation:
@@ -90,6 +92,8 @@ class Conversation:
         self._desk = Desk(donnie, ends, Copies(folder / UNSAVED), kept_breakpoints, answers)
         if kept:
             self._desk.programs.take_over(kept.programs)
+            self._desk.watch.names.extend(kept.watched)
+        self._is_silent = kept is not None and kept.is_silent
         self._desk.past = self._past.lines
         self._desk.take_again = self._take_again
         self._leaving = Leaving(self._desk)
@@ -134,7 +138,16 @@ class Conversation:
 
     def packed(self) -> Kept:
         """What goes along to another world."""
-        return Kept(self._desk.programs, self._desk.answers, self._past, self._editing, self._plain)
+        desk = self._desk
+        return Kept(
+            desk.programs,
+            desk.answers,
+            self._past,
+            self._editing,
+            self._plain,
+            tuple(desk.watch.names),
+            is_silent=not desk.donnie.outlets.audible.is_on,
+        )
 
     def _reader_with(self, kept: Kept | None, console: Console) -> EditingReader:
         """The one that came along, or a new one."""
@@ -183,7 +196,7 @@ class Conversation:
         from donnie_tui.words.world_going import tell_arrival
 
         desk = self._desk
-        tell_arrival(desk.donnie)
+        tell_arrival(desk.donnie, is_silent=self._is_silent)
         desk.tell(*desk.donnie.notices.about_devices)
         if desk.program.lines:
             desk.answer("linear-lines", lines=len(desk.program.lines))

@@ -128,6 +128,11 @@ class Audible:
         return self.choice.channel is not Channel.TEXT
 
     @property
+    def is_on(self) -> bool:
+        """What SOUND said last."""
+        return self._is_on
+
+    @property
     def has_cues(self) -> bool:
         """Whether a cue would be heard now."""
         return self._made.cue_player is not None and self._is_on

@@ -17,3 +17,6 @@ class Brought:
     looks: Mapping[str, str]
     answers: AnswerLog
     breakpoints: frozenset[int]
+    watched: tuple[str, ...]
+    is_silent: bool
+    """SOUND OFF was said."""

@@ -125,12 +125,20 @@ class Work:
         self.answers = brought.answers
         self.answers.end_answer()
         self.workplace.editor.set_breakpoints(brought.breakpoints)
-        tell_arrival(self._donnie)
+        self.watch.names.extend(brought.watched)
+        tell_arrival(self._donnie, is_silent=brought.is_silent)
 
     def brought_along(self) -> Brought:
         """What goes along to another world."""
         log = self.workplace.log_rows
-        return Brought(log.with_kinds, log.looks, self.answers, self.breakpoints)
+        return Brought(
+            log.with_kinds,
+            log.looks,
+            self.answers,
+            self.breakpoints,
+            tuple(self.watch.names),
+            is_silent=not self._donnie.outlets.audible.is_on,
+        )
 
     # --- doing
 

@@ -8,7 +8,7 @@ from __future__ import annotations
 
 from devices.ports.values import replace
 from donnie_tui.bootstrap import Donnie
-from donnie_tui.core.events import Answered
+from donnie_tui.core.events import Answered, SoundSwitched
 from donnie_tui.core.harmless import printable
 from donnie_tui.core.patience import LAST_WORDS
 from donnie_tui.core.world_words import arrived, world_meant
@@ -74,9 +74,11 @@ def settings_there(donnie: Donnie, settings: Settings, name: str) -> Settings:
     return replace(found, robot=robot, sources={**settings.sources, "robot": Source.OPTION})
 
 
-def tell_arrival(donnie: Donnie) -> None:
-    """That the other world is there, and what it has."""
+def tell_arrival(donnie: Donnie, *, is_silent: bool) -> None:
+    """That the other world is there, and what it has; ``is_silent``: after SOUND OFF in the one before."""
     world, words = donnie.world, donnie.words
+    if is_silent:
+        donnie.session.hub.publish(SoundSwitched(False))
     for sentence in arrived(world.name, world.about(words.language), donnie.picture(), words):
         donnie.session.hub.publish(Answered(sentence))
 

@@ -39,6 +39,13 @@ def test_worlds_lists_them_and_a_name_goes_there_with_the_program(tmp_path: Path
     ]
 
 
+def test_what_was_switched_and_watched_goes_along(tmp_path: Path) -> None:
+    lines = told(tmp_path, "SOUND OFF\n\nWATCH x\nWORLD maze\nVAR x = 3\n\nCUES bump\n")
+
+    assert "x is 3." in lines
+    assert lines.index("Sound off.") < lines.index("This is the world maze: Maze.")
+
+
 def test_a_world_is_meant_by_its_title_in_any_language_too(tmp_path: Path) -> None:
     lines = told(tmp_path, "MUNDO Labirinto\nWORLD living-room\nworld LivingRoom\n", "--lang", "pt")
 
