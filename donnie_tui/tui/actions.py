@@ -14,6 +14,9 @@ from donnie_tui.core.use_cases import USE_CASES, UseCase
 from donnie_tui.core.view_cases import VIEW_CASES
 from donnie_tui.tui.keys import KEYS
 
+_ASK_THEMSELVES = ("replace", "translate", "robot")
+"""Without what must stand behind their words they ask for it, in more than one step or by a list."""
+
 
 @frozen
 class Action:
@@ -36,9 +39,9 @@ class Action:
         return self.case.argument
 
     @property
-    def required(self) -> bool:
-        """Whether it means nothing without its argument: there is no sense in choosing it from a list."""
-        return self.case.required or self.case.name == "speed"
+    def needs_asking(self) -> bool:
+        """Whether a key for it means nothing until what stands behind its word is asked for."""
+        return self.name == "speed" or (self.case.required and self.name not in _ASK_THEMSELVES)
 
     @property
     def hidden(self) -> bool:

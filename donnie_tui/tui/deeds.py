@@ -56,6 +56,15 @@ class Deeds:
         self._answer(name, done)
         return None
 
+    async def ask_and_do(self, name: str) -> None:
+        """What is typed behind its word elsewhere is asked for."""
+        words, action = self._host.words, BY_NAME[name]
+        example = words(f"help-typed-{action.argument}")
+        asked = words("ask-argument", word=action.word(words.language), example=example)
+        argument = await self._host.talk.ask(asked)
+        if argument is not None and (doing := self.do(name, argument)) is not None:
+            await doing
+
     async def _finish(self, name: str, doing: Awaitable[bool | None]) -> None:
         self._answer(name, await doing)
 

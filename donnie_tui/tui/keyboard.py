@@ -15,7 +15,7 @@ from textual.widgets import Input, TextArea
 
 from donnie_tui.tui.coming import Coming
 from donnie_tui.tui.key_table import KeyTable
-from donnie_tui.tui.keys import MENU, PALETTE, key_label
+from donnie_tui.tui.keys import MENU, PALETTE, behind_menu, key_label
 from donnie_tui.tui.screens.workplace import Workplace
 from donnie_tui.tui.session_behind import SessionBehind
 from donnie_tui.tui.turns import Turns
@@ -161,7 +161,7 @@ class Keyboard:
         menu = self._menu
         if menu is None or event.key in menu.READING:
             return False
-        name, self._menu = menu.names.get(event.key), None
+        name, self._menu = menu.names.get(behind_menu(event.key)), None
         menu.leave()
         self._turns.do(lambda: self._do_in_turn(name) if name else self._tell_nothing_done(event))
         return True

@@ -27,7 +27,7 @@ from donnie_tui.i18n.words import Words
 from donnie_tui.settings.chosen import Settings
 from donnie_tui.settings.first_start import offers_tour
 from donnie_tui.settings.folders import BREAKPOINTS
-from donnie_tui.tui.actions import DONE_HERE, find
+from donnie_tui.tui.actions import BY_NAME, DONE_HERE, find
 from donnie_tui.tui.application import Host
 from donnie_tui.tui.bridge import Began, Bridge, Ended, LogLine, Mail
 from donnie_tui.tui.brought import Brought
@@ -142,10 +142,15 @@ class Work:
 
     # --- doing
 
-    def do(self, name: str, argument: str = "") -> Awaitable[None] | None:
-        """Do an action of the table. One that asks something is to be awaited."""
+    def do(self, name: str, argument: str | None = None) -> Awaitable[None] | None:
+        """Do an action of the table. One that asks something is to be awaited.
+
+        ``argument`` is what was typed behind its word; None where it was a key or the palette.
+        """
         self._end_answer()
-        return self._deeds.do(name, argument)
+        if argument is None and BY_NAME[name].needs_asking:
+            return self._deeds.ask_and_do(name)
+        return self._deeds.do(name, argument or "")
 
     def typed(self, text: str) -> Awaitable[None] | None:
         """A line of the command line: a word of the screen, or a command of GoDonnie."""

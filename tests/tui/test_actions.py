@@ -8,9 +8,11 @@ from donnie_tui import LANGUAGES
 from donnie_tui.core.use_cases import USE_CASES, find
 from donnie_tui.core.view_cases import VIEW_CASES
 from donnie_tui.i18n.catalogue import SENTENCES
-from donnie_tui.tui.actions import ACTIONS, BY_NAME, CASES
+from donnie_tui.tui.actions import ACTIONS, CASES
+from donnie_tui.tui.actions import find as find_action
 from donnie_tui.tui.keys import MENU, key_label
 from language.keywords import canonical
+from tests.tui.conftest import burst
 
 ARGUMENTS = {
     "run_to": "2",
@@ -95,11 +97,98 @@ def test_words_of_the_screen_alone_are_nobody_else_s(language):
         assert case.word(language) not in {each.word(language) for each in USE_CASES}
 
 
-def test_every_action_has_a_purpose_and_is_reached_by_key_or_palette_and_word():
+LISTED = {each.name: each for each in ACTIONS if not each.hidden}
+"""Every action once."""
+ASKED = {
+    "speed": ("7", "Speed 7."),
+    "report": ("list words.html", "words.html"),
+    "change": ("1 FW 9", "FW 9"),
+    "insert": ("1 TR 45", "TR 45"),
+    "move": ("5 1", "FWD 1"),
+    "find": ("Donnie", "Donnie"),
+    "map_row": ("0", "0"),
+    "map_column": ("0", "0"),
+}
+"""What needs to know more, what is answered to the question, and something of what is told then."""
+
+
+@pytest.fixture
+def doing(monkeypatch):
+    """What is asked of the work by keys and by the palette, in place of its being done."""
+
+    def instead_of(desk) -> list[str]:
+        done: list[str] = []
+        monkeypatch.setattr(desk.app.work, "do", lambda name, argument=None: done.append(name))
+        return done
+
+    return instead_of
+
+
+@pytest.mark.parametrize("language", LANGUAGES)
+def test_every_action_has_a_purpose_and_is_reached_by_its_word(language):
     for action in ACTIONS:
         assert f"action-{action.name}" in SENTENCES
-        assert all(action.word(language) for language in LANGUAGES)
-    assert {each.name for each in CASES} >= set(BY_NAME)
+        found = find_action(action.word(language))
+        assert found is not None, action
+        assert (found[0].name, found[1]) == (action.name, "")
+
+
+async def test_every_action_is_reached_by_a_key(work, doing):
+    """By all that it has, one after the other, in one burst."""
+    keys = [(name, key) for name, action in LISTED.items() for key in action.keys]
+    assert {name for name, _ in keys} == set(LISTED)
+    async with work("FW 1") as desk:
+        done = doing(desk)
+        for name, key in keys:
+            before = len(done)
+            burst(desk, *(pressed(part) for part in key.split()))
+            await desk.until(lambda before=before: len(done) > before, f"{key} for {name}")
+        await desk.until(lambda: desk.app.screen is desk.place, "the workplace")
+
+        assert done == [name for name, _ in keys]
+        assert desk.app.work.text == "FW 1"
+
+
+def pressed(key: str) -> str:
+    """As Textual names what the terminal sends."""
+    return key.removeprefix("shift+").upper() if key.startswith("shift+") and len(key) == 7 else key
+
+
+async def test_every_action_is_chosen_from_the_palette_by_its_word(work, doing):
+    async with work("FW 1") as desk:
+        done = doing(desk)
+        for name, action in LISTED.items():
+            before = len(done)
+            burst(desk, "ctrl+p", *letters(action.word("en")), "enter")
+            await desk.until(lambda before=before: len(done) > before, f"{name}, chosen")
+
+        assert done == list(LISTED)
+        assert desk.app.work.text == "FW 1"
+
+
+def letters(word: str) -> list[str]:
+    return ["space" if each == " " else each for each in word.lower()]
+
+
+@pytest.mark.parametrize("way", ["palette", "key"])
+async def test_what_an_action_needs_to_know_is_asked(work, way):
+    assert {name for name, action in LISTED.items() if action.needs_asking} == set(ASKED)
+    async with work(PROGRAM) as desk:
+        for name, (answer, told) in ASKED.items():
+            before, action = len(desk.log), LISTED[name]
+            if way == "palette":
+                burst(desk, "ctrl+p", *letters(action.word("en")), "enter")
+            else:
+                burst(desk, *(pressed(part) for part in action.keys[0].split()))
+            await desk.until(
+                lambda a=action: f"{a.word('en')}, for example" in desk.screen, f"asked of {name}"
+            )
+            await desk.answer(answer)
+            await desk.until(
+                lambda b=before, t=told: any(t in line for line in desk.log[b:]), f"{told} of {name}"
+            )
+            await back_to_the_workplace(desk)
+            desk.app.work.load(PROGRAM)
 
 
 def test_no_key_does_two_things():
@@ -112,20 +201,6 @@ def test_keys_are_told_as_they_are_on_the_keyboard():
     assert key_label("ctrl+k left_square_bracket") == "Ctrl+K ["
     assert key_label("escape") == "Esc"
     assert key_label("ctrl+s") == "Ctrl+S"
-
-
-async def test_each_letter_behind_the_menu_key_does_its_action(work, monkeypatch):
-    behind = {key: each.name for each in ACTIONS for key in each.keys if MENU in key}
-    done = []
-    async with work("FW 1") as desk:
-        monkeypatch.setattr(desk.app.work, "do", lambda name, argument="": done.append(name))
-        for key in behind:
-            await desk.press(*key.split())
-            await desk.until(lambda: desk.app.screen is desk.place and len(done) == len(set(done)), key)
-
-        await desk.until(lambda: len(done) == len(behind), "all of them")
-        assert done == list(behind.values())
-        assert desk.app.work.text == "FW 1"
 
 
 async def test_the_menu_key_lists_its_letters_and_esc_goes_back(work):

@@ -217,3 +217,11 @@ def test_what_comes_in_one_burst_with_the_key_of_a_question_is_the_answer(termin
 
     assert donnie.ended() == 0
     assert (tmp_path / "lesson.gd").read_text(encoding="utf-8") == "FW 1\nTR 90\n"
+
+
+def test_a_capital_behind_the_menu_key_is_a_letter_with_shift(terminal):
+    donnie = terminal()
+    donnie.type(CTRL_K + "T")
+    donnie.shows("Tour, page 1 of 9.")
+    donnie.type(ENTER)
+    donnie.shows("You begin in the program.")

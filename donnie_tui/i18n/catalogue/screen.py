@@ -201,6 +201,9 @@ _QUESTIONS = {
     "ask-translate": Sentence(
         "Keywords in which language", "Palavras-chave em que idioma", "Palabras clave en qué idioma"
     ),
+    "ask-argument": Sentence(
+        "{word}, for example {example}:", "{word}, por exemplo {example}:", "{word}, por ejemplo {example}:"
+    ),
     "ask-line": Sentence("Line:", "Linha:", "Línea:"),
     "ask-recent": Sentence("Recent programs", "Programas recentes", "Programas recientes"),
     "ask-worlds": Sentence("Worlds", "Mundos", "Mundos"),

@@ -33,6 +33,13 @@ class Choice:
     """Whether it is what is chosen now."""
 
 
+def _rank(text: str, typed: str) -> int:
+    """What is called as was typed comes first, then what begins so, then what has it anywhere."""
+    if not text.startswith(typed):
+        return 2
+    return int(text[len(typed) :].strip()[:1] not in ("", "(", ":", ","))
+
+
 class _Rows(TextRows, can_focus=False):
     """Rows of which one is always chosen: the focus stays where one types."""
 
@@ -102,9 +109,10 @@ class Chooser(ModalScreen[str | None]):
 
         event.stop()
         words = fold_name(event.value).split()
-        self._fitting = tuple(
-            each for each in self._choices if all(word in fold_name(each.text) for word in words)
-        )
+        folded = ((each, fold_name(each.text)) for each in self._choices)
+        fitting = [(each, text) for each, text in folded if all(word in text for word in words)]
+        fitting.sort(key=lambda pair: _rank(pair[1], " ".join(words)))
+        self._fitting = tuple(each for each, _text in fitting)
         self._typed.points_at_row = not words
         self._show()
         self.rows.read_line(0)

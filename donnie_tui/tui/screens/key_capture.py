@@ -13,7 +13,7 @@ from textual.containers import Vertical
 from textual.screen import ModalScreen
 from textual.widgets import Static
 
-from donnie_tui.tui.keys import MENU
+from donnie_tui.tui.keys import MENU, behind_menu
 from donnie_tui.tui.widgets.input_line import InputLine
 
 
@@ -76,7 +76,7 @@ class KeyCapture(ModalScreen[str | None]):
             self._has_menu = True
             self._say(self._behind)
         else:
-            self._try(f"{MENU} {key}" if self._has_menu else key)
+            self._try(f"{MENU} {behind_menu(key)}" if self._has_menu else key)
 
     def _try(self, key: str) -> None:
         wrong = self._accepts(key)

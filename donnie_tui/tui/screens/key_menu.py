@@ -44,7 +44,7 @@ class KeyMenu(ModalScreen[None]):
         yield self.rows
 
     def on_mount(self) -> None:
-        self.rows.show([self._row(key, name) for key, name in sorted(self.names.items())])
+        self.rows.show([self._row(key, name) for key, name in sorted(self.names.items(), key=_place)])
         self._point(f"{self._words('menu-title')}. {self.rows.lines[0]}")
 
     def _row(self, key: str, name: str) -> str:
@@ -57,3 +57,9 @@ class KeyMenu(ModalScreen[None]):
 
     def action_leave(self) -> None:
         self.dismiss(None)
+
+
+def _place(key_and_name: tuple[str, str]) -> tuple[bool, bool, str]:
+    """Letters first, then letters with Shift, then all else."""
+    key = key_and_name[0]
+    return not (len(key) == 1 and key.isalpha()), not key.startswith("shift+"), key

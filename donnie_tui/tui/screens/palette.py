@@ -1,4 +1,4 @@
-"""The command palette: every action that means something by itself, with its keys."""
+"""The command palette: every action, with its keys."""
 
 from __future__ import annotations
 
@@ -10,7 +10,7 @@ from donnie_tui.tui.screens.chooser import Choice
 
 def palette(words: Wording, table: KeyTable) -> tuple[str, str, str, tuple[Choice, ...]]:
     """What a chooser is given: title, keys, what is said where nothing fits, and the actions by name."""
-    listed = (each for each in ACTIONS if not each.hidden and not each.required)
+    listed = (each for each in ACTIONS if not each.hidden)
     rows = tuple(Choice(each.name, _row(each, words, table)) for each in listed)
     return words("palette-ask"), words("chooser-keys"), words("palette-nothing"), rows
 
