@@ -178,7 +178,7 @@ def _complain(each: Key, source: Source, told_as: str, given: str) -> Notice:
     if source is Source.OPTION:
         raise BadOption(each.key, given, each.wanted)
     code = "setting-not-understood" if source is Source.FILE else "variable-not-understood"
-    code += "-example" if each.is_example else ""
+    code += "-example" if each.is_example else "-choice" if each.is_choice else ""
     return Notice(code, {"name": told_as, "value": given[:40], "wanted": each.wanted})
 
 

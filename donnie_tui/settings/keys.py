@@ -70,6 +70,12 @@ class Key:
     """Whether ``wanted`` is one of many that it takes."""
 
     @property
+    def is_choice(self) -> bool:
+        """Whether ``wanted`` lists the very words that it takes, of which one is chosen."""
+        words = self.wanted.split(", ")
+        return len(words) > 1 and not any(each.isupper() or any(map(str.isdigit, each)) for each in words)
+
+    @property
     def variable(self) -> str:
         return f"DONNIE_{self.key.upper()}"
 

@@ -103,6 +103,26 @@ SENTENCES: dict[str, Sentence] = {
             "Variable {name}: {wanted}, no {value}.",
         ),
     ),
+    "setting-not-understood-choice": Sentence(
+        "The setting {name} can't be {value}. It takes one of {wanted}.",
+        "A configuração {name} não pode ser {value}. Aceita um destes: {wanted}.",
+        "El ajuste {name} no puede ser {value}. Acepta uno de estos: {wanted}.",
+        brief=(
+            "Setting {name}: {wanted}, not {value}.",
+            "Ajuste {name}: {wanted}, não {value}.",
+            "Ajuste {name}: {wanted}, no {value}.",
+        ),
+    ),
+    "variable-not-understood-choice": Sentence(
+        "The variable {name} can't be {value}. It takes one of {wanted}.",
+        "A variável {name} não pode ser {value}. Aceita um destes: {wanted}.",
+        "La variable {name} no puede ser {value}. Acepta uno de estos: {wanted}.",
+        brief=(
+            "Variable {name}: {wanted}, not {value}.",
+            "Variável {name}: {wanted}, não {value}.",
+            "Variable {name}: {wanted}, no {value}.",
+        ),
+    ),
     "settings-file-damaged": Sentence(
         "Settings file damaged, line {line}. Defaults count.",
         "Arquivo de configurações com erro, linha {line}. Valem os padrões.",

@@ -7,6 +7,7 @@ from pathlib import Path
 import pytest
 
 from donnie_tui.core.documents import DocumentError
+from donnie_tui.i18n.words import Words
 from donnie_tui.settings.chosen import BadOption, Settings, Source, language_of, resolve
 from donnie_tui.settings.file import read_settings, remember, with_setting
 from donnie_tui.settings.folders import settings_file, state_folder
@@ -76,7 +77,8 @@ def test_a_bad_value_is_an_error_on_the_command_line_and_a_notice_elsewhere(key:
 
     settings, notices = resolve({}, {}, {key: value})
     assert settings == Settings()
-    assert [notice.code for notice in notices] == ["setting-not-understood"]
+    codes = [notice.code.removesuffix("-choice") for notice in notices]
+    assert codes == ["setting-not-understood"]
 
 
 @pytest.mark.parametrize(
@@ -226,3 +228,20 @@ def test_the_folders_of_worlds_are_those_of_stage_unless_others_are_named() -> N
         Path("~nobody-at-all/b"),
     )
     assert folders({"DONNIE_WORLDS": os.pathsep}, {}) == ()
+
+
+@pytest.mark.parametrize(
+    ("key", "ending"),
+    [
+        ("robot", "It takes one of sim, serial, serial:PORT, double."),
+        ("theme", "It takes one of dark, light, contrast, terminal."),
+        ("rate", "It takes 80-450."),
+        ("belt_steps", "For example: 5 10 20."),
+    ],
+)
+def test_a_variable_says_whether_it_takes_one_of_some_words_or_what_it_may_look_like(
+    key: str, ending: str
+) -> None:
+    _, (notice,) = resolve({}, {f"DONNIE_{key.upper()}": "bogus"}, {})
+
+    assert Words()(notice.code, **notice.values).endswith(ending)
