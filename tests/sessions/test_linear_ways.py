@@ -65,7 +65,7 @@ def test_steps_tell_levels_rounds_and_what_changed(learner: Learner) -> None:
     learner.types("\r")
     learner.sees("I walked 2 steps forward.\r\nLine 4: x = x + 1\r\n> ")
     learner.types("STEP BACK\r")
-    learner.sees("Back: FW 2. Position 0, 0.\r\n> ")
+    learner.sees("Back: FW 2. Position 0, 0.\r\nRound 1 of 2.\r\nLine 3, level 1: FW 2\r\n> ")
     learner.types("UNTIL 4\r")
     learner.sees("x is 2.\r\nI walked 2 steps forward.\r\nLine 4: x = x + 1\r\n> ")
     learner.types("RUN\r")
