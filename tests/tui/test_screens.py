@@ -163,6 +163,7 @@ SCREENS = {
     "legend": ("ctrl+k", "l"),
     "worlds": ("ctrl+k", "o"),
     "keys": ("ctrl+k", "0"),
+    "tour": ("ctrl+k", "T"),
     "help": ("f1",),
     "programs": ("ctrl+k", "b"),
     "save": ("ctrl+s",),
