@@ -57,7 +57,7 @@ async def test_a_disk_that_takes_its_time_is_told_and_holds_nobody_up(work, tmp_
         await _begin_saving(desk, path)
         desk.place.editor.focus()
         await desk.press("x")
-        assert desk.app.work.text == "xFW 1"
+        await desk.until(lambda: desk.app.work.text == "xFW 1", "the letter")
         desk.app.work.files.programs.keep_copy_now()
         assert not path.exists()
         slow_saving.set()
@@ -92,7 +92,7 @@ async def test_the_log_goes_to_a_slow_disk_beside_the_screen_and_its_name_may_be
         await desk.told("Writing my notes.txt, it takes a while.")
         desk.place.editor.focus()
         await desk.press("x")
-        assert desk.app.work.text == "xFW 1"
+        await desk.until(lambda: desk.app.work.text == "xFW 1", "the letter")
         gate.set()
         await desk.told("Wrote my notes.txt.")
         assert "> SAVE LOG" in path.read_text(encoding="utf-8")
@@ -157,11 +157,25 @@ async def test_a_copy_that_was_given_up_while_it_was_written_is_gone(work, monke
     async with work("FW 1") as desk:
         await desk.press("a")
         await desk.until(lambda: came, "a copy is being written")
+        await desk.press("ctrl+n")
+        await desk.answer("no")
+        await desk.told("A new program.")
+        gate.set()
+        await desk.until(lambda: _copies_in(tmp_path) == [], "no copy")
+
+
+async def test_whoever_leaves_while_a_copy_is_written_leaves_it_for_recover(
+    work, monkeypatch, tmp_path, gate
+):
+    came = _slow_disk(monkeypatch, gate)
+    async with work("FW 1") as desk:
+        await desk.press("a")
+        await desk.until(lambda: came, "a copy is being written")
         await desk.press("ctrl+q")
         await desk.answer("no")
         await desk.until(lambda: not desk.app.is_running or desk.app._exit, "the end")
         gate.set()
-    assert _copies_in(tmp_path) == []
+    assert _copies_in(tmp_path) == ["aFW 1"]
 
 
 async def test_a_file_that_comes_slowly_is_told_and_what_is_typed_meanwhile_is_asked_about(
@@ -175,7 +189,7 @@ async def test_a_file_that_comes_slowly_is_told_and_what_is_typed_meanwhile_is_a
         await desk.told("Opening walk.gd, it takes a while.")
         desk.place.editor.focus()
         await desk.press("x")
-        assert desk.app.work.text == "x"
+        await desk.until(lambda: desk.app.work.text == "x", "the letter")
         gate.set()
         await desk.answer("no")
         await desk.told("Opened walk.gd, 1 line.")
