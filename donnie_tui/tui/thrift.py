@@ -60,20 +60,23 @@ class Painted:
         ``typing``: where the cursor stands in a text that is typed; letters that come there stay letters.
         """
         if isinstance(update, LayoutUpdate) and not self._knows_something:
-            self._first = update
-        elif isinstance(update, Update):
-            self._learn()
+            return cast(RenderableType, First(update, self))
+        if isinstance(update, Update):
             return cast(RenderableType, Changes(update, self, rows=rows, typing=typing))
-        elif update is not None:
+        if update is not None:
             self.forget()
         return update
+
+    def begin_with(self, update: LayoutUpdate) -> None:
+        """It was painted where nothing was known."""
+        self._first = update
 
     @property
     def _knows_something(self) -> bool:
         return self._first is not None or bool(self._cells)
 
-    def _learn(self) -> None:
-        """What the first picture has shown."""
+    def learn(self) -> None:
+        """What the first picture has shown, before it is compared with another one."""
         first, self._first = self._first, None
         if first is not None:
             for x, y, strip in _strips_of(first):
@@ -109,6 +112,17 @@ class Painted:
             yield from _pieces_of(x + begin, y, cells[begin:end])
 
 
+class First(CompositorUpdate):
+    """All of the screen, as it is. What Textual asks for is not always written: known is what was."""
+
+    def __init__(self, update: LayoutUpdate, painted: Painted) -> None:
+        self._update, self._painted = update, painted
+
+    def render_segments(self, console: Console) -> str:
+        self._painted.begin_with(self._update)
+        return self._update.render_segments(console)
+
+
 class Changes(CompositorUpdate):
     """Textual's update, less what is there already. A style is said once, whatever wears it."""
 
@@ -118,6 +132,7 @@ class Changes(CompositorUpdate):
         self._update, self._painted, self._rows, self._typing = update, painted, rows, typing
 
     def render_segments(self, console: Console) -> str:
+        self._painted.learn()
         by_style: dict[Style, list[str]] = {}
         pieces = list(_strips_of(self._update))
         typed = self._typed_row(pieces) if self._rows and self._typing else None

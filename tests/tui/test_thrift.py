@@ -97,6 +97,14 @@ def test_a_whole_screen_that_shows_the_same_costs_nothing():
     assert painted.less(screen).render_segments(CONSOLE) == ""
 
 
+def test_a_screen_that_was_not_written_is_not_known():
+    """Textual drops what it painted before its driver runs: the page of a browser stayed empty."""
+    painted, screen = Painted(), whole_screen(random.Random(3))
+    painted.less(screen)
+
+    assert painted.less(screen).render_segments(CONSOLE) == screen.render_segments(CONSOLE)
+
+
 def sent(painted: Painted, text: str, *, row: int = 0, typing: Offset | None = None) -> str:
     strip = Strip([Segment(text.ljust(20), STYLES[0])])
     return painted.less(update(0, row, strip), rows=True, typing=typing).render_segments(CONSOLE)
