@@ -83,17 +83,17 @@ class TextRows(PaintedRows, can_focus=True):
 
     def append(self, lines: Iterable[tuple[str, str]]) -> None:
         """Add lines: (text, kind) each."""
-        before, width = len(self._rows), self._text_width
+        before, first = len(self._rows), len(self._lines)
         for text, kind in lines:
             self._lines.append(text)
             self._kinds.append(kind)
-            self._wrap(text, kind, width)
+        self._wrap_from(first)
         if len(self._rows) == before:
             return
         if self._forget_oldest():
             before = 0
-        first = before - 1 if self.is_read else before  # which is read no longer
-        self._extent(range(max(0, first), len(self._rows)))
+        changed = before - 1 if self.is_read else before  # which is read no longer
+        self._extent(range(max(0, changed), len(self._rows)))
         if self._row is None:
             self._follow()
 
@@ -193,18 +193,19 @@ class TextRows(PaintedRows, can_focus=True):
         width = self.size.width - 1
         return max(1, width - _KIND_WIDTH - 1 if self._shows_kinds else width)
 
-    def _wrap(self, text: str, kind: str, width: int) -> None:
-        rows = _wrapped(_with_kind(text, kind) if self._begins_with_kinds else text, width)
-        self._rows.extend(rows)
-        self._row_kinds.append(kind)
-        self._row_kinds.extend([""] * (len(rows) - 1))
-        self._heights.append(len(rows))
+    def _wrap_from(self, first: int) -> None:
+        """The lines from there on. What the size says is asked once: it is slow to answer."""
+        width, begins_with_kind = self._text_width, self._begins_with_kinds
+        for text, kind in zip(self._lines[first:], self._kinds[first:], strict=True):
+            rows = _wrapped(_with_kind(text, kind) if begins_with_kind else text, width)
+            self._rows.extend(rows)
+            self._row_kinds.append(kind)
+            self._row_kinds.extend([""] * (len(rows) - 1))
+            self._heights.append(len(rows))
 
     def _rewrap(self) -> None:
         self._rows, self._row_kinds, self._heights = [], [], []
-        width = self._text_width
-        for text, kind in zip(self._lines, self._kinds, strict=True):
-            self._wrap(text, kind, width)
+        self._wrap_from(0)
         if self._row is not None:
             self._row = min(self._row, max(0, len(self._rows) - 1))
 
@@ -229,16 +230,17 @@ class TextRows(PaintedRows, can_focus=True):
 
     def _extent(self, changed: Collection[int]) -> None:
         """There are so many rows, and these look different: no others are painted, each costs bytes."""
-        extent = Size(self.size.width, self._height)
+        size = self.size  # slow to answer
+        extent = Size(size.width, self._height)
         if (
             extent != self.virtual_size
         ):  # set by its name it would paint all rows and lay out the whole screen
             self.set_reactive(ScrollView.virtual_size, extent)
             self._scroll_update(extent)
         top = self.scroll_offset.y
-        seen = [row - top for row in changed if top <= row < top + self.size.height]
+        seen = [row - top for row in changed if top <= row < top + size.height]
         if seen:
-            self.refresh(*(Region(0, y, self.size.width, 1) for y in seen))
+            self.refresh(*(Region(0, y, size.width, 1) for y in seen))
 
     def _follow(self) -> None:
         """Show the row that is being read; the newest of all once there is room for any."""
