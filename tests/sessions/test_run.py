@@ -14,17 +14,7 @@ import pytest
 from tests.floor import Floor
 from tests.patience import PATIENCE
 from tests.sessions.command import QUIET, donnie, start
-
-PROGRAM = """VAR n = 2
-REPEAT n TIMES
-FW n TR 90
-END REPEAT
-SPEAK "olá"
-STATE
-SCAN
-WAIT 1
-SPEAK DISTANCE F
-"""
+from tests.sessions.here import PROGRAM
 
 
 def records(stream: bytes) -> list[dict[str, Any]]:
