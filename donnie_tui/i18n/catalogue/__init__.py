@@ -24,6 +24,7 @@ TOPICS = (
     "robots",
     "things",
     "worlds",
+    "note",
     "tui",
     "screen",
     "choosing",
