@@ -188,7 +188,7 @@ class DonnieApp(TerminalApp, inherit_bindings=False):
         """A page of a browser, or a window behind another, begins without the focus: nothing has it yet."""
         place = self.workplace
         if has_focus and place.is_mounted and self.screen is place and place.focused is None:
-            (place.command_line if place.is_plain else place.editor).focus()
+            place.set_focus(place.command_line if place.is_plain else place.editor)  # before the next key
 
     def _display(self, screen: Screen[Any], renderable: RenderableType | None) -> None:
         """A new layout, or another screen, is painted once: Textual would leave it out while one is held."""

@@ -5,6 +5,7 @@ from __future__ import annotations
 import asyncio
 
 import pytest
+from textual import events
 
 from donnie_tui.tui import coming
 from tests.tui.conftest import burst
@@ -141,3 +142,15 @@ async def test_the_keys_behind_the_menu_key_can_be_read_before_one_is_pressed(wo
 
         assert desk.app.screen is not desk.place
         assert not any("does nothing" in line for line in desk.log)
+
+
+async def test_letters_behind_the_first_focus_of_a_page_are_written(work):
+    """A page of a browser begins without the focus; the click that gives it comes with what is typed."""
+    async with work() as desk:
+        desk.place.set_focus(None)
+        desk.app.app_focus = False
+        await desk.pilot.pause()
+        desk.app._last_focused_on_app_blur = None
+        desk.app.post_message(events.AppFocus())
+        burst(desk, *"fwq")
+        await desk.until(lambda: desk.app.work.text == "fwq", "the letters")

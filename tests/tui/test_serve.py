@@ -73,15 +73,20 @@ class Shown:
     def feed(self, sent: bytes) -> None:
         self._stream.feed(sent)
 
+    def __str__(self) -> str:
+        return "\n".join(line.rstrip() for line in self._screen.display)
+
     def has(self, text: str) -> bool:
         return any(text in line for line in self._screen.display)
 
 
 async def until_shown(terminal: Any, shown: Shown, text: str) -> None:
+    end = time.monotonic() + PATIENCE
     while not shown.has(text):
         message = await terminal.receive(timeout=PATIENCE)
         if isinstance(message.data, bytes):
             shown.feed(message.data)
+        assert time.monotonic() < end, f"never shown: {text}\n{shown}"
 
 
 def run(*arguments: str, **environment: str) -> tuple[int, str]:
