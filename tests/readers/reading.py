@@ -167,7 +167,7 @@ class Listener:
         path = self._folder / "fenrir.conf"
         with path.open("w") as file:
             settings.write(file)
-        return [_SYSTEM_PYTHON, str(HERE / "fenrir_with_log.py"), str(HERE), "-e", "-s", str(path)]
+        return [_SYSTEM_PYTHON, str(HERE / "fenrir.py"), str(HERE), "-e", "-s", str(path)]
 
     def brltty(self) -> list[str]:
         socket = self._folder / "display"
