@@ -27,6 +27,7 @@ TOPICS = (
     "note",
     "tui",
     "screen",
+    "setting",
     "choosing",
     "keys",
     "slow",
@@ -47,6 +48,7 @@ TOPICS = (
     "screen_tour",
     "manual",
     "doctor",
+    "doctor_speech",
 )
 """What is wanted most comes first: they are looked through in this order."""
 
@@ -75,7 +77,7 @@ class _Catalogue(Mapping[str, Sentence]):
         """Most codes begin with the name of their topic."""
         likely, _, _ = code.partition("-")
         waiting = list(self._topics)
-        for topic in sorted(waiting, key=lambda topic: topic != likely):
+        for topic in sorted(waiting, key=lambda topic: not topic.startswith(likely)):
             if code in self._load(topic):
                 return
 
