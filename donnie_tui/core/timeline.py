@@ -30,7 +30,7 @@ from donnie_tui.core.events import (
 
 _TOLD_OF_A_DEED = ("moved", "turned", "scan", "sound", "link", "gripper", "pushed")
 """Announcements that follow an event of their own; all others are what happened themselves."""
-_OF_PROGRESS = ("step-forward", "step-back", "turn-right", "turn-left", "waiting")
+_LEADING_ON = ("step-forward", "step-back", "turn-right", "turn-left", "waiting", "done")
 """Cues that come before what they are about has ended."""
 
 
@@ -178,7 +178,7 @@ def _belongs_to_the_last(event: Event) -> bool:
         case Announced(code=code):
             return code in _TOLD_OF_A_DEED
         case CueSounded(name=name):
-            return name not in _OF_PROGRESS
+            return name not in _LEADING_ON
         case BeltShown() | ThingsMoved():
             return True
         case _:
@@ -188,7 +188,7 @@ def _belongs_to_the_last(event: Event) -> bool:
 def _leads_on(event: Event) -> bool:
     match event:
         case CueSounded(name=name):
-            return name in _OF_PROGRESS
+            return name in _LEADING_ON
         case Statement() | Read() | Announced(code="waiting"):
             return True
         case _:

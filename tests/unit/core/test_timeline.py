@@ -77,6 +77,16 @@ def test_a_step_is_what_a_command_did_with_all_that_was_told_of_it() -> None:
     assert floor.told[0] == "I walked 2 steps forward."
 
 
+def test_the_cue_that_a_program_is_done_belongs_to_its_end_and_not_to_its_last_command() -> None:
+    """What happened up to the hold behind the last command is then where a step ends."""
+    _, timeline = happened("FW 2")
+
+    steps = list(iter(timeline.step, ()))
+
+    assert [type(each.event).__name__ for each in steps[-1]] == ["CueSounded", "RunEnded"]
+    assert isinstance(steps[-2][-1].event, Announced)
+
+
 def test_the_end_of_a_huge_jump_is_the_end() -> None:
     _, timeline = happened()
 
