@@ -6,6 +6,7 @@ that is none, or is missing, changes nothing: the cue is the usual one.
 
 from __future__ import annotations
 
+import os
 from array import array
 from collections.abc import Mapping
 from contextlib import suppress
@@ -26,9 +27,9 @@ def load(folder: Path | None) -> tuple[OwnSounds, tuple[str, ...]]:
     """What is in the folder, and the names of the files that are no 16-bit WAV."""
     found: dict[str, array[float]] = {}
     broken = []
-    for name in CUE_NAMES if folder is not None and folder.is_dir() else ():
+    for name in CUE_NAMES if folder is not None else ():
         path = Path(str(folder), f"{name}.wav")
-        if path.is_file():
+        if os.path.isfile(path):  # noqa: PTH113 -- pathlib's raises where one may not look
             try:
                 found[name] = array("d", (sample / 32_768 for sample in read_mono(path, LONGEST)))
             except NotWav:

@@ -116,7 +116,8 @@ def has_sound_device(variables: Mapping[str, str], root: Path = Path("/")) -> bo
     if sys.platform != "linux" or variables.get("PULSE_SERVER"):
         return True
     runtime = variables.get("XDG_RUNTIME_DIR")
-    if runtime and any(Path(runtime, name).exists() for name in ("pulse/native", "pipewire-0")):
+    servers = (f"{runtime}/{name}" for name in ("pulse/native", "pipewire-0"))
+    if runtime and any(map(os.path.exists, servers)):  # pathlib's raises where one may not look
         return True
     return any((root / "dev/snd").glob("pcmC*p"))
 

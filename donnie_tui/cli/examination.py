@@ -21,6 +21,7 @@ from devices.sound.own_sounds import load, unknown_names
 from devices.speech.choose import Channel, choose_channel
 from devices.speech.probe import look_around
 from devices.speech.voices import LANGUAGES
+from donnie_tui.core.documents import exists
 from donnie_tui.outlets.audible import wants_cues
 from donnie_tui.settings.chosen import Settings, Source
 from donnie_tui.settings.folders import own_sounds, settings_file
@@ -249,7 +250,7 @@ def look_at_reset(settings: Settings, reset: Callable[[str, str], object] | None
 def look_at_settings(settings: Settings, environment: Mapping[str, str]) -> Iterator[Finding]:
     """Where the file is, and every setting that is not a default, with who won."""
     path = settings_file(environment)
-    yield well("doctor-settings-file" if Path(path).exists() else "doctor-no-settings-file", path=path)
+    yield well("doctor-settings-file" if exists(Path(path)) else "doctor-no-settings-file", path=path)
     for key in KEYS:
         source = settings.source_of(key.name)
         if source is not Source.DEFAULT:

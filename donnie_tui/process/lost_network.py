@@ -62,9 +62,9 @@ def ends_of(environment: Mapping[str, str]) -> tuple[tuple[str, str], ...]:
     try:
         there, there_port, here, here_port = words
         ours, theirs = _written(here, here_port), _written(there, there_port)
+        return tuple(zip(ours, theirs, strict=True))
     except (ValueError, OSError):  # nobody came by SSH, or by no network
         return ()
-    return tuple(zip(ours, theirs, strict=True))
 
 
 def attempts(rows: Iterable[str], ends: tuple[tuple[str, str], ...]) -> int:

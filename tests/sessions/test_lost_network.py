@@ -46,7 +46,9 @@ def test_an_address_of_version_6_is_found() -> None:
     assert attempts(table(6, here, there).splitlines(), ends) == 6
 
 
-@pytest.mark.parametrize("told", ["", "UNKNOWN 65535 UNKNOWN 65535", "one two", "::1 x ::1 2"])
+@pytest.mark.parametrize(
+    "told", ["", "UNKNOWN 65535 UNKNOWN 65535", "one two", "::1 x ::1 2", "1.2.3.4 1 ::1 2"]
+)
 def test_who_came_by_no_network_has_no_ends(told: str) -> None:
     assert ends_of({"SSH_CONNECTION": told}) == ()
 

@@ -186,6 +186,11 @@ def test_a_sound_device_is_a_card_that_plays_or_a_server(
     assert has_sound_device(variables, tmp_path) is found
 
 
+def test_a_runtime_folder_that_nobody_may_look_into_has_no_sound_server(tmp_path: Path) -> None:
+    """As after ``su``, which leaves the variable at another user's; here the system refuses a name."""
+    assert not has_sound_device({"XDG_RUNTIME_DIR": f"{tmp_path}/{'x' * 300}"}, tmp_path)
+
+
 def test_ssh_is_seen_in_the_environment(tmp_path: Path) -> None:
     assert look_around({"SSH_CONNECTION": "1.2.3.4 5 6.7.8.9 22"}, tmp_path).over_ssh
     assert not look_around({}, tmp_path).over_ssh

@@ -104,6 +104,7 @@ def test_a_file_that_is_no_sound_changes_nothing_and_is_named(tmp_path: Path) ->
 def test_no_folder_is_no_own_sounds(tmp_path: Path) -> None:
     assert load(None) == ({}, ())
     assert load(tmp_path / "none") == ({}, ())
+    assert load(tmp_path / ("x" * 300)) == ({}, ())  # as where one may not look
     assert unknown_names(tmp_path / "none") == ()
 
 

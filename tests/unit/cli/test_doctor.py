@@ -161,6 +161,11 @@ def test_it_is_told_which_source_of_a_setting_won(tmp_path: Path) -> None:
     assert not any(line.startswith("world ") for line in lines)
 
 
+def test_a_settings_folder_that_nobody_may_look_into_has_no_file(tmp_path: Path) -> None:
+    (finding,) = look_at_settings(Settings(), {"XDG_CONFIG_HOME": f"{tmp_path}/{'x' * 300}"})
+    assert finding.code == "doctor-no-settings-file"
+
+
 def test_nothing_of_ours_changes_by_looking() -> None:
     before = dict(os.environ)
     list(look_at_packages())

@@ -103,6 +103,11 @@ def test_the_socket_of_this_user_is_found(tmp_path: Path) -> None:
     assert find_address({**variables, "SPEECHD_ADDRESS": "unix_socket:/x"}) == Address(path="/x")
 
 
+def test_a_folder_that_nobody_may_look_into_has_no_socket(tmp_path: Path) -> None:
+    """As after ``su``, which leaves the variable at another user's; here the system refuses a name."""
+    assert find_address({"XDG_RUNTIME_DIR": f"{tmp_path}/{'x' * 300}"}) is None
+
+
 def test_a_file_that_nobody_listens_at_is_not_reachable(tmp_path: Path) -> None:
     (tmp_path / "s").touch()
     assert not is_reachable(Address(path=str(tmp_path / "s")))
