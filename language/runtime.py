@@ -68,6 +68,10 @@ class Memory:
     procedures: dict[str, Declared] = field(default_factory=dict)
     """By folded name."""
 
+    def forget(self) -> None:
+        self.variables.clear()
+        self.procedures.clear()
+
 
 @frozen
 class Frame:

@@ -32,7 +32,7 @@ class HowStarted:
     text: str
     first_line: int
     fresh: bool
-    """Whether the robot was put back to its start and the variables forgotten."""
+    """Whether the robot is put back to its start first and the variables are forgotten."""
     terminal: bool
     trace: bool
     pose: Pose
@@ -45,6 +45,18 @@ class HowStarted:
     """The robots that started at the same moment, this one among them; empty for one alone."""
     deed: str = ""
     """What the gripper did in place of a program, ``GRIP`` or ``RELEASE``; else empty."""
+    refused: bool = False
+    """Whether mistakes of form keep it from running."""
+
+    @property
+    def is_together(self) -> bool:
+        """Whether several robots start at the same moment."""
+        return len(self.together) > 1
+
+    @property
+    def begins_anew(self) -> bool:
+        """Whether the robot is at its start, without a past; not for what is refused, if it is alone."""
+        return self.fresh and (self.is_together or not self.refused)
 
 
 TYPED = "typed"

@@ -120,7 +120,7 @@ class _Checking:
 
     def _begins_anew(self, how: HowStarted) -> bool:
         """Whether nothing is left of what was stopped."""
-        return how.fresh and len(how.together or ("",)) == len(self._team.names)
+        return how.begins_anew and len(how.together or ("",)) == len(self._team.names)
 
     # --- a segment
 

@@ -55,7 +55,8 @@ class Run:
     def __init__(
         self,
         stage: Stage,
-        started: RunStarted,
+        name: str,
+        begin: Callable[[bool], RunStarted],
         read: Callable[[], Readable],
         source_lines: tuple[str, ...],
         memory: Memory,
@@ -64,11 +65,12 @@ class Run:
         first_line: int = 1,
         trace: bool = False,
     ) -> None:
+        """``begin`` makes the world ready for it, unless it is told that the run was refused."""
         self.control = control
-        self.name = started.program
+        self.name = name
         self.outcome: Outcome | None = None
         self._stage = stage
-        self._started = started
+        self._begin = begin
         self._read = read
         self._program: Readable | None = None
         self._problem: Exception | None = None
@@ -144,9 +146,10 @@ class Run:
 
     def _tell_and_run(self) -> Outcome:
         hub, robot = self._stage.hub, self._stage.robot
+        started = self._begin(self.was_refused)
         began = robot.time()
         hub.hold_back_here()
-        hub.publish(self._started)
+        hub.publish(started)
         self._stage.has_begun()
         outcome = self._outcome()
         hub.hold_back_nobody()

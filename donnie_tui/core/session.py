@@ -12,6 +12,7 @@ from functools import partial
 from typing import Protocol, TypeAlias
 
 from devices.ports.robot import Pace, Pose, Robot, Watcher
+from devices.ports.values import replace
 from donnie_tui import __version__
 from donnie_tui.core.actions import RobotActions, RobotWatcher
 from donnie_tui.core.announcer import Announcer
@@ -127,14 +128,13 @@ class Session:
 
     # --- programs
 
-    def parse(self, text: str, first_line: int = 1) -> Parsed:
+    def parse(self, text: str, first_line: int = 1, *, fresh: bool = False) -> Parsed:
         """The program's tree, or its mistakes of form, with the colours that this robot can see.
 
-        A robot without eyes says so when it is asked to look.
+        A robot without eyes says so when it is asked to look. ``fresh``: nothing was declared before.
         """
-        return parse(
-            text, first_line=first_line, colours=self._robot.colours or None, declared=self._memory.procedures
-        )
+        colours, declared = self._robot.colours or None, {} if fresh else self._memory.procedures
+        return parse(text, first_line=first_line, colours=colours, declared=declared)
 
     def start(
         self,
@@ -152,11 +152,11 @@ class Session:
     ) -> Run:
         """Run a program. Raises ``Busy`` while another one runs.
 
-        ``fresh`` puts the robot back to its start and forgets variables; ``hooked`` makes the program
-        steppable; ``terminal`` is the session's own where it is not given (the program of an editor is no
-        terminal, the line below it is); ``prepare`` is given the control before the first statement (to step
-        from the start, say); ``each_statement`` is called before each one, in the program's thread, where
-        the program is ``hooked``; ``when_read`` once it was read, in that thread, before anything of it runs.
+        ``fresh`` puts the robot back to its start and forgets variables, once it is clear that the program
+        can run; ``hooked`` makes it steppable; ``terminal`` is the session's own where it is not given (the
+        program of an editor is no terminal, the line below it is); ``prepare`` is given the control before
+        the first statement (to step from the start, say); ``each_statement`` is called before each one, in
+        the program's thread, where it is ``hooked``; ``when_read`` once it was read, before any of it runs.
         """
         run = self.claim(
             text, name, fresh=fresh, hooked=hooked, trace=trace, first_line=first_line, terminal=terminal
@@ -164,6 +164,9 @@ class Session:
         run.control.look_before_each(each_statement if hooked else None)
         if when_read is not None:
             run.when_read = partial(when_read, run)
+        return self._begun(run, prepare)
+
+    def _begun(self, run: Run, prepare: Callable[[ExecutionControl], None] | None = None) -> Run:
         try:
             if prepare:
                 prepare(run.control)
@@ -194,9 +197,6 @@ class Session:
         with self._lock:
             if self._run is not None:
                 raise Busy
-            if fresh:
-                self._begin_anew()
-            self._began = self._robot.time()
             how = HowStarted(
                 text,
                 first_line,
@@ -210,6 +210,8 @@ class Session:
                 together,
                 "" if deed is None else deed.value,
             )
+            if fresh and how.is_together:  # the world begins anew before the first of them takes part
+                self._begin_anew()
             self._run = self._new_run(name, how, hooked or trace, deed)
             self._pace.control = self._run.control
             self._pace.has_waited.clear()
@@ -217,13 +219,7 @@ class Session:
 
     def use_gripper(self, deed: Deed) -> Run:
         """Close or open the robot's gripper, as a run of its own. Raises ``Busy`` while a program runs."""
-        run = self.claim("", deed.value, deed=deed)
-        try:
-            self.begin(run)
-        except BaseException:
-            self.give_up(run)
-            raise
-        return run
+        return self._begun(self.claim("", deed.value, deed=deed))
 
     def begin(self, run: Run) -> None:
         """Let a run go that was claimed."""
@@ -244,7 +240,7 @@ class Session:
         def read() -> Readable:
             if deed is not None:
                 return DeedRun(deed, self._actions.handling)
-            parsed = self.parse(how.text, how.first_line)
+            parsed = self.parse(how.text, how.first_line, fresh=how.fresh)
             if parsed.program is None:
                 return parsed.diagnostics
             if control.state is ControlState.STOPPING:
@@ -260,7 +256,8 @@ class Session:
                 self._actions.handling.tell_things,
                 self._about_to_end,
             ),
-            RunStarted(name, self._world, self.name, self._seed, __version__, how),
+            name,
+            partial(self._begin, name, how),
             read,
             tuple(lines_in(how.text)),
             self._memory,
@@ -268,6 +265,15 @@ class Session:
             first_line=how.first_line,
             trace=how.trace,
         )
+
+    def _begin(self, name: str, how: HowStarted, refused: bool) -> RunStarted:
+        """In the program's thread, once it was read and is in its turn."""
+        how = replace(how, refused=refused)
+        if how.begins_anew and not how.is_together:
+            self._begin_anew()
+        self._began = self._robot.time()
+        how = replace(how, pose=self._robot.pose())
+        return RunStarted(name, self._world, self.name, self._seed, __version__, how)
 
     def _about_to_end(self, outcome: Outcome) -> None:
         self._belt.rest()
@@ -383,7 +389,7 @@ class Session:
     def _begin_anew(self) -> None:
         self._robot.reset()
         self._actions.forget()
-        self._memory = Memory()
+        self._memory.forget()
 
     def close(self, seconds: float = 1.0) -> None:
         """Stop, wait for the program's thread that long, and halt the robot."""

@@ -148,7 +148,7 @@ class Timeline:
         event = stamped.event
         pose = _pose_of(event)
         if pose is not None:
-            begins = isinstance(event, Reset) or (isinstance(event, RunStarted) and _is_fresh(event))
+            begins = isinstance(event, Reset) or (isinstance(event, RunStarted) and _begins_anew(event))
             self._places.setdefault(stamped.robot, []).append(_Place(self.at, pose, begins))
         if isinstance(event, ThingsMoved):
             self._things.append((self.at, event.places))
@@ -169,8 +169,8 @@ def _pose_of(event: Event) -> Pose | None:
             return None
 
 
-def _is_fresh(event: RunStarted) -> bool:
-    return event.how is not None and event.how.fresh
+def _begins_anew(event: RunStarted) -> bool:
+    return event.how is not None and event.how.begins_anew
 
 
 def _belongs_to_the_last(event: Event) -> bool:

@@ -53,7 +53,7 @@ class _Before:
     run: int
     """How many of them had run."""
     runs: int
-    """How often anything had been run or rewound then."""
+    """How often anything had been run then."""
     file: _File | None = None
     """Where the change was that another program took its place."""
 
@@ -165,11 +165,6 @@ class TypedProgram:
         while self._before and isinstance(self._before[-1], int) and self._before[-1] >= self._run:
             self._before.pop()
         return False
-
-    def rewind(self) -> None:
-        """Let the whole program wait again."""
-        self._run = 0
-        self._runs += 1
 
     def replace(self, text: str, name: str | None) -> None:
         """Another program takes its place, and waits."""

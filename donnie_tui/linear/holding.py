@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from enum import Enum, auto
 from typing import TYPE_CHECKING
 
@@ -77,7 +77,12 @@ class Holding:
             case Read() as read if self._words is not None:
                 self._words.heard(read)
             case RunEnded(variables=variables) if stamped.robot == self._desk.session.hub.robot:
-                self._desk.watch.look(self._desk.session, variables.items())
+                self._look_at_what_is_left(variables)
+
+    def _look_at_what_is_left(self, variables: Mapping[str, int]) -> None:
+        run = self._desk.session.run
+        if run is None or not run.was_refused:
+            self._desk.watch.look(self._desk.session, variables.items())
 
     def ask(self) -> Wish:
         """Say where the program is, and ask until it is clear how to go on."""

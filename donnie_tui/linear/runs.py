@@ -100,8 +100,7 @@ class Runs:
         program = self._desk.program
         if not self._is_free(to_leave=False):
             return
-        program.rewind()
-        if not program.is_waiting:
+        if not program.text.strip():
             self._desk.answer("answer-nothing-to-run")
             return
         run = self._run(program.text, 1, fresh=True, begin=begin)

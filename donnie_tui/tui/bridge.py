@@ -86,12 +86,13 @@ class Happened(Message):
 
 
 class Began(Message):
-    """A run began, with the robot here."""
+    """A run began, with the robot here; ``fresh``: at its start, without a past."""
 
-    def __init__(self, program: str, pose: Pose) -> None:
+    def __init__(self, program: str, pose: Pose, *, fresh: bool = False) -> None:
         super().__init__()
         self.program = program
         self.pose = pose
+        self.fresh = fresh
 
 
 class Ended(Message):
@@ -215,9 +216,9 @@ class Bridge:
 
     def _wake(self, event: Event, is_own: bool) -> None:
         match event:
-            case RunStarted(program=program) if is_own:
+            case RunStarted(program=program, how=how) if is_own:
                 self._is_beginning = True
-                self._post(Began(program, self._pose()))
+                self._post(Began(program, self._pose(), fresh=how is not None and how.begins_anew))
             case RunEnded() if is_own:
                 self._post(Ended(event, self._taken_errors()))
             case _:

@@ -50,7 +50,7 @@ class Following:
         work = self._work
         self._past.to_present()
         self._expect_reading()
-        work.display.begin(event.pose, fresh=work.running.is_program)
+        work.display.begin(event.pose, fresh=event.fresh)
         self._intake.begun()
         self.glances.begin()
         work.look()
@@ -101,13 +101,14 @@ class Following:
         work = self._work
         self._forget_reading()
         self._past.to_present()
-        work.running.ended()
+        has_run = work.running.ended()
         self.errors = ToldErrors(event.errors)
         work.ask_distances()
         self._intake.take()
         work.display.move((event.event.pose,))
         self.glances.end()
-        work.watch.look(work.donnie.session, event.event.variables.items())
+        if has_run:
+            work.watch.look(work.donnie.session, event.event.variables.items())
         self._tell_end(event)
         self._intake.take()
         self._intake.write()

@@ -165,10 +165,12 @@ class Running:
         self._owns[self._session.name] = _Own(run, is_program=program)
         return None
 
-    def ended(self) -> None:
-        """The run has told its end; once this returns another one may start."""
-        if self._run is not None and self._run.wait(LAST_WORDS):
+    def ended(self) -> bool:
+        """The run has told its end; once this returns another one may start. Whether it had run at all."""
+        run = self._run
+        if run is not None and run.wait(LAST_WORDS):
             self._own.run = None
+        return run is None or not run.was_refused
 
     def stop(self) -> Answer | None:
         if self._run is None:

@@ -439,6 +439,21 @@ def test_a_change_that_is_taken_back_lets_nothing_run_twice(tmp_path: Path) -> N
     ]
 
 
+def test_a_program_that_cant_run_again_leaves_everything_as_it_is(tmp_path: Path) -> None:
+    assert told(
+        tmp_path, "VAR a = 2", "FW a", "WATCH a", "RUN", "FWD 2", "AGAIN", "DELETE 3", "FW 1", "RUN"
+    ) == [
+        "Watching a.",
+        "a is 2.",
+        "I walked 2 steps forward.",
+        "Error, line 3, column 1: I do not know FWD.",
+        "Line 3: FWD 2",
+        "Did you mean FW?",
+        "Line 3 deleted.",
+        "I walked 1 step forward.",
+    ]
+
+
 def test_what_is_deleted_is_told_by_its_number_and_what_stands_there_now(tmp_path: Path) -> None:
     """L39."""
     program = ("FW 1", "FW 2", "FW 3", "FW 4", "FW 5", "FW 6")

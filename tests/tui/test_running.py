@@ -50,6 +50,29 @@ async def test_a_typed_command_goes_on_where_the_robot_stands_with_the_variables
         assert "Donnie at 0, 5 facing north." in desk.status
 
 
+def way(desk):
+    grid = desk.app.work.display.scene.grid
+    return grid.start, grid.robot
+
+
+async def test_a_program_that_cant_run_leaves_the_robot_its_trail_and_its_variables(work):
+    async with work("FWD 2", speed=None) as desk:
+        await desk.type_line("VAR a = 3 FW a")
+        await desk.told("I walked 3 steps forward.")
+        await desk.idle()
+        way_there = way(desk)
+        await desk.type_line("watch a")
+        await desk.press("f5")
+        await desk.told("I do not know FWD.")
+        await desk.idle()
+
+        assert "Donnie at 0, 3 facing north." in desk.status
+        assert way(desk) == way_there
+        assert "a is 3." not in desk.log
+        await desk.type_line("SPEAK a")
+        await desk.told("3")
+
+
 async def test_esc_in_the_command_line_runs_the_unfinished_line(work):
     async with work() as desk:
         desk.place.command_line.focus()

@@ -38,6 +38,17 @@ def test_runs_one_after_the_other_resets_and_questions_are_the_same_again() -> N
     assert (verdict.result, verdict.index) == (Result.SAME, len(events))
 
 
+def test_what_was_refused_and_put_nothing_back_is_the_same_again() -> None:
+    hall = Hall()
+    run(hall, "alice", "VAR a = 2 FW a")
+    run(hall, "alice", "FW 1 FWD 2", fresh=True)
+    run(hall, "alice", "FW a")
+
+    events = recorded(hall)
+    assert recheck(events, Hall().team, Words()).result is Result.SAME
+    assert hall.team.session("alice").pose.y == 4.0
+
+
 def test_the_first_event_that_differs_is_found_and_nothing_goes_on_running() -> None:
     hall = Hall()
     run(hall, "alice", "FW 2 SPEAK 1 FW 3")

@@ -6,6 +6,7 @@ import pytest
 
 from devices.ports.robot import Pose
 from donnie_tui.core.events import (
+    TRANSIENT,
     CueSounded,
     Error,
     Event,
@@ -19,6 +20,7 @@ from donnie_tui.core.events import (
     Waited,
 )
 from donnie_tui.core.session import Busy
+from donnie_tui.core.timeline import Timeline
 from tests.floor import Floor
 from tests.patience import PATIENCE
 
@@ -94,6 +96,20 @@ def test_pose_and_variables_live_on_unless_the_run_is_fresh() -> None:
     floor.run("FW 1", fresh=True)
     assert floor.session.pose.y == 1.0
     assert floor.session.variables == {}
+
+
+def test_what_cant_run_puts_nothing_back() -> None:
+    floor = Floor(terminal=True)
+    floor.run("VAR a = 2 FW a TR 90")
+    floor.run("FW 1\nFWD 2", fresh=True)
+    timeline = Timeline([each for each in floor.stream if not isinstance(each.event, TRANSIENT)])
+    timeline.go_to(len(timeline))
+
+    assert floor.session.pose == Pose(0.0, 2.0, 90.0)
+    assert floor.session.variables == {"a": 2}
+    assert len(timeline.trail()) > 2
+    floor.run("HISTORY")
+    assert floor.told[-1] != "There is no movement so far."
 
 
 def test_a_name_that_is_declared_again_in_a_terminal_is_new_and_that_is_told() -> None:

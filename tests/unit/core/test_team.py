@@ -137,7 +137,7 @@ def test_a_robot_in_the_place_of_another_keeps_its_name_and_nobody_waits_for_its
 
     assert hall.run("FW 1", "WAIT 3 FW 2") == [Outcome.COMPLETED, Outcome.COMPLETED]
     assert {each.robot for each in hall.heard} == {"alice", "Bob"}
-    assert [each.event.robot for each in hall.heard if isinstance(each.event, RunStarted)] == ["alice", "Bob"]
+    assert {each.event.robot for each in hall.heard if isinstance(each.event, RunStarted)} == {"alice", "Bob"}
     robots[0].close()
 
 
