@@ -11,6 +11,7 @@ import shutil
 import subprocess
 import tempfile
 import threading
+import time
 import wave
 from array import array
 from collections.abc import Callable, Iterator
@@ -42,6 +43,9 @@ class _Sound:
     process: subprocess.Popen[bytes]
     cue: str
     """Empty for the voice."""
+    begins: float
+    ends: float
+    """By the clock, as far as the command is at once; what waits is preceded by silence."""
 
 
 class CommandPlayer:
@@ -67,10 +71,11 @@ class CommandPlayer:
     def cue(self, name: str, stereo: array[int], delay: float) -> None:
         silence = array("h", bytes(4 * round(max(0.0, delay) * SAMPLE_RATE)))
         with self._lock:
-            cues = [sound for sound in self._sounds if sound.cue]
+            begins = time.monotonic() + delay
+            cues = [sound for sound in self._sounds if sound.cue and sound.begins <= begins < sound.ends]
             by_worth = sorted(cues, key=lambda sound: sound.cue == NEVER_LEFT_OUT)
             self._forget(by_worth[: max(0, len(cues) + 1 - AT_ONCE)])
-        self._start(silence + stereo, name, None)
+        self._start(silence + stereo, name, None, delay)
 
     def hush(self, speech: bool, cues: bool) -> None:
         with self._lock:
@@ -79,10 +84,14 @@ class CommandPlayer:
     def close(self) -> None:
         self.hush(speech=True, cues=True)
 
-    def _start(self, stereo: array[int], cue: str, on_end: Callable[[], None] | None) -> None:
+    def _start(
+        self, stereo: array[int], cue: str, on_end: Callable[[], None] | None, delay: float = 0.0
+    ) -> None:
+        now = time.monotonic()
+        ends = now + len(stereo) / 2 / SAMPLE_RATE
         with self._lock, _as_file(stereo) as (path, descriptors):
             try:
-                sound = _Sound(_run((*self._command, path), descriptors), cue)
+                sound = _Sound(_run((*self._command, path), descriptors), cue, now + delay, ends)
             except OSError:  # the command went away, or there is no process to be had
                 return  # a sentence that never ends is noticed by the other side
             self._sounds.append(sound)

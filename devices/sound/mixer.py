@@ -62,15 +62,23 @@ class Mixer:
 
     def mix(self, frames: int) -> array[int]:
         """The next ``frames`` frames."""
+        mixed, ended = array("h"), list[_Track]()
         with self._lock:
-            self._tracks = _two_cues_at_most(self._tracks, frames)
-            mixed = _add_up(self._tracks, frames)
-            ended = [track for track in self._tracks if track.position >= track.frames]
-            self._tracks = [track for track in self._tracks if track.position < track.frames]
+            while (left := frames - len(mixed) // 2) > 0:
+                mixed.extend(self._mix_until_one_starts(left, ended))
             self._frames += frames
         for track in ended:
             if track.on_end is not None:
                 track.on_end()
+        return mixed
+
+    def _mix_until_one_starts(self, frames: int, ended: list[_Track]) -> array[int]:
+        """At most ``frames`` frames, in all of which the same sound together."""
+        self._tracks = _two_cues_at_most(self._tracks)
+        until = min((-track.position for track in self._tracks if track.position < 0), default=frames)
+        mixed = _add_up(self._tracks, min(frames, until))
+        ended += [track for track in self._tracks if track.position >= track.frames]
+        self._tracks = [track for track in self._tracks if track.position < track.frames]
         return mixed
 
     def _add(self, track: _Track) -> None:
@@ -86,9 +94,9 @@ def in_stereo(mono: array[int]) -> array[int]:
     return stereo
 
 
-def _two_cues_at_most(tracks: list[_Track], frames: int) -> list[_Track]:
-    """Without the oldest cues, bumps last of all, if more than two would sound in the next frames."""
-    sounding = [track for track in tracks if track.name and track.position + frames > 0]
+def _two_cues_at_most(tracks: list[_Track]) -> list[_Track]:
+    """Without the oldest cues, bumps last of all, if more than two would sound now."""
+    sounding = [track for track in tracks if track.name and track.position >= 0]
     by_worth = sorted(sounding, key=lambda track: track.name == NEVER_LEFT_OUT)
     surplus = by_worth[: max(0, len(sounding) - AT_ONCE)]
     return [track for track in tracks if not any(track is other for other in surplus)]
@@ -104,12 +112,11 @@ def _add_up(tracks: list[_Track], frames: int) -> array[int]:
 
 
 def _take(track: _Track, frames: int) -> array[int] | None:
-    """The track's next frames, with silence before its start and after its end."""
+    """The track's next frames, with silence after its end; None while it waits."""
     begin, end = track.position, track.position + frames
     track.position = end
-    if end <= 0:
+    if begin < 0:
         return None
-    part = array("h", bytes(4 * max(0, -begin)))
-    part.extend(track.samples[2 * max(0, begin) : 2 * end])
+    part = track.samples[2 * begin : 2 * end]
     part.extend(array("h", bytes(4 * frames - 2 * len(part))))
     return part

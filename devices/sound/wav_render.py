@@ -18,7 +18,7 @@ LONGEST = 3600.0
 """Seconds that are written at most, 300 MB; what comes later is left out."""
 
 _TAIL = 0.5
-"""Seconds behind the last cue."""
+"""Seconds that are written at once behind the end, until the last cue is over."""
 
 _CHUNK = SAMPLE_RATE
 """Frames that are mixed at once."""
@@ -56,6 +56,6 @@ class WavRenderer:
 
     def close(self) -> None:
         """Let the last cue sound to its end. Twice is once."""
-        if self._mixer.is_playing:
+        while self._mixer.is_playing and not self.is_full:
             self.go_on_to(self._mixer.frames / SAMPLE_RATE + _TAIL)
         self._file.close()

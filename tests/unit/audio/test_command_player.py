@@ -91,11 +91,22 @@ def test_of_three_cues_the_oldest_that_is_no_bump_ends(commands: Path) -> None:
     provide(commands, "paplay", PLAY_THE_TRIAL_THEN_HANG)
     player = found()
     for name in ("bump", "found", "scan"):
-        player.cue(name, array("h", [1, 1]), delay=0.0)
+        player.cue(name, array("h", [1, 1]) * 60 * SAMPLE_RATE, delay=0.0)
     still_there = [sound.cue for sound in player._sounds]
     player.close()
 
     assert still_there == ["bump", "scan"]
+
+
+def test_cues_that_wait_for_each_other_end_none(commands: Path) -> None:
+    provide(commands, "paplay", PLAY_THE_TRIAL_THEN_HANG)
+    player = found()
+    for number in range(4):
+        player.cue("found", array("h", [1, 1]) * 60 * SAMPLE_RATE, delay=60.0 * number)
+    still_there = [sound.cue for sound in player._sounds]
+    player.close()
+
+    assert still_there == ["found"] * 4
 
 
 def test_a_cue_that_waits_is_preceded_by_silence(commands: Path, tmp_path: Path) -> None:

@@ -27,11 +27,40 @@ def admitted(*cues: tuple[str, float, float]) -> list[float | None]:
 
 
 def test_at_most_two_cues_sound_at_once() -> None:
-    assert admitted(("found", 0.25, 0.0), ("done", 0.32, 0.0), ("error", 0.33, 0.1)) == [0.0, 0.0, None]
+    ticks = ("step-forward", 0.045, 0.0), ("turn-left", 0.055, 0.0), ("step-back", 0.05, 0.04)
+    assert admitted(*ticks) == [0.0, 0.0, None]
 
 
 def test_a_third_cue_is_heard_when_one_of_two_has_ended() -> None:
-    assert admitted(("found", 0.25, 0.0), ("done", 0.32, 0.0), ("error", 0.33, 0.26)) == [0.0, 0.0, 0.0]
+    ticks = ("step-forward", 0.045, 0.0), ("turn-left", 0.055, 0.0), ("step-back", 0.05, 0.046)
+    assert admitted(*ticks) == [0.0, 0.0, 0.0]
+
+
+def test_what_is_told_once_waits_in_line_and_is_not_left_out() -> None:
+    """A step, a scan that finds three things, the end of the program: all at the same robot time."""
+    found = ("found", 0.25, 0.0)
+    waits = admitted(
+        ("step-forward", 0.045, 0.0), ("scan", 0.09, 0.0), found, found, found, ("done", 0.32, 0.0)
+    )
+
+    assert waits == pytest.approx([0.0, 0.0, 0.09, 0.34, 0.59, 0.84])
+
+
+def test_a_line_begins_when_one_of_two_ticks_has_ended() -> None:
+    ticks = ("step-forward", 0.045, 0.0), ("belt", 0.06, 0.0)
+    assert admitted(*ticks, ("scan", 0.09, 0.0)) == pytest.approx([0.0, 0.0, 0.045])
+
+
+def test_steps_are_heard_beside_what_waits_in_line() -> None:
+    found, step = ("found", 0.25, 0.0), ("step-forward", 0.045, 0.3)
+    assert admitted(found, found, found, step) == pytest.approx([0.0, 0.25, 0.5, 0.0])
+
+
+def test_a_line_never_runs_far_behind_and_the_end_of_the_program_is_still_heard() -> None:
+    waits = admitted(*[("found", 0.25, 0.0)] * 1000, ("done", 0.32, 0.0), ("error", 0.33, 0.0))
+
+    assert max(wait for wait in waits[:1000] if wait is not None) <= 2.0
+    assert None not in waits[1000:]
 
 
 @pytest.mark.parametrize(("name", "apart"), [("step-forward", 0.07), ("turn-left", 0.07), ("scan", 0.3)])
@@ -45,7 +74,7 @@ def test_different_kinds_need_no_distance() -> None:
 
 
 def test_a_bump_is_heard_however_much_sounds() -> None:
-    assert admitted(("found", 0.25, 0.0), ("done", 0.32, 0.0), ("bump", 0.18, 0.0)) == [0.0, 0.0, 0.0]
+    assert admitted(("found", 0.25, 0.0), ("belt", 0.06, 0.0), ("bump", 0.18, 0.0)) == [0.0, 0.0, 0.0]
 
 
 def test_a_second_bump_waits_its_turn() -> None:
@@ -255,6 +284,22 @@ def test_of_three_cues_the_oldest_that_is_no_bump_ends() -> None:
     mixer.cue("bump", constant(100, 50), delay=0.0)
 
     assert mixer.mix(10) == constant(101, 10)
+
+
+def test_cues_one_behind_the_other_are_all_heard_however_much_is_mixed_at_once() -> None:
+    mixer = Mixer()
+    for number in range(4):
+        mixer.cue("found", constant(1, 10), delay=10 * number / SAMPLE_RATE)
+
+    assert mixer.mix(50) == constant(1, 40) + constant(0, 10)
+
+
+def test_a_cue_that_starts_later_ends_the_oldest_only_then() -> None:
+    mixer = Mixer()
+    for level, delay in ((1, 0), (10, 0), (100, 20)):
+        mixer.cue("found", constant(level, 30), delay=delay / SAMPLE_RATE)
+
+    assert mixer.mix(60) == constant(11, 20) + constant(110, 10) + constant(100, 20) + constant(0, 10)
 
 
 def test_the_silent_player_takes_everything() -> None:

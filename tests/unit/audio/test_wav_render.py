@@ -10,9 +10,12 @@ import pytest
 
 from devices.ports.audio import Cue
 from devices.sound.own_sounds import load, sound_of, unknown_names
-from devices.sound.tones import SAMPLE_RATE, render
+from devices.sound.tones import SAMPLE_RATE, render, seconds_of
 from devices.sound.wav_file import NotWav, read_mono
 from devices.sound.wav_render import WavRenderer
+
+EDGE = 8
+"""Samples that two sounds may share, one behind the other."""
 
 
 def written(path: Path, *cues: tuple[float, Cue], until: float = 0.0) -> bytes:
@@ -40,6 +43,24 @@ def test_a_cue_sounds_at_its_time(tmp_path: Path) -> None:
 def test_the_same_cues_are_the_same_bytes(tmp_path: Path) -> None:
     cues = [(step * 0.2, Cue("step-forward")) for step in range(10)]
     assert written(tmp_path / "a.wav", *cues) == written(tmp_path / "b.wav", *cues)
+
+
+def test_all_that_a_scan_found_is_heard_and_the_file_ends_behind_it(tmp_path: Path) -> None:
+    found = [Cue("found", bearing, 4.0) for bearing in (-90.0, 90.0, -90.0, 90.0)]
+    written(tmp_path / "a.wav", *((1.0, cue) for cue in (Cue("step-back"), Cue("scan"), *found, Cue("done"))))
+
+    samples, at = frames_of(tmp_path / "a.wav"), 1.0 + seconds_of("scan")
+    sides = []
+    for cue in (*found, Cue("done")):
+        first, last = (2 * round(each * SAMPLE_RATE) for each in (at, at + seconds_of(cue.name)))
+        sides.append(
+            (max(samples[first + EDGE : last - EDGE : 2]), max(samples[first + EDGE + 1 : last - EDGE : 2]))
+        )
+        at += seconds_of(cue.name)
+    assert [(left > 1_000, right > 1_000) for left, right in sides] == [
+        (True, False), (False, True), (True, False), (False, True), (True, True),
+    ]  # fmt: skip
+    assert len(samples) >= 2 * round(at * SAMPLE_RATE)
 
 
 def test_silence_lasts_as_long_as_the_run(tmp_path: Path) -> None:
