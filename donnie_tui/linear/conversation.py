@@ -17,6 +17,7 @@ from donnie_tui.bootstrap import Donnie
 from donnie_tui.core.answer_log import AnswerLog
 from donnie_tui.core.breakpoints import KeptBreakpoints
 from donnie_tui.core.copies import Copies
+from donnie_tui.core.recall import Past
 from donnie_tui.linear.console import Console, Gone
 from donnie_tui.linear.desk import Desk
 from donnie_tui.linear.ends import Ends
@@ -27,7 +28,6 @@ from donnie_tui.linear.leaving import Leaving
 from donnie_tui.linear.output import Output
 from donnie_tui.linear.programs import Programs
 from donnie_tui.linear.reader import EditingReader, How, PlainReader, Typed
-from donnie_tui.linear.recall import Past
 from donnie_tui.linear.told import Told
 from donnie_tui.linear.typed_lines import TypedLines
 from donnie_tui.linear.while_running import WhileRunning

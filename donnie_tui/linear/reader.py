@@ -13,10 +13,10 @@ from itertools import takewhile
 from typing import Protocol
 
 from devices.ports.values import frozen
+from donnie_tui.core.recall import Past, Recall
 from donnie_tui.linear.console import Console
 from donnie_tui.linear.edit_line import EditLine
 from donnie_tui.linear.keys import ESCAPE_DELAY, Act, Key, KeyDecoder
-from donnie_tui.linear.recall import Past, Recall
 
 LONGEST_PLAIN = 1024 * 1024
 """Bytes of a plain line; a longer one is nobody's program and is not kept."""

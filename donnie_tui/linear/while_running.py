@@ -7,12 +7,12 @@ program has ended.
 from __future__ import annotations
 
 from donnie_tui.core.harmless import printable
+from donnie_tui.core.recall import Past
 from donnie_tui.core.use_cases import When
 from donnie_tui.linear import commands
 from donnie_tui.linear.desk import Desk
 from donnie_tui.linear.holding import Goes, Wish
 from donnie_tui.linear.reader import EditingReader, How, Typed
-from donnie_tui.linear.recall import Past
 from donnie_tui.linear.runs import Runs
 from donnie_tui.linear.told import Told
 from language import keywords

@@ -1,4 +1,4 @@
-"""What goes along to another world at the screen: what was told before, and the breakpoints."""
+"""What goes along to another world at the screen: what was told and typed before, and the breakpoints."""
 
 from __future__ import annotations
 
@@ -6,6 +6,7 @@ from collections.abc import Mapping
 
 from devices.ports.values import frozen
 from donnie_tui.core.answer_log import AnswerLog
+from donnie_tui.core.recall import Past
 
 
 @frozen
@@ -16,6 +17,8 @@ class Brought:
     """The lines of the log, each with the words of its kind."""
     looks: Mapping[str, str]
     answers: AnswerLog
+    typed: Past
+    """The lines of the command line."""
     breakpoints: frozenset[int]
     watched: tuple[str, ...]
     is_silent: bool

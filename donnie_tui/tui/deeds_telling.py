@@ -23,6 +23,7 @@ from donnie_tui.core.transcript import lines_said_by
 from donnie_tui.core.typed_words import count_in, numbers_in
 from donnie_tui.core.wording import Wording
 from donnie_tui.i18n.catalogue.signs import SPELLED_OF
+from donnie_tui.tui.actions import find
 from donnie_tui.tui.deeds_around import go_to_world
 from donnie_tui.tui.running import Answer
 from donnie_tui.tui.screens.chooser import Choice
@@ -138,7 +139,7 @@ class TellingDeeds:
 
     async def typed(self, argument: str) -> bool:
         """The lines typed last, the newest first; the chosen one is done again."""
-        lines = self._host.workplace.command_line.past[:-1]  # without this one
+        lines = [each for each in self._host.workplace.command_line.past.lines if not _is_typed(each)]
         count = count_in(argument, max(1, len(lines)))
         if count is None:
             return False
@@ -222,3 +223,9 @@ class TellingDeeds:
 
     def _tell(self, *sentences: str) -> None:
         self._host.talk.tell_sentences(*sentences)
+
+
+def _is_typed(line: str) -> bool:
+    """Whether it asks for the lines that were typed: none to be done again."""
+    found = find(line)
+    return found is not None and found[0].name == "typed"

@@ -124,6 +124,7 @@ class Work:
         """With what was told in the world before; and that this one is there."""
         self.answers = brought.answers
         self.answers.end_answer()
+        self.workplace.command_line.have_typed(brought.typed)
         self.workplace.editor.set_breakpoints(brought.breakpoints)
         self.watch.names.extend(brought.watched)
         tell_arrival(self._donnie, is_silent=brought.is_silent)
@@ -135,6 +136,7 @@ class Work:
             log.with_kinds,
             log.looks,
             self.answers,
+            self.workplace.command_line.past,
             self.breakpoints,
             tuple(self.watch.names),
             is_silent=not self._donnie.outlets.audible.is_on,

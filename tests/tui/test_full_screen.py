@@ -61,7 +61,7 @@ def test_another_world_has_the_same_program(monkeypatch, tmp_path):
     assert seen == [("open_floor", ""), ("maze", WALK)]
 
 
-def test_a_typed_name_goes_to_that_world_and_what_was_told_stays_told(monkeypatch, tmp_path):
+def test_a_typed_name_goes_to_that_world_and_what_was_told_and_typed_stays(monkeypatch, tmp_path):
     """T4: that it is there is told, with what it has; what runs is stopped first, and told so."""
     monkeypatch.setenv("XDG_STATE_HOME", str(tmp_path / "state"))
     seen = []
@@ -80,6 +80,9 @@ def test_a_typed_name_goes_to_that_world_and_what_was_told_stays_told(monkeypatc
         else:
             await desk.told("5 things. WORLD tells more.")
             seen.extend(desk.log)
+            desk.place.command_line.focus()
+            await desk.press("up", "up")
+            assert desk.place.command_line.value == 'SPEAK "before"'
             desk.app.exit(0)
         await desk.until(lambda: not desk.app.is_running, "the end")
 

@@ -67,3 +67,25 @@ async def test_an_answer_takes_the_place_of_a_mistake(work) -> None:  # type: ig
         await type_and_hear(desk, "xyzzy")
         await desk.type_line("VAR a = 3")
         await desk.until(lambda: desk.status.startswith(" Done."), "the answer")
+
+
+async def test_up_and_down_leave_the_line_that_is_being_typed_where_it_was(work) -> None:  # type: ignore[no-untyped-def]
+    async with work() as desk:
+        await type_and_hear(desk, "VAR a = 3")
+        await desk.press(*"SPEAK", "down")
+        assert desk.place.command_line.value == "SPEAK"
+
+        await desk.press("up")
+        assert desk.place.command_line.value == "VAR a = 3"
+        await desk.press("down")
+        assert desk.place.command_line.value == "SPEAK"
+
+
+async def test_the_key_of_typed_lists_the_line_typed_last_too(work) -> None:  # type: ignore[no-untyped-def]
+    async with work() as desk:
+        for typed in ("VAR a = 3", "FW 1"):
+            await type_and_hear(desk, typed)
+        await desk.press("ctrl+k", "Y")
+        await desk.until(lambda: desk.app.screen is not desk.place, "the list")
+
+        assert desk.app.screen.rows.lines == ("FW 1", "VAR a = 3")

@@ -9,9 +9,8 @@ from textual.binding import Binding, BindingType
 from textual.message import Message
 from textual.widgets import Input
 
+from donnie_tui.core.recall import Past, Recall
 from donnie_tui.tui.widgets.input_line import InputLine
-
-MOST_REMEMBERED = 500
 
 
 class CommandLine(InputLine):
@@ -33,13 +32,12 @@ class CommandLine(InputLine):
         """``send`` is told before a line leaves the screen."""
         super().__init__(id=id)
         self._send = send
-        self._past: list[str] = []
-        self._place = 0
+        self.have_typed(Past())
 
-    @property
-    def past(self) -> tuple[str, ...]:
-        """The lines that were typed, the last one last."""
-        return tuple(self._past)
+    def have_typed(self, past: Past) -> None:
+        """These lines can be brought back."""
+        self.past = past
+        self._recall = Recall(past)
 
     def finish(self) -> None:
         """Hand over what is typed, and begin anew."""
@@ -49,10 +47,8 @@ class CommandLine(InputLine):
         self.value = ""
         if not text:
             return
-        if self._past[-1:] != [text]:
-            self._past.append(text)
-            del self._past[:-MOST_REMEMBERED]
-        self._place = len(self._past)
+        self.past.remember(text)
+        self._recall = Recall(self.past)
         self.post_message(self.Typed(text))
 
     def on_input_submitted(self, event: Input.Submitted) -> None:
@@ -60,12 +56,12 @@ class CommandLine(InputLine):
         self.finish()
 
     def action_earlier(self) -> None:
-        self._recall(max(0, self._place - 1))
+        self._show(self._recall.older(self.value))
 
     def action_later(self) -> None:
-        self._recall(min(len(self._past), self._place + 1))
+        self._show(self._recall.newer(self.value))
 
-    def _recall(self, place: int) -> None:
-        self._place = place
-        self.value = self._past[place] if place < len(self._past) else ""
-        self.cursor_position = len(self.value)
+    def _show(self, line: str | None) -> None:
+        if line is not None:
+            self.value = line
+            self.cursor_position = len(line)

@@ -9,10 +9,10 @@ from typing import Any
 import pytest
 
 from donnie_tui.core.events import Outcome
+from donnie_tui.core.recall import Past
 from donnie_tui.core.watching import Watch
 from donnie_tui.i18n.words import Words
 from donnie_tui.linear.reader import EditingReader, How, PlainReader
-from donnie_tui.linear.recall import Past
 from donnie_tui.linear.runs import Runs
 from donnie_tui.linear.told import Told
 

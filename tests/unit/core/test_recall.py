@@ -4,7 +4,7 @@ from pathlib import Path
 
 import pytest
 
-from donnie_tui.linear.recall import KEPT, LARGEST_FILE, Past, Recall
+from donnie_tui.core.recall import KEPT, LARGEST_FILE, Past, Recall
 
 
 def test_what_was_typed_is_there_in_the_next_session(tmp_path: Path) -> None:
