@@ -76,6 +76,8 @@ class StepWords:
         self._reads: list[int] = []
         self._rounds: list[_Round] = []
         self._before: Statement | None = None
+        self._variables: Mapping[str, int] = {}
+        """Those that could be seen there."""
         self._is_first = is_first
         self._level = self._calls = 0
 
@@ -92,12 +94,17 @@ class StepWords:
         """The program holds before that statement: what came out of the last one, and what is next."""
         statement, level = self._found.get((line, column), (None, 0))
         variables = {fold_name(name): value for name, value in frames[0].variables} if frames else {}
-        told = [*self._condition(variables)]
+        told = [*self._condition()]
         told += self._round(statement, len(frames), variables)
         told.append(self._next(statement, line, level))
-        self._before, self._level, self._calls = statement, level, len(frames)
+        self._before, self._variables = statement, variables
+        self._level, self._calls = level, len(frames)
         self._reads.clear()
         return tuple(told)
+
+    def ended(self) -> tuple[str, ...]:
+        """The program is over behind the statement before which it was held last: what came out of that."""
+        return tuple(self._condition())
 
     # --- the statement that is next
 
@@ -154,13 +161,27 @@ class StepWords:
 
     # --- conditions
 
-    def _condition(self, variables: Mapping[str, int]) -> Iterator[str]:
+    def _condition(self) -> Iterator[str]:
+        """Told with the values of where it was asked: what is next may be behind the end of a procedure."""
         if isinstance(self._before, If | While | For):
             condition, reads = self._before.condition, iter(self._reads)
+            variables = self._variables
+            if isinstance(self._before, For):
+                variables = {**variables, **dict(self._counted(self._before, reads))}
             left = self._value(condition.left, variables, reads)
             right = self._value(condition.right, variables, reads)
             if left is not None and right is not None:
                 yield self._condition_in_words(condition, left, right)
+
+    def _counted(self, loop: For, reads: Iterator[int]) -> Iterator[tuple[str, int]]:
+        """What its variable became before the condition was asked; where nobody saw it begin, nothing."""
+        current = self._rounds[-1]
+        if current.count is None and not current.has_gone_round:
+            return
+        made = loop.step if current.has_gone_round else loop.start
+        value = None if made.value is None else self._value(made.value, self._variables, reads)
+        if value is not None:
+            yield fold_name(made.name.name), value
 
     def _condition_in_words(self, condition: Condition, left: int, right: int) -> str:
         """What is: "3 greater than 2", whatever was asked."""

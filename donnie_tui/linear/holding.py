@@ -7,7 +7,7 @@ from enum import Enum, auto
 from typing import TYPE_CHECKING
 
 from devices.ports.values import frozen
-from donnie_tui.core.events import Read, RunEnded, Stamped
+from donnie_tui.core.events import Outcome, Read, RunEnded, Stamped
 from donnie_tui.i18n.first_words import PROMPT
 from donnie_tui.linear.desk import Desk
 from donnie_tui.linear.reader import Typed
@@ -47,6 +47,8 @@ class Holding:
         self._control: ExecutionControl | None = None
         self._text, self._first_line = "", 1
         self.is_held = False
+        self.is_stepped = False
+        """Whether somebody waits for what the statement does before which it was held last."""
 
     def prepare(
         self,
@@ -56,7 +58,8 @@ class Holding:
         control: ExecutionControl,
     ) -> None:
         """A run is about to begin."""
-        self.is_held, self._control, self._desk.is_pausing = False, control, False
+        self.is_held = self.is_stepped = self._desk.is_pausing = False
+        self._control = control
         self._words, self._text, self._first_line = None, text, first_line
         self._desk.stepped.begin()
         control.observe(self._changed)
@@ -76,8 +79,10 @@ class Holding:
         match stamped.event:
             case Read() as read if self._words is not None:
                 self._words.heard(read)
-            case RunEnded(variables=variables) if stamped.robot == self._desk.session.hub.robot:
-                self._look_at_what_is_left(variables)
+            case RunEnded() as end if stamped.robot == self._desk.session.hub.robot:
+                self._look_at_what_is_left(end.variables)
+                if end.outcome is Outcome.COMPLETED and self._words is not None:
+                    self._desk.tell(*self._words.ended())
 
     def _look_at_what_is_left(self, variables: Mapping[str, int]) -> None:
         run = self._desk.session.run
@@ -115,8 +120,8 @@ class Holding:
         self._desk.is_pausing = False
 
     def _go(self, wish: Wish) -> None:
-        self.is_held = False
-        if wish.goes not in (Goes.STEP, Goes.OVER) and self._words is not None:
+        self.is_held, self.is_stepped = False, wish.goes in (Goes.STEP, Goes.OVER)
+        if not self.is_stepped and self._words is not None:
             self._words.lose_count()
             self._desk.stepped.goes_on()
 

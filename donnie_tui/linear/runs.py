@@ -175,13 +175,16 @@ class Runs:
         return session.run is None
 
     def _tell_hints(self, text: str) -> None:
-        """What has no effect and what was probably meant; where nothing was told at all, that it is done."""
+        """What has no effect and what was probably meant.
+
+        That it is done where nothing was told at all, or the next line was expected to be told.
+        """
         if self._desk.leaving is not None:
             return
         for hint in self._desk.session.check(text, whole=False)[:MOST_HINTS]:
             meant = self._desk.say.hint(hint)
             self._desk.tell(self._desk.say.mistake(hint), *([meant] if meant else []))
-        if self._told.count == self._told_before:
+        if self._told.count == self._told_before or self._holding.is_stepped:
             self._desk.answer_of_robot("linear-done")
 
     def _name(self) -> str:

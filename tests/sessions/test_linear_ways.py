@@ -94,6 +94,17 @@ def test_a_condition_tells_what_was_compared(learner: Learner) -> None:
     learner.sees("Condition true: 3 greater than 2.\r\nLine 3, level 1: FW 1\r\n> ")
 
 
+def test_the_last_step_of_a_program_tells_what_ended_it_and_that_it_is_done(learner: Learner) -> None:
+    """Else Enter, pressed for the next step, would be answered by nothing."""
+    learner.enters("FOR VAR i = 1; i <= 1; i = i + 1 DO", "FW i", "END FOR", "STEP")
+    learner.enters("", "")
+    learner.sees("Line 1, level 0: FOR VAR i = 1; i <= 1; i = i + 1 DO\r\n> ")
+    learner.types("\r")
+    learner.sees("Condition false: 2 greater than 1.\r\nDone.\r\n> ")
+    learner.types("STEP BACK\r")
+    learner.sees("Back: end of the program. Position 0, 1.\r\nLine 1")
+
+
 # --- typing
 
 

@@ -38,7 +38,7 @@ def told(source: str, *, detail: str = "brief", values: tuple[int, ...] = ()) ->
     control.observe(note)
     control.step()
     runnable.run(Sensing(words, list(values)), control, Memory())
-    return lines
+    return [*lines, *words.ended()]
 
 
 def told_from(source: str, line: int, *, is_first: bool) -> list[str]:
@@ -173,3 +173,42 @@ def test_a_recursion_counts_each_call_s_rounds_for_itself() -> None:
 
 def test_only_a_watched_variable_that_changed_is_told() -> None:
     assert list(changes(["x", "y", "z"], {"x": 1, "y": 2}, {"x": 5, "y": 2}, Words())) == ["x is 5."]
+
+
+def test_a_condition_in_a_procedure_is_told_with_the_values_of_there() -> None:
+    """What comes next may be behind the call, where a name means another variable."""
+    procedure = "PROCEDURE P: n DO\nIF n > 3 THEN\nFW 1\nEND IF\nEND PROCEDURE"
+
+    assert "Condition false: 1 less than 3." in told(f"{procedure}\nVAR n = 9\nP [1]\nFW 2")
+
+
+def test_a_for_that_is_over_tells_what_ended_it() -> None:
+    """Its variable is gone then."""
+    lines = told("FOR VAR i = 1; i <= 2; i = i + 1 DO\nFW i\nEND FOR\nTR 90")
+
+    assert [line for line in lines if line.startswith("Cond")] == [
+        "Condition true: 1 at most 2.",
+        "Condition true: 2 at most 2.",
+        "Condition false: 3 greater than 2.",
+    ]
+
+
+def test_a_for_that_never_begins_tells_why() -> None:
+    lines = told("FOR VAR i = 5; i <= 2; i = i + 1 DO\nFW i\nEND FOR\nTR 90")
+
+    assert "Condition false: 5 greater than 2." in lines
+
+
+def test_what_a_sensor_said_for_a_for_is_not_taken_for_its_condition() -> None:
+    lines = told(
+        "FOR VAR i = DISTANCE F; i < DISTANCE B; i = i + 2 DO\nFW i\nEND FOR\nTR 90", values=(1, 2, 2)
+    )
+
+    assert [line for line in lines if line.startswith("Cond")] == [
+        "Condition true: 1 less than 2.",
+        "Condition false: 3 greater than 2.",
+    ]
+
+
+def test_the_condition_that_ended_a_program_is_told_at_its_end() -> None:
+    assert told("VAR x = 1\nWHILE x < 2 DO\nx = x + 1\nEND WHILE")[-1] == "Condition false: 2 equal to 2."
