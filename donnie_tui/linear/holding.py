@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING
 
 from devices.ports.values import frozen
 from donnie_tui.core.events import Outcome, Read, RunEnded, Stamped
+from donnie_tui.core.runner import Run
 from donnie_tui.i18n.first_words import PROMPT
 from donnie_tui.linear.desk import Desk
 from donnie_tui.linear.reader import Typed
@@ -67,6 +68,10 @@ class Holding:
             control.break_at(self._desk.program.breakpoints)
         if begin is not None:
             begin(control)
+
+    def is_of(self, run: Run) -> bool:
+        """Whether it is the one that began last here."""
+        return run.control is self._control
 
     def _changed(self, state: ControlState) -> None:
         """In any thread."""

@@ -5,11 +5,28 @@ from __future__ import annotations
 from math import hypot
 
 from donnie_tui.linear.desk import Desk
+from language.control import ControlState
 from language.parser import parse
 from language.syntax import Number, Walk
 
 
 def sign_of_life(desk: Desk) -> None:
+    run = desk.session.run
+    if run is None:
+        _tell_of_others(desk)
+    elif run.control.state is ControlState.PAUSED:
+        desk.answer_of_robot("linear-paused")
+    else:
+        _tell_of_own(desk)
+
+
+def _tell_of_others(desk: Desk) -> None:
+    """The robot that is talked to has done; those that run together with it have not."""
+    for session in desk.donnie.team.running[:1]:
+        desk.answer_of(session.hub.robot, "linear-still-running")
+
+
+def _tell_of_own(desk: Desk) -> None:
     frames = desk.session.frames
     line = frames[0].line if frames else 0
     lines = desk.program.lines

@@ -35,7 +35,7 @@ def _run_held(desk: Desk, runs: Runs, begin: Callable[[ExecutionControl], None])
     """What waits; where nothing does, the whole program once more, as AGAIN runs it."""
     if desk.program.is_waiting or not desk.program.lines:
         runs.run_waiting(begin=begin)
-    else:
+    elif runs.is_free():
         desk.answer("step-from-start")
         runs.run_all(begin=begin)
 
@@ -66,18 +66,27 @@ def _stop(desk: Desk, runs: Runs, rest: str) -> bool:
     return not rest
 
 
-def _pause(desk: Desk) -> None:
+def _pause(desk: Desk, runs: Runs, rest: str) -> bool:
+    """Where it is paused is told once it is held; of a program that nobody steps through, that it is."""
+    run = desk.session.run
+    if not rest and run is None:
+        desk.answer("answer-nothing-runs")
+    elif not rest and run is not None:
+        desk.is_pausing = runs.tells_holds
+        run.control.pause()
+        if not runs.tells_holds:
+            desk.answer_of_robot("linear-paused")
+    return not rest
+
+
+def _continue(desk: Desk) -> None:
+    """One that is stepped through goes on where it is held; here it is one that nobody steps through."""
     run = desk.session.run
     if run is None:
         desk.answer("answer-nothing-runs")
     else:
-        desk.is_pausing = True
-        run.control.pause()
-
-
-def _continue(desk: Desk) -> None:
-    """A held program goes on where it is held; here nothing is."""
-    desk.answer("answer-nothing-runs")
+        run.control.resume()
+        desk.answer_of_robot("answer-continued")
 
 
 def _step_back(desk: Desk) -> None:
@@ -175,7 +184,7 @@ def _reset(desk: Desk, _: Runs, rest: str) -> bool:
 HANDLERS: dict[str, Handler] = {
     "again": _again,
     "stop": _stop,
-    "pause": alone(_pause),
+    "pause": _pause,
     "continue_": alone(_continue),
     "step": _step,
     "step_over": _step,

@@ -76,7 +76,7 @@ class Runs:
         if not program.is_waiting and last is None:
             self._desk.answer("answer-nothing-to-run")
             return
-        if not self._is_free(to_leave=last is not None):
+        if not self.is_free(to_leave=last is not None):
             return
         batch = program.take_batch(last)
         run = self._run(batch.text, batch.first_line, begin=begin)
@@ -98,7 +98,7 @@ class Runs:
     def run_all(self, *, begin: Callable[[ExecutionControl], None] | None = None) -> None:
         """Run the whole program from the start of the world."""
         program = self._desk.program
-        if not self._is_free(to_leave=False):
+        if not self.is_free():
             return
         if not program.text.strip():
             self._desk.answer("answer-nothing-to-run")
@@ -163,8 +163,14 @@ class Runs:
         if run is not None:
             run.wait(LONGEST_STOP)
 
-    def _is_free(self, *, to_leave: bool) -> bool:
-        """Whether the robot can run something; who wants to leave waits for nobody."""
+    @property
+    def tells_holds(self) -> bool:
+        """Whether it is told where the robot's program is held, and asked there how it is to go on."""
+        run = self._desk.session.run
+        return run is not None and self._holding.is_of(run)
+
+    def is_free(self, *, to_leave: bool = False) -> bool:
+        """Whether the robot can run something, or that it is busy; who wants to leave waits for nobody."""
         session = self._desk.session
         busy = session.run
         if busy is not None and to_leave:

@@ -66,7 +66,7 @@ class WhileRunning:
         """Do a line that was typed for the running program, if there is one. Whether it was."""
         if self._editing is None or not self._desk.ends.hears_live:
             return False
-        line = self._editing.take_ahead(_counts_at_once)
+        line = self._editing.take_ahead(self._counts_at_once)
         found = commands.find(line) if line else None
         if line is None or found is None:
             return False
@@ -77,6 +77,12 @@ class WhileRunning:
         finally:
             self._desk.answers_first = False
         return True
+
+    def _counts_at_once(self, line: str) -> bool:
+        """Where it is asked how a held program is to go on, that word is for whoever asks."""
+        found = commands.find(line)
+        name = found[0].name if found is not None else ""
+        return name in _LIVE or (name == "continue_" and not self.runs.tells_holds)
 
 
 def _wish(how: How, line: str) -> Wish | None:
@@ -94,8 +100,3 @@ def _wish(how: How, line: str) -> Wish | None:
     if case is not None and case.name == "run_to" and rest.isdecimal() and len(rest) < 9:
         return Wish(Goes.UNTIL, int(rest))
     return None
-
-
-def _counts_at_once(line: str) -> bool:
-    found = commands.find(line)
-    return found is not None and found[0].name in _LIVE

@@ -80,3 +80,33 @@ def test_whatever_answers_a_word_comes_before_what_is_told_beside(tmp_path: Path
     learner.sees("You talk to bob.")
 
     assert len(learner.lines) - before < A_FEW_BLOCKS
+
+
+# --- a pause beside the conversation
+
+
+def test_a_started_program_that_is_paused_goes_on_by_a_word(tmp_path: Path) -> None:
+    learner = Learner(tmp_path, speed="0.1")
+    learner.enters("FW 9", "START")
+    learner.sees("donnie begins.\r\n> ")
+    learner.types("PAUSE\r")
+    learner.sees("Paused. CONTINUE goes on.\r\n> ")
+    learner.types("STEP\r")
+    learner.sees("STEP\r\ndonnie is busy.\r\n> ")
+    learner.types("SPEED max\r")
+    learner.sees("Speed max.\r\n> ")
+    learner.types("CONTINUE\r")
+    learner.sees("Going on.")
+    learner.sees("I walked 9 steps forward.")
+
+
+def test_a_robot_paused_among_those_that_run_together_goes_on_by_a_word(tmp_path: Path) -> None:
+    learner = Learner(tmp_path, "--world", "two_robots", speed="0.1")
+    learner.enters("FW 1", "ROBOT bob", "FW 9", "TOGETHER")
+    learner.types("PAUSE\r")
+    learner.sees("bob: Paused. CONTINUE goes on.")
+    learner.types("SPEED max\r")
+    learner.sees("Speed max.")
+    learner.types("CONTINUE\r")
+    learner.sees("bob: Going on.")
+    learner.sees("bob: I walked 9 steps forward.")

@@ -71,6 +71,9 @@ _RUNNING = {
             "{lines} {lines:línea|líneas} sin ejecutar.",
         ),
     ),
+    "linear-paused": Sentence(
+        "Paused. CONTINUE goes on.", "Pausado. CONTINUAR segue.", "En pausa. CONTINUAR sigue."
+    ),
     "linear-stepping": Sentence(
         "Enter goes on. RUN runs the rest. STOP ends.",
         "Enter continua. EXECUTAR faz o resto. PARAR termina.",
