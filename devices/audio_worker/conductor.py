@@ -85,6 +85,10 @@ class Conductor:
         """Whether the worker has a sentence to say."""
         return self._sentences.present is not None
 
+    def is_still(self, now: float) -> bool:
+        """Whether nothing is being said nor sounds, nor waits to."""
+        return self.is_quiet and self._cues.are_over(now)
+
     def warm_up(self) -> None:
         """Have a worker ready before there is something to be heard."""
         self._wanted = True

@@ -148,6 +148,11 @@ class AudioService:
         with self._changed:
             return self._changed.wait_for(lambda: self._conductor.is_quiet, seconds)
 
+    def wait_until_still(self, seconds: float) -> bool:
+        """Wait until nothing is said nor sounds, ``seconds`` at most; False if that was not enough."""
+        with self._changed:
+            return self._changed.wait_for(lambda: self._conductor.is_still(self._now()), seconds)
+
     def close(self) -> None:
         """End the worker and everything that it started; from then on all is silent. Twice is once."""
         with self._changed:

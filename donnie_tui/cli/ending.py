@@ -67,8 +67,8 @@ def stopped_by_suspension(stop: Callable[[], bool]) -> Iterator[threading.Event]
         yield stopped
 
 
-def let_speak(is_quiet_within: Callable[[float], bool], stopped: threading.Event) -> None:
-    """All is done before its words are said: the voice gets its time, until somebody stops it."""
+def let_sound(is_still_within: Callable[[float], bool], stopped: threading.Event) -> None:
+    """All is done before its words are said: voice and cues get their time, until somebody stops them."""
     for _ in range(_LONGEST_SPEECH):
-        if stopped.is_set() or is_quiet_within(_MOMENT):
+        if stopped.is_set() or is_still_within(_MOMENT):
             return

@@ -14,7 +14,7 @@ from typing import TextIO, cast
 from devices.ports.values import frozen
 from donnie_tui import LANGUAGES
 from donnie_tui.cli import codes
-from donnie_tui.cli.ending import let_speak, stopped_by_signals
+from donnie_tui.cli.ending import let_sound, stopped_by_signals
 from donnie_tui.cli.order import Order
 from donnie_tui.cli.output import Guarded, Output
 from donnie_tui.cli.replay_desk import ReplayDesk
@@ -133,7 +133,7 @@ class _Telling:
             )
         with stopped_by_signals(self._control.stop) as stopped:
             to_the_end = self._play_backwards() if arguments.backwards else self._replay.forwards(self._show)
-            let_speak(self._audible.is_quiet_within, stopped)
+            let_sound(self._audible.is_still_within, stopped)
         if self._written.lost:
             return codes.UNUSABLE
         return codes.DONE if to_the_end else codes.STOPPED

@@ -14,7 +14,7 @@ from typing import TextIO, cast
 from donnie_tui.bootstrap import Donnie, assemble
 from donnie_tui.cli import codes
 from donnie_tui.cli.assigning import assign, read_programs
-from donnie_tui.cli.ending import heard_signals, let_speak, stopped_by_signals, stopped_by_suspension
+from donnie_tui.cli.ending import heard_signals, let_sound, stopped_by_signals, stopped_by_suspension
 from donnie_tui.cli.order import Order
 from donnie_tui.cli.output import Guarded, Output
 from donnie_tui.core.events import Answered, Outcome, Stamped
@@ -101,7 +101,7 @@ def _run_to_the_end(donnie: Donnie, programs: Mapping[str, Assigned], output: Ou
             _await_end(each, stopped, donnie)
         if rested.is_set():
             output.complaint(donnie.words("suspended-stopped"))
-        let_speak(donnie.outlets.audible.is_quiet_within, stopped)
+        let_sound(donnie.outlets.audible.is_still_within, stopped)
     return max(codes.FAILED if each.outcome is None else _CODE_OF[each.outcome] for each in started)
 
 

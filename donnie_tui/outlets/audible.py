@@ -155,6 +155,11 @@ class Audible:
         """Wait until everything was said, that many seconds at most; False if that was not enough."""
         return all(each.wait_until_quiet(seconds) for each in self._made.voiced)
 
+    def is_still_within(self, seconds: float) -> bool:
+        """Wait until everything was said and every cue was heard, as above."""
+        audio = self._made.audio
+        return self.is_quiet_within(seconds) and (audio is None or audio.wait_until_still(seconds))
+
     def hush(self) -> None:
         """Nothing said until now is heard any more."""
         self.hushed += 1

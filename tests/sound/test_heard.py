@@ -6,6 +6,7 @@ import os
 import shutil
 import signal
 import subprocess
+import sys
 import time
 from array import array
 from collections.abc import Callable, Iterator
@@ -16,6 +17,8 @@ import pytest
 from devices.audio_worker.notices import AudioNotice, NoticeCode
 from devices.audio_worker.service import AudioService, AudioSettings
 from devices.ports.audio import Cue, Urgency, Utterance
+from devices.sound.tones import seconds_of
+from tests.conftest import ROOT
 from tests.sessions.learner import Learner
 
 RATE = 22_050
@@ -128,6 +131,19 @@ def test_a_key_at_the_terminal_ends_the_own_voice(ear: Ear, tmp_path: Path) -> N
     assert ear.chunks_until_silence() < 60
     learner.types("HERE\r")
     assert ear.hears_something()
+
+
+def test_the_end_of_a_program_is_heard_to_its_end(ear: Ear, tmp_path: Path) -> None:
+    """C1: its cue is longer than what is left to do; only a stop ends it."""
+    (tmp_path / "a.gd").write_text("TR 10")
+    options = ("--speech", "off", "--sound", "on", "--speed", "max")
+    command = (sys.executable, "-m", "donnie_tui", "run", "a.gd", *options)
+    with subprocess.Popen(command, cwd=tmp_path, env={**os.environ, "PYTHONPATH": str(ROOT)}) as run:
+        assert ear.hears_something()
+        loud = 1 + ear.chunks_until_silence()
+
+        assert run.wait() == 0
+    assert loud * CHUNK / RATE >= seconds_of("done")
 
 
 # --- the sound server hangs, or is gone
