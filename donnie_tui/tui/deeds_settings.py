@@ -6,7 +6,6 @@ Each choice counts at once and is kept.
 from __future__ import annotations
 
 from collections.abc import Mapping
-from functools import partial
 from typing import TYPE_CHECKING
 
 from donnie_tui import LANGUAGES
@@ -52,7 +51,7 @@ class SettingsDeeds:
         """One of a few values, typed in any language or chosen from a list."""
         words = self._host.words
         names = {value: words(f"value-{key}-{value}") for value in values}
-        chosen = _NAMED.get(key, partial(_meant, names))(typed)
+        chosen = _typed_value(key, names, typed)
         if chosen is None:
             current = self._host.preferences.value(key)
             rows = [Choice(value, name, value == current) for value, name in names.items()]
@@ -226,6 +225,14 @@ class SettingsDeeds:
         self._host.talk.tell(Answer("keys-now", {"row": self._key_row(name).partition(".")[0]}))
         if before not in (None, name):
             self._host.talk.tell(Answer("keys-now", {"row": self._key_row(str(before)).partition(".")[0]}))
+
+
+def _typed_value(key: str, names: Mapping[str, str], typed: str) -> object:
+    """The value that a word of the linear mode means, in any language, or one that is listed so."""
+    if key in _NAMED:
+        return _NAMED[key](typed)
+    spoken = sound_words.read_setting(key, typed) if key in sound_words.SETTINGS else None
+    return _meant(names, typed) if spoken is None else spoken
 
 
 def _meant(names: Mapping[str, str], typed: str) -> str | None:

@@ -18,7 +18,7 @@ from donnie_tui.settings.keys import KEY_ECHO, KEYS, MOTION, PUNCTUATION, SPEAK,
 from donnie_tui.tui.actions import BY_NAME
 from donnie_tui.tui.key_table import not_understood, understood
 from donnie_tui.tui.keys import key_label
-from donnie_tui.words.sound_words import cue_name
+from donnie_tui.words.sound_words import SETTINGS, cue_name
 
 _SWITCH = ("on", "off")
 
@@ -27,7 +27,7 @@ CHOICES: dict[str, tuple[str, ...]] = {
     "lang": LANGUAGES,
     "verbosity": DETAILS,
     "speed": (),
-    "speech": ("auto", "off", "tts"),
+    "speech": tuple(map(str, SETTINGS["speech"][1])),
     "sound": _SWITCH,
     "speak": SPEAK,
     "rate": (),

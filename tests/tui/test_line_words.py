@@ -174,6 +174,26 @@ async def test_words_of_any_language_switch_and_choose(work, typed, told):
         await desk.told(told)
 
 
+@pytest.mark.parametrize(
+    ("typed", "field", "value"),
+    [
+        ("SET speech own", "speech", "tts"),
+        ("SET fala robô", "speech", "robot"),
+        ("SET speech ssip", "speech", "ssip"),
+        ("SET speech no", "speech", "off"),
+        ("SET hablar ambos", "speak", "both"),
+        ("SET pontuação toda", "punctuation", "all"),
+        ("SET eco palavras", "key_echo", "words"),
+    ],
+)
+async def test_set_understands_the_values_of_voice_and_sound_as_the_linear_mode_does(
+    work, typed, field, value
+):
+    async with work() as desk:
+        await desk.type_line(typed)
+        await desk.until(lambda: getattr(desk.app.work.preferences.settings, field) == value, value)
+
+
 async def test_set_says_which_name_it_does_not_know(work):
     async with work() as desk:
         await desk.type_line("SET nonsense 3")
