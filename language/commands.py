@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-import ast
+from typing import TYPE_CHECKING
 
 from language.expressions import Expressions
 from language.syntax import (
@@ -27,6 +27,9 @@ from language.syntax import (
     Walk,
 )
 from language.translated import call, constant, load
+
+if TYPE_CHECKING:
+    import ast
 
 
 def command(

@@ -6,7 +6,7 @@ the code remembers which declaration made it, to refuse another one.
 
 from __future__ import annotations
 
-import ast
+from typing import TYPE_CHECKING
 
 from language.scopes import Scope
 from language.syntax import Declare, For, Name
@@ -24,6 +24,9 @@ from language.translated import (
     load,
     when,
 )
+
+if TYPE_CHECKING:
+    import ast
 
 
 class Declarations:

@@ -11,8 +11,8 @@ of parentheses, so that no two that are needed at once have the same name.
 
 from __future__ import annotations
 
-import ast
 from collections.abc import Callable
+from typing import TYPE_CHECKING
 
 from devices.ports.values import frozen
 from language.numbers import LIMIT, SAFE_BITS, SENSOR_BITS
@@ -32,6 +32,9 @@ from language.translated import (
     load,
     negative,
 )
+
+if TYPE_CHECKING:
+    import ast
 
 SMALL = 2**30 - 1
 """CPython compares numbers up to this fastest."""

@@ -18,8 +18,8 @@ would have been last.
 
 from __future__ import annotations
 
-import ast
 from collections.abc import Collection, Iterable
+from typing import TYPE_CHECKING
 
 from language.expressions import Expressions
 from language.syntax import Binary, Declare, Expression, For, Name, Number, Statement
@@ -42,6 +42,9 @@ from language.translated import (
     wanted_at,
     when,
 )
+
+if TYPE_CHECKING:
+    import ast
 
 _MOST_LOOPS = 18
 """Loops inside each other in one function; CPython allows 20."""
@@ -83,6 +86,8 @@ class Nesting:
 
 def _variables_given(statements: Iterable[ast.stmt]) -> set[str]:
     """The variables that some statements assign or delete, those of functions inside them too."""
+    import ast  # few nest so many loops
+
     return {
         node.id
         for statement in statements

@@ -8,8 +8,7 @@ be declared twice (``declarations``). ``p_``, a name and a number of arguments i
 
 from __future__ import annotations
 
-import ast
-from types import CodeType
+from typing import TYPE_CHECKING
 
 from language.commands import command
 from language.declarations import Declarations
@@ -37,6 +36,7 @@ from language.translated import (
     Unit,
     assign,
     call,
+    compiled,
     constant,
     do,
     element,
@@ -49,6 +49,13 @@ from language.translated import (
     unless_break,
     when,
 )
+
+if TYPE_CHECKING:
+    import ast
+    from types import CodeType
+
+if TYPE_CHECKING:
+    import ast
 
 
 class ScopeTranslator:
@@ -106,8 +113,7 @@ class ScopeTranslator:
         else:
             names = [VARIABLE + parameter.name for parameter in self._scope.parameters]
             definition = function(site, "procedure", ["d", *dict.fromkeys(names)], body)
-        module = compile(ast.Module([definition], []), "<GoDonnie>", "exec")
-        return next(code for code in module.co_consts if isinstance(code, CodeType))
+        return compiled(definition)
 
     def _beginning(self, site: int) -> list[ast.stmt]:
         return [

@@ -7,7 +7,7 @@ node of GoDonnie. The names are of a kind that can't clash with Python's.
 
 from __future__ import annotations
 
-import ast
+import _ast as ast  # the nodes of ast alone: all else in it takes as long to load as the translator itself
 from collections.abc import Sequence
 from types import CodeType
 from typing import TypeAlias, TypeVar
@@ -163,6 +163,12 @@ def function(site: int, name: str, parameters: Sequence[str], body: list[ast.stm
     definition = ast.FunctionDef(name, arguments, body or [placed(ast.Pass(), site)], [])
     vars(definition)["type_params"] = []  # Python 3.12 wants the field, 3.11 has none
     return placed(definition, site)
+
+
+def compiled(definition: ast.stmt) -> CodeType:
+    """The code of a function."""
+    module = compile(ast.Module([definition], []), "<GoDonnie>", "exec")
+    return next(code for code in module.co_consts if isinstance(code, CodeType))
 
 
 def _target(site: int, name: str) -> ast.Name:
