@@ -35,7 +35,6 @@ _SAME_AS = dict.fromkeys("\ufeff\u200b\u200c\u200d\u200e\u200f\u2060", UNSEEN) |
 }
 
 _not_ascii = re.compile(r"[^\x00-\x7f]")
-_widthless = re.compile(f"[{MARK}{UNSEEN}]")
 _line_end = re.compile(r"\r\n?|\n")
 _folds: dict[str, str] = {}
 
@@ -113,7 +112,7 @@ def widthless(folded: str) -> list[int]:
     """The offsets of what takes no place on the screen."""
     if folded.isascii():
         return []
-    return [match.start() for match in _widthless.finditer(folded)]
+    return [match.start() for match in re.finditer(f"[{MARK}{UNSEEN}]", folded)]
 
 
 def column(line_start: int, offset: int, widthless_offsets: list[int]) -> int:
