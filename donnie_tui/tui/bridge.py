@@ -96,12 +96,13 @@ class Began(Message):
 
 
 class Ended(Message):
-    """A run ended; ``errors`` are its mistakes."""
+    """A run of ``robot`` ended, where there are several; ``errors`` are its mistakes."""
 
-    def __init__(self, event: RunEnded, errors: tuple[Error, ...]) -> None:
+    def __init__(self, event: RunEnded, errors: tuple[Error, ...], robot: str | None = None) -> None:
         super().__init__()
         self.event = event
         self.errors = errors
+        self.robot = robot
 
     @property
     def asks_to_quit(self) -> bool:
@@ -156,7 +157,7 @@ class Bridge:
         with self._lock:
             self._missed += max(0, len(self._lines) + len(lines) - MOST_LINES)
             self._lines.extend(lines)
-        self._wake(event, is_own)
+        self._wake(event, stamped.robot, is_own)
 
     def _remember(self, event: Event) -> None:
         with self._lock:
@@ -214,13 +215,13 @@ class Bridge:
             case _:
                 return ""
 
-    def _wake(self, event: Event, is_own: bool) -> None:
+    def _wake(self, event: Event, robot: str | None, is_own: bool) -> None:
         match event:
             case RunStarted(program=program, how=how) if is_own:
                 self._is_beginning = True
                 self._post(Began(program, self._pose(), fresh=how is not None and how.begins_anew))
             case RunEnded() if is_own:
-                self._post(Ended(event, self._taken_errors()))
+                self._post(Ended(event, self._taken_errors(), robot))
             case _:
                 self._call()
 

@@ -98,7 +98,10 @@ class Following:
         self._work.talk.tell(Answer("answer-line", {"line": line, "text": text}))
 
     def ended(self, event: Ended) -> None:
+        """Unless another robot was chosen while it was on its way here."""
         work = self._work
+        if event.robot not in (None, work.donnie.session.name):
+            return
         self._forget_reading()
         self._past.to_present()
         has_run = work.running.ended()

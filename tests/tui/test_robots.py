@@ -1,5 +1,8 @@
 """Several robots on the screen: keys and typed lines go to the one that was chosen, the others go on."""
 
+from devices.ports.robot import Pose
+from donnie_tui.core.events import Error, Outcome, RunEnded
+from donnie_tui.tui.bridge import Ended
 from donnie_tui.tui.running import Doing
 from tests.tui.conftest import WAITING
 
@@ -42,6 +45,22 @@ async def test_nothing_is_looked_at_again_and_again_for_a_robot_that_stands(work
         await desk.type_line("STOP ALL")
         await desk.doing(Doing.READY)
         assert not glances.are_on
+
+
+async def test_an_end_that_comes_once_another_robot_is_talked_to_is_not_that_ones(work):
+    """It was on its way to the screen when the other one was chosen."""
+    async with work(world="two_robots") as desk:
+        await desk.type_line("ROBOT bob")
+        await desk.told("You talk to bob.")
+        rows, mistake = desk.map_rows(), Error("syntax", 2, 5, "What?", None)
+        end = RunEnded(Outcome.FAILED, Pose(1.0, 1.0, 0.0), {}, 0.0)
+
+        desk.app.post_message(Ended(end, (mistake,), "alice"))
+        await desk.type_line("WHERE")
+        await desk.until(lambda: any(line.startswith("bob: ") for line in desk.log), "where bob is")
+
+        assert desk.map_rows() == rows
+        assert desk.app.work.following.errors.now is None
 
 
 async def test_all_that_were_given_a_program_start_together_and_stop_together(work):
