@@ -8,7 +8,10 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Sequence
 from contextlib import suppress
-from pathlib import Path
+from typing import TYPE_CHECKING
+
+if TYPE_CHECKING:
+    from pathlib import Path
 
 MOST_PROGRAMS = 200
 MOST_LINES = 200
@@ -41,8 +44,14 @@ def followed(lines: Iterable[int], before: Sequence[str], after: Sequence[str]) 
 class KeptBreakpoints:
     """Those of each program that has a file, by its path; the program used last comes first."""
 
-    def __init__(self, file: Path) -> None:
-        self._file = file
+    def __init__(self, file: str) -> None:
+        self._file_name = file
+
+    @property
+    def _file(self) -> Path:
+        from pathlib import Path  # slow to load, and few programs have a file at the start
+
+        return Path(self._file_name)
 
     def of(self, program: Path | None, line_count: int) -> frozenset[int]:
         """As they were left; those behind the end of the text are forgotten."""

@@ -18,10 +18,13 @@ import os
 import sys
 import threading
 from collections.abc import Callable, Iterable
-from pathlib import Path
+from typing import TYPE_CHECKING
 
 from devices.ports.values import frozen
 from donnie_tui.core.documents import DocumentError, as_lines, new_file, read_program, write_program
+
+if TYPE_CHECKING:
+    from pathlib import Path
 
 MOST_COPIES = 20
 """Copies of each kind that are kept; the oldest go first."""
@@ -45,7 +48,7 @@ class Rescued:
 class Copies:
     """The copy of one program, and those that others left in the same folder. Any thread may ask."""
 
-    def __init__(self, folder: Path, ours: set[Path] | None = None) -> None:
+    def __init__(self, folder: str, ours: set[Path] | None = None) -> None:
         """``ours``: the copies of this start's programs, which are shared with ``another``."""
         self._folder = folder
         self._ours: set[Path] = set() if ours is None else ours
@@ -83,7 +86,7 @@ class Copies:
         if not first.startswith(_FILE):
             return Rescued(text)
         name = first.removeprefix(_FILE)
-        return Rescued(rest, Path(name) if name else None)
+        return Rescued(rest, _path(name) if name else None)
 
     def take(self, copy: Path) -> Rescued:
         """What it holds, written down anew as this start's own. Raises ``DocumentError``."""
@@ -163,22 +166,33 @@ class Copies:
             self._ours.add(own)
         except OSError as problem:
             reason = problem.strerror or str(problem)
-            raise DocumentError("file-unwritable", str(self._folder), reason) from None
+            raise DocumentError("file-unwritable", self._folder, reason) from None
         write_program(own, _with_file(wanted))
 
     def _new(self) -> Path:
-        self._folder.mkdir(parents=True, exist_ok=True)
-        handle, own = new_file(self._folder, _PREFIX, _SUFFIX)
+        folder = _path(self._folder)
+        folder.mkdir(parents=True, exist_ok=True)
+        handle, own = new_file(folder, _PREFIX, _SUFFIX)
         os.close(handle)
         _forget_oldest(each for each in self._newest_first(_PREFIX) if not _is_in_use(each))
         return own
 
     def _newest_first(self, prefix: str) -> list[Path]:
         try:
-            found = [(each.stat().st_mtime_ns, each) for each in self._folder.glob(f"{prefix}*{_SUFFIX}")]
+            with os.scandir(self._folder) as entries:
+                ours = [
+                    each for each in entries if each.name.startswith(prefix) and each.name.endswith(_SUFFIX)
+                ]
+            found = [(each.stat().st_mtime_ns, each.path) for each in ours]
         except OSError:
             return []
-        return [each for _, each in sorted(found, reverse=True)]
+        return [_path(each) for _, each in sorted(found, reverse=True)]
+
+
+def _path(name: str) -> Path:
+    from pathlib import Path  # slow to load, and a start mostly finds no copy
+
+    return Path(name)
 
 
 def _make_newest(copy: Path, newest_first: list[Path]) -> None:
@@ -214,7 +228,7 @@ def _is_in_use(copy: Path) -> bool:
 def _is_donnie(number: str) -> bool:
     """Not one that ended and that nobody has looked after, nor another program that has its number now."""
     try:
-        words = Path(f"/proc/{number}/cmdline").read_bytes().lower().split(b"\0")
+        words = _path(f"/proc/{number}/cmdline").read_bytes().lower().split(b"\0")
     except OSError:
         return False
     return any(b"donnie" in each for each in words[1:])

@@ -7,7 +7,6 @@ from __future__ import annotations
 
 import contextlib
 import os
-from pathlib import Path
 
 KEPT = 1000
 """Lines that are remembered."""
@@ -19,7 +18,7 @@ LONGEST_LINE = 2000
 class Past:
     """Typed lines, oldest first."""
 
-    def __init__(self, file: Path | None = None) -> None:
+    def __init__(self, file: str | None = None) -> None:
         self._file = file
         self.lines: list[str] = _read(file)[-KEPT:] if file else []
 
@@ -38,9 +37,11 @@ class Past:
         file = self._file
         if file and len(_read(file)) > 2 * KEPT:
             with contextlib.suppress(OSError):
-                beside = file.with_name(file.name + ".new")
+                from pathlib import Path  # slow to load, and files are long in growing
+
+                beside = Path(f"{file}.new")
                 beside.unlink(missing_ok=True)
-                _add(beside, self.lines)
+                _add(str(beside), self.lines)
                 beside.replace(file)
 
 
@@ -66,26 +67,26 @@ class Recall:
         return self._lines[self._at]
 
 
-def _read(file: Path) -> list[str]:
+def _read(file: str) -> list[str]:
     """The lines of the file, none if it can't be read or holds something else."""
     try:
-        if file.stat().st_size > LARGEST_FILE:
-            return []
-        text = file.read_text(encoding="utf-8")
+        with open(file, "rb") as kept:  # noqa: PTH123 -- pathlib is slow to load
+            data = kept.read(LARGEST_FILE + 1)
+        text = data.decode() if len(data) <= LARGEST_FILE else ""
     except (OSError, ValueError):
         return []
     lines = (line.strip() for line in text.split("\n"))
     return [line for line in lines if line and line.isprintable() and len(line) <= LONGEST_LINE]
 
 
-def _append(file: Path, line: str) -> None:
+def _append(file: str, line: str) -> None:
     with contextlib.suppress(OSError, ValueError):
         _add(file, [line])
 
 
-def _add(file: Path, lines: list[str]) -> None:
+def _add(file: str, lines: list[str]) -> None:
     """For the learner's eyes only: a program may hold what is nobody else's business."""
-    file.parent.mkdir(parents=True, exist_ok=True)
+    os.makedirs(os.path.split(file)[0], exist_ok=True)  # noqa: PTH103 -- as above
     handle = os.open(file, os.O_WRONLY | os.O_APPEND | os.O_CREAT, 0o600)
     with os.fdopen(handle, "w", encoding="utf-8") as out:
         out.writelines(f"{line}\n" for line in lines)

@@ -9,7 +9,7 @@ from __future__ import annotations
 import contextlib
 import os
 from collections.abc import Callable
-from pathlib import Path
+from typing import TYPE_CHECKING
 
 from devices.ports.values import replace
 from donnie_tui.bootstrap import Donnie, Unusable, assemble
@@ -21,8 +21,11 @@ from donnie_tui.linear.habits import Habits, of_settings
 from donnie_tui.robot.search import Search
 from donnie_tui.settings.chosen import Settings
 from donnie_tui.settings.devices import SIMULATED
-from donnie_tui.settings.folders import state_folder
+from donnie_tui.settings.folders import state_path
 from donnie_tui.words.switching import GoToWorld, SwitchMode
+
+if TYPE_CHECKING:
+    from pathlib import Path
 
 
 def run_linear(
@@ -65,7 +68,7 @@ def run_linear(
         except Unusable:
             greeting.withdraw()
             raise
-        stay = _Stay(console, greeting, settings, habits, Path(state_folder(os.environ)), ours)
+        stay = _Stay(console, greeting, settings, habits, state_path(os.environ), ours)
         offers = cause == "word" and settings.linear is not True
         return stay.until_left(donnie, lambda talk: talk.until_left(file, text, offers_to_remember=offers))
 
@@ -79,7 +82,7 @@ class _Stay:
         greeting: Greeting,
         settings: Settings,
         habits: Habits,
-        folder: Path,
+        folder: str,
         ours: contextlib.ExitStack,
     ) -> None:
         """``ours`` closes the session that there is in the end, unless it goes on in the other mode."""
@@ -140,6 +143,8 @@ def _awaited(
 
     if is_there and settings.world in worlds.names():
         return assemble(settings, terminal=True, search=search)
+    from pathlib import Path
+
     from donnie_tui.core.patience import SLOW, SLOW_AGAIN
     from donnie_tui.linear.patience import aside
 

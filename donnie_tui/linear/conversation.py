@@ -9,7 +9,6 @@ from __future__ import annotations
 import os
 from collections.abc import Callable
 from functools import cached_property
-from pathlib import Path
 from typing import TYPE_CHECKING
 
 from devices.ports.values import frozen
@@ -35,6 +34,8 @@ from donnie_tui.settings.folders import BREAKPOINTS, UNSAVED
 from donnie_tui.words.switching import GoToWorld, SwitchMode
 
 if TYPE_CHECKING:
+    from pathlib import Path
+
     from donnie_tui.linear.key_echo import KeyEcho
 
 
@@ -59,7 +60,7 @@ class Conversation:
         self,
         donnie: Donnie,
         console: Console,
-        folder: Path,
+        folder: str,
         habits: Habits,
         greeting: Greeting,
         kept: Kept | None = None,
@@ -68,7 +69,7 @@ class Conversation:
         told = Told(console.nudge)
         self._greeting = greeting
         edits, attended = greeting.terminal is not None, os.isatty(0)
-        self._past = kept.past if kept else Past(folder / "history" if edits else None)
+        self._past = kept.past if kept else Past(f"{folder}/history" if edits else None)
         self._plain = kept.plain if kept else PlainReader(console)
         self._editing = editing = self._reader_with(kept, console) if edits else None
         output = Output(
@@ -76,7 +77,7 @@ class Conversation:
             paced=os.isatty(1),
             of_numbers=lambda count: donnie.words("linear-numbers", count=count),
         )
-        kept_breakpoints = KeptBreakpoints(folder / BREAKPOINTS)
+        kept_breakpoints = KeptBreakpoints(f"{folder}/{BREAKPOINTS}")
         ends = Ends(
             console,
             editing,
@@ -89,7 +90,7 @@ class Conversation:
             offered=greeting.offered,
         )
         answers = kept.answers if kept else AnswerLog()
-        self._desk = Desk(donnie, ends, Copies(folder / UNSAVED), kept_breakpoints, answers)
+        self._desk = Desk(donnie, ends, Copies(f"{folder}/{UNSAVED}"), kept_breakpoints, answers)
         if kept:
             self._desk.programs.take_over(kept.programs)
             self._desk.watch.names.extend(kept.watched)

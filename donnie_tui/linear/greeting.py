@@ -112,11 +112,9 @@ def has_rescued(folder: str) -> bool:
             return False
     except OSError:
         return False
-    from pathlib import Path
-
     from donnie_tui.core.copies import Copies
 
-    return bool(Copies(Path(folder)).rescued())
+    return bool(Copies(folder).rescued())
 
 
 def begin(arguments: list[str], environment: os._Environ[str] | dict[str, str]) -> Greeting | None:

@@ -10,13 +10,15 @@ from __future__ import annotations
 
 import contextlib
 from collections.abc import Callable, Iterator
-from pathlib import Path
-from typing import Protocol
+from typing import TYPE_CHECKING, Protocol
 
 from donnie_tui.core.breakpoints import KeptBreakpoints
 from donnie_tui.core.copies import Copies, CopyKeeping, settle_all
 from donnie_tui.core.documents import DocumentError
 from donnie_tui.core.typed_program import TypedProgram
+
+if TYPE_CHECKING:
+    from pathlib import Path
 
 MOST_REPLACED = 5
 """Programs that another one took the place of, and that are left for the next start."""
@@ -143,7 +145,7 @@ class Programs:
     def _leave_replaced(self) -> None:
         for text, name in [each for program in self.all() for each in program.replaced][-MOST_REPLACED:]:
             copies = self.copies.another()
-            copies.follow(text, Path(name) if name else None, is_saved=False)
+            copies.follow(text, _path(name), is_saved=False)
             settle_all((copies,))
             copies.leave()
 
@@ -158,7 +160,15 @@ class Programs:
 
 
 def _path_of(program: TypedProgram) -> Path | None:
-    return Path(program.name) if program.name else None
+    return _path(program.name)
+
+
+def _path(name: str | None) -> Path | None:
+    if not name:
+        return None
+    from pathlib import Path  # slow to load, and what is typed first has no file
+
+    return Path(name)
 
 
 SOON = 1.0

@@ -7,9 +7,9 @@ says that it is still there.
 
 from __future__ import annotations
 
+import os
 from collections.abc import Callable
 from functools import partial
-from pathlib import Path
 
 from donnie_tui.core.events import TYPED, Outcome, RunEnded, Stamped
 from donnie_tui.core.runner import Run
@@ -195,7 +195,7 @@ class Runs:
 
     def _name(self) -> str:
         name = self._desk.program.name
-        return Path(name).name if name else TYPED
+        return os.path.split(name)[1] if name else TYPED
 
     # --- watching
 

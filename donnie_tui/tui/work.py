@@ -70,10 +70,10 @@ class Work:
         self.files = Files(
             self,
             self.words,
-            lambda: Copies(folder),
+            lambda: Copies(str(folder)),
             donnie.in_use,
             Recent(folder.parent / "recent.txt"),
-            KeptBreakpoints(folder.parent / BREAKPOINTS),
+            KeptBreakpoints(str(folder.parent / BREAKPOINTS)),
         )
         self.display = Display(self.workplace, donnie, self.running, self.files, host.key_table)
         bridge = Bridge(

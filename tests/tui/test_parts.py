@@ -412,7 +412,7 @@ def test_a_document_overwrites_others_not_itself(tmp_path: Path):
 
 
 def test_a_copy_of_another_start_is_offered_and_the_own_one_is_not(tmp_path: Path):
-    first, second = Copies(tmp_path), Copies(tmp_path)
+    first, second = Copies(str(tmp_path)), Copies(str(tmp_path))
     first.keep("FW 1")
     second.keep("FW 2")
 
@@ -422,7 +422,7 @@ def test_a_copy_of_another_start_is_offered_and_the_own_one_is_not(tmp_path: Pat
 
 def test_copies_do_not_pile_up(tmp_path: Path):
     for number in range(MOST_COPIES + 5):
-        Copies(tmp_path / "deep" / "folder").keep(f"FW {number}")
+        Copies(str(tmp_path / "deep" / "folder")).keep(f"FW {number}")
 
     assert len(list((tmp_path / "deep" / "folder").iterdir())) == MOST_COPIES
 
@@ -431,4 +431,4 @@ def test_a_folder_that_can_t_be_made_is_a_document_error(tmp_path: Path):
     (tmp_path / "file").write_text("")
 
     with pytest.raises(DocumentError):
-        Copies(tmp_path / "file" / "folder").keep("FW 1")
+        Copies(str(tmp_path / "file" / "folder")).keep("FW 1")

@@ -301,7 +301,7 @@ async def test_an_interrupt_from_elsewhere_stops_as_the_key_does(work, monkeypat
 def test_a_copy_that_was_taken_is_this_start_s_own(tmp_path: Path):
     old = tmp_path / "unsaved-abc.gd"
     old.write_text("FW 1", encoding="utf-8")
-    copies = Copies(tmp_path)
+    copies = Copies(str(tmp_path))
 
     assert copies.take(old).text == "FW 1"
     assert [each.read_text(encoding="utf-8") for each in tmp_path.iterdir()] == ["FW 1"]

@@ -235,7 +235,7 @@ async def test_a_file_of_the_command_line_that_comes_slowly_leaves_the_screen_al
 async def test_a_program_comes_back_with_the_name_of_its_file(work, tmp_path):
     path = tmp_path / "walk.gd"
     path.write_text("FW 1\n")
-    lost = Copies(tmp_path / "unsaved")
+    lost = Copies(str(tmp_path / "unsaved"))
     lost.keep("FW 12", path)
     async with work() as desk:
         await desk.type_line("RECOVER")
@@ -250,7 +250,7 @@ async def test_a_program_comes_back_with_the_name_of_its_file(work, tmp_path):
 
 
 def _copies_in(folder):
-    keeper = Copies(folder / "unsaved")
+    keeper = Copies(str(folder / "unsaved"))
     return [keeper.read(each).text for each in (folder / "unsaved").glob("*.gd")]
 
 

@@ -14,23 +14,23 @@ def file(tmp_path: Path) -> Path:
 
 
 def test_each_program_has_its_own_from_one_start_to_the_next(file: Path, tmp_path: Path) -> None:
-    KeptBreakpoints(file).keep(tmp_path / "a.gd", {3, 1})
-    KeptBreakpoints(file).keep(tmp_path / "b.gd", {2})
+    KeptBreakpoints(str(file)).keep(tmp_path / "a.gd", {3, 1})
+    KeptBreakpoints(str(file)).keep(tmp_path / "b.gd", {2})
 
-    assert KeptBreakpoints(file).of(tmp_path / "a.gd", 9) == {1, 3}
-    assert KeptBreakpoints(file).of(tmp_path / "x" / ".." / "b.gd", 9) == {2}
-    assert KeptBreakpoints(file).of(tmp_path / "c.gd", 9) == frozenset()
-    assert KeptBreakpoints(file).of(None, 9) == frozenset()
+    assert KeptBreakpoints(str(file)).of(tmp_path / "a.gd", 9) == {1, 3}
+    assert KeptBreakpoints(str(file)).of(tmp_path / "x" / ".." / "b.gd", 9) == {2}
+    assert KeptBreakpoints(str(file)).of(tmp_path / "c.gd", 9) == frozenset()
+    assert KeptBreakpoints(str(file)).of(None, 9) == frozenset()
 
 
 def test_those_behind_the_end_of_a_shorter_text_are_forgotten(file: Path, tmp_path: Path) -> None:
-    KeptBreakpoints(file).keep(tmp_path / "a.gd", {1, 5})
+    KeptBreakpoints(str(file)).keep(tmp_path / "a.gd", {1, 5})
 
-    assert KeptBreakpoints(file).of(tmp_path / "a.gd", 4) == {1}
+    assert KeptBreakpoints(str(file)).of(tmp_path / "a.gd", 4) == {1}
 
 
 def test_a_program_without_any_leaves_no_trace(file: Path, tmp_path: Path) -> None:
-    kept = KeptBreakpoints(file)
+    kept = KeptBreakpoints(str(file))
     kept.keep(tmp_path / "a.gd", {1})
     kept.keep(tmp_path / "a.gd", ())
 
@@ -41,7 +41,7 @@ def test_a_program_without_any_leaves_no_trace(file: Path, tmp_path: Path) -> No
 def test_a_damaged_file_is_as_good_as_none(file: Path, tmp_path: Path, damage: bytes) -> None:
     file.parent.mkdir()
     file.write_bytes(damage)
-    kept = KeptBreakpoints(file)
+    kept = KeptBreakpoints(str(file))
 
     assert kept.of(tmp_path / "a.gd", 9) == frozenset()
     kept.keep(tmp_path / "a.gd", {1})
@@ -51,11 +51,11 @@ def test_a_damaged_file_is_as_good_as_none(file: Path, tmp_path: Path, damage: b
 def test_a_place_that_cannot_be_written_is_nobody_s_trouble(tmp_path: Path) -> None:
     (tmp_path / "state").write_text("a file")
 
-    KeptBreakpoints(tmp_path / "state" / "breakpoints.txt").keep(tmp_path / "a.gd", {1})
+    KeptBreakpoints(str(tmp_path / "state" / "breakpoints.txt")).keep(tmp_path / "a.gd", {1})
 
 
 def test_the_file_stays_small(file: Path, tmp_path: Path) -> None:
-    kept = KeptBreakpoints(file)
+    kept = KeptBreakpoints(str(file))
     for number in range(MOST_PROGRAMS + 5):
         kept.keep(tmp_path / f"{number}.gd", range(1, 1000))
 

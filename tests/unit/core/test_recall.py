@@ -9,11 +9,11 @@ from donnie_tui.core.recall import KEPT, LARGEST_FILE, Past, Recall
 
 def test_what_was_typed_is_there_in_the_next_session(tmp_path: Path) -> None:
     file = tmp_path / "new" / "history"
-    past = Past(file)
+    past = Past(str(file))
     for line in ("FW 3", "FW 3", "  ", "TR 90 "):
         past.remember(line)
 
-    assert Past(file).lines == ["FW 3", "TR 90"]
+    assert Past(str(file)).lines == ["FW 3", "TR 90"]
     assert file.stat().st_mode & 0o077 == 0
 
 
@@ -25,14 +25,14 @@ def test_what_was_typed_is_there_in_the_next_session(tmp_path: Path) -> None:
 def test_a_damaged_file_is_no_obstacle(content: bytes, tmp_path: Path) -> None:
     file = tmp_path / "history"
     file.write_bytes(content)
-    past = Past(file)
+    past = Past(str(file))
     past.remember("FW 1")
 
     assert set(past.lines) <= {"FW 3", "FW 1"}
 
 
 def test_a_folder_in_the_place_of_the_file_is_no_obstacle(tmp_path: Path) -> None:
-    past = Past(tmp_path)
+    past = Past(str(tmp_path))
     past.remember("FW 1")
     past.trim()
 
@@ -42,7 +42,7 @@ def test_a_folder_in_the_place_of_the_file_is_no_obstacle(tmp_path: Path) -> Non
 def test_the_file_does_not_grow_without_end(tmp_path: Path) -> None:
     file = tmp_path / "history"
     file.write_text("".join(f"FW {number}\n" for number in range(3 * KEPT)))
-    past = Past(file)
+    past = Past(str(file))
     past.trim()
 
     assert (
@@ -54,10 +54,10 @@ def test_the_file_does_not_grow_without_end(tmp_path: Path) -> None:
 
 def test_a_shortened_file_is_still_for_the_learners_eyes_only(tmp_path: Path) -> None:
     file = tmp_path / "history"
-    Past(file).remember("FW 1")
+    Past(str(file)).remember("FW 1")
     with file.open("a") as out:
         out.writelines(f"FW {number}\n" for number in range(3 * KEPT))
-    Past(file).trim()
+    Past(str(file)).trim()
 
     assert len(file.read_text().splitlines()) == KEPT
     assert file.stat().st_mode & 0o077 == 0

@@ -50,8 +50,8 @@ class Talk:
         self.console = Typing()
         self.programs = Programs(
             lambda: self.robot,
-            Copies(folder),
-            KeptBreakpoints(folder / "breakpoints"),
+            Copies(str(folder)),
+            KeptBreakpoints(str(folder / "breakpoints")),
             self.console,
             lambda error: self.not_kept.append(error.reason),
         )
@@ -162,6 +162,6 @@ def test_what_new_took_the_place_of_can_be_asked_for_after_what_was_there_at_the
     no_copy_is_written()
     talk.programs.leave_copies(of_all=True)
 
-    later = Copies(tmp_path)
+    later = Copies(str(tmp_path))
     assert [later.read(each).text for each in later.all_offered()] == ["FW 2", "FW 1"]
     assert later.rescued() == []
