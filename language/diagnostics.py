@@ -75,6 +75,8 @@ class Diagnostic:
     severity: Severity = Severity.ERROR
     meant_end: int | None = None
     """The offset behind all of what ``meant`` is to replace, where that is more than the span."""
+    meant_at: int | None = None
+    """The offset at which ``meant`` is to be put in and replaces nothing; it is missing there."""
 
 
 @frozen

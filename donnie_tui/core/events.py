@@ -248,6 +248,8 @@ class Error:
     """What was probably meant."""
     topic: str = field(default="", metadata={"private": True})
     """The command that it is about, as the canonical word of its help."""
+    mended_line: int = field(default=0, metadata={"private": True})
+    """The line to change, where that is another than the one in which it was found."""
 
 
 @frozen

@@ -24,6 +24,13 @@ class Mistake:
     """Offsets of what stands there, and is to be replaced."""
     meant: str
     """What to put there instead; empty where nobody knows."""
+    mended_line: int
+    """The line that is another one then: a word that is missing may belong at the end of the line before."""
+
+    @property
+    def put(self) -> str:
+        """What is written for ``meant``: what replaces nothing stands behind a word."""
+        return self.meant if self.end > self.start else f" {self.meant}"
 
 
 def mistakes(found: Iterable[Diagnostic], wording: Wording) -> dict[int, Mistake]:
@@ -34,11 +41,15 @@ def mistakes(found: Iterable[Diagnostic], wording: Wording) -> dict[int, Mistake
         is_hint = each.severity is Severity.HINT
         message = (wording.hint(each) if is_hint else None) or wording.mistake(each)
         meant = each.meant if each.found and span.end > span.start else ""
-        end = each.meant_end or span.end
-        by_line.setdefault(span.line, Mistake(span.line, message, is_hint, span.start, end, meant))
+        start, end = (
+            (span.start, each.meant_end or span.end) if each.meant_at is None else (each.meant_at,) * 2
+        )
+        mended_line = int(each.details.get("line", span.line))
+        found_there = Mistake(span.line, message, is_hint, start, end, meant, mended_line)
+        by_line.setdefault(span.line, found_there)
     return by_line
 
 
 def mended(text: str, mistake: Mistake) -> str:
     """The text with what was meant."""
-    return text[: mistake.start] + mistake.meant + text[mistake.end :]
+    return text[: mistake.start] + mistake.put + text[mistake.end :]

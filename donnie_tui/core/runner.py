@@ -18,7 +18,7 @@ from donnie_tui.core.wording import Wording
 from language import keywords
 from language.compiler import Runnable
 from language.control import ExecutionControl
-from language.diagnostics import MOST_MISTAKES, Diagnostic, ProgramError, QuitRequested, Stopped
+from language.diagnostics import MOST_MISTAKES, Diagnostic, Kind, ProgramError, QuitRequested, Stopped
 from language.runtime import Actions, Frame, Memory
 
 Readable: TypeAlias = Runnable | tuple[Diagnostic, ...]
@@ -201,7 +201,8 @@ class Run:
 
     def _publish_error(self, diagnostic: Diagnostic, calls: tuple[int, ...] = ()) -> None:
         wording = self._stage.wording
-        span = diagnostic.span
+        span, details = diagnostic.span, diagnostic.details
+        in_head = str(details.get("opener", "")) if diagnostic.kind is Kind.SYNTAX else ""
         self._stage.hub.publish(
             Error(
                 diagnostic.kind.value,
@@ -213,7 +214,8 @@ class Run:
                 calls,
                 diagnostic.code,
                 diagnostic.meant,
-                keywords.topic_at(self._source_line(span.line), span.column),
+                in_head or keywords.topic_at(self._source_line(span.line), span.column),
+                int(details.get("line", 0)),
             )
         )
 

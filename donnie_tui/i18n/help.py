@@ -28,7 +28,7 @@ ENTRIES: dict[str, Entry] = {
     "BW": Entry(("BW", "BACKWARD"), "{value}", "{BW} 5"),
     "TR": Entry(("TR", "RIGHT TURN"), "{value}", "{TR} 90"),
     "TL": Entry(("TL", "LEFT TURN"), "{value}", "{TL} 90"),
-    "SPEAK": Entry(("SPEAK",), '"{text}"', '{SPEAK} "hello"'),
+    "SPEAK": Entry(("SPEAK",), '"{text}"', '{SPEAK} "{hello}"'),
     "SCAN": Entry(("SCAN",), "", "{SCAN}"),
     "STATE": Entry(("STATE",), "", "{FW} 3 {STATE}"),
     "HISTORY": Entry(("HISTORY",), "", "{FW} 3 {TR} 90 {HISTORY}"),

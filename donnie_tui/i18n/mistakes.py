@@ -34,7 +34,7 @@ def mistake(diagnostic: Diagnostic, words: Phrasing) -> str:
 def hint(diagnostic: Diagnostic, words: Phrasing) -> str | None:
     """What would put it right, where that is known. Of arguments there are few: all are told besides."""
     make = _HINT_OF.get(diagnostic.kind)
-    if not diagnostic.meant:
+    if not diagnostic.meant or diagnostic.meant_at is not None or diagnostic.code == "other-end":
         return make(diagnostic, words) if make else None
     meant = words("hint-meant", meant=diagnostic.meant)
     allowed = _hint_for_argument(diagnostic, words) if diagnostic.kind is Kind.BAD_ARGUMENT else None
@@ -216,7 +216,7 @@ def _values(diagnostic: Diagnostic, words: Phrasing) -> dict[str, object]:
     values: dict[str, object] = {"name": _name(diagnostic), "limit": "", "word": "", "wanted": 0, "given": 0}
     values |= diagnostic.details
     values |= {"found": _found(diagnostic, words), "expected": _expected(diagnostic, words)}
-    for key in ("opener", "word"):
+    for key in ("opener", "word", "missing"):
         values[key] = _spelled(str(values.get(key, "")), words)
     values["closer"] = _closer(diagnostic, words)
     values |= {each: _spelled(each, words) for each in ("IF", "SPEAK", "VAR")}

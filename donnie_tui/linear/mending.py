@@ -32,7 +32,7 @@ def _fix(desk: Desk) -> None:
     if not known:
         desk.answer("screen-no-fix" if found else "screen-nothing-to-fix")
     elif _rewrite(desk, mended(desk.program.text, first or known[0])):
-        go_to(desk, (first or known[0]).line)
+        go_to(desk, (first or known[0]).mended_line)
 
 
 def _fix_refused(desk: Desk, line: str) -> None:

@@ -2,12 +2,13 @@
 
 from __future__ import annotations
 
-from donnie_tui.core.typed_program import ProgramTooLong
+from donnie_tui.core.typed_program import ProgramTooLong, TypedProgram
 from donnie_tui.linear import commands
 from donnie_tui.linear.desk import Desk
 from donnie_tui.linear.leaving import Leaving
 from donnie_tui.linear.runs import Runs
 from language import keywords
+from language.diagnostics import Kind
 
 
 class TypedLines:
@@ -68,16 +69,23 @@ class TypedLines:
         return True
 
     def _run_unless_open(self) -> None:
-        """An empty line runs what waits, but not half a block."""
+        """An empty line runs what waits, but not half a block; a mistake in what there is of it is told."""
         program = self._desk.program
         block = program.open_block
-        if block:
+        if block and not self._has_mistake(program):
             self._desk.answer("linear-still-open", opener=self._spelled(block.kind), line=block.line)
         elif program.is_waiting:
             self._runs.run_waiting()
         elif self._desk.goes_on is not None:
             go_on, self._desk.goes_on = self._desk.goes_on, None
             go_on()
+
+    def _has_mistake(self, program: TypedProgram) -> bool:
+        """Whether something is wrong that no further line puts right."""
+        return any(
+            each.found and each.kind is not Kind.MISSING_END
+            for each in self._desk.session.parse(program.take_batch().text).diagnostics
+        )
 
     def _quit(self, line: str) -> None:
         """QUIT runs what was typed, then leaves; where that can't be run, a second one leaves all the same.

@@ -50,15 +50,15 @@ class WhileRunning:
         if how is How.TOO_LONG:
             self._desk.answer("linear-too-long")
         elif found is None or found[0].when is When.IDLE:
-            self._refuse_while_held(line)
+            self._refuse_while_held(line, is_word=found is not None)
         else:
             commands.do(*found, self._desk, self.runs)
 
-    def _refuse_while_held(self, line: str) -> None:
+    def _refuse_while_held(self, line: str, *, is_word: bool) -> None:
         words = line.split()
         if keywords.canonical(words[0]) == "HELP":
             commands.say_help(self._desk, " ".join(words[1:]))
-        elif not commands.is_probably_ours(line, self._desk):
+        elif is_word or not commands.is_probably_ours(line, self._desk):
             self._desk.answer("linear-not-taken", line=printable(line[:LONGEST_QUOTE]))
             self._desk.answer("linear-stepping")
 

@@ -56,13 +56,13 @@ class TextDeeds:
             self._host.talk.tell(Answer("screen-nothing-to-fix" if mistake is None else "screen-no-fix"))
             return
         self._put(mended(self._editor.text, mistake), self._after_mending(mistake))
-        self._host.talk.tell(Answer("screen-fixed", {"line": mistake.line, "word": mistake.meant}))
+        self._host.talk.tell(Answer("screen-fixed", {"line": mistake.mended_line, "word": mistake.meant}))
         self._host.while_typing.check_now()
 
     def _after_mending(self, mistake: Mistake) -> int:
         """Where the cursor stands then: behind the same letter of its line, or behind what was mended."""
-        here, end = self._editor.offset_of_cursor, mistake.start + len(mistake.meant)
-        if self._editor.line != mistake.line or mistake.start < here < mistake.end:
+        here, end = self._editor.offset_of_cursor, mistake.start + len(mistake.put)
+        if self._editor.line not in (mistake.line, mistake.mended_line) or mistake.start < here < mistake.end:
             return end
         return here if here <= mistake.start else here + end - mistake.end
 

@@ -55,9 +55,12 @@ def _closing(reading: Reading, token: Token, end: str, meant: str, width: int) -
     block = reading.blocks[-1]
     if token[0] != END and block.kind in (end, ""):
         return Closing.INNERMOST
-    if block.kind:
-        _tell_about_end(reading, Kind.WRONG_END, token, block, meant, width)
     closing = best_closing(kinds_of(reading.blocks), end, reading.tokens[reading.at + width :])
+    if block.kind:
+        is_other = bool(end) and token[0] != END and closing is Closing.INNERMOST
+        meant = spelling(f"END {block.kind}", reading.language) if is_other else meant
+        code = "other-end" if is_other else ""
+        _tell_about_end(reading, Kind.WRONG_END, token, block, meant, width, code)
     return Closing.INNERMOST if token[0] == END and closing is Closing.STRAY else closing
 
 
@@ -69,10 +72,16 @@ def tell_missing_ends(reading: Reading) -> None:
 
 
 def _tell_about_end(
-    reading: Reading, kind: Kind, token: Token, block: Block, meant: str = "", width: int = 1
+    reading: Reading,
+    kind: Kind,
+    token: Token,
+    block: Block,
+    meant: str = "",
+    width: int = 1,
+    code: str = "",
 ) -> None:
     details: dict[str, str | int] = {"opener": block.kind, "opener_line": block.token[3]}
-    reading.tell(kind, token, "", (f"END {block.kind}",), meant, details, width=width)
+    reading.tell(kind, token, code, (f"END {block.kind}",), meant, details, width=width)
 
 
 def read_else(reading: Reading) -> None:

@@ -19,6 +19,11 @@ _HEADS = {
 """What stands between the opening word and the first command of a block."""
 
 
+def end_of_head(head: Block) -> str:
+    """The word that ends it."""
+    return _HEADS[head.read_as][-1]
+
+
 def read_as(reading: Reading, near: Near | None, width: int) -> None:
     """Go on as if the meant word stood there, or else behind the command."""
     if near is None or near.complete or not can_open(reading, near.terminal, width):
@@ -88,7 +93,7 @@ def _is_first_of_line(reading: Reading) -> bool:
 def _skip_head(reading: Reading, head: Block) -> None:
     """To the first command of the block, which counts as opened."""
     if not _move_to_head_end(reading, head):
-        while not _is_behind_head(reading, head):
+        while not is_behind_head(reading, head):
             reading.at += 1
     if reading.token[0] in HEAD_ENDS:
         reading.at += 1
@@ -99,7 +104,7 @@ def _skip_head(reading: Reading, head: Block) -> None:
 
 def _move_to_head_end(reading: Reading, head: Block) -> bool:
     """If a command stands in the head by mistake, move to the end of the head on the same line."""
-    line, wanted = reading.token[3], KIND[_HEADS[head.read_as][-1]]
+    line, wanted = reading.token[3], KIND[end_of_head(head)]
     for at in range(reading.at + 1, len(reading.tokens)):
         kind = reading.tokens[at][0]
         if reading.tokens[at][3] != line:
@@ -112,7 +117,8 @@ def _move_to_head_end(reading: Reading, head: Block) -> bool:
     return False
 
 
-def _is_behind_head(reading: Reading, head: Block) -> bool:
+def is_behind_head(reading: Reading, head: Block) -> bool:
+    """Whether the first command of the block begins here, or its head ends."""
     kind = reading.token[0]
     if kind in BEGINNERS or kind in HEAD_ENDS or kind == 0:
         return True

@@ -157,15 +157,15 @@ class Reading:
         details: dict[str, str | int] | None = None,
         *,
         width: int = 1,
+        meant_at: int | None = None,
     ) -> None:
         """A mistake, unless it may follow from one that was told. ``width``: the words that were meant."""
         if kind is not Kind.MISSING_END and self._is_flawed():
             return
         typed = self.typed(token)
         end = self.tokens[self.at + width - 1][2] if meant and width > 1 else None
-        self.found.append(
-            Diagnostic(kind, span_of(token), code, typed, expected, meant, details or {}, meant_end=end)
-        )
+        of_meant = (code, typed, expected, meant, details or {})
+        self.found.append(Diagnostic(kind, span_of(token), *of_meant, meant_end=end, meant_at=meant_at))
 
     def _is_flawed(self) -> bool:
         """Whether something in this command was told already."""

@@ -36,3 +36,46 @@ def test_on_the_tour_the_prompt_tells_how_many_blocks_are_open_and_an_empty_line
     learner.sees("I walked 1 step forward.\r\nI walked 1 step forward.\r\n> ")
     learner.types("\r")
     learner.sees("Page 2 of 9.")
+
+
+def test_a_head_without_its_last_word_is_mended_where_it_belongs(tmp_path: Path) -> None:
+    """What is told points at the head and not at the first line of the block, where it was noticed."""
+    learner = Learner(tmp_path, language="pt")
+    learner.enters("APRENDER canto: n", "PF n", "FIM APRENDER", "canto [2]", "EXECUTAR")
+    learner.sees("FAÇA vai no fim da linha 1.\r\nNada foi executado. MUDAR 1 corrige a linha 1")
+    learner.enters("EXPLICAR")
+    learner.sees("Forma: APRENDER nome: nome FAÇA comandos FIM APRENDER.")
+    learner.enters("CORRIGIR")
+    learner.sees("nível 0: APRENDER canto: n FAÇA\r\n")
+    learner.enters("EXECUTAR")
+    learner.sees("Andei 2 passos para frente.")
+
+
+def test_an_empty_line_in_an_open_block_tells_what_no_further_line_puts_right(tmp_path: Path) -> None:
+    learner = Learner(tmp_path, language="pt")
+    learner.enters("REPITA 3 VEZES", "PF 1", "")
+    learner.sees("Ainda aberto: REPITA da linha 1.")
+    learner.enters("FIM SE", "")
+    learner.sees("FIM SE não fecha REPITA da linha 1.")
+    learner.enters("CORRIGIR")
+    learner.sees("FIM REPITA, fecha a linha 1.\r\n")
+    learner.enters("")
+    learner.sees("Andei 1 passo para frente.")
+
+
+def test_a_word_of_the_terminal_that_counts_later_is_not_unknown_while_a_program_is_held(
+    tmp_path: Path,
+) -> None:
+    learner = Learner(tmp_path, language="pt")
+    learner.enters("PF 1", "PF 2", "PASSO")
+    learner.sees("Linha 1: PF 1")
+    learner.enters("NOVAMENTE")
+    learner.sees("Agora não: NOVAMENTE\r\n")
+
+
+def test_a_text_that_was_spoken_without_quotes_is_explained_as_one(tmp_path: Path) -> None:
+    learner = Learner(tmp_path, language="pt")
+    learner.enters("FALAR olá", "EXECUTAR")
+    learner.sees("Não existe a variável olá.")
+    learner.enters("EXPLICAR")
+    learner.sees('Crie antes: CRIAR x = 5.\r\nOu, se é um texto: FALAR "oi".')

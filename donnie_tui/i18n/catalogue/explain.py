@@ -221,6 +221,11 @@ _EXPLAINED: dict[str, tuple[Texts, Texts]] = {
 }
 
 _OF_A_CODE = {
+    "mend-text-without-quotes": Sentence(
+        'Or, for a text: SPEAK "hello".',
+        'Ou, se é um texto: FALAR "oi".',
+        'O, si es un texto: HABLAR "hola".',
+    ),
     "explain-unknown-command-procedure": Sentence(
         "A procedure is called with brackets.",
         "Um procedimento se chama com colchetes.",

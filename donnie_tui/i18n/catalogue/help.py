@@ -27,6 +27,7 @@ SENTENCES: dict[str, Sentence] = {
     "form-condition": Sentence("condition", "condição", "condición"),
     "form-value": Sentence("value", "valor", "valor"),
     "form-name": Sentence("name", "nome", "nombre"),
+    "form-hello": Sentence("hello", "oi", "hola"),
     "form-text": Sentence("text", "texto", "texto"),
     "form-colour": Sentence("colour", "cor", "color"),
     "form-direction": Sentence("direction", "direção", "dirección"),

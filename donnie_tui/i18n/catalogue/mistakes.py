@@ -189,6 +189,16 @@ SENTENCES: dict[str, Sentence] = {
         "Os números são inteiros, como 2.",
         "Los números son enteros, como 2.",
     ),
+    "hint-head-end": Sentence(
+        "Write {missing} before {found}.",
+        "Escreva {missing} antes de {found}.",
+        "Escribe {missing} antes de {found}.",
+    ),
+    "hint-head-end-before": Sentence(
+        "{missing} belongs at the end of line {line}.",
+        "{missing} vai no fim da linha {line}.",
+        "{missing} va al final de la línea {line}.",
+    ),
     "hint-different": Sentence(
         "Different is written <>.", "Diferente se escreve <>.", "Distinto se escribe <>."
     ),

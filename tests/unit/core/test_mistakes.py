@@ -30,6 +30,7 @@ def fixed(text: str) -> str:
         ("PROCEDURE P: x DO FW x END PROCEDURE P: 2 FW 1", "PROCEDURE P: x DO FW x END PROCEDURE P [2] FW 1"),
         ("RIGHT 90", "RIGHT TURN 90"),
         ("RIGHT TRUN 90", "RIGHT TURN 90"),
+        ("repita 2 vezes pf 1 fim se", "repita 2 vezes pf 1 FIM REPITA"),
     ],
 )
 def test_all_of_the_words_that_were_typed_are_replaced(typed: str, meant: str) -> None:
@@ -51,3 +52,24 @@ def test_a_second_word_with_a_letter_too_many_is_not_left_behind(pair: str) -> N
     typed = f"{head} {pair}{pair[-1]}{value}"
 
     assert fixed(typed) == f"{head} {pair}{value}"
+
+
+@pytest.mark.parametrize(
+    ("typed", "meant"),
+    [
+        ("SE 3 > 2\nPF 1\nFIM SE", "SE 3 > 2 ENTÃO\nPF 1\nFIM SE"),
+        ("SE 3 > 2 PF 1 FIM SE", "SE 3 > 2 ENTÃO PF 1 FIM SE"),
+        ("REPITA 3 -- voltas\nPF 1\nFIM REPITA", "REPITA 3 VEZES -- voltas\nPF 1\nFIM REPITA"),
+        ("APRENDER c: n\nc [n]\nFIM APRENDER", "APRENDER c: n FAÇA\nc [n]\nFIM APRENDER"),
+        ("ENQUANTO 1 < 2 ENTÃO PF 1 FIM ENQUANTO", "ENQUANTO 1 < 2 FAÇA PF 1 FIM ENQUANTO"),
+    ],
+    ids=["if", "one-line", "comment", "procedure", "another"],
+)
+def test_the_word_that_ends_a_head_is_put_at_its_end(typed: str, meant: str) -> None:
+    assert fixed(typed) == meant
+
+
+def test_a_word_that_is_missing_is_told_with_the_line_where_it_belongs() -> None:
+    found = parse("PF 1\nREPITA 3\nPF 2\nFIM REPITA").diagnostics[0]
+
+    assert Words("pt").hint(found) == "VEZES vai no fim da linha 2."

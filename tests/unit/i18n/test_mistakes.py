@@ -18,7 +18,7 @@ RGB = frozenset({"red", "green", "blue"})
 TOLD = [
     ("FWD 10", "I do not know FWD.", "Did you mean FW?"),
     ("JUMP 3", "I do not know JUMP.", None),
-    ("REPEAT 2 FW 1 END REPEAT", "I expected TIMES, not FW.", None),
+    ("REPEAT 2 FW 1 END REPEAT", "I expected TIMES, not FW.", "Write TIMES before FW."),
     ("VAR a = 3 *", "Missing at the end: a value.", None),
     ("SPEAK (1+2", "Missing at the end: a closing parenthesis.", None),
     ("FW 1 $ FW 2", "I can't use a dollar sign here.", None),
