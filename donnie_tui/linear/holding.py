@@ -7,8 +7,7 @@ from enum import Enum, auto
 from typing import TYPE_CHECKING
 
 from devices.ports.values import frozen
-from donnie_tui.core.events import Outcome, Read, RunEnded, Stamped
-from donnie_tui.core.runner import Run
+from donnie_tui.core.events import Outcome, Read, RunEnded, RunStarted, Stamped
 from donnie_tui.i18n.first_words import PROMPT
 from donnie_tui.linear.desk import Desk
 from donnie_tui.linear.reader import Typed
@@ -69,9 +68,11 @@ class Holding:
         if begin is not None:
             begin(control)
 
-    def is_of(self, run: Run) -> bool:
-        """Whether it is the one that began last here."""
-        return run.control is self._control
+    @property
+    def is_of_running(self) -> bool:
+        """Whether what the robot runs began here, and was not STARTed, say."""
+        run = self._desk.session.run
+        return run is not None and run.control is self._control
 
     def _changed(self, state: ControlState) -> None:
         """In any thread."""
@@ -81,12 +82,16 @@ class Holding:
 
     def hear(self, stamped: Stamped) -> None:
         """In the program's thread: what its sensors say, and what it leaves."""
+        if stamped.robot != self._desk.session.hub.robot:
+            return
         match stamped.event:
-            case Read() as read if self._words is not None:
+            case RunStarted() if not self.is_of_running:
+                self._desk.stepped.begin()
+            case Read() as read if self._words is not None and self.is_of_running:
                 self._words.heard(read)
-            case RunEnded() as end if stamped.robot == self._desk.session.hub.robot:
+            case RunEnded() as end:
                 self._look_at_what_is_left(end.variables)
-                if end.outcome is Outcome.COMPLETED and self._words is not None:
+                if end.outcome is Outcome.COMPLETED and self._words is not None and self.is_of_running:
                     self._desk.tell(*self._words.ended())
 
     def _look_at_what_is_left(self, variables: Mapping[str, int]) -> None:

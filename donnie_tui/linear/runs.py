@@ -166,8 +166,7 @@ class Runs:
     @property
     def tells_holds(self) -> bool:
         """Whether it is told where the robot's program is held, and asked there how it is to go on."""
-        run = self._desk.session.run
-        return run is not None and self._holding.is_of(run)
+        return self._holding.is_of_running
 
     def is_free(self, *, to_leave: bool = False) -> bool:
         """Whether the robot can run something, or that it is busy; who wants to leave waits for nobody."""

@@ -222,3 +222,11 @@ def test_that_a_robot_begins_is_told_before_what_it_says(tmp_path: Path) -> None
     told = _told(tmp_path, "--speed", "max", typed='SPEAK "hi"\nSTART\nSTOP ALL\n')
 
     assert told[2:4] == ["donnie begins.", "hi"]
+
+
+def test_what_was_stepped_through_is_not_told_of_a_program_that_is_started_later(tmp_path: Path) -> None:
+    typed = "VAR x = 1\nIF x > 5 THEN\nFW 1\nEND IF\nSTEP\n\n\nSTART\nSTOP ALL\nSTEP BACK\nQUIT\n"
+    told = _told(tmp_path, "--speed", "max", typed=typed)
+
+    assert told.count("Condition false: 1 less than 5.") == 1
+    assert told[-2].startswith("Back: ")
