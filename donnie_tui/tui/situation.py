@@ -1,4 +1,4 @@
-"""The words beside the panes: the status line, the inspector, the name of a map cell.
+"""The words beside the panes: the status line and the inspector.
 
 Values in, words out; whoever knows the values asks here. Sentences are the catalogue's.
 """
@@ -74,8 +74,8 @@ def _short(value: int) -> str:
     """A number that fits; of a long one the first digits and how many there are."""
     if abs(value) < 10**18:
         return str(value)
-    digits = int(value.bit_length() * 0.30103) + 1
-    return f"{'-' if value < 0 else ''}{abs(value) // 10 ** (digits - 6)}... ({digits})"
+    digits = str(abs(value))
+    return f"{'-' if value < 0 else ''}{digits[:6]}... ({len(digits)})"
 
 
 def _calls(frames: Sequence[Frame], words: Wording) -> tuple[str, ...]:

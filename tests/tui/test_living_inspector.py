@@ -2,8 +2,12 @@
 
 import re
 
+import pytest
+
 from donnie_tui.core.events import Sensed
+from donnie_tui.i18n.words import Words
 from donnie_tui.tui.running import Doing
+from donnie_tui.tui.situation import inspector_lines
 
 
 def ahead(desk) -> int:
@@ -106,3 +110,17 @@ async def test_who_listens_is_not_told_each_distance_that_a_moving_robot_goes_th
         await desk.idle()
 
         assert shown(desk) == known(desk)
+
+
+@pytest.mark.parametrize(
+    ("value", "shown"),
+    [
+        (10**18 - 1, "999999999999999999"),
+        (2**63, "922337... (19)"),
+        (-(10**20 - 1), "-999999... (20)"),
+        (10**4300 - 1, "999999... (4300)"),
+    ],
+    ids=["whole", "19", "20", "4300"],
+)
+def test_a_long_number_has_its_first_digits_and_how_many_there_are(value, shown):
+    assert inspector_lines((), {"a": value}, {}, (), (), Words())[1] == f"a is {shown}"
