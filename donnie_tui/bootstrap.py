@@ -8,7 +8,6 @@ from __future__ import annotations
 import os
 from contextlib import ExitStack
 from functools import partial
-from pathlib import Path
 from typing import TYPE_CHECKING, TextIO
 
 from devices.ports.robot import Pace, Watcher
@@ -191,7 +190,7 @@ def _assembled(
         audible.notices + (_decided(audible, words) if terminal else ()),
         belt_news() + about_robot,
     )
-    in_use = FilesInUse((*written.paths, *_sound_files(settings), *files_of(world)))
+    in_use = FilesInUse((*written.paths, *files_of(world)))
     return Donnie(words, world, team, connection, chronicle, outlets, notices, in_use, shared, closing)
 
 
@@ -223,12 +222,9 @@ def _written(
     written = Written(settings, session.hub, words, closing)
     written.events(out)
     written.recording(world)
+    written.sounds()
     written.log()
     return written
-
-
-def _sound_files(settings: Settings) -> tuple[Path, ...]:
-    return (Path(settings.sound),) if isinstance(settings.sound, str) else ()
 
 
 def _decided(audible: Audible, words: Words) -> tuple[str, ...]:

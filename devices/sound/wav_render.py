@@ -28,7 +28,8 @@ class WavRenderer:
     """A file that is being written. Raises ``OSError`` where it can't be."""
 
     def __init__(self, path: Path) -> None:
-        self._file = wave.open(str(path), "wb")  # noqa: SIM115 -- closed with the run
+        self._out = path.open("wb")  # by its name, wave complains aloud of what can't be opened
+        self._file = wave.open(self._out, "wb")  # noqa: SIM115 -- closed with the run
         self._file.setnchannels(2)
         self._file.setsampwidth(2)
         self._file.setframerate(SAMPLE_RATE)
@@ -56,6 +57,9 @@ class WavRenderer:
 
     def close(self) -> None:
         """Let the last cue sound to its end. Twice is once."""
-        while self._mixer.is_playing and not self.is_full:
-            self.go_on_to(self._mixer.frames / SAMPLE_RATE + _TAIL)
-        self._file.close()
+        try:
+            while self._mixer.is_playing and not self.is_full:
+                self.go_on_to(self._mixer.frames / SAMPLE_RATE + _TAIL)
+            self._file.close()
+        finally:
+            self._out.close()

@@ -58,7 +58,9 @@ def replay(order: Order) -> int:
             from donnie_tui.cli.rechecking import run_again
 
             return run_again(order, recording)
-        return _Telling(order, recording, closing).tell()
+        telling = _Telling(order, recording, closing)
+        code = telling.tell()
+    return codes.UNUSABLE if telling.has_lost else code
 
 
 def _refuse_what_has_no_meaning(order: Order) -> None:
@@ -116,6 +118,7 @@ class _Telling:
         self._has_moved = False
         self._written = Written(order.settings, self._hub, order.words, closing)
         self._written.events(cast(TextIO, Guarded(order.output)))
+        self._written.sounds()
         with_words = order.settings.events != "-"
         of_run = Words(_first_language(recording) or order.words.language, order.words.detail)
         self._stream.subscribe(_follower(of_run))
@@ -134,9 +137,12 @@ class _Telling:
         with stopped_by_signals(self._control.stop) as stopped:
             to_the_end = self._play_backwards() if arguments.backwards else self._replay.forwards(self._show)
             let_sound(self._audible.is_still_within, stopped)
-        if self._written.lost:
-            return codes.UNUSABLE
         return codes.DONE if to_the_end else codes.STOPPED
+
+    @property
+    def has_lost(self) -> bool:
+        """Whether a file could not be written to its end."""
+        return bool(self._written.lost)
 
     def _begin_at(self, seq: int | None, backwards: bool) -> None:
         """Just before the event of that number; backwards, behind it."""

@@ -54,11 +54,7 @@ class _Voiced(Protocol):
 def make_audible(
     settings: Settings, session: HasHub, words: Words, closing: ExitStack, *, is_linear: bool = True
 ) -> Audible:
-    """Add the voice and the cues that are wanted and possible. Raises ``Unusable`` where a file can't be."""
-    if isinstance(settings.sound, str):
-        from donnie_tui.outlets.sound_file import write_cues
-
-        write_cues(settings.sound, session, words, closing)
+    """Add the voice and the cues that are wanted and possible."""
     audible = Audible(settings, session, words, is_linear=is_linear)
     closing.callback(audible.close)
     return audible

@@ -7,38 +7,19 @@ where the one before ended.
 from __future__ import annotations
 
 from collections.abc import Callable
-from contextlib import ExitStack
 from pathlib import Path
 
 from devices.ports.audio import Cue
 from devices.sound.wav_render import WavRenderer
-from donnie_tui.core.events import Answered, CueSounded, RunEnded, SoundSwitched, Stamped
-from donnie_tui.core.hub import HasHub
-from donnie_tui.i18n.words import Unusable, Words
+from donnie_tui.core.events import CueSounded, RunEnded, SoundSwitched, Stamped
 
 
-def write_cues(name: str, session: HasHub, words: Words, closing: ExitStack) -> None:
-    """Write from now on what is to be heard. Raises ``Unusable``."""
-    try:
-        renderer = WavRenderer(Path(name))
-    except OSError as problem:
-        reason = problem.strerror or str(problem)
-        raise Unusable(words("file-unwritable", path=name, reason=reason)) from None
-
-    def tell(problem: OSError) -> None:
-        reason = problem.strerror or str(problem)
-        session.hub.publish(Answered(words("file-unwritable", path=name, reason=reason)))
-
-    listener = CueFile(renderer, tell)
-    closing.callback(listener.close)
-    session.hub.subscribe(listener)
-
-
-class CueFile:
+class SoundFile:
     """Listens to the stream and writes. What can't be written is told once."""
 
-    def __init__(self, renderer: WavRenderer, tell: Callable[[OSError], None]) -> None:
-        self._renderer, self._tell = renderer, tell
+    def __init__(self, path: Path, tell: Callable[[OSError], None]) -> None:
+        """Raises ``OSError`` where it can't be written at all."""
+        self._renderer, self._tell = WavRenderer(path), tell
         self._on = True
         self._began = 0.0
         self._failed = False

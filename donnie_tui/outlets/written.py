@@ -1,4 +1,4 @@
-"""What a session writes into files as it goes: its events, its recording, the log of what was told.
+"""What a session writes into files as it goes: its events, recording and sounds, the log of what was told.
 
 A file that can't be opened keeps everything from starting; one that takes no more is told once, and the run
 goes on without it. What writes is loaded for who asked for it: few do.
@@ -44,7 +44,7 @@ class Written:
     @property
     def of_this_session(self) -> str | None:
         """The file that another session would begin anew, if there is one."""
-        return self._settings.record or self._settings.events
+        return self._settings.record or self._settings.events or self._sounds
 
     def events(self, standard_output: TextIO | None) -> None:
         """As JSON lines, to standard output or a file; nowhere if nobody asked."""
@@ -68,6 +68,24 @@ class Written:
         except OSError as problem:
             raise self._unwritable(name, problem) from None
         self._subscribe_lines(out, name, whole=True)
+
+    @property
+    def _sounds(self) -> str | None:
+        return self._settings.sound if isinstance(self._settings.sound, str) else None
+
+    def sounds(self) -> None:
+        """The cues of what happens, as a WAV file, if somebody asked."""
+        if self._sounds is None:
+            return
+        from donnie_tui.outlets.sound_file import SoundFile
+
+        try:
+            sounds = SoundFile(Path(self._sounds), self._teller_of_loss(self._sounds))
+        except OSError as problem:
+            raise self._unwritable(self._sounds, problem) from None
+        self._closing.callback(sounds.close)
+        self.paths.append(Path(self._sounds))
+        self._hub.subscribe(sounds)
 
     def _subscribe_lines(self, out: TextIO, name: str, *, whole: bool = False) -> None:
         from donnie_tui.core.event_stream import JsonLines

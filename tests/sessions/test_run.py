@@ -169,16 +169,26 @@ def test_a_reader_that_goes_away_ends_the_run_quietly(tmp_path: Path) -> None:
     assert running.wait(PATIENCE) == 130
 
 
-def test_a_full_disk_is_told(tmp_path: Path) -> None:
+@pytest.mark.parametrize("option", [("--events", "/dev/full"), ("--sound", "wav:/dev/full")])
+def test_a_full_disk_is_told(tmp_path: Path, option: tuple[str, str]) -> None:
     if not Path("/dev/full").exists():
         pytest.skip("needs a device that is always full")
     (tmp_path / "a.gd").write_text("FW 1 SPEAK 1")
 
-    done = donnie(tmp_path, "run", "a.gd", *QUIET, "--events", "/dev/full")
+    done = donnie(tmp_path, "run", "a.gd", *QUIET, *option)
 
     assert done.stdout.decode() == "I walked 1 step forward.\n1\n"
     assert done.stderr.decode() == "I can't write /dev/full: No space left on device.\n"
     assert done.returncode == 2
+
+
+def test_sounds_that_have_no_folder_are_told_in_one_line(tmp_path: Path) -> None:
+    (tmp_path / "a.gd").write_text("FW 1")
+
+    done = donnie(tmp_path, "run", "a.gd", *QUIET, "--sound", "wav:none/b.wav")
+
+    assert done.stderr.decode() == "I can't write none/b.wav: there is no such folder.\n"
+    assert (done.stdout, done.returncode) == (b"", 2)
 
 
 def test_a_signal_ends_a_run_that_talks_to_somebody_who_does_not_read(tmp_path: Path) -> None:

@@ -34,3 +34,9 @@ def test_a_log_that_takes_no_more_is_told_once_and_counts_as_lost(
 
     assert told == ["a", "I can't write /dev/full: No space left on device.", "b"]
     assert written.lost == ["/dev/full"]
+
+
+@pytest.mark.parametrize("files", [{"record": "a"}, {"events": "a"}, {"sound": "a"}])
+def test_a_file_of_this_session_would_be_begun_anew_by_another(files: dict[str, str]) -> None:
+    with ExitStack() as closing:
+        assert Written(Settings(**files), Hub(lambda: 0.0), Words(), closing).of_this_session == "a"
