@@ -6,7 +6,6 @@ what a simulated board was measured to be is not kept, since the settings are th
 
 from __future__ import annotations
 
-import sys
 import threading
 from collections.abc import Callable
 from contextlib import closing
@@ -20,6 +19,7 @@ from devices.serial_robot.config import RobotConfig
 from devices.wire.telemetry import Telemetry
 from donnie_tui.cli import codes
 from donnie_tui.cli.ending import stopped_by_suspension
+from donnie_tui.cli.input import Input
 from donnie_tui.cli.order import Order
 from donnie_tui.core.documents import DocumentError
 from donnie_tui.i18n.words import Unusable
@@ -127,6 +127,7 @@ class _Calibration:
     def __init__(self, order: Order, robot: MeasurableRobot) -> None:
         self._order = order
         self._robot = robot
+        self._input = Input()
         self._config: RobotConfig = robot_config(order.settings)
 
     def talk(self) -> _Sizes:
@@ -154,7 +155,7 @@ class _Calibration:
     def _counted(self, code: str, amount: int, go: Callable[[], Moved | Turned]) -> float:
         """What the wheels counted on the average of both; 0 if that is not to be measured."""
         self._say(code, amount=amount)
-        while line := self._line():
+        while line := self._input.line():
             self._say("calibrate-enter-alone")
         if line is None:
             return 0.0
@@ -179,7 +180,7 @@ class _Calibration:
         """A number above 0 that is near what is expected, or was typed twice; None for nothing."""
         self._say(code)
         doubted = 0.0
-        while line := self._line():
+        while line := self._input.line():
             number = _number(line)
             if number and (number == doubted or expected / FAR < number < expected * FAR):
                 return number
@@ -189,11 +190,6 @@ class _Calibration:
             else:
                 self._say("calibrate-number")
         return None
-
-    def _line(self) -> str | None:
-        """What was typed; None at the end of the input."""
-        line = sys.stdin.readline()
-        return line.strip() if line else None
 
     def _say(self, code: str, **values: object) -> None:
         self._order.output.line(self._order.words(code, **values))

@@ -21,6 +21,7 @@ from devices.sound.own_sounds import load, unknown_names
 from devices.speech.choose import Channel, choose_channel
 from devices.speech.probe import look_around
 from devices.speech.voices import LANGUAGES
+from donnie_tui.cli.front_ends import is_terminal
 from donnie_tui.core.documents import exists
 from donnie_tui.outlets.audible import wants_cues
 from donnie_tui.settings.chosen import Settings, Source
@@ -73,7 +74,7 @@ def amiss(code: str, **values: object) -> Finding:
 def examine(
     settings: Settings, environment: Mapping[str, str], cause_of_linear: str | None
 ) -> Iterator[Finding]:
-    """All looks, one after the other. ``cause_of_linear`` as in ``cli.mode``."""
+    """All looks, one after the other. ``cause_of_linear`` as ``front_ends`` has it."""
     python = ".".join(map(str, sys.version_info[:3]))
     yield well("doctor-version", version=donnie_tui.__version__, python=python)
     yield from look_at_packages()
@@ -120,7 +121,7 @@ def _place_of(room: str) -> Path | None:
 def look_at_terminal(environment: Mapping[str, str], cause_of_linear: str | None) -> Iterator[Finding]:
     columns, rows = shutil.get_terminal_size((0, 0))
     name = environment.get("TERM") or "-"
-    if not (sys.stdin.isatty() and sys.stdout.isatty()):
+    if not (is_terminal(sys.stdin) and is_terminal(sys.stdout)):
         yield well("doctor-no-terminal")
     elif columns < SMALLEST[0] or rows < SMALLEST[1]:
         yield amiss("doctor-terminal-small", name=name, columns=columns, rows=rows)

@@ -86,11 +86,12 @@ class Surroundings:
 
 def surroundings(environment: Mapping[str, str]) -> Surroundings:
     """Those of this process."""
-    stdin, stdout, stderr = map(_is_terminal, (sys.stdin, sys.stdout, sys.stderr))
+    stdin, stdout, stderr = map(is_terminal, (sys.stdin, sys.stdout, sys.stderr))
     return Surroundings(stdin, stdout, environment, stderr)
 
 
-def _is_terminal(stream: object) -> bool:
+def is_terminal(stream: object) -> bool:
+    """Also of none, as in a process that was started without it, and of a closed one."""
     try:
         return bool(stream is not None and stream.isatty())  # type: ignore[attr-defined] # a stream, or closed
     except ValueError:

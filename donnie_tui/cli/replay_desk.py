@@ -6,12 +6,12 @@ file too; on a terminal there is a prompt, and Ctrl+C ends what goes on, or the 
 
 from __future__ import annotations
 
-import sys
 from collections.abc import Callable
 
 from devices.ports.values import frozen
 from donnie_tui.cli import codes
 from donnie_tui.cli.ending import stopped_by_signals
+from donnie_tui.cli.input import Input
 from donnie_tui.cli.output import Output
 from donnie_tui.cli.replay_map import ReplayMap
 from donnie_tui.core import poses
@@ -74,16 +74,16 @@ class ReplayDesk:
 
     def talk(self, output: Output) -> int:
         """Until somebody leaves, or nothing more is typed."""
-        is_asked = sys.stdin is not None and sys.stdin.isatty()
+        typing = Input()
         self._answer("replay-steps", events=len(self._timeline))
         try:
             while not self._leaving and not output.is_broken:
-                if is_asked:
+                if typing.is_terminal:
                     output.text("> ")
-                typed = sys.stdin.readline(LONGEST_LINE) if sys.stdin is not None else ""
-                if not typed:
+                typed = typing.line(LONGEST_LINE)
+                if typed is None:
                     break
-                self._do(typed.strip(), output)
+                self._do(typed, output)
         except KeyboardInterrupt:
             return codes.STOPPED
         return codes.DONE

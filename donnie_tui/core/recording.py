@@ -48,7 +48,7 @@ class Header:
     """As in the option ``--robot``."""
     belt: Mapping[str, object]
     world: Mapping[str, object]
-    """The world and its files, as ``world_bundle`` has them."""
+    """The world and its files, as ``world.bundle`` has them."""
 
     def write(self, out: TextIO) -> None:
         """The first line. Raises ``OSError``."""

@@ -78,7 +78,7 @@ class Settings:
     reset_line: str = "auto"
     """What restarts a board by force."""
     linear: bool | None = None
-    """What the settings file says; the variables and the options are weighed in ``cli.mode``."""
+    """What the settings file says; the variables and the options are weighed in ``cli.front_ends``."""
     theme: str = "dark"
     """The look of the full screen."""
     plain: bool | None = None

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import itertools
 import os
+import sys
 from pathlib import Path
 
 import pytest
@@ -21,6 +22,7 @@ from donnie_tui.cli.examination import (
     look_at_reset,
     look_at_settings,
     look_at_speech,
+    look_at_terminal,
 )
 from donnie_tui.i18n.catalogue import SENTENCES
 from donnie_tui.i18n.words import Words
@@ -52,6 +54,12 @@ def test_every_choice_of_a_channel_has_a_sentence_and_every_problem_a_remedy(
         for finding in look_at_speech(Settings(speech=wish.value), facts.is_linear):
             assert finding.code in SENTENCES
             assert finding.is_well or f"{finding.code}-remedy" in SENTENCES
+
+
+def test_without_standard_input_there_is_no_terminal(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(sys, "stdin", None)
+
+    assert next(look_at_terminal({}, None)).code == "doctor-no-terminal"
 
 
 def test_every_place_of_speak_has_a_sentence() -> None:
