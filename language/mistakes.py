@@ -6,6 +6,7 @@ ended the translated code what the learner did. Nothing here is loaded for a pro
 
 from __future__ import annotations
 
+import re
 from collections.abc import Collection, Mapping
 
 from language.diagnostics import Diagnostic, Kind, LanguageError, ProgramError, Refused
@@ -40,7 +41,7 @@ def undeclared_variable(
     """
     if procedure and name.name in of_program:
         return _undeclared(program, name, Kind.UNDECLARED_VARIABLE, "", {"in_procedure": procedure})
-    meant = _meant(program, name, own, most_compared)
+    meant = _meant(program, name, own, most_compared) or _sensor_meant(program, name)
     return _undeclared(program, name, Kind.UNDECLARED_VARIABLE, meant, {})
 
 
@@ -62,6 +63,18 @@ def _meant(program: Program, name: Name, existing: Collection[str], most_compare
 
     near = nearest(name.name, sorted(existing)[:most_compared])
     return _as_declared(program, near) if near else ""
+
+
+def _sensor_meant(program: Program, name: Name) -> str:
+    """DISTANSIA, written where no direction stands behind it and no value is given to it."""
+    from language.lexer import lex
+    from language.nearby import SENSORS, nearest_keyword
+    from language.origin import language_of
+
+    if re.match(r"\s*=(?!=)", program.source[name.span.end :]):
+        return ""
+    found = nearest_keyword(name.name, SENSORS, language_of(lex(program.source).tokens))
+    return found.text if found and not found.complete else ""
 
 
 def _as_declared(program: Program, name: str) -> str:

@@ -67,6 +67,9 @@ def nearest(word: str, candidates: Iterable[str], preferred: Collection[str] = (
     return answer
 
 
+SENSORS = frozenset(("DISTANCE", "POS", "COLOR"))
+
+
 def nearest_keyword(word: str, terminals: frozenset[str], language: str) -> Near | None:
     """The keyword that was meant, out of those terminals of the grammar."""
     folded = fold_name(word)

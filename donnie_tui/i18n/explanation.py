@@ -38,7 +38,7 @@ def explanation(error: Error, words: Phrasing) -> tuple[str, ...]:
         return words("explain-whole-numbers"), words("mend-whole-numbers")
     what = f"explain-{error.kind}-{error.code}"
     told = words(what if error.code and words.knows(what) else f"explain-{error.kind}")
-    if error.kind == Kind.UNDECLARED_VARIABLE.value and error.topic == "SPEAK":
+    if error.kind == Kind.UNDECLARED_VARIABLE.value and error.topic == "SPEAK" and not error.meant:
         return told, *_advice(error, "", words), words("mend-text-without-quotes")
     topic = _topic(error)
     example = words("help-example", example=helping.example(topic, words)) + "." if topic else ""

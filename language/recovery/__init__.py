@@ -10,5 +10,5 @@ Reads the tokens as the parser does, but goes on behind a mistake. How:
 
 ``finder`` is the way in. ``reading`` is the place in the text that all others look at and move: ``commands``
 where a command may begin, ``ends`` at ENDs and ELSE, ``within`` inside a command, ``arguments`` behind a
-word that takes one. ``going_on`` finds where reading goes on.
+word that takes one, ``sensors`` behind one that was meant to. ``going_on`` finds where reading goes on.
 """

@@ -9,10 +9,11 @@ from language.nearby import Near, nearest_keyword, pair_ending_with
 from language.recovery.arguments import follows_taker, read_bad_argument
 from language.recovery.calls import read_call_without_brackets
 from language.recovery.going_on import can_open, read_as, skip_command
-from language.recovery.kinds import ASSIGN, LPAR, SIGN
+from language.recovery.kinds import ASSIGN, COMPARATOR, LPAR, SIGN
 from language.recovery.pairs import pair_meant, pair_with_misspelt_first
 from language.recovery.reading import Reading
 from language.recovery.reserved import is_assigned_to_keyword, tell_reserved
+from language.recovery.sensors import read_misspelt_sensor
 
 
 def read_unknown_command(reading: Reading) -> None:
@@ -20,7 +21,10 @@ def read_unknown_command(reading: Reading) -> None:
     if follows_taker(reading):
         read_bad_argument(reading)
         return
-    if read_call_without_brackets(reading):
+    if read_misspelt_sensor(reading) or read_call_without_brackets(reading):
+        return
+    if reading.following[0] == COMPARATOR and reading.following[5] == "==":
+        _read_two_equals_signs(reading)
         return
     pair = pair_with_misspelt_first(reading)
     near, width = (pair, 2) if pair else (_command_meant(reading, token[5]), 1)
@@ -28,6 +32,16 @@ def read_unknown_command(reading: Reading) -> None:
     reading.begun = reading.at
     reading.tell(Kind.UNKNOWN_COMMAND, token, code, ("command",), near.text if near else "", width=width)
     read_as(reading, near, width)
+
+
+def _read_two_equals_signs(reading: Reading) -> None:
+    """An assignment written as a comparison: ``x == 3``."""
+    reading.begin()
+    reading.go_on()
+    reading.tell(Kind.SYNTAX, reading.token, "two-equals", ("=",), "=")
+    reading.mark_flaw()
+    reading.automaton.feed(ASSIGN)
+    reading.at += 1
 
 
 def _command_meant(reading: Reading, typed: str) -> Near | None:
@@ -44,6 +58,9 @@ def _command_meant(reading: Reading, typed: str) -> Near | None:
 def read_unknown_pair(reading: Reading) -> None:
     """RIGHT without TURN, GIRAR DIRETA, PARA FRENT."""
     token = reading.token
+    if follows_taker(reading):
+        read_bad_argument(reading)
+        return
     near, width = pair_meant(reading)
     reading.begun = reading.at
     if reading.tokens[reading.at + width][0] == ASSIGN:

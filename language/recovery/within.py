@@ -11,6 +11,7 @@ from language.recovery.going_on import end_of_head, give_up, is_behind_head, rea
 from language.recovery.kinds import ASSIGN, COMPARATOR, HEAD_ENDS
 from language.recovery.reading import Reading
 from language.recovery.reserved import is_assigned_to_keyword, is_reserved_as_name, tell_reserved
+from language.recovery.sensors import read_misspelt_sensor
 
 
 def read_mistake_within(reading: Reading) -> None:
@@ -22,6 +23,8 @@ def read_mistake_within(reading: Reading) -> None:
         if before[0] != DISTANCE:
             read_missing_argument(reading)
             return
+    if read_misspelt_sensor(reading):
+        return
     if is_reserved_as_name(reading):
         tell_reserved(reading, token)
         reading.automaton.feed(NAME)

@@ -55,6 +55,11 @@ SENTENCES: dict[str, Sentence] = {
         "Não dá para fazer conta com um texto.",
         "Con un texto no se puede calcular.",
     ),
+    "mistake-syntax-two-equals": Sentence(
+        "A value is given with one equals sign.",
+        "O valor se dá com um só igual.",
+        "El valor se da con un solo igual.",
+    ),
     "mistake-syntax-single-equals": Sentence(
         "Here two values are compared.", "Aqui dois valores são comparados.", "Aquí se comparan dos valores."
     ),

@@ -30,6 +30,8 @@ def fixed(text: str) -> str:
         ("PROCEDURE P: x DO FW x END PROCEDURE P: 2 FW 1", "PROCEDURE P: x DO FW x END PROCEDURE P [2] FW 1"),
         ("RIGHT 90", "RIGHT TURN 90"),
         ("RIGHT TRUN 90", "RIGHT TURN 90"),
+        ("FALAR DISTANSIA F FALAR COLOR azul", "FALAR DISTÂNCIA F FALAR COLOR azul"),
+        ("VAR x x == 3 FW x", "VAR x x = 3 FW x"),
         ("repita 2 vezes pf 1 fim se", "repita 2 vezes pf 1 FIM REPITA"),
     ],
 )

@@ -103,3 +103,21 @@ def test_a_name_is_told_as_it_was_typed(source: str, name: str, meant: str) -> N
     (hint,) = check(program)
 
     assert (hint.details["name"], hint.meant) == (name, meant)
+
+
+@pytest.mark.parametrize(
+    ("source", "meant"),
+    [
+        ("FALAR DISTANSIA", "DISTÂNCIA"),
+        ("SPEAK COLOUR", "COLOR"),
+        ("colour = 3", ""),
+        ("VAR color1 SPEAK colr1", "color1"),
+    ],
+)
+def test_a_name_without_a_variable_may_be_a_misspelt_sensor_where_its_value_is_asked_for(
+    source: str, meant: str
+) -> None:
+    program = parse(source).program
+
+    assert program is not None
+    assert [each.meant for each in check(program)] == [meant]

@@ -76,7 +76,7 @@ def the_mistake(source: str) -> Diagnostic:
         ("FORWRAD 5", "unknown-command", 1, 1),
         ("SPEAK hello world", "unknown-command", 1, 13),
         ("SPEAK hello big wide world", "unknown-command", 1, 13),
-        ("a == 5", "unknown-command", 1, 1),
+        ("a == 5", "syntax", 1, 3),
         ("P (1, 2)", "unknown-command", 1, 1),
         ("RIGHT 90", "unknown-command", 1, 1),
         ("LOOP 3 TIMES FW 1 END LOOP", "unknown-command", 1, 1),
