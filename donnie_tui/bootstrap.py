@@ -14,7 +14,7 @@ from devices.ports.robot import Pace, Watcher
 from devices.ports.values import frozen
 from donnie_tui.core.belt_telling import BeltTelling
 from donnie_tui.core.chronicle import Chronicle
-from donnie_tui.core.events import Announced
+from donnie_tui.core.events import Announced, Answered
 from donnie_tui.core.hub import Stream
 from donnie_tui.core.in_use import FilesInUse
 from donnie_tui.core.outlets import UntilSaid
@@ -82,6 +82,15 @@ class Donnie:
     def session(self) -> Session:
         """The session of the robot that is talked to."""
         return self.team.chosen
+
+    def tell(self, *sentences: str) -> None:
+        """Answer the learner: each is printed, said, and can be told again."""
+        for sentence in sentences:
+            self.session.hub.publish(Answered(sentence))
+
+    def say(self, code: str, **values: object) -> None:
+        """Answer with a sentence of the catalogue."""
+        self.tell(self.words(code, **values))
 
     def picture(self) -> Picture:
         """The world at its start, for the robot that is talked to. Events tell where everything is."""

@@ -9,7 +9,7 @@ import asyncio
 from collections.abc import Callable, Sequence
 from typing import TYPE_CHECKING, TypeVar
 
-from donnie_tui.core.events import Answered, Pointed
+from donnie_tui.core.events import Pointed
 from donnie_tui.core.transcript import said_by
 from donnie_tui.tui import patience
 from donnie_tui.tui.running import Answer
@@ -42,8 +42,7 @@ class Talk:
 
     def tell_sentences(self, *sentences: str) -> None:
         """Answers that are sentences already."""
-        for sentence in sentences:
-            self._donnie.session.hub.publish(Answered(sentence))
+        self._donnie.tell(*sentences)
 
     def point(self, words: str) -> None:
         """Say what somebody looks at on the map or in a list; any key ends it, and it stands in no log."""

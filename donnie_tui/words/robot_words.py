@@ -8,7 +8,6 @@ from pathlib import Path
 
 from donnie_tui.bootstrap import Donnie
 from donnie_tui.core.documents import DocumentError, exists
-from donnie_tui.core.events import Answered
 from donnie_tui.core.session import Busy
 from donnie_tui.core.typed_words import switched
 from donnie_tui.robot.choice import Choice
@@ -36,12 +35,11 @@ def feel(donnie: Donnie, typed: str) -> None:
     telling, is_on = donnie.outlets.belt, switched(typed)
     if is_on is not None:
         telling.is_on = is_on
-        _say(donnie, "belt-words-on" if is_on else "belt-words-off")
+        donnie.say("belt-words-on" if is_on else "belt-words-off")
     elif fold_name(typed) in _ROWS:
-        for sentence in telling.rows():
-            _answer(donnie, sentence)
+        donnie.tell(*telling.rows())
     else:
-        _answer(donnie, telling.now())
+        donnie.tell(telling.now())
 
 
 def choices_in_words(donnie: Donnie) -> tuple[tuple[str, bool], ...]:
@@ -70,51 +68,41 @@ def _choice_in_words(donnie: Donnie, number: int, choice: Choice) -> str:
 
 
 def _tell_choices(donnie: Donnie) -> None:
-    for sentence, _is_now in choices_in_words(donnie):
-        _answer(donnie, sentence)
-    _say(donnie, "connect-how")
+    donnie.tell(*(sentence for sentence, _is_now in choices_in_words(donnie)))
+    donnie.say("connect-how")
 
 
 def _choose(donnie: Donnie, number: int, show: Callable[[], object]) -> None:
     choices = donnie.connection.choices()
     if not 1 <= number <= len(choices):
-        _say(donnie, "connect-unknown", number=number)
+        donnie.say("connect-unknown", number=number)
         return
     robot = choices[number - 1].robot
     if robot != SIMULATED:
         donnie.connection.search.expect()
         donnie.connection.search.on_slow = lambda: _tell_slow(donnie, show)
-        _say(donnie, "connect-trying")
+        donnie.say("connect-trying")
         show()
     try:
         missing = donnie.connection.connect(robot)
     except Busy:
-        _say(donnie, "connect-busy")
+        donnie.say("connect-busy")
         return
-    for sentence in missing:
-        _answer(donnie, sentence)
+    donnie.tell(*missing)
     if not missing:
         _connected(donnie)
 
 
 def _tell_slow(donnie: Donnie, show: Callable[[], object]) -> None:
-    _say(donnie, "connect-waiting")
+    donnie.say("connect-waiting")
     show()
 
 
 def _connected(donnie: Donnie) -> None:
     """That a real one is there, its link has told."""
     if donnie.connection.robot == SIMULATED:
-        _say(donnie, "connect-simulator")
+        donnie.say("connect-simulator")
     try:
         remember("robot", donnie.connection.robot, os.environ)
     except DocumentError as problem:
-        _say(donnie, problem.code, path=problem.path, reason=problem.reason)
-
-
-def _say(donnie: Donnie, code: str, **values: object) -> None:
-    _answer(donnie, donnie.words(code, **values))
-
-
-def _answer(donnie: Donnie, sentence: str) -> None:
-    donnie.session.hub.publish(Answered(sentence))
+        donnie.say(problem.code, path=problem.path, reason=problem.reason)

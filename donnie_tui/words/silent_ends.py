@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterable
 
 from donnie_tui.bootstrap import Donnie
-from donnie_tui.core.events import Answered, Outcome, RunEnded, Stamped
+from donnie_tui.core.events import Outcome, RunEnded, Stamped
 from donnie_tui.core.transcript import said_by, told_lines
 
 
@@ -36,6 +36,6 @@ class SilentEnds:
         self._running.discard(robot)
         if robot in self._silent and outcome is Outcome.COMPLETED:
             words = self._donnie.words
-            self._donnie.session.hub.publish(Answered(said_by(robot, words("linear-done"), words)))
+            self._donnie.tell(said_by(robot, words("linear-done"), words))
         if not self._running:
             self._leave()

@@ -129,12 +129,12 @@ def play_cues(donnie: Donnie, typed: str) -> Iterator[float]:
 def _played(donnie: Donnie, typed: str) -> Iterator[float]:
     name = find_cue(typed)
     if typed and name is None:
-        _say(donnie, "cues-unknown", name=typed[:40])
+        donnie.say("cues-unknown", name=typed[:40])
         return
     if not donnie.outlets.audible.has_cues:
-        _say(donnie, donnie.outlets.audible.why_no_cues)
+        donnie.say(donnie.outlets.audible.why_no_cues)
     elif name is None:
-        _say(donnie, "cues-count", count=len(CUE_WORDS))
+        donnie.say("cues-count", count=len(CUE_WORDS))
         yield from _until_said(donnie)
     for each in CUE_WORDS if name is None else (name,):
         yield from _play_cue(donnie, each)
@@ -171,7 +171,7 @@ def _play_cue(donnie: Donnie, name: str) -> Iterator[float]:
     """First the sound, then the sentence (a cue never waits for it)."""
     if donnie.outlets.audible.has_cues:
         chime(donnie, name)
-    _say(donnie, "cues-line", name=CUE_WORDS[name][_at(donnie)], meaning=donnie.words(f"cue-{name}"))
+    donnie.say("cues-line", name=CUE_WORDS[name][_at(donnie)], meaning=donnie.words(f"cue-{name}"))
     if donnie.outlets.audible.has_cues:
         yield from _until_said(donnie)
 
@@ -225,8 +225,8 @@ def set_sound(donnie: Donnie, field: str, typed: str, *, keeps: bool = True) -> 
 
 def tell_what_is_missing(donnie: Donnie, field: str) -> None:
     """Why what was just chosen is not heard, where it is not."""
-    for sentence in donnie.outlets.audible.notices if field in ("speech", "speak", "sound") else ():
-        donnie.session.hub.publish(Answered(sentence))
+    if field in ("speech", "speak", "sound"):
+        donnie.tell(*donnie.outlets.audible.notices)
 
 
 def read_setting(field: str, typed: str) -> str | int | bool | None:
@@ -250,16 +250,16 @@ def _tell_setting(donnie: Donnie, field: str) -> None:
     at, value = _at(donnie), getattr(donnie.outlets.audible.settings, field)
     words = SETTINGS[field][1].get(value)
     spelled = words[at] if words else str(value)
-    _say(donnie, "sound-setting", name=SETTINGS[field][0][at], value=spelled)
+    donnie.say("sound-setting", name=SETTINGS[field][0][at], value=spelled)
 
 
 def _tell_choices(donnie: Donnie, field: str) -> None:
     if field in _NUMBERS:
         least, most = _NUMBERS[field]
-        _say(donnie, "habit-numbers", least=least, most=most)
+        donnie.say("habit-numbers", least=least, most=most)
     else:
         choices = ", ".join(each[_at(donnie)] for each in SETTINGS[field][1].values())
-        _say(donnie, "habit-choices", choices=choices)
+        donnie.say("habit-choices", choices=choices)
 
 
 def _set_cue(donnie: Donnie, typed: str, *, keeps: bool) -> None:
@@ -267,7 +267,7 @@ def _set_cue(donnie: Donnie, typed: str, *, keeps: bool) -> None:
     word, _, value = typed.partition(" ")
     name = find_cue(word)
     if word and name is None:
-        _say(donnie, "cues-unknown", name=word[:40])
+        donnie.say("cues-unknown", name=word[:40])
         return
     volume = read_cue_volume(value) if name and value else None
     if name and volume is not None:
@@ -296,19 +296,15 @@ def read_cue_volume(typed: str) -> int | None:
 def _tell_cue(donnie: Donnie, name: str) -> None:
     at, percent = _at(donnie), donnie.outlets.audible.settings.cues.get(name, _LOUD)
     value = str(percent) if percent else SWITCH[False][at]
-    _say(donnie, "sound-setting-cue", name=CUE[at], cue=CUE_WORDS[name][at], value=value)
+    donnie.say("sound-setting-cue", name=CUE[at], cue=CUE_WORDS[name][at], value=value)
 
 
 def _keep(donnie: Donnie, key: str, value: str | int) -> None:
     try:
         remember(key, value, os.environ)
     except DocumentError as problem:
-        _say(donnie, problem.code, path=problem.path, reason=problem.reason)
+        donnie.say(problem.code, path=problem.path, reason=problem.reason)
 
 
 def _at(donnie: Donnie) -> int:
     return LANGUAGES.index(donnie.words.language)
-
-
-def _say(donnie: Donnie, code: str, **values: object) -> None:
-    donnie.session.hub.publish(Answered(donnie.words(code, **values)))

@@ -7,7 +7,6 @@ from __future__ import annotations
 
 from donnie_tui.bootstrap import Donnie
 from donnie_tui.core import poses
-from donnie_tui.core.events import Answered
 from donnie_tui.core.handling import Deed
 from donnie_tui.core.naming import no_such_robot
 from donnie_tui.core.runner import Run
@@ -23,8 +22,7 @@ LONGEST_READING = 2.0
 
 def tell_robots(donnie: Donnie) -> None:
     """Who is there and where."""
-    for line in robots_in_words(donnie):
-        donnie.session.hub.publish(Answered(line))
+    donnie.tell(*robots_in_words(donnie))
 
 
 def robots_in_words(donnie: Donnie) -> tuple[str, ...]:
@@ -44,10 +42,10 @@ def choose_robot(donnie: Donnie, typed: str) -> bool:
     name = team.called(typed)
     if name is None:
         sentence = no_such_robot(typed, team.names, MOST_ROBOTS, donnie.words)
-        donnie.session.hub.publish(Answered(sentence))
+        donnie.tell(sentence)
         return False
     team.choose(name)
-    _say(donnie, "robot-chosen", name=name)
+    donnie.say("robot-chosen", name=name)
     return True
 
 
@@ -60,12 +58,12 @@ def start(donnie: Donnie, text: str, name: str) -> Run | None:
 
     def tell(run: Run) -> None:
         if not run.was_refused:
-            _say(donnie, "robot-started", name=session.name)
+            donnie.say("robot-started", name=session.name)
 
     try:
         run = session.start(text, name, fresh=True, hooked=False, terminal=False, when_read=tell)
     except Busy:
-        _say(donnie, "robot-busy", name=session.name)
+        donnie.say("robot-busy", name=session.name)
         return None
     run.wait_until_read(LONGEST_READING)
     return run
@@ -78,9 +76,9 @@ def start_together(donnie: Donnie) -> tuple[tuple[str, Run], ...]:
     programs = {name: each for name, each in team.given.items() if each.text.strip()}
     busy = [session.name for session in team.running if session.name in programs]
     if not programs:
-        _say(donnie, "robot-no-programs")
+        donnie.say("robot-no-programs")
     elif busy:
-        _say(donnie, "robot-busy", name=busy[0])
+        donnie.say("robot-busy", name=busy[0])
     else:
         names = tuple(name for name in team.names if name in programs)
         return tuple(zip(names, team.start_together(programs, terminal=False), strict=True))
@@ -89,7 +87,7 @@ def start_together(donnie: Donnie) -> tuple[tuple[str, Run], ...]:
 
 def stop_all(donnie: Donnie) -> None:
     """All robots, whoever is talked to."""
-    _say(donnie, stopped_all(donnie))
+    donnie.say(stopped_all(donnie))
 
 
 def stopped_all(donnie: Donnie) -> str:
@@ -105,7 +103,7 @@ def use_gripper(donnie: Donnie, deed: Deed) -> Run | None:
     try:
         return donnie.session.use_gripper(deed)
     except Busy:
-        _say(donnie, "robot-busy", name=donnie.session.name)
+        donnie.say("robot-busy", name=donnie.session.name)
         return None
 
 
@@ -119,7 +117,3 @@ def robot_in_words(donnie: Donnie, session: Session) -> str:
         y=poses.whole(pose.y),
         facing=facing(pose, donnie.words),
     )
-
-
-def _say(donnie: Donnie, code: str, **values: object) -> None:
-    donnie.session.hub.publish(Answered(donnie.words(code, **values)))

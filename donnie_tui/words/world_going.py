@@ -8,7 +8,7 @@ from __future__ import annotations
 
 from devices.ports.values import replace
 from donnie_tui.bootstrap import Donnie
-from donnie_tui.core.events import Answered, SoundSwitched
+from donnie_tui.core.events import SoundSwitched
 from donnie_tui.core.harmless import printable
 from donnie_tui.core.patience import LAST_WORDS
 from donnie_tui.core.world_words import arrived, world_meant
@@ -22,7 +22,7 @@ def may_leave_world(donnie: Donnie) -> bool:
     """Whoever records this one stays in it: what was recorded would be lost. That is told."""
     kept = donnie.outlets.written.of_this_session
     if kept is not None:
-        _say(donnie, "world-kept", path=kept)
+        donnie.say("world-kept", path=kept)
     return kept is None
 
 
@@ -32,16 +32,16 @@ def world_to_go_to(donnie: Donnie, typed: str) -> str | None:
         return None
     name = world_meant(typed) or typed
     if name == donnie.world.name and donnie.world.ships:
-        _say(donnie, "world-here-already", name=name)
+        donnie.say("world-here-already", name=name)
         return None
     try:
         folders = donnie.outlets.audible.settings.world_folders
         world = choose_world(name, donnie.words, folders, unknown="world-unknown-here")
     except Unusable as unusable:
-        donnie.session.hub.publish(Answered(printable(unusable.sentence)))
+        donnie.tell(printable(unusable.sentence))
         return None
     if not world.scene.robots:
-        _say(donnie, "world-without-robot", name=world.name)
+        donnie.say("world-without-robot", name=world.name)
         return None
     return name
 
@@ -54,8 +54,8 @@ def stop_before_going(donnie: Donnie, name: str) -> None:
         if session.run is not None:
             session.run.wait(LAST_WORDS)
     if running:
-        _say(donnie, code)
-    _say(donnie, "world-going", name=name)
+        donnie.say(code)
+    donnie.say("world-going", name=name)
 
 
 def settings_there(donnie: Donnie, settings: Settings, name: str) -> Settings:
@@ -79,9 +79,4 @@ def tell_arrival(donnie: Donnie, *, is_silent: bool) -> None:
     world, words = donnie.world, donnie.words
     if is_silent:
         donnie.session.hub.publish(SoundSwitched(False))
-    for sentence in arrived(world.name, world.about(words.language), donnie.picture(), words):
-        donnie.session.hub.publish(Answered(sentence))
-
-
-def _say(donnie: Donnie, code: str, **values: object) -> None:
-    donnie.session.hub.publish(Answered(donnie.words(code, **values)))
+    donnie.tell(*arrived(world.name, world.about(words.language), donnie.picture(), words))
