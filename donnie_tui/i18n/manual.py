@@ -2,8 +2,13 @@
 
 from __future__ import annotations
 
+from textwrap import wrap
+
 from donnie_tui.core.wording import Wording
 from donnie_tui.i18n.catalogue.manual import CHAPTERS
+
+BRAILLE = 40
+"""Cells of a braille display."""
 
 
 def manual(words: Wording) -> tuple[str, ...]:
@@ -14,3 +19,12 @@ def manual(words: Wording) -> tuple[str, ...]:
         lines.extend(words(f"manual-{chapter}-text").split("\n"))
         lines.append("")
     return (*lines, words("manual-commands").upper(), *words.help(None))
+
+
+def chapter_lines(words: Wording, chapter: str) -> tuple[str, ...]:
+    """One chapter as it is told: a sentence or a line of its program each, at detail brief broken."""
+    lines = words(f"manual-{chapter}-text").replace(". ", ".\n").split("\n")
+    told = (line.strip() for line in lines if line)
+    if words.detail != "brief":
+        return tuple(told)
+    return tuple(part for line in told for part in wrap(line, BRAILLE))

@@ -119,8 +119,9 @@ def _manual(desk: Desk, _: Runs, rest: str) -> bool:
         for number, chapter in enumerate(CHAPTERS, 1):
             desk.answer("linear-listed", line=number, text=desk.say(f"manual-{chapter}"))
     elif rest.isdecimal() and len(rest) < 3 and 1 <= int(rest) <= len(CHAPTERS):
-        text = desk.say(f"manual-{CHAPTERS[int(rest) - 1]}-text")
-        desk.tell(*filter(None, text.split("\n")))
+        from donnie_tui.i18n.manual import chapter_lines
+
+        desk.tell(*chapter_lines(desk.say, CHAPTERS[int(rest) - 1]))
     else:
         desk.tell(*desk.say.help(rest))
     return True

@@ -80,21 +80,21 @@ SENTENCES = {
     ),
     "manual-repeat": Sentence("Repeating", "Repetir", "Repetir"),
     "manual-repeat-text": Sentence(
-        "REPEAT does its commands so many times, WHILE as long as a comparison is true.\n"
+        "REPEAT does its commands so many times. WHILE does them as long as a comparison is true.\n"
         "FOR counts with a variable.\n"
         "REPEAT 4 TIMES\n  FW 2 TR 90\nEND REPEAT\n"
         "WHILE DISTANCE F > 1 DO\n  FW 1\nEND WHILE\n"
-        "FOR VAR i = 1; i <= 3; i = i + 1 DO\n  SPEAK i\nEND FOR",
-        "REPITA faz seus comandos tantas vezes, ENQUANTO enquanto uma comparação é verdadeira.\n"
+        "FOR VAR i = 1; i < 4; i = i + 1 DO\n  SPEAK i\nEND FOR",
+        "REPITA faz seus comandos tantas vezes. ENQUANTO os faz enquanto uma comparação é verdadeira.\n"
         "PARA conta com uma variável.\n"
         "REPITA 4 VEZES\n  PF 2 GD 90\nFIM REPITA\n"
         "ENQUANTO DISTÂNCIA F > 1 FAÇA\n  PF 1\nFIM ENQUANTO\n"
-        "PARA CRIAR i = 1; i <= 3; i = i + 1 FAÇA\n  FALAR i\nFIM PARA",
-        "REPETIR hace sus comandos tantas veces, MIENTRAS mientras una comparación es verdadera.\n"
+        "PARA CRIAR i = 1; i < 4; i = i + 1 FAÇA\n  FALAR i\nFIM PARA",
+        "REPETIR hace sus comandos tantas veces. MIENTRAS los hace mientras una comparación es verdadera.\n"
         "PARA cuenta con una variable.\n"
         "REPETIR 4 VECES\n  AV 2 GD 90\nFIN REPETIR\n"
         "MIENTRAS DISTANCIA F > 1 HACER\n  AV 1\nFIN MIENTRAS\n"
-        "PARA CREAR i = 1; i <= 3; i = i + 1 HACER\n  HABLAR i\nFIN PARA",
+        "PARA CREAR i = 1; i < 4; i = i + 1 HACER\n  HABLAR i\nFIN PARA",
     ),
     "manual-procedures": Sentence("Procedures", "Procedimentos", "Procedimientos"),
     "manual-procedures-text": Sentence(
