@@ -7,6 +7,11 @@ SENTENCES: dict[str, Sentence] = {
         "{count} commands. {help} and a word tells more.",
         "{count} comandos. {help} e uma palavra diz mais.",
         "{count} comandos. {help} y una palabra dice más.",
+        brief=(
+            "{count} commands. {help} and a word.",
+            "{count} comandos. {help} e uma palavra.",
+            "{count} comandos. {help} y una palabra.",
+        ),
     ),
     "help-purpose": Sentence("{word}: {purpose}", "{word}: {purpose}", "{word}: {purpose}"),
     "help-form": Sentence("Form: {form}", "Forma: {form}", "Forma: {form}"),

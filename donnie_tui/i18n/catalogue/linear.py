@@ -126,6 +126,7 @@ _PROGRAM = {
         "I did not understand. Type {example}.",
         "Não entendi. Digite {example}.",
         "No entendí. Escribe {example}.",
+        brief=("Type {example}.", "Digite {example}.", "Escribe {example}."),
     ),
 }
 
