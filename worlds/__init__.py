@@ -41,6 +41,8 @@ class Difficulty(Enum):
     """Sensors and loops."""
     HARD = "hard"
     """A program that decides for itself."""
+    UNTOLD = ""
+    """The author of a world says nothing of it."""
 
 
 @frozen
@@ -115,7 +117,7 @@ def words_beside(world: Path, language: str) -> About | None:
     for key in ("title", "description", "task"):
         if not isinstance(told[written[0]], dict) or not isinstance(told[written[0]].get(key), str):
             raise BadWords(file, f"{written[0]}.{key}")
-    if told.get("difficulty") not in [each.value for each in Difficulty]:
+    if told.get("difficulty", "") not in [each.value for each in Difficulty]:
         raise BadWords(file, "difficulty")
     return _about(told, written[0])
 
@@ -135,4 +137,6 @@ def _read(file: Path) -> dict[str, Any]:
 
 def _about(told: dict[str, Any], language: str) -> About:
     words = told[language]
-    return About(words["title"], words["description"].strip(), words["task"], Difficulty(told["difficulty"]))
+    return About(
+        words["title"], words["description"].strip(), words["task"], Difficulty(told.get("difficulty", ""))
+    )

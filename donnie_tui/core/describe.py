@@ -65,6 +65,8 @@ def _overview(picture: Picture, pose: Pose, about: About | None, wording: Wordin
     """The author's words know what is a room and what a passage; without them there are size and walls."""
     if about is None:
         return (_size(picture, wording), *walls_in_words(picture, pose, wording))
+    if not about.difficulty.value:
+        return about.sentences
     level = wording(f"difficulty-{about.difficulty.value}")
     return (wording("world-difficulty", difficulty=level), *about.sentences)
 

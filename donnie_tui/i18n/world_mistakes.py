@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING
 from donnie_tui.i18n.catalogue.signs import CODE_OF
 from donnie_tui.i18n.mistakes import either
 from donnie_tui.i18n.phrasing import Phrasing
+from language import keywords
 
 if TYPE_CHECKING:
     from sim.scene import Note
@@ -30,11 +31,20 @@ def world_mistake(error: WorldError, words: Phrasing) -> str:
 
 def world_note(note: Note, words: Phrasing) -> str:
     """One remark of a load report, with its place where it has one."""
-    near = "-near" if note.details.get("nearest") and words.knows(f"note-{note.code}-near") else ""
-    remark = words(f"note-{note.code}{near}", **note.details)
+    details = dict(note.details)
+    if note.code == "unknown-colour":
+        details["nearest"] = _colour_in_english(str(details.get("name", ""))) or details.get("nearest", "")
+    near = "-near" if details.get("nearest") and words.knows(f"note-{note.code}-near") else ""
+    remark = words(f"note-{note.code}{near}", **details)
     if not note.line:
         return remark
     return words("note-at", line=note.line, file=PurePath(note.file).name, remark=remark)
+
+
+def _colour_in_english(name: str) -> str:
+    """World files are Stage's: of a colour in a learner's language the word that it takes."""
+    colour = keywords.argument("COLOUR", name)
+    return str(colour.value) if colour else ""
 
 
 def _message(error: WorldError, words: Phrasing) -> str:

@@ -108,6 +108,8 @@ def _looks_like_a_file(name: str) -> bool:
 def _unknown_world(name: str, words: Words, code: str) -> str:
     import difflib
 
+    if exists(Path(f"{name}.world")):
+        return words("world-unknown-near", name=name, near=f"{name}.world")
     near = difflib.get_close_matches(name.lower().replace(" ", "_"), worlds.names(), n=1)
     if near:
         return words("world-unknown-near", name=name, near=near[0])

@@ -41,6 +41,7 @@ def _bad_words(world: ChosenWorld, words: Phrasing) -> tuple[str, ...]:
         worlds.words_beside(world.path, words.language)
     except worlds.BadWords as problem:
         code = "key" if problem.key else "line" if problem.line else "file"
+        code = "difficulty" if problem.key == "difficulty" else code
         values = {"file": problem.file.name, "key": problem.key, "line": problem.line}
         return (words(f"world-words-{code}", **values),)
     return ()

@@ -43,6 +43,14 @@ def worlds_in(folder: Path) -> str:
     return min((str(file) for file in _files(folder) if file.suffix == ".world"), default="")
 
 
+def near_world(path: Path) -> str:
+    """The world file in the same folder that is called most like it."""
+    by_name = {
+        file.name: str(path.with_name(file.name)) for file in _files(path.parent) if file.suffix == ".world"
+    }
+    return by_name.get(near_name(path.name, by_name.keys()), "")
+
+
 def _includes(folders: Iterable[Path]) -> Iterator[Path]:
     for folder in dict.fromkeys(folders):
         yield from sorted(file for file in _files(folder) if file.suffix == ".inc")

@@ -9,7 +9,7 @@ from devices.ports.values import frozen
 from sim.scene import Note, NoteKind
 from sim.worldfile import tree
 from sim.worldfile.mistakes import Code, WorldError
-from sim.worldfile.nearby import near_file, worlds_in
+from sim.worldfile.nearby import near_file, near_world, worlds_in
 from sim.worldfile.parser import parse
 
 LARGEST_FILE = 8_000_000
@@ -109,7 +109,7 @@ class FileReader:
 def _no_world(path: Path) -> WorldError:
     if _is(path, Path.is_dir):
         return WorldError(Code.IS_FOLDER, str(path), path=str(path), nearest=worlds_in(path))
-    return WorldError(Code.FILE_NOT_FOUND, str(path), path=str(path))
+    return WorldError(Code.FILE_NOT_FOUND, str(path), path=str(path), nearest=near_world(path))
 
 
 def _is_file(path: Path) -> bool:

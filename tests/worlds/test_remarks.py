@@ -124,7 +124,7 @@ def test_a_file_beside_a_world_of_ones_own_gives_its_words(tmp_path: Path, langu
     [
         (WORDS.replace('task = "Walk', "task = 3 # "), "In my.toml en.task is missing or wrong"),
         (WORDS.replace("title =", "titel ="), "In my.toml en.title is missing or wrong"),
-        (WORDS.replace("easy", "simple"), "In my.toml difficulty is missing or wrong"),
+        (WORDS.replace("easy", "simple"), "In my.toml difficulty takes easy, medium or hard"),
         ("", "In my.toml en is missing or wrong"),
         ('en = "The gym"', "In my.toml en.title is missing or wrong"),
         (WORDS.replace('gym"', "gym"), "I can't read line 3 of my.toml"),
@@ -141,6 +141,16 @@ def test_words_that_can_not_be_read_are_told_and_the_world_is_there(
 
     assert remarks_on(tmp_path, ANA) == (f"{remark}, so the world has no words.",)
     assert choose_world(str(tmp_path / "my.world"), Words()).about("en") is None
+
+
+def test_words_in_one_language_that_tell_no_difficulty_are_words(tmp_path: Path) -> None:
+    (tmp_path / "my.toml").write_text(
+        '[pt]\ntitle = "A sala"\ndescription = "Há uma caixa."\ntask = "Ache."\n'
+    )
+
+    assert remarks_on(tmp_path, ANA) == ()
+    told = command.donnie(tmp_path, "world", "my.world", "--lang", "pt").stdout.decode().splitlines()
+    assert told[:2] == ["my.world: A sala.", "Há uma caixa."]
 
 
 def test_the_copy_of_a_world_that_ships_keeps_its_words(tmp_path: Path) -> None:

@@ -5,6 +5,7 @@ from pathlib import Path
 import pytest
 
 from donnie_tui.i18n.words import Unusable, Words
+from donnie_tui.i18n.world_mistakes import world_note
 from donnie_tui.world.choice import choose_world
 
 DONNIE = 'include "donnie.inc"\ndonnie( )\n'
@@ -45,3 +46,22 @@ def test_a_folder_is_no_world_but_may_have_one(tmp_path: Path) -> None:
     (tmp_path / "a.world").write_text(DONNIE)
 
     assert told(tmp_path) == f"{tmp_path} is a folder and no world file. Did you mean {tmp_path / 'a.world'}?"
+
+
+def test_a_name_that_is_almost_a_file_is_told_with_the_file(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    (tmp_path / "sala.world").write_text(DONNIE)
+    monkeypatch.chdir(tmp_path)
+
+    assert told(Path("sala")) == "There is no world sala. Did you mean sala.world?"
+    assert told(Path("salla.world")) == "There is no file salla.world. Did you mean sala.world?"
+    assert told(tmp_path / "Sala.wrld").endswith(f"Did you mean {tmp_path / 'sala.world'}?")
+
+
+def test_a_colour_in_another_language_is_told_with_the_word_that_a_world_file_takes(tmp_path: Path) -> None:
+    world = tmp_path / "my.world"
+    world.write_text(DONNIE + 'include "things.inc"\nbox( pose [ 1 1 0 0 ] color "amarelo" )\n')
+    notes = choose_world(str(world), Words()).scene.report.notes
+
+    assert any("Did you mean yellow?" in world_note(each, Words()) for each in notes)

@@ -111,6 +111,11 @@ SENTENCES: dict[str, Sentence] = {
         "Não entendo a linha {line} de {file}; o mundo fica sem palavras.",
         "No entiendo la línea {line} de {file}; el mundo queda sin palabras.",
     ),
+    "world-words-difficulty": Sentence(
+        "In {file} difficulty takes easy, medium or hard, so the world has no words.",
+        "Em {file} difficulty aceita easy, medium ou hard; o mundo fica sem palavras.",
+        "En {file} difficulty acepta easy, medium o hard; el mundo queda sin palabras.",
+    ),
     "world-words-key": Sentence(
         "In {file} {key} is missing or wrong, so the world has no words.",
         "Em {file} falta {key} ou está errado; o mundo fica sem palavras.",
