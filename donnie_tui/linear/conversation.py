@@ -179,6 +179,7 @@ class Conversation:
 
     def _talk(self, file: Path | None, text: str | None, offers_to_remember: bool) -> int:
         desk = self._desk
+        desk.donnie.outlets.audible.say_printed(*self._greeting.lines)
         is_shown = self._greeting.take_prompt()
         if text is not None:
             self._take_over(text, file)

@@ -40,6 +40,8 @@ class Greeting:
 
     def __init__(self) -> None:
         self.was_printed = False
+        self.lines: tuple[str, ...] = ()
+        """What was printed, but for the prompt."""
         self.has_prompt = False
         self.offered: set[bool] = set()
         """The modes that somebody was asked about whether to begin in them; nobody is asked twice."""
@@ -71,8 +73,9 @@ class Greeting:
             self.terminal = _taken_terminal()
         at = LANGUAGES.index(language)
         hint = self._hint(environment, tour=tour)[at]
-        lines = CAUSES[cause][at] + "\n" + ("" if prompt is None else hint + "\n")
-        _print(lines + (prompt if prompt and self.has_prompt else ""))
+        self.lines = (CAUSES[cause][at],) if prompt is None else (CAUSES[cause][at], hint)
+        text = "".join(f"{line}\n" for line in self.lines)
+        _print(text + (prompt if prompt and self.has_prompt else ""))
 
     def _hint(self, environment: os._Environ[str] | dict[str, str], *, tour: bool) -> tuple[str, ...]:
         """What is most worth knowing before the first prompt, where no more than two lines may stand."""

@@ -10,6 +10,11 @@ from __future__ import annotations
 from donnie_tui.core.typed_program import TypedProgram
 from donnie_tui.linear.desk import Desk
 
+_GLANCE = 0.05
+_GOODBYE = 40
+_LONGEST_SPEECH = 2400
+"""Glances: two seconds; and two minutes, as ``donnie run`` gives the voice behind its end."""
+
 _INTERRUPTED = 130
 """The exit code that shells give for Ctrl+C."""
 
@@ -99,3 +104,14 @@ class Leaving:
         self._desk.showing.show_told()
         if self._desk.leaving == 0 and not self._keeps_copies:
             self._desk.programs.leave_copies(of_all=self._desk.is_attended)
+        if self._desk.leaving == 0 and self._desk.donnie.outlets.audible.speaks:
+            self._let_speak()
+
+    def _let_speak(self) -> None:
+        """All is done: the voice gets its time, where somebody types a moment, until a key or a signal."""
+        from donnie_tui.linear.sounding import is_disturbed
+
+        desk = self._desk
+        for _ in range(_GOODBYE if desk.is_attended else _LONGEST_SPEECH):
+            if desk.donnie.outlets.audible.is_quiet_within(0) or is_disturbed(desk, _GLANCE):
+                return

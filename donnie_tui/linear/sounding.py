@@ -21,11 +21,11 @@ def _quiet(desk: Desk) -> None:
 def _cues(desk: Desk, _: Runs, rest: str) -> None:
     for seconds in sound_words.play_cues(desk.donnie, rest):
         desk.showing.show_told()
-        if _is_disturbed(desk, seconds):
+        if is_disturbed(desk, seconds):
             break
 
 
-def _is_disturbed(desk: Desk, seconds: float) -> bool:
+def is_disturbed(desk: Desk, seconds: float) -> bool:
     """Wait so long. Whether somebody wants something else before."""
     console = desk.console
     until = console.now() + seconds

@@ -168,6 +168,12 @@ class Audible:
         if self._made.cue_player is not None:
             self._made.cue_player.silence()
 
+    def say_printed(self, *lines: str) -> None:
+        """Say what stood printed before there was a voice, such as the greeting."""
+        for each in self._made.speakers[:1] if self.speaks and self._is_on else ():
+            for line in lines:
+                each.say(Utterance(line, Urgency.ANSWER, self._words.language))
+
     def echo(self, text: str) -> None:
         """Say what was typed."""
         for each in self._made.speakers[:1]:

@@ -58,6 +58,8 @@ class Beginning:
         """What kept the work from being loaded."""
         self._was_slow = False
         """Whether it was told that the world takes a while: then it is told when it is there."""
+        self._greeting: tuple[str, ...] = ()
+        """What was shown before there was a voice."""
 
     @property
     def holds_keys(self) -> bool:
@@ -80,7 +82,8 @@ class Beginning:
             return
         keys = {name: key_table.label(name) or word for name, word in (("run", "RUN"), ("help", "HELP"))}
         about_keys = first_screen.START_KEYS[language].format(**keys)
-        place.log_lines(((first_screen.START[language], ""), (about_keys, "")))
+        self._greeting = (first_screen.START[language], about_keys)
+        place.log_lines((line, "") for line in self._greeting)
 
     # --- the session
 
@@ -120,6 +123,7 @@ class Beginning:
         self._behind.found = self._assemble()
 
     def _begin_work(self, donnie: Donnie) -> None:
+        donnie.outlets.audible.say_printed(*self._greeting)
         work = self._work_with(donnie)
         if self._was_slow:
             work.talk.tell_sentences(work.words("slow-world-done", name=self._world_name))

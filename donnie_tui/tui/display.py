@@ -140,10 +140,6 @@ class Display:
 
     # --- the log
 
-    def note(self, *sentences: str) -> None:
-        """Sentences of no kind, at once."""
-        self._place.log_lines((sentence, "") for sentence in sentences)
-
     def write(self, lines: Iterable[tuple[str, str]]) -> None:
         """Lines with the codes of their kinds."""
         told = list(lines)

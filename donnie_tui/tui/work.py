@@ -104,9 +104,9 @@ class Work:
         ``brought``: what came along from another world.
         """
         notices = self._donnie.notices
-        self.display.note(*(notices.all if brought is None else notices.about_devices))
+        self.talk.tell_sentences(*(notices.all if brought is None else notices.about_devices))
         for entry in not_understood(self.preferences.settings.keys):
-            self.display.note(self.words("keys-not-understood", entry=printable(entry[:40])))
+            self.talk.tell_sentences(self.words("keys-not-understood", entry=printable(entry[:40])))
         if text is not None:
             self.files.bring(text, str(file) if file else None)
             self._host.begin_with(self.files.compare())
@@ -117,7 +117,7 @@ class Work:
         if brought is not None:
             self._arrive(brought)
         elif self.files.recovering.is_offered:
-            self.display.note(self.words("answer-rescued"))
+            self.talk.tell_sentences(self.words("answer-rescued"))
         self.look()
 
     def _arrive(self, brought: Brought) -> None:

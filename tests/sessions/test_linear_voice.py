@@ -7,7 +7,7 @@ from pathlib import Path
 
 import pytest
 
-from tests.sessions.learner import Learner, until
+from tests.sessions.learner import BACKSPACE, CTRL_D, Learner, until
 from tests.unit.ssip.server import Server
 
 CANCEL = "CANCEL SELF"
@@ -24,12 +24,45 @@ def server(monkeypatch: pytest.MonkeyPatch, tmp_path: Path) -> Iterator[Server]:
 
 @pytest.fixture
 def learner(server: Server, tmp_path: Path) -> Learner:
-    return Learner(tmp_path, "--speech", "ssip")
+    return greeted(server, Learner(tmp_path, "--speech", "ssip"))
+
+
+def greeted(server: Server, learner: Learner) -> Learner:
+    """Who has heard enough of the greeting: what the server was told from then on is about the rest."""
+    learner.sees_prompt()
+    assert server.wait_for(texts=1)
+    learner.types(f" {BACKSPACE}")
+    assert server.wait_for(command=CANCEL)
+    server.texts.clear()
+    server.commands.clear()
+    return learner
+
+
+@pytest.mark.parametrize(
+    ("language", "mode", "hint"),
+    [
+        ("en", "Linear mode, from the option.", "HELP lists the commands."),
+        ("pt", "Modo linear, pela opção.", "AJUDA lista os comandos."),
+        ("es", "Modo lineal, por la opción.", "AYUDA lista los comandos."),
+    ],
+)
+def test_the_greeting_is_said(
+    monkeypatch: pytest.MonkeyPatch, tmp_path: Path, language: str, mode: str, hint: str
+) -> None:
+    """V7: who has only the own voice hears that Donnie is there."""
+    server = Server(tmp_path)
+    monkeypatch.setenv("SPEECHD_ADDRESS", f"unix_socket:{server.address.path}")
+    learner = Learner(tmp_path, "--speech", "ssip", language=language)
+    assert server.wait_for(texts=2)
+    assert server.texts == [mode, hint]
+    learner.types(CTRL_D)
+    learner.leaves()
+    server.close()
 
 
 def test_any_key_ends_what_is_being_said(server: Server, learner: Learner) -> None:
     """V3: the answer is heard, and a key that means nothing yet ends it."""
-    learner.enters("WHERE")
+    learner.types("WHERE\r")
     learner.sees("Facing north.\r\n> ")
     assert server.wait_for(texts=1)
     assert CANCEL not in server.commands
@@ -43,7 +76,7 @@ def test_quiet_is_answered_in_print_and_last_brings_back_what_it_ended(
     server: Server, learner: Learner
 ) -> None:
     """V3: what waited behind the silenced line is not heard."""
-    learner.enters("WHERE")
+    learner.types("WHERE\r")
     learner.sees("Facing north.\r\n> ")
     assert server.wait_for(texts=1)
     learner.types("QUIET\r")
@@ -57,8 +90,8 @@ def test_quiet_is_answered_in_print_and_last_brings_back_what_it_ended(
 
 def test_control_c_ends_program_and_voice(server: Server, tmp_path: Path) -> None:
     """L41, S8: what the program says after a key is said all the same; the stop ends it."""
-    learner = Learner(tmp_path, "--speech", "ssip", speed="1")
-    learner.enters('SPEAK "one" WAIT 1 SPEAK "two" WAIT 1000', "")
+    learner = greeted(server, Learner(tmp_path, "--speech", "ssip", speed="1"))
+    learner.types('SPEAK "one" WAIT 1 SPEAK "two" WAIT 1000\r\r')
     assert server.wait_for(texts=1)
     learner.types("x")
     assert server.wait_for(command=CANCEL)
@@ -71,8 +104,8 @@ def test_control_c_ends_program_and_voice(server: Server, tmp_path: Path) -> Non
 
 def test_a_key_ends_the_voice_of_a_program_that_talks_without_end(server: Server, tmp_path: Path) -> None:
     """V3: also while its lines are printed, block by block; and a word reaches it."""
-    learner = Learner(tmp_path, "--speech", "ssip", speed="1")
-    learner.enters('WHILE 1 == 1 DO SPEAK "hello" END WHILE', "")
+    learner = greeted(server, Learner(tmp_path, "--speech", "ssip", speed="1"))
+    learner.types('WHILE 1 == 1 DO SPEAK "hello" END WHILE\r\r')
     assert server.wait_for(texts=1)
     learner.types("x")
     assert server.wait_for(command=CANCEL)

@@ -19,7 +19,7 @@ from devices.audio_worker.service import AudioService, AudioSettings
 from devices.ports.audio import Cue, Urgency, Utterance
 from devices.sound.tones import seconds_of
 from tests.conftest import ROOT
-from tests.sessions.learner import Learner
+from tests.sessions.learner import BACKSPACE, CTRL_D, Learner
 
 RATE = 22_050
 CHUNK = RATE // 20
@@ -123,14 +123,32 @@ def test_a_cue_is_heard_on_its_side(ear: Ear, audio: AudioService) -> None:
 
 def test_a_key_at_the_terminal_ends_the_own_voice(ear: Ear, tmp_path: Path) -> None:
     """V3: and what is asked for next is heard."""
-    learner = Learner(tmp_path, "--speech", "tts")
-    learner.enters(f'SPEAK "{"one two three four five six seven eight nine ten " * 4}"', "")
+    learner = greeted(ear, Learner(tmp_path, "--speech", "tts"))
+    learner.types(f'SPEAK "{"one two three four five six seven eight nine ten " * 4}"\r\r')
     learner.sees_prompt()
     assert ear.hears_something()
     learner.types("W")
     assert ear.chunks_until_silence() < 60
     learner.types("HERE\r")
     assert ear.hears_something()
+
+
+def test_the_goodbye_is_heard(ear: Ear, tmp_path: Path) -> None:
+    """V7: who has only the own voice hears that Donnie was left."""
+    learner = greeted(ear, Learner(tmp_path, "--speech", "tts"))
+    learner.types(CTRL_D)
+
+    assert ear.hears_something()
+    assert learner.leaves() == 0
+
+
+def greeted(ear: Ear, learner: Learner) -> Learner:
+    """Who has heard enough of the greeting."""
+    learner.sees_prompt()
+    assert ear.hears_something()
+    learner.types(f" {BACKSPACE}")
+    assert ear.chunks_until_silence() < 60
+    return learner
 
 
 def test_the_end_of_a_program_is_heard_to_its_end(ear: Ear, tmp_path: Path) -> None:

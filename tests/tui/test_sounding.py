@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import pytest
 
-from donnie_tui.core.events import Chimed, Event, Pointed
+from donnie_tui.core.events import Answered, Chimed, Event, Pointed
 from donnie_tui.core.hub import Hub
 from donnie_tui.outlets.audible import Audible
 from donnie_tui.tui.screens.help import Help
@@ -17,6 +17,25 @@ async def test_any_key_ends_what_is_being_said(work) -> None:  # type: ignore[no
         before = desk.app.work.donnie.outlets.audible.hushed
         await desk.press("x")
         assert desk.app.work.donnie.outlets.audible.hushed > before
+
+
+async def test_what_the_screen_begins_with_is_said(work, monkeypatch) -> None:  # type: ignore[no-untyped-def]
+    """V7, V1: the greeting that stood there before there was a voice, and what was decided then."""
+    said: list[str] = []
+    monkeypatch.setattr(Audible, "say_printed", lambda _, *lines: said.extend(lines))
+    publish = Hub.publish
+
+    def listen(self: Hub, event: Event) -> None:
+        if isinstance(event, Answered):
+            said.append(event.text)
+        publish(self, event)
+
+    monkeypatch.setattr(Hub, "publish", listen)
+    monkeypatch.setattr("donnie_tui.bootstrap._decided", lambda *_: ("I speak.",))
+    async with work() as desk:
+        await desk.told("I speak.")
+        assert said == list(desk.log)
+        assert len(said) == 3
 
 
 @pytest.fixture

@@ -184,6 +184,22 @@ def test_each_voice_says_its_part_and_every_voice_is_silenced(
 
 
 @pytest.mark.parametrize(
+    ("speech", "is_on", "said"), [("ssip", True, ["Hi.", "Ho."]), ("ssip", False, []), ("robot", True, [])]
+)
+def test_what_stood_printed_before_is_said_by_who_says_the_answers(
+    monkeypatch: pytest.MonkeyPatch, speech: str, is_on: bool, said: list[str]
+) -> None:
+    voices, floor = TwoVoices(monkeypatch), Floor()
+    with ExitStack() as closing:
+        made = make_audible(Settings(speech=speech, sound=False), floor.session, Words(), closing)
+        if not is_on:
+            floor.session.hub.publish(SoundSwitched(False))
+        made.say_printed("Hi.", "Ho.")
+
+    assert (voices.server.said, voices.own.said) == (said, [])
+
+
+@pytest.mark.parametrize(
     ("hears", "heard"),
     [(Hears.ALL, ["Moved.", "Hi."]), (Hears.ANSWERS, ["Moved."]), (Hears.PROGRAM, ["Hi."])],
 )
