@@ -12,12 +12,11 @@ from devices.speech.choose import Facts
 from devices.speech.silent import SilentSpeaker
 from donnie_tui.core.events import Announced, SoundSwitched, Spoke
 from donnie_tui.core.outlets import Hears, Voice
-from donnie_tui.i18n.words import Unusable, Words
+from donnie_tui.i18n.words import Words
 from donnie_tui.outlets import audible
 from donnie_tui.outlets.audible import make_audible, wants_cues
 from donnie_tui.settings.chosen import Settings, Source
 from tests.floor import Floor
-from tests.patience import PATIENCE
 from tests.unit.ssip.server import Server
 
 HOME = Facts(
@@ -130,25 +129,6 @@ def test_what_is_told_goes_to_a_speech_dispatcher_that_is_there(
         assert made.notices == ()
     assert "Not heard." not in server.texts
     server.close()
-
-
-def test_cues_of_a_run_are_written_into_a_file_the_same_every_time(tmp_path: Path) -> None:
-    def written(name: str) -> bytes:
-        floor, path = Floor(), tmp_path / name
-        with ExitStack() as closing:
-            make_audible(Settings(speech="off", sound=str(path)), floor.session, Words(), closing)
-            assert floor.session.start("FW 3 TR 90", "a.gd", fresh=True).wait(PATIENCE)
-        return path.read_bytes()
-
-    first = written("a.wav")
-    assert first == written("b.wav")
-    assert len(first) > 4 * 22_050 * 5  # three steps and a right angle: five seconds, in stereo
-
-
-def test_a_file_that_can_not_be_written_is_told(tmp_path: Path) -> None:
-    with ExitStack() as closing, pytest.raises(Unusable):
-        wrong = str(tmp_path / "none" / "a.wav")
-        make_audible(Settings(speech="off", sound=wrong), Floor().session, Words(), closing)
 
 
 class TwoVoices:

@@ -11,9 +11,11 @@ from donnie_tui.core import told_log
 from donnie_tui.core.events import Spoke
 from donnie_tui.core.hub import Hub
 from donnie_tui.core.transcript import told_lines
-from donnie_tui.i18n.words import Words
+from donnie_tui.i18n.words import Unusable, Words
 from donnie_tui.outlets.written import Written
 from donnie_tui.settings.chosen import Settings
+from tests.floor import Floor
+from tests.patience import PATIENCE
 
 FULL = Path("/dev/full")
 
@@ -40,3 +42,24 @@ def test_a_log_that_takes_no_more_is_told_once_and_counts_as_lost(
 def test_a_file_of_this_session_would_be_begun_anew_by_another(files: dict[str, str]) -> None:
     with ExitStack() as closing:
         assert Written(Settings(**files), Hub(lambda: 0.0), Words(), closing).of_this_session == "a"
+
+
+def test_cues_of_a_run_are_written_into_a_file_the_same_every_time(tmp_path: Path) -> None:
+    """C7."""
+
+    def bytes_of(name: str) -> bytes:
+        floor, path = Floor(), tmp_path / name
+        with ExitStack() as closing:
+            Written(Settings(sound=str(path)), floor.session.hub, Words(), closing).sounds()
+            assert floor.session.start("FW 3 TR 90", "a.gd", fresh=True).wait(PATIENCE)
+        return path.read_bytes()
+
+    first = bytes_of("a.wav")
+    assert first == bytes_of("b.wav")
+    assert len(first) > 4 * 22_050 * 5  # three steps and a right angle: five seconds, in stereo
+
+
+def test_sounds_that_can_not_be_written_keep_everything_from_starting(tmp_path: Path) -> None:
+    wrong = str(tmp_path / "none" / "a.wav")
+    with ExitStack() as closing, pytest.raises(Unusable):
+        Written(Settings(sound=wrong), Floor().session.hub, Words(), closing).sounds()
