@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterable
 from colorsys import rgb_to_hsv
 
 from devices.ports.values import frozen
@@ -35,6 +36,14 @@ class Colour:
         if "pink" in name:
             return "pink"
         return _family(*rgb_to_hsv(_level(self.red), _level(self.green), _level(self.blue)))
+
+
+def families(told_apart: Iterable[tuple[Colour, ...]]) -> frozenset[str]:
+    """The words of the language for what cameras tell apart, each so many colours; all where one has none."""
+    cameras = tuple(told_apart)
+    if not all(cameras):
+        return frozenset(FAMILIES)
+    return frozenset(colour.family for colours in cameras for colour in colours)
 
 
 def _level(value: float) -> float:

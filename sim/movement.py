@@ -18,7 +18,7 @@ from devices.ports.robot import STEP, Bearing, Motion, StoppedBy
 from sim.clock import Mark
 from sim.motion import TOUCHING
 from sim.vehicle import Vehicle, Whereabouts
-from sim.wheels import NEARLY, TICK, Rate
+from sim.wheels import NEARLY, TICK, Rate, moving, turning
 
 MOST_REPORTS = 1000
 """Of a longer movement only every so many-th step is told, so that a huge one stays short."""
@@ -133,7 +133,8 @@ class Walk(Sweeping):
     """Straight forward or backward."""
 
     def __init__(self, vehicle: Vehicle, motion: Motion, steps: int, rate: Rate) -> None:
-        super().__init__(vehicle, motion, steps, rate, 1)
+        """RobotProblem ``cannot-drive`` if the rate is 0."""
+        super().__init__(vehicle, motion, steps, moving(rate), 1)
         self._bearing = Bearing.BACK if motion is Motion.BACKWARD else Bearing.FRONT
         self._turned = 180.0 if motion is Motion.BACKWARD else 0.0
         self._angle = self._start.truth.yaw + self._turned
@@ -217,7 +218,8 @@ class Turn(Sweeping):
     """On the spot. ``sign``: 1 counter-clockwise, -1 clockwise."""
 
     def __init__(self, vehicle: Vehicle, motion: Motion, degrees: int, rate: Rate, sign: int) -> None:
-        super().__init__(vehicle, motion, degrees, rate, DEGREES_A_REPORT)
+        """RobotProblem ``cannot-turn`` if the rate is 0."""
+        super().__init__(vehicle, motion, degrees, turning(rate), DEGREES_A_REPORT)
         self._sign = sign
 
     def _at(self, degrees: float) -> Whereabouts:
@@ -260,7 +262,8 @@ class Bend(Movement):
     def __init__(
         self, vehicle: Vehicle, motion: Motion, degrees: int, rate: Rate, sign: int, radius: float
     ) -> None:
-        super().__init__(vehicle, motion, degrees, rate, DEGREES_A_REPORT)
+        """RobotProblem ``cannot-turn`` if the rate is 0."""
+        super().__init__(vehicle, motion, degrees, turning(rate), DEGREES_A_REPORT)
         self._sign = sign
         chord = 2 * radius * sin(radians(0.5))
         self._pieces = ceil(chord / STEP)

@@ -29,6 +29,10 @@ class Placement:
             self.yaw + inner.yaw,
         )
 
+    def within_a_turn(self) -> Placement:
+        """The same, its heading told from 0 to below 360."""
+        return Placement(self.x, self.y, self.z, self.yaw % 360.0)
+
 
 @frozen
 class Spot:
@@ -49,7 +53,7 @@ class Spot:
         return Spot(outer_x, outer_y, self.yaw + yaw)
 
 
-def pose_of(spot: Spot) -> Pose:
+def pose_of(spot: Spot | Placement) -> Pose:
     """Rounded far below what matters, so that three steps are not 2.9999; adding 0 makes -0 a plain 0."""
     heading = round((90.0 - spot.yaw) % 360.0, 9) % 360.0
     return Pose(round(spot.x / STEP, 9) + 0.0, round(spot.y / STEP, 9) + 0.0, heading)

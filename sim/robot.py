@@ -1,11 +1,13 @@
 """The simulated robot: the port's commands, told in steps and compass degrees, over metres and the world.
 
 Sensors take no time. What a movement comes to, and how it is played, is the business of ``movement``.
+What drives and feels (``vehicle``) is made when it is first asked to move or to look: until then it stands at
+its start, and who only speaks needs no more than that.
 """
 
 from __future__ import annotations
 
-from functools import cached_property
+import threading
 from typing import TYPE_CHECKING
 
 from devices.ports.robot import (
@@ -24,25 +26,24 @@ from devices.ports.robot import (
     Watcher,
 )
 from sim.clock import Clock
+from sim.colours import families
 from sim.ground import Ground
-from sim.motion import Mover
 from sim.placement import Placement, pose_of
-from sim.sensors import CENTIMETRES_A_STEP, Seen
 from sim.turns import Seat
-from sim.vehicle import Vehicle
-from sim.wheels import Rate, moving, odometry_of, rates_of, turning
 
 if TYPE_CHECKING:
     from random import Random
 
-    from sim.meeting import Meeting
     from sim.movement import Going, Movement
     from sim.placement import Spot
+    from sim.sensors import Seen
+    from sim.vehicle import Vehicle
+    from sim.wheels import Rate
 
 
 class SimulatedRobot:
-    """One robot of a world. All but ``halt``, ``pose``, ``time``, ``speed`` and ``known_distances`` is the
-    program's thread's."""
+    """One robot of a world. All but ``halt``, ``pose``, ``time``, ``speed``, ``known_distances`` and
+    ``get_ready`` is the program's thread's."""
 
     def __init__(
         self,
@@ -59,18 +60,14 @@ class SimulatedRobot:
         self._ground = ground
         self._model = ground.scene.models[robot]
         self._seed = seed
-        self._mover = Mover(ground, robot)
+        self._watcher = watcher
         self._clock = Clock(pace, speed, seat)
-        self._vehicle = Vehicle(self._mover, self._clock, rates_of(self._model.wheels), watcher)
+        self._chance = self._new_chance()
+        self._making = threading.Lock()
+        """Held by who makes the vehicle, or has it begin anew."""
+        self._vehicle: Vehicle | None = None
         self._seen: tuple[Spot, int, dict[Bearing, int]] | None = None
         """What ``known_distances`` told last, from where, and after how many changes around."""
-        self._begin_anew()
-
-    @cached_property
-    def _meeting(self) -> Meeting:
-        from sim.meeting import Meeting  # those who move only
-
-        return Meeting(self._mover, self._ground.scene, self._model.index)
 
     @property
     def name(self) -> str:
@@ -78,8 +75,8 @@ class SimulatedRobot:
 
     @property
     def colours(self) -> frozenset[str]:
-        eyes = self._mover.senses.eyes
-        return eyes.families if eyes is not None else frozenset()
+        models = self._ground.scene.tree(self._model.index)
+        return families(each.blobfinder.colours for each in models if each.blobfinder is not None)
 
     @property
     def speed(self) -> float | None:
@@ -95,18 +92,31 @@ class SimulatedRobot:
     @property
     def stands_in(self) -> tuple[str, ...]:
         """Names of the things that the robot's world puts it inside of; they are not there for it."""
-        return tuple(self._ground.scene.models[root].name for root in self._mover.around.stands_in)
+        return tuple(self._ground.scene.models[root].name for root in self.get_ready().mover.around.stands_in)
 
     @property
     def placement(self) -> Placement:
         """Where it is in truth, in metres. ``pose`` is what the robot believes."""
+        if self._vehicle is None:
+            return self._ground.start(self._model.index)
         spot = self._vehicle.here.truth
         return Placement(spot.x, spot.y, self._model.pose.z, spot.yaw)
 
     @property
     def holds(self) -> int | None:
         """The index of the thing in its gripper."""
-        return self._vehicle.hand.held
+        return None if self._vehicle is None else self._vehicle.hand.held
+
+    def get_ready(self) -> Vehicle:
+        """What drives and feels, made if it was not there. Any thread."""
+        with self._making:
+            if self._vehicle is None:
+                from sim.vehicle import Vehicle
+
+                self._vehicle = Vehicle(
+                    self._ground, self._model.index, self._clock, self._watcher, self._chance
+                )
+            return self._vehicle
 
     def join(self) -> None:
         """Take part in the world's order; returns when it is this robot's turn, or after a stop.
@@ -121,34 +131,44 @@ class SimulatedRobot:
 
     def reset(self) -> None:
         """Back to the start: place, heading, gripper, time; and all things, if no other robot takes part."""
-        self._begin_anew()
+        self.go_home()
         if not self._clock.has_company:
             self._ground.put_things_back()
         self._clock.reset()
 
+    def go_home(self) -> None:
+        """Stand at the start, with empty hands. What was held stays where it is."""
+        with self._making:
+            self._chance = self._new_chance()
+            if self._vehicle is not None:
+                self._vehicle.begin_anew(self._chance)
+
     def forward(self, steps: int) -> Moved:
         """Walk forward. ValueError if ``steps`` is negative."""
-        return self._walk(Motion.FORWARD, steps, self._vehicle.rates.forward)
+        vehicle = self._vehicle or self.get_ready()
+        return self._walk(vehicle, Motion.FORWARD, steps, vehicle.rates.forward)
 
     def backward(self, steps: int) -> Moved:
         """Walk backward. ValueError if ``steps`` is negative."""
-        return self._walk(Motion.BACKWARD, steps, self._vehicle.rates.backward)
+        vehicle = self._vehicle or self.get_ready()
+        return self._walk(vehicle, Motion.BACKWARD, steps, vehicle.rates.backward)
 
     def turn(self, degrees: int) -> Turned:
         """On the spot; a car drives forward on its smallest circle. RobotProblem ``cannot-turn``."""
         from sim.movement import Bend, Turn
 
-        rates = self._vehicle.rates
+        vehicle = self.get_ready()
+        rates = vehicle.rates
         motion, sign = (Motion.RIGHT, -1) if degrees >= 0 else (Motion.LEFT, 1)
-        rate = turning(rates.right if degrees >= 0 else rates.left)
+        rate = rates.right if degrees >= 0 else rates.left
         movement: Movement
         if rates.bend is None:
-            movement = Turn(self._vehicle, motion, abs(degrees), rate, sign)
+            movement = Turn(vehicle, motion, abs(degrees), rate, sign)
         else:
-            movement = Bend(self._vehicle, motion, abs(degrees), rate, sign, rates.bend)
-        turned, stopped_by = self._run(movement)
-        met = self._meeting.turning(self._vehicle.here.truth, stopped_by)
-        return Turned(degrees, -sign * turned, stopped_by, self.pose(), met, self._pushed())
+            movement = Bend(vehicle, motion, abs(degrees), rate, sign, rates.bend)
+        turned, stopped_by = self._run(vehicle, movement)
+        met = vehicle.meeting.turning(vehicle.here.truth, stopped_by)
+        return Turned(degrees, -sign * turned, stopped_by, self.pose(), met, self._pushed(vehicle))
 
     def wait(self, seconds: float) -> bool:
         asked = max(0.0, seconds)
@@ -162,70 +182,74 @@ class SimulatedRobot:
 
     def pose(self) -> Pose:
         """Where the robot believes to be: the truth, unless it counts its wheels' turns with errors."""
-        return pose_of(self._vehicle.here.belief)
+        vehicle = self._vehicle
+        return pose_of(self._ground.start(self._model.index) if vehicle is None else vehicle.here.belief)
 
     def distance(self, bearing: Bearing) -> int:
         """RobotProblem ``no-sensor`` (bearing) if nothing looks there."""
         self._clock.begin()
-        return self._mover.senses.steps(self._mover.around, self._vehicle.here.truth, bearing, self._chance)
+        vehicle = self.get_ready()
+        mover = vehicle.mover
+        return mover.senses.steps(mover.around, vehicle.here.truth, bearing, self._chance)
 
     def known_distances(self) -> dict[Bearing, int]:
         """Where nothing has moved since somebody looked, they are what they were."""
-        spot, changes = self._vehicle.here.truth, self._vehicle.changes_around
+        vehicle = self.get_ready()
+        spot, changes = vehicle.here.truth, vehicle.changes_around
         seen = self._seen
         if seen is None or seen[:2] != (spot, changes):
-            seen = self._seen = spot, changes, self._mover.senses.all_steps(self._mover.around, spot)
+            mover = vehicle.mover
+            seen = self._seen = spot, changes, mover.senses.all_steps(mover.around, spot)
         return dict(seen[2])
 
     def scan(self) -> tuple[Sighting, ...]:
         """RobotProblem ``no-eyes`` if it has none."""
         self._clock.begin()
-        things = self._mover.senses.look(self._mover.around, self._vehicle.here.truth)
+        vehicle = self.get_ready()
+        things = vehicle.mover.senses.look(vehicle.mover.around, vehicle.here.truth)
         return tuple(self._sighting(seen) for seen in things)
 
     def grip(self) -> Gripped:
         """Take the thing between the paddles, or a step before them. RobotProblem ``no-gripper``."""
         self._clock.begin()
-        outcome = self._vehicle.grip()
+        outcome = self.get_ready().grip()
         return self._gripped(outcome, self.holds)
 
     def release(self) -> Gripped:
         """Let go what is held; it stays there. RobotProblem ``no-gripper``."""
         self._clock.begin()
         held = self.holds
-        return self._gripped(self._vehicle.release(), held)
+        return self._gripped(self.get_ready().release(), held)
 
     def halt(self) -> None:
         self._clock.halt()
 
-    def _begin_anew(self) -> None:
-        self._chance = self._new_chance() if self._seed else None
-        self._vehicle.begin_anew(odometry_of(self._model.wheels, self._chance))
-
-    def _new_chance(self) -> Random:
+    def _new_chance(self) -> Random | None:
+        if not self._seed:
+            return None
         from random import Random  # loaded where there is chance
 
         return Random(f"{self._seed} {self.name}")
 
-    def _walk(self, motion: Motion, steps: int, rate: Rate) -> Moved:
+    def _walk(self, vehicle: Vehicle, motion: Motion, steps: int, rate: Rate) -> Moved:
         if steps < 0:
             raise ValueError("a walk has no negative steps")
-        metres, turned = steps * STEP, 180.0 if motion is Motion.BACKWARD else 0.0
-        if self._vehicle.leap(metres, turned, moving(rate).over(steps).seconds(0.0, metres / STEP)):
-            return Moved(steps, steps, None, self.pose())
+        turned = 180.0 if motion is Motion.BACKWARD else 0.0
+        if vehicle.leap(steps, rate, turned):
+            return Moved(steps, steps, None, pose_of(vehicle.here.belief))
         from sim.movement import Walk
 
-        walked, stopped_by = self._run(Walk(self._vehicle, motion, steps, rate))
-        met = self._meeting.walking(self._vehicle.here.truth, turned, stopped_by)
-        return Moved(steps, walked, stopped_by, self.pose(), met, self._pushed())
+        walked, stopped_by = self._run(vehicle, Walk(vehicle, motion, steps, rate))
+        met = vehicle.meeting.walking(vehicle.here.truth, turned, stopped_by)
+        return Moved(steps, walked, stopped_by, self.pose(), met, self._pushed(vehicle))
 
-    def _run(self, movement: Movement) -> Going:
-        self._vehicle.pushed.clear()
+    def _run(self, vehicle: Vehicle, movement: Movement) -> Going:
+        vehicle.pushed.clear()
         return movement.run() if self._clock.begin() else (0, StoppedBy.USER)
 
-    def _pushed(self) -> tuple[Pushed, ...]:
+    def _pushed(self, vehicle: Vehicle) -> tuple[Pushed, ...]:
         """What the last movement pushed."""
-        return tuple(self._as_pushed(root, metres) for root, metres in self._vehicle.pushed.items())
+        return tuple(self._as_pushed(root, metres) for root, metres in vehicle.pushed.items())
 
     def _as_pushed(self, root: int, metres: float) -> Pushed:
         model = self._ground.scene.models[root]
@@ -240,7 +264,7 @@ class SimulatedRobot:
     def _sighting(self, seen: Seen) -> Sighting:
         return Sighting(
             degrees=-round(seen.degrees, 9) + 0.0,
-            steps=seen.centimetres / CENTIMETRES_A_STEP,
+            steps=seen.steps,
             colour=seen.colour.family,
             name=self._name_of(seen.root),
         )

@@ -9,12 +9,16 @@ from typing import TYPE_CHECKING
 from devices.ports.robot import STEP, Grip, Motion, Watcher
 from devices.ports.values import frozen
 from sim.clock import SLICE, Clock
+from sim.ground import Ground
 from sim.hand import Hand
 from sim.motion import Mover
 from sim.placement import Placement, Spot, pose_of
-from sim.wheels import TICK, Odometry, Rates
+from sim.wheels import TICK, Rate, moving, odometry_of, rates_of
 
 if TYPE_CHECKING:
+    from random import Random
+
+    from sim.meeting import Meeting
     from sim.pushing import Advance, Pushing
 
 CLEARANCE = 0.3
@@ -32,22 +36,23 @@ class Whereabouts:
 class Vehicle:
     """Shared by all movements of one robot. Only ``here`` is for other threads."""
 
-    def __init__(self, mover: Mover, clock: Clock, rates: Rates, watcher: Watcher | None) -> None:
-        self.mover = mover
+    def __init__(
+        self, ground: Ground, robot: int, clock: Clock, watcher: Watcher | None, chance: Random | None
+    ) -> None:
+        """A robot that stands at its start. ``robot``: the index of its model; ``chance``: of its errors."""
+        self.mover = Mover(ground, robot)
         self.clock = clock
-        self.rates = rates
+        self._wheels = ground.scene.models[robot].wheels
+        self.rates = rates_of(self._wheels)
         self.watcher = watcher
-        self.hand = Hand(mover)
-        self._root = mover.around.root
-        self._ground = mover.around.ground
-        self._shown = -inf
+        self.hand = Hand(self.mover)
+        self._root = robot
+        self._ground = ground
         self._jumps = -1
         self.quicken()
-        self.odometry = Odometry()
         self.pushed: dict[int, float] = {}
         """Roots of things that the movement has pushed so far, and how many metres."""
-        self._leaps = False
-        self.here = self._at_start()
+        self.here = self._begin(chance)
 
     @cached_property
     def _pushing(self) -> Pushing:
@@ -55,13 +60,26 @@ class Vehicle:
 
         return Pushing(self._ground, self.mover)
 
-    def begin_anew(self, odometry: Odometry) -> None:
+    @cached_property
+    def meeting(self) -> Meeting:
+        """What is found at the end of a movement."""
+        from sim.meeting import Meeting  # those who move only
+
+        return Meeting(self.mover, self._ground.scene, self._root)
+
+    def begin_anew(self, chance: Random | None) -> None:
         """To the start, with empty hands. What was held stays where it is."""
         self.hand.let_go()
-        self.odometry = odometry
-        self._leaps = odometry.is_exact and self.watcher is None
+        self.go_to(self._begin(chance))
+
+    def _begin(self, chance: Random | None) -> Whereabouts:
+        """Nothing of what was before counts. Answers where that is."""
+        self.odometry = odometry_of(self._wheels, chance)
+        self._leaps = self.odometry.is_exact and self.watcher is None
         self._shown = self._clear_until = -inf
-        self.go_to(self._at_start())
+        start = self._ground.start(self._root)
+        spot = Spot(start.x, start.y, start.yaw)
+        return Whereabouts(spot, spot)
 
     def pass_by(self, where: Whereabouts) -> None:
         """Be there for who asks this robot; the ground learns where a movement ends."""
@@ -110,15 +128,17 @@ class Vehicle:
             return Whereabouts(truth, truth)
         return Whereabouts(truth, self.odometry.ahead(start.belief, metres, turned))
 
-    def leap(self, metres: float, turned: float, seconds: float) -> bool:
+    def leap(self, steps: int, rate: Rate, turned: float) -> bool:
         """Go straight at once, where nothing is near, nobody watches, and nobody waits. False: did nothing.
 
         The same as a walk, found and played; this is the quick way for most of the commands of most programs.
+        RobotProblem ``cannot-drive`` if the rate is 0.
         """
         if not self._leaps:
             return False
-        here = self.here.truth
+        here, metres = self.here.truth, steps * STEP
         there = here.ahead(metres, here.yaw + turned)
+        seconds = moving(rate).over(steps).seconds(0.0, metres / STEP)
         if not self.mover.around.has_room(here.x, here.y, there.x, there.y) or not self.clock.leap(seconds):
             return False
         self.go_to(Whereabouts(there, there))
@@ -165,8 +185,3 @@ class Vehicle:
         """Tell that it has come a whole step, or so many degrees, further."""
         if self.watcher is not None:
             self.watcher.progressed(motion, pose_of(self.here.belief))
-
-    def _at_start(self) -> Whereabouts:
-        start = self._ground.start(self._root)
-        spot = Spot(start.x, start.y, start.yaw % 360.0)
-        return Whereabouts(spot, spot)

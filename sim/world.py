@@ -38,6 +38,8 @@ class World:
     ) -> SimulatedRobot:
         """The robot called ``name``, or the world's first one. KeyError if the world has no such robot."""
         index = self._index(name)
+        if index in self._robots:
+            self._robots[index].go_home()  # another one stands there from now on
         robot = SimulatedRobot(
             self._ground,
             index,
@@ -75,9 +77,11 @@ class World:
         return moved(self.scene, self._ground.moved())
 
     def get_ready(self) -> None:
-        """Load now what the first movement would load."""
+        """Load and make now what the first movement would."""
         from sim import meeting, movement, pushing  # noqa: F401 -- to be there is all that is asked of them
 
+        for robot in tuple(self._robots.values()):
+            robot.get_ready()
         self._ground.begin()
 
     def reset(self) -> None:

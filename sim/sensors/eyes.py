@@ -10,11 +10,12 @@ from itertools import pairwise
 from math import hypot
 
 from devices.ports.values import frozen
-from sim.colours import FAMILIES, Colour
+from sim.colours import Colour
 from sim.fittings import FiducialFinder
 from sim.geometry import angle_of, at_radius, direction, edges, nearest_in_wedge, normal, seen_from
 from sim.parts import Part
 from sim.placement import Spot
+from sim.sensors.rangers import CENTIMETRES_A_STEP
 from sim.sensors.sight import Around, Height, at_height, first_hits
 
 HALF_CIRCLE = 90.0
@@ -30,6 +31,10 @@ class Seen:
     """Counter-clockwise from the robot's front."""
     centimetres: int
     colour: Colour
+
+    @property
+    def steps(self) -> float:
+        return self.centimetres / CENTIMETRES_A_STEP
 
 
 @frozen
@@ -86,13 +91,6 @@ class Eyes:
     """All the cameras of a robot."""
 
     views: tuple[View, ...]
-
-    @property
-    def families(self) -> frozenset[str]:
-        """The words of the language for what the cameras tell apart."""
-        if any(not view.colours for view in self.views):
-            return frozenset(FAMILIES)
-        return frozenset(colour.family for view in self.views for colour in view.colours)
 
     def look(self, around: Around, spot: Spot) -> tuple[Seen, ...]:
         """Every visible thing once, as the camera sees it that sees it nearest, from left to right."""

@@ -59,14 +59,17 @@ def test_a_silent_linear_session_in_a_world_that_ships_loads_none_of_these(tmp_p
     }
 
 
-MOVING = {"pymunk", "sim.layer", "sim.rays", "sim.movement"}
+MOVING = {"pymunk", "sim.layout", "sim.layer", "sim.rays", "sim.movement", "sim.vehicle", "sim.sensors"}
 
 
 def test_a_linear_session_that_does_not_move_loads_no_physics(tmp_path: Path) -> None:
     loaded = loaded_by(LINEAR, tmp_path, "SPEAK 2000 + 22\n\nWHERE\n")
 
     assert "sim.ground" in loaded
-    assert not loaded & {*MOVING, "sim.pushing", "sim.meeting"}
+    assert not loaded & {
+        *(*MOVING, "sim.pushing", "sim.meeting", "sim.motion", "sim.hand", "sim.wheels", "sim.parts"),
+        *("sim.physics", "sim.sensors.eyes", "sim.sensors.rangers", "sim.sensors.senses"),
+    }
 
 
 def test_a_linear_session_that_moves_loads_the_physics(tmp_path: Path) -> None:

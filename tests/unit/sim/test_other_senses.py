@@ -5,6 +5,8 @@ from math import atan, degrees
 import pytest
 
 from devices.ports.robot import Bearing, RobotProblem
+from sim.world import World
+from tests.unit.sim.floors import Unpaced
 from tests.unit.sim.sensing import Sensing
 
 BODY = "size [ 0.2 0.2 0.2 ]"
@@ -74,8 +76,7 @@ def test_two_cameras_tell_a_thing_once() -> None:
     )
 
     assert told(it) == [("blue", 45), ("ahead", 0)]
-    assert it.senses.eyes is not None
-    assert it.senses.eyes.families == {"red", "blue"}
+    assert World(it.scene).robot(pace=Unpaced()).colours == {"red", "blue"}
 
 
 def test_a_nearer_thing_hides_a_farther_one_at_its_own_height_only() -> None:
