@@ -7,6 +7,7 @@ from __future__ import annotations
 
 import errno
 import os
+import re
 import stat
 import sys
 from enum import Enum
@@ -73,11 +74,24 @@ def open_port(port: str, baud: int, *, timeout: float = 0.0, exclusive: bool = T
     import serial
 
     try:
+        if _lacks_its_number(port):
+            raise LookupError
         return serial.serial_for_url(
             port, baudrate=baud, timeout=timeout, write_timeout=WRITE_TIMEOUT, exclusive=exclusive or None
         )
     except GONE as problem:
         raise problem_of(port, problem) from None
+    except (LookupError, re.error):  # pyserial lets out what its handlers of addresses stumble over
+        raise PortProblem(port, PortFault.UNUSABLE, os.strerror(errno.EINVAL)) from None
+
+
+def _lacks_its_number(port: str) -> bool:
+    """Whether it is an address of a network without the number of a port."""
+    if not port.startswith(("socket://", "rfc2217://")):
+        return False
+    from urllib.parse import urlsplit  # slow to load, and few come by a network
+
+    return urlsplit(port).port is None
 
 
 def problem_of(port: str, problem: Exception) -> PortProblem:

@@ -28,6 +28,7 @@ SENTENCES: dict[str, Sentence] = {
     "reason-ENAMETOOLONG": Sentence(
         "File name too long", "o nome é longo demais", "el nombre es demasiado largo"
     ),
+    "reason-EINVAL": Sentence("it is not understood", "não se entende", "no se entiende"),
     "reason-EIO": Sentence("Input/output error", "o disco ou a linha falhou", "el disco o la línea falló"),
     "reason-EBUSY": Sentence("Device or resource busy", "está em uso", "está en uso"),
     "reason-EMFILE": Sentence(

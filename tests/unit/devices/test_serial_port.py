@@ -11,6 +11,7 @@ import pytest
 
 from devices.port_talk.asking import ask
 from devices.serial_port import GONE, PortFault, PortProblem, open_port
+from donnie_tui.i18n.words import Words
 from tests.patience import PATIENCE
 from tests.unit.devices.board_line import BoardLine, opening
 
@@ -35,6 +36,17 @@ def test_a_terminals_error_while_opening_is_a_problem(monkeypatch: pytest.Monkey
     with pytest.raises(PortProblem) as caught:
         open_port("port", 9600)
     assert (caught.value.fault, caught.value.reason) == (PortFault.UNUSABLE, "Input/output error")
+
+
+@pytest.mark.parametrize(
+    "address", ["hwgrep://[", "loop://?logging=loud", "socket://robot", "rfc2217://robot"]
+)
+def test_an_address_that_is_not_understood_is_a_problem_in_a_word_of_ours(address: str) -> None:
+    with pytest.raises(PortProblem) as caught:
+        open_port(address, 9600)
+    assert (caught.value.fault, caught.value.reason) == (PortFault.UNUSABLE, "Invalid argument")
+    told = Words("pt")("problem-port-failed", port=address, reason=caught.value.reason)
+    assert told.endswith("não se entende.")
 
 
 def test_a_line_that_takes_no_bytes_is_given_up() -> None:
