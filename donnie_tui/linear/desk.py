@@ -66,7 +66,7 @@ class Desk:
         self.searched = ""
         """What SEARCH looked for last."""
         self.watch = Watch(self.say)
-        self.stepped = Stepped()
+        self.stepped = Stepped(lambda: donnie.chronicle.last_seq, self.say)
         """The holds of the program that runs or ran last, for STEP BACK."""
         self.is_pausing = False
         """Whether PAUSE was said to the running program."""

@@ -2,20 +2,15 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Callable, Mapping
 from enum import Enum, auto
-from typing import TYPE_CHECKING
 
 from devices.ports.values import frozen
-from donnie_tui.core.events import Outcome, Read, RunEnded, RunStarted, Stamped
+from donnie_tui.core.events import Outcome, RunEnded, RunStarted, Stamped
 from donnie_tui.i18n.first_words import PROMPT
 from donnie_tui.linear.desk import Desk
 from donnie_tui.linear.reader import Typed
 from language.control import ControlState, ExecutionControl
-from language.runtime import Frame
-
-if TYPE_CHECKING:
-    from donnie_tui.core.step_words import StepWords
 
 
 class Goes(Enum):
@@ -43,9 +38,7 @@ class Holding:
     def __init__(self, desk: Desk, wish_of: Callable[[Typed], Wish | None]) -> None:
         self._desk = desk
         self._wish_of = wish_of
-        self._words: StepWords | None = None
         self._control: ExecutionControl | None = None
-        self._text, self._first_line = "", 1
         self.is_held = False
         self.is_stepped = False
         """Whether somebody waits for what the statement does before which it was held last."""
@@ -60,8 +53,7 @@ class Holding:
         """A run is about to begin."""
         self.is_held = self.is_stepped = self._desk.is_pausing = False
         self._control = control
-        self._words, self._text, self._first_line = None, text, first_line
-        self._desk.stepped.begin()
+        self._desk.stepped.begin(self._desk.session, text, first_line, lambda: self._desk.program.lines)
         control.observe(self._changed)
         if self._desk.program.breakpoints:
             control.break_at(self._desk.program.breakpoints)
@@ -84,15 +76,16 @@ class Holding:
         """In the program's thread: what its sensors say, and what it leaves."""
         if stamped.robot != self._desk.session.hub.robot:
             return
+        stepped = self._desk.stepped
         match stamped.event:
             case RunStarted() if not self.is_of_running:
-                self._desk.stepped.begin()
-            case Read() as read if self._words is not None and self.is_of_running:
-                self._words.heard(read)
+                stepped.forget()
             case RunEnded() as end:
                 self._look_at_what_is_left(end.variables)
-                if end.outcome is Outcome.COMPLETED and self._words is not None and self.is_of_running:
-                    self._desk.tell(*self._words.ended())
+                if end.outcome is Outcome.COMPLETED:
+                    self._desk.tell(*stepped.ended())
+            case event:
+                stepped.hear(event)
 
     def _look_at_what_is_left(self, variables: Mapping[str, int]) -> None:
         run = self._desk.session.run
@@ -110,12 +103,6 @@ class Holding:
 
     def _tell(self) -> None:
         frames = self._desk.session.frames
-        if self._words is None:
-            from donnie_tui.core.step_words import StepWords  # a program that is held
-
-            program = self._desk.session.parse(self._text, self._first_line).program
-            lines, is_first = self._desk.program.lines, not self._desk.is_pausing
-            self._words = StepWords(program, lines, self._desk.say, is_first=is_first)
         line, column = self._control.held_at if self._control else (0, 0)
         self._desk.watch.look(self._desk.session, frames[0].variables if frames else ())
         if self._desk.is_pausing or not line:
@@ -123,19 +110,11 @@ class Holding:
         at = line or (frames[0].line if frames else 0)
         if 0 < at <= len(self._desk.program.lines):
             self._desk.place = at
-        if line:  # else in the middle of a movement or a wait
-            told = self._words.held(line, column, frames)
-            self._desk.stepped.held(self._desk.donnie.chronicle.last_seq, told, variables_of(frames))
-            self._desk.tell(*told)
+        was_paused = self._desk.is_pausing
+        self._desk.tell(*self._desk.stepped.held((line, column), frames, was_paused=was_paused))
         self._desk.is_pausing = False
 
     def _go(self, wish: Wish) -> None:
         self.is_held, self.is_stepped = False, wish.goes in (Goes.STEP, Goes.OVER)
-        if not self.is_stepped and self._words is not None:
-            self._words.lose_count()
+        if not self.is_stepped:
             self._desk.stepped.goes_on()
-
-
-def variables_of(frames: Sequence[Frame]) -> dict[str, int]:
-    """Those that can be seen there, by name."""
-    return dict(frames[0].variables) if frames else {}

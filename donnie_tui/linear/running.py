@@ -93,7 +93,7 @@ def _step_back(desk: Desk) -> None:
     """What happened last, undone in words; once more goes further back."""
     is_now = desk.heard.timeline is None
     timeline = desk.heard.timeline = desk.heard.timeline or desk.donnie.chronicle.timeline()
-    desk.tell(*desk.stepped.back(timeline, desk.session.variables, desk.say, is_now=is_now))
+    desk.tell(*desk.stepped.back(timeline, is_now=is_now))
 
 
 def _break(desk: Desk, _: Runs, rest: str) -> bool:

@@ -60,7 +60,7 @@ class RobotDeeds:
     def together(self, _argument: str) -> None:
         self._give_text()
         runs = dict(team_words.start_together(self._host.donnie))
-        self._host.running.adopt(runs)
+        self._host.running.adopt(runs, self._host.donnie.team)
 
     def stop_all(self, _argument: str) -> None:
         others = [each for each in self._host.donnie.team.running if each is not self._host.donnie.session]

@@ -79,23 +79,16 @@ class Following:
             self._host.post_message(Paused())
 
     def paused(self) -> None:
-        """It holds before a statement: say which, and put the cursor there."""
+        """It holds, and has said where: put the cursor there."""
         running = self._work.running
         frames = running.frames
         if running.doing is Doing.PAUSED and frames and running.is_program:
             self._past.to_present()
             self._work.ask_distances()
-            self._intake.take()
-            self._tell_line(frames[0].line)
+            self._work.workplace.editor.go_to(frames[0].line)
             self._intake.take()
             self._intake.write()
         self._work.look()
-
-    def _tell_line(self, line: int) -> None:
-        editor = self._work.workplace.editor
-        editor.go_to(line)
-        text = editor.document.get_line(min(line, editor.line_count) - 1).strip()
-        self._work.talk.tell(Answer("answer-line", {"line": line, "text": text}))
 
     def ended(self, event: Ended) -> None:
         """Unless another robot was chosen while it was on its way here."""

@@ -7,7 +7,6 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
-from donnie_tui.core.retelling import told_back
 from donnie_tui.core.timeline import Timeline
 from donnie_tui.tui.running import Answer, Doing
 
@@ -29,10 +28,11 @@ class Past:
         if work.running.doing not in (Doing.READY, Doing.PAUSED):
             work.talk.tell(Answer("screen-busy"))
             return
+        is_now = self._timeline is None
         timeline = self._timeline = self._timeline or work.donnie.chronicle.timeline()
-        undone = timeline.step_back()
+        told = work.running.told_back(timeline, is_now=is_now)
         work.display.show_past(timeline)
-        work.talk.tell_sentences(told_back(undone, timeline, work.words))
+        work.talk.tell_sentences(*told)
 
     def to_present(self) -> None:
         """Whatever is done now is done from where the robot really is."""

@@ -12,9 +12,13 @@ from enum import Enum
 
 from devices.ports.values import field, frozen
 from donnie_tui.core import speeds
+from donnie_tui.core.events import Answered, Event, Outcome, Read, RunEnded, Stamped
 from donnie_tui.core.patience import LAST_WORDS
 from donnie_tui.core.runner import Run
 from donnie_tui.core.session import Busy, Session
+from donnie_tui.core.stepped import Stepped
+from donnie_tui.core.team import Team
+from donnie_tui.core.timeline import Timeline
 from donnie_tui.core.watching import Watch
 from donnie_tui.settings.readers import FASTEST, SLOWEST, read_speed
 from language.control import ControlState, ExecutionControl
@@ -48,15 +52,36 @@ _BUSY = Answer("screen-busy")
 class _Own:
     """What is known of one robot's programs."""
 
+    session: Session
+    stepped: Stepped
     run: Run | None = None
     stopped_line: int = 0
     is_program: bool = False
+    is_pausing: bool = False
+    """Whether somebody asked it to hold."""
+
+    def hear(self, event: Event) -> None:
+        """In the program's thread."""
+        self.stepped.hear(event)
+        if isinstance(event, RunEnded) and event.outcome is Outcome.COMPLETED:
+            for each in self.stepped.ended():
+                self.session.hub.publish(Answered(each))
+
+    def tell_hold(self, place: tuple[int, int]) -> None:
+        """In the program's thread: where it is held, so that it is told behind all that came before."""
+        frames = self.session.frames
+        if frames and self.is_program:
+            told = self.stepped.held(place, frames, was_paused=self.is_pausing)
+            self.is_pausing = False
+            for each in told or (self.stepped.line_of(frames[0]),):
+                self.session.hub.publish(Answered(each))
 
 
 class Running:
     """The programs of the robot that is talked to, one at a time; those of others go on by themselves.
 
-    ``told`` hears, in any thread, that a pause began or ended; ``breakpoints`` are those of the editor.
+    ``told`` hears, in any thread, that a pause began or ended; ``breakpoints`` are those of the editor,
+    ``last_seq`` is the number of the last event.
     """
 
     def __init__(
@@ -65,12 +90,14 @@ class Running:
         told: Callable[[ControlState], None],
         watch: Watch,
         breakpoints: Callable[[], frozenset[int]],
+        last_seq: Callable[[], int],
     ) -> None:
         self._chosen = chosen
         self._told = told
         self._watch = watch
         self._owns: dict[str, _Own] = {}
         self._breakpoints = breakpoints
+        self._last_seq = last_seq
 
     @property
     def _session(self) -> Session:
@@ -78,7 +105,11 @@ class Running:
 
     @property
     def _own(self) -> _Own:
-        return self._owns.setdefault(self._session.name, _Own())
+        own = self._owns.get(self._session.name)
+        return own or self._owns.setdefault(self._session.name, self._new_own(self._session))
+
+    def _new_own(self, session: Session, *, is_program: bool = False) -> _Own:
+        return _Own(session, Stepped(self._last_seq, session.wording), is_program=is_program)
 
     @property
     def _run(self) -> Run | None:
@@ -89,11 +120,32 @@ class Running:
         """Whether what runs, or ran last, is the text of the editor."""
         return self._own.is_program
 
-    def adopt(self, runs: Mapping[str, Run]) -> None:
+    def adopt(self, runs: Mapping[str, Run], team: Team) -> None:
         """Programs that were started together, by the names of their robots."""
         for name, run in runs.items():
-            self._owns[name] = _Own(run, is_program=True)
-            run.control.observe(self._told)
+            own = self._owns[name] = self._new_own(team.session(name), is_program=True)
+            own.run = run
+            own.stepped.begin(own.session, team.given[name].text)
+            self._observe(own, run.control)
+
+    def _observe(self, own: _Own, control: ExecutionControl) -> None:
+        def told(state: ControlState) -> None:
+            if state is ControlState.PAUSED:
+                own.tell_hold(control.held_at)
+            self._told(state)
+
+        control.observe(told)
+
+    def hear(self, stamped: Stamped) -> None:
+        """What robots' sensors say, and that a program is done. In any thread."""
+        if isinstance(stamped.event, Read | RunEnded):
+            for own in tuple(self._owns.values()):
+                if own.session.hub.robot == stamped.robot:
+                    own.hear(stamped.event)
+
+    def told_back(self, timeline: Timeline, *, is_now: bool) -> tuple[str, ...]:
+        """One step back of the robot that is talked to; ``is_now``: the first one."""
+        return self._own.stepped.back(timeline, is_now=is_now)
 
     def look_again(self) -> None:
         """Another robot was chosen: its program may have ended while nobody looked."""
@@ -144,15 +196,18 @@ class Running:
         if self._run is not None:
             return _BUSY
 
+        own = self._new_own(self._session, is_program=program)
+        own.stepped.begin(own.session, text)
+
         def prepare(control: ExecutionControl) -> None:
-            control.observe(self._told)
+            self._observe(own, control)
             if program:
                 control.break_at(self._breakpoints())
             if begin:
                 begin(control)
 
         try:
-            run = self._session.start(
+            own.run = self._session.start(
                 text,
                 name,
                 fresh=program,
@@ -162,7 +217,7 @@ class Running:
             )
         except Busy:
             return _BUSY
-        self._owns[self._session.name] = _Own(run, is_program=program)
+        self._owns[own.session.name] = own
         return None
 
     def ended(self) -> bool:
@@ -207,12 +262,14 @@ class Running:
     def pause(self) -> Answer | None:
         if self._run is None:
             return _NOTHING_RUNS
+        self._own.is_pausing = True
         self._run.control.pause()
         return None
 
     def go_on(self) -> Answer:
         if self._run is None:
             return _NOTHING_RUNS
+        self._own.stepped.goes_on()
         self._run.control.resume()
         return Answer("answer-continued")
 
@@ -234,6 +291,7 @@ class Running:
         """Until that line of the program (from 1) is next."""
         if self._run is None:
             return self.run(text, name, begin=lambda control: control.run_to(line))
+        self._own.stepped.goes_on()
         self._run.control.run_to(line)
         return None
 

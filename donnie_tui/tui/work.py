@@ -64,7 +64,11 @@ class Work:
         self.talk = Talk(host, donnie)
         self.watch = Watch(self.words)
         self.running = Running(
-            lambda: donnie.session, self._paused, self.watch, lambda: self.workplace.editor.breakpoints
+            lambda: donnie.session,
+            self._paused,
+            self.watch,
+            lambda: self.workplace.editor.breakpoints,
+            lambda: donnie.chronicle.last_seq,
         )
         self.preferences = Preferences(settings or Settings(), os.environ)
         self.files = Files(
@@ -95,8 +99,8 @@ class Work:
         self.while_typing = WhileTyping(self, host)
         self._chosen = ChosenSettings(self, host, self._intake, self.while_typing)
         self._deeds = Deeds(self)
-        self._hear_no_more = donnie.team.stream.subscribe(bridge)
-        self._follow_no_more = donnie.team.stream.subscribe(self.trail.hear)
+        hear = (bridge, self.trail.hear, self.running.hear)
+        self._hear_no_more = [donnie.team.stream.subscribe(each) for each in hear]
 
     def begin(self, file: Path | None, text: str | None, brought: Brought | None = None) -> None:
         """Open what was asked for. ``text``: what the other mode left, unsaved changes included.
@@ -319,8 +323,8 @@ class Work:
 
     def hand_over(self) -> Donnie:
         """To the other mode: the session goes on there, what runs here ends."""
-        self._hear_no_more()
-        self._follow_no_more()
+        for hear_no_more in self._hear_no_more:
+            hear_no_more()
         self._donnie.team.stop()
         for session in self._donnie.team.sessions:
             if session.run is not None:

@@ -177,6 +177,31 @@ async def test_stepping_stops_before_each_line_and_the_cursor_follows(work):
         ]
 
 
+async def test_steps_tell_rounds_and_conditions_there_and_back(work):
+    async with work("VAR x = 1\nREPEAT 2 TIMES\nIF x > 0 THEN\nx = x + 1\nEND IF\nEND REPEAT") as desk:
+        for line in (1, 2, 3, 4, 2, 3):
+            await desk.press("f7")
+            await desk.until(lambda line=line: desk.log[-1].startswith(f"Line {line}"), f"line {line}")
+        told = [line for line in desk.log if not line.startswith("Line ")]
+        assert told[-3:] == ["Round 1 of 2.", "Condition true: 1 greater than 0.", "Round 2 of 2."]
+        for _ in range(2):
+            await desk.type_line("step back")
+        await desk.told("x is 1.")
+
+        assert desk.log[-3:] == ("x is 1.", "Condition true: 1 greater than 0.", "Line 4, level 2: x = x + 1")
+
+
+async def test_the_last_step_tells_what_ended_the_loop_behind_what_was_done(work):
+    async with work("VAR x = 1\nWHILE x < 2 DO\nx = x + 1\nEND WHILE") as desk:
+        for line in (1, 2, 3, 2):
+            await desk.press("f7")
+            await desk.until(lambda line=line: desk.log[-1].startswith(f"Line {line}"), f"line {line}")
+        await desk.press("f7")
+        await desk.told("The program is done.")
+
+        assert desk.log[-2:] == ("Condition false: 2 equal to 2.", "The program is done.")
+
+
 async def test_a_step_goes_into_a_procedure_and_its_caller_is_marked(work):
     async with work(CALLS) as desk:
         await desk.press("f7")
@@ -184,7 +209,7 @@ async def test_a_step_goes_into_a_procedure_and_its_caller_is_marked(work):
         await desk.press("f7")
         await desk.told("Line 5:")
         await desk.press("f7")
-        await desk.told("Line 2: FW n")
+        await desk.told("Line 2, level 1: FW n")
 
         assert "> 2  FW n" in desk.screen
         assert "* 5  HOP [2]" in desk.screen

@@ -100,7 +100,7 @@ async def test_a_pause_inside_a_procedure(work, same, theme, size):
         desk.app.theme = theme
         desk.place.editor.go_to(4)
         await desk.press("f10")
-        await desk.told("Line 4: FW height TR 90")
+        await desk.told("Line 4, level 2: FW height")
         await same(desk)
 
 
