@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from pathlib import Path
+
 from donnie_tui.cli import codes
 from donnie_tui.cli.order import Order
 from donnie_tui.cli.output import Output
@@ -15,9 +17,28 @@ from language.parser import parse
 
 
 def check(order: Order) -> int:
-    """The worst of the files counts."""
+    """The worst of the files counts. A folder stands for the programs in it."""
     colours = _colours(order)
-    return max(_check_file(order, name, colours) for name in order.invocation.arguments.file)
+    return max(_check(order, name, colours) for name in order.invocation.arguments.file)
+
+
+def _check(order: Order, name: str, colours: frozenset[str] | None) -> int:
+    names = programs_in(name)
+    if not names:
+        order.output.complaint(order.words("check-no-programs", path=name))
+    return max((_check_file(order, each, colours) for each in names), default=codes.UNUSABLE)
+
+
+def programs_in(name: str) -> tuple[str, ...]:
+    """The files of a folder that are named as programs are, by name; of anything else only itself."""
+    folder = Path(name)
+    try:
+        if not folder.is_dir():
+            return (name,)
+        found = [each for each in folder.iterdir() if each.suffix.lower() == ".gd" and each.is_file()]
+    except (OSError, ValueError):
+        return (name,)  # reading it tells why
+    return tuple(sorted(map(str, found)))
 
 
 def _check_file(order: Order, name: str, colours: frozenset[str] | None) -> int:

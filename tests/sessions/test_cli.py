@@ -84,6 +84,20 @@ def test_check_prints_nothing_about_a_program_without_mistakes_but_says_so(print
     assert (printed.out, printed.err) == ("", "a.gd: sem erros.\n")
 
 
+def test_check_of_a_folder_checks_the_programs_in_it(printed: Printed, tmp_path: Path) -> None:
+    (tmp_path / "class" / "more.gd").mkdir(parents=True)
+    assert printed.by("check", "class") == 2
+    assert printed.err == "There are no programs in class, files that end in .gd.\n"
+    for name, text in (("bob.gd", "FWD 1"), ("ana.GD", "FW 1"), ("notes.txt", "FWD 2")):
+        (tmp_path / "class" / name).write_text(text)
+    place = Path("class")
+
+    assert printed.by("check", "class") == 1
+    assert printed.out.startswith(f"{place / 'bob.gd'}:1:1: ")
+    assert len(printed.out.splitlines()) == 1
+    assert printed.err.splitlines() == [f"{place / 'ana.GD'}: no mistakes."]
+
+
 def test_check_knows_the_colours_of_the_world_that_is_named(printed: Printed, tmp_path: Path) -> None:
     write("a.gd", "SPEAK COLOR yellow")
     write(

@@ -145,6 +145,11 @@ SENTENCES: dict[str, Sentence] = {
     ),
     # --- check
     "check-clean": Sentence("{file}: no mistakes.", "{file}: sem erros.", "{file}: sin errores."),
+    "check-no-programs": Sentence(
+        "There are no programs in {path}, files that end in .gd.",
+        "Não há programas em {path}, arquivos que acabam em .gd.",
+        "No hay programas en {path}, archivos que acaban en .gd.",
+    ),
     # --- help of the command line
     "usage-donnie": Sentence(
         "Program a robot in GoDonnie, by ear, by touch and by eye.",
