@@ -53,7 +53,7 @@ def test_check_tells_every_mistake_a_line_each(printed: Printed) -> None:
     assert printed.by("check", "a.gd") == 1
     assert printed.out.splitlines() == [
         "a.gd:1:1: unknown-command: I do not know FWD. Did you mean FW?",
-        "a.gd:3:1: syntax: I expected TIMES, not FW.",
+        "a.gd:3:1: syntax: I expected TIMES, not FW. TIMES belongs at the end of line 2.",
     ]
 
 
