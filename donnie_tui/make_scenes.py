@@ -5,6 +5,8 @@ Needed after any change of a world, of ``sim.scene`` or of how world files are r
 
 from __future__ import annotations
 
+from pathlib import Path
+
 import worlds
 from sim import ready
 from sim.scene import Scene
@@ -14,14 +16,14 @@ def parsed(name: str) -> Scene:
     """The scene as the world file gives it."""
     from sim.worldfile import load_world
 
-    return load_world(worlds.path(name), allowed=(worlds.SCENES,))
+    return load_world(Path(worlds.path(name)), allowed=(Path(worlds.SCENES),))
 
 
 def main() -> None:
     """Write them all, each beside its world."""
     for name in worlds.names():
         path = worlds.path(name)
-        path.with_suffix(ready.SUFFIX).write_bytes(ready.made(path, parsed(name)))
+        Path(ready.beside(path)).write_bytes(ready.made(path, parsed(name)))
 
 
 if __name__ == "__main__":

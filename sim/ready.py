@@ -11,7 +11,6 @@ import io
 import os
 import pickle
 from collections.abc import Callable, Iterable
-from pathlib import Path
 from typing import Any
 from zlib import crc32
 
@@ -21,24 +20,26 @@ from sim.scene import Scene
 SUFFIX = ".scene"
 
 
-def read(world: Path) -> Scene | None:
+def read(world: str) -> Scene | None:
     """The scene that was made of our world file; None if there is none, or none that fits any more."""
+    folder = _folder_of(world)
     try:
-        sources, scene = pickle.loads(world.with_suffix(SUFFIX).read_bytes())
-        is_fresh = all(crc32((world.parent / name).read_bytes()) == sum_ for name, sum_ in sources)
+        sources, scene = pickle.loads(_bytes_of(beside(world)))
+        is_fresh = all(crc32(_bytes_of(f"{folder}/{name}")) == sum_ for name, sum_ in sources)
     except OSError:
         return None
     except (pickle.UnpicklingError, EOFError, TypeError, AttributeError, ImportError):
         return None  # damaged, or made with other classes than ours are now
-    return _placed(scene, lambda name: _absolute(world.parent, name)) if is_fresh else None
+    return _placed(scene, lambda name: os.path.normpath(f"{folder}/{name}")) if is_fresh else None
 
 
-def made(world: Path, scene: Scene) -> bytes:
+def made(world: str, scene: Scene) -> bytes:
     """What ``maze.scene`` must hold for the world that was read from ``maze.world``."""
-    relative = _placed(scene, lambda file: Path(os.path.relpath(file, world.parent)).as_posix())
+    folder = _folder_of(world)
+    relative = _placed(scene, lambda file: os.path.relpath(file, folder).replace(os.sep, "/"))
     report = relative.report
     sources = tuple(
-        (name, crc32((world.parent / name).read_bytes())) for name in _sources(report.files, report.pictures)
+        (name, crc32(_bytes_of(f"{folder}/{name}"))) for name in _sources(report.files, report.pictures)
     )
     written = io.BytesIO()
     _Pickler(written, protocol=4).dump((sources, relative))
@@ -49,8 +50,18 @@ def _sources(files: Iterable[str], pictures: Iterable[str]) -> tuple[str, ...]:
     return tuple(dict.fromkeys((*files, *pictures)))
 
 
-def _absolute(folder: Path, name: str) -> str:
-    return os.path.normpath(folder / name)
+def beside(world: str) -> str:
+    """The file of its scene."""
+    return world.removesuffix(".world") + SUFFIX
+
+
+def _folder_of(world: str) -> str:
+    return os.path.split(world)[0]
+
+
+def _bytes_of(path: str) -> bytes:
+    with open(path, "rb") as file:  # noqa: PTH123 -- pathlib is slow to load
+        return file.read()
 
 
 def _placed(scene: Scene, place: Callable[[str], str]) -> Scene:

@@ -6,18 +6,23 @@ worlds of the manual's chapter on world files, step by step.
 
 from __future__ import annotations
 
+import os
 import re
 from enum import Enum
-from pathlib import Path
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 from devices.ports.values import frozen
 
-SCENES = Path(__file__).resolve().parent / "scenes"
+if TYPE_CHECKING:
+    from pathlib import Path
+
+_HERE = os.path.realpath(__path__[0])
+SCENES = f"{_HERE}/scenes"
 """The folder with the world files of the scenarios and what they include."""
-MANUAL = SCENES.parent / "manual"
+MANUAL = f"{_HERE}/manual"
 """The folder with the worlds of the manual."""
 
+WORLD = ".world"
 WORDS = ".toml"
 """Beside ``maze.world`` lies ``maze.toml`` with its words."""
 LANGUAGES = ("en", "pt", "es")
@@ -72,22 +77,22 @@ def scenarios() -> tuple[str, ...]:
     return _names_in(SCENES)
 
 
-def _names_in(folder: Path) -> tuple[str, ...]:
-    found = {file.stem for file in folder.glob("*.world")}
+def _names_in(folder: str) -> tuple[str, ...]:
+    found = {file.name.removesuffix(WORLD) for file in os.scandir(folder) if file.name.endswith(WORLD)}
     return tuple(name for name in _ORDER if name in found) + tuple(sorted(found.difference(_ORDER)))
 
 
-def path(name: str) -> Path:
+def path(name: str) -> str:
     """The world file. KeyError if there is no such world."""
     for folder in (SCENES, MANUAL):
         if name in _names_in(folder):
-            return folder / f"{name}.world"
+            return f"{folder}/{name}{WORLD}"
     raise KeyError(name)
 
 
 def about(name: str, language: str) -> About:
     """What to say of a world in ``en``, ``pt`` or ``es``. KeyError if there is no such world or language."""
-    return _about(_read(path(name).with_suffix(WORDS)), language)
+    return _about(_read(_beside(path(name))), language)
 
 
 class BadWords(Exception):
@@ -102,12 +107,12 @@ class BadWords(Exception):
         """Where it can't be read, if that is known."""
 
 
-def words_beside(world: Path, language: str) -> About | None:
+def words_beside(world: str, language: str) -> About | None:
     """What the author of a world file says of it in a file beside it, None without one. Raises ``BadWords``.
 
     In that language if it is there, else in English, else in any of the three.
     """
-    file = world.with_suffix(WORDS)
+    file = _beside(world)
     if not file.is_file():
         return None
     told = _read(file)
@@ -120,6 +125,13 @@ def words_beside(world: Path, language: str) -> About | None:
     if told.get("difficulty", "") not in [each.value for each in Difficulty]:
         raise BadWords(file, "difficulty")
     return _about(told, written[0])
+
+
+def _beside(world: str) -> Path:
+    """The file of its words."""
+    from pathlib import Path  # slow to load, and a start needs no words
+
+    return Path(world).with_suffix(WORDS)
 
 
 def _read(file: Path) -> dict[str, Any]:

@@ -11,7 +11,6 @@ import os
 import sys
 from collections.abc import Iterator, Mapping
 from functools import cached_property
-from pathlib import Path
 from typing import TYPE_CHECKING
 
 if TYPE_CHECKING:
@@ -34,7 +33,7 @@ class Around:
     """The facts about this process's surroundings, each as it is when it is asked for first."""
 
     def __init__(
-        self, variables: Mapping[str, str], root: Path, *, is_linear: bool, has_real_robot: bool
+        self, variables: Mapping[str, str], root: str, *, is_linear: bool, has_real_robot: bool
     ) -> None:
         self._variables, self._root = variables, root
         self.is_linear = is_linear
@@ -69,7 +68,7 @@ class Around:
 
 def look_around(
     environment: Mapping[str, str] | None = None,
-    root: Path = Path("/"),
+    root: str = "/",
     *,
     is_linear: bool = True,
     has_real_robot: bool = False,
@@ -93,7 +92,7 @@ def ssip_address(variables: Mapping[str, str]) -> Address | None:
     return find_address(variables)
 
 
-def find_screen_reader(variables: Mapping[str, str], root: Path = Path("/")) -> str | None:
+def find_screen_reader(variables: Mapping[str, str], root: str = "/") -> str | None:
     """The name of a speaking screen reader that runs for this user, or None."""
     if variables.get("DONNIE_READER", "").lower() in _YES:
         return "DONNIE_READER"
@@ -102,7 +101,7 @@ def find_screen_reader(variables: Mapping[str, str], root: Path = Path("/")) -> 
     return next(_running_readers(root), None)
 
 
-def has_voice(root: Path = Path("/")) -> bool:
+def has_voice(root: str = "/") -> bool:
     """Whether pyttsx3 is installed and finds an espeak-ng library, the system's or the bundled one."""
     from importlib.util import find_spec
 
@@ -111,7 +110,7 @@ def has_voice(root: Path = Path("/")) -> bool:
     return find_spec("espeakng_loader") is not None or sys.platform != "linux" or _has_library(root)
 
 
-def has_sound_device(variables: Mapping[str, str], root: Path = Path("/")) -> bool:
+def has_sound_device(variables: Mapping[str, str], root: str = "/") -> bool:
     """Whether a sound card or a sound server is plausible. Always true where only trying would tell."""
     if sys.platform != "linux" or variables.get("PULSE_SERVER"):
         return True
@@ -119,7 +118,9 @@ def has_sound_device(variables: Mapping[str, str], root: Path = Path("/")) -> bo
     servers = (f"{runtime}/{name}" for name in ("pulse/native", "pipewire-0"))
     if runtime and any(map(os.path.exists, servers)):  # pathlib's raises where one may not look
         return True
-    return any((root / "dev/snd").glob("pcmC*p"))
+    return any(
+        each.name.startswith("pcmC") and each.name.endswith("p") for each in _entries(f"{root}/dev/snd")
+    )
 
 
 def _stdout_is_terminal() -> bool:
@@ -129,31 +130,34 @@ def _stdout_is_terminal() -> bool:
         return False
 
 
-def _has_library(root: Path) -> bool:
+def _has_library(root: str) -> bool:
+    from pathlib import Path  # slow to load, and the library comes along with most voices
+
     for folder in _LIBRARY_FOLDERS:
-        place = root / folder.lstrip("/")
+        place = Path(f"{root}{folder}")
         if any((place / name).exists() or any(place.glob(f"*/{name}")) for name in _LIBRARIES):
             return True
     return False
 
 
-def _speakup_speaks(root: Path) -> bool:
+def _speakup_speaks(root: str) -> bool:
     synth = _read(f"{root}/sys/accessibility/speakup/synth").strip()
     return synth not in ("", "none")
 
 
-def _running_readers(root: Path) -> Iterator[str]:
+def _running_readers(root: str) -> Iterator[str]:
     """All processes are looked at before the first frame: their files are read without detours."""
     own_user = os.getuid() if hasattr(os, "getuid") else -1
-    for process in _processes(f"{root}/proc"):
-        reader = _reader_in(process)
-        if reader and (reader in _SYSTEM_READERS or _owner(process) == own_user):
+    for process in _entries(f"{root}/proc"):
+        reader = _reader_in(process.path) if process.name.isdigit() else None
+        if reader and (reader in _SYSTEM_READERS or _owner(process.path) == own_user):
             yield reader
 
 
-def _processes(proc: str) -> list[str]:
+def _entries(folder: str) -> list[os.DirEntry[str]]:
+    """None where there is no such folder, or where one may not look."""
     try:
-        return [entry.path for entry in os.scandir(proc) if entry.name.isdigit()]
+        return [*os.scandir(folder)]
     except OSError:
         return []
 

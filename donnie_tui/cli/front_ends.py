@@ -8,7 +8,6 @@ from __future__ import annotations
 
 import sys
 from collections.abc import Mapping
-from pathlib import Path
 from typing import TYPE_CHECKING
 
 from devices.ports.values import frozen, mutable, replace
@@ -26,7 +25,7 @@ if TYPE_CHECKING:
 class _Luggage:
     """What goes along from one mode to the other."""
 
-    file: Path | None
+    file: str | None
     greeting: Greeting | None
     """The linear mode's, of this process."""
     text: str | None = None
@@ -40,13 +39,13 @@ def start(order: Order) -> int:
     settings = replace(order.settings, plain=True) if arguments.plain else order.settings
     option = True if arguments.linear else False if arguments.visual else None
     cause = cause_of_linear(option, settings.linear, surroundings(order.environment))
-    along = _Luggage(Path(arguments.file) if arguments.file else None, order.greeting)
+    along = _Luggage(arguments.file or None, order.greeting)
     while True:
         try:
             return _see(settings, along) if cause is None else _talk(settings, cause, along)
         except SwitchMode as switch:
             cause = None if cause else "word"
-            along.file = Path(switch.name) if switch.name else None
+            along.file = switch.name or None
             along.text, along.donnie = switch.text, switch.donnie
 
 

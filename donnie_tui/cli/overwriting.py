@@ -8,23 +8,29 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 from itertools import combinations, product
-from pathlib import Path
+from typing import TYPE_CHECKING
 
 from donnie_tui.cli.order import Order
 from donnie_tui.core.documents import is_same_file
 from donnie_tui.i18n.words import Unusable
 from donnie_tui.settings.chosen import Settings
 
+if TYPE_CHECKING:
+    from pathlib import Path
+
 
 def refuse_overwriting(order: Order) -> None:
     """Raises ``Unusable`` where an option names a file that the command needs, or that another one names."""
-    outputs = (*_outputs(order.settings), *_pages(order))
-    if not outputs:
+    named = (*_outputs(order.settings), *_pages(order))
+    if not named:
         return
+    from pathlib import Path
+
+    outputs = tuple((option, Path(name)) for option, name in named)
     for (option, path), (other, other_path) in combinations(outputs, 2):
         if is_same_file(path, other_path):
             raise Unusable(order.words("output-twice", option=option, other=other, path=path))
-    read = (*_programs(order), *_files_of_world(order, outputs))
+    read = [*map(Path, (*_programs(order), *_files_of_world(order, outputs)))]
     for (option, path), source in product(outputs, read):
         if is_same_file(path, source):
             raise Unusable(order.words("output-is-input", option=option, path=path))
@@ -35,36 +41,36 @@ def refuse_overwriting(order: Order) -> None:
             raise Unusable(order.words("output-is-other", option=option, path=path))
 
 
-def _outputs(settings: Settings) -> Iterator[tuple[str, Path]]:
+def _outputs(settings: Settings) -> Iterator[tuple[str, str]]:
     """The option and the file of everything that is written as it happens."""
     if settings.record is not None:
-        yield "--record", Path(settings.record)
+        yield "--record", settings.record
     if settings.events not in (None, "-"):
-        yield "--events", Path(str(settings.events))
+        yield "--events", str(settings.events)
     if isinstance(settings.sound, str):
-        yield "--sound", Path(settings.sound)
+        yield "--sound", settings.sound
 
 
-def _pages(order: Order) -> Iterator[tuple[str, Path]]:
+def _pages(order: Order) -> Iterator[tuple[str, str]]:
     """What ``donnie world`` writes."""
     for option in ("svg", "brf"):
         name = getattr(order.invocation.arguments, option, None)
         if name:
-            yield f"--{option}", Path(name)
+            yield f"--{option}", str(name)
 
 
-def _programs(order: Order) -> Iterator[Path]:
+def _programs(order: Order) -> Iterator[str]:
     """All that may be meant: ``ROBOT=FILE`` is a file of that name too."""
     arguments = order.invocation.arguments
     named = getattr(arguments, "file", None)
     files = [named] if isinstance(named, str) else named or []
     for each in (*files, *filter(None, [getattr(arguments, "run", None)])):
-        yield Path(each)
+        yield each
         if "=" in each:
-            yield Path(each.partition("=")[2])
+            yield each.partition("=")[2]
 
 
-def _files_of_world(order: Order, outputs: tuple[tuple[str, Path], ...]) -> tuple[Path, ...]:
+def _files_of_world(order: Order, outputs: tuple[tuple[str, Path], ...]) -> tuple[str, ...]:
     """None where no output is there yet, or the world is one of ours."""
     import worlds
     from donnie_tui.world.choice import choose_world, files_of  # slow to load, and few write anything
@@ -75,7 +81,7 @@ def _files_of_world(order: Order, outputs: tuple[tuple[str, Path], ...]) -> tupl
         return ()
     if not any(_is_regular(path) for _, path in outputs):
         return ()
-    return (Path(name), *files_of(choose_world(name, order.words, settings.world_folders)))
+    return (name, *files_of(choose_world(name, order.words, settings.world_folders)))
 
 
 def _is_regular(path: Path) -> bool:

@@ -180,10 +180,10 @@ class Copies:
     def _newest_first(self, prefix: str) -> list[Path]:
         try:
             with os.scandir(self._folder) as entries:
-                ours = [
+                copies = [
                     each for each in entries if each.name.startswith(prefix) and each.name.endswith(_SUFFIX)
                 ]
-            found = [(each.stat().st_mtime_ns, each.path) for each in ours]
+            found = [(each.stat().st_mtime_ns, each.path) for each in copies]
         except OSError:
             return []
         return [_path(each) for _, each in sorted(found, reverse=True)]

@@ -13,10 +13,13 @@ import itertools
 import os
 import re
 from collections.abc import Iterable
-from pathlib import Path
+from typing import TYPE_CHECKING
 
 from donnie_tui.core.harmless import cleaned
 from donnie_tui.core.in_use import FilesInUse
+
+if TYPE_CHECKING:
+    from pathlib import Path
 
 _LINE_END = r"\r\n|\r|\n"
 """A pattern, made when something is read: a start reads nothing."""
@@ -53,7 +56,7 @@ def program_to_save(name: str, in_use: FilesInUse) -> Path:
     """
     path = _typed_path(name)
     meant = path if path.suffix or exists(path) else path.with_name(path.name + SUFFIX)
-    if meant in in_use:
+    if str(meant) in in_use:
         raise DocumentError("file-in-use", str(meant))
     if is_folder(meant):
         raise DocumentError("file-is-folder", str(meant))
@@ -73,6 +76,8 @@ def page_to_save(name: str, open_programs: Iterable[Path | None], in_use: FilesI
 
 def _typed_path(name: str) -> Path:
     """The path of a name that may stand between quotes. Raises ``DocumentError``."""
+    from pathlib import Path  # slow to load, and a start names no file
+
     path = Path(unquoted(name))
     if not path.name or "\0" in name:
         raise DocumentError("file-is-folder", str(path))
@@ -240,7 +245,7 @@ class Document:
 
     def write(self, path: Path, text: str) -> None:
         """Save, under this name from now on. Raises ``DocumentError``."""
-        if path in self._in_use:
+        if str(path) in self._in_use:
             raise DocumentError("file-in-use", str(path))
         write_program(path, text if not text or text.endswith("\n") else f"{text}\n")
         self.path = path

@@ -2,22 +2,22 @@
 
 from __future__ import annotations
 
+import os
 from collections.abc import Iterable
-from pathlib import Path
 
 
 class FilesInUse:
     """Found again under whatever name."""
 
-    def __init__(self, paths: Iterable[Path] = ()) -> None:
-        self._resolved = frozenset(filter(None, map(_resolved, paths)))
+    def __init__(self, names: Iterable[str] = ()) -> None:
+        self._names = tuple(names)
 
-    def __contains__(self, path: Path) -> bool:
-        return _resolved(path) in self._resolved
+    def __contains__(self, name: str) -> bool:
+        return _resolved(name) in map(_resolved, self._names)
 
 
-def _resolved(path: Path) -> Path | None:
+def _resolved(name: str) -> str:
     try:
-        return path.resolve()
-    except (OSError, ValueError, RuntimeError):
-        return None
+        return os.path.realpath(name)
+    except (OSError, ValueError):
+        return name

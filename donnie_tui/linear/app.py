@@ -9,7 +9,6 @@ from __future__ import annotations
 import contextlib
 import os
 from collections.abc import Callable
-from typing import TYPE_CHECKING
 
 from devices.ports.values import replace
 from donnie_tui.bootstrap import Donnie, Unusable, assemble
@@ -24,13 +23,10 @@ from donnie_tui.settings.devices import SIMULATED
 from donnie_tui.settings.folders import state_path
 from donnie_tui.words.switching import GoToWorld, SwitchMode
 
-if TYPE_CHECKING:
-    from pathlib import Path
-
 
 def run_linear(
     settings: Settings,
-    file: Path | None,
+    file: str | None,
     cause: str,
     greeting: Greeting,
     *,

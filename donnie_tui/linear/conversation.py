@@ -34,8 +34,6 @@ from donnie_tui.settings.folders import BREAKPOINTS, UNSAVED
 from donnie_tui.words.switching import GoToWorld, SwitchMode
 
 if TYPE_CHECKING:
-    from pathlib import Path
-
     from donnie_tui.linear.key_echo import KeyEcho
 
 
@@ -125,7 +123,7 @@ class Conversation:
         self._desk.close()
 
     def until_left(
-        self, file: Path | None, text: str | None = None, *, offers_to_remember: bool = False
+        self, file: str | None, text: str | None = None, *, offers_to_remember: bool = False
     ) -> int:
         """Read and answer until something ends it. The exit code.
 
@@ -177,16 +175,18 @@ class Conversation:
         finally:
             self._past.trim()
 
-    def _talk(self, file: Path | None, text: str | None, offers_to_remember: bool) -> int:
+    def _talk(self, file: str | None, text: str | None, offers_to_remember: bool) -> int:
         desk = self._desk
         desk.donnie.outlets.audible.say_printed(*self._greeting.lines)
         is_shown = self._greeting.take_prompt()
         if text is not None:
             self._take_over(text, file)
         elif file is not None:
+            from pathlib import Path
+
             from donnie_tui.linear import files
 
-            files.open_file(desk, file)
+            files.open_file(desk, Path(file))
         self._tell_notices()
         if offers_to_remember:
             from donnie_tui.linear import modes
@@ -215,13 +215,15 @@ class Conversation:
         self._leaving.say_goodbye()
         return desk.leaving
 
-    def _take_over(self, text: str, file: Path | None) -> None:
+    def _take_over(self, text: str, file: str | None) -> None:
         """The program that the full screen left; it is saved if its file says the same."""
+        from pathlib import Path
+
         from donnie_tui.linear import files
 
         program = self._desk.program
-        program.replace(text, str(file) if file else None)
-        program.saved = files.holds(file, text) if file else not text.strip()
+        program.replace(text, file)
+        program.saved = files.holds(Path(file), text) if file else not text.strip()
         self._desk.programs.bring_breakpoints()
         if program.lines:
             self._desk.answer("linear-lines", lines=len(program.lines))

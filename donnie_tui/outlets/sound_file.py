@@ -17,9 +17,9 @@ from donnie_tui.core.events import CueSounded, RunEnded, SoundSwitched, Stamped
 class SoundFile:
     """Listens to the stream and writes. What can't be written is told once."""
 
-    def __init__(self, path: Path, tell: Callable[[OSError], None]) -> None:
+    def __init__(self, path: str, tell: Callable[[OSError], None]) -> None:
         """Raises ``OSError`` where it can't be written at all."""
-        self._renderer, self._tell = WavRenderer(path), tell
+        self._renderer, self._tell = WavRenderer(Path(path)), tell
         self._on = True
         self._began = 0.0
         self._failed = False

@@ -9,7 +9,6 @@ from __future__ import annotations
 import os
 from collections.abc import Callable
 from contextlib import ExitStack, suppress
-from pathlib import Path
 from stat import S_ISFIFO
 from typing import TYPE_CHECKING, TextIO, cast
 
@@ -34,7 +33,7 @@ class Written:
     def __init__(self, settings: Settings, hub: Hub, words: Words, closing: ExitStack) -> None:
         self.lost: list[str] = []
         """Those that could not be written to their end."""
-        self.paths: list[Path] = []
+        self.paths: list[str] = []
         """All that are written as it goes."""
         self._settings = settings
         self._hub = hub
@@ -80,11 +79,11 @@ class Written:
         from donnie_tui.outlets.sound_file import SoundFile
 
         try:
-            sounds = SoundFile(Path(self._sounds), self._teller_of_loss(self._sounds))
+            sounds = SoundFile(self._sounds, self._teller_of_loss(self._sounds))
         except OSError as problem:
             raise self._unwritable(self._sounds, problem) from None
         self._closing.callback(sounds.close)
-        self.paths.append(Path(self._sounds))
+        self.paths.append(self._sounds)
         self._hub.subscribe(sounds)
 
     def _subscribe_lines(self, out: TextIO, name: str, *, whole: bool = False) -> None:
@@ -96,6 +95,8 @@ class Written:
         """``Log/log_001.txt`` and so on, as the original GoDonnie did."""
         if not self._settings.log:
             return
+        from pathlib import Path
+
         from donnie_tui.core.told_log import ToldLog, next_log
 
         try:
@@ -138,6 +139,8 @@ class Written:
 
     def _open(self, name: str) -> TextIO:
         """Lone surrogates become the escapes that JSON has for them."""
+        from pathlib import Path  # slow to load, as all that writes
+
         try:
             out = Path(name).open(  # noqa: SIM115 -- closed with the session
                 "w", encoding="utf-8", errors="backslashreplace", newline="\n"
@@ -145,7 +148,7 @@ class Written:
         except (OSError, ValueError) as problem:
             raise self._unwritable(name, problem) from None
         self._closing.callback(_close_quietly, out)
-        self.paths.append(Path(name))
+        self.paths.append(name)
         return out
 
     def _unwritable(self, name: str, problem: OSError | ValueError) -> Unusable:
@@ -162,11 +165,13 @@ class Written:
 
 def bundle_of(world: ChosenWorld, settings: Settings) -> WorldBundle:
     """All that was read for the world. Raises ``BundleError``."""
+    from pathlib import Path
+
     from donnie_tui.world.bundle import pack
 
     robots = list(world.scene.robot_names)
-    folders = (*settings.world_folders, worlds.SCENES)
-    return pack(world.name, world.path, [str(each) for each in files_of(world)], folders, robots)
+    folders = [*map(Path, (*settings.world_folders, worlds.SCENES))]
+    return pack(world.name, Path(world.path), files_of(world), folders, robots)
 
 
 def is_named_pipe(out: TextIO) -> bool:

@@ -8,7 +8,6 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 from enum import Enum
-from pathlib import Path
 
 from devices.ports.values import field, frozen
 from donnie_tui import LANGUAGES
@@ -42,7 +41,7 @@ class Settings:
     """The choices of one start. ``speed`` None is as fast as possible; ``events`` a file or ``-``."""
 
     world: str = "open_floor"
-    world_folders: tuple[Path, ...] = ()
+    world_folders: tuple[str, ...] = ()
     """Folders from which worlds may include files, besides their own."""
     robot: str = "sim"
     language: str = "en"

@@ -7,7 +7,6 @@ from __future__ import annotations
 
 import re
 from collections.abc import Mapping
-from pathlib import Path
 
 from donnie_tui.settings.chosen import Notice
 from donnie_tui.settings.folders import settings_file
@@ -18,16 +17,15 @@ LARGEST = 100_000
 
 def read_settings(environment: Mapping[str, str]) -> tuple[dict[str, object], tuple[Notice, ...]]:
     """What the file says, and what is wrong with it; both empty where there is none."""
-    path = Path(settings_file(environment))
     try:
-        if path.stat().st_size > LARGEST:
-            return {}, (Notice("settings-file-unreadable", {}),)
-        text = path.read_bytes().decode("utf-8-sig")
+        with open(settings_file(environment), "rb") as file:  # noqa: PTH123 -- pathlib is slow to load
+            data = file.read(LARGEST + 1)
+        text = data.decode("utf-8-sig")
     except FileNotFoundError:
         return {}, ()
     except (OSError, ValueError):
         return {}, (Notice("settings-file-unreadable", {}),)
-    return _parsed(text)
+    return _parsed(text) if len(data) <= LARGEST else ({}, (Notice("settings-file-unreadable", {}),))
 
 
 def _parsed(text: str) -> tuple[dict[str, object], tuple[Notice, ...]]:
@@ -43,6 +41,8 @@ def _parsed(text: str) -> tuple[dict[str, object], tuple[Notice, ...]]:
 
 def remember(key: str, value: str | bool | float, environment: Mapping[str, str]) -> None:
     """Put one setting into the file; the others, and comments, stay. Raises ``DocumentError``."""
+    from pathlib import Path
+
     from donnie_tui.core.documents import DocumentError, write_program  # a start only reads
 
     path = Path(settings_file(environment))

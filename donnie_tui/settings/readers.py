@@ -8,7 +8,6 @@ from __future__ import annotations
 import math
 import os
 from collections.abc import Callable, Mapping
-from pathlib import Path
 from typing import TypeAlias
 
 from donnie_tui import LANGUAGES
@@ -65,7 +64,7 @@ def read_language(text: str) -> str:
     return one_of(LANGUAGES)(language)
 
 
-def read_folders(text: str) -> tuple[Path, ...]:
+def read_folders(text: str) -> tuple[str, ...]:
     """Folders, apart as in PATH."""
     folders = folders_of(read_text(text))
     if not folders:
@@ -73,10 +72,10 @@ def read_folders(text: str) -> tuple[Path, ...]:
     return folders
 
 
-def folders_of(text: str) -> tuple[Path, ...]:
+def folders_of(text: str) -> tuple[str, ...]:
     """The same of any text; an empty one has none."""
     given = (each for each in text.split(os.pathsep) if each.strip())
-    return tuple(Path(os.path.expanduser(each)) for each in given)  # noqa: PTH111 -- pathlib's raises
+    return tuple(os.path.expanduser(each) for each in given)  # noqa: PTH111 -- pathlib's raises
 
 
 # --- numbers

@@ -30,7 +30,7 @@ CRASHED = 1
 
 
 def run_full_screen(
-    settings: Settings, file: Path | None, *, text: str | None = None, donnie: Donnie | None = None
+    settings: Settings, file: str | None, *, text: str | None = None, donnie: Donnie | None = None
 ) -> int:
     """Work at the screen until the learner leaves; the exit code.
 
@@ -41,7 +41,7 @@ def run_full_screen(
     found = sys.getswitchinterval()
     sys.setswitchinterval(SWITCH)
     try:
-        return _through_worlds(settings, file, text, donnie)
+        return _through_worlds(settings, Path(file) if file else None, text, donnie)
     finally:
         sys.setswitchinterval(found)
 

@@ -6,7 +6,6 @@ configuration file chooses its world, the robots that it offers, and the real ro
 
 from __future__ import annotations
 
-from pathlib import Path
 from typing import TYPE_CHECKING
 
 import worlds
@@ -17,6 +16,8 @@ from donnie_tui.i18n.words import Unusable, Words
 from sim import ready
 
 if TYPE_CHECKING:
+    from pathlib import Path
+
     from sim.scene import Scene
     from sim.worldfile import Offer
 
@@ -29,7 +30,7 @@ class ChosenWorld:
     """A world that was loaded. ``name`` is what the event stream calls it, whichever folder it came from."""
 
     name: str
-    path: Path
+    path: str
     scene: Scene
     ships: bool
     """Whether it is one of ours, with words about it."""
@@ -57,14 +58,14 @@ class ChosenWorld:
         return Pose(round(place.x / STEP, 6), round(place.y / STEP, 6), round(90.0 - place.yaw, 6) % 360.0)
 
 
-def files_of(world: ChosenWorld) -> tuple[Path, ...]:
+def files_of(world: ChosenWorld) -> tuple[str, ...]:
     """All that was read for the world."""
     report = world.scene.report
-    return (world.path, *(Path(each) for each in (*report.files, *report.pictures)))
+    return (world.path, *report.files, *report.pictures)
 
 
 def choose_world(
-    name_or_file: str, words: Words, folders: tuple[Path, ...] = (), *, unknown: str = "world-unknown"
+    name_or_file: str, words: Words, folders: tuple[str, ...] = (), *, unknown: str = "world-unknown"
 ) -> ChosenWorld:
     """The world of ``--world``. Raises ``Unusable``.
 
@@ -75,24 +76,30 @@ def choose_world(
         path = worlds.path(name_or_file)
         scene = ready.read(path) or _load(path, words, folders)
         return ChosenWorld(name_or_file, path, scene, ships=True)
-    path = Path(name_or_file)
-    if not _looks_like_a_file(name_or_file) and not exists(path):
-        raise Unusable(_unknown_world(name_or_file, words, unknown))
+    return _in_a_file(name_or_file, words, folders, unknown)
+
+
+def _in_a_file(name: str, words: Words, folders: tuple[str, ...], unknown: str) -> ChosenWorld:
+    from pathlib import Path  # slow to load, and our own are called by text
+
+    path = Path(name)
+    if not ("/" in name or "\\" in name or path.suffix or exists(path)):
+        raise Unusable(_unknown_world(name, words, unknown))
     if path.suffix.lower() == ".cfg":
         return _configured(path, words, folders)
-    return ChosenWorld(path.name, path, _load(path, words, folders), ships=False)
+    return ChosenWorld(path.name, str(path), _load(str(path), words, folders), ships=False)
 
 
-def _configured(path: Path, words: Words, folders: tuple[Path, ...]) -> ChosenWorld:
+def _configured(path: Path, words: Words, folders: tuple[str, ...]) -> ChosenWorld:
     from donnie_tui.i18n.world_mistakes import world_mistake
     from sim.worldfile import WorldError, load_configuration
 
     try:
-        found = load_configuration(path, allowed=(*folders, worlds.SCENES))
+        found = load_configuration(path, allowed=_allowed(folders))
     except WorldError as error:
         raise Unusable(world_mistake(error, words)) from None
     if found.scene is not None and found.world is not None:
-        name, place, scene = found.world.name, found.world, found.scene
+        name, place, scene = found.world.name, str(found.world), found.scene
         instead_of = ""
     else:
         instead_of = path.name
@@ -101,12 +108,9 @@ def _configured(path: Path, words: Words, folders: tuple[Path, ...]) -> ChosenWo
     return ChosenWorld(name, place, scene, False, found.offers, found.physical_port, instead_of)
 
 
-def _looks_like_a_file(name: str) -> bool:
-    return "/" in name or "\\" in name or Path(name).suffix != ""
-
-
 def _unknown_world(name: str, words: Words, code: str) -> str:
     import difflib
+    from pathlib import Path
 
     if exists(Path(f"{name}.world")):
         return words("world-unknown-near", name=name, near=f"{name}.world")
@@ -116,11 +120,20 @@ def _unknown_world(name: str, words: Words, code: str) -> str:
     return words(code, name=name)
 
 
-def _load(path: Path, words: Words, folders: tuple[Path, ...]) -> Scene:
+def _load(path: str, words: Words, folders: tuple[str, ...]) -> Scene:
+    from pathlib import Path
+
     from donnie_tui.i18n.world_mistakes import world_mistake
     from sim.worldfile import WorldError, load_world
 
     try:
-        return load_world(path, allowed=(*folders, worlds.SCENES))
+        return load_world(Path(path), allowed=_allowed(folders))
     except WorldError as error:
         raise Unusable(world_mistake(error, words)) from None
+
+
+def _allowed(folders: tuple[str, ...]) -> tuple[Path, ...]:
+    """Those from which a world may include files, besides its own."""
+    from pathlib import Path
+
+    return tuple(map(Path, (*folders, worlds.SCENES)))

@@ -31,7 +31,7 @@ def unpacked(header: Header, words: Words) -> Iterator[ChosenWorld]:
             main, folders = unpack(bundle, Path(folder))
         except BundleError as error:
             raise Unusable(words(error.code, **error.values)) from None
-        yield ChosenWorld(bundle.name, main, _loaded(bundle, main, folders, words), _ships(bundle))
+        yield ChosenWorld(bundle.name, str(main), _loaded(bundle, main, folders, words), _ships(bundle))
 
 
 def _loaded(bundle: WorldBundle, main: Path, folders: tuple[Path, ...], words: Words) -> Scene:

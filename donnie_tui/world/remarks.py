@@ -32,7 +32,7 @@ def remarks(world: ChosenWorld, words: Phrasing) -> tuple[str, ...]:
     told = (*bad_words, *(words(f"note-{_TOLD}", **note.details) for note in inside[:MOST_TOLD]))
     if not others:
         return told
-    return (*told, words("world-remarks", count=others, path=shlex.quote(str(world.path))))
+    return (*told, words("world-remarks", count=others, path=shlex.quote(world.path)))
 
 
 def _bad_words(world: ChosenWorld, words: Phrasing) -> tuple[str, ...]:

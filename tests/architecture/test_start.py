@@ -98,4 +98,5 @@ def test_a_program_that_speaks_loads_none_of_these(tmp_path: Path) -> None:
         *("donnie_tui.world.remarks", "donnie_tui.cli.kinds", "donnie_tui.words.team_words"),
         *("devices.speech.dispatcher", "string", "shlex"),
         *("tempfile", "random", "shutil", "logging"),
+        *("pathlib", "urllib.parse", "ipaddress", "fnmatch", "ntpath"),
     }

@@ -14,7 +14,7 @@ points point[0] point[1] point[2] z range fov samples name unit_length unit_angl
 ( ) [ ] 0 1 -1 3 4 1e9 1e-9 .5 1e400 90 "red" "cm" "x" "" " # chair a b gripper camera
 """
 WORDS = [*TEXT.split(), "\n"]
-DONNIE = (worlds.SCENES / "donnie.inc").read_text(encoding="utf-8") + '\ndonnie( name "donnie" )\n'
+DONNIE = (Path(worlds.SCENES) / "donnie.inc").read_text(encoding="utf-8") + '\ndonnie( name "donnie" )\n'
 
 
 def loads_or_is_a_mistake(text: str) -> None:

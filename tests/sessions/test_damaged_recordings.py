@@ -110,7 +110,7 @@ def test_whatever_is_damaged_the_rest_is_told_both_ways_and_drawn(here: Here) ->
     first_event = whole.index(b"\n") + 1
     rnd = random.Random(7)
     words = Words()
-    scene = load_world(worlds.path("object_field"), allowed=(worlds.SCENES,))
+    scene = load_world(Path(worlds.path("object_field")), allowed=(Path(worlds.SCENES),))
     floor = ReplayMap(scene, words)
 
     for _ in range(60):

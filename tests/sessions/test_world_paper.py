@@ -180,7 +180,7 @@ def test_every_world_has_its_place_in_the_documents() -> None:
 
 
 def test_every_file_beside_the_worlds_is_used_by_one_of_them() -> None:
-    for folder in (worlds.SCENES, worlds.MANUAL):
+    for folder in map(Path, (worlds.SCENES, worlds.MANUAL)):
         files = [*folder.glob("*.world"), *folder.glob("*.inc")]
         text = "\n".join(file.read_text(encoding="utf-8") for file in files)
         for file in (*folder.glob("*.inc"), *folder.glob("bitmaps/*")):

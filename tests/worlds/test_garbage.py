@@ -48,10 +48,10 @@ driver ( name "donnie" provides [ "position2d:1" ] port "/dev/ttyUSB0" )
 
 def sources() -> list[str]:
     """The short worlds of the manual, so that ten thousand are soon read, and Donnie now and then."""
-    texts = [worlds.path(name).read_text(encoding="utf-8") for name in worlds.names()]
+    texts = [Path(worlds.path(name)).read_text(encoding="utf-8") for name in worlds.names()]
     short = [text for text in texts if len(text) < 800 and not re.search("donnie|bitmap", text)]
     assert len(short) > 3
-    donnie = (worlds.SCENES / "donnie.inc").read_text(encoding="utf-8")
+    donnie = (Path(worlds.SCENES) / "donnie.inc").read_text(encoding="utf-8")
     return [*short * 3, *EQUIPPED * 5, donnie + '\ndonnie( name "donnie" pose [ 0 0 0 90 ] )\n']
 
 
@@ -80,12 +80,12 @@ def test_a_damaged_world_loads_or_is_a_mistake_with_its_place() -> None:
     for _ in range(MUTATIONS):
         text = damaged(chance.choice(texts), chance)
         try:
-            scene = load_text(text, worlds.MANUAL / "garbage.world")
+            scene = load_text(text, Path(worlds.MANUAL) / "garbage.world")
         except WorldError as mistake:
             lines = text.split("\n")
             assert mistake.line >= 1
             assert mistake.column >= 1
-            if mistake.file == str(worlds.MANUAL / "garbage.world"):
+            if mistake.file == f"{worlds.MANUAL}/garbage.world":
                 assert mistake.line <= len(lines)
                 assert mistake.column <= len(lines[mistake.line - 1]) + 1
         else:

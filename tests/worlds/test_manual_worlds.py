@@ -1,6 +1,7 @@
 """The manual's chapter on world files, step by step as printed: each step loads and is what it is told."""
 
 from functools import cache
+from pathlib import Path
 
 import pytest
 
@@ -19,7 +20,7 @@ CAVE = ("bigbob4", "bigbob5", "bigbob6", "bigbob_oranges", "bigbob7")
 
 @cache
 def scene(name: str) -> Scene:
-    return load_world(worlds.path(name))
+    return load_world(Path(worlds.path(name)))
 
 
 @cache

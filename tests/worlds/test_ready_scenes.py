@@ -28,7 +28,7 @@ def test_the_scene_that_ships_is_the_one_of_the_world_file(name: str) -> None:
 
 
 def test_a_scene_names_its_files_where_they_are_now(copied: Path) -> None:
-    scene = ready.read(copied / "cave.world")
+    scene = ready.read(str(copied / "cave.world"))
 
     assert scene is not None
     assert scene.report.files[0] == str(copied / "cave.world")
@@ -40,32 +40,32 @@ def test_once_any_of_its_files_changed_a_scene_is_not_used(copied: Path, changed
     with (copied / changed).open("ab") as file:
         file.write(b"\n")
 
-    assert ready.read(copied / "cave.world") is None
+    assert ready.read(str(copied / "cave.world")) is None
 
 
 def test_once_one_of_its_files_is_gone_a_scene_is_not_used(copied: Path) -> None:
     (copied / "donnie.inc").unlink()
 
-    assert ready.read(copied / "cave.world") is None
+    assert ready.read(str(copied / "cave.world")) is None
 
 
 def test_a_world_without_a_scene_has_none(copied: Path) -> None:
     (copied / "cave.scene").unlink()
 
-    assert ready.read(copied / "cave.world") is None
+    assert ready.read(str(copied / "cave.world")) is None
 
 
 def test_a_scene_made_with_other_classes_is_not_used(copied: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.delattr("sim.scene.Polygon")
 
-    assert ready.read(copied / "cave.world") is None
+    assert ready.read(str(copied / "cave.world")) is None
 
 
 def test_a_damaged_scene_is_not_used(copied: Path) -> None:
     file = copied / "cave.scene"
     file.write_bytes(file.read_bytes()[:500])
 
-    assert ready.read(copied / "cave.world") is None
+    assert ready.read(str(copied / "cave.world")) is None
 
 
 def test_a_remark_without_a_file_keeps_none(tmp_path: Path) -> None:
@@ -73,10 +73,10 @@ def test_a_remark_without_a_file_keeps_none(tmp_path: Path) -> None:
     world.write_text('model(name "hall" boundary 1 obstacle_return 0 gui_nose 0)')
     scene = load_world(world)
 
-    world.with_suffix(ready.SUFFIX).write_bytes(ready.made(world, scene))
+    Path(ready.beside(str(world))).write_bytes(ready.made(str(world), scene))
 
     assert "" in {note.file for note in scene.report.notes}
-    assert ready.read(world) == scene
+    assert ready.read(str(world)) == scene
 
 
 def test_a_world_that_ships_is_chosen_without_the_parser() -> None:

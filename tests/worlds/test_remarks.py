@@ -56,7 +56,7 @@ def test_what_only_surrounds_a_robot_or_stands_beside_it_is_not(tmp_path: Path, 
 
 @pytest.mark.parametrize("name", worlds.names())
 def test_in_the_worlds_that_ship_no_robot_begins_inside_of_anything(name: str) -> None:
-    report = choose_world(str(worlds.path(name)), Words()).scene.report
+    report = choose_world(worlds.path(name), Words()).scene.report
 
     assert "starts-inside" not in {note.code for note in report.notes}
 
@@ -155,7 +155,7 @@ def test_words_in_one_language_that_tell_no_difficulty_are_words(tmp_path: Path)
 
 def test_the_copy_of_a_world_that_ships_keeps_its_words(tmp_path: Path) -> None:
     for suffix in (".world", ".toml"):
-        file = worlds.path("living_room").with_suffix(suffix)
+        file = Path(worlds.path("living_room")).with_suffix(suffix)
         (tmp_path / f"room{suffix}").write_bytes(file.read_bytes())
 
     copied = choose_world(str(tmp_path / "room.world"), Words())

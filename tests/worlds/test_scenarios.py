@@ -3,6 +3,7 @@
 import re
 from collections.abc import Iterator
 from functools import cache
+from pathlib import Path
 
 import pytest
 
@@ -18,7 +19,7 @@ COLOURS = {"red", "green", "blue", "yellow", "orange", "pink", "gray"}
 
 @cache
 def scene(name: str) -> Scene:
-    return load_world(worlds.path(name), allowed=(worlds.SCENES,))
+    return load_world(Path(worlds.path(name)), allowed=(Path(worlds.SCENES),))
 
 
 @cache

@@ -16,7 +16,7 @@ from tests.unit.sim.floors import Unpaced
 
 
 def scene(name: str) -> Scene:
-    return load_world(worlds.path(name), allowed=(worlds.SCENES,))
+    return load_world(Path(worlds.path(name)), allowed=(Path(worlds.SCENES),))
 
 
 def donnie(name: str) -> SimulatedRobot:
@@ -72,7 +72,9 @@ STAGE_LINE = re.compile(
 )
 
 
-@pytest.mark.parametrize("file", sorted(worlds.SCENES.glob("*.world")) + sorted(worlds.SCENES.glob("*.inc")))
+@pytest.mark.parametrize(
+    "file", sorted(Path(worlds.SCENES).glob("*.world")) + sorted(Path(worlds.SCENES).glob("*.inc"))
+)
 def test_every_file_keeps_to_what_stage_can_read(file: Path) -> None:
     """A blank before ``[``, tuples on one line without comments, no exponents, no three-number poses."""
     for line in file.read_text(encoding="utf-8").splitlines():
@@ -93,7 +95,7 @@ def test_every_file_keeps_to_what_stage_can_read(file: Path) -> None:
 
 
 def test_the_colour_list_is_as_long_as_it_says() -> None:
-    text = (worlds.SCENES / "donnie.inc").read_text(encoding="utf-8")
+    text = (Path(worlds.SCENES) / "donnie.inc").read_text(encoding="utf-8")
     (count,) = re.findall(r"colors_count (\d+)", text)
     (names,) = re.findall(r"colors \[([^]]*)\]", text)
 

@@ -24,7 +24,7 @@ def test_a_configuration_file_chooses_its_world_and_who_is_first(folder: Path) -
 
     chosen = choose_world(str(folder / "w.cfg"), WORDS)
 
-    assert (chosen.name, chosen.path, chosen.ships) == ("w.world", folder / "w.world", False)
+    assert (chosen.name, chosen.path, chosen.ships) == ("w.world", str(folder / "w.world"), False)
     assert chosen.start().x == 40
     assert [each.model for each in chosen.offers] == ["bea"]
     assert chosen.physical_port is None
@@ -73,4 +73,4 @@ def test_a_world_may_include_from_the_folders_that_are_allowed_and_no_others(tmp
 
         with pytest.raises(Unusable):
             choose_world(str(file), WORDS)
-        assert len(choose_world(str(file), WORDS, (tmp_path / "lib",)).scene.robots) == 2
+        assert len(choose_world(str(file), WORDS, (str(tmp_path / "lib"),)).scene.robots) == 2

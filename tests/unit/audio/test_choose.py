@@ -127,36 +127,36 @@ def test_a_screen_reader_is_found_by_its_program(
     fake_process(tmp_path, 7, "bash", comm="bash")
     fake_process(tmp_path, 12, *arguments, comm=comm)
 
-    assert find_screen_reader({}, tmp_path) == found
+    assert find_screen_reader({}, str(tmp_path)) == found
 
 
 def test_another_users_reader_is_not_ours(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     fake_process(tmp_path, 12, "orca", comm="orca")
     monkeypatch.setattr(os, "getuid", lambda: tmp_path.stat().st_uid + 1)
 
-    assert find_screen_reader({}, tmp_path) is None
+    assert find_screen_reader({}, str(tmp_path)) is None
 
 
 def test_the_systems_console_reader_is_everybodys(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     fake_process(tmp_path, 12, "python3", "/usr/bin/fenrir", comm="fenrir")
     monkeypatch.setattr(os, "getuid", lambda: tmp_path.stat().st_uid + 1)
 
-    assert find_screen_reader({}, tmp_path) == "fenrir"
+    assert find_screen_reader({}, str(tmp_path)) == "fenrir"
 
 
 def test_a_reader_can_be_announced_in_the_environment(tmp_path: Path) -> None:
-    assert find_screen_reader({"DONNIE_READER": "1"}, tmp_path) == "DONNIE_READER"
-    assert find_screen_reader({"DONNIE_READER": "0"}, tmp_path) is None
+    assert find_screen_reader({"DONNIE_READER": "1"}, str(tmp_path)) == "DONNIE_READER"
+    assert find_screen_reader({"DONNIE_READER": "0"}, str(tmp_path)) is None
 
 
 def test_a_speaking_speakup_is_a_reader(tmp_path: Path) -> None:
     synth = tmp_path / "sys/accessibility/speakup/synth"
     synth.parent.mkdir(parents=True)
     synth.write_text("none\n")
-    assert find_screen_reader({}, tmp_path) is None
+    assert find_screen_reader({}, str(tmp_path)) is None
 
     synth.write_text("soft\n")
-    assert find_screen_reader({}, tmp_path) == "speakup"
+    assert find_screen_reader({}, str(tmp_path)) == "speakup"
 
 
 @pytest.mark.skipif("sys.platform != 'linux'", reason="sound cards are looked for on Linux")
@@ -183,17 +183,17 @@ def test_a_sound_device_is_a_card_that_plays_or_a_server(
         for key, value in environment.items()
     }
 
-    assert has_sound_device(variables, tmp_path) is found
+    assert has_sound_device(variables, str(tmp_path)) is found
 
 
 def test_a_runtime_folder_that_nobody_may_look_into_has_no_sound_server(tmp_path: Path) -> None:
     """As after ``su``, which leaves the variable at another user's; here the system refuses a name."""
-    assert not has_sound_device({"XDG_RUNTIME_DIR": f"{tmp_path}/{'x' * 300}"}, tmp_path)
+    assert not has_sound_device({"XDG_RUNTIME_DIR": f"{tmp_path}/{'x' * 300}"}, str(tmp_path))
 
 
 def test_ssh_is_seen_in_the_environment(tmp_path: Path) -> None:
-    assert look_around({"SSH_CONNECTION": "1.2.3.4 5 6.7.8.9 22"}, tmp_path).over_ssh
-    assert not look_around({}, tmp_path).over_ssh
+    assert look_around({"SSH_CONNECTION": "1.2.3.4 5 6.7.8.9 22"}, str(tmp_path)).over_ssh
+    assert not look_around({}, str(tmp_path)).over_ssh
 
 
 def test_for_who_wants_silence_nothing_is_looked_for(monkeypatch: pytest.MonkeyPatch) -> None:

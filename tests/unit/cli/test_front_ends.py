@@ -1,7 +1,6 @@
 """Changing between the linear mode and the full screen takes the program along, as often as wanted."""
 
 from argparse import Namespace
-from pathlib import Path
 
 import pytest
 
@@ -53,8 +52,8 @@ def visits(monkeypatch: pytest.MonkeyPatch) -> list[tuple[object, ...]]:
 def test_the_program_its_name_and_the_living_session_go_along(visits: list[tuple[object, ...]]) -> None:
     assert front_ends.start(order("b.gd", option_linear=True)) == 0
     assert visits == [
-        ("linear", Path("b.gd"), "option", None, None),
-        ("screen", Path("a.gd"), "FW 1", LIVING),
+        ("linear", "b.gd", "option", None, None),
+        ("screen", "a.gd", "FW 1", LIVING),
         ("linear", None, "word", "FW 2", LIVING),
     ]
 

@@ -218,14 +218,14 @@ def test_state_has_a_folder_of_its_own() -> None:
 def test_the_folders_of_worlds_are_those_of_stage_unless_others_are_named() -> None:
     stage = {"STAGEPATH": os.pathsep.join(("/opt/stage", "", "~/worlds"))}
 
-    def folders(variables: dict[str, str], file: dict[str, object]) -> tuple[Path, ...]:
+    def folders(variables: dict[str, str], file: dict[str, object]) -> tuple[str, ...]:
         return resolve({}, variables, file)[0].world_folders
 
-    assert folders(stage, {}) == (Path("/opt/stage"), Path("~/worlds").expanduser())
-    assert folders({**stage, "DONNIE_WORLDS": "/mine"}, {}) == (Path("/mine"),)
+    assert folders(stage, {}) == ("/opt/stage", str(Path("~/worlds").expanduser()))
+    assert folders({**stage, "DONNIE_WORLDS": "/mine"}, {}) == ("/mine",)
     assert folders({}, {"worlds": "/a" + os.pathsep + "~nobody-at-all/b"}) == (
-        Path("/a"),
-        Path("~nobody-at-all/b"),
+        "/a",
+        "~nobody-at-all/b",
     )
     assert folders({"DONNIE_WORLDS": os.pathsep}, {}) == ()
 

@@ -3,6 +3,7 @@
 import re
 from dataclasses import replace
 from math import hypot
+from pathlib import Path
 
 import pytest
 from hypothesis import given
@@ -192,7 +193,7 @@ def test_a_direction_is_as_free_as_what_is_told_elsewhere_leaves_it() -> None:
 @pytest.mark.parametrize("steps", [2, 40])
 def test_around_and_the_sensors_measure_alike(right: int, ahead: str, steps: int) -> None:
     """From the robot's edge to that of what stands there, in whole steps."""
-    scene = load_world(worlds.path("living_room"))
+    scene = load_world(Path(worlds.path("living_room")))
     robot = World(scene).robot(pace=Unpaced())
     robot.turn(90)
     robot.forward(right)

@@ -2,6 +2,7 @@
 
 import re
 from functools import cache
+from pathlib import Path
 from xml.etree import ElementTree
 
 import pytest
@@ -22,7 +23,7 @@ SVG = "{http://www.w3.org/2000/svg}"
 
 @cache
 def scene(name: str) -> Scene:
-    return load_world(worlds.path(name), allowed=(worlds.SCENES,))
+    return load_world(Path(worlds.path(name)), allowed=(Path(worlds.SCENES),))
 
 
 @cache

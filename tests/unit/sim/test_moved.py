@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from pathlib import Path
+
 import pytest
 
 import worlds
@@ -11,7 +13,7 @@ from sim.worldfile import load_world
 
 
 def test_what_is_attached_comes_along_and_the_rest_stays() -> None:
-    scene = load_world(worlds.path("two_robots"))
+    scene = load_world(Path(worlds.path("two_robots")))
     alice = scene.robots[0]
     before = scene.models[alice].pose
     there = Placement(before.x + 1.0, before.y, before.z, before.yaw + 90.0)
@@ -28,5 +30,5 @@ def test_what_is_attached_comes_along_and_the_rest_stays() -> None:
 
 
 def test_nothing_moved_is_the_same_scene() -> None:
-    scene = load_world(worlds.path("living_room"))
+    scene = load_world(Path(worlds.path("living_room")))
     assert moved(scene, {}) is scene
