@@ -6,11 +6,11 @@ holds it to that). Bounded: it keeps one frame.
 
 from __future__ import annotations
 
-from devices.belt.frame import COLUMNS, DARK, ROWS, START, motors
+from devices.belt.frame import COLUMNS, COMPLAINTS, DARK, ROWS, START, motors
 
 _CELLS = COLUMNS * ROWS
 _LETTERS = range(ord("A"), ord("P") + 1)
-_OUTSIDE, _INSIDE = b"E1\r\n", b"E2\r\n"
+_OUTSIDE, _INSIDE = COMPLAINTS
 _PASSES = 100
 """Passes of the board's loop without a frame, after which all motors are off."""
 

@@ -8,13 +8,14 @@ from __future__ import annotations
 
 from enum import Enum, auto
 
+from devices.belt.frame import is_complaint
+
 ASKED_AGAIN = 3.0
 """Seconds behind the opening, when a board that opening restarted has surely begun."""
 
 GIVEN_UP = 4.0
 """Seconds behind the opening, when an answer would long have come."""
 
-_ANSWERS = (b"E1", b"E2")
 _LONGEST = 16
 """Bytes of what was said last that are looked through."""
 
@@ -39,7 +40,7 @@ class Doubt:
 
     def heard(self, received: bytes) -> None:
         self._said = (self._said + received)[-_LONGEST:]
-        self._is_over |= any(each in self._said for each in _ANSWERS)
+        self._is_over |= is_complaint(self._said)
 
     def next(self, now: float) -> Next:
         waited = now - self._began

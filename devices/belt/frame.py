@@ -26,7 +26,9 @@ LETTERS = (DARK, ord("C"), ord("B"), ord("A"))
 RESYNC = b"Z!"
 """Ends whatever the board is in the middle of: it answers with two error lines at most, and waits."""
 
-SIZE = 1 + COLUMNS * ROWS
+COMPLAINTS = (b"E1\r\n", b"E2\r\n")
+"""What the board says of a byte that is none of a frame's: outside of one, and inside."""
+
 _UPPER, _LOWER = COLUMNS, 3 * COLUMNS
 
 
@@ -39,6 +41,11 @@ def frame(levels: tuple[int, ...]) -> bytes:
     cells[_UPPER : _UPPER + COLUMNS] = letters[:COLUMNS]
     cells[_LOWER : _LOWER + COLUMNS] = letters[COLUMNS:]
     return START + bytes(cells)
+
+
+def is_complaint(said: bytes | bytearray) -> bool:
+    """Whether a belt's board said this: nothing else does."""
+    return any(each in said for each in COMPLAINTS)
 
 
 def motors(cells: bytes) -> tuple[int, ...]:

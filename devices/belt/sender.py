@@ -47,11 +47,6 @@ class BeltSender:
             if level >= self._felt_of(motor, now):
                 self._held_until[motor] = (level, now + HOLD)
 
-    def drop(self) -> None:
-        """Off at once: nothing is held."""
-        self._levels = OFF
-        self._held_until = [(0, -inf)] * len(OFF)
-
     def start_over(self) -> None:
         """The line is a new one: nobody knows what its board is in the middle of."""
         self._must_resync = True

@@ -10,7 +10,7 @@ from collections.abc import Callable
 from enum import Enum
 
 from devices.belt.frame import BAUD as BELT_BAUD
-from devices.belt.frame import RESYNC
+from devices.belt.frame import RESYNC, is_complaint
 from devices.port_talk.line import Line, PortLine, hold, telling_what_is_gone
 from devices.ports.values import frozen
 from devices.wire.commands import CONFIGURE
@@ -89,7 +89,7 @@ class BeltTalk:
 
     @property
     def answers(self) -> bool:
-        return b"E1\r\n" in self._said or b"E2\r\n" in self._said
+        return is_complaint(self._said)
 
     def next(self, received: bytes, now: float) -> bytes:
         self._said = (self._said + received)[-64:]

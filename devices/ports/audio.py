@@ -1,4 +1,4 @@
-"""What makes Donnie audible and tangible. Every method returns at once; the silent ones always work."""
+"""What makes Donnie audible. Every method returns at once; the silent ones always work."""
 
 from __future__ import annotations
 
@@ -56,14 +56,5 @@ class CuePlayer(Protocol):
     def play(self, cue: Cue) -> None: ...
 
     def silence(self) -> None: ...
-
-    def close(self) -> None: ...
-
-
-class Belt(Protocol):
-    """The vibrating belt: 14 motors, two rows of seven."""
-
-    def show(self, levels: tuple[int, ...]) -> None:
-        """14 levels, 0 off to 3 strong."""
 
     def close(self) -> None: ...
