@@ -5,7 +5,7 @@ Rule: an answer goes through the hub like everything else that is told, so that 
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from typing import TYPE_CHECKING
 
 from donnie_tui.bootstrap import Donnie
@@ -23,6 +23,7 @@ from donnie_tui.linear.beside import Beside
 from donnie_tui.linear.console import Console
 from donnie_tui.linear.ends import Ends
 from donnie_tui.linear.hearing import Hearing
+from donnie_tui.linear.output import LARGEST_BLOCK
 from donnie_tui.linear.programs import Programs
 from donnie_tui.linear.showing import Showing
 
@@ -123,6 +124,16 @@ class Desk:
     def tell_of_robot(self, *lines: str) -> None:
         """As it is for the robot that is talked to; the first line has its name, where there are several."""
         self.tell(*lines_said_by(self.session.hub.robot, lines, self.say))
+
+    def tell_list(self, lines: Sequence[str]) -> None:
+        self.tell(*self.with_number(lines))
+
+    def with_number(self, lines: Sequence[str]) -> tuple[str, ...]:
+        """A list of more lines than are told at once; their number comes first."""
+        return (
+            *((self.say("linear-lines", lines=len(lines)),) if len(lines) > LARGEST_BLOCK else ()),
+            *lines,
+        )
 
     def tell(self, *lines: str) -> None:
         for line in lines:

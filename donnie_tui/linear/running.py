@@ -133,15 +133,11 @@ def _watch(desk: Desk, _: Runs, rest: str) -> bool:
 
 def _variables(desk: Desk) -> None:
     """The calls, innermost first, and the variables of the innermost; after a run what it left."""
-    frames = desk.session.frames
-    for frame in frames:
-        if frame.procedure:
-            desk.answer("call-at", name=frame.procedure, line=frame.line)
+    frames, say = desk.session.frames, desk.say
+    calls = [say("call-at", name=each.procedure, line=each.line) for each in frames if each.procedure]
     variables = dict(frames[0].variables) if frames else desk.session.variables
-    for name, value in variables.items():
-        desk.answer("variable-is", name=name, value=value)
-    if not variables:
-        desk.answer("variables-none")
+    values = [say("variable-is", name=name, value=value) for name, value in variables.items()]
+    desk.tell_list([*calls, *(values or [say("variables-none")])])
 
 
 def _speed(desk: Desk, _: Runs, rest: str) -> bool:

@@ -19,7 +19,7 @@ def _last(desk: Desk, which: int) -> None:
     answer = desk.answers.last(which)
     if answer:
         desk.showing.is_repeating = True
-        desk.tell(*answer)
+        desk.tell_list(answer)
     else:
         desk.tell(none_so_far(desk.answers, desk.say))
 
@@ -51,8 +51,7 @@ def _show_log(desk: Desk) -> None:
     if not answers:
         desk.answer("answer-nothing-said")
     desk.showing.is_repeating = bool(answers)
-    for answer in answers:
-        desk.tell(*answer)
+    desk.tell_list([line for answer in answers for line in answer])
 
 
 def _typed(desk: Desk, count: int) -> None:
@@ -62,8 +61,8 @@ def _typed(desk: Desk, count: int) -> None:
     if not lines:
         desk.answer("linear-nothing-typed")
         return
-    for number, line in enumerate(lines[first:], first + 1):
-        desk.answer("linear-listed", line=number, text=line)
+    typed = enumerate(lines[first:], first + 1)
+    desk.tell_list([desk.say("linear-listed", line=number, text=line) for number, line in typed])
     desk.answer("linear-type-number")
     desk.next_line = lambda chosen: _do_again(desk, lines, chosen)
 
@@ -92,7 +91,7 @@ def _error(desk: Desk, move: int = 0) -> None:
 
 
 def _errors(desk: Desk) -> None:
-    desk.tell(*desk.heard.errors.in_words(desk.say))
+    desk.tell_list(desk.heard.errors.in_words(desk.say))
 
 
 def _explain(desk: Desk) -> None:

@@ -79,7 +79,7 @@ def _picture(desk: Desk) -> None:
 
 
 def _trail(desk: Desk, count: int) -> None:
-    desk.tell_of_robot(*desk.heard.trail.in_words(count, desk.say))
+    desk.tell_of_robot(*desk.with_number(desk.heard.trail.in_words(count, desk.say)))
 
 
 def _sensors(desk: Desk) -> None:

@@ -1,0 +1,45 @@
+"""Long lists in the linear mode: who hears one knows first how long it will be."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import pytest
+
+from tests.sessions.test_linear_words import printed_by
+
+DEEDS = [line for number in range(20) for line in (f"VAR v{number} = {number}", f"TR {number}")]
+"""Twenty answers."""
+
+
+@pytest.mark.parametrize(
+    ("word", "count", "first"),
+    [
+        ("LIST", 40, "1: VAR v0 = 0"),
+        ("TRAIL 19", 19, "TR 1: now facing 1 degree"),
+        ("TYPED 30", 30, "11: VAR v5 = 5"),
+        ("SHOW VARIABLES", 20, "v0 is 0."),
+        ("SHOW LOG", 20, "I turned 0 degrees"),
+        ("LAST", 20, "I turned 0 degrees"),
+    ],
+)
+def test_a_list_that_does_not_come_at_once_begins_with_its_number(
+    word: str, count: int, first: str, tmp_path: Path
+) -> None:
+    """L9."""
+    told = printed_by(tmp_path, "en", [*DEEDS, "", word, "NEW"])
+
+    assert told[22] == f"{count} lines."
+    assert told[23].startswith(first)
+
+
+def test_a_list_that_comes_at_once_has_no_number(tmp_path: Path) -> None:
+    assert "lines." not in " ".join(
+        printed_by(tmp_path, "en", [*DEEDS, "", "TRAIL 18", "TYPED 9", "NEW"])[:-3]
+    )
+
+
+def test_many_mistakes_begin_with_the_number_of_their_lines(tmp_path: Path) -> None:
+    told = printed_by(tmp_path, "en", [*["FWD 1"] * 7, "", "ERRORS"])
+
+    assert told[told.index("21 lines.") + 1] == "Error, line 1, column 1: I do not know FWD."
