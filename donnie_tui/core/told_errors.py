@@ -7,13 +7,20 @@ the first one is meant until somebody goes on to another, for it is the one to b
 from __future__ import annotations
 
 from collections.abc import Iterable
+from typing import TYPE_CHECKING
 
 from donnie_tui.core.events import Error
 from donnie_tui.core.transcript import lines_of, lines_said_by
 from donnie_tui.core.wording import Wording
 
+if TYPE_CHECKING:
+    from donnie_tui.core.session import Session
+
 MOST_KEPT = 200
 """Mistakes that are remembered, the newest ones."""
+MOST_HINTS = 3
+LARGEST = 50_000
+"""Characters of a text that is looked through for hints: nobody is to wait for them."""
 
 
 class ToldErrors:
@@ -58,3 +65,10 @@ class ToldErrors:
 def line_of(error: Error, wording: Wording) -> tuple[str, ...]:
     """The line as it was when the mistake was made, none where it is not known."""
     return lines_of(error, wording)[1:2] if error.source_line else ()
+
+
+def told_hints(text: str, session: Session, wording: Wording) -> tuple[str, ...]:
+    """What had no effect as that text ran, and what was probably meant."""
+    found = session.check(text, whole=False)[:MOST_HINTS] if len(text) <= LARGEST else ()
+    told = ((wording.mistake(each), wording.hint(each)) for each in found)
+    return tuple(sentence for both in told for sentence in both if sentence)

@@ -14,6 +14,7 @@ from functools import partial
 from donnie_tui.core.events import TYPED, Outcome, RunEnded, Stamped
 from donnie_tui.core.runner import Run
 from donnie_tui.core.session import LONGEST_STOP
+from donnie_tui.core.told_errors import told_hints
 from donnie_tui.linear.asking import GRACE
 from donnie_tui.linear.desk import Desk
 from donnie_tui.linear.holding import Goes, Holding, Wish
@@ -26,7 +27,6 @@ FIRST_SIGN = 3.0
 """Seconds without a line after which a run first says that it is still there; later ones can be chosen."""
 HEARTBEAT = 1.0
 NEVER = 1e9
-MOST_HINTS = 3
 LAST_LINES = 3
 """Lines of a stopped program that are still told; what more waited is left out, which is said."""
 
@@ -186,9 +186,7 @@ class Runs:
         """
         if self._desk.leaving is not None:
             return
-        for hint in self._desk.session.check(text, whole=False)[:MOST_HINTS]:
-            meant = self._desk.say.hint(hint)
-            self._desk.tell(self._desk.say.mistake(hint), *([meant] if meant else []))
+        self._desk.tell(*told_hints(text, self._desk.session, self._desk.say))
         if self._told.count == self._told_before or self._holding.is_stepped:
             self._desk.answer_of_robot("linear-done")
 

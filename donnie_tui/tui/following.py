@@ -105,6 +105,7 @@ class Following:
         self.glances.end()
         if has_run:
             work.watch.look(work.donnie.session, event.event.variables.items())
+            work.talk.tell_sentences(*work.running.take_hints())
         self._tell_end(event)
         self._intake.take()
         self._intake.write()

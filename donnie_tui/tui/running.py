@@ -19,6 +19,7 @@ from donnie_tui.core.session import Busy, Session
 from donnie_tui.core.stepped import Stepped
 from donnie_tui.core.team import Team
 from donnie_tui.core.timeline import Timeline
+from donnie_tui.core.told_errors import told_hints
 from donnie_tui.core.watching import Watch
 from donnie_tui.settings.readers import FASTEST, SLOWEST, read_speed
 from language.control import ControlState, ExecutionControl
@@ -56,6 +57,7 @@ class _Own:
     stepped: Stepped
     run: Run | None = None
     stopped_line: int = 0
+    text: str = ""
     is_program: bool = False
     is_pausing: bool = False
     """Whether somebody asked it to hold."""
@@ -108,8 +110,10 @@ class Running:
         own = self._owns.get(self._session.name)
         return own or self._owns.setdefault(self._session.name, self._new_own(self._session))
 
-    def _new_own(self, session: Session, *, is_program: bool = False) -> _Own:
-        return _Own(session, Stepped(self._last_seq, session.wording), is_program=is_program)
+    def _new_own(self, session: Session, text: str = "", *, is_program: bool = False) -> _Own:
+        own = _Own(session, Stepped(self._last_seq, session.wording), text=text, is_program=is_program)
+        own.stepped.begin(session, text)
+        return own
 
     @property
     def _run(self) -> Run | None:
@@ -123,9 +127,8 @@ class Running:
     def adopt(self, runs: Mapping[str, Run], team: Team) -> None:
         """Programs that were started together, by the names of their robots."""
         for name, run in runs.items():
-            own = self._owns[name] = self._new_own(team.session(name), is_program=True)
-            own.run = run
-            own.stepped.begin(own.session, team.given[name].text)
+            own = self._new_own(team.session(name), team.given[name].text, is_program=True)
+            own.run, self._owns[name] = run, own
             self._observe(own, run.control)
 
     def _observe(self, own: _Own, control: ExecutionControl) -> None:
@@ -196,8 +199,7 @@ class Running:
         if self._run is not None:
             return _BUSY
 
-        own = self._new_own(self._session, is_program=program)
-        own.stepped.begin(own.session, text)
+        own = self._new_own(self._session, text, is_program=program)
 
         def prepare(control: ExecutionControl) -> None:
             self._observe(own, control)
@@ -238,6 +240,11 @@ class Running:
         """Where a program is that is about to be stopped. Any thread."""
         if frames := self.frames:
             self._own.stopped_line = frames[0].line
+
+    def take_hints(self) -> tuple[str, ...]:
+        """What had no effect of what has run; told once."""
+        text, self._own.text = self._own.text, ""
+        return told_hints(text, self._session, self._session.wording)
 
     @property
     def stopped(self) -> Answer:

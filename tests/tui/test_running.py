@@ -2,6 +2,7 @@
 
 import pytest
 
+from donnie_tui.core.told_errors import told_hints
 from donnie_tui.tui.running import Doing
 from tests.tui.conftest import COMPUTING, WAITING
 
@@ -189,6 +190,21 @@ async def test_steps_tell_rounds_and_conditions_there_and_back(work):
         await desk.told("x is 1.")
 
         assert desk.log[-3:] == ("x is 1.", "Condition true: 1 greater than 0.", "Line 4, level 2: x = x + 1")
+
+
+@pytest.mark.parametrize("language", ["en", "pt", "es"])
+async def test_a_sensor_that_nobody_reads_is_told_of_a_program_and_of_a_typed_command(work, language):
+    async with work("DISTANCE F", language=language) as desk:
+        hints = told_hints("DISTANCE F", desk.app.work.donnie.session, desk.app.work.words)
+        await desk.press("f5")
+        await desk.told(desk.app.work.words("screen-done"))
+        assert desk.log[-3:-1] == hints
+        await desk.type_line("DISTANCE F")
+        await desk.until(lambda: desk.log[-2:] == hints, "the hint")
+        await desk.type_line("grip")
+        await desk.idle()
+
+        assert desk.log.count(hints[0]) == 2
 
 
 async def test_the_last_step_tells_what_ended_the_loop_behind_what_was_done(work):
