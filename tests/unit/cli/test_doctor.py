@@ -5,13 +5,16 @@ from __future__ import annotations
 import itertools
 import os
 import sys
+from functools import partial
 from pathlib import Path
 
 import pytest
 
 from devices import serial_port
+from devices.audio_worker import service
 from devices.port_listing import FoundPort
 from devices.reset_line import GpioReset, PinFault
+from devices.sound.player import NO_DEVICE
 from devices.speech.choose import Facts, SpeakPlace, SpeechWish, choose_channel
 from donnie_tui.cli import examination
 from donnie_tui.cli.examination import (
@@ -97,10 +100,10 @@ def test_a_package_that_hides_one_of_our_rooms_is_named(
 
 
 def test_a_device_that_is_missing_is_told_with_the_remedy(monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setenv("PULSE_SERVER", "unix:/nowhere")
-    monkeypatch.setenv("XDG_RUNTIME_DIR", "/nowhere")
-    findings = {each.code: each for each in examination.look_at_worker()}
-    assert "doctor-player" in findings or not findings["doctor-no-player"].is_well
+    monkeypatch.setattr(service, "AudioSettings", partial(service.AudioSettings, device=NO_DEVICE))
+    (finding,) = examination.look_at_worker()
+    assert (finding.code, finding.is_well) == ("doctor-no-player", False)
+    assert f"{finding.code}-remedy" in SENTENCES
 
 
 @pytest.mark.parametrize("group", ["dialout", None])
