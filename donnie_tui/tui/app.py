@@ -73,7 +73,9 @@ class DonnieApp(TerminalApp, inherit_bindings=False):
         self._settings, self._file, self._text, self._brought = settings, file, text, brought
         self._language = LANGUAGES.index(settings.language)
         self._folder = Path(folder or state_folder(os.environ)) / UNSAVED
-        self.workplace = Workplace(self.size, plain=is_plain(settings))
+        self.workplace = Workplace(
+            self.size, plain=is_plain(settings), focus=brought.focus if brought else ""
+        )
         self.key_table = KeyTable()
         self._bind(settings.keys)
         self._behind = SessionBehind(search)
@@ -188,7 +190,7 @@ class DonnieApp(TerminalApp, inherit_bindings=False):
         """A page of a browser, or a window behind another, begins without the focus: nothing has it yet."""
         place = self.workplace
         if has_focus and place.is_mounted and self.screen is place and place.focused is None:
-            place.set_focus(place.command_line if place.is_plain else place.editor)  # before the next key
+            place.set_focus(place.first_focus)  # before the next key
 
     def _display(self, screen: Screen[Any], renderable: RenderableType | None) -> None:
         """A new layout, or another screen, is painted once: Textual would leave it out while one is held."""

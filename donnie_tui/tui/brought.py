@@ -21,5 +21,7 @@ class Brought:
     """The lines of the command line."""
     breakpoints: frozenset[int]
     watched: tuple[str, ...]
+    focus: str
+    """Which part of the screen somebody was in."""
     is_silent: bool
     """SOUND OFF was said."""

@@ -143,6 +143,7 @@ class Work:
             self.workplace.command_line.past,
             self.breakpoints,
             tuple(self.watch.names),
+            self.workplace.focus_was,
             is_silent=not self._donnie.outlets.audible.is_on,
         )
 

@@ -50,7 +50,6 @@ class Workplace(Screen[None]):
 
     HORIZONTAL_BREAKPOINTS = [(0, "-narrow"), (NARROW, "-normal"), (WIDE, "-wide")]  # noqa: RUF012 -- Textual's
     VERTICAL_BREAKPOINTS = [(0, "-low"), (LOW, "-high"), (32, "-tall")]  # noqa: RUF012
-    AUTO_FOCUS = "#editor"
 
     class Looked(Message):
         """The focus, or what is read in it, is elsewhere."""
@@ -58,8 +57,11 @@ class Workplace(Screen[None]):
     class Entered(Message):
         """The focus came from one part of the workplace to another."""
 
-    def __init__(self, size: Size, *, plain: bool = False) -> None:
-        """``size`` is what the terminal seems to have: a class that is changed later costs a restyling."""
+    def __init__(self, size: Size, *, plain: bool = False, focus: str = "") -> None:
+        """``size`` is what the terminal seems to have: a class that is changed later costs a restyling.
+
+        ``focus`` is the part in which somebody was before, as ``focus_was`` told it; empty at the start.
+        """
         super().__init__(id="workplace", classes="-plain" if plain else "")
         for breakpoints, cells in (
             (self.HORIZONTAL_BREAKPOINTS, size.width),
@@ -86,8 +88,9 @@ class Workplace(Screen[None]):
         self._shown.add_class("-shown")  # before they are mounted: afterwards each class costs a restyling
         self._shown.set_class(not plain, "-chosen")
         self._was_seen = False
-        if plain:  # the editor had it first, and each change of panes costs a restyling
-            self.AUTO_FOCUS = "#command"  # type: ignore[misc] # Textual asks the screen, not its class
+        self.first_focus: Widget = self._parts.get(focus) or (self.command_line if plain else self.editor)
+        """Each change of panes costs a restyling: it is where somebody is from the start."""
+        self.AUTO_FOCUS = f"#{self.first_focus.id}"  # type: ignore[misc] # Textual asks the screen, not its class
 
     def compose(self) -> ComposeResult:
         with Vertical(id="panes"):
@@ -110,7 +113,17 @@ class Workplace(Screen[None]):
     def on_mount(self) -> None:
         if self.is_plain:
             self.set_plain(True)
-            self.command_line.focus()
+            self.first_focus.focus()
+
+    @property
+    def _parts(self) -> dict[str, Widget]:
+        parts = (self.editor, self.map, self.inspector, self.log_rows, self.command_line)
+        return {str(part.id): part for part in parts}
+
+    @property
+    def focus_was(self) -> str:
+        """What had the focus last, also once the screen is gone."""
+        return str(self._entered.id) if self._entered is not None else ""
 
     # --- panes
 
