@@ -25,6 +25,8 @@ from donnie_tui.settings.devices import (
 )
 from donnie_tui.settings.readers import (
     FASTEST,
+    PERCENTS,
+    RATES,
     SLOWEST,
     SPEECH,
     one_of,
@@ -51,8 +53,7 @@ THEMES = ("dark", "light", "contrast", "terminal")
 MOTION = ("full", "reduced")
 
 SOUND_WANTED = "on, off, wav:FILE"
-RATE_WANTED = "80-450"
-PERCENT_WANTED = "0-100"
+RATE_WANTED, PERCENT_WANTED = (f"{least}-{most}" for least, most in (RATES, PERCENTS))
 CUES_WANTED = "NAME 0-100, NAME 0-100"
 
 

@@ -21,6 +21,9 @@ LARGEST_SEED = 2**63 - 1
 LONGEST_PROGRESS = 3600
 """Seconds between two signs of life of a long run."""
 
+RATES, PERCENTS = (80, 450), (0, 100)
+"""The least and the most: words a minute, and of pitch and loudness."""
+
 SPEECH = ("auto", "off", "text", "ssip", "tts", "robot")
 
 _WAV = "wav:"
@@ -128,11 +131,11 @@ def read_sound(text: str) -> Sound:
 
 def read_rate(text: str) -> int:
     """Words a minute."""
-    return _clamped(text, 80, 450)
+    return _clamped(text, *RATES)
 
 
 def read_percent(text: str) -> int:
-    return _clamped(text, 0, 100)
+    return _clamped(text, *PERCENTS)
 
 
 def read_cues(text: str) -> Mapping[str, int]:

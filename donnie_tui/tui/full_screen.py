@@ -10,7 +10,6 @@ import sys
 from pathlib import Path
 from typing import TYPE_CHECKING
 
-from devices.ports.values import replace
 from donnie_tui.robot.search import Search
 from donnie_tui.settings.chosen import Settings
 from donnie_tui.settings.devices import SERIAL
@@ -95,13 +94,12 @@ def _shown(
     return app
 
 
-def _in_next_world(app: DonnieApp) -> tuple[Settings, Path | None, str, Brought | None]:
+def _in_next_world(app: DonnieApp) -> tuple[Settings, Path | None, str, Brought]:
     """The settings as they were chosen, the program's file and its text, and what was told."""
-    text = app.workplace.editor.text
-    if app.work is None:
-        return replace(Settings(), world=app.next_world), None, text, None
     from donnie_tui.words.world_going import settings_there
 
+    assert app.work is not None  # it went there
+    text = app.workplace.editor.text
     settings = settings_there(app.work.donnie, app.work.preferences.settings, app.next_world)
     return settings, app.work.files.document.path, text, app.work.brought_along()
 

@@ -14,7 +14,7 @@ from donnie_tui.core.documents import DocumentError
 from donnie_tui.core.events import Answered, Chimed
 from donnie_tui.core.typed_words import SWITCH, switched
 from donnie_tui.settings.file import remember
-from donnie_tui.settings.readers import read_percent, read_rate
+from donnie_tui.settings.readers import PERCENTS, RATES, read_percent, read_rate
 from language.source import fold_name
 
 Spelled = tuple[str, str, str]
@@ -89,7 +89,7 @@ CUE = ("cue", "sinal", "señal")
 """SET cue bump 50."""
 
 _READ = {"rate": read_rate, "pitch": read_percent, "volume": read_percent}
-_NUMBERS = {"rate": (80, 450), "pitch": (0, 100), "volume": (0, 100)}
+_NUMBERS = {"rate": RATES, "pitch": PERCENTS, "volume": PERCENTS}
 _KEPT_AS = {True: "on", False: "off"}
 _LOUD, _SILENT = 100, 0
 
