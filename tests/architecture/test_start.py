@@ -97,6 +97,6 @@ def test_a_program_that_speaks_loads_none_of_these(tmp_path: Path) -> None:
         *("donnie_tui.linear.key_echo", "donnie_tui.process.lost_network", "donnie_tui.core.unknown_words"),
         *("donnie_tui.world.remarks", "donnie_tui.cli.kinds", "donnie_tui.words.team_words"),
         *("devices.speech.dispatcher", "string", "shlex"),
-        *("tempfile", "random", "shutil", "logging"),
+        *("tempfile", "random", "shutil", "logging", "pickle", "_pickle", "zlib"),
         *("pathlib", "urllib.parse", "ipaddress", "fnmatch", "ntpath"),
     }

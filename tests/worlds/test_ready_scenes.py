@@ -1,5 +1,7 @@
 """The scenes beside the worlds are those of the world files, and are used only as long as they fit."""
 
+import marshal
+import pickle
 import shutil
 import subprocess
 import sys
@@ -10,6 +12,7 @@ import pytest
 import worlds
 from donnie_tui.make_scenes import parsed
 from sim import ready
+from sim.placement import Placement
 from sim.worldfile import load_world
 from tests.conftest import ROOT
 
@@ -56,16 +59,43 @@ def test_a_world_without_a_scene_has_none(copied: Path) -> None:
 
 
 def test_a_scene_made_with_other_classes_is_not_used(copied: Path, monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.delattr("sim.scene.Polygon")
+    monkeypatch.setitem(ready._KINDS, "Polygon", Placement)
+    assert ready.read(str(copied / "cave.world")) is None
 
+    monkeypatch.delitem(ready._KINDS, "Polygon")
     assert ready.read(str(copied / "cave.world")) is None
 
 
-def test_a_damaged_scene_is_not_used(copied: Path) -> None:
+def test_a_damaged_or_a_foreign_scene_is_not_used(copied: Path) -> None:
     file = copied / "cave.scene"
-    file.write_bytes(file.read_bytes()[:500])
+    whole = file.read_bytes()
+    damaged = [whole[:at] + bytes([whole[at] ^ 4]) + whole[at + 1 :] for at in range(0, len(whole), 997)]
+    foreign = [
+        pickle.dumps(((), "scene")),
+        b"",
+        b"\0" * 9,
+        whole[:500],
+        whole + b"\0",
+        whole[:8] + b"\0" + whole[8:],
+    ]
 
-    assert ready.read(str(copied / "cave.world")) is None
+    for content in damaged + foreign:
+        file.write_bytes(content)
+        assert ready.read(str(copied / "cave.world")) is None
+
+
+def test_what_is_whole_but_no_scene_is_not_used(copied: Path) -> None:
+    """As one of another version may be, which kept its scenes in another way."""
+    for content in (
+        7,
+        ((), (), ()),
+        ((), (), ((0, [], ()),)),
+        ((), (("Scene", ()),), ()),
+        ((("x", 0),), (), ()),
+    ):
+        kept = marshal.dumps(content, 2)
+        (copied / "cave.scene").write_bytes(ready._sum(kept).to_bytes(8) + kept)
+        assert ready.read(str(copied / "cave.world")) is None
 
 
 def test_a_remark_without_a_file_keeps_none(tmp_path: Path) -> None:
