@@ -59,6 +59,15 @@ def not_found(wanted: str, wording: Wording) -> str:
     return wording("screen-not-found", word=told(wanted))
 
 
+def not_to_replace(lines: Sequence[str], wanted: str, wording: Wording) -> str:
+    """That it stands nowhere, or nowhere as it was typed: REPLACE, unlike SEARCH, takes nothing else."""
+    place = found_from(lines, wanted, 0)
+    if place is None:
+        return not_found(wanted, wording)
+    written = told(lines[place.row][place.start : place.end])
+    return wording("replace-otherwise", line=place.row + 1, word=written)
+
+
 def _in_line(line: str, folded: str, row: int, column: int) -> Place | None:
     """Accents of their own take columns and are not compared."""
     if folded not in fold_name(line):

@@ -76,7 +76,7 @@ def _replace(desk: Desk, _: Runs, rest: str) -> bool:
         return False
     count = desk.program.text.count(rest)
     if not count:
-        desk.tell(finding.not_found(rest, desk.say))
+        desk.tell(finding.not_to_replace(desk.program.lines, rest, desk.say))
         return True
     instead = finding.replacement(desk.asking.ask("ask-replace-by", word=finding.told(rest)))
     if instead is None:

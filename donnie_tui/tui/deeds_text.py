@@ -118,7 +118,8 @@ class TextDeeds:
             return
         count = self._editor.text.count(wanted)
         if not count:
-            self._host.talk.tell_sentences(finding.not_found(wanted, self._host.words))
+            lines = self._editor.document.lines
+            self._host.talk.tell_sentences(finding.not_to_replace(lines, wanted, self._host.words))
             return
         asked = self._host.words("ask-replace-by", word=finding.told(wanted))
         instead = finding.replacement(await self._host.talk.ask(asked))

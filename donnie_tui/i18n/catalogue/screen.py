@@ -127,6 +127,11 @@ _EDITOR = {
     "screen-not-found": Sentence(
         "{word} is not in the program.", "{word} não está no programa.", "{word} no está en el programa."
     ),
+    "replace-otherwise": Sentence(
+        "Line {line} has {word}. REPLACE takes a word as it is written there.",
+        "A linha {line} tem {word}. SUBSTITUIR toma a palavra como está escrita ali.",
+        "La línea {line} tiene {word}. REEMPLAZAR toma la palabra como está escrita allí.",
+    ),
     "screen-replaced": Sentence(
         "{count} {count:time|times} replaced.",
         "Substituído {count} {count:vez|vezes}.",

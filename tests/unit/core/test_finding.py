@@ -2,7 +2,8 @@
 
 import pytest
 
-from donnie_tui.core.finding import Place, found_from
+from donnie_tui.core.finding import Place, found_from, not_to_replace
+from donnie_tui.i18n.words import Words
 
 LINES = ("FW 1", 'SPEAK "ßßß"', "FW 22", 'SPEAK "Ola\u0301, olá!"')
 
@@ -31,3 +32,15 @@ def test_the_next_place_from_there_on_and_once_round(wanted, row, column, found)
 
 def test_nothing_is_found_where_nothing_is():
     assert found_from((), "FW", 0) is None
+
+
+@pytest.mark.parametrize(
+    ("wanted", "told"),
+    [
+        ("BK", "BK is not in the program."),
+        ("fw", "Line 1 has FW. REPLACE takes a word as it is written there."),
+        ("ola", "Line 4 has Ola\u0301. REPLACE takes a word as it is written there."),
+    ],
+)
+def test_what_is_written_otherwise_is_not_told_to_be_missing(wanted, told):
+    assert not_to_replace(LINES, wanted, Words()) == told
