@@ -58,6 +58,7 @@ class Copies:
         """Copies whose text is kept by this one."""
         self.is_behind = False
         """Whether the folder is not yet as it is wanted."""
+        self._is_given_up = False
         self._writing = threading.Lock()
 
     def another(self) -> Copies:
@@ -72,7 +73,11 @@ class Copies:
 
     def all_offered(self) -> list[Path]:
         """Those that nobody wanted to leave, then those that somebody left; of each the newest first."""
-        return self.rescued() + self._newest_first(_LEFT)
+        return self.rescued() + self.left()
+
+    def left(self) -> list[Path]:
+        """Those that somebody left on purpose, the newest first."""
+        return self._newest_first(_LEFT)
 
     def rescued(self) -> list[Path]:
         """Those that a crash or a lost line left, the newest first: there may have been several programs."""
@@ -122,22 +127,31 @@ class Copies:
             while self.is_behind:
                 self.is_behind = False  # first: what is wanted meanwhile is one more round
                 self._bring_up(self._wanted)
+            if self._is_given_up:
+                self._leave_own()
 
     def keep(self, text: str, path: Path | None = None) -> None:
         """Write the text down at once. Raises ``DocumentError``."""
         self.want(text, path)
         self.settle()
 
+    def give_up(self) -> None:
+        """Once what is wanted is written, leave it to whoever asks for it."""
+        self._is_given_up = self.is_behind = True
+
     def leave(self) -> None:
         """Leave the copy, if there is one, to whoever asks for it: this start has done with the program."""
         with self._writing:
-            own, self._own = self._own, None
-            if own is not None:
-                self._ours.discard(own)
-                with contextlib.suppress(OSError):
-                    _make_newest(own, self._newest_first(_LEFT))
-                    own.rename(own.with_name(_LEFT + own.name.removeprefix(_PREFIX)))
-                _forget_oldest(self._newest_first(_LEFT))
+            self._leave_own()
+
+    def _leave_own(self) -> None:
+        own, self._own = self._own, None
+        if own is not None:
+            self._ours.discard(own)
+            with contextlib.suppress(OSError):
+                _make_newest(own, self.left())
+                own.rename(own.with_name(_LEFT + own.name.removeprefix(_PREFIX)))
+            _forget_oldest(self.left())
 
     def forget(self) -> None:
         """Remove the copy at once."""

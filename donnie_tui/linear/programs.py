@@ -47,6 +47,7 @@ class Programs:
         self._by_robot: dict[str, TypedProgram] = {}
         """Of the robots that were talked to; this one's is not up to date."""
         self._copies: dict[TypedProgram, Copies] = {}
+        self._copies_of_replaced: dict[tuple[str, str | None], Copies] = {}
         self._kept_breakpoints = kept_breakpoints
         self._keeping = CopyKeeping(not_kept)
         self._safekeeping = Safekeeping(console, self._unsaved, self._keep_beside)
@@ -57,6 +58,7 @@ class Programs:
     def take_over(self, before: Programs) -> None:
         """All programs of the world before: the current one stays so, the others wait for their robots."""
         self.current, self.copies, self._copies = before.current, before.copies, before._copies
+        self._copies_of_replaced = before._copies_of_replaced
         here = self._robot()
         others = {name: each for name, each in before.by_robot().items() if each is not self.current}
         self._by_robot = {f"{name} 2" if name == here else name: each for name, each in others.items()}
@@ -109,12 +111,27 @@ class Programs:
 
     def keep_for_later(self) -> None:
         """Save what is not saved beside everything else; quietly, since nobody may be there to hear."""
-        settle_all(self._wanted(self.all()))
+        settle_all((*self._wanted_of_replaced(), *self._wanted(self.all())))
 
     def _keep_beside(self) -> None:
         """As ``keep_for_later``, while whoever types goes on."""
-        for copies in self._wanted(self.all()):
+        for copies in (*self._wanted_of_replaced(), *self._wanted(self.all())):
             self._keeping.bring_up(copies)
+
+    def _wanted_of_replaced(self) -> tuple[Copies, ...]:
+        """Of the newest programs that another one took the place of, and of those that are back."""
+        known, replaced = self._copies_of_replaced, self._replaced
+        gone = [known.pop(each) for each in known.keys() - replaced]
+        for copies in gone:
+            copies.want_none()
+        for text, name in (each for each in replaced if each not in known):
+            known[text, name] = self.copies.another()
+            known[text, name].follow(text, _path(name), is_saved=False)
+        return (*gone, *known.values())
+
+    @property
+    def _replaced(self) -> list[tuple[str, str | None]]:
+        return [each for program in self.all() for each in program.replaced][-MOST_REPLACED:]
 
     def _wanted(self, programs: tuple[TypedProgram, ...]) -> Iterator[Copies]:
         """The copies of each, which know now what is wanted of them."""
@@ -143,20 +160,19 @@ class Programs:
             copies.leave()
 
     def _leave_replaced(self) -> None:
-        for text, name in [each for program in self.all() for each in program.replaced][-MOST_REPLACED:]:
-            copies = self.copies.another()
-            copies.follow(text, _path(name), is_saved=False)
-            settle_all((copies,))
+        settle_all(self._wanted_of_replaced())
+        for copies in self._copies_of_replaced.values():
             copies.leave()
 
     def hand_over(self) -> None:
         """Somebody else goes on with the current program; the others are offered there."""
         self.close()
         self.keep_for_later()
+        self._leave_replaced()
         self.copies_of(self.current).forget()
 
     def _unsaved(self) -> tuple[tuple[str, str | None], ...]:
-        return tuple((each.text, each.name) for each in self.all() if not each.saved)
+        return (*((each.text, each.name) for each in self.all() if not each.saved), *self._replaced)
 
 
 def _path_of(program: TypedProgram) -> Path | None:

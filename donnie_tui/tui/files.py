@@ -149,7 +149,7 @@ class Files:
                 document.become(path, saved)
 
     def _become(self, path: Path | None, text: str) -> None:
-        self.programs.forget_copy(self.programs.current)
+        self.programs.give_up_current()
         self._load(path, text)
         self.document.become(path, self._desk.text)
 

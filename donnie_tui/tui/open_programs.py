@@ -45,6 +45,8 @@ class OpenPrograms:
         self.current = self._programs[0]
         """The one in the editor."""
         self._are_left = False
+        self._given_up: list[Copies] = []
+        """Of what another program took the place of."""
 
     def __iter__(self) -> Iterator[Program]:
         return iter(tuple(self._programs))
@@ -113,6 +115,7 @@ class OpenPrograms:
     def settle_copies(self) -> None:
         """What is still to be written down or removed, of any program: done once this returns."""
         settle_all(each.copies for each in self._programs)
+        settle_all(self._given_up)
         if self._are_left:
             for each in self._programs:
                 each.copies.leave()
@@ -124,6 +127,15 @@ class OpenPrograms:
             is_saved = not each.document.is_changed(each.text)
             each.copies.follow(each.text, each.document.path, is_saved=is_saved)
         self._are_left = True
+
+    def give_up_current(self) -> None:
+        """Another text takes its place: what no file has of it can be asked for."""
+        given_up = self.current.copies
+        self._follow()
+        given_up.give_up()
+        self._given_up = [each for each in (*self._given_up, given_up) if each.is_behind]
+        self.current.copies = self._make_copies()
+        self._keeping.bring_up(given_up)
 
     def keep_rescued(self, rescued: Rescued, copy: Path) -> None:
         """The current one came out of a copy of an earlier start, which is removed once it has its own."""

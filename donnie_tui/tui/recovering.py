@@ -28,20 +28,25 @@ class Recovering:
         self._saving = saving
         self._kept_breakpoints = kept_breakpoints
         copies = programs.current.copies
-        self._offered = copies.all_offered()
-        self._rescued = set(copies.rescued())
+        self._rescued = copies.rescued()
+        self._taken: set[Path] = set()
 
     @property
     def is_offered(self) -> bool:
         """Whether there is one that nobody wanted to leave; what somebody left is there for who asks."""
-        return not self._rescued.isdisjoint(self._offered)
+        return not self._taken.issuperset(self._rescued)
+
+    def _offered(self) -> list[Path]:
+        """What is left may have been left just now."""
+        found = (*self._rescued, *self._programs.current.copies.left())
+        return [each for each in found if each not in self._taken]
 
     async def recover(self) -> None:
         """Bring back the newest, as the program in the editor; others one by one."""
-        if not self._offered:
+        copy = next(iter(self._offered()), None)
+        if copy is None:
             self._desk.talk.tell(Answer("answer-nothing-to-recover"))
             return
-        copy = self._offered[0]
         try:
             found, saved = await self._desk.talk.patiently(
                 lambda: self._read(copy), Answer("slow-opening", {"name": copy.name})
@@ -49,7 +54,7 @@ class Recovering:
         except DocumentError as error:
             self._desk.talk.tell(told(error))
             return
-        if await self._saving.is_safe_to_leave() and copy in self._offered:
+        if await self._saving.is_safe_to_leave() and copy not in self._taken:
             self._bring_back(copy, found, saved)
 
     def _read(self, copy: Path) -> tuple[Rescued, str]:
@@ -58,7 +63,8 @@ class Recovering:
         return found, saved_text(found.path) if found.path is not None else ""
 
     def _bring_back(self, copy: Path, found: Rescued, saved: str) -> None:
-        self._offered.remove(copy)
+        self._taken.add(copy)
+        self._programs.give_up_current()
         lines = found.text.count("\n") + 1
         self._desk.load(found.text, self._kept_breakpoints.of(found.path, lines))
         self._programs.document.become(found.path, saved)

@@ -149,6 +149,26 @@ async def test_what_was_left_without_saving_is_not_spoken_of_and_comes_back_for_
         assert "A program was rescued. RECOVER opens it." not in desk.log
 
 
+@pytest.mark.parametrize("word", ["NEW", "RECOVER"])
+async def test_what_was_given_up_for_another_program_comes_back_for_who_asks(work, tmp_path, word):
+    (tmp_path / "unsaved").mkdir()
+    (tmp_path / "unsaved" / "unsaved-abc.gd").write_text("FW 9", encoding="utf-8")
+    async with work() as desk:
+        await desk.type_line("RECOVER")
+        await desk.told("Here it is again, 1 line.")
+        desk.app.work.load("FW 8")
+        await desk.type_line("NEW")
+        await desk.answer("no")
+        await desk.until(lambda: desk.app.work.text == "", "the empty program")
+        desk.app.work.load("FW 7")
+        await desk.type_line(word)
+        await desk.answer("no")
+        await desk.until(lambda: desk.app.work.text in ("", "FW 8"), "another program")
+
+    left = [each.read_text() for each in (tmp_path / "unsaved").iterdir()]
+    assert sorted(left) == ["FW 7", "FW 8"]
+
+
 async def test_going_to_the_linear_mode_rescues_the_programs_that_it_does_not_take_along(work, tmp_path):
     async with work("FW 2") as desk:
         desk.app.work.files.turn_to(None)
@@ -298,7 +318,8 @@ async def test_all_programs_that_a_crash_left_are_brought_back_one_by_one(work, 
         await desk.answer("no")
         await desk.until(lambda: desk.app.work.text == "FW 1", "the other one")
         await desk.type_line("RECOVER")
-        await desk.told("Nothing to recover.")
+        await desk.answer("no")
+        await desk.until(lambda: desk.app.work.text == "FW 2", "what was given up for it")
 
 
 async def test_a_wrong_answer_to_yes_or_no_is_told_and_typed_over(work, tmp_path):

@@ -165,3 +165,31 @@ def test_what_new_took_the_place_of_can_be_asked_for_after_what_was_there_at_the
     later = Copies(str(tmp_path))
     assert [later.read(each).text for each in later.all_offered()] == ["FW 2", "FW 1"]
     assert later.rescued() == []
+
+
+def test_what_another_program_took_the_place_of_is_there_after_a_crash_whichever_is_back(
+    tmp_path: Path,
+) -> None:
+    talk = Talk(tmp_path)
+    talk.types("FW 1")
+    talk.programs.current.replace("FW 9\n", None)  # what RECOVER does
+    talk.programs.current.saved = False
+    talk.programs.keep_copy()
+    no_copy_is_written()
+    assert texts(tmp_path) == ["FW 1\n", "FW 9\n"]
+    talk.programs.current.undo()
+    talk.programs.keep_copy()
+    no_copy_is_written()
+
+    assert texts(tmp_path) == ["FW 1\n", "FW 9\n"]
+
+
+def test_programs_that_came_one_after_the_other_are_not_kept_without_end(tmp_path: Path) -> None:
+    talk = Talk(tmp_path)
+    for number in range(9):
+        talk.types(f"FW {number}")
+        talk.programs.current.clear()
+    talk.programs.keep_copy()
+    no_copy_is_written()
+
+    assert texts(tmp_path) == [f"FW {number}\n" for number in range(4, 9)]
