@@ -131,6 +131,7 @@ _EDITOR = {
         "Line {line} has {word}. REPLACE takes a word as it is written there.",
         "A linha {line} tem {word}. SUBSTITUIR toma a palavra como está escrita ali.",
         "La línea {line} tiene {word}. REEMPLAZAR toma la palabra como está escrita allí.",
+        brief=("Line {line} has {word}.", "A linha {line} tem {word}.", "La línea {line} tiene {word}."),
     ),
     "screen-replaced": Sentence(
         "{count} {count:time|times} replaced.",
