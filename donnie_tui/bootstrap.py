@@ -99,10 +99,10 @@ class Donnie:
         return picture(self.world.scene, self.team.chosen_name)
 
     def mounted(self) -> tuple[Mounted, ...]:
-        """What the robot that is talked to has, in its world; nothing is known of a real one."""
+        """What the robot that is talked to has, in its world; a board has its own."""
         from sim.mounted import mounted
 
-        return () if self.connection.is_real else mounted(self.world.scene, self.session.name)
+        return () if self.connection.is_board else mounted(self.world.scene, self.session.name)
 
     def picture_now(self) -> Picture:
         """The world as the robot that is talked to finds it now: others and things where they are."""

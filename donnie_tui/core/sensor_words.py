@@ -7,6 +7,7 @@ from collections.abc import Iterable
 from typing import TYPE_CHECKING
 
 from donnie_tui.core.wording import Wording
+from language import keywords
 
 if TYPE_CHECKING:
     from sim.mounted import Mounted
@@ -30,6 +31,16 @@ def sensors_in_words(devices: Iterable[Mounted], name: str, wording: Wording) ->
         wording("sensors-title", name=name),
         *told[:MOST],
         *((wording("sensors-more", count=more),) if more > 0 else ()),
+    )
+
+
+def sensors_of_board(name: str, wording: Wording) -> tuple[str, ...]:
+    """The same of the original robot's board, which has them built in, in whatever world it stands."""
+    return (
+        wording("sensors-title", name=name or wording("cell-robot")),
+        wording("sensors-board-around"),
+        wording("sensors-board-head", scan=keywords.spelling("SCAN", wording.language)),
+        wording("sensors-board-lacks"),
     )
 
 

@@ -7,7 +7,7 @@ from donnie_tui.core.around import around_in_words, compass_point
 from donnie_tui.core.describe import told_world
 from donnie_tui.core.map_grid import FREE, MapGrid
 from donnie_tui.core.naming import shown_name
-from donnie_tui.core.sensor_words import sensors_in_words
+from donnie_tui.core.sensor_words import sensors_in_words, sensors_of_board
 from donnie_tui.core.trail import place_in_words
 from donnie_tui.core.transcript import lines_said_by
 from donnie_tui.core.typed_words import numbers_in
@@ -83,8 +83,8 @@ def _trail(desk: Desk, count: int) -> None:
 
 
 def _sensors(desk: Desk) -> None:
-    if desk.donnie.connection.is_real:
-        desk.answer_of_robot("sensors-real")
+    if desk.donnie.connection.is_board:
+        desk.tell(*sensors_of_board(shown_name(desk.session.name), desk.say))
     else:
         desk.tell(*sensors_in_words(desk.donnie.mounted(), shown_name(desk.session.name), desk.say))
 

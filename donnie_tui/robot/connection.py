@@ -97,6 +97,11 @@ class Connection:
         """Whether something moves outside of this process."""
         return self.robot not in (SIMULATED, DOUBLE)
 
+    @property
+    def is_board(self) -> bool:
+        """Whether a board drives it, a simulated one too: it senses as boards do in any world."""
+        return self.robot != SIMULATED
+
     def choices(self) -> tuple[Choice, ...]:
         """What a learner may choose among."""
         from devices.port_listing import list_ports

@@ -16,7 +16,7 @@ from donnie_tui.core.describe import told_world
 from donnie_tui.core.events import Error
 from donnie_tui.core.map_grid import MapGrid
 from donnie_tui.core.naming import shown_name
-from donnie_tui.core.sensor_words import sensors_in_words
+from donnie_tui.core.sensor_words import sensors_in_words, sensors_of_board
 from donnie_tui.core.told_errors import ToldErrors, line_of
 from donnie_tui.core.trail import place_in_words
 from donnie_tui.core.transcript import lines_said_by
@@ -102,8 +102,8 @@ class TellingDeeds:
     def sensors(self, _argument: str) -> None:
         """In words, and on the map: what is seen by what sees wide, until the robot moves."""
         donnie, words = self._host.donnie, self._host.words
-        if donnie.connection.is_real:
-            self._tell(words("sensors-real"))
+        if donnie.connection.is_board:
+            self._tell(*sensors_of_board(shown_name(donnie.session.name), words))
             return
         devices = donnie.mounted()
         self._host.display.show_fields([line for each in devices for line in each.lines])

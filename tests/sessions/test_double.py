@@ -25,6 +25,7 @@ from donnie_tui.core.events import Outcome
 from donnie_tui.core.team import Assigned
 from donnie_tui.settings.chosen import Settings
 from tests.programs.test_conformance import runner  # noqa: F401 -- a fixture
+from tests.sessions import command
 
 PATIENCE = 300
 STEPS, OF_THE_WAY, READING = 0.25, 0.005, 1
@@ -166,7 +167,21 @@ def test_whatever_its_world_calls_the_robot_a_program_runs_on_the_simulated_boar
 
         assert run.outcome is Outcome.COMPLETED
         assert donnie.session.name == "Ana"
-        assert donnie.mounted()
+        assert bool(donnie.mounted()) == (robot == "sim")
+
+
+def test_the_sensors_of_the_simulated_board_are_those_of_a_board(tmp_path: Path) -> None:
+    """It has no eyes, as COLOR says: what the world's robot would have was told."""
+    typed = command.donnie(
+        tmp_path, "--linear", "--robot", "double", "--lang", "pt", *command.QUIET, typed="SENSORES\n"
+    )
+
+    assert typed.stdout.decode().splitlines()[-5:-1] == [
+        "Donnie tem:",
+        "Sensores de distância ao redor, 2 m.",
+        "Um na cabeça, que gira para ESPIAR.",
+        "Sensores de toque. Sem câmera nem garra.",
+    ]
 
 
 def test_something_in_the_way_ends_a_walk_alike(tmp_path: Path) -> None:

@@ -7,11 +7,20 @@ SENTENCES = {
     "sensors-none": Sentence(
         "{name} has no sensors.", "{name} não tem sensores.", "{name} no tiene sensores."
     ),
-    "sensors-real": Sentence(
-        "The real robot does not tell its sensors.",
-        "O robô real não diz quais são seus sensores.",
-        "El robot real no dice cuáles son sus sensores.",
-        brief=("Unknown: a real robot.", "Não se sabe: robô real.", "No se sabe: robot real."),
+    "sensors-board-around": Sentence(
+        "Distance sensors all around, range 2 m.",
+        "Sensores de distância ao redor, 2 m.",
+        "Sensores de distancia alrededor, 2 m.",
+    ),
+    "sensors-board-head": Sentence(
+        "One on its head, which turns for {scan}.",
+        "Um na cabeça, que gira para {scan}.",
+        "Uno en la cabeza, que gira para {scan}.",
+    ),
+    "sensors-board-lacks": Sentence(
+        "Bumpers. No camera and no gripper.",
+        "Sensores de toque. Sem câmera nem garra.",
+        "Sensores de choque. Sin cámara ni pinza.",
     ),
     "sensors-several": Sentence("{count} times: {what}", "{count} vezes: {what}", "{count} veces: {what}"),
     "sensors-more": Sentence("And {count} more.", "E mais {count}.", "Y {count} más."),
