@@ -107,7 +107,7 @@ _AROUND = {
         "{where:capital}: libre, {steps} pasos.",
         brief=("{where:capital}: free.", "{where:capital}: livre.", "{where:capital}: libre."),
     ),
-    "around-hour": Sentence("{hour} o'clock", "{hour} horas", "{hour} en punto"),
+    "around-hour": Sentence("{hour} o'clock", "{hour} {hour:hora|horas}", "{hour} en punto"),
     "around-front": Sentence("ahead", "à frente", "al frente"),
     "around-front-right": Sentence("ahead right", "à frente, direita", "al frente, derecha"),
     "around-right": Sentence("right", "à direita", "a la derecha"),

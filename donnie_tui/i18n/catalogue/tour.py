@@ -131,8 +131,8 @@ _PAGES: tuple[tuple[tuple[str, str, str], ...], ...] = (
         ),
         (
             "SLOWER and FASTER change the speed.",
-            "MAIS DEVAGAR e MAIS RÁPIDO mudam.",
-            "MÁS LENTO y MÁS RÁPIDO lo cambian.",
+            "O ritmo: MAIS DEVAGAR e MAIS RÁPIDO.",
+            "El ritmo: MÁS LENTO y MÁS RÁPIDO.",
         ),
     ),
     (
