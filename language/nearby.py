@@ -12,7 +12,15 @@ from collections.abc import Collection, Iterable
 from functools import cache, lru_cache
 
 from devices.ports.values import frozen
-from language.keywords import TERMINAL_OF_WORD, all_words, argument, folded_word, languages_of
+from language.keywords import (
+    TERMINAL_OF_WORD,
+    all_words,
+    argument,
+    canonical,
+    folded_word,
+    languages_of,
+    spelling,
+)
 from language.lexer import TAKES
 from language.source import fold_name
 from language.tables import TERMINALS
@@ -106,7 +114,17 @@ def _nearest_keyword(folded: str, terminals: frozenset[str], language: str) -> N
     candidates = [each for each in all_words() if written[each] in terminals]
     preferred = [each for each in candidates if language in languages_of(each)]
     found = nearest(folded, candidates, preferred)
-    return Near(found, written[found]) if found else None
+    return Near(_in_language(found, language), written[found]) if found else None
+
+
+def _in_language(found: str, language: str) -> str:
+    """A word of another language as that of the program has it: PROCEDIMENTO meant APRENDER.
+
+    English is also that of a program without a telling word, and takes each as it is.
+    """
+    if language == "en" or language in languages_of(found):
+        return found
+    return spelling(canonical(found) or found, language)
 
 
 def _is_near(folded: str, other: str, slips: int) -> bool:

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from language.diagnostics import Kind
 from language.keywords import spelling
-from language.lexer import END, KIND, Token
+from language.lexer import END, KIND, NAME, Token
 from language.outline import ENDS, OPENERS
 from language.recovery.going_on import skip_rest_of_line
 from language.recovery.kinds import ELSE
@@ -44,7 +44,17 @@ def _end_meant(reading: Reading) -> tuple[str, str, int]:
     opener = OPENERS.get(reading.following[0])
     if opener and reading.blocks and opener == reading.blocks[-1].kind:
         return opener, spelling(f"END {opener}", reading.language), 2
-    return "", "", 1
+    return "", *_innermost_meant(reading)
+
+
+def _innermost_meant(reading: Reading) -> tuple[str, int]:
+    """For an END alone, or with one word that is none of ours: the words of the block that it ends."""
+    if not reading.blocks or not reading.blocks[-1].kind:
+        return "", 1
+    line, following = reading.token[3], reading.following
+    behind = reading.tokens[min(reading.at + 2, len(reading.tokens) - 1)]
+    has_word = following[0] == NAME and following[3] == line and (behind[3] != line or behind[0] == 0)
+    return spelling(f"END {reading.blocks[-1].kind}", reading.language), 2 if has_word else 1
 
 
 def _closing(reading: Reading, token: Token, end: str, meant: str, width: int) -> Closing:

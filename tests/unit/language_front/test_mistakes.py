@@ -264,6 +264,40 @@ def test_a_near_word_is_offered_and_a_far_one_is_not(source: str, meant: str) ->
     assert the_mistake(source).meant == meant
 
 
+@pytest.mark.parametrize(
+    ("source", "meant", "replaced"),
+    [
+        ("REPEAT 2 TIMES\nFW 1\nEND", "END REPEAT", "END"),
+        ("REPEAT 2 TIMES\nFW 1\nEND\nFW 2", "END REPEAT", "END"),
+        ("REPITA 2 VEZES\nPF 1\nFIM LAÇO", "FIM REPITA", "FIM LAÇO"),
+        ("PROCEDIMIENTO P HACER\nAV 1\nFIN APRENDIZAJE\nP []", "FIN PROCEDIMIENTO", "FIN APRENDIZAJE"),
+        ("REPEAT 2 TIMES\nFW 1\nEND FW 2", "END REPEAT", "END"),
+    ],
+)
+def test_an_end_without_its_word_means_that_of_the_block_that_is_open(
+    source: str, meant: str, replaced: str
+) -> None:
+    mistake = the_mistake(source)
+    end = mistake.span.end if mistake.meant_end is None else mistake.meant_end
+
+    assert (mistake.meant, source[mistake.span.start : end]) == (meant, replaced)
+
+
+@pytest.mark.parametrize(
+    ("source", "meant"),
+    [
+        ("PROCEDIMENTO P FAÇA PF 1 FIM APRENDER P []", "APRENDER"),
+        ("FWD 1 ENQUANTO 1 < 2 FAÇA PF 1 FIM ENQUANTO", "PF"),
+        ("FORWRAD 1 MIENTRAS 1 < 2 HACER AV 1 FIN MIENTRAS", "AVANZAR"),
+        ("PFF 5", "PF"),
+    ],
+)
+def test_a_word_that_is_near_in_another_language_is_offered_in_that_of_the_program(
+    source: str, meant: str
+) -> None:
+    assert the_mistake(source).meant == meant
+
+
 def test_of_equally_near_words_the_one_in_the_language_of_the_program_is_offered() -> None:
     assert (
         the_mistake("PF 1 ENQUANTO 1 < 2 FAÇA REPITAR 2 VEZES PF 1 FIM REPITA FIM ENQUANTO").meant == "REPITA"
