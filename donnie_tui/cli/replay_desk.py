@@ -14,20 +14,18 @@ from donnie_tui.cli.ending import stopped_by_signals
 from donnie_tui.cli.input import Input
 from donnie_tui.cli.output import Output
 from donnie_tui.cli.replay_map import ReplayMap
-from donnie_tui.core import poses
 from donnie_tui.core.events import Answered, Stamped
 from donnie_tui.core.hub import Hub, Stream
 from donnie_tui.core.replay import Replay
 from donnie_tui.core.retelling import told_back, told_forward
-from donnie_tui.core.speeds import speed_words
-from donnie_tui.core.telling import facing
+from donnie_tui.core.speeds import faster, slower, speed_words
+from donnie_tui.core.telling import position_in_words
 from donnie_tui.core.transcript import said_by
 from donnie_tui.i18n.words import Words
 from language.control import ExecutionControl
 from language.source import fold_name
 
 LONGEST_LINE = 200
-SPEEDS: tuple[float | None, ...] = (1.0, 2.0, 5.0, 10.0, 20.0, 50.0, None)
 
 
 @frozen
@@ -102,8 +100,8 @@ class ReplayDesk:
             "next": self._next,
             "back": self._back,
             "go": self._go,
-            "faster": lambda: self._change_speed(+1),
-            "slower": lambda: self._change_speed(-1),
+            "faster": lambda: self._change_speed(faster),
+            "slower": lambda: self._change_speed(slower),
             "where": self._where,
             "map": lambda: self._map(output),
             "first": lambda: self._go_to(0),
@@ -140,9 +138,8 @@ class ReplayDesk:
         self._robot = stamped.robot
         self._stream.pass_on(stamped)
 
-    def _change_speed(self, by: int) -> None:
-        at = SPEEDS.index(self._replay.speed) if self._replay.speed in SPEEDS else len(SPEEDS) - 1
-        self._replay.speed = SPEEDS[max(0, min(len(SPEEDS) - 1, at + by))]
+    def _change_speed(self, changed: Callable[[float | None], float | None]) -> None:
+        self._replay.speed = changed(self._replay.speed)
         self._answer("replay-speed", speed=speed_words(self._replay.speed, self._words))
 
     def _where(self) -> None:
@@ -150,13 +147,7 @@ class ReplayDesk:
         for robot in self._timeline.robots:
             pose = self._timeline.pose(robot)
             if pose is not None:
-                place = self._words(
-                    "position",
-                    facing=facing(pose, self._words),
-                    x=poses.whole(pose.x),
-                    y=poses.whole(pose.y),
-                )
-                self._tell(said_by(robot, place, self._words))
+                self._tell(said_by(robot, position_in_words(pose, self._words), self._words))
 
     def _map(self, output: Output) -> None:
         rows = () if self._floor is None else self._floor.lines(self._timeline, self._robot)

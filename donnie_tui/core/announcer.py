@@ -9,7 +9,6 @@ from __future__ import annotations
 from typing import assert_never
 
 from devices.ports.robot import Met, Pose, Pushed, StoppedBy
-from donnie_tui.core import poses
 from donnie_tui.core.events import (
     Announced,
     Answered,
@@ -169,8 +168,7 @@ class Announcer:
     def _tell_place(self, code: str, pose: Pose) -> None:
         """At full, where a movement led."""
         if self._say.detail == "full":
-            x, y = poses.whole(pose.x), poses.whole(pose.y)
-            self._teller.announce(code, "position", facing=self._teller.facing(pose), x=x, y=y)
+            self._teller.place(code, pose)
 
     def _bumped(self, stopped_by: StoppedBy | None, bearing: float) -> None:
         if stopped_by is StoppedBy.OBSTACLE:

@@ -78,10 +78,11 @@ class Teller:
         self._no_movement("history", pose)
 
     def position(self, pose: Pose) -> None:
-        self.announce("position", facing=self.facing(pose), x=poses.whole(pose.x), y=poses.whole(pose.y))
+        self.place("position", pose)
 
-    def facing(self, pose: Pose) -> str:
-        return facing(pose, self._say)
+    def place(self, code: str, pose: Pose) -> None:
+        """Where the robot is, as what is announced with ``code``."""
+        self._hub.publish(Announced(code, position_in_words(pose, self._say)))
 
     def help(self, topic: str | None) -> None:
         for line in self._say.help(topic):
@@ -117,6 +118,12 @@ def facing(pose: Pose, wording: Wording) -> str:
     degrees = poses.heading(pose)
     point = wording(f"compass-{COMPASS[round(degrees / 45) % 8]}")
     return point if degrees % 45 == 0 else wording("facing-between", degrees=degrees, point=point)
+
+
+def position_in_words(pose: Pose, wording: Wording) -> str:
+    """Where a robot is, and how it looks."""
+    x, y = poses.whole(pose.x), poses.whole(pose.y)
+    return wording("position", facing=facing(pose, wording), x=x, y=y)
 
 
 def _whole(pose: Pose) -> dict[str, int]:

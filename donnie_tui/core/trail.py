@@ -8,7 +8,7 @@ from collections.abc import Callable
 from devices.ports.robot import Pose, StoppedBy
 from donnie_tui.core import poses
 from donnie_tui.core.events import Moved, RunEnded, RunStarted, Stamped, Turned
-from donnie_tui.core.telling import facing
+from donnie_tui.core.telling import facing, position_in_words
 from donnie_tui.core.wording import Wording
 
 KEPT = 1000
@@ -66,8 +66,7 @@ class Trail:
 
 def place_in_words(pose: Pose, trail: Trail, wording: Wording, *, is_full: bool) -> tuple[str, ...]:
     """For WHERE: where the robot is; where more is wanted, its last move too."""
-    x, y = poses.whole(pose.x), poses.whole(pose.y)
-    place = wording("position", facing=facing(pose, wording), x=x, y=y)
+    place = position_in_words(pose, wording)
     return (place, *trail.in_words(1, wording)) if is_full else (place,)
 
 

@@ -217,7 +217,7 @@ class Display:
             self._place.status.say(f" {self.focus_sentence}")
             return
         session = self._donnie.session
-        robot = robot_sentence(session.hub.robot, self._pose, self._words, session.teller)
+        robot = robot_sentence(session.hub.robot, self._pose, self._words)
         doings = doing_sentences(self._running.doing, self._running.speed, self._words)
         focus = self.focus_sentence
         whole = [f"{focus} {robot} {doing}" for doing in doings]

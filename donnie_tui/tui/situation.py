@@ -12,25 +12,25 @@ from donnie_tui.core import poses
 from donnie_tui.core.actions import bearing_name
 from donnie_tui.core.events import Read
 from donnie_tui.core.speeds import speed_words
-from donnie_tui.core.telling import Teller
+from donnie_tui.core.telling import facing
 from donnie_tui.core.wording import Wording
 from donnie_tui.tui.running import Doing
 from language.runtime import Frame
 
 
-def robot_sentence(name: str | None, pose: Pose, words: Wording, teller: Teller) -> str:
+def robot_sentence(name: str | None, pose: Pose, words: Wording) -> str:
     """Where the robot is; without a name of its own it is Donnie.
 
     Between the points of the compass its heading is a number: the line is short.
     """
     heading = poses.heading(pose)
-    facing = teller.facing(pose) if heading % 45 == 0 else words("status-degrees", degrees=heading)
+    is_at_point = heading % 45 == 0
     return words(
         "status-robot",
         robot=name or "Donnie",
         x=poses.whole(pose.x),
         y=poses.whole(pose.y),
-        facing=facing,
+        facing=facing(pose, words) if is_at_point else words("status-degrees", degrees=heading),
     )
 
 

@@ -131,6 +131,17 @@ def test_the_map_of_a_step_is_that_of_the_robot_that_is_told_of(here: Here) -> N
     assert told[-1] == "There is no map here."
 
 
+def test_faster_and_slower_go_to_the_next_speed_from_any(here: Here) -> None:
+    """As the words of the same name do in a session."""
+    here.record("FW 1")
+
+    slower = here.replay("--step", "--speed", "3", typed="SLOWER\nSLOWER\nSLOWER\n")
+    faster = here.replay("--step", "--speed", "30", typed="FASTER\nFASTER\nFASTER\n")
+
+    assert slower[1:] == ["Speed 2.", "Speed 1.", "Speed 1."]
+    assert faster[1:] == ["Speed 50.", "Speed max.", "Speed max."]
+
+
 def test_a_name_in_a_recording_makes_no_line_of_its_own(here: Here) -> None:
     """Nobody trusts a recording: a name with a line's end could say whatever it likes."""
     record_two(here)
