@@ -41,7 +41,7 @@ class _File:
     """Which program it is."""
 
     name: str | None
-    kept: list[str] | None
+    kept: list[str]
     breakpoints: frozenset[int]
 
 
@@ -76,7 +76,7 @@ class TypedProgram:
         self.breakpoints: frozenset[int] = frozenset()
         """Lines, from 1; they go with the text."""
         self._lines: list[str] = []
-        self._kept: list[str] | None = []
+        self._kept: list[str] = []
         self._run = 0
         self.was_brought = False
         """Whether what waits came from a file, or from before, and was never asked to run here."""
@@ -95,14 +95,14 @@ class TypedProgram:
         """Whether the lines are the same as in the file, or as in a new program."""
         return self._lines == self._kept
 
-    @saved.setter
-    def saved(self, saved: bool) -> None:
-        self._kept = self._lines.copy() if saved else None
+    def was_saved(self) -> None:
+        """The file has these lines now."""
+        self._kept = self._lines.copy()
 
     @property
-    def saved_text(self) -> str | None:
+    def saved_text(self) -> str:
         """What the file has, as far as it is known."""
-        return None if self._kept is None else "".join(f"{line}\n" for line in self._kept)
+        return "".join(f"{line}\n" for line in self._kept)
 
     @property
     def is_worth_saving(self) -> bool:
@@ -166,8 +166,8 @@ class TypedProgram:
             self._before.pop()
         return False
 
-    def replace(self, text: str, name: str | None) -> None:
-        """Another program takes its place, and waits."""
+    def replace(self, text: str, name: str | None, *, in_file: str | None = None) -> None:
+        """Another program takes its place, and waits. ``in_file``: what its file has, where that differs."""
         self.refused = None
         self._undone.clear()
         if self._lines:
@@ -179,7 +179,7 @@ class TypedProgram:
         self._forget_oldest()
         self.breakpoints = frozenset()
         self.name = name
-        self.saved = True
+        self._kept = lines_of(text if in_file is None else in_file)
 
     def clear(self) -> None:
         self.replace("", None)

@@ -219,11 +219,10 @@ class Conversation:
         """The program that the full screen left; it is saved if its file says the same."""
         from pathlib import Path
 
-        from donnie_tui.linear import files
+        from donnie_tui.core.documents import saved_text
 
         program = self._desk.program
-        program.replace(text, file)
-        program.saved = files.holds(Path(file), text) if file else not text.strip()
+        program.replace(text, file, in_file=saved_text(Path(file)) if file else "")
         self._desk.programs.bring_breakpoints()
         if program.lines:
             self._desk.answer("linear-lines", lines=len(program.lines))

@@ -4,13 +4,16 @@ from __future__ import annotations
 
 from pathlib import Path
 
+from donnie_tui.core.copies import Copies, Rescued
 from donnie_tui.core.documents import (
     DocumentError,
     changed_since,
     exists,
+    is_same_file,
     program_to_open,
     program_to_save,
     read_program,
+    saved_text,
     write_program,
 )
 from donnie_tui.linear.arguments import Handler, alone
@@ -79,7 +82,7 @@ def new_program(desk: Desk) -> None:
 
 
 def recover(desk: Desk) -> None:
-    """Open what was rescued when Donnie had to leave. It counts as unsaved."""
+    """Open what was rescued when Donnie had to leave. It is saved if its file has the same."""
     copy = desk.programs.copies.offered()
     if copy is None:
         desk.answer("answer-nothing-to-recover")
@@ -92,22 +95,19 @@ def recover(desk: Desk) -> None:
 def _take_copy(desk: Desk, copy: Path) -> None:
     try:
         copies = desk.programs.copies_of(desk.program)
-        found = patiently(desk, lambda: copies.take(copy), "slow-opening", name=copy.name)
+        found, in_file = patiently(desk, lambda: _taken(copies, copy), "slow-opening", name=copy.name)
     except DocumentError as error:
         refuse(desk, error)
         return
-    desk.program.replace(found.text, str(found.path) if found.path else None)
-    desk.program.saved = False
+    desk.program.replace(found.text, str(found.path) if found.path else None, in_file=in_file)
     desk.programs.bring_breakpoints()
     tell_back_again(desk)
 
 
-def holds(path: Path, text: str) -> bool:
-    """Whether the file has just this text."""
-    try:
-        return read_program(path).splitlines() == text.splitlines()
-    except DocumentError:
-        return False
+def _taken(copies: Copies, copy: Path) -> tuple[Rescued, str]:
+    """What it holds, and what its file has now."""
+    found = copies.take(copy)
+    return found, saved_text(found.path) if found.path else ""
 
 
 def refuse(desk: Desk, error: DocumentError) -> None:
@@ -120,7 +120,8 @@ def _save(desk: Desk, path: Path) -> bool:
         return False
     text = desk.program.text
     patiently(desk, lambda: write_program(path, text), "slow-saving", name=path.name)
-    desk.program.name, desk.program.saved = str(path), True
+    desk.program.name = str(path)
+    desk.program.was_saved()
     desk.programs.keep_breakpoints()
     desk.answer("answer-saved", name=path.name, lines=len(desk.program.lines))
     return True
@@ -131,9 +132,9 @@ def may_replace(desk: Desk, path: Path) -> bool:
 
     Raises ``DocumentError`` where nobody can be asked.
     """
-    is_own = str(path) == desk.program.name
-    known = desk.program.saved_text
-    if is_own and (known is None or not changed_since(path, known)):
+    name = desk.program.name
+    is_own = name is not None and is_same_file(path, Path(name))
+    if is_own and not changed_since(path, desk.program.saved_text):
         return True
     if not exists(path):
         return True

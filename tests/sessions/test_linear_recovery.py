@@ -42,3 +42,31 @@ def test_that_a_program_was_rescued_is_told_before_the_first_prompt_and_once(tmp
     again.types("RECOVER\r")
     again.sees("Here it is again, 1 line.")
     assert sum("rescued" in line for line in again.lines) == 1
+
+
+def test_what_somebody_else_wrote_since_a_program_came_back_is_not_replaced_unasked(tmp_path: Path) -> None:
+    file = tmp_path / "a.gd"
+    file.write_text("FW 1\n")
+    learner = Learner(tmp_path)
+    learner.enters("OPEN a.gd", "FW 2")
+    learner.sees_prompt()
+    until(lambda: [each.endswith("FW 1\nFW 2\n") for each in copied(tmp_path)] == [True])
+    learner.child.kill(signal.SIGKILL)
+    learner.leaves()
+
+    again = Learner(tmp_path)
+    again.enters("RECOVER")
+    again.sees("Here a.gd is again, 2 lines.")
+    file.write_text("FW 9\n")
+    again.sees_prompt()
+    again.types("SAVE\r")
+    again.sees("a.gd was changed by somebody else. Replace it, y or n?")
+    assert file.read_text() == "FW 9\n"
+
+
+def test_a_programs_own_file_is_saved_by_any_of_its_names_without_a_question(
+    learner: Learner, tmp_path: Path
+) -> None:
+    (tmp_path / "a.gd").write_text("FW 1\n")
+    learner.enters("OPEN a.gd", "FW 2", f"SAVE {tmp_path / 'a.gd'}")
+    learner.sees("Saved a.gd, 2 lines.")

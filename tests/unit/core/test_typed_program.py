@@ -114,7 +114,7 @@ def test_a_line_that_is_not_there_is_an_index_error(number: int) -> None:
 def test_saved_means_that_the_lines_are_the_same_as_in_the_file() -> None:
     program = typed("FW 1")
     was_saved = program.saved
-    program.saved = True
+    program.was_saved()
     program.add("FWD")
     is_saved = program.saved
     program.forget_waiting()

@@ -105,7 +105,7 @@ def test_what_was_saved_meanwhile_leaves_no_copy(tmp_path: Path, disk: Disk) -> 
     talk = Talk(tmp_path)
     talk.types("FW 1")
     assert disk.begun.wait(PATIENCE)
-    talk.programs.current.saved = True
+    talk.programs.current.was_saved()
     talk.programs.keep_copy()
     disk.may_go_on.set()
     no_copy_is_written()
@@ -172,8 +172,7 @@ def test_what_another_program_took_the_place_of_is_there_after_a_crash_whichever
 ) -> None:
     talk = Talk(tmp_path)
     talk.types("FW 1")
-    talk.programs.current.replace("FW 9\n", None)  # what RECOVER does
-    talk.programs.current.saved = False
+    talk.programs.current.replace("FW 9\n", None, in_file="")  # what RECOVER does
     talk.programs.keep_copy()
     no_copy_is_written()
     assert texts(tmp_path) == ["FW 1\n", "FW 9\n"]
