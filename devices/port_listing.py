@@ -7,7 +7,7 @@ from collections.abc import Callable, Iterable
 from pathlib import Path
 from typing import Protocol
 
-from devices.ports.values import frozen
+from devices.ports.values import Frozen
 
 _ARDUINO = 0x2341
 _MEGAS = (0x0042, 0x0010)
@@ -34,8 +34,7 @@ def system_ports() -> Iterable[SystemPort]:
     return comports()
 
 
-@frozen
-class FoundPort:
+class FoundPort(Frozen):
     """A serial port that is plugged in."""
 
     device: str

@@ -11,7 +11,7 @@ from functools import partial
 from typing import TYPE_CHECKING, TextIO
 
 from devices.ports.robot import Pace, Watcher
-from devices.ports.values import frozen
+from devices.ports.values import Frozen
 from donnie_tui.core.belt_telling import BeltTelling
 from donnie_tui.core.chronicle import Chronicle
 from donnie_tui.core.events import Announced, Answered
@@ -43,8 +43,7 @@ if TYPE_CHECKING:
 __all__ = ["Donnie", "Unusable", "assemble", "colours_of_world"]
 
 
-@frozen
-class Notices:
+class Notices(Frozen):
     """What had to be done without, a sentence each, to be told once at the start."""
 
     about_world: tuple[str, ...]
@@ -59,8 +58,7 @@ class Notices:
         return self.about_world + self.about_settings + self.about_voice + self.about_devices
 
 
-@frozen
-class Donnie:
+class Donnie(Frozen):
     """Everything that a front end works with. ``close`` leaves nothing running."""
 
     words: Words

@@ -13,7 +13,7 @@ from __future__ import annotations
 from collections.abc import Mapping
 from enum import Enum
 
-from devices.ports.values import field, frozen
+from devices.ports.values import Frozen, field
 from language.syntax import Span
 
 MOST_MISTAKES = 100
@@ -54,8 +54,7 @@ class Severity(Enum):
     HINT = "hint"
 
 
-@frozen
-class Diagnostic:
+class Diagnostic(Frozen):
     """One mistake, or one hint."""
 
     kind: Kind
@@ -79,8 +78,7 @@ class Diagnostic:
     """The offset at which ``meant`` is to be put in and replaces nothing; it is missing there."""
 
 
-@frozen
-class CallSite:
+class CallSite(Frozen):
     """One level of the call stack of a mistake: the procedure's name as declared, and where it was called."""
 
     procedure: str

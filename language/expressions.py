@@ -14,7 +14,7 @@ from __future__ import annotations
 from collections.abc import Callable
 from typing import TYPE_CHECKING
 
-from devices.ports.values import frozen
+from devices.ports.values import Frozen
 from language.numbers import LIMIT, SAFE_BITS, SENSOR_BITS
 from language.syntax import Binary, Colour, Condition, Distance, Expression, Name, Negative, Number, Position
 from language.translated import (
@@ -43,16 +43,14 @@ _DEEPEST = 60
 """Levels of Python's syntax tree in one expression."""
 
 
-@frozen
-class Bounds:
+class Bounds(Frozen):
     """What is known about the variables of a scope, by name."""
 
     bits: Callable[[str], float]
     natural: Callable[[str], bool]
 
 
-@frozen
-class _Value:
+class _Value(Frozen):
     """A translated expression."""
 
     code: ast.expr

@@ -8,7 +8,7 @@ second time.
 
 from __future__ import annotations
 
-from devices.ports.values import frozen
+from devices.ports.values import Frozen
 from language.diagnostics import Diagnostic
 from language.layout import laid_out
 from language.lexer import lex
@@ -18,8 +18,7 @@ from language.syntax import walk
 from language.translation import Translation
 
 
-@frozen
-class Formatted:
+class Formatted(Frozen):
     """The canonical text, or None and why."""
 
     text: str | None

@@ -14,15 +14,14 @@ from functools import cache
 from types import MappingProxyType
 
 from devices.ports.robot import Bearing
-from devices.ports.values import frozen
+from devices.ports.values import Frozen
 from language.source import fold_name
 from language.syntax import Axis
 
 LANGUAGES = ("en", "pt", "es")
 
 
-@frozen
-class Word:
+class Word(Frozen):
     """One form of one keyword: FW and FORWARD are two words of the same terminal."""
 
     canonical: str
@@ -35,8 +34,7 @@ class Word:
     """By language; the canonical spelling of the language first."""
 
 
-@frozen
-class Argument:
+class Argument(Frozen):
     """A word that means something only behind certain keywords."""
 
     terminal: str

@@ -17,7 +17,7 @@ from itertools import islice
 from types import CodeType, FrameType, TracebackType
 from typing import TypeAlias
 
-from devices.ports.values import mutable
+from devices.ports.values import Mutable
 from language.diagnostics import CallSite
 from language.runtime import Frame
 from language.translated import VARIABLE, Unit
@@ -26,8 +26,7 @@ _Entry: TypeAlias = tuple[FrameType, int | None]
 """A frame and the site in it."""
 
 
-@mutable
-class Level:
+class Level(Mutable):
     """One open call, or the program itself."""
 
     unit: Unit

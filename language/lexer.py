@@ -12,7 +12,7 @@ import re
 from functools import cache
 from typing import TypeAlias
 
-from devices.ports.values import field, frozen
+from devices.ports.values import Frozen, field
 from language.diagnostics import Diagnostic, Kind
 from language.keywords import END_WORDS, FIRST_OF_SEVERAL, TERMINAL_OF_WORD, argument
 from language.source import COMMENT_MARK, DASHES, MARK, UNSEEN, column, fold, line_ends, widthless
@@ -81,8 +81,7 @@ def _pieces(is_ascii: bool) -> re.Pattern[str]:
     )
 
 
-@frozen
-class Comment:
+class Comment(Frozen):
     start: int
     end: int
     line: int
@@ -90,8 +89,7 @@ class Comment:
     """The index of the token that it stands before; in a keyword of two words, of the one behind it."""
 
 
-@frozen
-class Lexed:
+class Lexed(Frozen):
     """What a text consists of, white space apart."""
 
     source: str

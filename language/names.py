@@ -7,15 +7,14 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Iterator
 
-from devices.ports.values import field, mutable, replace
+from devices.ports.values import Mutable, field, replace
 from language import syntax
 from language.diagnostics import Diagnostic, Kind, Severity
 from language.mistakes import diagnostic, undeclared_procedure, undeclared_variable
 from language.syntax import Expression, Name, Program, Statement, blocks_of
 
 
-@mutable
-class _Scope:
+class _Scope(Mutable):
     """The variables of the program, or of one procedure."""
 
     procedure: str = ""

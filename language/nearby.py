@@ -11,7 +11,7 @@ import re
 from collections.abc import Collection, Iterable
 from functools import cache, lru_cache
 
-from devices.ports.values import frozen
+from devices.ports.values import Frozen
 from language.keywords import (
     TERMINAL_OF_WORD,
     all_words,
@@ -29,8 +29,7 @@ LONGEST = 40
 """Letters; nothing of ours is near to a longer word."""
 
 
-@frozen
-class Near:
+class Near(Frozen):
     """The words as they are written, and the terminal that they begin with."""
 
     text: str

@@ -9,14 +9,13 @@ from __future__ import annotations
 from collections import Counter
 from collections.abc import Iterator, Sequence
 
-from devices.ports.values import frozen
+from devices.ports.values import Frozen
 from language.lexer import KIND, NAME, Token, lex
 from language.source import fold_name
 from language.tables import TERMINALS
 
 
-@frozen
-class OutlineItem:
+class OutlineItem(Frozen):
     """A block: ``IF``, ``FOR``, ``REPEAT``, ``WHILE`` or ``PROCEDURE``."""
 
     kind: str
@@ -31,8 +30,7 @@ class OutlineItem:
     """Whether it has an END of its own."""
 
 
-@frozen
-class _Open:
+class _Open(Frozen):
     kind: str
     index: int
     """Of the token that opened it."""

@@ -11,7 +11,7 @@ from __future__ import annotations
 from collections.abc import Callable, Mapping
 from typing import TYPE_CHECKING, Any
 
-from devices.ports.values import frozen
+from devices.ports.values import Frozen
 from language.diagnostics import Diagnostic, Kind
 from language.keywords import argument
 from language.lexer import Lexed, Token, lex, span_of
@@ -28,8 +28,7 @@ SHALLOW = 200
 _REDUCTION_NAMES = [rule[2] for rule in RULES]
 
 
-@frozen
-class Parsed:
+class Parsed(Frozen):
     """A program, or None and why."""
 
     program: Program | None

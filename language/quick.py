@@ -20,9 +20,8 @@ def quick(frozen: type[T]) -> type[T]:
     lines += ["    self.__class__ = frozen"]
     made: dict[str, Any] = {}  # Any: a function that exists at run time only
     exec("\n".join(lines), {"frozen": frozen}, made)
-    twin: type[T] = type(
-        frozen.__name__, frozen.__bases__, {"__slots__": names, "__init__": made["__init__"]}
-    )
+    open_ = {"__slots__": names, "__init__": made["__init__"], "__setattr__": object.__setattr__}
+    twin: type[T] = type(frozen.__name__, frozen.__bases__, open_)
     return twin if _turns(twin, frozen, len(names)) else frozen
 
 

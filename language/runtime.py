@@ -12,7 +12,7 @@ from collections.abc import Callable
 from typing import Protocol, TypeAlias, TypeVar
 
 from devices.ports.robot import Bearing
-from devices.ports.values import field, frozen, mutable
+from devices.ports.values import Frozen, Mutable, field
 from language.control import ExecutionControl
 from language.scopes import Declared
 from language.syntax import Axis
@@ -59,8 +59,7 @@ class Actions(Protocol):
         """In the terminal a later batch declared a variable or procedure again."""
 
 
-@mutable
-class Memory:
+class Memory(Mutable):
     """What one batch leaves to the next in the terminal; a file starts with an empty one."""
 
     variables: dict[str, int] = field(default_factory=dict)
@@ -73,8 +72,7 @@ class Memory:
         self.procedures.clear()
 
 
-@frozen
-class Frame:
+class Frame(Frozen):
     """One level of a running program, for front ends: the program itself or a procedure."""
 
     procedure: str

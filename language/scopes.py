@@ -5,12 +5,11 @@ from __future__ import annotations
 from collections import Counter
 from collections.abc import Iterator
 
-from devices.ports.values import frozen
+from devices.ports.values import Frozen
 from language.syntax import Call, Declare, For, Name, Procedure, Program, Statement, blocks_of
 
 
-@frozen
-class Declared:
+class Declared(Frozen):
     """A procedure that was declared, as a later batch finds it in the memory."""
 
     procedure: Procedure
@@ -21,8 +20,7 @@ class Declared:
         return self.program.typed(self.procedure.name.span)
 
 
-@frozen
-class Scope:
+class Scope(Frozen):
     """A program without its procedures, or one procedure without those that are declared in it."""
 
     program: Program

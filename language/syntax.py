@@ -7,37 +7,19 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 from enum import Enum
-from typing import ClassVar, TypeAlias
+from typing import TypeAlias
 
 from devices.ports.robot import Bearing
-from devices.ports.values import frozen
+from devices.ports.values import Frozen
 
 
 class Node:
-    """A part of the tree: equal to another one of its class with equal fields.
-
-    Said once for all, because ``dataclass`` compiles each method for each class, a fifth of the time that
-    it takes to be ready for a program.
-    """
+    """A part of the tree."""
 
     __slots__ = ()
-    __match_args__: ClassVar[tuple[str, ...]] = ()
-
-    def __eq__(self, other: object) -> bool:
-        if other.__class__ is not self.__class__:
-            return NotImplemented
-        return all(getattr(self, name) == getattr(other, name) for name in self.__match_args__)
-
-    def __hash__(self) -> int:
-        return hash(tuple(getattr(self, name) for name in self.__match_args__))
-
-    def __repr__(self) -> str:
-        fields = (f"{name}={getattr(self, name)!r}" for name in self.__match_args__)
-        return f"{type(self).__name__}({', '.join(fields)})"
 
 
-@frozen
-class Span(Node):
+class Span(Node, Frozen):
     """A stretch of source text: offsets in characters, line and column of its start from 1."""
 
     start: int
@@ -67,28 +49,24 @@ class Side(Enum):
 # --- expressions ---------------------------------------------------------------------------------
 
 
-@frozen
-class Number(Node):
+class Number(Node, Frozen):
     span: Span
     value: int
 
 
-@frozen
-class Name(Node):
+class Name(Node, Frozen):
     span: Span
     name: str
 
 
-@frozen
-class Negative(Node):
+class Negative(Node, Frozen):
     """One sign before an operand. A plus sign leaves no node."""
 
     span: Span
     operand: Expression
 
 
-@frozen
-class Binary(Node):
+class Binary(Node, Frozen):
     span: Span
     operator: str
     """One of ``+ - * /``."""
@@ -96,20 +74,17 @@ class Binary(Node):
     right: Expression
 
 
-@frozen
-class Distance(Node):
+class Distance(Node, Frozen):
     span: Span
     bearing: Bearing
 
 
-@frozen
-class Position(Node):
+class Position(Node, Frozen):
     span: Span
     axis: Axis
 
 
-@frozen
-class Colour(Node):
+class Colour(Node, Frozen):
     span: Span
     colour: str
     """The English word of the colour."""
@@ -118,8 +93,7 @@ class Colour(Node):
 Expression: TypeAlias = Number | Name | Negative | Binary | Distance | Position | Colour
 
 
-@frozen
-class Condition(Node):
+class Condition(Node, Frozen):
     span: Span
     comparator: str
     """One of ``== <> < > <= >=``."""
@@ -127,8 +101,7 @@ class Condition(Node):
     right: Expression
 
 
-@frozen
-class Text(Node):
+class Text(Node, Frozen):
     span: Span
     text: str
 
@@ -136,8 +109,7 @@ class Text(Node):
 # --- statements ----------------------------------------------------------------------------------
 
 
-@frozen
-class Declare(Node):
+class Declare(Node, Frozen):
     """VAR name, VAR name = value. ``value`` is None where none is given: the variable starts at 0."""
 
     span: Span
@@ -145,117 +117,99 @@ class Declare(Node):
     value: Expression | None
 
 
-@frozen
-class Assign(Node):
+class Assign(Node, Frozen):
     span: Span
     name: Name
     value: Expression
 
 
-@frozen
-class Speak(Node):
+class Speak(Node, Frozen):
     span: Span
     what: Expression | Text
 
 
-@frozen
-class Sound(Node):
+class Sound(Node, Frozen):
     span: Span
     on: bool
 
 
-@frozen
-class Walk(Node):
+class Walk(Node, Frozen):
     span: Span
     direction: Direction
     steps: Expression
 
 
-@frozen
-class Turn(Node):
+class Turn(Node, Frozen):
     span: Span
     side: Side
     degrees: Expression
 
 
-@frozen
-class Scan(Node):
+class Scan(Node, Frozen):
     span: Span
 
 
-@frozen
-class State(Node):
+class State(Node, Frozen):
     span: Span
 
 
-@frozen
-class History(Node):
+class History(Node, Frozen):
     span: Span
 
 
-@frozen
-class TellPosition(Node):
+class TellPosition(Node, Frozen):
     """POS on a line of its own: says the whole pose."""
 
     span: Span
 
 
-@frozen
-class Unused(Node):
+class Unused(Node, Frozen):
     """A sensor on a line of its own: read by nobody, does nothing; the checker hints at SPEAK."""
 
     span: Span
     value: Distance | Position | Colour
 
 
-@frozen
-class Wait(Node):
+class Wait(Node, Frozen):
     span: Span
     seconds: Expression
 
 
-@frozen
-class BeltSwitch(Node):
+class BeltSwitch(Node, Frozen):
     span: Span
     on: bool
 
 
-@frozen
-class Vibrate(Node):
+class Vibrate(Node, Frozen):
     span: Span
     bearing: Bearing
 
 
-@frozen
-class Help(Node):
+class Help(Node, Frozen):
     """HELP, HELP word. ``topic`` is the word as it was typed, or None."""
 
     span: Span
     topic: str | None
 
 
-@frozen
-class Quit(Node):
+class Quit(Node, Frozen):
     span: Span
 
 
-@frozen
-class RunTyped(Node):
+class RunTyped(Node, Frozen):
     """RUN: a word of the terminal, as QUIT is."""
 
     span: Span
 
 
-@frozen
-class If(Node):
+class If(Node, Frozen):
     span: Span
     condition: Condition
     then: tuple[Statement, ...]
     otherwise: tuple[Statement, ...] | None
 
 
-@frozen
-class For(Node):
+class For(Node, Frozen):
     span: Span
     start: Declare | Assign
     condition: Condition
@@ -263,30 +217,26 @@ class For(Node):
     body: tuple[Statement, ...]
 
 
-@frozen
-class Repeat(Node):
+class Repeat(Node, Frozen):
     span: Span
     times: Expression
     body: tuple[Statement, ...]
 
 
-@frozen
-class While(Node):
+class While(Node, Frozen):
     span: Span
     condition: Condition
     body: tuple[Statement, ...]
 
 
-@frozen
-class Procedure(Node):
+class Procedure(Node, Frozen):
     span: Span
     name: Name
     parameters: tuple[Name, ...]
     body: tuple[Statement, ...]
 
 
-@frozen
-class Call(Node):
+class Call(Node, Frozen):
     span: Span
     name: Name
     arguments: tuple[Expression, ...]
@@ -321,8 +271,7 @@ Statement: TypeAlias = (
 Block: TypeAlias = If | For | Repeat | While | Procedure
 
 
-@frozen
-class Program(Node):
+class Program(Node, Frozen):
     source: str
     body: tuple[Statement, ...]
 

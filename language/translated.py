@@ -12,7 +12,7 @@ from collections.abc import Sequence
 from types import CodeType
 from typing import TypeAlias, TypeVar
 
-from devices.ports.values import frozen
+from devices.ports.values import Frozen
 from language.scopes import Declared
 from language.syntax import Condition, Expression, Procedure, Program, Span, Statement
 
@@ -198,8 +198,7 @@ def procedure_taking(name: str, count: int) -> str:
     return f"p_{name}_{count}"
 
 
-@frozen
-class Header:
+class Header(Frozen):
     """The sites at which the variable of a FOR header exists."""
 
     name: str
@@ -207,8 +206,7 @@ class Header:
     last: int
 
 
-@frozen
-class Unit:
+class Unit(Frozen):
     """One compiled scope."""
 
     program: Program

@@ -5,14 +5,13 @@ from __future__ import annotations
 from collections.abc import Iterable
 from colorsys import rgb_to_hsv
 
-from devices.ports.values import frozen
+from devices.ports.values import Frozen
 
 FAMILIES = ("red", "green", "blue", "yellow", "orange", "pink", "gray")
 """The colour words of the language."""
 
 
-@frozen
-class Colour:
+class Colour(Frozen):
     """A colour of a model. Components from 0 to 1."""
 
     name: str

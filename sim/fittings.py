@@ -7,13 +7,12 @@ from __future__ import annotations
 
 from enum import Enum
 
-from devices.ports.values import field, frozen
+from devices.ports.values import Frozen, field
 from sim.colours import Colour
 from sim.placement import Placement
 
 
-@frozen
-class RangeNoise:
+class RangeNoise(Frozen):
     """How far off a range sensor may be; without a seed it is never off.
 
     Readings are drawn evenly from plus or minus these amounts. Names and meaning are Stage's.
@@ -27,8 +26,7 @@ class RangeNoise:
     """Degrees."""
 
 
-@frozen
-class RangeSensor:
+class RangeSensor(Frozen):
     """One sensor of a ranger, in the ranger's frame."""
 
     pose: Placement = field(default_factory=Placement)
@@ -43,8 +41,7 @@ class RangeSensor:
     """Metres up and down; it looks from the middle of that."""
 
 
-@frozen
-class Blobfinder:
+class Blobfinder(Frozen):
     """What a blobfinder tells apart, and where it looks."""
 
     maximum: float
@@ -56,8 +53,7 @@ class Blobfinder:
     """Pixels, across and down."""
 
 
-@frozen
-class FiducialFinder:
+class FiducialFinder(Frozen):
     """Finds the models that have a ``fiducial_return`` and the same key."""
 
     minimum: float = 0.0
@@ -67,16 +63,14 @@ class FiducialFinder:
     fov: float = 180.0
 
 
-@frozen
-class Bumper:
+class Bumper(Frozen):
     """One bumper: a bar of that length across the direction in which its pose looks, touched or not."""
 
     pose: Placement
     length: float
 
 
-@frozen
-class Camera:
+class Camera(Frozen):
     """Kept so that its field of view can be drawn; no picture is made."""
 
     minimum: float = 0.2
@@ -87,8 +81,7 @@ class Camera:
     tilt: float = 0.0
 
 
-@frozen
-class Gripper:
+class Gripper(Frozen):
     """Two paddles that close round a thing, and a lift. Proportions of the model's size, as in Stage."""
 
     paddle_length: float = 0.66
@@ -117,8 +110,7 @@ Bounds = tuple[float, float]
 """The least and the most."""
 
 
-@frozen
-class Limits:
+class Limits(Frozen):
     """Bounds of a velocity (or, a second more, of an acceleration): metres and degrees a second."""
 
     x: Bounds = (-1.0, 1.0)
@@ -126,8 +118,7 @@ class Limits:
     yaw: Bounds = (-90.0, 90.0)
 
 
-@frozen
-class OdometryError:
+class OdometryError(Frozen):
     """The most that odometry is off, as a part of what is driven or turned.
 
     Of a value E a part between -E/2 and E/2 is drawn once at the start, as in Stage.
@@ -138,8 +129,7 @@ class OdometryError:
     yaw: float = 0.05
 
 
-@frozen
-class Wheels:
+class Wheels(Frozen):
     """How a position model drives, and what it knows about where it is."""
 
     drive: Drive = Drive.DIFF

@@ -10,7 +10,7 @@ from collections.abc import Callable, Container, Iterable
 from math import floor, hypot, inf
 
 from devices.ports.robot import STEP, Bearing, StoppedBy
-from devices.ports.values import frozen, replace
+from devices.ports.values import Frozen, replace
 from sim.geometry import disc_contact, edges, outline_contact, overlapping, placed, seen_from, turn_contact
 from sim.ground import Ground
 from sim.parts import Body, Outline, body_of
@@ -34,8 +34,7 @@ def _always() -> bool:
     return True
 
 
-@frozen
-class Walk:
+class Walk(Frozen):
     """What becomes of a walk."""
 
     metres: float
@@ -44,8 +43,7 @@ class Walk:
     """None with fewer steps than asked: there is something that gives way, and has to be pushed."""
 
 
-@frozen
-class Contact:
+class Contact(Frozen):
     """What a body meets first on its way, and after how many metres; infinity if the way is free."""
 
     metres: float

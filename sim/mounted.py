@@ -11,7 +11,7 @@ from enum import Enum
 from math import ceil, cos, radians, sin
 
 from devices.ports.robot import STEP
-from devices.ports.values import frozen
+from devices.ports.values import Frozen
 from sim.geometry import normal
 from sim.scene import Model, Scene
 from sim.sensors.rangers import Beams, Cone
@@ -33,8 +33,7 @@ class Device(Enum):
     GRIPPER = "gripper"
 
 
-@frozen
-class Mounted:
+class Mounted(Frozen):
     """One of the robot's devices."""
 
     device: Device

@@ -8,7 +8,7 @@ from __future__ import annotations
 from collections.abc import Iterable, Iterator, Sequence
 from math import dist, hypot
 
-from devices.ports.values import frozen
+from devices.ports.values import Frozen
 from sim.colours import Colour
 from sim.geometry import Edge, Point, contains, edges, nearest_on_edge, placed, seen_from
 from sim.placement import Placement
@@ -18,8 +18,7 @@ BODY, SIGHT, RANGED = 1, 2, 4
 """Categories of parts: everything; what eyes can't see through; what rangers notice."""
 
 
-@frozen
-class Part:
+class Part(Frozen):
     """One polygon of the world, where it lies. Equal to nothing but itself."""
 
     rank: int
@@ -115,8 +114,7 @@ ROUND = 0.9
 Outline = tuple[Point, ...]
 
 
-@frozen
-class Body:
+class Body(Frozen):
     """Polygons in the robot's own frame."""
 
     polygons: tuple[Outline, ...]

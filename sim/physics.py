@@ -9,7 +9,7 @@ from collections.abc import Sequence
 from functools import cached_property
 from typing import TYPE_CHECKING
 
-from devices.ports.values import frozen
+from devices.ports.values import Frozen
 from sim.geometry import Point
 from sim.ground import Ground
 from sim.parts import Part
@@ -24,8 +24,7 @@ SAFE = 1e-6
 """Metres by which a circle of free room is taken smaller."""
 
 
-@frozen
-class _Room:
+class _Room(Frozen):
     """A circle in which nothing comes near, as long as nothing has changed."""
 
     x: float

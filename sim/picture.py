@@ -11,7 +11,7 @@ from math import ceil, floor
 from string import ascii_lowercase
 
 from devices.ports.robot import STEP
-from devices.ports.values import field, frozen
+from devices.ports.values import Frozen, field
 from sim.geometry import Point
 from sim.parts import body_of
 from sim.raster import Raster, covered
@@ -28,8 +28,7 @@ _TAKEN = "aov"
 _WALL_KINDS = ("wall", "floorplan", "room", "map")
 
 
-@frozen
-class Thing:
+class Thing(Frozen):
     """One thing of the world that is neither wall nor the robot."""
 
     name: str
@@ -56,8 +55,7 @@ class Thing:
     """Its polygons where they lie, in steps."""
 
 
-@frozen
-class Drawing:
+class Drawing(Frozen):
     """What stands in the world as lines: each wall, thing and robot with its outlines, in steps."""
 
     outlines: tuple[tuple[Point, ...], ...]
@@ -67,8 +65,7 @@ class Drawing:
     """Its outlines are the pieces of one shape."""
 
 
-@frozen
-class Picture:
+class Picture(Frozen):
     """A grid. The cell in the bottom left corner has its middle at ``left``, ``bottom`` (steps)."""
 
     left: int
@@ -95,8 +92,7 @@ class Picture:
         return (row, column) if 0 <= row < self.height and 0 <= column < self.width else None
 
 
-@frozen
-class _Shape:
+class _Shape(Frozen):
     """A top-level model with its outlines, in steps."""
 
     model: Model

@@ -6,12 +6,11 @@
 from __future__ import annotations
 
 from devices.ports.robot import STEP, Pose
-from devices.ports.values import frozen
+from devices.ports.values import Frozen
 from sim.geometry import direction, placed
 
 
-@frozen
-class Placement:
+class Placement(Frozen):
     """Where something stands and where it looks."""
 
     x: float = 0.0
@@ -34,8 +33,7 @@ class Placement:
         return Placement(self.x, self.y, self.z, self.yaw % 360.0)
 
 
-@frozen
-class Spot:
+class Spot(Frozen):
     """Where a robot, or something on it, is and where it looks."""
 
     x: float

@@ -9,7 +9,7 @@ from __future__ import annotations
 from collections.abc import Container, Sequence
 from math import inf
 
-from devices.ports.values import frozen, replace
+from devices.ports.values import Frozen, replace
 from sim.geometry import Edge, Point, direction, edges, is_beside, outline_contact, overlapping, seen_from
 from sim.ground import Ground
 from sim.motion import WIDEST_SKIN, Contact, Mover, less_skin
@@ -22,8 +22,7 @@ SLACK = 1e-6
 """Metres by which what may be met is searched wider than computing errs."""
 
 
-@frozen
-class Advance:
+class Advance(Frozen):
     """A short way straight on: how many metres of it are free, and what it takes along for how many."""
 
     metres: float

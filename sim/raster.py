@@ -9,14 +9,13 @@ from __future__ import annotations
 from collections.abc import Iterator
 from math import ceil, floor
 
-from devices.ports.values import frozen
+from devices.ports.values import Frozen
 from sim.geometry import Edge, Point, edges
 
 _FUZZ = 1e-9
 
 
-@frozen
-class Raster:
+class Raster(Frozen):
     """A grid. The middle of its cell 0, 0 is at ``left``, ``bottom``."""
 
     left: float

@@ -11,7 +11,7 @@ from __future__ import annotations
 from collections.abc import Iterator, Mapping
 from enum import Enum
 
-from devices.ports.values import field, frozen, replace
+from devices.ports.values import Frozen, field, replace
 from sim.colours import Colour
 from sim.fittings import Blobfinder, Bumper, Camera, FiducialFinder, Gripper, RangeSensor, Wheels
 from sim.geometry import Point, direction, placed, signed_area
@@ -24,8 +24,7 @@ class NoteKind(Enum):
     WARNING = "warning"
 
 
-@frozen
-class Note:
+class Note(Frozen):
     """One remark. Codes: ``unknown-property`` (name, nearest), ``unused-property`` (name), ``not-simulated``
     (type, name), ``second-define`` (name), ``unknown-colour`` (name, nearest), ``random-colour``,
     ``lone-sensor`` (name), ``walls-made-solid`` (name), ``not-utf8`` (path), ``margin-cropped`` (path),
@@ -40,8 +39,7 @@ class Note:
     details: Mapping[str, str | int | float] = field(default_factory=dict)
 
 
-@frozen
-class LoadReport:
+class LoadReport(Frozen):
     """What became of a world file: models by type, and everything that is worth telling."""
 
     files: tuple[str, ...]
@@ -52,8 +50,7 @@ class LoadReport:
     """The pictures that became walls and floors."""
 
 
-@frozen
-class Polygon:
+class Polygon(Frozen):
     """A block of a model, in the model's frame."""
 
     points: tuple[Point, ...]
@@ -61,8 +58,7 @@ class Polygon:
     top: float
 
 
-@frozen
-class Model:
+class Model(Frozen):
     """One thing, or a part of one."""
 
     index: int
@@ -152,8 +148,7 @@ class Model:
         return self.ranger_return >= 0 and (self.solid or self.size[2] > 0.02)
 
 
-@frozen
-class Scene:
+class Scene(Frozen):
     """A whole world. A model's ``index``, ``parent`` and ``root`` count into ``models``."""
 
     name: str

@@ -7,7 +7,7 @@ from math import inf, radians
 from typing import TYPE_CHECKING
 
 from devices.ports.robot import STEP, Grip, Motion, Watcher
-from devices.ports.values import frozen
+from devices.ports.values import Frozen
 from sim.clock import SLICE, Clock
 from sim.ground import Ground
 from sim.hand import Hand
@@ -25,8 +25,7 @@ CLEARANCE = 0.3
 """Metres: a robot that has that much room more than it needs looks around again only after a while."""
 
 
-@frozen
-class Whereabouts:
+class Whereabouts(Frozen):
     """Where a robot is, and where it believes to be."""
 
     truth: Spot

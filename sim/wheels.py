@@ -15,7 +15,7 @@ from math import degrees, floor, inf, sqrt
 from typing import TYPE_CHECKING, Protocol
 
 from devices.ports.robot import STEP, RobotProblem
-from devices.ports.values import frozen
+from devices.ports.values import Frozen
 from sim.fittings import Bounds, Drive, Limits, Localization, Wheels
 from sim.placement import Spot
 
@@ -31,8 +31,7 @@ _FINEST = 1e-5
 """Steps: no tick is shorter, however slowly a robot begins."""
 
 
-@frozen
-class Rate:
+class Rate(Frozen):
     """How fast something goes at most, and how fast it comes there, and to rest again. 0: not at all."""
 
     top: float
@@ -132,8 +131,7 @@ LEAST_GAIN = 1e-2
 """The same of an acceleration: what a second adds to the velocity, as a part of the usual one."""
 
 
-@frozen
-class Rates:
+class Rates(Frozen):
     """How fast a robot is. 0: it can't do that."""
 
     forward: Rate = Rate(STEPS_A_SECOND)
@@ -198,8 +196,7 @@ def turning(rate: Rate) -> Rate:
     return rate
 
 
-@frozen
-class Odometry:
+class Odometry(Frozen):
     """How a robot's belief about where it is follows from what it drives. Errors are parts of the whole."""
 
     along: float = 0.0

@@ -11,7 +11,7 @@ import re
 from enum import Enum
 from typing import TYPE_CHECKING, Any
 
-from devices.ports.values import frozen
+from devices.ports.values import Frozen
 
 if TYPE_CHECKING:
     from pathlib import Path
@@ -50,8 +50,7 @@ class Difficulty(Enum):
     """The author of a world says nothing of it."""
 
 
-@frozen
-class About:
+class About(Frozen):
     """What is said of a world in one language."""
 
     title: str

@@ -9,11 +9,10 @@ from __future__ import annotations
 import json
 from dataclasses import asdict
 
-from devices.ports.values import frozen
+from devices.ports.values import Frozen
 
 
-@frozen
-class Say:
+class Say(Frozen):
     """Speak one sentence. Answered by ``Started`` and ``Finished``, or by ``Refused``."""
 
     number: int
@@ -24,8 +23,7 @@ class Say:
     volume: float
 
 
-@frozen
-class PlayCue:
+class PlayCue(Frozen):
     """Play a cue in ``delay`` seconds. Not answered."""
 
     name: str
@@ -35,8 +33,7 @@ class PlayCue:
     delay: float
 
 
-@frozen
-class Hush:
+class Hush(Frozen):
     """Be silent at once. Answered by ``Hushed``."""
 
     number: int
@@ -44,56 +41,48 @@ class Hush:
     cues: bool
 
 
-@frozen
-class Ping:
+class Ping(Frozen):
     """Are you there? Answered by ``Pong``."""
 
     number: int
 
 
-@frozen
-class SoundReady:
+class SoundReady(Frozen):
     """A player was opened; ``player`` is empty where nothing makes a sound."""
 
     player: str
 
 
-@frozen
-class VoiceReady:
+class VoiceReady(Frozen):
     """The voice is loaded for ``languages``; empty where there is none."""
 
     languages: list[str]
 
 
-@frozen
-class Started:
+class Started(Frozen):
     """A sentence of ``seconds`` is being heard."""
 
     number: int
     seconds: float
 
 
-@frozen
-class Finished:
+class Finished(Frozen):
     """A sentence was heard to its end."""
 
     number: int
 
 
-@frozen
-class Refused:
+class Refused(Frozen):
     """There is no voice for the sentence's language after all."""
 
     number: int
 
 
-@frozen
-class Hushed:
+class Hushed(Frozen):
     number: int
 
 
-@frozen
-class Pong:
+class Pong(Frozen):
     """``frames`` is the player's heartbeat, -1 if it has none."""
 
     number: int

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from enum import Enum
 
-from devices.ports.values import frozen
+from devices.ports.values import Frozen
 
 
 class NoticeCode(Enum):
@@ -26,8 +26,7 @@ class NoticeCode(Enum):
     """speech-dispatcher was lost three times in a minute. Everything is in print until the next start."""
 
 
-@frozen
-class AudioNotice:
+class AudioNotice(Frozen):
     """One thing to be told."""
 
     code: NoticeCode

@@ -8,15 +8,14 @@ from __future__ import annotations
 from collections.abc import Callable
 
 from devices.ports.audio import Utterance
-from devices.ports.values import frozen
+from devices.ports.values import Frozen
 from devices.speech.policy import Offer, SpeechQueue, cuts
 
 MOST_TRIES = 2
 """A sentence that kills two workers is not given to a third."""
 
 
-@frozen
-class Sentence:
+class Sentence(Frozen):
     """One that is given to a worker."""
 
     number: int

@@ -21,7 +21,7 @@ from devices.audio_worker.notices import AudioNotice
 from devices.audio_worker.process import WorkerProcess
 from devices.audio_worker.steps import Kill, Send, Start, Step, Tell
 from devices.ports.audio import Cue, Utterance
-from devices.ports.values import field, frozen
+from devices.ports.values import Frozen, field
 from devices.sound.player import AUTO_DEVICE
 from devices.speech.voices import VoiceSettings
 
@@ -31,8 +31,7 @@ _AWAY = 0.5
 _CLOSING_SECONDS = 2.0
 
 
-@frozen
-class AudioSettings:
+class AudioSettings(Frozen):
     """How Donnie sounds, and through what."""
 
     voice: VoiceSettings = field(default_factory=VoiceSettings)

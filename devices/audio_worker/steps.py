@@ -4,28 +4,24 @@ from __future__ import annotations
 
 from devices.audio_worker.messages import Order
 from devices.audio_worker.notices import AudioNotice
-from devices.ports.values import frozen
+from devices.ports.values import Frozen
 
 
-@frozen
-class Start:
+class Start(Frozen):
     """Start a worker. ``prefer_bundled_voice`` after one that died loading the system's."""
 
     prefer_bundled_voice: bool
 
 
-@frozen
-class Send:
+class Send(Frozen):
     order: Order
 
 
-@frozen
-class Kill:
+class Kill(Frozen):
     """End the worker and everything that it started."""
 
 
-@frozen
-class Tell:
+class Tell(Frozen):
     notice: AudioNotice
 
 

@@ -7,7 +7,7 @@ from collections.abc import Iterator, Mapping
 
 from devices.audio_worker.messages import PlayCue
 from devices.ports.audio import Cue
-from devices.ports.values import frozen
+from devices.ports.values import Frozen
 from devices.sound.cue_policy import NEVER_LEFT_OUT, CuePolicy
 from devices.sound.tones import CUE_NAMES, seconds_of
 
@@ -23,8 +23,7 @@ STALE_CUE = 1.0
 _MOST_WAITING = 16
 
 
-@frozen
-class _WaitingCue:
+class _WaitingCue(Frozen):
     cue: Cue
     due: float
 

@@ -5,15 +5,14 @@ from __future__ import annotations
 from math import cos, exp, pi, sin
 
 from devices.firmware_double.surroundings import Place, Surroundings
-from devices.ports.values import frozen
+from devices.ports.values import Frozen
 from devices.wire.commands import Drive
 
 Rates = tuple[float, float]
 """Counts a second of the right wheel and of the left one."""
 
 
-@frozen
-class Chassis:
+class Chassis(Frozen):
     """A robot's mechanics. Lengths in metres. The speeds are the ones recorded, made equal on both sides: the
     real board gives its wheels 115 and 120 of 255 so that the robot goes straight."""
 

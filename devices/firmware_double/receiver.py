@@ -8,7 +8,7 @@ from __future__ import annotations
 
 from enum import Enum, auto
 
-from devices.ports.values import frozen
+from devices.ports.values import Frozen
 from devices.wire.checksum import checksum
 from devices.wire.commands import HEADER, LONGEST
 
@@ -21,8 +21,7 @@ class _State(Enum):
     CHECKSUM = auto()
 
 
-@frozen
-class Taken:
+class Taken(Frozen):
     """What one byte came to: text that is printed, and a good frame's TYPE and DATA if it was its last."""
 
     text: bytes = b""

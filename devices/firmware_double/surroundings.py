@@ -7,11 +7,10 @@ from enum import Enum
 from math import atan2, cos, hypot, pi, radians, sin
 from typing import Protocol
 
-from devices.ports.values import frozen
+from devices.ports.values import Frozen
 
 
-@frozen
-class Place:
+class Place(Frozen):
     """Of the middle of the robot's axle."""
 
     x: float = 0.0

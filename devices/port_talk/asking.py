@@ -12,7 +12,7 @@ from enum import Enum
 from devices.belt.frame import BAUD as BELT_BAUD
 from devices.belt.frame import RESYNC, is_complaint
 from devices.port_talk.line import Line, PortLine, hold, telling_what_is_gone
-from devices.ports.values import frozen
+from devices.ports.values import Frozen
 from devices.wire.commands import CONFIGURE
 from devices.wire.decoder import Decoder
 from devices.wire.reports import ConfigWanted, Power, Report
@@ -35,8 +35,7 @@ class Answer(Enum):
     NOTHING = "nothing"
 
 
-@frozen
-class Found:
+class Found(Frozen):
     """What was found out about a port."""
 
     answer: Answer

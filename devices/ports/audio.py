@@ -5,7 +5,7 @@ from __future__ import annotations
 from enum import Enum
 from typing import Protocol
 
-from devices.ports.values import frozen
+from devices.ports.values import Frozen
 
 
 class Urgency(Enum):
@@ -19,8 +19,7 @@ class Urgency(Enum):
     HINT = 4
 
 
-@frozen
-class Utterance:
+class Utterance(Frozen):
     """One sentence to be spoken, exactly as it was printed."""
 
     text: str
@@ -29,8 +28,7 @@ class Utterance:
     """``en``, ``pt`` or ``es``."""
 
 
-@frozen
-class Cue:
+class Cue(Frozen):
     """A short sound with a direction and, where it has one, a distance."""
 
     name: str

@@ -12,7 +12,7 @@ from collections.abc import Mapping
 from enum import Enum
 from typing import Protocol
 
-from devices.ports.values import frozen
+from devices.ports.values import Frozen
 
 STEP = 0.05
 """Metres in a step (the manual gives none; fixed by the language specification, section 4)."""
@@ -53,8 +53,7 @@ class Motion(Enum):
     LEFT = "left"
 
 
-@frozen
-class Pose:
+class Pose(Frozen):
     """A place and a direction: x steps to the east, y steps to the north, heading in compass degrees."""
 
     x: float
@@ -62,8 +61,7 @@ class Pose:
     heading: float
 
 
-@frozen
-class Met:
+class Met(Frozen):
     """What an obstacle or a collision was with, where the robot knows."""
 
     kind: str
@@ -75,8 +73,7 @@ class Met:
     """Where it is: from the robot's front, positive to the right, above -180 to 180."""
 
 
-@frozen
-class Pushed:
+class Pushed(Frozen):
     """A thing that a movement pushed along."""
 
     kind: str
@@ -88,8 +85,7 @@ class Pushed:
     steps: float
 
 
-@frozen
-class Moved:
+class Moved(Frozen):
     """A finished walk. ``asked`` and ``walked`` are whole steps, in the direction of the command."""
 
     asked: int
@@ -101,8 +97,7 @@ class Moved:
     """In the order in which they were met."""
 
 
-@frozen
-class Turned:
+class Turned(Frozen):
     """A finished turn. ``asked`` and ``turned`` are whole degrees, positive to the right."""
 
     asked: int
@@ -114,8 +109,7 @@ class Turned:
     """By a car, which drives its turns."""
 
 
-@frozen
-class Sighting:
+class Sighting(Frozen):
     """One thing that the robot sees."""
 
     degrees: float
@@ -138,8 +132,7 @@ class Grip(Enum):
     HOLDS_NOTHING = "holds-nothing"
 
 
-@frozen
-class Gripped:
+class Gripped(Frozen):
     """A finished attempt to grip or to release. ``name``: the thing's, or empty where it has none."""
 
     outcome: Grip

@@ -5,7 +5,7 @@ from __future__ import annotations
 from math import pi
 
 from devices.ports.robot import STEP, Bearing
-from devices.ports.values import frozen
+from devices.ports.values import Frozen
 
 _CLOCKWISE_FROM_FRONT_RIGHT = (
     Bearing.FRONT_RIGHT,
@@ -17,8 +17,7 @@ _CLOCKWISE_FROM_FRONT_RIGHT = (
 )
 
 
-@frozen
-class RobotConfig:
+class RobotConfig(Frozen):
     """Lengths in metres, angles in degrees, times in seconds. A calibration writes down the first three."""
 
     wheel_radius: float = 0.021

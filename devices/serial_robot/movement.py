@@ -9,7 +9,7 @@ from __future__ import annotations
 from collections.abc import Callable
 
 from devices.ports.robot import Pace, StoppedBy
-from devices.ports.values import frozen
+from devices.ports.values import Frozen
 from devices.serial_robot.config import RobotConfig
 from devices.serial_robot.line import RobotLine
 from devices.wire.commands import Drive
@@ -25,8 +25,7 @@ SETTLED = 0.06
 """Seconds without a count after which a wheel stands."""
 
 
-@frozen
-class Aim:
+class Aim(Frozen):
     """What a movement is to come to. ``unit`` is in counts: of a step, or of a degree."""
 
     drive: Drive

@@ -14,7 +14,7 @@ from functools import lru_cache
 from types import MappingProxyType
 
 from devices.ports.audio import Cue
-from devices.ports.values import frozen, replace
+from devices.ports.values import Frozen, replace
 
 SAMPLE_RATE = 22_050
 """Frames a second, the rate of espeak-ng's voices."""
@@ -37,8 +37,7 @@ _DULLNESS = 0.9
 """Of the low-pass for what is straight behind; 0 would let everything through."""
 
 
-@frozen
-class _Tone:
+class _Tone(Frozen):
     start: float
     """Hertz; 0 is silence."""
     end: float
@@ -47,8 +46,7 @@ class _Tone:
     """Strengths of the fundamental and its overtones."""
 
 
-@frozen
-class _Recipe:
+class _Recipe(Frozen):
     tones: tuple[_Tone, ...]
     bearing: float = 0.0
     """The side that the cue has by itself, where the event gives none."""

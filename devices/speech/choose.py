@@ -9,7 +9,7 @@ from __future__ import annotations
 from enum import Enum
 from typing import Protocol
 
-from devices.ports.values import frozen
+from devices.ports.values import Frozen
 
 
 class Channel(Enum):
@@ -90,8 +90,7 @@ class Surroundings(Protocol):
     def has_real_robot(self) -> bool: ...
 
 
-@frozen
-class Facts:
+class Facts(Frozen):
     """What is known about the surroundings before anything is started."""
 
     stdout_is_terminal: bool
@@ -107,8 +106,7 @@ class Facts:
     has_real_robot: bool = False
 
 
-@frozen
-class Choice:
+class Choice(Frozen):
     """A channel, and why."""
 
     channel: Channel

@@ -11,7 +11,7 @@ from collections.abc import Mapping
 from contextlib import closing
 from typing import TYPE_CHECKING
 
-from devices.ports.values import frozen
+from devices.ports.values import Frozen
 
 if TYPE_CHECKING:
     import socket
@@ -21,8 +21,7 @@ _PATIENCE = 0.25
 """Seconds: a socket that does not take us by then is no voice to wait for."""
 
 
-@frozen
-class Address:
+class Address(Frozen):
     """A socket: ``path`` of a Unix one, or ``host`` and ``port``."""
 
     path: str = ""

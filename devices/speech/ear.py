@@ -11,11 +11,10 @@ from __future__ import annotations
 import re
 from collections.abc import Callable
 
-from devices.ports.values import frozen
+from devices.ports.values import Frozen
 
 
-@frozen
-class _Words:
+class _Words(Frozen):
     minus: str
     point: str
     degree: str

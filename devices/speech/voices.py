@@ -9,7 +9,7 @@ from __future__ import annotations
 import math
 from collections.abc import Iterable
 
-from devices.ports.values import frozen
+from devices.ports.values import Frozen
 
 LANGUAGES = ("en", "pt", "es")
 """The languages that Donnie talks in, as ``Utterance.language`` writes them."""
@@ -23,8 +23,7 @@ _PREFERENCES = {
 }
 
 
-@frozen
-class Voice:
+class Voice(Frozen):
     """A voice that a synthesiser offers."""
 
     identifier: str
@@ -33,8 +32,7 @@ class Voice:
     """Language tags, in any case, such as ``pt-br``."""
 
 
-@frozen
-class VoiceSettings:
+class VoiceSettings(Frozen):
     """How the voice sounds. Out-of-range values are clamped by ``clamped``, not refused."""
 
     words_per_minute: int = 180

@@ -10,7 +10,7 @@ import re
 from collections.abc import Iterator
 from enum import Enum
 
-from devices.ports.values import frozen
+from devices.ports.values import Frozen
 
 LONGEST_LINE = 4_096
 """Bytes; a server that sends longer ones is not a speech-dispatcher."""
@@ -30,8 +30,7 @@ class EventKind(Enum):
 _KINDS = {each.value: each for each in EventKind}
 
 
-@frozen
-class Reply:
+class Reply(Frozen):
     """The answer to a command; ``lines`` are the texts before the last one."""
 
     code: int
@@ -42,8 +41,7 @@ class Reply:
         return 200 <= self.code < 300
 
 
-@frozen
-class Event:
+class Event(Frozen):
     """Something happened to the message of that number."""
 
     kind: EventKind

@@ -13,7 +13,7 @@ from math import inf
 from typing import TypeAlias, assert_never
 
 from devices.ports.robot import LinkNews
-from devices.ports.values import frozen
+from devices.ports.values import Frozen
 from devices.wire.commands import PING, Drive
 from devices.wire.decoder import Decoder
 from devices.wire.link_config import LinkConfig
@@ -45,8 +45,7 @@ class Need(Enum):
     """Close the port, where it is open, and open it again."""
 
 
-@frozen
-class Write:
+class Write(Frozen):
     """Bytes to be written at once, all of them."""
 
     data: bytes

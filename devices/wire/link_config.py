@@ -2,11 +2,10 @@
 
 from __future__ import annotations
 
-from devices.ports.values import frozen
+from devices.ports.values import Frozen
 
 
-@frozen
-class LinkConfig:
+class LinkConfig(Frozen):
     """All times in seconds."""
 
     first_answer: float = 6.0

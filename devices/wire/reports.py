@@ -9,7 +9,7 @@ import struct
 from enum import Enum
 from typing import TypeAlias
 
-from devices.ports.values import frozen
+from devices.ports.values import Frozen
 
 
 class ReportKind(Enum):
@@ -29,54 +29,46 @@ SONARS = 7
 BUMPERS = 6
 
 
-@frozen
-class ConfigWanted:
+class ConfigWanted(Frozen):
     """The board has just started and waits."""
 
 
-@frozen
-class Pinged:
+class Pinged(Frozen):
     """The board asks whether somebody is there, every two seconds."""
 
 
-@frozen
-class Encoders:
+class Encoders(Frozen):
     """Counts of the wheels, -32768 to 32767, which go round. (The frame's speeds are no speeds.)"""
 
     right: int
     left: int
 
 
-@frozen
-class Ranges:
+class Ranges(Frozen):
     """Seven sonars in the board's order, whole centimetres, 0 for unknown; from 256 on they wrap."""
 
     centimetres: tuple[int, ...]
 
 
-@frozen
-class Bumpers:
+class Bumpers(Frozen):
     """Six places in the board's order: NE, N, NW, SE, S, SW."""
 
     pressed: tuple[bool, ...]
 
 
-@frozen
-class Power:
+class Power(Frozen):
     """The battery, in steps of 100 mV; the firmware can tell less than nothing."""
 
     millivolts: int
 
 
-@frozen
-class Outputs:
+class Outputs(Frozen):
     """Five bits: lamp of the battery, lamp of the connection, vibration right, left, buzzer."""
 
     bits: int
 
 
-@frozen
-class Message:
+class Message(Frozen):
     """Text of the firmware, sent as a frame (after a beep only)."""
 
     text: bytes

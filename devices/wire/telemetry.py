@@ -8,7 +8,7 @@ from __future__ import annotations
 
 from collections import deque
 
-from devices.ports.values import frozen
+from devices.ports.values import Frozen
 from devices.wire.link_config import LinkConfig
 from devices.wire.reports import BUMPERS
 
@@ -21,8 +21,7 @@ REMEMBERED = 2 * REFRESH
 _MOST_REMEMBERED = 64
 
 
-@frozen
-class RangeSample:
+class RangeSample(Frozen):
     """What the sonars told once."""
 
     at: float
@@ -34,8 +33,7 @@ class RangeSample:
     """In the board's order; 0 is unknown."""
 
 
-@frozen
-class Telemetry:
+class Telemetry(Frozen):
     """The board, as it was when the last bytes came in."""
 
     at: float = 0.0

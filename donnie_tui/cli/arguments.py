@@ -5,7 +5,7 @@ from __future__ import annotations
 from types import SimpleNamespace
 from typing import TYPE_CHECKING, TypeAlias
 
-from devices.ports.values import frozen
+from devices.ports.values import Frozen
 
 if TYPE_CHECKING:
     from argparse import Namespace
@@ -54,8 +54,7 @@ class WrongUsage(Exception):
         self.what = what
 
 
-@frozen
-class Invocation:
+class Invocation(Frozen):
     """What was asked for."""
 
     command: str

@@ -13,7 +13,7 @@ from types import FrameType
 from typing import NoReturn
 
 from devices.ports.robot import STEP, LinkNews, Moved, RobotProblem, StoppedBy, Turned
-from devices.ports.values import frozen, mutable
+from devices.ports.values import Frozen, Mutable
 from devices.serial_robot.calibration import axle_length, wheel_radius
 from devices.serial_robot.config import RobotConfig
 from devices.wire.telemetry import Telemetry
@@ -42,8 +42,7 @@ _SMALLEST, _LARGEST = 0.001, 1.0
 """Metres that a radius or an axle can have in the settings."""
 
 
-@mutable
-class _Steady:
+class _Steady(Mutable):
     """The pace of a robot that nobody programs: real time, until somebody wants it to end."""
 
     ended: threading.Event
@@ -52,8 +51,7 @@ class _Steady:
         return not self.ended.wait(seconds)
 
 
-@frozen
-class _Sizes:
+class _Sizes(Frozen):
     """In metres; None is not measured."""
 
     wheel_radius: float | None

@@ -16,7 +16,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING
 
 import donnie_tui
-from devices.ports.values import field, frozen
+from devices.ports.values import Frozen, field
 from devices.sound.own_sounds import load, unknown_names
 from devices.speech.choose import Channel, choose_channel
 from devices.speech.probe import look_around
@@ -54,8 +54,7 @@ _ROOT = Path(donnie_tui.__file__).resolve().parent.parent
 _WORKER_SECONDS = 12.0
 
 
-@frozen
-class Finding:
+class Finding(Frozen):
     """One line. ``code`` names its sentence, and ``code-remedy`` the one behind it if something is wrong."""
 
     code: str

@@ -10,7 +10,7 @@ import sys
 from collections.abc import Mapping
 from typing import TYPE_CHECKING
 
-from devices.ports.values import frozen, mutable, replace
+from devices.ports.values import Frozen, Mutable, replace
 from donnie_tui.cli.order import Order
 from donnie_tui.settings.chosen import Settings
 from donnie_tui.settings.readers import read_switch
@@ -21,8 +21,7 @@ if TYPE_CHECKING:
     from donnie_tui.linear.greeting import Greeting
 
 
-@mutable
-class _Luggage:
+class _Luggage(Mutable):
     """What goes along from one mode to the other."""
 
     file: str | None
@@ -66,8 +65,7 @@ def _talk(settings: Settings, cause: str, along: _Luggage) -> int:
     return run_linear(settings, along.file, cause, along.greeting, text=along.text, donnie=along.donnie)
 
 
-@frozen
-class Surroundings:
+class Surroundings(Frozen):
     """What the process was started in."""
 
     stdin_is_terminal: bool

@@ -6,7 +6,7 @@ import os
 from collections.abc import Callable, Mapping
 from typing import TYPE_CHECKING
 
-from devices.ports.values import frozen, replace
+from devices.ports.values import Frozen, replace
 from donnie_tui.cli import codes
 from donnie_tui.cli.arguments import TO_COME, Invocation, WrongUsage
 from donnie_tui.cli.order import Order
@@ -21,8 +21,7 @@ if TYPE_CHECKING:
     from donnie_tui.linear.greeting import Greeting
 
 
-@frozen
-class _Start:
+class _Start(Frozen):
     """What there is before a command is understood."""
 
     output: Output

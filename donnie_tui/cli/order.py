@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Mapping
 from typing import TYPE_CHECKING
 
-from devices.ports.values import frozen
+from devices.ports.values import Frozen
 from donnie_tui.cli.arguments import Invocation
 from donnie_tui.cli.output import Output
 from donnie_tui.i18n.words import Words
@@ -15,8 +15,7 @@ if TYPE_CHECKING:
     from donnie_tui.linear.greeting import Greeting
 
 
-@frozen
-class Order:
+class Order(Frozen):
     invocation: Invocation
     settings: Settings
     words: Words

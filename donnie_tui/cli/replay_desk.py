@@ -8,7 +8,7 @@ from __future__ import annotations
 
 from collections.abc import Callable
 
-from devices.ports.values import frozen
+from devices.ports.values import Frozen
 from donnie_tui.cli import codes
 from donnie_tui.cli.ending import stopped_by_signals
 from donnie_tui.cli.input import Input
@@ -28,8 +28,7 @@ from language.source import fold_name
 LONGEST_LINE = 200
 
 
-@frozen
-class Word:
+class Word(Frozen):
     """One word; what it is for is ``replay-word-NAME``."""
 
     name: str

@@ -11,7 +11,7 @@ from itertools import islice
 from pathlib import Path
 from typing import TextIO, cast
 
-from devices.ports.values import frozen
+from devices.ports.values import Frozen
 from donnie_tui import LANGUAGES
 from donnie_tui.cli import codes
 from donnie_tui.cli.ending import let_sound, stopped_by_signals
@@ -39,8 +39,7 @@ FIXED = ("world", "robot", "seed", "belt", "record")
 """Options that mean nothing to what has happened already."""
 
 
-@frozen
-class _Audience:
+class _Audience(Frozen):
     """Whoever listens to the replay."""
 
     hub: Hub

@@ -5,13 +5,12 @@ from __future__ import annotations
 import sys
 from pathlib import Path
 
-from devices.ports.values import frozen
+from devices.ports.values import Frozen
 from donnie_tui.core.documents import LARGEST, DocumentError, decode, read_to_the_end
 from donnie_tui.i18n.words import Unusable, Words
 
 
-@frozen
-class Source:
+class Source(Frozen):
     """A program's text, and what it is called."""
 
     name: str

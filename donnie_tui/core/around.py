@@ -12,7 +12,7 @@ from collections.abc import Iterator
 from typing import TYPE_CHECKING
 
 from devices.ports.robot import Pose
-from devices.ports.values import frozen
+from devices.ports.values import Frozen
 from donnie_tui.core.map_grid import MapGrid
 from donnie_tui.core.naming import coloured_thing, name_of
 from donnie_tui.core.poses import COMPASS, SIDES
@@ -40,8 +40,7 @@ _POINTS = (
 """As they are typed, in any language."""
 
 
-@frozen
-class Face:
+class Face(Frozen):
     """Into which directions the surroundings are cut, and what these are called."""
 
     sectors: int

@@ -15,7 +15,7 @@ from collections.abc import Mapping
 from types import MappingProxyType
 
 from devices.ports.robot import Bearing, Robot
-from devices.ports.values import field, frozen
+from devices.ports.values import Frozen, field
 from donnie_tui.core.events import BeltShown, CueSounded
 from donnie_tui.core.hub import Hub
 from donnie_tui.core.wording import Wording
@@ -43,8 +43,7 @@ _COLUMNS_OF: Mapping[Bearing, tuple[int, ...]] = MappingProxyType(
 _WORD_OF_LEVEL = {WEAK: "belt-weak", MEDIUM: "belt-medium", STRONG: "belt-strong"}
 
 
-@frozen
-class BeltSettings:
+class BeltSettings(Frozen):
     """How distances become levels, and directions columns."""
 
     strong: int = 5

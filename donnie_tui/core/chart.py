@@ -11,7 +11,7 @@ from string import ascii_lowercase
 from typing import TYPE_CHECKING
 
 from devices.ports.robot import Pose
-from devices.ports.values import frozen
+from devices.ports.values import Frozen
 from donnie_tui.core.map_grid import FREE, WALL
 from donnie_tui.core.naming import name_of, shade
 from donnie_tui.core.telling import facing
@@ -26,8 +26,7 @@ MOST_COLOURS = 3
 """Colours that the legend names for a letter."""
 
 
-@frozen
-class Robot:
+class Robot(Frozen):
     """A robot where it starts."""
 
     name: str
@@ -35,8 +34,7 @@ class Robot:
     letter: str = ""
 
 
-@frozen
-class Chart:
+class Chart(Frozen):
     """What paper needs to know of a world."""
 
     rows: tuple[str, ...]

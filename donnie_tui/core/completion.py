@@ -7,7 +7,7 @@ from __future__ import annotations
 
 from collections.abc import Iterable
 
-from devices.ports.values import frozen
+from devices.ports.values import Frozen
 from language import keywords
 from language.lexer import NAME, STRING, TAKES, lex
 from language.outline import open_block
@@ -19,8 +19,7 @@ LARGEST = 50_000
 """Characters of a text that is looked through."""
 
 
-@frozen
-class Completion:
+class Completion(Frozen):
     """What the letters before the cursor may become."""
 
     typed: str

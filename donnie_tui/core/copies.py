@@ -20,7 +20,7 @@ import threading
 from collections.abc import Callable, Iterable
 from typing import TYPE_CHECKING
 
-from devices.ports.values import frozen
+from devices.ports.values import Frozen
 from donnie_tui.core.documents import DocumentError, as_lines, new_file, read_program, write_program
 
 if TYPE_CHECKING:
@@ -36,8 +36,7 @@ _FILE = "-- What was not saved of the file: "
 """The first line of a copy, with the path of the file; a comment of the language, for whoever looks."""
 
 
-@frozen
-class Rescued:
+class Rescued(Frozen):
     """What a copy holds."""
 
     text: str

@@ -13,7 +13,7 @@ from enum import Enum
 from typing import ClassVar, TypeAlias
 
 from devices.ports.robot import Bearing, Grip, Met, Pose, Pushed, StoppedBy
-from devices.ports.values import field, frozen
+from devices.ports.values import Frozen, field
 
 
 class Outcome(Enum):
@@ -25,8 +25,7 @@ class Outcome(Enum):
     QUIT = "quit"
 
 
-@frozen
-class HowStarted:
+class HowStarted(Frozen):
     """A run as it was asked for: its text, and from where it goes on."""
 
     text: str
@@ -63,8 +62,7 @@ TYPED = "typed"
 """What a program is called that was typed and has no file."""
 
 
-@frozen
-class RunStarted:
+class RunStarted(Frozen):
     program: str
     world: str
     robot: str
@@ -74,8 +72,7 @@ class RunStarted:
     """What is needed to run it again."""
 
 
-@frozen
-class Statement:
+class Statement(Frozen):
     """A statement is about to run; only with ``--trace``."""
 
     line: int
@@ -83,21 +80,18 @@ class Statement:
     depth: int
 
 
-@frozen
-class Spoke:
+class Spoke(Frozen):
     text: str
 
 
-@frozen
-class Announced:
+class Announced(Frozen):
     """A sentence of Donnie's own. ``code`` says what it is about, ``text`` is in the learner's language."""
 
     code: str
     text: str
 
 
-@frozen
-class Moved:
+class Moved(Frozen):
     """``asked`` and ``walked`` in steps, forward or backward as ``command`` says."""
 
     command: str
@@ -111,8 +105,7 @@ class Moved:
     pushed: tuple[Pushed, ...] = field(default=(), metadata={"private": True})
 
 
-@frozen
-class Turned:
+class Turned(Frozen):
     """``asked`` and ``turned`` in degrees, in the direction of the command."""
 
     command: str
@@ -126,8 +119,7 @@ class Turned:
     pushed: tuple[Pushed, ...] = field(default=(), metadata={"private": True})
 
 
-@frozen
-class SeenGroup:
+class SeenGroup(Frozen):
     """Things that SCAN sees at one angle."""
 
     side: str
@@ -137,13 +129,11 @@ class SeenGroup:
     colours: tuple[str, ...]
 
 
-@frozen
-class Scanned:
+class Scanned(Frozen):
     objects: tuple[SeenGroup, ...]
 
 
-@frozen
-class Read:
+class Read(Frozen):
     """A sensor was read: ``distance``, ``position`` or ``colour``."""
 
     sensor: str
@@ -151,29 +141,25 @@ class Read:
     value: int
 
 
-@frozen
-class Waited:
+class Waited(Frozen):
     seconds: int
 
 
-@frozen
-class CueSounded:
+class CueSounded(Frozen):
     EVENT: ClassVar[str] = "cue"
     name: str
     bearing: float
     steps: float | None
 
 
-@frozen
-class BeltShown:
+class BeltShown(Frozen):
     """14 levels, 0 off to 3 strong: the upper row of seven, then the lower."""
 
     EVENT: ClassVar[str] = "belt"
     levels: tuple[int, ...]
 
 
-@frozen
-class GripperUsed:
+class GripperUsed(Frozen):
     """The gripper closed or opened; ``thing`` is the name of what it took or let go, where that has one."""
 
     EVENT: ClassVar[str] = "gripper"
@@ -184,8 +170,7 @@ class GripperUsed:
     colour: str = field(default="", metadata={"private": True})
 
 
-@frozen
-class PlacedThing:
+class PlacedThing(Frozen):
     """Where a thing of the world is now, with what the world's file calls it."""
 
     name: str
@@ -194,29 +179,25 @@ class PlacedThing:
     """Its number among the world's models; names may be equal."""
 
 
-@frozen
-class ThingsMoved:
+class ThingsMoved(Frozen):
     """All things that are elsewhere than at the start of the world: pushed, held, or put down again."""
 
     EVENT: ClassVar[str] = "things"
     places: tuple[PlacedThing, ...]
 
 
-@frozen
-class Reset:
+class Reset(Frozen):
     """The robot was put back to its start, and what it remembered is gone."""
 
     pose: Pose
 
 
-@frozen
-class SoundSwitched:
+class SoundSwitched(Frozen):
     EVENT: ClassVar[str] = "sound"
     on: bool
 
 
-@frozen
-class Link:
+class Link(Frozen):
     """The line to a real robot: ``connected``, ``lost`` or ``restored``."""
 
     state: str
@@ -230,8 +211,7 @@ INTERNAL = "internal"
 """The kind of an error that is no mistake of the program: a fault of ours. The others are the language's."""
 
 
-@frozen
-class Error:
+class Error(Frozen):
     """A mistake in the program. ``source_line`` is the line as typed, for those who print the error."""
 
     kind: str
@@ -252,30 +232,26 @@ class Error:
     """The line to change, where that is another than the one in which it was found."""
 
 
-@frozen
-class RunEnded:
+class RunEnded(Frozen):
     outcome: Outcome
     pose: Pose
     variables: Mapping[str, int]
     seconds: float
 
 
-@frozen
-class Passing:
+class Passing(Frozen):
     """Where the robot is while it moves; transient."""
 
     pose: Pose
 
 
-@frozen
-class Sensed:
+class Sensed(Frozen):
     """What is known of the distances around the robot, in steps, told because somebody looks; transient."""
 
     distances: Mapping[Bearing, int]
 
 
-@frozen
-class Answered:
+class Answered(Frozen):
     """What a front end answers to a word of its own, such as "Saved."; told and spoken; transient."""
 
     text: str
@@ -285,15 +261,13 @@ class Answered:
     """To a word that was typed while a program runs: printed before what waits to be printed."""
 
 
-@frozen
-class Pointed:
+class Pointed(Frozen):
     """What is where somebody points on the map; shown in the status line and spoken, not kept; transient."""
 
     text: str
 
 
-@frozen
-class Chimed:
+class Chimed(Frozen):
     """A cue of a front end's own, such as that a block was opened; fields as of ``CueSounded``; transient."""
 
     name: str
@@ -330,8 +304,7 @@ Event: TypeAlias = (
 )
 
 
-@frozen
-class Stamped:
+class Stamped(Frozen):
     """An event with its number (from 1, 0 for a transient one) and its robot time in seconds."""
 
     seq: int

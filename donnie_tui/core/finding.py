@@ -8,7 +8,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 from itertools import chain
 
-from devices.ports.values import frozen
+from devices.ports.values import Frozen
 from donnie_tui.core.harmless import printable
 from donnie_tui.core.wording import Wording
 from language.source import MARK, fold, fold_name
@@ -21,8 +21,7 @@ NOTHING_INSTEAD = '""'
 """What is typed to delete a word everywhere."""
 
 
-@frozen
-class Place:
+class Place(Frozen):
     """Where a word stands: its row and its columns, from 0, the last one not included."""
 
     row: int

@@ -7,13 +7,12 @@ from __future__ import annotations
 
 from collections.abc import Callable, Sequence
 
-from devices.ports.values import frozen
+from devices.ports.values import Frozen
 from donnie_tui.core.typed_program import ProgramTooLong, TypedProgram
 from donnie_tui.core.wording import Wording
 
 
-@frozen
-class Edited:
+class Edited(Frozen):
     """What is told of an edit, and the line that it is about."""
 
     sentences: tuple[str, ...]

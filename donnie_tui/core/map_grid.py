@@ -14,7 +14,7 @@ from math import floor, hypot
 from typing import TYPE_CHECKING, NamedTuple
 
 from devices.ports.robot import Pose
-from devices.ports.values import frozen
+from devices.ports.values import Frozen
 
 if TYPE_CHECKING:
     from sim.picture import Picture, Thing
@@ -50,8 +50,7 @@ class Kind(Enum):
     """What a sensor looked along."""
 
 
-@frozen
-class Bounds:
+class Bounds(Frozen):
     """The part of the floor that is worth showing, both ends included."""
 
     left: int

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterable
 
-from devices.ports.values import frozen
+from devices.ports.values import Frozen
 from donnie_tui.core.wording import Wording
 from language.diagnostics import Diagnostic, Severity
 
@@ -12,8 +12,7 @@ LARGEST = 50_000
 """Characters of a text that is checked at every pause of typing."""
 
 
-@frozen
-class Mistake:
+class Mistake(Frozen):
     """What is wrong in one line, and what would mend it."""
 
     line: int

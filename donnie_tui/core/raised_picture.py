@@ -14,7 +14,7 @@ from textwrap import wrap
 from typing import TYPE_CHECKING
 from xml.sax.saxutils import escape
 
-from devices.ports.values import frozen
+from devices.ports.values import Frozen
 from donnie_tui.core.braille import braille, dots
 from donnie_tui.core.chart import Chart, Robot
 from donnie_tui.core.map_grid import WALL
@@ -44,8 +44,7 @@ _Point = tuple[float, float]
 _Box = tuple[float, float, float, float]
 
 
-@frozen
-class _Sheet:
+class _Sheet(Frozen):
     """Where the map lies on the paper. Millimetres from the top left corner; the world's places in steps."""
 
     width: float

@@ -9,7 +9,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
-from devices.ports.values import frozen
+from devices.ports.values import Frozen
 from donnie_tui.core.wording import Wording
 from language import keywords
 from language.lexer import lex
@@ -21,8 +21,7 @@ WIDEST = 80
 WIDEST_BRIEF = 40
 
 
-@frozen
-class ProgramLine:
+class ProgramLine(Frozen):
     """One line of a program."""
 
     number: int

@@ -11,7 +11,7 @@ from collections.abc import Mapping, Sequence
 from enum import Enum
 from typing import Protocol
 
-from devices.ports.values import frozen
+from devices.ports.values import Frozen
 from donnie_tui.core.events import (
     BELT_LINK,
     TRANSIENT,
@@ -52,8 +52,7 @@ class Result(Enum):
     """Robots were started by hand at different moments; up to there it is the same."""
 
 
-@frozen
-class Verdict:
+class Verdict(Frozen):
     """``index`` is the event up to which it is the same; of a difference, what happened in its place."""
 
     result: Result
@@ -74,8 +73,7 @@ def recheck(events: Sequence[Stamped], team: Team, tone: Tone) -> Verdict:
         leave()
 
 
-@frozen
-class _Segment:
+class _Segment(Frozen):
     """Runs that began together, and all that happened until the last of them ended."""
 
     first: int

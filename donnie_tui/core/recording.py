@@ -13,7 +13,7 @@ from collections.abc import Iterator, Mapping, Sequence
 from contextlib import suppress
 from typing import BinaryIO, TextIO, overload
 
-from devices.ports.values import frozen
+from devices.ports.values import Frozen
 from donnie_tui.core.events import Reset, RunEnded, RunStarted, Stamped
 from donnie_tui.core.recorded_events import DamagedLineError, event_of, parse_line
 
@@ -38,8 +38,7 @@ class NoRecordingError(Exception):
     """A file in which nothing of a recording is whole."""
 
 
-@frozen
-class Header:
+class Header(Frozen):
     """What a recording was made with."""
 
     version: str
@@ -64,8 +63,7 @@ class Header:
         out.flush()
 
 
-@frozen
-class Damage:
+class Damage(Frozen):
     """Something that is missing from a recording: ``code`` is ``damaged-CODE`` in the catalogue."""
 
     code: str

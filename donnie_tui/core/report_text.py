@@ -7,7 +7,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING
 
 from devices.ports.robot import Pose
-from devices.ports.values import frozen
+from devices.ports.values import Frozen
 from donnie_tui.core import use_cases
 from donnie_tui.core.describe import place_of
 from donnie_tui.core.documents import unquoted
@@ -38,8 +38,7 @@ _COLUMNS = {
 _MOST_MOVES = 1000
 
 
-@frozen
-class Subject:
+class Subject(Frozen):
     """What a report may be about."""
 
     lines: tuple[str, ...]

@@ -7,11 +7,10 @@ import io
 from collections.abc import Iterable, Sequence
 from html import escape
 
-from devices.ports.values import frozen
+from devices.ports.values import Frozen
 
 
-@frozen
-class Section:
+class Section(Frozen):
     """A heading with its lines, or with a table whose first row names the columns."""
 
     heading: str

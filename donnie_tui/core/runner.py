@@ -11,7 +11,7 @@ from collections.abc import Callable
 from typing import Protocol, TypeAlias, runtime_checkable
 
 from devices.ports.robot import Robot
-from devices.ports.values import frozen
+from devices.ports.values import Frozen
 from donnie_tui.core.events import INTERNAL, Announced, Error, Outcome, RunEnded, RunStarted, Statement
 from donnie_tui.core.hub import Hub
 from donnie_tui.core.wording import Wording
@@ -35,8 +35,7 @@ class TakesTurns(Protocol):
     def leave(self) -> None: ...
 
 
-@frozen
-class Stage:
+class Stage(Frozen):
     """What every run of a session shares."""
 
     robot: Robot

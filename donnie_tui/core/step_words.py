@@ -8,7 +8,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Mapping, Sequence
 
-from devices.ports.values import mutable
+from devices.ports.values import Mutable
 from donnie_tui.core.events import Read
 from donnie_tui.core.wording import Wording
 from language.diagnostics import LanguageError
@@ -41,8 +41,7 @@ _COMPARISONS = {
 }
 
 
-@mutable
-class _Round:
+class _Round(Mutable):
     """A loop that the program is in."""
 
     loop: Statement

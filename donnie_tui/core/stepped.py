@@ -11,7 +11,7 @@ from collections import deque
 from collections.abc import Callable, Mapping, Sequence
 from typing import TYPE_CHECKING
 
-from devices.ports.values import frozen
+from devices.ports.values import Frozen
 from donnie_tui.core.events import Event, Read
 from donnie_tui.core.wording import Wording
 from language.runtime import Frame
@@ -27,8 +27,7 @@ MOST_DEEDS = 5
 """What is told of one step, a procedure that was stepped over say."""
 
 
-@frozen
-class _Hold:
+class _Hold(Frozen):
     """The program was held before a statement."""
 
     seq: int

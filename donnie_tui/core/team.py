@@ -10,15 +10,14 @@ from __future__ import annotations
 import threading
 from collections.abc import Callable, Iterable, Mapping
 
-from devices.ports.values import frozen
+from devices.ports.values import Frozen
 from donnie_tui.core.hub import Stream
 from donnie_tui.core.runner import Run
 from donnie_tui.core.session import Session
 from language.source import fold_name
 
 
-@frozen
-class Assigned:
+class Assigned(Frozen):
     """A program for one robot."""
 
     text: str

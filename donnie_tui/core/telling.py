@@ -8,7 +8,7 @@ from __future__ import annotations
 from collections.abc import Iterable
 
 from devices.ports.robot import Pose, StoppedBy
-from devices.ports.values import frozen
+from devices.ports.values import Frozen
 from donnie_tui.core import poses
 from donnie_tui.core.events import Announced, Moved, Turned
 from donnie_tui.core.hub import Hub
@@ -16,8 +16,7 @@ from donnie_tui.core.poses import COMPASS
 from donnie_tui.core.wording import Wording
 
 
-@frozen
-class Movement:
+class Movement(Frozen):
     """One movement: its number from 1, the command as typed, how far it came, and where that was."""
 
     number: int

@@ -10,7 +10,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 
 from devices.ports.robot import Pose
-from devices.ports.values import frozen
+from devices.ports.values import Frozen
 from donnie_tui.core.events import (
     Announced,
     BeltShown,
@@ -34,8 +34,7 @@ _LEADING_ON = ("step-forward", "step-back", "turn-right", "turn-left", "waiting"
 """Cues that come before what they are about has ended."""
 
 
-@frozen
-class _Place:
+class _Place(Frozen):
     """A robot was here after so many events."""
 
     at: int

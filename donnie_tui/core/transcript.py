@@ -19,7 +19,7 @@ from collections import deque
 from collections.abc import Callable, Sequence
 from typing import Protocol
 
-from devices.ports.values import field, mutable
+from devices.ports.values import Mutable, field
 from donnie_tui.core.events import (
     BELT_LINK,
     Announced,
@@ -124,8 +124,7 @@ class TellingAll:
         return True
 
 
-@mutable
-class _Untold:
+class _Untold(Mutable):
     """What one robot did that was not told."""
 
     steps: int = 0
@@ -137,8 +136,7 @@ class _Untold:
     """Where the last one led."""
 
 
-@mutable
-class _Judgement:
+class _Judgement(Mutable):
     """Of the event that is being told."""
 
     stamped: Stamped | None = None
@@ -146,8 +144,7 @@ class _Judgement:
     passes: bool = True
 
 
-@mutable
-class _Robot:
+class _Robot(Mutable):
     last: Moved | Turned | None = None
     """Its last movement."""
     is_told: bool = False

@@ -12,7 +12,7 @@ from __future__ import annotations
 from collections import deque
 from collections.abc import Sequence
 
-from devices.ports.values import frozen
+from devices.ports.values import Frozen
 from donnie_tui.core.breakpoints import followed, shifted
 from donnie_tui.core.harmless import cleaned
 from language.outline import OutlineItem, block_depth, open_block
@@ -36,8 +36,7 @@ class ProgramTooLong(Exception):
     """What is typed would exceed ``LARGEST``."""
 
 
-@frozen
-class _File:
+class _File(Frozen):
     """Which program it is."""
 
     name: str | None
@@ -45,8 +44,7 @@ class _File:
     breakpoints: frozenset[int]
 
 
-@frozen
-class _Before:
+class _Before(Frozen):
     """The program before a change."""
 
     lines: list[str]
@@ -58,8 +56,7 @@ class _Before:
     """Where the change was that another program took its place."""
 
 
-@frozen
-class Batch:
+class Batch(Frozen):
     """What is to be run now: its text and the number of its first line."""
 
     text: str

@@ -10,7 +10,7 @@ from __future__ import annotations
 import re
 from collections.abc import Callable, Sequence
 
-from devices.ports.values import frozen
+from devices.ports.values import Frozen
 from donnie_tui.core.use_cases import LONGEST_WORD, UseCase
 from language import keywords
 from language.diagnostics import Diagnostic, Kind
@@ -22,8 +22,7 @@ LARGEST = 20_000
 _MOST_WORDS = 3
 
 
-@frozen
-class Unknown:
+class Unknown(Frozen):
     """What was typed, and the word that was probably meant."""
 
     word: str

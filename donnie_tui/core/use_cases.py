@@ -13,7 +13,7 @@ from enum import Enum
 from functools import cache
 from typing import TYPE_CHECKING
 
-from devices.ports.values import frozen
+from devices.ports.values import Frozen
 from donnie_tui import LANGUAGES
 
 if TYPE_CHECKING:
@@ -33,8 +33,7 @@ class When(Enum):
     ALWAYS = 2
 
 
-@frozen
-class UseCase:
+class UseCase(Frozen):
     """One thing that can be asked for."""
 
     name: str

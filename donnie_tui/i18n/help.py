@@ -8,13 +8,12 @@ from __future__ import annotations
 
 import re
 
-from devices.ports.values import frozen
+from devices.ports.values import Frozen
 from donnie_tui.i18n.phrasing import Phrasing
 from language import keywords
 
 
-@frozen
-class Entry:
+class Entry(Frozen):
     """One command: how it is written, and used. ``leaders`` are the words that it may begin with."""
 
     leaders: tuple[str, ...]

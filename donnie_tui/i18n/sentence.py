@@ -9,7 +9,7 @@ from __future__ import annotations
 
 from typing import TypeAlias
 
-from devices.ports.values import frozen
+from devices.ports.values import Frozen
 from donnie_tui import LANGUAGES
 
 _DECIMAL_SIGNS = {"en": ".", "pt": ",", "es": ","}
@@ -20,8 +20,7 @@ Texts: TypeAlias = tuple[str, str, str]
 """English, Brazilian Portuguese, Spanish."""
 
 
-@frozen
-class Sentence:
+class Sentence(Frozen):
     """Equal in all languages; ``brief`` and ``full`` only where they differ from the normal one."""
 
     en: str

@@ -11,7 +11,7 @@ from collections.abc import Callable
 from functools import cached_property
 from typing import TYPE_CHECKING
 
-from devices.ports.values import frozen
+from devices.ports.values import Frozen
 from donnie_tui.bootstrap import Donnie
 from donnie_tui.core.answer_log import AnswerLog
 from donnie_tui.core.breakpoints import KeptBreakpoints
@@ -37,8 +37,7 @@ if TYPE_CHECKING:
     from donnie_tui.linear.key_echo import KeyEcho
 
 
-@frozen
-class Kept:
+class Kept(Frozen):
     """What goes along to another world."""
 
     programs: Programs

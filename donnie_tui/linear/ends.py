@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from devices.ports.values import frozen
+from devices.ports.values import Frozen
 from donnie_tui.linear.console import Console
 from donnie_tui.linear.habits import Habits, Page
 from donnie_tui.linear.output import Output
@@ -10,8 +10,7 @@ from donnie_tui.linear.reader import How, Reader, Typed
 from donnie_tui.linear.told import Told
 
 
-@frozen
-class Ends:
+class Ends(Frozen):
     """Who types, and who reads."""
 
     console: Console

@@ -9,7 +9,7 @@ from __future__ import annotations
 from collections.abc import Mapping
 from enum import Enum
 
-from devices.ports.values import field_names, mutable
+from devices.ports.values import Mutable, field_names
 from donnie_tui.core.typed_words import SWITCH, switched
 from donnie_tui.i18n.first_words import PROMPT
 from donnie_tui.settings.chosen import Settings
@@ -35,8 +35,7 @@ class Prompt(Enum):
     """The last line of the answer, so that the cursor of a braille display stays on it."""
 
 
-@mutable
-class Habits:
+class Habits(Mutable):
     """What is chosen now."""
 
     page: Page = Page.REST

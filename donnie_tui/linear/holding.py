@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable, Mapping
 from enum import Enum, auto
 
-from devices.ports.values import frozen
+from devices.ports.values import Frozen
 from donnie_tui.core.events import Outcome, RunEnded, RunStarted, Stamped
 from donnie_tui.i18n.first_words import PROMPT
 from donnie_tui.linear.desk import Desk
@@ -23,8 +23,7 @@ class Goes(Enum):
     STOP = auto()
 
 
-@frozen
-class Wish:
+class Wish(Frozen):
     """What somebody wants of a held program."""
 
     goes: Goes

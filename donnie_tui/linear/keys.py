@@ -11,7 +11,7 @@ import codecs
 import re
 from enum import Enum, auto
 
-from devices.ports.values import frozen
+from devices.ports.values import Frozen
 
 ESCAPE_DELAY = 0.05
 """Seconds after which ESC is ESC."""
@@ -42,8 +42,7 @@ class Act(Enum):
     """Tab, where it is a key and not a part of a pasted text."""
 
 
-@frozen
-class Key:
+class Key(Frozen):
     """One key. ``text`` is what TEXT types."""
 
     act: Act

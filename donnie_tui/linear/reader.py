@@ -12,7 +12,7 @@ from enum import Enum, auto
 from itertools import takewhile
 from typing import Protocol
 
-from devices.ports.values import frozen
+from devices.ports.values import Frozen
 from donnie_tui.core.recall import Past, Recall
 from donnie_tui.linear.console import Console
 from donnie_tui.linear.edit_line import EditLine
@@ -40,8 +40,7 @@ class How(Enum):
     """Tab was pressed, and there are several words to choose from."""
 
 
-@frozen
-class Typed:
+class Typed(Frozen):
     text: str
     how: How
     choices: tuple[str, ...] = ()

@@ -12,7 +12,7 @@ from contextlib import ExitStack
 from typing import TYPE_CHECKING, Protocol
 
 from devices.ports.audio import CuePlayer, Speaker, Urgency, Utterance
-from devices.ports.values import frozen, replace
+from devices.ports.values import Frozen, replace
 from devices.speech.choose import Channel, ChannelReason, Choice, SpeakPlace, Surroundings, choose_channel
 from devices.speech.probe import look_around, ssip_address
 from donnie_tui.core.events import Answered, SoundSwitched, Stamped
@@ -235,8 +235,7 @@ def cue_volumes(settings: Settings) -> dict[str, float]:
     return {name: percent / 100 for name, percent in settings.cues.items()}
 
 
-@frozen
-class _Made:
+class _Made(Frozen):
     """What there is of voice and cues."""
 
     speakers: tuple[Speaker, ...]

@@ -2,15 +2,14 @@
 
 from __future__ import annotations
 
-from devices.ports.values import frozen
+from devices.ports.values import Frozen
 from donnie_tui.core.belt_telling import BeltTelling
 from donnie_tui.core.outlets import UntilSaid
 from donnie_tui.outlets.audible import Audible
 from donnie_tui.outlets.written import Written
 
 
-@frozen
-class Outlets:
+class Outlets(Frozen):
     """They are made, and closed, by whoever makes the session."""
 
     audible: Audible

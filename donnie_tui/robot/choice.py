@@ -6,7 +6,7 @@ from collections.abc import Callable
 
 from devices.port_listing import FoundPort, list_ports
 from devices.ports.robot import RobotProblem
-from devices.ports.values import frozen
+from devices.ports.values import Frozen
 from devices.serial_port import PortFault, PortProblem, group_of, is_same_port
 from donnie_tui.i18n.words import Unusable, Words
 from donnie_tui.settings.chosen import Settings
@@ -15,8 +15,7 @@ from donnie_tui.settings.devices import DOUBLE, SERIAL, SIMULATED
 Lister = Callable[[], tuple[FoundPort, ...]]
 
 
-@frozen
-class Choice:
+class Choice(Frozen):
     """One robot that a learner may choose."""
 
     robot: str

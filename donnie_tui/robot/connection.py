@@ -13,7 +13,7 @@ from functools import partial
 from typing import TYPE_CHECKING, Protocol
 
 from devices.ports.robot import LinkNews, Pace, Pose, RobotProblem, Watcher
-from devices.ports.values import mutable, replace
+from devices.ports.values import Mutable, replace
 from donnie_tui.core.events import Link
 from donnie_tui.core.session import Busy, ResettableRobot, Session
 from donnie_tui.i18n.words import Unusable, Words
@@ -52,8 +52,7 @@ class MeasurableRobot(Connectable, Protocol):
     def telemetry(self) -> Telemetry: ...
 
 
-@mutable
-class _Connected:
+class _Connected(Mutable):
     """The robot that has a line just now, if any."""
 
     robot: Connectable | None = None

@@ -9,7 +9,7 @@ from __future__ import annotations
 from collections.abc import Mapping
 from enum import Enum
 
-from devices.ports.values import field, frozen
+from devices.ports.values import Frozen, field
 from donnie_tui import LANGUAGES
 from donnie_tui.settings.devices import Columns, Sonars
 from donnie_tui.settings.keys import BY_KEY, KEYS, Key
@@ -28,16 +28,14 @@ class Source(Enum):
     DEFAULT = "default"
 
 
-@frozen
-class Notice:
+class Notice(Frozen):
     """Something about the settings that is told once: a code and its values."""
 
     code: str
     values: Mapping[str, str]
 
 
-@frozen
-class Settings:
+class Settings(Frozen):
     """The choices of one start. ``speed`` None is as fast as possible; ``events`` a file or ``-``."""
 
     world: str = "open_floor"

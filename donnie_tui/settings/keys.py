@@ -5,7 +5,7 @@ from __future__ import annotations
 import os
 from collections.abc import Callable
 
-from devices.ports.values import frozen
+from devices.ports.values import Frozen
 from donnie_tui import DETAILS, LANGUAGES
 from donnie_tui.settings.devices import (
     BUMPERS_WANTED,
@@ -57,8 +57,7 @@ RATE_WANTED, PERCENT_WANTED = (f"{least}-{most}" for least, most in (RATES, PERC
 CUES_WANTED = "NAME 0-100, NAME 0-100"
 
 
-@frozen
-class Key:
+class Key(Frozen):
     """One setting: its name on the command line, in the file and (with DONNIE_) in the environment."""
 
     key: str

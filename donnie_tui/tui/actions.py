@@ -7,7 +7,7 @@ line. Short labels are sentences of the catalogue: ``key-NAME``.
 
 from __future__ import annotations
 
-from devices.ports.values import frozen
+from devices.ports.values import Frozen
 from donnie_tui import LANGUAGES
 from donnie_tui.core import use_cases
 from donnie_tui.core.use_cases import USE_CASES, UseCase
@@ -18,8 +18,7 @@ _ASK_THEMSELVES = ("replace", "translate", "robot")
 """Without what must stand behind their words they ask for it, in more than one step or by a list."""
 
 
-@frozen
-class Action:
+class Action(Frozen):
     """A use case with its keys."""
 
     case: UseCase

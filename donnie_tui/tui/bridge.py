@@ -15,7 +15,7 @@ from typing import NamedTuple
 from textual.message import Message
 
 from devices.ports.robot import Bearing, Pose, StoppedBy
-from devices.ports.values import frozen
+from devices.ports.values import Frozen
 from donnie_tui.core.events import (
     Announced,
     Answered,
@@ -54,8 +54,7 @@ class LogLine(NamedTuple):
     kind: str
 
 
-@frozen
-class Mail:
+class Mail(Frozen):
     """What happened since the last look."""
 
     lines: tuple[LogLine, ...]

@@ -4,13 +4,12 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 
-from devices.ports.values import frozen
+from devices.ports.values import Frozen
 from donnie_tui.core.answer_log import AnswerLog
 from donnie_tui.core.recall import Past
 
 
-@frozen
-class Brought:
+class Brought(Frozen):
     """The program itself goes along as from the other mode."""
 
     log: tuple[tuple[str, str], ...]

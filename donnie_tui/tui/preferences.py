@@ -8,7 +8,7 @@ from __future__ import annotations
 from collections.abc import Mapping
 from typing import Any
 
-from devices.ports.values import frozen, replace
+from devices.ports.values import Frozen, replace
 from donnie_tui import DETAILS, LANGUAGES
 from donnie_tui.core.documents import DocumentError
 from donnie_tui.i18n.words import Words
@@ -57,8 +57,7 @@ LISTED = ("cues", "keys")
 _KEY = {each.key: each for each in KEYS}
 
 
-@frozen
-class Preference:
+class Preference(Frozen):
     """One setting and what it is now."""
 
     key: str

@@ -10,7 +10,7 @@ from collections.abc import Callable, Mapping
 from dataclasses import dataclass
 from enum import Enum
 
-from devices.ports.values import field, frozen
+from devices.ports.values import Frozen, field
 from donnie_tui.core import speeds
 from donnie_tui.core.events import Answered, Event, Outcome, Read, RunEnded, Stamped
 from donnie_tui.core.patience import LAST_WORDS
@@ -35,8 +35,7 @@ class Doing(Enum):
     STOPPING = "stopping"
 
 
-@frozen
-class Answer:
+class Answer(Frozen):
     """A sentence to be told."""
 
     code: str

@@ -13,7 +13,7 @@ import re
 from collections.abc import Sequence
 from pathlib import Path, PurePosixPath
 
-from devices.ports.values import frozen
+from devices.ports.values import Frozen
 
 LARGEST = 32 * 1024 * 1024
 """Bytes of all files together; a world with two large pictures has a tenth of it."""
@@ -30,8 +30,7 @@ class BundleError(Exception):
         self.values = values
 
 
-@frozen
-class WorldBundle:
+class WorldBundle(Frozen):
     """A world with everything that it reads."""
 
     name: str

@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING
 
 import worlds
 from devices.ports.robot import STEP, Pose
-from devices.ports.values import frozen
+from devices.ports.values import Frozen
 from donnie_tui.core.documents import exists
 from donnie_tui.i18n.words import Unusable, Words
 from sim import ready
@@ -25,8 +25,7 @@ WITHOUT_WORLD = "open_floor"
 """Where a configuration file asks for a real robot only: something to draw it on."""
 
 
-@frozen
-class ChosenWorld:
+class ChosenWorld(Frozen):
     """A world that was loaded. ``name`` is what the event stream calls it, whichever folder it came from."""
 
     name: str

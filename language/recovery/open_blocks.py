@@ -6,7 +6,7 @@ from collections.abc import Iterable, Sequence
 from enum import Enum
 from itertools import islice
 
-from devices.ports.values import mutable
+from devices.ports.values import Mutable
 from language.lexer import END, Token
 from language.outline import ENDS, OPENERS
 
@@ -14,8 +14,7 @@ _LOOK_AHEAD = 2000
 """Openers and ENDs that are looked at before an END that does not fit is judged."""
 
 
-@mutable
-class Block:
+class Block(Mutable):
     """An open block."""
 
     kind: str

@@ -5,7 +5,7 @@ Stage's rule: a pixel is solid when its red channel is at most 127; alpha does n
 
 from __future__ import annotations
 
-from devices.ports.values import frozen
+from devices.ports.values import Frozen
 
 MOST_PIXELS = 4_000_000
 DARK = 127
@@ -17,8 +17,7 @@ class BadPicture(Exception):
     """Bytes that are no picture of a kind that is read here, or one that is broken or too large."""
 
 
-@frozen
-class Picture:
+class Picture(Frozen):
     width: int
     height: int
     rows: tuple[bytes, ...]

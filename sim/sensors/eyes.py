@@ -9,7 +9,7 @@ from collections.abc import Iterable, Iterator
 from itertools import pairwise
 from math import hypot
 
-from devices.ports.values import frozen
+from devices.ports.values import Frozen
 from sim.colours import Colour
 from sim.fittings import FiducialFinder
 from sim.geometry import angle_of, at_radius, direction, edges, nearest_in_wedge, normal, seen_from
@@ -22,8 +22,7 @@ HALF_CIRCLE = 90.0
 """Degrees to either side that a head with a camera turns."""
 
 
-@frozen
-class Seen:
+class Seen(Frozen):
     """A thing in view."""
 
     root: int
@@ -37,8 +36,7 @@ class Seen:
         return self.centimetres / CENTIMETRES_A_STEP
 
 
-@frozen
-class View:
+class View(Frozen):
     """What a camera looks at, in the robot's frame."""
 
     x: float
@@ -86,8 +84,7 @@ class View:
         return Seen(root, degrees, int(max(0.0, metres - self.offset) * 100 + 0.5), colour)
 
 
-@frozen
-class Eyes:
+class Eyes(Frozen):
     """All the cameras of a robot."""
 
     views: tuple[View, ...]
@@ -103,8 +100,7 @@ class Eyes:
         return tuple(sorted(nearest.values(), key=lambda thing: (-thing.degrees, thing.root)))
 
 
-@frozen
-class _Glimpse:
+class _Glimpse(Frozen):
     """A range of directions, in degrees from the middle of the view, in which one part is what is seen."""
 
     part: Part
@@ -148,8 +144,7 @@ def _directions(parts: Iterable[Part], place: Spot, reach: float, half_angle: fl
     return [angle for i, angle in enumerate(inside) if i == 0 or angle - inside[i - 1] > 1e-9]
 
 
-@frozen
-class Found:
+class Found(Frozen):
     """A mark in view."""
 
     model: int
@@ -162,8 +157,7 @@ class Found:
     """Its ``fiducial_return``; 0 where it is too far off to be told."""
 
 
-@frozen
-class MarkFinder:
+class MarkFinder(Frozen):
     """A fiducial finder where it is mounted, in the robot's frame."""
 
     x: float

@@ -7,7 +7,7 @@ from math import ceil, cos, dist, inf, radians
 from typing import TYPE_CHECKING
 
 from devices.ports.robot import STEP
-from devices.ports.values import frozen
+from devices.ports.values import Frozen
 from sim.fittings import Gripper, RangeNoise
 from sim.geometry import Edge, Point, contains, direction, edges, edges_apart, nearest_in_wedge, seen_from
 from sim.parts import Part
@@ -22,8 +22,7 @@ CENTIMETRES_A_STEP = round(STEP * 100)
 NO_NOISE = RangeNoise()
 
 
-@frozen
-class Cone:
+class Cone(Frozen):
     """A range sensor where it is mounted, in the robot's frame."""
 
     x: float
@@ -95,8 +94,7 @@ def _box(place: Spot, half_angle: float, maximum: float) -> tuple[float, float, 
     return min(xs), min(ys), max(xs), max(ys)
 
 
-@frozen
-class Fan:
+class Fan(Frozen):
     """Thin rays from one place, in the robot's frame: a laser, or the part of it that looks one way."""
 
     x: float
@@ -179,8 +177,7 @@ TOUCH = 0.01
 """Metres: what is nearer to a bumper presses it."""
 
 
-@frozen
-class Bar:
+class Bar(Frozen):
     """A bumper where it is mounted, in the robot's frame: a bar across the direction in which it looks."""
 
     x: float
@@ -213,8 +210,7 @@ def _apart(bar: Edge, part: Part) -> float:
     return min((edges_apart(bar, edge) for edge in part.outline), default=inf)
 
 
-@frozen
-class Beams:
+class Beams(Frozen):
     """The two light beams of a gripper where it is mounted, in the robot's frame."""
 
     x: float

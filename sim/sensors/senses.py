@@ -7,7 +7,7 @@ from math import hypot
 from typing import TYPE_CHECKING
 
 from devices.ports.robot import Bearing, RobotProblem
-from devices.ports.values import frozen
+from devices.ports.values import Frozen
 from sim.fittings import RangeSensor
 from sim.geometry import normal, seen_from
 from sim.placement import Placement, Spot
@@ -23,8 +23,7 @@ HALF_SECTOR = 22.5
 """Degrees: what looks at most so far off one of the robot's bearings tells distances for it."""
 
 
-@frozen
-class Senses:
+class Senses(Frozen):
     """All the sensors of one robot."""
 
     rangers: tuple[Ranger, ...]

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import re
 
-from devices.ports.values import frozen
+from devices.ports.values import Frozen
 
 DEFAULT_PORT = 6665
 """Player's."""
@@ -13,8 +13,7 @@ LOCAL = "localhost"
 _INDEX = re.compile(r"[0-9]{1,9}")
 
 
-@frozen
-class Address:
+class Address(Frozen):
     """Under which a device is offered. ``port`` tells robots of one host apart."""
 
     interface: str

@@ -7,7 +7,7 @@ from collections.abc import Iterator, Mapping
 from difflib import get_close_matches
 from pathlib import Path
 
-from devices.ports.values import frozen, replace
+from devices.ports.values import Frozen, replace
 from sim.scene import LoadReport, Note, NoteKind, Scene
 from sim.worldfile.addresses import DEFAULT_PORT, Address, address
 from sim.worldfile.entities import Entity, Expander, Setting
@@ -22,8 +22,7 @@ _ON_WHEELS = frozenset({"position2d", "position", "position3d"})
 _SERIAL = re.compile(r"(?i)/dev/\S+|COM[0-9]+|\\\\\.\\COM[0-9]+")
 
 
-@frozen
-class Offer:
+class Offer(Frozen):
     """A model of the world that programs may use, and the addresses of what it has."""
 
     model: str
@@ -43,8 +42,7 @@ class Offer:
         return (each for each in self.addresses if each.interface in _ON_WHEELS)
 
 
-@frozen
-class Configuration:
+class Configuration(Frozen):
     """What a configuration file chose."""
 
     path: Path

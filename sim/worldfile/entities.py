@@ -9,7 +9,7 @@ from __future__ import annotations
 from collections.abc import Iterable, Mapping
 from pathlib import Path
 
-from devices.ports.values import frozen
+from devices.ports.values import Frozen
 from sim.scene import Note, NoteKind
 from sim.worldfile import tree
 from sim.worldfile.mistakes import Code, WorldError
@@ -29,16 +29,14 @@ MOST_SETTINGS = 1_000_000
 DEEPEST_MODEL = 64
 
 
-@frozen
-class Setting:
+class Setting(Frozen):
     """A property and the file in which it stands."""
 
     file: str
     property: tree.Property
 
 
-@frozen
-class Entity:
+class Entity(Frozen):
     """One model, sensor, block or window, with everything that its macros brought."""
 
     type: str
@@ -51,8 +49,7 @@ class Entity:
     children: tuple[Entity, ...]
 
 
-@frozen
-class _Macro:
+class _Macro(Frozen):
     file: str
     define: tree.Define
 

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from pathlib import Path
 
-from devices.ports.values import frozen
+from devices.ports.values import Frozen
 from sim.bitmap import BadPicture, Picture, count_outlines, read_picture, rectangles
 from sim.scene import NoteKind, Polygon
 from sim.worldfile.entities import Setting
@@ -14,8 +14,7 @@ from sim.worldfile.shapes import rectangle
 from sim.worldfile.values import ValueReader, mistake
 
 
-@frozen
-class Plan:
+class Plan(Frozen):
     """The solid part of a picture, in pixels, y upwards; margins are left for the fitting to crop."""
 
     polygons: tuple[Polygon, ...]

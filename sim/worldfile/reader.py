@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable, Iterator
 from pathlib import Path
 
-from devices.ports.values import frozen
+from devices.ports.values import Frozen
 from sim.scene import Note, NoteKind
 from sim.worldfile import tree
 from sim.worldfile.mistakes import Code, WorldError
@@ -18,8 +18,7 @@ DEEPEST_INCLUDE = 16
 MOST_FILES = 200
 
 
-@frozen
-class Placed:
+class Placed(Frozen):
     """A statement and the file in which it stands."""
 
     file: str

@@ -4,25 +4,22 @@ from __future__ import annotations
 
 from typing import TypeAlias
 
-from devices.ports.values import frozen
+from devices.ports.values import Frozen
 
 
-@frozen
-class Number:
+class Number(Frozen):
     line: int
     column: int
     value: float
 
 
-@frozen
-class String:
+class String(Frozen):
     line: int
     column: int
     text: str
 
 
-@frozen
-class Tuple:
+class Tuple(Frozen):
     line: int
     column: int
     items: tuple[Value, ...]
@@ -31,8 +28,7 @@ class Tuple:
 Value: TypeAlias = Number | String | Tuple
 
 
-@frozen
-class Property:
+class Property(Frozen):
     """``name value``."""
 
     line: int
@@ -41,8 +37,7 @@ class Property:
     value: Value
 
 
-@frozen
-class Instance:
+class Instance(Frozen):
     """``type ( ... )``."""
 
     line: int
@@ -51,8 +46,7 @@ class Instance:
     body: tuple[Item, ...]
 
 
-@frozen
-class Define:
+class Define(Frozen):
     """``define name base ( ... )``."""
 
     line: int
@@ -64,8 +58,7 @@ class Define:
     base_column: int
 
 
-@frozen
-class Include:
+class Include(Frozen):
     """``include "path"``; the place is that of the path."""
 
     line: int

@@ -15,7 +15,7 @@ from textual.geometry import Offset
 from textual.screen import ModalScreen
 from textual.widgets import Input, Static
 
-from devices.ports.values import frozen
+from devices.ports.values import Frozen
 from donnie_tui.tui.widgets.input_line import InputLine
 from donnie_tui.tui.widgets.text_rows import TextRows
 
@@ -23,8 +23,7 @@ FAR = 10**6
 """Rows: farther than any list is long."""
 
 
-@frozen
-class Choice:
+class Choice(Frozen):
     """One row."""
 
     value: str

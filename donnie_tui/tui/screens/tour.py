@@ -11,12 +11,11 @@ from typing import ClassVar
 from textual.binding import Binding, BindingType
 from textual.widgets import Static
 
-from devices.ports.values import frozen
+from devices.ports.values import Frozen
 from donnie_tui.tui.screens.help import Help
 
 
-@frozen
-class Page:
+class Page(Frozen):
     """What stands above it, and its lines."""
 
     title: str

@@ -12,7 +12,7 @@ from typing import Any, ClassVar
 
 import pytest
 
-from devices.ports.values import FEW, field, field_names, frozen, mutable, replace
+from devices.ports.values import FEW, Frozen, Mutable, field, field_names, replace
 
 
 class Shape:
@@ -36,21 +36,21 @@ THEIR_FIELDS = {Shape: {"seen": dataclasses.field(default_factory=dict, compare=
 """As the standard library wants them."""
 
 
-def twins_of(written: type) -> tuple[type, type]:
-    """A class for us and the same for the standard library."""
-    body = {**vars(written)}
-    ours, theirs = (type(written.__name__, (), each) for each in (body, body | THEIR_FIELDS.get(written, {})))
-    return ours, theirs
+def twins_of(written: type, base: type) -> tuple[type, type]:
+    """The class as a value of ours, and the same for the standard library."""
+    body = {name: each for name, each in vars(written).items() if name not in ("__dict__", "__weakref__")}
+    return type(base)(written.__name__, (base,), {**body}), type(
+        written.__name__, (), body | THEIR_FIELDS.get(written, {})
+    )
 
 
 def made_of(written: type) -> tuple[Any, Any]:
     """The same class as a value, and as the standard library makes it; nothing was asked of either yet."""
-    for_us, for_them = twins_of(written)
-    return frozen(for_us), dataclass(frozen=True, slots=True)(for_them)
+    ours, for_them = twins_of(written, Frozen)
+    return ours, dataclass(frozen=True, slots=True)(for_them)
 
 
-@frozen
-class Kept:
+class Kept(Frozen):
     """At the top of a module, so that pickle finds it."""
 
     x: int
@@ -85,14 +85,13 @@ def test_a_value_answers_as_the_standard_library_would(written: type, question: 
 @pytest.mark.parametrize("question", sorted(QUESTIONS.keys() - {"hash"}))
 @pytest.mark.parametrize("written", [Shape, Plain])
 def test_what_can_change_answers_as_the_standard_library_would(written: type, question: str) -> None:
-    for_us, for_them = twins_of(written)
+    ours, for_them = twins_of(written, Mutable)
 
-    assert QUESTIONS[question](mutable(for_us)) == QUESTIONS[question](dataclass(slots=True)(for_them))
+    assert QUESTIONS[question](ours) == QUESTIONS[question](dataclass(slots=True)(for_them))
 
 
 def test_what_can_change_changes_and_has_no_hash() -> None:
-    @mutable
-    class Count:
+    class Count(Mutable):
         x: int = 0
 
     one = Count()
@@ -150,8 +149,7 @@ def test_fields_that_are_given_by_name_only_or_not_at_all_are_refused() -> None:
 def test_a_field_of_the_standard_library_is_refused_and_does_not_become_the_content() -> None:
     with pytest.raises(TypeError, match=r"Wrong\.x"):
 
-        @frozen
-        class Wrong:
+        class Wrong(Frozen):
             x: int = dataclasses.field(default=1)
 
 
@@ -172,8 +170,7 @@ def test_every_value_has_a_container_of_its_own() -> None:
 
 
 def test_what_the_class_says_itself_is_kept() -> None:
-    @frozen
-    class Loud:
+    class Loud(Frozen):
         x: int
 
         def __repr__(self) -> str:
@@ -199,8 +196,7 @@ def test_what_a_class_inherits_is_kept() -> None:
         def __hash__(self) -> int:
             return 7
 
-    @frozen
-    class Child(Base):
+    class Child(Base, Frozen):
         x: int
 
     assert (fields(Child)[0].name, field_names(Child)) == ("x", ("x",))
@@ -210,14 +206,12 @@ def test_what_a_class_inherits_is_kept() -> None:
 def test_values_do_not_inherit_from_values() -> None:
     with pytest.raises(TypeError, match="Child must not inherit"):
 
-        @frozen
-        class Child(Kept):
+        class Child(Kept, Frozen):
             y: int
 
 
 def test_a_value_checks_itself_once_it_is_made() -> None:
-    @frozen
-    class Even:
+    class Even(Frozen):
         x: int
 
         def __post_init__(self) -> None:
@@ -261,8 +255,7 @@ def test_a_class_of_which_many_values_were_made_knows_its_signature() -> None:
 
 
 def test_values_may_be_equal_to_nothing_but_themselves() -> None:
-    @frozen
-    class Thing:
+    class Thing(Frozen):
         x: int
         __eq__ = object.__eq__
         __hash__ = object.__hash__
@@ -276,8 +269,7 @@ def test_members_of_enums_are_defaults_as_they_are() -> None:
     class Side(Enum):
         LEFT = 1
 
-    @frozen
-    class Turned:
+    class Turned(Frozen):
         side: Side = Side.LEFT
 
     assert Turned().side is Side.LEFT
