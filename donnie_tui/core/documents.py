@@ -11,7 +11,6 @@ import contextlib
 import errno
 import itertools
 import os
-import re
 from collections.abc import Iterable
 from typing import TYPE_CHECKING
 
@@ -20,9 +19,6 @@ from donnie_tui.core.in_use import FilesInUse
 
 if TYPE_CHECKING:
     from pathlib import Path
-
-_LINE_END = r"\r\n|\r|\n"
-"""A pattern, made when something is read: a start reads nothing."""
 
 LARGEST = 8 * 1024 * 1024
 """Bytes that a program file may have; a program of a learner has a few hundred."""
@@ -159,8 +155,12 @@ def decode(data: bytes, name: str) -> str:
 
 def lines_in(text: str) -> list[str]:
     """The lines of a program as the language counts them; form feeds and the like end none."""
-    lines = re.split(_LINE_END, text)
-    return lines[:-1] if lines[-1] == "" else lines
+    lines = _with_newlines(text).split("\n")
+    return lines if lines[-1] else lines[:-1]
+
+
+def _with_newlines(text: str) -> str:
+    return text.replace("\r\n", "\n").replace("\r", "\n")
 
 
 def write_program(path: Path, text: str) -> None:
@@ -269,7 +269,7 @@ class Document:
 
 def as_lines(text: str) -> str:
     """The text as the editor holds it: lines end with a newline, and there is none after the last."""
-    return "\n".join(text.split("\r\n")).replace("\r", "\n").removesuffix("\n")
+    return _with_newlines(text).removesuffix("\n")
 
 
 def saved_text(path: Path) -> str:

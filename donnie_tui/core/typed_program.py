@@ -14,6 +14,7 @@ from collections.abc import Sequence
 
 from devices.ports.values import Frozen
 from donnie_tui.core.breakpoints import followed, shifted
+from donnie_tui.core.documents import lines_in
 from donnie_tui.core.harmless import cleaned
 from language.outline import OutlineItem, block_depth, open_block
 
@@ -169,14 +170,14 @@ class TypedProgram:
         self._undone.clear()
         if self._lines:
             self._before.append(self._now_as(self._file))
-        self._lines = lines_of(text)
+        self._lines = lines_in(text)
         self._run = 0
         self.was_brought = bool(self._lines)
         self._size = len(text)
         self._forget_oldest()
         self.breakpoints = frozenset()
         self.name = name
-        self._kept = lines_of(text if in_file is None else in_file)
+        self._kept = lines_in(text if in_file is None else in_file)
 
     def clear(self) -> None:
         self.replace("", None)
@@ -238,7 +239,7 @@ class TypedProgram:
         """The whole program is ``text`` from now on, as one change. Raises ``ProgramTooLong``."""
         self._grow(text)
         self._keep()
-        before, self._lines = self._lines, lines_of(text)
+        before, self._lines = self._lines, lines_in(text)
         self.breakpoints = followed(self.breakpoints, before, self._lines)
         self._run = 0
 
@@ -345,9 +346,3 @@ def first_difference(one: Sequence[str], other: Sequence[str]) -> int:
     """Where the first line is that is not the same in both; the length of the shorter without one."""
     pairs = enumerate(zip(one, other, strict=False))
     return next((at for at, (left, right) in pairs if left != right), min(len(one), len(other)))
-
-
-def lines_of(text: str) -> list[str]:
-    """The lines of a text as the language counts them, not at every sign that Python takes for an end."""
-    lines = text.replace("\r\n", "\n").replace("\r", "\n").split("\n")
-    return lines if lines[-1] else lines[:-1]

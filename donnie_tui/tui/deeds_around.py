@@ -6,7 +6,7 @@ from typing import TYPE_CHECKING
 
 import worlds
 from donnie_tui.core import report_text
-from donnie_tui.core.typed_program import lines_of
+from donnie_tui.core.documents import lines_in
 from donnie_tui.core.world_words import world_row
 from donnie_tui.tui.running import Answer
 from donnie_tui.tui.screens.chooser import Choice
@@ -69,7 +69,7 @@ class AroundDeeds:
         if wanted is None:
             return False
         host, words = self._host, self._host.words
-        lines = tuple(lines_of(host.workplace.editor.text))
+        lines = tuple(lines_in(host.workplace.editor.text))
         subject = report_text.Subject(
             lines, host.pose, host.donnie.picture_now(), host.trail, words.help(None)[1:]
         )

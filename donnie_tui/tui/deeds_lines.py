@@ -10,8 +10,9 @@ from collections.abc import Callable
 from typing import TYPE_CHECKING
 
 from donnie_tui.core import line_words
+from donnie_tui.core.documents import lines_in
 from donnie_tui.core.line_words import Edited
-from donnie_tui.core.typed_program import TypedProgram, lines_of
+from donnie_tui.core.typed_program import TypedProgram
 from donnie_tui.core.typed_words import number_and_text, numbers_in
 
 if TYPE_CHECKING:
@@ -30,7 +31,7 @@ class LineDeeds:
 
     def list(self, argument: str) -> bool:
         """All lines, one, or those from one to another."""
-        given, lines, words = numbers_in(argument, most=2), lines_of(self._editor.text), self._host.words
+        given, lines, words = numbers_in(argument, most=2), lines_in(self._editor.text), self._host.words
         if given is None:
             return False
         first, last = (*given, None, None)[:2]
@@ -48,7 +49,7 @@ class LineDeeds:
         if given is None:
             return False
         number, text = given
-        lines = lines_of(self._editor.text)
+        lines = lines_in(self._editor.text)
         if not text and 1 <= number <= len(lines):
             asked = self._host.words("linear-edit", line=number)
             text = await self._host.talk.ask(asked, value=lines[number - 1].strip()) or ""
@@ -61,7 +62,7 @@ class LineDeeds:
         if given is None:
             return False
         number, text = given
-        if not text and 1 <= number <= len(lines_of(self._editor.text)) + 1:
+        if not text and 1 <= number <= len(lines_in(self._editor.text)) + 1:
             text = await self._host.talk.ask(self._host.words("linear-type-line", line=number)) or ""
         self._edit(lambda program: line_words.inserted(program, number, text, self._host.words))
         return True

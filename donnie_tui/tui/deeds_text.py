@@ -14,7 +14,7 @@ from donnie_tui.core.harmless import printable
 from donnie_tui.core.holding_lines import toggled, told_elsewhere
 from donnie_tui.core.mistakes import mended
 from donnie_tui.core.reading import ProgramText, line_in_words, place_in_words
-from donnie_tui.core.typed_program import first_difference, lines_of
+from donnie_tui.core.typed_program import first_difference
 from donnie_tui.core.typed_words import language_named, number_in
 from donnie_tui.tui.running import Answer
 from donnie_tui.tui.screens.chooser import Choice
@@ -138,9 +138,9 @@ class TextDeeds:
         self._change_by(self._editor.redo)
 
     def _change_by(self, step: Callable[[], None]) -> None:
-        before = lines_of(self._editor.text)
+        before = lines_in(self._editor.text)
         step()
-        after = lines_of(self._editor.text)
+        after = lines_in(self._editor.text)
         row = first_difference(before, after)
         if before == after:
             self._host.talk.tell(Answer("answer-unchanged"))

@@ -121,7 +121,13 @@ def test_a_program_is_found_without_its_suffix(tmp_path: Path) -> None:
 
 @pytest.mark.parametrize(
     ("text", "lines"),
-    [("", []), ("a", ["a"]), ("a\nb\r\nc\rd\n", ["a", "b", "c", "d"]), ("a\x0cb\u2028", ["a\x0cb\u2028"])],
+    [
+        ("", []),
+        ("a", ["a"]),
+        ("a\nb\r\nc\rd\n", ["a", "b", "c", "d"]),
+        ("a\n\n", ["a", ""]),
+        ("a\x0cb\u2028", ["a\x0cb\u2028"]),
+    ],
 )
 def test_lines_end_where_the_language_ends_them(text: str, lines: list[str]) -> None:
     assert lines_in(text) == lines

@@ -9,7 +9,6 @@ from donnie_tui.core.typed_program import (
     Batch,
     ProgramTooLong,
     TypedProgram,
-    lines_of,
 )
 
 
@@ -144,20 +143,6 @@ def test_a_program_takes_no_more_than_a_file_may_hold(monkeypatch: pytest.Monkey
     with pytest.raises(ProgramTooLong):
         program.add("12345")
     assert program.lines == ("12345",)
-
-
-@pytest.mark.parametrize(
-    ("text", "lines"),
-    [
-        ("", []),
-        ("a", ["a"]),
-        ("a\n", ["a"]),
-        ("a\r\nb\rc\n\n", ["a", "b", "c", ""]),
-        ("a\x0cb\u2028c", ["a\x0cb\u2028c"]),
-    ],
-)
-def test_lines_end_where_the_language_ends_them(text: str, lines: list[str]) -> None:
-    assert lines_of(text) == lines
 
 
 def test_lines_are_moved_before_another_line_or_behind_the_last() -> None:
