@@ -138,8 +138,7 @@ class TypedProgram:
     def add(self, line: str) -> None:
         """One line more at the end. Raises ``ProgramTooLong``."""
         self.refused = None
-        line = cleaned(line)
-        self._grow(line)
+        line = self._grown_by(line)
         self._undone.clear()
         self._before.append(len(self._lines))
         self._lines.append(line)
@@ -185,7 +184,7 @@ class TypedProgram:
     def change(self, number: int, line: str) -> None:
         """Line ``number`` (from 1) is ``line`` from now on. Raises ``IndexError``, ``ProgramTooLong``."""
         self._check(number)
-        self._grow(line)
+        line = self._grown_by(line)
         self._keep()
         self._lines[number - 1] = line
         self._touched(number)
@@ -194,7 +193,7 @@ class TypedProgram:
         """``line`` becomes line ``number``; the ones from there on move down. Raises ``IndexError``."""
         if not 1 <= number <= len(self._lines) + 1:
             raise IndexError(number)
-        self._grow(line)
+        line = self._grown_by(line)
         self._keep()
         self._lines.insert(number - 1, line)
         self.breakpoints = shifted(self.breakpoints, number - 1, number - 1, 1)
@@ -237,7 +236,7 @@ class TypedProgram:
 
     def rewrite(self, text: str) -> None:
         """The whole program is ``text`` from now on, as one change. Raises ``ProgramTooLong``."""
-        self._grow(text)
+        text = self._grown_by(text)
         self._keep()
         before, self._lines = self._lines, lines_in(text)
         self.breakpoints = followed(self.breakpoints, before, self._lines)
@@ -326,11 +325,13 @@ class TypedProgram:
         kept = (*self._before, *self._undone)
         return sum(len(each.lines) for each in kept if not isinstance(each, int))
 
-    def _grow(self, line: str) -> None:
-        """What was ever typed counts, so that no list of lines need be added up."""
+    def _grown_by(self, line: str) -> str:
+        """The line as it is taken. What was ever typed counts, so that no list of lines need be added up."""
+        line = cleaned(line)
         if self._size + len(line) + 1 > LARGEST:
             raise ProgramTooLong
         self._size += len(line) + 1
+        return line
 
     def _check(self, number: int) -> None:
         if not 1 <= number <= len(self._lines):

@@ -301,3 +301,13 @@ def test_what_another_program_took_the_place_of_is_known_while_no_file_has_it() 
 
     program.undo()
     assert program.replaced == (("A\n", None),)
+
+
+def test_no_line_holds_what_a_terminal_would_obey_whichever_word_brought_it() -> None:
+    """A pipe may bring anything, and the file and the full screen get the lines as they are."""
+    harmful = "SPEAK \x1b[2J\x0c"
+    program = typed(harmful, "b")
+    program.change(2, harmful)
+    program.insert(3, harmful)
+
+    assert set(program.lines) == {"SPEAK  [2J "}
