@@ -90,8 +90,9 @@ class Runs:
     def _tell_kept(self) -> None:
         """How to mend what was refused; the second time in a row also how to be rid of it."""
         self._refusals += 1
-        errors = self._desk.heard.errors.all
-        self._desk.answer("linear-kept", line=(errors[0].mended_line or errors[0].line) if errors else 1)
+        first = next(iter(self._desk.heard.errors.all), None)
+        code = "linear-kept-known" if first and first.meant else "linear-kept"
+        self._desk.answer(code, line=(first.mended_line or first.line) if first else 1)
         if self._refusals > 1:
             self._desk.answer("linear-forget", lines=self._desk.program.waiting)
 

@@ -42,7 +42,7 @@ def test_a_head_without_its_last_word_is_mended_where_it_belongs(tmp_path: Path)
     """What is told points at the head and not at the first line of the block, where it was noticed."""
     learner = Learner(tmp_path, language="pt")
     learner.enters("APRENDER canto: n", "PF n", "FIM APRENDER", "canto [2]", "EXECUTAR")
-    learner.sees("FAÇA vai no fim da linha 1.\r\nNada foi executado. MUDAR 1 corrige a linha 1")
+    learner.sees("FAÇA vai no fim da linha 1.\r\nNada foi executado. CORRIGIR corrige a linha 1,")
     learner.enters("EXPLICAR")
     learner.sees("Forma: APRENDER nome: nome FAÇA comandos FIM APRENDER.")
     learner.enters("CORRIGIR")

@@ -275,7 +275,7 @@ def test_errors_are_walked_through_and_explained(tmp_path: Path) -> None:
     lines = told(
         tmp_path, "FWD 1", "TR", "RUN", "ERROR", "ERROR NEXT", "ERROR NEXT", "ERROR PREVIOUS", "EXPLAIN"
     )
-    start = lines.index("Nothing ran. CHANGE 1 mends line 1, DELETE 1 deletes it.") + 1
+    start = lines.index("Nothing ran. FIX mends line 1, CHANGE 1 changes it.") + 1
 
     assert [line for line in lines[start:] if not line.startswith(("Line", "Did"))] == [
         "Error, line 1, column 1: I do not know FWD.",

@@ -29,7 +29,7 @@ def test_a_mistake_is_told_with_its_line_and_what_was_meant(learner: Learner) ->
 
 def test_lines_with_a_mistake_are_kept_and_mended(learner: Learner) -> None:
     learner.enters("FW 1", "TRR 90", "RUN")
-    learner.sees("Nothing ran. CHANGE 2 mends line 2, DELETE 2 deletes it.")
+    learner.sees("Nothing ran. FIX mends line 2, CHANGE 2 changes it.")
     learner.enters("CHANGE 2")
     learner.sees("Edit line 2, then Enter.\r\n> TRR 90")
     learner.types(HOME + "\x1b[3~" + "\r")

@@ -25,6 +25,16 @@ _RUNNING = {
             "Nada hecho. CAMBIAR {line} o BORRAR {line}.",
         ),
     ),
+    "linear-kept-known": Sentence(
+        "Nothing ran. FIX mends line {line}, CHANGE {line} changes it.",
+        "Nada foi executado. CORRIGIR corrige a linha {line}, MUDAR {line} a muda.",
+        "No se ejecutó nada. CORREGIR corrige la línea {line}, CAMBIAR {line} la cambia.",
+        brief=(
+            "Nothing ran. FIX or CHANGE {line}.",
+            "Nada feito. CORRIGIR ou MUDAR {line}.",
+            "Nada hecho. CORREGIR o CAMBIAR {line}.",
+        ),
+    ),
     "linear-forget": Sentence(
         "DELETE without a number forgets the {lines} lines that did not run.",
         "APAGAR sem número esquece as {lines} linhas que não foram executadas.",
