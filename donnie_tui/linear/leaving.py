@@ -9,6 +9,7 @@ from __future__ import annotations
 
 from donnie_tui.core.typed_program import TypedProgram
 from donnie_tui.linear.desk import Desk
+from language.keywords import spelling
 
 _GLANCE = 0.05
 _GOODBYE = 40
@@ -32,8 +33,17 @@ class Leaving:
         waiting = desk.program.waiting if desk.program.is_waiting else 0
         if waiting and not desk.is_attended:
             was_tried = any(each.line > len(desk.program.lines) - waiting for each in desk.heard.errors.all)
-            desk.answer("linear-did-not-run-mistake" if was_tried else "linear-did-not-run", lines=waiting)
+            if was_tried:
+                desk.answer("linear-did-not-run-mistake", lines=waiting)
+            else:
+                self.tell_what_waits()
         self.leave(0)
+
+    def tell_what_waits(self) -> None:
+        """How many lines did not run, and what they would have needed."""
+        program, block = self._desk.program, self._desk.program.open_block
+        missing = spelling("RUN" if block is None else f"END {block.kind}", self._desk.say.language)
+        self._desk.answer("linear-did-not-run", lines=program.waiting, missing=missing)
 
     def leave(self, code: int) -> None:
         """Leave, once a program that would be missed is saved or given up; else stay."""

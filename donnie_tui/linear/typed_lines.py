@@ -96,7 +96,7 @@ class TypedLines:
         if self._quit_was_refused:
             self._leaving.leave(0)
         elif desk.program.was_brought and desk.program.is_waiting:
-            desk.answer("linear-did-not-run", lines=desk.program.waiting)
+            self._leaving.tell_what_waits()
             self._leaving.leave(0)
         elif block is None:
             self._run_and_quit(line)

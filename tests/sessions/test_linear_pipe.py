@@ -9,6 +9,8 @@ from pathlib import Path
 
 import pytest
 
+from tests.sessions.command import QUIET, donnie
+
 
 def test_the_output_of_a_pipe_needs_no_terminal(tmp_path: Path) -> None:
     """Only whole lines, no prompts; the words of the session work there too."""
@@ -80,3 +82,21 @@ def _piped(script: bytes, folder: Path) -> subprocess.CompletedProcess[bytes]:
         cwd=folder,
         env=environment,
     )
+
+
+@pytest.mark.parametrize(
+    ("language", "typed", "told"),
+    [
+        ("en", "FW 1", "1 line did not run. RUN was missing."),
+        ("en", "REPEAT 2 TIMES\nFW 1", "2 lines did not run. END REPEAT was missing."),
+        ("pt", "PF 1\nREPITA 2 VEZES\nGD 90", "3 linhas não foram executadas. Faltou FIM REPITA."),
+        ("es", "SI 1 == 1 ENTONCES\nAV 1", "2 líneas no se ejecutaron. Faltó FIN SI."),
+    ],
+    ids=["run", "end", "fim", "fin"],
+)
+def test_lines_that_did_not_run_say_what_they_needed(
+    language: str, typed: str, told: str, tmp_path: Path
+) -> None:
+    done = donnie(tmp_path, "--linear", *QUIET, "--lang", language, typed=f"{typed}\n")
+
+    assert done.stdout.decode().splitlines()[-2] == told

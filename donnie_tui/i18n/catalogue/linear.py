@@ -61,9 +61,9 @@ _RUNNING = {
     ),
     "linear-goodbye": Sentence("Goodbye.", "Até logo.", "Hasta luego."),
     "linear-did-not-run": Sentence(
-        "{lines} {lines:line|lines} did not run. RUN was missing.",
-        "{lines} {lines:linha não foi executada|linhas não foram executadas}. Faltou EXECUTAR.",
-        "{lines} {lines:línea no se ejecutó|líneas no se ejecutaron}. Faltó EJECUTAR.",
+        "{lines} {lines:line|lines} did not run. {missing} was missing.",
+        "{lines} {lines:linha não foi executada|linhas não foram executadas}. Faltou {missing}.",
+        "{lines} {lines:línea no se ejecutó|líneas no se ejecutaron}. Faltó {missing}.",
         brief=(
             "{lines} {lines:line|lines} did not run.",
             "{lines} {lines:linha não executada|linhas não executadas}.",
