@@ -9,7 +9,7 @@ from __future__ import annotations
 import math
 from collections.abc import Iterable
 
-from devices.ports.values import Frozen
+from devices.ports.values import Frozen, replace
 
 LANGUAGES = ("en", "pt", "es")
 """The languages that Donnie talks in, as ``Utterance.language`` writes them."""
@@ -43,10 +43,14 @@ class VoiceSettings(Frozen):
     """0 to 1."""
     punctuation: str = "some"
     """``none``, ``some`` (what programs need) or ``all``."""
+    chosen: frozenset[str] = frozenset()
+    """Which of rate, pitch and volume somebody asked for, by these names. A speech-dispatcher has ways of its
+    own for the others."""
 
     def clamped(self) -> VoiceSettings:
         """The nearest settings that a voice can have; what is no number becomes the default."""
-        return VoiceSettings(
+        return replace(
+            self,
             words_per_minute=round(_clamp(self.words_per_minute, 80, 450, 180)),
             pitch=round(_clamp(self.pitch, 0, 100, 50)),
             volume=_clamp(self.volume, 0.0, 1.0, 1.0),

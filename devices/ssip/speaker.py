@@ -23,6 +23,8 @@ from devices.ssip.conversation import Conversation, Lost
 from devices.ssip.mailbox import Mailbox
 from devices.ssip.protocol import NotSsip
 
+_ITS_OWN = VoiceSettings()
+"""As the server has it."""
 _CONNECT_SECONDS = 1.0
 _CLOSING_SECONDS = 1.0
 
@@ -34,14 +36,13 @@ class SsipSpeaker:
         self,
         address: Address,
         on_notice: Callable[[AudioNotice], None],
-        voice: VoiceSettings | None = None,
-        punctuation: str = "some",
+        voice: VoiceSettings = _ITS_OWN,
         now: Callable[[], float] = time.monotonic,
     ) -> None:
-        """``on_notice`` must not block nor raise; each notice comes once. No ``voice``: the server's."""
+        """``on_notice`` must not block nor raise; each notice comes once."""
         self._address, self._on_notice, self._now = address, on_notice, now
-        self._punctuation = punctuation
-        self._mailbox = Mailbox({} if voice is None else ssip_settings(voice))
+        self._punctuation = voice.punctuation
+        self._mailbox = Mailbox(ssip_settings(voice))
         self._starting = threading.Lock()
         self._thread: threading.Thread | None = None
         self._told: set[NoticeCode] = set()
@@ -103,14 +104,15 @@ class SsipSpeaker:
 
 
 def ssip_settings(voice: VoiceSettings) -> dict[str, int]:
-    """Rate, pitch and volume as SSIP counts them, -100 to 100; 180 words a minute are 0."""
+    """What was chosen of rate, pitch and volume, -100 to 100 as SSIP counts; 180 words a minute are 0."""
     clamped = voice.clamped()
     off = clamped.words_per_minute - 180
-    return {
-        "RATE": round(off / 2.7 if off > 0 else float(off)),
-        "PITCH": 2 * clamped.pitch - 100,
-        "VOLUME": round(200 * clamped.volume) - 100,
+    every = {
+        "words_per_minute": ("RATE", round(off / 2.7 if off > 0 else float(off))),
+        "pitch": ("PITCH", 2 * clamped.pitch - 100),
+        "volume": ("VOLUME", round(200 * clamped.volume) - 100),
     }
+    return dict(setting for name, setting in every.items() if name in voice.chosen)
 
 
 def _user() -> str:

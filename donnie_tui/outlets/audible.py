@@ -227,7 +227,11 @@ def voice_of(settings: Settings) -> VoiceSettings:
     """How the own voice sounds."""
     from devices.speech.voices import VoiceSettings
 
-    return VoiceSettings(settings.rate, settings.pitch, settings.volume / 100, settings.punctuation)
+    names = {"rate": "words_per_minute", "pitch": "pitch", "volume": "volume"}
+    chosen = {name for key, name in names.items() if settings.source_of(key) is not Source.DEFAULT}
+    return VoiceSettings(
+        settings.rate, settings.pitch, settings.volume / 100, settings.punctuation, frozenset(chosen)
+    )
 
 
 def cue_volumes(settings: Settings) -> dict[str, float]:
@@ -309,9 +313,7 @@ class _Maker:
 
         address = ssip_address(os.environ)
         assert address is not None  # it was reached when the channel was chosen
-        chosen = self._settings.source_of("rate") is not Source.DEFAULT
-        voice = voice_of(self._settings) if chosen else None
-        speaker = SsipSpeaker(address, self._tell, voice, self._settings.punctuation)
+        speaker = SsipSpeaker(address, self._tell, voice_of(self._settings))
         self._closing.callback(speaker.close)
         self._voiced.append(speaker)
         return speaker

@@ -1,5 +1,6 @@
 """Voice and cues as the settings and the surroundings allow; what is not possible is told in one sentence."""
 
+import re
 from contextlib import ExitStack
 from dataclasses import replace
 from pathlib import Path
@@ -121,13 +122,32 @@ def test_what_is_told_goes_to_a_speech_dispatcher_that_is_there(
     with ExitStack() as closing:
         made = make_audible(Settings(speech="ssip", sound=False), floor.session, Words(), closing)
         floor.session.hub.publish(Spoke("Hello."))
+        assert made.is_quiet_within(10)
         floor.session.hub.publish(SoundSwitched(False))
         floor.session.hub.publish(Spoke("Not heard."))
         floor.session.hub.publish(SoundSwitched(True))
         assert made.speaks
         assert made.is_quiet_within(10)
         assert made.notices == ()
-    assert "Not heard." not in server.texts
+    assert server.texts == ["Hello.", "Sound on."]
+    server.close()
+
+
+def test_a_speech_dispatcher_keeps_of_its_voice_what_nobody_chose(
+    monkeypatch: pytest.MonkeyPatch, tmp_path: Path
+) -> None:
+    """Whoever has a screen reader has set it there, and hears all else as fast."""
+    server = Server(tmp_path)
+    monkeypatch.setenv("SPEECHD_ADDRESS", f"unix_socket:{server.address.path}")
+    floor = Floor()
+    with ExitStack() as closing:
+        made = make_audible(Settings(speech="ssip", sound=False), floor.session, Words(), closing)
+        for changed in ({"punctuation": "all"}, {"volume": 50}):
+            made.adjust(**changed)
+            floor.session.hub.publish(Spoke("x=1"))
+            assert made.is_quiet_within(10)
+    assert server.texts == ["x equals 1", "x equals 1"]
+    assert [each for each in server.commands if re.search("RATE|PITCH|VOLUME", each)] == ["SET SELF VOLUME 0"]
     server.close()
 
 

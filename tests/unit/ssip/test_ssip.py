@@ -13,6 +13,7 @@ from hypothesis import strategies as st
 
 from devices.audio_worker.notices import AudioNotice, NoticeCode
 from devices.ports.audio import Urgency, Utterance
+from devices.ports.values import replace
 from devices.speech.dispatcher import Address, find_address, is_reachable, parse_address
 from devices.speech.voices import VoiceSettings
 from devices.ssip import conversation
@@ -22,6 +23,9 @@ from devices.ssip.speaker import SsipSpeaker, ssip_settings
 from tests.unit.ssip.server import Server
 
 STREAM = b"208 OK CLIENT NAME SET\r\n225-21\r\n225 OK MESSAGE QUEUED\r\n702-21\r\n702-1\r\n702 END\r\n"
+
+
+FAST = VoiceSettings(450, chosen=frozenset({"words_per_minute"}))
 
 
 def say(words: str, urgency: Urgency = Urgency.PROGRAM, language: str = "en") -> Utterance:
@@ -68,9 +72,19 @@ def test_a_refused_message_has_no_number() -> None:
 
 
 def test_rate_pitch_and_volume_go_from_end_to_end() -> None:
-    assert ssip_settings(VoiceSettings()) == {"RATE": 0, "PITCH": 0, "VOLUME": 100}
-    assert ssip_settings(VoiceSettings(10_000, 100, 0.0)) == {"RATE": 100, "PITCH": 100, "VOLUME": -100}
-    assert ssip_settings(VoiceSettings(80, 0, 0.5)) == {"RATE": -100, "PITCH": -100, "VOLUME": 0}
+    usual = VoiceSettings(chosen=frozenset({"words_per_minute", "pitch", "volume"}))
+    loud, low = replace(usual, words_per_minute=10_000, pitch=100), replace(usual, pitch=0, volume=0.5)
+    assert ssip_settings(usual) == {"RATE": 0, "PITCH": 0, "VOLUME": 100}
+    assert ssip_settings(loud) == {"RATE": 100, "PITCH": 100, "VOLUME": 100}
+    assert ssip_settings(low) == {"RATE": 0, "PITCH": -100, "VOLUME": 0}
+    assert ssip_settings(replace(usual, words_per_minute=80, volume=0.0)) == {
+        "RATE": -100, "PITCH": 0, "VOLUME": -100,
+    }  # fmt: skip
+
+
+def test_what_nobody_chose_of_a_voice_is_left_to_the_server() -> None:
+    assert ssip_settings(VoiceSettings(450, 100, 0.5, chosen=frozenset({"pitch"}))) == {"PITCH": 100}
+    assert ssip_settings(VoiceSettings(punctuation="all")) == {}
 
 
 # --- the address
@@ -144,7 +158,7 @@ def test_sentences_are_handed_over_in_order_in_their_languages_behind_the_reader
 
 
 def test_a_voice_that_was_chosen_is_asked_for_and_else_the_servers_is_left(server: Server) -> None:
-    speaker = SsipSpeaker(server.address, lambda _: None, VoiceSettings(words_per_minute=450))
+    speaker = SsipSpeaker(server.address, lambda _: None, FAST)
     speaker.say(say("Hello."))
     assert speaker.wait_until_quiet(10)
     speaker.close()
@@ -159,7 +173,7 @@ def test_a_voice_that_changes_is_asked_for_between_two_sentences_and_of_the_next
     speaker.say(say("x=1"))
     assert speaker.wait_until_quiet(10)
     assert not any("RATE" in each for each in server.commands)
-    speaker.set_voice(VoiceSettings(words_per_minute=450, punctuation="none"))
+    speaker.set_voice(replace(FAST, punctuation="none"))
     speaker.say(say("x=2"))
     assert speaker.wait_until_quiet(10)
     speaker.close()
