@@ -38,7 +38,7 @@ from donnie_tui.core.events import (
     Waited,
 )
 from donnie_tui.core.hub import Hub
-from donnie_tui.core.naming import called, the_coloured
+from donnie_tui.core.naming import called, own_name, the_coloured
 from donnie_tui.core.poses import SIDES
 from donnie_tui.core.telling import Teller
 from donnie_tui.core.wording import Wording
@@ -163,7 +163,7 @@ class Announcer:
             return met.name
         if met.kind in _OF_NO_WORLD:
             return self._say(f"met-{met.kind}")
-        return called(met.kind, met.name, self._say)
+        return own_name(met.kind, met.name, self._say) or called(met.kind, met.name, self._say)
 
     def _tell_place(self, code: str, pose: Pose) -> None:
         """At full, where a movement led."""

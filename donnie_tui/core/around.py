@@ -14,7 +14,7 @@ from typing import TYPE_CHECKING
 from devices.ports.robot import Pose
 from devices.ports.values import Frozen
 from donnie_tui.core.map_grid import MapGrid
-from donnie_tui.core.naming import coloured_thing, name_of
+from donnie_tui.core.naming import coloured_thing, told_name_of
 from donnie_tui.core.poses import COMPASS, SIDES
 from donnie_tui.core.wording import Wording
 from language.source import fold_name
@@ -131,4 +131,4 @@ def _in_range(room: Room, steps: float) -> int | None:
 
 
 def _named(thing: Thing, wording: Wording) -> str:
-    return name_of(thing, wording) if wording.detail == "brief" else coloured_thing(thing, wording)
+    return told_name_of(thing, wording) if wording.detail == "brief" else coloured_thing(thing, wording)

@@ -14,7 +14,7 @@ from typing import TYPE_CHECKING
 
 from devices.ports.robot import Pose
 from donnie_tui.core import poses
-from donnie_tui.core.naming import coloured, coloured_thing, name_of
+from donnie_tui.core.naming import coloured, coloured_thing, name_of, told_name_of
 from donnie_tui.core.telling import facing
 from donnie_tui.core.wall_words import walls_in_words
 from donnie_tui.core.wording import Wording
@@ -149,7 +149,7 @@ def _counted(others: Sequence[Thing], wording: Wording) -> tuple[str, ...]:
 
 def _thing(thing: Thing, pose: Pose, wording: Wording, where: _PlaceOf) -> str:
     brief = wording.detail == "brief"
-    told = name_of(thing, wording) if brief else coloured_thing(thing, wording)
+    told = told_name_of(thing, wording) if brief else coloured_thing(thing, wording)
     width, depth = round(thing.width), round(thing.depth)
     return wording(
         "world-large-thing" if max(width, depth) >= LONG else "world-thing",

@@ -14,7 +14,7 @@ from typing import TYPE_CHECKING
 from devices.ports.robot import Pose
 from donnie_tui.core.describe import place_of, things_in_words
 from donnie_tui.core.map_grid import FREE, START, TRAIL, WALL, Bounds, Cell, Kind, MapGrid
-from donnie_tui.core.naming import name_of
+from donnie_tui.core.naming import name_of, told_name_of
 from donnie_tui.core.wall_words import walls_in_words
 from donnie_tui.core.wording import Wording
 
@@ -96,7 +96,7 @@ def square_content(grid: MapGrid, cell: Cell, wording: Wording) -> str:
     kind = grid.kind(cell)
     thing = grid.thing(cell) if kind is Kind.THING else None
     if thing is not None:
-        return name_of(thing, wording)
+        return told_name_of(thing, wording)
     if kind is Kind.ROBOT:
         return _robot_words(grid, wording)
     return grid.letter(cell) if kind is Kind.THING else wording(f"cell-{kind.value}")

@@ -1,21 +1,24 @@
 """What a thing is called, with its colour: in the learner's language where its world is one of ours.
 
 Adjectives and articles agree with the noun. What another world calls its things has no known gender, so these
-get a phrase that needs none.
+get a phrase that needs none. What its author calls a thing comes before what it is: "treasure, box, yellow".
 """
 
 from __future__ import annotations
 
+import re
 from collections.abc import Sequence
 from typing import TYPE_CHECKING
 
 from donnie_tui.core.wording import Wording
+from language.source import fold_name
 
 if TYPE_CHECKING:
     from sim.picture import Thing
 
 
 _DONNIE = "donnie"
+_COLOURS = ("red", "green", "blue", "yellow", "orange", "pink", "gray")
 
 
 def shown_name(robot: str) -> str:
@@ -44,9 +47,31 @@ def name_of(thing: Thing, wording: Wording) -> str:
     return called(thing.kind, thing.name, wording)
 
 
+def told_name_of(thing: Thing, wording: Wording) -> str:
+    """Of this one: as its author calls it, else as ``name_of``, which is the same for all of a kind."""
+    return own_name(thing.kind, thing.name, wording) or name_of(thing, wording)
+
+
 def called(kind: str, name: str, wording: Wording) -> str:
     """The kind of a thing in the learner's language, else what its world calls it."""
     return noun(kind, wording) or name or kind
+
+
+def own_name(kind: str, name: str, wording: Wording) -> str:
+    """What its author calls it where that says more than its kind, its colour and a number; else empty.
+
+    Of a thing of a foreign kind nothing else is told, so that is no name of its own.
+    """
+    word = noun(kind, wording)
+    if not word or not name:
+        return ""
+    plain = {kind, word, *_COLOURS}
+    plain |= {_agreeing(each, gender, wording) for each in _COLOURS for gender in ("m", "f")}
+    return name if _words(name) - _words(" ".join(plain)) else ""
+
+
+def _words(text: str) -> set[str]:
+    return set(re.findall(r"[^\W\d_]+", fold_name(text)))
 
 
 def noun(kind: str, wording: Wording) -> str:
@@ -58,7 +83,7 @@ def noun(kind: str, wording: Wording) -> str:
 
 
 def coloured_thing(thing: Thing, wording: Wording) -> str:
-    """A thing or robot in a list: "box, red", "caixa vermelha"."""
+    """A thing or robot in a list: "box, red", "caixa vermelha", "tesouro, caixa vermelha"."""
     if thing.is_robot and thing.name:
         return _of_unknown_gender("listed", thing.name, thing.colour, wording)
     return coloured(thing.kind, thing.name, thing.colour, wording)
@@ -85,11 +110,11 @@ def _phrase(form: str, kind: str, name: str, colour: str, wording: Wording) -> s
     word = noun(kind, wording)
     if not word:
         return _of_unknown_gender(form, name or kind, colour, wording)
-    gender = wording(f"gender-{kind}")
+    gender, own = wording(f"gender-{kind}"), own_name(kind, name, wording)
     article, colour_word = wording(f"article-{gender}"), _agreeing(colour, gender, wording)
-    if colour_word == word:  # an orange is orange
-        return wording(f"{form}-one-colour", the=article, name=word)
-    return wording(f"{form}-coloured", the=article, name=word, colour=colour_word)
+    code = "one-colour" if colour_word == word else "coloured"  # an orange is orange
+    told = wording(f"{form}-{code}", the=article, name=word, colour=colour_word)
+    return wording("own-name", name=own, thing=told) if own else told
 
 
 def _of_unknown_gender(form: str, name: str, colour: str, wording: Wording) -> str:

@@ -14,7 +14,7 @@ from typing import TYPE_CHECKING
 from donnie_tui.core.describe import place_of
 from donnie_tui.core.map_grid import Cell, Kind
 from donnie_tui.core.map_scene import MapScene
-from donnie_tui.core.naming import coloured_thing, name_of, shade
+from donnie_tui.core.naming import coloured, coloured_thing, name_of, shade
 from donnie_tui.core.wording import Wording
 
 if TYPE_CHECKING:
@@ -115,5 +115,10 @@ def _in_their_colours(things: Sequence[Thing], wording: Wording) -> str:
     """ "box, red", or what they are called and each colour once: "flower: red, blue"."""
     shades = dict.fromkeys(shade(each, wording) for each in things)
     if len(shades) == 1:
-        return coloured_thing(things[0], wording)
+        return coloured_thing(things[0], wording) if len(things) == 1 else _of_all(things[0], wording)
     return f"{name_of(things[0], wording)}: {', '.join(shades)}"
+
+
+def _of_all(thing: Thing, wording: Wording) -> str:
+    """What is true of all things of its kind and colour."""
+    return coloured(thing.kind, "", thing.colour, wording)

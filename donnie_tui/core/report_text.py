@@ -12,7 +12,7 @@ from donnie_tui.core import use_cases
 from donnie_tui.core.describe import place_of
 from donnie_tui.core.documents import unquoted
 from donnie_tui.core.map_words import floor_in_words
-from donnie_tui.core.naming import name_of, shade
+from donnie_tui.core.naming import shade, told_name_of
 from donnie_tui.core.reading import ProgramText
 from donnie_tui.core.reports import Section, as_csv, as_html
 from donnie_tui.core.trail import Trail
@@ -94,7 +94,7 @@ def _map(subject: Subject, wording: Wording) -> Section:
     """What stands where; the first lines tell the floor."""
     rows = [
         (
-            name_of(each, wording),
+            told_name_of(each, wording),
             shade(each, wording),
             round(each.x),
             round(each.y),

@@ -108,7 +108,7 @@ def measured() -> Iterator[tuple[str, list[float]]]:
     )
     yield (
         "two_robots",
-        [*inner("two_robots"), place("two_robots", "bob")[1], place("two_robots", "east box")[0]],
+        [*inner("two_robots"), place("two_robots", "bob")[1], place("two_robots", "blue box")[0]],
     )
     block = next(model for model in scene("race_track").models if model.name == "wall in the middle")
     yield "race_track", [*inner("race_track"), *steps(block), across("race_track", 0, 0, 1, 0)]
@@ -146,7 +146,7 @@ def factory() -> Iterator[float]:
     yield from (round(width, 3), round(depth, 3), round(width * STEP, 3), round(depth * STEP, 3))
     yield from steps(robot("factory"))
     yield steps(next(model for model in it.models if model.kind == "belt"))[0]
-    yield from (place("factory", "first belt")[1], place("factory", "second belt")[1])
+    yield from (place("factory", "belt 1")[1], place("factory", "belt 2")[1])
     yield from (len(things("factory", "orange", "orange")), len(things("factory", "carton", "blue")))
 
 
@@ -217,8 +217,8 @@ def test_the_living_room_has_its_things_where_they_are_told() -> None:
     assert it["large sofa"].y + it["large sofa"].depth / 2 == pytest.approx(36.5, abs=0.1)
     assert it["large sofa"].x == pytest.approx(16, abs=1)
     assert it["table"].x + it["table"].width / 2 == pytest.approx(36.5, abs=0.1)
-    assert it["first chair"].x < it["table"].x
-    assert it["second chair"].y < it["table"].y
+    assert it["chair 1"].x < it["table"].x
+    assert it["chair 2"].y < it["table"].y
 
 
 def test_the_corridor_turns_to_the_east_and_ends_behind_the_red_box() -> None:

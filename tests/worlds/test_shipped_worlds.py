@@ -130,8 +130,8 @@ def test_in_the_living_room_donnie_meets_walls_and_sees_furniture() -> None:
         ("small sofa", "blue"),
         ("large sofa", "blue"),
         ("table", "red"),
-        ("first chair", "green"),
-        ("second chair", "green"),
+        ("chair 1", "green"),
+        ("chair 2", "green"),
     }
     assert it.backward(40).stopped_by is StoppedBy.OBSTACLE
     assert it.forward(60).stopped_by is StoppedBy.OBSTACLE
@@ -149,8 +149,8 @@ def test_the_living_room_is_forty_by_forty_steps() -> None:
         ("small sofa", "s", "blue", 5, 5),
         ("large sofa", "L", "blue", 10, 5),
         ("table", "T", "red", 5, 10),
-        ("first chair", "c", "green", 3, 3),
-        ("second chair", "c", "green", 3, 3),
+        ("chair 1", "c", "green", 3, 3),
+        ("chair 2", "c", "green", 3, 3),
     }
     assert sum(row.count("T") for row in it.rows) == 50
     assert sum(row.count("c") for row in it.rows) == 18

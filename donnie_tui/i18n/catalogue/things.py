@@ -42,6 +42,7 @@ SENTENCES: dict[str, Sentence] = {
     "listed-coloured-foreign": Sentence(
         "{name}, {colour}", "{name} de cor {colour}", "{name} de color {colour}"
     ),
+    "own-name": Sentence("{name}, {thing}", "{name}, {thing}", "{name}, {thing}"),
     "the-coloured": Sentence("{the} {colour} {name}", "{the} {name} {colour}", "{the} {name} {colour}"),
     "the-coloured-foreign": Sentence(
         "{name} of color {colour}", "{name} de cor {colour}", "{name} de color {colour}"
