@@ -5,6 +5,7 @@ Frames are the device's own time: a machine that is busy delays both, and the co
 
 from __future__ import annotations
 
+import statistics
 import subprocess
 import sys
 import threading
@@ -23,7 +24,8 @@ from devices.speech.voices import VoiceSettings
 from tests.conftest import ROOT
 from tests.patience import PATIENCE
 
-CUES = 40
+CUES = 100
+SENTENCES = 20
 
 
 class Ear:
@@ -36,23 +38,28 @@ class Ear:
         """Each with the frame at which it ends, and whether anything sounds in it."""
 
     def mix(self, frames: int) -> array[int]:
-        mixed = self._mix(frames)
         with self._turn:
+            mixed = self._mix(frames)
             self._frames += frames
             self.blocks.append((self._frames, any(mixed)))
             self._turn.notify_all()
         return mixed
 
     def now(self) -> int:
-        return self._frames
-
-    def until(self, sounds: bool) -> int:
-        """Wait for a block in which it sounds, or is silent, behind those so far; the frame at its end."""
+        """The frame at which the next block begins."""
         with self._turn:
-            heard = len(self.blocks)
+            return self._frames
+
+    def until(self, sounds: bool, since: int | None = None) -> int:
+        """Wait for a block in which it sounds, or is silent, behind those so far or ``since`` that frame.
+
+        The frame at its end.
+        """
+        with self._turn:
+            begin = self._frames if since is None else since
 
             def found() -> list[int]:
-                return [end for end, loud in self.blocks[heard:] if loud is sounds]
+                return [end for end, loud in self.blocks if end > begin and loud is sounds]
 
             assert self._turn.wait_for(found, PATIENCE)
             return found()[0]
@@ -95,15 +102,15 @@ def milliseconds(frames: int) -> float:
 
 @pytest.mark.usefixtures("busy")
 def test_cues_start_within_a_tenth_of_a_second(heard: tuple[MiniaudioPlayer, Ear]) -> None:
-    """C1: 95 of 100, while the machine is busy."""
+    """C1: 95 of 100, while the machine is busy; the way to the worker and the making of a sound are measured by
+    ``benchmarks/sound.py``."""
     player, ear = heard
-    waits = []
+    sound, waits = render(Cue("found"), 1.0), []
     for _ in range(CUES):
         asked = ear.now()
-        player.cue("found", render(Cue("found"), 1.0), 0.0)
-        waits.append(milliseconds(ear.until(sounds=True) - asked))
+        player.cue("found", sound, 0.0)
+        waits.append(milliseconds(ear.until(sounds=True, since=asked) - asked))
         player.hush(speech=False, cues=True)
-        ear.until(sounds=False)
 
     assert sum(each <= 100 for each in waits) >= 0.95 * CUES
 
@@ -126,11 +133,11 @@ def test_the_silence_key_ends_a_sentence_within_its_limit(heard: tuple[Miniaudio
 
 
 def test_a_sentence_begins_within_a_fifth_of_a_second() -> None:
-    """S3: rendered and handed to the device, when the voice is loaded; the best of five, others compute.
+    """S3: rendered and handed to the device, when the voice is loaded; in the middle, as others compute.
 
     In a process of its own, as the voice always is.
     """
-    code = "from tests.unit.audio.test_null_device import best_wait; print(best_wait())"
+    code = "from tests.unit.audio.test_null_device import middle_wait; print(middle_wait())"
     done = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, cwd=ROOT, check=False)
     if "NoVoice" in done.stderr or not done.stdout.strip():
         pytest.skip(f"needs a voice and miniaudio: {done.stderr[-200:]}")
@@ -138,21 +145,20 @@ def test_a_sentence_begins_within_a_fifth_of_a_second() -> None:
     assert float(done.stdout.split()[-1]) <= 200  # behind what the library says
 
 
-def best_wait() -> float:
+def middle_wait() -> float:
     """Milliseconds of the device's time from a sentence to its first sound."""
     player, renderer = open_player(NULL_DEVICE), Renderer(False)
     assert isinstance(player, MiniaudioPlayer)
     ear = listening(player)
     renderer.render("Warm.", "en", VoiceSettings())
     waits = []
-    for number in range(5):
+    for number in range(SENTENCES):
         asked = ear.now()
         player.speak(renderer.render(f"I walked {number} steps.", "en", VoiceSettings()), on_end=_nothing)
-        waits.append(milliseconds(ear.until(sounds=True) - asked))
+        waits.append(milliseconds(ear.until(sounds=True, since=asked) - asked))
         player.hush(speech=True, cues=False)
-        ear.until(sounds=False)
     player.close()
-    return min(waits)
+    return statistics.median(waits)
 
 
 def _nothing() -> None:
