@@ -420,7 +420,7 @@ print(render(range(300)), resident() - before)
 
 
 def test_speaking_makes_the_worker_grow_by_less_than_ten_megabytes_a_thousand_sentences() -> None:
-    """S4, by three hundred of them."""
+    """S4, by three hundred of them; ``benchmarks/sound.py`` has the thousand."""
     done = subprocess.run(
         (sys.executable, "-c", GROWTH), cwd=ROOT, capture_output=True, text=True, timeout=100
     )
