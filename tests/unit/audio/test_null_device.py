@@ -102,8 +102,7 @@ def milliseconds(frames: int) -> float:
 
 @pytest.mark.usefixtures("busy")
 def test_cues_start_within_a_tenth_of_a_second(heard: tuple[MiniaudioPlayer, Ear]) -> None:
-    """C1: 95 of 100, while the machine is busy; the way to the worker and the making of a sound are measured by
-    ``benchmarks/sound.py``."""
+    """C1: 95 of 100, while the machine is busy; ``benchmarks/sound.py`` measures all of the way."""
     player, ear = heard
     sound, waits = render(Cue("found"), 1.0), []
     for _ in range(CUES):
