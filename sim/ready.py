@@ -57,9 +57,9 @@ _KINDS: dict[str, Any] = {
 """All that a scene is made of."""
 _FORM = 2
 """Of marshal: one that every Python reads, and that is the same bytes for the same contents."""
-_SUM = 8
+_SUM = 4
 """Bytes in front that tell whether the rest is whole."""
-_PRIME = (1 << 61) - 1
+_PRIME = (1 << 30) - 35
 
 _Inner = tuple[int, int | Sequence[int]]
 """Where in a row a value stands, or several as a tuple, and which ones."""
@@ -114,8 +114,17 @@ def _put_together(rows: Iterable[_Row], kinds: Sequence[Any]) -> Any:
     for kind, contents, inner in rows:
         for at, which in inner:
             contents[at] = values[which] if isinstance(which, int) else tuple([values[i] for i in which])
-        values.append(kinds[kind](*contents))
+        values.append(_value(kinds[kind], contents))
     return values[-1]
+
+
+def _value(kind: Any, contents: Sequence[Any]) -> Any:
+    """Its constructor looks for what wasn't given; here all is there."""
+    if issubclass(kind, Enum):
+        return kind(*contents)
+    value = object.__new__(kind)
+    value.__setstate__(contents)
+    return value
 
 
 class _Apart:

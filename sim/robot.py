@@ -8,6 +8,7 @@ its start, and who only speaks needs no more than that.
 from __future__ import annotations
 
 import threading
+from functools import cached_property
 from typing import TYPE_CHECKING
 
 from devices.ports.robot import (
@@ -73,7 +74,7 @@ class SimulatedRobot:
     def name(self) -> str:
         return self._model.spoken_name
 
-    @property
+    @cached_property
     def colours(self) -> frozenset[str]:
         models = self._ground.scene.tree(self._model.index)
         return families(each.blobfinder.colours for each in models if each.blobfinder is not None)
