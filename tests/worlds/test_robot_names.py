@@ -66,7 +66,7 @@ def test_each_robot_is_found_by_the_name_that_it_is_called() -> None:
 
 
 def test_every_robot_can_be_talked_to_and_is_on_the_map_by_its_name() -> None:
-    world = ChosenWorld("foreign.world", Path("foreign.world"), scene("", "", 'name "r"', 'name "r"'), False)
+    world = ChosenWorld("foreign.world", "foreign.world", scene("", "", 'name "r"', 'name "r"'), False)
     team = make_team(Settings(), Words(), world, terminal=False)
 
     assert team.names == ("robot1", "robot2", "r", "r2")
