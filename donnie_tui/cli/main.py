@@ -11,7 +11,6 @@ from donnie_tui.cli import codes
 from donnie_tui.cli.arguments import TO_COME, Invocation, WrongUsage
 from donnie_tui.cli.order import Order
 from donnie_tui.cli.output import Output
-from donnie_tui.cli.overwriting import refuse_overwriting
 from donnie_tui.cli.understanding import language_before_parsing, understand
 from donnie_tui.i18n.words import Unusable, Words
 from donnie_tui.settings.chosen import FRONT_END_SPEED, BadOption, Notice, Settings, resolve
@@ -61,7 +60,10 @@ def _obey(arguments: list[str], words: Words, start: _Start) -> int:
     if invocation.command in TO_COME:
         raise Unusable(words("command-to-come", command=invocation.command))
     order = _order(invocation, start)
-    refuse_overwriting(order)
+    if order.outputs:
+        from donnie_tui.cli.overwriting import refuse_overwriting
+
+        refuse_overwriting(order)
     code = _handler(order)(order)
     if start.output.problem is not None:
         raise Unusable(order.words("output-unwritable", reason=start.output.problem))

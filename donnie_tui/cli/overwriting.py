@@ -8,25 +8,17 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 from itertools import combinations, product
-from typing import TYPE_CHECKING
+from pathlib import Path
 
+from donnie_tui.cli.kinds import may_be_replaced
 from donnie_tui.cli.order import Order
 from donnie_tui.core.documents import is_same_file
 from donnie_tui.i18n.words import Unusable
-from donnie_tui.settings.chosen import Settings
-
-if TYPE_CHECKING:
-    from pathlib import Path
 
 
 def refuse_overwriting(order: Order) -> None:
     """Raises ``Unusable`` where an option names a file that the command needs, or that another one names."""
-    named = (*_outputs(order.settings), *_pages(order))
-    if not named:
-        return
-    from pathlib import Path
-
-    outputs = tuple((option, Path(name)) for option, name in named)
+    outputs = tuple((option, Path(name)) for option, name in order.outputs)
     for (option, path), (other, other_path) in combinations(outputs, 2):
         if is_same_file(path, other_path):
             raise Unusable(order.words("output-twice", option=option, other=other, path=path))
@@ -34,29 +26,9 @@ def refuse_overwriting(order: Order) -> None:
     for (option, path), source in product(outputs, read):
         if is_same_file(path, source):
             raise Unusable(order.words("output-is-input", option=option, path=path))
-    from donnie_tui.cli.kinds import may_be_replaced  # for who writes something
-
     for option, path in outputs:
         if not may_be_replaced(option, path):
             raise Unusable(order.words("output-is-other", option=option, path=path))
-
-
-def _outputs(settings: Settings) -> Iterator[tuple[str, str]]:
-    """The option and the file of everything that is written as it happens."""
-    if settings.record is not None:
-        yield "--record", settings.record
-    if settings.events not in (None, "-"):
-        yield "--events", str(settings.events)
-    if isinstance(settings.sound, str):
-        yield "--sound", settings.sound
-
-
-def _pages(order: Order) -> Iterator[tuple[str, str]]:
-    """What ``donnie world`` writes."""
-    for option in ("svg", "brf"):
-        name = getattr(order.invocation.arguments, option, None)
-        if name:
-            yield f"--{option}", str(name)
 
 
 def _programs(order: Order) -> Iterator[str]:
