@@ -16,7 +16,6 @@ from donnie_tui.core.belt_telling import BeltTelling
 from donnie_tui.core.chronicle import Chronicle
 from donnie_tui.core.events import Announced, Answered
 from donnie_tui.core.hub import Stream
-from donnie_tui.core.in_use import FilesInUse
 from donnie_tui.core.outlets import UntilSaid
 from donnie_tui.core.session import ResettableRobot, Session
 from donnie_tui.core.team import Team
@@ -36,6 +35,7 @@ from donnie_tui.world.choice import ChosenWorld, choose_world, files_of
 from donnie_tui.world.moved_things import ThingWatch
 
 if TYPE_CHECKING:
+    from donnie_tui.core.in_use import FilesInUse
     from sim.mounted import Mounted
     from sim.picture import Picture
     from sim.world import World
@@ -72,7 +72,6 @@ class Donnie(Frozen):
     """What happened lately, to go back through."""
     outlets: Outlets
     notices: Notices
-    in_use: FilesInUse
     _shared: World
     _closing: ExitStack
 
@@ -89,6 +88,12 @@ class Donnie(Frozen):
     def say(self, code: str, **values: object) -> None:
         """Answer with a sentence of the catalogue."""
         self.tell(self.words(code, **values))
+
+    @property
+    def in_use(self) -> FilesInUse:
+        from donnie_tui.core.in_use import FilesInUse  # for who saves something
+
+        return FilesInUse((*self.outlets.written.paths, *files_of(self.world)))
 
     def picture(self) -> Picture:
         """The world at its start, for the robot that is talked to. Events tell where everything is."""
@@ -197,8 +202,7 @@ def _assembled(
         audible.notices + (_decided(audible, words) if terminal else ()),
         belt_news() + about_robot,
     )
-    in_use = FilesInUse((*written.paths, *files_of(world)))
-    return Donnie(words, world, team, connection, chronicle, outlets, notices, in_use, shared, closing)
+    return Donnie(words, world, team, connection, chronicle, outlets, notices, shared, closing)
 
 
 def _remarks(world: ChosenWorld, words: Words) -> tuple[str, ...]:

@@ -124,3 +124,14 @@ def column(line_start: int, offset: int, widthless_offsets: list[int]) -> int:
 def line_ends(text: str) -> list[int]:
     """The offset behind each line end."""
     return [match.end() for match in _line_end.finditer(text)]
+
+
+def lines_in(text: str) -> list[str]:
+    """The lines of a program; form feeds and the like end none."""
+    lines = with_newlines(text).split("\n")
+    return lines if lines[-1] else lines[:-1]
+
+
+def with_newlines(text: str) -> str:
+    """The text with one kind of line end."""
+    return text.replace("\r\n", "\n").replace("\r", "\n")

@@ -129,6 +129,11 @@ class Copies:
             if self._is_given_up:
                 self._leave_own()
 
+    def settle_quietly(self) -> None:
+        """As ``settle``, for whoever leaves: who would hear why not?"""
+        with contextlib.suppress(DocumentError, OSError):
+            self.settle()
+
     def keep(self, text: str, path: Path | None = None) -> None:
         """Write the text down at once. Raises ``DocumentError``."""
         self.want(text, path)
@@ -298,10 +303,3 @@ class CopyKeeping:
             told, self._has_failed = self._has_failed, True
         if not told:
             self._not_kept(error)
-
-
-def settle_all(each_copies: Iterable[Copies]) -> None:
-    """All done once this returns, for whoever leaves. Quietly: who would hear it?"""
-    for copies in each_copies:
-        with contextlib.suppress(DocumentError, OSError):
-            copies.settle()

@@ -15,10 +15,12 @@ from collections.abc import Iterable
 from typing import TYPE_CHECKING
 
 from donnie_tui.core.harmless import cleaned
-from donnie_tui.core.in_use import FilesInUse
+from language.source import lines_in, with_newlines
 
 if TYPE_CHECKING:
     from pathlib import Path
+
+    from donnie_tui.core.in_use import FilesInUse
 
 LARGEST = 8 * 1024 * 1024
 """Bytes that a program file may have; a program of a learner has a few hundred."""
@@ -153,16 +155,6 @@ def decode(data: bytes, name: str) -> str:
         return cleaned(data.decode("cp1252", errors="replace"))
 
 
-def lines_in(text: str) -> list[str]:
-    """The lines of a program as the language counts them; form feeds and the like end none."""
-    lines = _with_newlines(text).split("\n")
-    return lines if lines[-1] else lines[:-1]
-
-
-def _with_newlines(text: str) -> str:
-    return text.replace("\r\n", "\n").replace("\r", "\n")
-
-
 def write_program(path: Path, text: str) -> None:
     """Write a program as UTF-8. Raises ``DocumentError``."""
     try:
@@ -269,7 +261,7 @@ class Document:
 
 def as_lines(text: str) -> str:
     """The text as the editor holds it: lines end with a newline, and there is none after the last."""
-    return _with_newlines(text).removesuffix("\n")
+    return with_newlines(text).removesuffix("\n")
 
 
 def saved_text(path: Path) -> str:

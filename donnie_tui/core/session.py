@@ -17,7 +17,6 @@ from donnie_tui import __version__
 from donnie_tui.core.actions import RobotActions, RobotWatcher
 from donnie_tui.core.announcer import Announcer
 from donnie_tui.core.belt import BeltFeeling, BeltSettings
-from donnie_tui.core.documents import lines_in
 from donnie_tui.core.events import HowStarted, Outcome, Reset, RunStarted, Sensed
 from donnie_tui.core.handling import Deed, DeedRun, MovedThings
 from donnie_tui.core.hub import Hub, Stream
@@ -30,6 +29,7 @@ from language.control import ControlState, ExecutionControl
 from language.diagnostics import Diagnostic, Stopped
 from language.parser import Parsed, parse
 from language.runtime import Frame, Memory
+from language.source import lines_in
 
 
 class ResettableRobot(Robot, Protocol):

@@ -14,9 +14,9 @@ from collections.abc import Sequence
 
 from devices.ports.values import Frozen
 from donnie_tui.core.breakpoints import followed, shifted
-from donnie_tui.core.documents import lines_in
 from donnie_tui.core.harmless import cleaned
 from language.outline import OutlineItem, block_depth, open_block
+from language.source import lines_in
 
 WORTH_SAVING = 5
 """Unsaved lines from which on a learner is asked first; fewer are kept without a question."""

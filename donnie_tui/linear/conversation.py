@@ -15,7 +15,6 @@ from devices.ports.values import Frozen
 from donnie_tui.bootstrap import Donnie
 from donnie_tui.core.answer_log import AnswerLog
 from donnie_tui.core.breakpoints import KeptBreakpoints
-from donnie_tui.core.copies import Copies
 from donnie_tui.core.recall import Past
 from donnie_tui.linear.console import Console, Gone
 from donnie_tui.linear.desk import Desk
@@ -87,7 +86,7 @@ class Conversation:
             offered=greeting.offered,
         )
         answers = kept.answers if kept else AnswerLog()
-        self._desk = Desk(donnie, ends, Copies(f"{folder}/{UNSAVED}"), kept_breakpoints, answers)
+        self._desk = Desk(donnie, ends, f"{folder}/{UNSAVED}", kept_breakpoints, answers)
         if kept:
             self._desk.programs.take_over(kept.programs)
             self._desk.watch.names.extend(kept.watched)
@@ -234,7 +233,7 @@ class Conversation:
         desk = self._desk
         desk.tell(*desk.donnie.notices.all)
         self._console.has_news = bool(desk.donnie.notices.about_devices)
-        if desk.is_attended and not self._greeting.told_rescued and desk.programs.copies.rescued():
+        if desk.is_attended and not self._greeting.told_rescued and desk.programs.has_rescued:
             desk.answer("answer-rescued")
 
     def _prompt(self) -> str:

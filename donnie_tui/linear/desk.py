@@ -11,7 +11,6 @@ from typing import TYPE_CHECKING
 from donnie_tui.bootstrap import Donnie
 from donnie_tui.core.answer_log import AnswerLog
 from donnie_tui.core.breakpoints import KeptBreakpoints
-from donnie_tui.core.copies import Copies
 from donnie_tui.core.events import Answered
 from donnie_tui.core.session import Session
 from donnie_tui.core.stepped import Stepped
@@ -38,17 +37,17 @@ class Desk:
         self,
         donnie: Donnie,
         ends: Ends,
-        copies: Copies,
+        folder: str,
         kept_breakpoints: KeptBreakpoints,
         answers: AnswerLog | None = None,
     ) -> None:
-        """``copies`` keep a program which can't be kept otherwise; ``answers`` were told before."""
+        """``folder`` has the copies of what is not saved; ``answers`` were told before."""
         self.say = donnie.words
         self.donnie = donnie
         self.ends = ends
         self.programs = Programs(
             lambda: self.session.name,
-            copies,
+            folder,
             kept_breakpoints,
             ends.console,
             lambda error: self.answer("answer-not-kept", reason=error.reason),

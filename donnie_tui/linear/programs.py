@@ -10,15 +10,18 @@ from __future__ import annotations
 
 import contextlib
 from collections.abc import Callable, Iterator
+from functools import cached_property
 from typing import TYPE_CHECKING, Protocol
 
 from donnie_tui.core.breakpoints import KeptBreakpoints
-from donnie_tui.core.copies import Copies, CopyKeeping, settle_all
-from donnie_tui.core.documents import DocumentError
 from donnie_tui.core.typed_program import TypedProgram
+from donnie_tui.linear.greeting import has_rescued
 
 if TYPE_CHECKING:
     from pathlib import Path
+
+    from donnie_tui.core.copies import Copies, CopyKeeping
+    from donnie_tui.core.documents import DocumentError
 
 MOST_REPLACED = 5
 """Programs that another one took the place of, and that are left for the next start."""
@@ -30,26 +33,25 @@ class Programs:
     def __init__(
         self,
         robot: Callable[[], str],
-        copies: Copies,
+        folder: str,
         kept_breakpoints: KeptBreakpoints,
         console: Quiet,
         not_kept: Callable[[DocumentError], None],
     ) -> None:
         """``robot`` tells the name of the one that is talked to, ``console`` when there is time.
 
-        ``copies`` keep a program which can't be kept otherwise; ``not_kept`` is told once, in another
-        thread, why that fails.
+        ``folder`` has the copies of a program which can't be kept otherwise; ``not_kept`` is told once, in
+        another thread, why that fails.
         """
         self.current = TypedProgram()
         """Of the robot that is talked to."""
-        self.copies = copies
         self._robot = robot
         self._by_robot: dict[str, TypedProgram] = {}
         """Of the robots that were talked to; this one's is not up to date."""
         self._copies: dict[TypedProgram, Copies] = {}
         self._copies_of_replaced: dict[tuple[str, str | None], Copies] = {}
         self._kept_breakpoints = kept_breakpoints
-        self._keeping = CopyKeeping(not_kept)
+        self._folder, self._not_kept = folder, not_kept
         self._safekeeping = Safekeeping(console, self._unsaved, self._keep_beside)
 
     def close(self) -> None:
@@ -105,13 +107,32 @@ class Programs:
 
     # --- copies
 
+    @property
+    def has_rescued(self) -> bool:
+        """Whether a crash left a program."""
+        return has_rescued(self._folder)
+
+    @cached_property
+    def copies(self) -> Copies:
+        """Those of the first program that has some."""
+        from donnie_tui.core.copies import Copies  # for what was typed
+
+        return Copies(self._folder)
+
+    @cached_property
+    def _keeping(self) -> CopyKeeping:
+        from donnie_tui.core.copies import CopyKeeping
+
+        return CopyKeeping(self._not_kept)
+
     def keep_copy(self) -> None:
         """What was typed is written down: the power may fail, Donnie may be killed."""
         self._safekeeping.look()
 
     def keep_for_later(self) -> None:
         """Save what is not saved beside everything else; quietly, since nobody may be there to hear."""
-        settle_all((*self._wanted_of_replaced(), *self._wanted(self.all())))
+        for copies in (*self._wanted_of_replaced(), *self._wanted(self.all())):
+            copies.settle_quietly()
 
     def _keep_beside(self) -> None:
         """As ``keep_for_later``, while whoever types goes on."""
@@ -155,12 +176,14 @@ class Programs:
         self._safekeeping.end()
         if of_all:
             self._leave_replaced()
-        settle_all(self._wanted(self.all() if of_all else tuple(self._copies)))
+        for copies in self._wanted(self.all() if of_all else tuple(self._copies)):
+            copies.settle_quietly()
         for copies in self._copies.values():
             copies.leave()
 
     def _leave_replaced(self) -> None:
-        settle_all(self._wanted_of_replaced())
+        for copies in self._wanted_of_replaced():
+            copies.settle_quietly()
         for copies in self._copies_of_replaced.values():
             copies.leave()
 

@@ -6,11 +6,11 @@ from typing import TYPE_CHECKING
 
 import worlds
 from donnie_tui.core import report_text
-from donnie_tui.core.documents import lines_in
 from donnie_tui.core.world_words import world_row
 from donnie_tui.tui.running import Answer
 from donnie_tui.tui.screens.chooser import Choice
 from donnie_tui.words import world_going
+from language.source import lines_in
 
 if TYPE_CHECKING:
     from donnie_tui.tui.host import WorkHost

@@ -10,10 +10,10 @@ from collections.abc import Callable
 from typing import TYPE_CHECKING
 
 from donnie_tui.core import line_words
-from donnie_tui.core.documents import lines_in
 from donnie_tui.core.line_words import Edited
 from donnie_tui.core.typed_program import TypedProgram
 from donnie_tui.core.typed_words import number_and_text, numbers_in
+from language.source import lines_in
 
 if TYPE_CHECKING:
     from donnie_tui.tui.host import WorkHost

@@ -9,7 +9,6 @@ from textual.widgets.text_area import Selection
 
 from donnie_tui import LANGUAGES
 from donnie_tui.core import finding
-from donnie_tui.core.documents import lines_in
 from donnie_tui.core.harmless import printable
 from donnie_tui.core.holding_lines import toggled, told_elsewhere
 from donnie_tui.core.mistakes import mended
@@ -19,6 +18,7 @@ from donnie_tui.core.typed_words import language_named, number_in
 from donnie_tui.tui.running import Answer
 from donnie_tui.tui.screens.chooser import Choice
 from language.formatter import formatted
+from language.source import lines_in
 
 if TYPE_CHECKING:
     from donnie_tui.core.mistakes import Mistake

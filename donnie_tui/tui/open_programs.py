@@ -6,7 +6,7 @@ from collections.abc import Callable, Iterator
 from dataclasses import dataclass
 from pathlib import Path
 
-from donnie_tui.core.copies import Copies, CopyKeeping, Rescued, settle_all
+from donnie_tui.core.copies import Copies, CopyKeeping, Rescued
 from donnie_tui.core.documents import Document, DocumentError
 from donnie_tui.core.in_use import FilesInUse
 from donnie_tui.core.wording import Wording
@@ -114,8 +114,8 @@ class OpenPrograms:
 
     def settle_copies(self) -> None:
         """What is still to be written down or removed, of any program: done once this returns."""
-        settle_all(each.copies for each in self._programs)
-        settle_all(self._given_up)
+        for copies in (*(each.copies for each in self._programs), *self._given_up):
+            copies.settle_quietly()
         if self._are_left:
             for each in self._programs:
                 each.copies.leave()

@@ -11,7 +11,6 @@ from typing import TYPE_CHECKING
 import worlds
 from devices.ports.robot import STEP, Pose
 from devices.ports.values import Frozen
-from donnie_tui.core.documents import exists
 from donnie_tui.i18n.words import Unusable, Words
 from sim import ready
 
@@ -81,6 +80,8 @@ def choose_world(
 def _in_a_file(name: str, words: Words, folders: tuple[str, ...], unknown: str) -> ChosenWorld:
     from pathlib import Path  # slow to load, and our own are called by text
 
+    from donnie_tui.core.documents import exists
+
     path = Path(name)
     if not ("/" in name or "\\" in name or path.suffix or exists(path)):
         raise Unusable(_unknown_world(name, words, unknown))
@@ -110,6 +111,8 @@ def _configured(path: Path, words: Words, folders: tuple[str, ...]) -> ChosenWor
 def _unknown_world(name: str, words: Words, code: str) -> str:
     import difflib
     from pathlib import Path
+
+    from donnie_tui.core.documents import exists
 
     if exists(Path(f"{name}.world")):
         return words("world-unknown-near", name=name, near=f"{name}.world")

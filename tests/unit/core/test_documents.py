@@ -10,7 +10,6 @@ from donnie_tui.core import documents
 from donnie_tui.core.documents import (
     DocumentError,
     decode,
-    lines_in,
     program_to_open,
     program_to_save,
     read_program,
@@ -117,20 +116,6 @@ def test_a_program_is_found_without_its_suffix(tmp_path: Path) -> None:
     assert program_to_open(str(tmp_path / "b")) == tmp_path / "b"
     assert program_to_save(f'"{tmp_path / "b"}"', FilesInUse()) == tmp_path / "b.gd"
     assert program_to_save(str(tmp_path / "b.txt"), FilesInUse()) == tmp_path / "b.txt"
-
-
-@pytest.mark.parametrize(
-    ("text", "lines"),
-    [
-        ("", []),
-        ("a", ["a"]),
-        ("a\nb\r\nc\rd\n", ["a", "b", "c", "d"]),
-        ("a\n\n", ["a", ""]),
-        ("a\x0cb\u2028", ["a\x0cb\u2028"]),
-    ],
-)
-def test_lines_end_where_the_language_ends_them(text: str, lines: list[str]) -> None:
-    assert lines_in(text) == lines
 
 
 def test_nothing_that_a_terminal_obeys_comes_out_of_a_file() -> None:

@@ -6,7 +6,7 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from language.source import Lines, fold, fold_name
+from language.source import Lines, fold, fold_name, lines_in
 
 
 @given(st.text())
@@ -71,3 +71,17 @@ def test_the_offset_of_a_place_is_that_of_its_character(text: str, first_line: i
 def test_there_is_no_offset_before_the_first_line() -> None:
     with pytest.raises(IndexError):
         Lines("a", 3).offset(2)
+
+
+@pytest.mark.parametrize(
+    ("text", "lines"),
+    [
+        ("", []),
+        ("a", ["a"]),
+        ("a\n", ["a"]),
+        ("a\nb\r\nc\rd\n\n", ["a", "b", "c", "d", ""]),
+        ("a\x0cb\u2028c", ["a\x0cb\u2028c"]),
+    ],
+)
+def test_lines_end_where_the_language_ends_them(text: str, lines: list[str]) -> None:
+    assert lines_in(text) == lines

@@ -50,7 +50,7 @@ class Talk:
         self.console = Typing()
         self.programs = Programs(
             lambda: self.robot,
-            Copies(str(folder)),
+            str(folder),
             KeptBreakpoints(str(folder / "breakpoints")),
             self.console,
             lambda error: self.not_kept.append(error.reason),
