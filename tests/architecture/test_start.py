@@ -5,7 +5,10 @@ import subprocess
 import sys
 from pathlib import Path
 
+import pexpect
+
 from tests.conftest import ROOT
+from tests.patience import PATIENCE
 
 FRONT_END = "import donnie_tui.cli.main, donnie_tui.cli.front_ends, donnie_tui.tui.full_screen"
 LINEAR = "from donnie_tui.cli.main import main; main(['--linear', '--speech', 'off', '--sound', 'off'])"
@@ -89,14 +92,59 @@ def test_few_modules_are_found_and_opened_for_a_program_that_speaks(tmp_path: Pa
     assert len([each for each in loaded if each.split(".")[0] in OURS]) <= MOST_OF_OURS
 
 
+NOT_TO_SPEAK = {
+    *("language.mistakes", "language.names", "language.nearby", "language.origin", "language.recovery"),
+    *("donnie_tui.core.step_words", "donnie_tui.core.timeline", "donnie_tui.core.reading"),
+    *("donnie_tui.core.holding_up", "donnie_tui.linear.files", "donnie_tui.linear.patience"),
+    *("donnie_tui.linear.key_echo", "donnie_tui.process.lost_network", "donnie_tui.core.unknown_words"),
+    *("donnie_tui.world.remarks", "donnie_tui.cli.kinds", "donnie_tui.words.team_words"),
+    *("devices.speech.dispatcher", "string", "shlex"),
+    *("tempfile", "random", "shutil", "logging", "pickle", "_pickle", "zlib"),
+    *("pathlib", "urllib.parse", "ipaddress", "fnmatch", "ntpath"),
+    *("donnie_tui.core.documents", "donnie_tui.core.copies", "donnie_tui.core.in_use"),
+    *("donnie_tui.cli.overwriting",),
+}
+
+
 def test_a_program_that_speaks_loads_none_of_these(tmp_path: Path) -> None:
-    assert not loaded_by(LINEAR, tmp_path, TO_SPEAK) & {
-        *("language.mistakes", "language.names", "language.nearby", "language.origin", "language.recovery"),
-        *("donnie_tui.core.step_words", "donnie_tui.core.timeline", "donnie_tui.core.reading"),
-        *("donnie_tui.core.holding_up", "donnie_tui.linear.files", "donnie_tui.linear.patience"),
-        *("donnie_tui.linear.key_echo", "donnie_tui.process.lost_network", "donnie_tui.core.unknown_words"),
-        *("donnie_tui.world.remarks", "donnie_tui.cli.kinds", "donnie_tui.words.team_words"),
-        *("devices.speech.dispatcher", "string", "shlex"),
-        *("tempfile", "random", "shutil", "logging", "pickle", "_pickle", "zlib"),
-        *("pathlib", "urllib.parse", "ipaddress", "fnmatch", "ntpath"),
-    }
+    assert not loaded_by(LINEAR, tmp_path, TO_SPEAK) & NOT_TO_SPEAK
+
+
+UNTIL_2022 = """
+import os, sys, sim.world
+write = os.write
+def writes(fd, data):
+    if b"2022" in bytes(data):
+        with open(sys.argv[1], "w") as file:
+            print(*sys.modules, file=file)
+        os._exit(0)
+    return write(fd, data)
+os.write = writes
+sim.world.World.get_ready = lambda self: None
+"""
+"""The modules at a program's first line; nobody waits long enough that the physics are loaded meanwhile."""
+
+
+def test_nor_does_one_that_is_typed_in_a_terminal_where_lines_are_remembered(tmp_path: Path) -> None:
+    (tmp_path / "donnie").mkdir()
+    (tmp_path / "donnie" / "history").write_text("FW 1\n")
+    child = pexpect.spawn(
+        sys.executable,
+        ["-c", f"{UNTIL_2022}\n{LINEAR}", str(tmp_path / "modules")],
+        env={
+            **os.environ,
+            "TERM": "xterm",
+            "XDG_STATE_HOME": str(tmp_path),
+            "XDG_CONFIG_HOME": str(tmp_path),
+        },
+        cwd=str(ROOT),
+        timeout=PATIENCE,
+    )
+    child.expect_exact("\n> ")
+    child.send("SPEAK 2000 + 22\x1b")
+    child.expect(pexpect.EOF)
+    child.close()
+
+    loaded = set((tmp_path / "modules").read_text().split())
+    assert "donnie_tui.linear.edit_line" in loaded
+    assert not loaded & NOT_TO_SPEAK
