@@ -9,9 +9,9 @@ while there is nothing to do.
 from __future__ import annotations
 
 import threading
-import time
 from collections.abc import Callable, Mapping
 from pathlib import Path
+from time import monotonic
 from typing import assert_never
 
 from devices.audio_worker.conductor import Conductor
@@ -48,16 +48,10 @@ class AudioSettings(Frozen):
 class AudioService:
     """Voice and cues through one worker process. Any thread may call anything; nothing waits for sound."""
 
-    def __init__(
-        self,
-        settings: AudioSettings,
-        on_notice: Callable[[AudioNotice], None],
-        now: Callable[[], float] = time.monotonic,
-    ) -> None:
+    def __init__(self, settings: AudioSettings, on_notice: Callable[[AudioNotice], None]) -> None:
         """Starts nothing. ``on_notice`` is called by the writer thread; it must not block nor raise."""
         self._settings = settings
         self._on_notice = on_notice
-        self._now = now
         self._conductor = Conductor(settings.voice, settings.cue_volumes)
         self._changed = threading.Condition()
         self._writer: threading.Thread | None = None
@@ -111,22 +105,22 @@ class AudioService:
 
     def say(self, utterance: Utterance) -> None:
         with self._changed:
-            self._conductor.say(utterance, self._now())
+            self._conductor.say(utterance, monotonic())
             self._wake()
 
     def play(self, cue: Cue) -> None:
         with self._changed:
-            self._conductor.play(cue, self._now())
+            self._conductor.play(cue, monotonic())
             self._wake()
 
     def silence_speech(self) -> None:
         with self._changed:
-            self._conductor.hush_speech(self._now())
+            self._conductor.hush_speech(monotonic())
             self._wake()
 
     def silence_cues(self) -> None:
         with self._changed:
-            self._conductor.hush_cues(self._now())
+            self._conductor.hush_cues(monotonic())
             self._wake()
 
     def set_voice(self, voice: VoiceSettings) -> None:
@@ -150,7 +144,7 @@ class AudioService:
     def wait_until_still(self, seconds: float) -> bool:
         """Wait until nothing is said nor sounds, ``seconds`` at most; False if that was not enough."""
         with self._changed:
-            return self._changed.wait_for(lambda: self._conductor.is_still(self._now()), seconds)
+            return self._changed.wait_for(lambda: self._conductor.is_still(monotonic()), seconds)
 
     def close(self) -> None:
         """End the worker and everything that it started; from then on all is silent. Twice is once."""
@@ -179,15 +173,15 @@ class AudioService:
     def _next_steps(self) -> tuple[Step, ...]:
         """Sleep until there is something to do, or nothing ever again. Holds the lock but while asleep."""
         while True:
-            steps = self._conductor.advance(self._now())
+            steps = self._conductor.advance(monotonic())
             if steps or self._conductor.state is State.CLOSED:
                 return steps
             self._changed.notify_all()  # for those who wait until it is quiet
             self._sleep(self._conductor.next_date())
 
     def _sleep(self, until: float | None) -> None:
-        self._changed.wait(None if until is None else max(0.0, until - self._now()))
-        overslept = 0.0 if until is None else self._now() - until
+        self._changed.wait(None if until is None else max(0.0, until - monotonic()))
+        overslept = 0.0 if until is None else monotonic() - until
         if overslept > _AWAY:
             self._conductor.was_away(overslept + _AWAY)
 
@@ -231,11 +225,11 @@ class AudioService:
     def _answered(self, generation: int, answer: Answer) -> None:
         with self._changed:
             if generation == self._generation:
-                self._conductor.answered(answer, self._now())
+                self._conductor.answered(answer, monotonic())
                 self._changed.notify_all()
 
     def _ended(self, generation: int) -> None:
         with self._changed:
             if generation == self._generation:
-                self._conductor.ended(self._now())
+                self._conductor.ended(monotonic())
                 self._changed.notify_all()

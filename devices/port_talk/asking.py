@@ -48,9 +48,8 @@ class Found(Frozen):
 class RobotTalk:
     """Listens for a robot, and lets it tell its battery."""
 
-    def __init__(self, patience: float = FIRST_ANSWER) -> None:
+    def __init__(self) -> None:
         self._decoder = Decoder()
-        self._patience = patience
         self._until: float | None = None
         self.answers = False
         self.restarted = False
@@ -58,7 +57,7 @@ class RobotTalk:
 
     def next(self, received: bytes, now: float) -> bytes:
         if self._until is None:
-            self._until = now + self._patience
+            self._until = now + FIRST_ANSWER
         reply = b""
         for report in self._decoder.feed(received):
             reply = self._take(report, now) or reply

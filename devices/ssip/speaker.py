@@ -9,9 +9,9 @@ from __future__ import annotations
 import getpass
 import socket
 import threading
-import time
 from collections.abc import Callable
 from functools import partial
+from time import monotonic
 
 from devices.audio_worker.notices import AudioNotice, NoticeCode
 from devices.audio_worker.watch import Failures
@@ -37,10 +37,9 @@ class SsipSpeaker:
         address: Address,
         on_notice: Callable[[AudioNotice], None],
         voice: VoiceSettings = _ITS_OWN,
-        now: Callable[[], float] = time.monotonic,
     ) -> None:
         """``on_notice`` must not block nor raise; each notice comes once."""
-        self._address, self._on_notice, self._now = address, on_notice, now
+        self._address, self._on_notice = address, on_notice
         self._punctuation = voice.punctuation
         self._mailbox = Mailbox(ssip_settings(voice))
         self._starting = threading.Lock()
@@ -48,7 +47,7 @@ class SsipSpeaker:
         self._told: set[NoticeCode] = set()
 
     def say(self, utterance: Utterance) -> None:
-        if self._mailbox.offer(utterance, self._now()) is Offer.REFUSED:
+        if self._mailbox.offer(utterance, monotonic()) is Offer.REFUSED:
             self._tell(NoticeCode.SPEECH_BACKLOG)
         if self._thread is None:
             self._start()
@@ -89,13 +88,13 @@ class SsipSpeaker:
                     self._conversation(line).go_on(_user())
             except (Lost, OSError, NotSsip):
                 self._mailbox.put_back()
-                if failures.add(self._now()):
+                if failures.add(monotonic()):
                     self._mailbox.close()
                     self._tell(NoticeCode.SSIP_LOST)
 
     def _conversation(self, line: socket.socket) -> Conversation:
         told = partial(self._tell, NoticeCode.SSIP_SILENT)
-        return Conversation(line, self._mailbox, self._now, told, lambda: self._punctuation)
+        return Conversation(line, self._mailbox, monotonic, told, lambda: self._punctuation)
 
     def _tell(self, code: NoticeCode) -> None:
         if code not in self._told:
