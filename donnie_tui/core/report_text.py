@@ -1,4 +1,4 @@
-"""REPORT: words, program, map or trail as a web page, or as a table where the name ends so."""
+"""REPORT: words, manual, program, map or trail as a web page, or as a table where the name ends so."""
 
 from __future__ import annotations
 
@@ -26,6 +26,7 @@ if TYPE_CHECKING:
 _WHAT = {
     "help": ("help", "ajuda", "ayuda"),
     "list": ("list", "listar", "lista"),
+    "manual": ("manual",),
     "map": ("map", "mapa"),
     "trail": ("trail", "trilha", "rastro"),
 }
@@ -48,6 +49,8 @@ class Subject(Frozen):
     trail: Trail
     help: Sequence[str]
     """The lines about GoDonnie's words: each how it is typed, a colon, what it is for."""
+    manual: Sequence[Section]
+    """Its chapters."""
 
 
 def asked(typed: str) -> tuple[str, str] | None:
@@ -65,11 +68,11 @@ def with_suffix(typed: str, suffix: str) -> str:
 
 def report(what: str, name: str, subject: Subject, wording: Wording) -> str:
     """The text of the file ``name``."""
-    section = _SECTIONS[what](subject, wording)
+    sections = subject.manual if what == "manual" else (_SECTIONS[what](subject, wording),)
     if name.lower().endswith(".csv"):
-        return as_csv([section])
-    title = wording("report-title", what=section.heading)
-    return as_html(title, wording.language, [section])
+        return as_csv(sections)
+    heading = wording("report-manual") if what == "manual" else sections[0].heading
+    return as_html(wording("report-title", what=heading), wording.language, sections)
 
 
 def _columns(wording: Wording, what: str) -> list[str]:

@@ -4,8 +4,10 @@ from __future__ import annotations
 
 from textwrap import wrap
 
+from donnie_tui.core.reports import Section
 from donnie_tui.core.wording import Wording
 from donnie_tui.i18n.catalogue.manual import CHAPTERS
+from donnie_tui.i18n.help import ENTRIES
 
 BRAILLE = 40
 """Cells of a braille display."""
@@ -19,6 +21,16 @@ def manual(words: Wording) -> tuple[str, ...]:
         lines.extend(words(f"manual-{chapter}-text").split("\n"))
         lines.append("")
     return (*lines, words("manual-commands").upper(), *words.help(None))
+
+
+def sections(words: Wording) -> tuple[Section, ...]:
+    """For a page with headings: the chapters, then each command with its form and an example."""
+    chapters = (
+        Section(words(f"manual-{each}"), tuple(filter(None, words(f"manual-{each}-text").split("\n"))))
+        for each in CHAPTERS
+    )
+    commands = tuple(line for entry in ENTRIES for line in words.help(entry))
+    return (*chapters, Section(words("manual-commands"), commands))
 
 
 def chapter_lines(words: Wording, chapter: str) -> tuple[str, ...]:

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from donnie_tui.core.documents import DocumentError, page_to_save, write_program
 from donnie_tui.core.report_text import Subject, asked, report, with_suffix
+from donnie_tui.i18n.manual import sections
 from donnie_tui.linear.arguments import Handler
 from donnie_tui.linear.desk import Desk
 from donnie_tui.linear.files import may_replace, refuse
@@ -31,8 +32,9 @@ def _report(desk: Desk, _: Runs, rest: str) -> bool:
 
 
 def _subject(desk: Desk) -> Subject:
-    words = desk.say.help(None)[1:]
-    return Subject(desk.program.lines, desk.session.pose, desk.donnie.picture_now(), desk.heard.trail, words)
+    words, chapters = desk.say.help(None)[1:], sections(desk.say)
+    floor, trail = desk.donnie.picture_now(), desk.heard.trail
+    return Subject(desk.program.lines, desk.session.pose, floor, trail, words, chapters)
 
 
 def _write(desk: Desk, name: str, text: str) -> None:

@@ -65,13 +65,20 @@ class AroundDeeds:
 
     async def report(self, argument: str) -> bool:
         """REPORT map map.html; with .csv a table."""
+        from donnie_tui.i18n.manual import sections
+
         wanted = report_text.asked(argument)
         if wanted is None:
             return False
         host, words = self._host, self._host.words
         lines = tuple(lines_in(host.workplace.editor.text))
         subject = report_text.Subject(
-            lines, host.pose, host.donnie.picture_now(), host.trail, words.help(None)[1:]
+            lines,
+            host.pose,
+            host.donnie.picture_now(),
+            host.trail,
+            words.help(None)[1:],
+            sections(words),
         )
         await host.files.saving.write_beside(wanted[1], report_text.report(*wanted, subject, words))
         return True

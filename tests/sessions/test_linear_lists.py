@@ -1,4 +1,4 @@
-"""Long lists in the linear mode: who hears one knows first how long it will be."""
+"""Long lists in the linear mode: who hears one knows first how long it will be; the manual is a page too."""
 
 from __future__ import annotations
 
@@ -43,3 +43,23 @@ def test_many_mistakes_begin_with_the_number_of_their_lines(tmp_path: Path) -> N
     told = printed_by(tmp_path, "en", [*["FWD 1"] * 7, "", "ERRORS"])
 
     assert told[told.index("21 lines.") + 1] == "Error, line 1, column 1: I do not know FWD."
+
+
+@pytest.mark.parametrize(
+    ("language", "typed", "heading"),
+    [
+        ("en", "REPORT manual m.html", "Moving"),
+        ("pt", "RELATÓRIO manual m.html", "Andar"),
+        ("es", "INFORME manual m.html", "Moverse"),
+    ],
+)
+def test_the_manual_is_written_as_a_page_with_headings(
+    language: str, typed: str, heading: str, tmp_path: Path
+) -> None:
+    """L28."""
+    printed_by(tmp_path, language, [typed])
+    page = (tmp_path / "m.html").read_text("utf-8")
+
+    assert f'<html lang="{language}">' in page
+    assert f"<h2>{heading}</h2>" in page
+    assert page.count("<h2>") == 9

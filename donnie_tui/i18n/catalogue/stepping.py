@@ -97,7 +97,7 @@ _SAID = {
     ),
     "answer-written": Sentence("Wrote {name}.", "Escrevi {name}.", "Escribí {name}."),
     "report-title": Sentence("Donnie: {what:small}", "Donnie: {what:small}", "Donnie: {what:small}"),
-    "report-commands": Sentence("Words of GoDonnie", "Palavras de GoDonnie", "Palabras de GoDonnie"),
+    "report-manual": Sentence("The manual", "O manual", "El manual"),
     "report-words": Sentence("Words of the terminal", "Palavras do terminal", "Palabras del terminal"),
     "report-program": Sentence("The program", "O programa", "El programa"),
     "report-map": Sentence("The map", "O mapa", "El mapa"),

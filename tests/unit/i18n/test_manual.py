@@ -3,7 +3,8 @@
 import pytest
 
 from donnie_tui.i18n.catalogue.manual import CHAPTERS
-from donnie_tui.i18n.manual import chapter_lines
+from donnie_tui.i18n.help import ENTRIES
+from donnie_tui.i18n.manual import chapter_lines, sections
 from donnie_tui.i18n.words import Words
 
 LANGUAGES = ("en", "pt", "es")
@@ -39,3 +40,14 @@ def test_a_line_of_a_program_stays_whole(language: str) -> None:
 
     assert examples
     assert [line for line in examples if line not in all_lines(language, "brief")] == []
+
+
+@pytest.mark.parametrize("language", LANGUAGES)
+def test_as_a_page_it_has_a_heading_for_each_chapter_and_an_example_of_each_command(language: str) -> None:
+    """L28."""
+    words = Words(language)
+    told = sections(words)
+
+    assert [each.heading for each in told[:-1]] == [words(f"manual-{chapter}") for chapter in CHAPTERS]
+    assert all(each.lines for each in told)
+    assert [words.help(entry)[-1] for entry in ENTRIES if words.help(entry)[-1] not in told[-1].lines] == []
