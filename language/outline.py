@@ -97,12 +97,19 @@ OPENERS = {KIND[name]: name for name in ("IF", "FOR", "REPEAT", "WHILE", "PROCED
 ENDS = {KIND[f"END_{name}"]: name for name in OPENERS.values()}
 
 _NOT = ("not", "nao", "no")
+_BEGIN_NO_CONDITION = OPENERS.keys() | {
+    KIND[name]
+    for name in (
+        *("SPEAK", "FW", "BW", "TR", "TL", "WAIT", "SCAN", "STATE", "SOUND", "BELT", "VIBRATE"),
+        "VAR",
+    )
+}
 
 
 def is_split_else(tokens: Sequence[Token], at: int) -> bool:
-    """Whether a line ends with ``SI NO`` there, which learners write for SINO: no condition follows."""
+    """Whether ``SI NO`` stands there, which learners write for SINO: the line ends, or a command follows."""
     opener, word, after = (*tokens[at : at + 3], None, None)[:3]
     if opener is None or opener[0] != KIND["IF"] or word is None or word[0] != NAME:
         return False
     ends_line = after is None or after[3] > word[3] or after[1] == after[2]
-    return ends_line and fold_name(word[5]) in _NOT
+    return (ends_line or after[0] in _BEGIN_NO_CONDITION) and fold_name(word[5]) in _NOT

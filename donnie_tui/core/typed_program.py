@@ -240,7 +240,7 @@ class TypedProgram:
         self._keep()
         before, self._lines = self._lines, lines_in(text)
         self.breakpoints = followed(self.breakpoints, before, self._lines)
-        self._run = 0
+        self._touched(first_difference(before, self._lines) + 1)
 
     def undo(self) -> int | None:
         """Take the last change back. The first line that is another one now, or None without a change.

@@ -177,6 +177,19 @@ def test_a_typed_line_is_taken_back_and_what_ran_before_it_does_not_wait_again()
     assert (program.undo(), program.undo(), program.undo(), program.lines) == (2, 1, None, ())
 
 
+def test_a_program_that_is_written_anew_waits_from_its_first_line_that_is_another_one() -> None:
+    """FIX in what waits let the robot do again what it had done."""
+    program = typed("FW 30")
+    program.batch_ran()
+    program.add("TRR 90")
+
+    program.rewrite("FW 30\nTR 90\n")
+    assert program.take_batch() == Batch("TR 90", 2, 1)
+
+    program.rewrite("FW 3\nTR 90\n")
+    assert program.waiting == 2
+
+
 def test_taking_back_a_change_loses_no_line_typed_after_it() -> None:
     program = typed("A", "B")
     program.change(1, "X")

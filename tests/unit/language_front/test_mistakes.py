@@ -336,11 +336,13 @@ def test_some_mistakes_have_a_sentence_of_their_own(source: str, code: str) -> N
 @pytest.mark.parametrize(
     ("source", "typed", "meant"),
     [
+        ('si 3 > 2 entonces hablar "a" si no hablar "b" fin si', "si no", "SINO"),
+        ("se 3 > 2 então pf 1\nse não repita 2 vezes pf 1 fim repita\nfim se", "se não", "SENÃO"),
         ('si 3 > 2 entonces\nhablar "a"\nsi no\nhablar "b"\nfin si', "si no", "SINO"),
         ('se 3 > 2 então\nfalar "a"\nse não\nfalar "b"\nfim se', "se não", "SENÃO"),
         ("IF 3 > 2 THEN\nREPEAT 2 TIMES\nFW 1\nEND REPEAT\nIF NOT\nFW 2\nEND IF", "IF NOT", "ELSE"),
     ],
-    ids=["es", "pt", "en"],
+    ids=["one-line", "block", "es", "pt", "en"],
 )
 def test_an_else_in_two_words_is_one_mistake(source: str, typed: str, meant: str) -> None:
     mistake = the_mistake(source)

@@ -57,4 +57,5 @@ def test_an_else_in_two_words_opens_no_block() -> None:
     """The learner who ends the IF behind it is not asked for one more end."""
     assert block_depth("si 3 > 2 entonces\nhablar 1\nsi no") == 1
     assert block_depth("si 3 > 2 entonces\nhablar 1\nsi no\nhablar 2\nfin si") == 0
+    assert block_depth("si 3 > 2 entonces hablar 1 si no hablar 2 fin si") == 0
     assert block_depth("si no > 2 entonces") == 1
