@@ -111,5 +111,5 @@ def is_split_else(tokens: Sequence[Token], at: int) -> bool:
     opener, word, after = (*tokens[at : at + 3], None, None)[:3]
     if opener is None or opener[0] != KIND["IF"] or word is None or word[0] != NAME:
         return False
-    ends_line = after is None or after[3] > word[3] or after[1] == after[2]
-    return (ends_line or after[0] in _BEGIN_NO_CONDITION) and fold_name(word[5]) in _NOT
+    is_over = after is None or after[3] > word[3] or after[1] == after[2] or after[0] in _BEGIN_NO_CONDITION
+    return is_over and fold_name(word[5]) in _NOT
