@@ -106,6 +106,12 @@ class BadWords(Exception):
         """Where it can't be read, if that is known."""
 
 
+def words_file(world: str) -> str | None:
+    """The file with an author's words beside a world file; None where there is none."""
+    file = _beside(world)
+    return str(file) if file.is_file() else None
+
+
 def words_beside(world: str, language: str) -> About | None:
     """What the author of a world file says of it in a file beside it, None without one. Raises ``BadWords``.
 

@@ -1,4 +1,4 @@
-"""What is written never destroys what is read: programs, recordings, the world and all its files.
+"""What is written never destroys what is read: programs, recordings, settings, the world and all its files.
 
 Nor what an option can't have written itself, such as a program that is not opened. Looked at before
 anything is opened. Two outputs are never the same file either.
@@ -14,6 +14,7 @@ from donnie_tui.cli.kinds import may_be_replaced
 from donnie_tui.cli.order import Order
 from donnie_tui.core.documents import is_same_file
 from donnie_tui.i18n.words import Unusable
+from donnie_tui.settings.folders import settings_file
 
 
 def refuse_overwriting(order: Order) -> None:
@@ -22,7 +23,8 @@ def refuse_overwriting(order: Order) -> None:
     for (option, path), (other, other_path) in combinations(outputs, 2):
         if is_same_file(path, other_path):
             raise Unusable(order.words("output-twice", option=option, other=other, path=path))
-    read = [*map(Path, (*_programs(order), *_files_of_world(order, outputs)))]
+    own = (*_programs(order), settings_file(order.environment))
+    read = [*map(Path, (*own, *_files_of_world(order, outputs)))]
     for (option, path), source in product(outputs, read):
         if is_same_file(path, source):
             raise Unusable(order.words("output-is-input", option=option, path=path))

@@ -13,6 +13,7 @@ from typing import NoReturn, TypeAlias
 
 from donnie_tui import LANGUAGES
 from donnie_tui.cli.arguments import COMMANDS, COMMON, TO_COME, WrongUsage
+from donnie_tui.settings.chosen import BadOption
 
 _PLACEHOLDERS = {
     "world": "NAME_OR_FILE",
@@ -33,7 +34,7 @@ _PROBLEMS = (
     (r"the following arguments are required: (.*)", "usage-missing"),
     (r"unrecognized arguments: (.*)", "usage-unrecognized"),
     (r"argument ([^:]*): expected .*", "usage-without-value"),
-    (r"argument ([^:]*): invalid .*", "usage-bad-choice"),
+    (r"argument ([^:]*): invalid int .*", "usage-no-number"),
     (r"argument ([^:]*): not allowed with.*", "usage-not-together"),
 )
 """What argparse complains about, and our sentence for it."""
@@ -47,6 +48,9 @@ class _Parser(argparse.ArgumentParser):
     """Complains by code, in no language."""
 
     def error(self, message: str) -> NoReturn:
+        choice = re.fullmatch(r"argument --([^:]*): invalid choice: (.*) \(choose from (.*)\)", message)
+        if choice:
+            raise BadOption(choice[1], choice[2].strip("'\""), choice[3].replace("'", ""))
         for pattern, code in _PROBLEMS:
             found = re.fullmatch(pattern, message)
             if found:

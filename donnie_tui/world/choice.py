@@ -57,9 +57,10 @@ class ChosenWorld(Frozen):
 
 
 def files_of(world: ChosenWorld) -> tuple[str, ...]:
-    """All that was read for the world."""
+    """All that was read for the world, or is to be: an own one's words too."""
     report = world.scene.report
-    return (world.path, *report.files, *report.pictures)
+    words = None if world.ships else worlds.words_file(world.path)
+    return (world.path, *report.files, *report.pictures, *((words,) if words else ()))
 
 
 def choose_world(

@@ -239,8 +239,9 @@ def test_a_report_tells_what_was_ignored(printed: Printed) -> None:
         (("run", "--lang", "pt"), "Falta: FILE. A opção --help diz mais."),
         (
             ("format", "a.gd", "--to", "fr"),
-            "The option --to does not know that. The option --help tells more.",
+            "The option --to can't be fr. It takes en, pt, es.",
         ),
+        (("replay", "a.gd", "--from", "abc"), "The option --from takes a whole number, such as 12."),
         (("run", "a.gd", "--lang"), "The option --lang needs a value. The option --help tells more."),
         (("--linear", "--visual"), "The option --visual contradicts another one."),
         *(((command, "x"), f"The command {command} is not there yet.") for command in TO_COME),

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import json
 from pathlib import Path
 
 import pytest
@@ -9,6 +10,7 @@ import pytest
 from donnie_tui.cli.main import main
 from tests.sessions.command import QUIET, donnie
 
+WORDS = 'difficulty = "easy"\n[en]\ntitle = "My own"\ndescription = "All of it."\ntask = "Find it."\n'
 WORLD = 'include "donnie.inc"\ninclude "own.inc"\ndonnie( pose [ 0 0 0 90 ] )\n'
 
 
@@ -20,6 +22,7 @@ def _here(monkeypatch: pytest.MonkeyPatch, tmp_path: Path) -> None:
     Path("a.gd").write_text("FW 1\n")
     Path("z.world").write_text(WORLD)
     Path("own.inc").write_text("# mine\n")
+    Path("z.toml").write_text(WORDS)
     Path("link.gd").symlink_to("a.gd")
 
 
@@ -39,6 +42,9 @@ def _here(monkeypatch: pytest.MonkeyPatch, tmp_path: Path) -> None:
         "replay a.gd --events a.gd",
         "world z.world --svg z.world",
         "world z.world --brf own.inc",
+        "run a.gd --world z.world --record z.toml",
+        "--linear --record config/donnie/settings.toml",
+        "--linear --events config/donnie/settings.toml",
     ],
 )
 def test_what_is_read_is_not_overwritten(line: str, capsys: pytest.CaptureFixture[str]) -> None:
@@ -50,7 +56,9 @@ def test_what_is_read_is_not_overwritten(line: str, capsys: pytest.CaptureFixtur
     assert Path("a.gd").read_text() == "FW 1\n"
     assert Path("z.world").read_text() == WORLD
     assert Path("own.inc").read_text() == "# mine\n"
+    assert Path("z.toml").read_text() == WORDS
     assert not Path("new.gd").exists()
+    assert not Path("config/donnie/settings.toml").exists()
 
 
 @pytest.mark.parametrize(
@@ -121,7 +129,7 @@ def test_a_recording_may_be_made_again_in_a_world_of_ones_own() -> None:
 
 
 @pytest.mark.parametrize("word", ["SAVE AS", "SAVE LOG", "REPORT MAP"])
-@pytest.mark.parametrize("name", ["b.rec", "z.world", "own.inc", "b.jsonl"])
+@pytest.mark.parametrize("name", ["b.rec", "z.world", "own.inc", "z.toml", "b.jsonl"])
 def test_no_word_of_a_session_writes_onto_what_the_session_needs(
     word: str, name: str, tmp_path: Path
 ) -> None:
@@ -159,3 +167,12 @@ def test_typed_lines_of_a_file_replace_nothing_since_nobody_can_be_asked(word: s
     assert "mine.gd exists. Give another name." in done.stdout.decode()
     assert Path("mine.gd").read_text() == "BW 1\n"
     assert Path("mine.html").exists()
+
+
+def test_the_words_beside_a_world_go_with_a_recording(capsys: pytest.CaptureFixture[str]) -> None:
+    assert main(["run", "a.gd", "--world", "z.world", "--record", "a.rec", *QUIET]) == 0
+
+    header = json.loads(Path("a.rec").read_text().splitlines()[0])
+    assert {"name": "0/z.toml", "text": WORDS} in header["world"]["files"]
+    Path("z.toml").unlink()
+    assert main(["replay", "a.rec", "--check", *QUIET]) == 0

@@ -35,10 +35,10 @@ SENTENCES: dict[str, Sentence] = {
         "A opção {what} precisa de um valor. A opção --help diz mais.",
         "La opción {what} necesita un valor. La opción --help dice más.",
     ),
-    "usage-bad-choice": Sentence(
-        "The option {what} does not know that. The option --help tells more.",
-        "A opção {what} não conhece isso. A opção --help diz mais.",
-        "La opción {what} no conoce eso. La opción --help dice más.",
+    "usage-no-number": Sentence(
+        "The option {what} takes a whole number, such as 12.",
+        "A opção {what} aceita um número inteiro, por exemplo 12.",
+        "La opción {what} acepta un número entero, por ejemplo 12.",
     ),
     "usage-not-together": Sentence(
         "The option {what} contradicts another one.",

@@ -8,6 +8,7 @@ from donnie_tui.cli.arguments import COMMANDS, TO_COME, WrongUsage
 from donnie_tui.cli.parsers import parser_of
 from donnie_tui.cli.understanding import plainly, understand
 from donnie_tui.i18n.words import Words
+from donnie_tui.settings.chosen import BadOption
 
 
 @pytest.mark.parametrize(
@@ -58,13 +59,18 @@ def test_what_can_not_be_understood_is_wrong_usage(line: str) -> None:
         understand(line.split(), Words())
 
 
-@pytest.mark.parametrize("line", ["replay a.rec --from x", "format a.gd --to fr"])
-def test_a_value_that_is_none_is_told_with_its_option(line: str) -> None:
+def test_what_is_no_number_is_told_with_its_option() -> None:
     with pytest.raises(WrongUsage) as wrong:
-        understand(line.split(), Words())
+        understand(["replay", "a.rec", "--from", "x"], Words())
 
-    assert wrong.value.code == "usage-bad-choice"
-    assert wrong.value.what == line.split()[-2]
+    assert (wrong.value.code, wrong.value.what) == ("usage-no-number", "--from")
+
+
+def test_what_is_no_choice_is_told_with_its_option_and_what_can_be_chosen() -> None:
+    with pytest.raises(BadOption) as bad:
+        understand(["format", "a.gd", "--to", "fr"], Words())
+
+    assert (bad.value.key, bad.value.value, bad.value.wanted) == ("to", "fr", "en, pt, es")
 
 
 @pytest.mark.parametrize("language", ["en", "pt", "es"])
