@@ -57,6 +57,9 @@ class UseCase(Frozen):
 
 _HELD, _ALWAYS = When.HELD, When.ALWAYS
 
+_HAVE_CHOICES = ("report-file",)
+"""Arguments whose first word is one of a few; HELP says which, ``help-choices-ARGUMENT``."""
+
 USE_CASES = (
     # --- running
     UseCase("run", "RUN", "EXECUTAR", "EJECUTAR", is_godonnie=True),
@@ -213,7 +216,9 @@ def help_of(topic: str, wording: Wording, cases: tuple[UseCase, ...] = USE_CASES
         return ()
     case = found[0]
     form = wording("help-form", form=_form(case, wording)) + "."
-    return help_line(case, wording), form, wording("help-example", example=typed_form(case, wording)) + "."
+    example = wording("help-example", example=typed_form(case, wording)) + "."
+    choices = (wording(f"help-choices-{case.argument}"),) if case.argument in _HAVE_CHOICES else ()
+    return help_line(case, wording), form, *choices, example
 
 
 def _form(case: UseCase, wording: Wording) -> str:

@@ -54,6 +54,14 @@ _FORMS = {
     "theme": ("name", "nome", "nombre"),
 }
 
+_CHOICES = {
+    "report-file": (
+        "Of: help, list, manual, map, trail.",
+        "De: ajuda, lista, manual, mapa, trilha.",
+        "De: ayuda, lista, manual, mapa, rastro.",
+    ),
+}
+
 _PURPOSES = {
     "run": ("Runs the program.", "Executa o programa.", "Ejecuta el programa."),
     "again": ("Runs all, from the start.", "Faz tudo, do início.", "Hace todo, desde el inicio."),
@@ -145,6 +153,6 @@ _PURPOSES = {
 
 SENTENCES = {
     f"help-{kind}-{name}": Sentence(*texts)
-    for kind, table in (("typed", _ARGUMENTS), ("form", _FORMS))
+    for kind, table in (("typed", _ARGUMENTS), ("form", _FORMS), ("choices", _CHOICES))
     for name, texts in table.items()
 } | {f"action-{name}": Sentence(*texts) for name, texts in _PURPOSES.items()}

@@ -1,8 +1,11 @@
 """The use cases: words in three languages, beside GoDonnie's, never over them; both front ends have them."""
 
+import re
+
 import pytest
 
 from donnie_tui import LANGUAGES
+from donnie_tui.core.report_text import asked
 from donnie_tui.core.use_cases import BY_NAME, LONGEST_WORD, USE_CASES, UseCase, find, help_line, help_of
 from donnie_tui.core.view_cases import IN_WORDS, PREFERENCES, VIEW_CASES
 from donnie_tui.i18n.catalogue import SENTENCES
@@ -103,7 +106,7 @@ def test_a_word_of_the_screen_is_found_beside_those_of_both_modes() -> None:
 @pytest.mark.parametrize("case", [each for each in (*USE_CASES, *VIEW_CASES) if not each.is_godonnie])
 def test_each_word_is_explained_with_its_form_and_an_example(case: UseCase, language: str) -> None:
     words = Words(language)
-    what, form, example = help_of(case.word(language), words, (*USE_CASES, *VIEW_CASES))
+    what, form, *_, example = help_of(case.word(language), words, (*USE_CASES, *VIEW_CASES))
     word = case.word(language)
 
     assert what.startswith(f"{word}") or word in what
@@ -119,3 +122,13 @@ def test_the_form_says_what_must_follow_and_what_may() -> None:
     assert help_of("LIST", words)[1] == "Form: LIST, or LIST first last."
     assert help_of("STEP", words)[1:] == ("Form: STEP.", "Example: STEP.")
     assert help_of("FW", words) == help_of("RUN", words) == ()
+
+
+@pytest.mark.parametrize("language", LANGUAGES)
+def test_help_of_report_says_of_what_there_are_reports(language: str) -> None:
+    """Each word of it is understood."""
+    told = help_of("REPORT", Words(language))[2]
+
+    subjects = [asked(f"{word} x") for word in re.findall(r"\w+", told)[1:]]
+    assert sorted(found[0] for found in subjects if found) == ["help", "list", "manual", "map", "trail"]
+    assert len(told) <= 40
