@@ -64,14 +64,15 @@ def told_world(name: str, about: About | None, in_words: Sequence[str], wording:
 def _overview(picture: Picture, pose: Pose, about: About | None, wording: Wording) -> tuple[str, ...]:
     """The author's words know what is a room and what a passage; without them there are size and walls."""
     if about is None:
-        return (_size(picture, wording), *walls_in_words(picture, pose, wording))
+        return (size_in_words(picture, wording), *walls_in_words(picture, pose, wording))
     if not about.difficulty.value:
         return about.sentences
     level = wording(f"difficulty-{about.difficulty.value}")
     return (wording("world-difficulty", difficulty=level), *about.sentences)
 
 
-def _size(picture: Picture, wording: Wording) -> str:
+def size_in_words(picture: Picture, wording: Wording) -> str:
+    """How large the floor is, in steps, or that it has no end."""
     if not picture.has_walls:
         return wording("world-endless")
     return wording("world-size", width=picture.width * picture.cell, height=picture.height * picture.cell)

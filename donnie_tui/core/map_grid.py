@@ -72,6 +72,17 @@ class Bounds(Frozen):
             min(self.left, cell.x), min(self.bottom, cell.y), max(self.right, cell.x), max(self.top, cell.y)
         )
 
+    def part(self, cell: Cell, widest: int, highest: int) -> Bounds:
+        """What is seen of it with the cell in the middle, as far as there is something on all sides."""
+        left, right = _part(self.left, self.right, cell.x, widest)
+        bottom, top = _part(self.bottom, self.top, cell.y, highest)
+        return Bounds(left, bottom, right, top)
+
+
+def _part(first: int, last: int, middle: int, most: int) -> tuple[int, int]:
+    begin = max(first, min(middle - most // 2, last - most + 1))
+    return begin, min(last, begin + most - 1)
+
 
 class MapGrid:
     """One robot on one floor."""

@@ -12,7 +12,7 @@ from string import ascii_lowercase
 from typing import TYPE_CHECKING
 
 from devices.ports.robot import Pose
-from donnie_tui.core.describe import place_of, things_in_words
+from donnie_tui.core.describe import place_of, size_in_words, things_in_words
 from donnie_tui.core.map_grid import FREE, START, TRAIL, WALL, Bounds, Cell, Kind, MapGrid
 from donnie_tui.core.naming import name_of, told_name_of
 from donnie_tui.core.wall_words import walls_in_words
@@ -43,13 +43,13 @@ def floor_in_words(
     picture: Picture, pose: Pose, wording: Wording, about: About | None = None
 ) -> tuple[str, ...]:
     """How large it is and how much stands there; where its walls are if nobody says anything ``about`` it."""
-    width, height = picture.width * picture.cell, picture.height * picture.cell
-    size = (
-        wording("world-size", width=width, height=height) if picture.has_walls else wording("world-endless")
-    )
     walls = () if about else walls_in_words(picture, pose, wording)
     count = len(picture.things)
-    return (size, *walls, wording("world-things", count=count) if count else wording("world-bare"))
+    return (
+        size_in_words(picture, wording),
+        *walls,
+        wording("world-things", count=count) if count else wording("world-bare"),
+    )
 
 
 def row_in_words(grid: MapGrid, y: int, wording: Wording) -> tuple[str, ...]:
@@ -117,7 +117,7 @@ def picture_in_letters(grid: MapGrid, wording: Wording, free: str = FREE) -> tup
 
     ``free`` is shown for a free square: a full stop, or a letter for those who read braille.
     """
-    window = _window(grid)
+    window = grid.bounds.part(grid.robot, WIDEST, HIGHEST)
     rows = [
         "".join(grid.letter(Cell(x, y)) for x in range(window.left, window.right + 1))
         for y in range(window.top, window.bottom - 1, -1)
@@ -201,16 +201,3 @@ def _robot_words(grid: MapGrid, wording: Wording) -> str:
 
 def _nearest_cell(grid: MapGrid, x: int, y: int) -> Cell:
     return grid.cell_of(Pose(float(x), float(y), 0.0))
-
-
-def _window(grid: MapGrid) -> Bounds:
-    """At most so many squares, with the robot in them."""
-    bounds = grid.bounds
-    left, right = _part(bounds.left, bounds.right, grid.robot.x, WIDEST)
-    bottom, top = _part(bounds.bottom, bounds.top, grid.robot.y, HIGHEST)
-    return Bounds(left, bottom, right, top)
-
-
-def _part(first: int, last: int, middle: int, most: int) -> tuple[int, int]:
-    begin = max(first, min(middle - most // 2, last - most + 1))
-    return begin, min(last, begin + most - 1)

@@ -105,14 +105,8 @@ def map_at(timeline: Timeline, picture: Picture, robot: str | None) -> MapScene 
 
 def rows_of(scene: MapScene) -> tuple[str, ...]:
     """The map, or of a large one the part around the robot; the northern row first."""
-    bounds, robot = scene.bounds, scene.robot
-    left, right = _part(bounds.left, bounds.right, robot.x, WIDEST)
-    bottom, top = _part(bounds.bottom, bounds.top, robot.y, HIGHEST)
+    part = scene.bounds.part(scene.robot, WIDEST, HIGHEST)
     return tuple(
-        "".join(scene.letter(Cell(x, y)) for x in range(left, right + 1)) for y in range(top, bottom - 1, -1)
+        "".join(scene.letter(Cell(x, y)) for x in range(part.left, part.right + 1))
+        for y in range(part.top, part.bottom - 1, -1)
     )
-
-
-def _part(first: int, last: int, middle: int, most: int) -> tuple[int, int]:
-    begin = max(first, min(middle - most // 2, last - most + 1))
-    return begin, min(last, begin + most - 1)

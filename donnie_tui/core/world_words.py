@@ -10,6 +10,7 @@ from typing import TYPE_CHECKING
 
 import worlds
 from donnie_tui import LANGUAGES
+from donnie_tui.core.describe import size_in_words
 from donnie_tui.core.wording import Wording
 from language.source import fold_name
 
@@ -46,10 +47,9 @@ def worlds_in_words(here: str, wording: Wording) -> tuple[str, ...]:
 def arrived(name: str, about: worlds.About | None, picture: Picture, wording: Wording) -> tuple[str, ...]:
     """That this world is there now, and what it has, in few sentences."""
     title = wording("world-here-titled", name=name, title=about.title) if about else None
-    width, height = picture.width * picture.cell, picture.height * picture.cell
     return (
         title or wording("world-here", name=name),
-        wording("world-size", width=width, height=height) if picture.has_walls else wording("world-endless"),
+        size_in_words(picture, wording),
         wording("world-has", count=len(picture.things)) if picture.things else wording("world-bare"),
     )
 
