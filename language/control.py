@@ -53,7 +53,6 @@ class Request(Enum):
     STOP = auto()
     HOLD = auto()
     END = auto()
-    RESTART = auto()
 
 
 _S, _R = ControlState, Request
@@ -69,7 +68,6 @@ TRANSITIONS: dict[tuple[ControlState, Request], ControlState] = {
     **{(state, _R.STOP): _S.STOPPING for state in _ALIVE},
     **{(state, _R.HOLD): _S.PAUSED for state in (_S.RUNNING, *_HOLDABLE)},
     **{(state, _R.END): _S.ENDED for state in (*_ALIVE, _S.STOPPING)},
-    (_S.ENDED, _R.RESTART): _S.RUNNING,
 }
 """Where each request leads; one that is not listed changes nothing."""
 
@@ -142,10 +140,6 @@ class ExecutionControl:
     def held_at(self) -> tuple[int, int]:
         """Line and column of the statement before which the program holds; 0, 0 in the middle of one."""
         return self._held_at
-
-    def restart(self) -> None:
-        """Make the control of an ended program fit for the next one; without effect on a living one."""
-        self._change(Request.RESTART)
 
     def observe(self, told: Callable[[ControlState], None]) -> Callable[[], None]:
         """Have ``told`` called with the new state each time the state becomes or stops being PAUSED.

@@ -1,6 +1,6 @@
 """Expressions of GoDonnie as expressions of Python that keep the rules of its numbers.
 
-A result is checked against the largest number only where it may reach it (``growth``). A sum of a
+A result is checked against the largest number only where it may reach it (``numbers``). A sum of a
 hundred thousand numbers is a tree a hundred thousand levels deep, which Python would not compile: the
 first part of a deep expression becomes a statement of its own, which goes before (``take_prelude``).
 

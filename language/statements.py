@@ -3,7 +3,7 @@
 A variable is a local variable of the function, ``v_`` and its name: where it does not exist, Python
 itself says so. ``o_`` and a name is the site that declared the variable, kept only where the name could
 be declared twice (``declarations``). ``p_``, a name and a number of arguments is a procedure, a global name.
-``d`` is the link of the open calls (``stack``). Where it can be stopped and held is in ``interruption``.
+``d`` is the link of the open calls (``levels``). Where it can be stopped and held is in ``loops``.
 """
 
 from __future__ import annotations
@@ -53,9 +53,6 @@ from language.translated import (
 if TYPE_CHECKING:
     import ast
     from types import CodeType
-
-if TYPE_CHECKING:
-    import ast
 
 
 class ScopeTranslator:

@@ -226,26 +226,14 @@ def test_an_observer_may_ask_for_anything() -> None:
         control.reached(1, 0)
 
 
-def test_an_ended_control_does_nothing_until_it_is_restarted() -> None:
+def test_an_ended_control_does_nothing_any_more() -> None:
     control = ExecutionControl()
     control.ended()
     for ask in (control.pause, control.step, control.stop, control.resume):
         ask()
+
     assert control.state is ControlState.ENDED
     assert not control.sleep(1000)
-
-    control.restart()
-
-    assert control.state is ControlState.RUNNING
-    assert control.sleep(0)
-
-
-def test_a_restart_does_not_wake_what_must_stop() -> None:
-    control = ExecutionControl()
-    control.stop()
-    control.restart()
-
-    assert control.state is ControlState.STOPPING
 
 
 class TakenAway(ExecutionControl):

@@ -151,9 +151,8 @@ def test_the_memory_is_true_before_anybody_hears_of_the_end(make: Make) -> None:
 @back_ends
 def test_a_program_can_run_again(make: Make) -> None:
     program = make(read("VAR a = 1 PROCEDURE P DO END PROCEDURE P [] SPEAK a"))
-    actions, control = Recorder(), ExecutionControl()
-    program.run(actions, control, Memory())
-    control.restart()
-    program.run(actions, control, Memory())
+    actions = Recorder()
+    program.run(actions, ExecutionControl(), Memory())
+    program.run(actions, ExecutionControl(), Memory())
 
     assert actions.said == [1, 1]
