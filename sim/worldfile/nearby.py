@@ -29,7 +29,8 @@ def near_name(name: str, known: Iterable[str]) -> str:
 
 def near_file(path: str, folders: Iterable[Path]) -> str:
     """The file to include that is called most like it."""
-    return near_name(path, {file.name for file in _includes(folders)})
+    by_stem = {file.stem: file.name for file in _includes(folders)}
+    return by_stem.get(near_name(Path(path).stem, by_stem), "")
 
 
 def defining(model: str, folders: Iterable[Path]) -> str:
@@ -44,11 +45,10 @@ def worlds_in(folder: Path) -> str:
 
 
 def near_world(path: Path) -> str:
-    """The world file in the same folder that is called most like it."""
-    by_name = {
-        file.name: str(path.with_name(file.name)) for file in _files(path.parent) if file.suffix == ".world"
-    }
-    return by_name.get(near_name(path.name, by_name.keys()), "")
+    """The world file in the same folder that is called most like it, but for the suffix, which all have."""
+    files = (file for file in _files(path.parent) if file.suffix == ".world")
+    by_stem = {file.stem: str(path.with_name(file.name)) for file in files}
+    return by_stem.get(near_name(path.stem, by_stem), "")
 
 
 def _includes(folders: Iterable[Path]) -> Iterator[Path]:
