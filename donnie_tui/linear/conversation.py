@@ -264,6 +264,10 @@ class Conversation:
             case How.ESCAPE:
                 self._past.remember(typed.text)
                 self._lines.take_and_run(typed.text)
+        if self._desk.goes_to:
+            from donnie_tui.linear.going import depart
+
+            depart(self._desk)
 
     def _take_again(self, line: str) -> None:
         """A line that was typed before, chosen by its number."""

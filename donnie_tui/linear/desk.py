@@ -74,6 +74,8 @@ class Desk:
         """Whether a word is done that was typed while a program runs: the answer waits for nothing."""
         self.leaving: int | None = None
         """The exit code, once we are to leave."""
+        self.goes_to = ""
+        """The world that is to be gone to once the program that is held was stopped for it."""
         self.next_line: Callable[[str], bool] | None = None
         """Who takes the next line in place of the program; False if it does not want it."""
         self.goes_on: Callable[[], None] | None = None

@@ -27,14 +27,19 @@ def _worlds(desk: Desk, _: Runs, rest: str) -> None:
 
 
 def _go(desk: Desk, typed: str) -> None:
-    """Raises ``GoToWorld``, but while a program is watched or held: that is ended first."""
-    if desk.beside.is_watching:
-        desk.answer("linear-stepping")
-        return
+    """Raises ``GoToWorld``; while a program is held that is left to whoever stops it first."""
     name = patiently(
         desk, lambda: world_going.world_to_go_to(desk.donnie, typed), "slow-world", name=typed[:40]
     )
-    if name is not None:
+    desk.goes_to = name or ""
+    if not desk.beside.is_watching:
+        depart(desk)
+
+
+def depart(desk: Desk) -> None:
+    """Raises ``GoToWorld`` where somebody wants to go to one."""
+    name, desk.goes_to = desk.goes_to, ""
+    if name:
         world_going.stop_before_going(desk.donnie, name)
         desk.beside.leave_out()
         raise GoToWorld(name)

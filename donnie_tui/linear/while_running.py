@@ -43,7 +43,7 @@ class WhileRunning:
         wish = _wish(typed.how, line)
         if wish is None:
             self._do_while_held(typed.how, line)
-        return wish
+        return Wish(Goes.STOP) if self._desk.goes_to else wish
 
     def _do_while_held(self, how: How, line: str) -> None:
         found = commands.find(line)

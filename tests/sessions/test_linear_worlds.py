@@ -91,6 +91,21 @@ def test_robots_that_run_are_stopped_first_and_that_is_told(tmp_path: Path) -> N
     assert lines.index("All stopped.") < lines.index("I go to maze.")
 
 
+def test_a_program_that_is_held_is_stopped_for_another_world(tmp_path: Path) -> None:
+    learner = Learner(tmp_path)
+    learner.enters("FW 2", "FW 3", "STEP", "WORLD nowhere")
+    learner.sees("There is no world nowhere. WORLDS lists them.")
+    learner.enters("WORLD maze")
+    learner.sees("Stopped at line 1.")
+    learner.sees("This is the world maze: Maze.")
+    learner.sees("2 lines.")
+    learner.enters("WHERE")
+    learner.sees("Position 0, 0. Facing north.")
+    learner.enters("QUIT")
+
+    assert learner.leaves() == 0
+
+
 def test_other_robots_programs_wait_for_them(tmp_path: Path) -> None:
     typed = "FW 1\nROBOT bob\nFW 5\nROBOT alice\nWORLD maze\nWORLD two_robots\nLIST\nROBOT bob\nLIST\n"
 
