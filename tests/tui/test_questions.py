@@ -44,3 +44,25 @@ async def test_an_answer_that_is_wrong_is_typed_over_too(work) -> None:  # type:
         assert answer.value == "maybe"
         await desk.press("n")
         assert answer.value == "n"
+
+
+async def test_enter_alone_leaves_a_question_as_it_says(work) -> None:  # type: ignore[no-untyped-def]
+    async with work("FW 1") as desk:
+        await desk.type_line("REPLACE FW")
+        await desk.until(lambda: desk.app.screen is not desk.place, "the question")
+        await desk.press("enter")
+        await desk.told("Nothing was changed.")
+
+        assert desk.app.work.text == "FW 1"
+        assert desk.app.screen is desk.place
+
+
+async def test_enter_alone_is_neither_yes_nor_no(work) -> None:  # type: ignore[no-untyped-def]
+    async with work("FW 1") as desk:
+        await desk.press("ctrl+q")
+        await desk.until(lambda: desk.app.screen is not desk.place, "the question")
+        await desk.press("enter")
+        await desk.until(lambda: "Type yes or no." in desk.screen, "the question again")
+
+        await desk.press("escape")
+        await desk.until(lambda: desk.app.screen is desk.place, "the workplace")

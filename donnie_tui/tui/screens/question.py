@@ -1,4 +1,4 @@
-"""A question at the bottom of the screen, answered by typing. Esc goes back without an answer."""
+"""A question at the bottom of the screen, answered by typing. Esc, or Enter alone, goes back."""
 
 from __future__ import annotations
 
@@ -55,8 +55,8 @@ class Question(ModalScreen[str | None]):
             self.query_one("#asked", Static).update(wrong)
             self.query_one(InputLine).select_all()
             self._point(wrong)
-        elif answer:
-            self.dismiss(answer)
+        else:
+            self.dismiss(answer or None)
 
     def action_go_back(self) -> None:
         self.dismiss(None)
