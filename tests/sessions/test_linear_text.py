@@ -94,108 +94,8 @@ def test_a_word_that_nothing_is_typed_for_stays_as_it_is(tmp_path: Path) -> None
     assert ended[3] == "Nothing was changed."
 
 
-def test_a_step_over_a_call_counts_the_round(tmp_path: Path) -> None:
-    """L40."""
-    program = ("PROCEDURE song: a DO", "TR a", "END PROCEDURE", "REPEAT 3 TIMES", "song [10]", "END REPEAT")
-    lines = told(tmp_path, *program, "STEP", "", "", "OVER", "", "OVER", "", "OVER")
-
-    assert [line for line in lines if line.startswith("Round")] == [f"Round {n} of 3." for n in (1, 2, 3)]
-
-
-def test_a_pause_in_a_loop_is_told_without_a_false_round(tmp_path: Path) -> None:
-    """A breakpoint in the loop, as a pause: nobody counted what went before."""
-    program = ("FOR VAR k = 0; k < 9; k = k + 1 DO", "FW 1", "SPEAK k", "END FOR")
-    lines = told(tmp_path, *program, "BREAK 2", "RUN", "BREAK 2", "STEP", "", "", "", "STOP")
-
-    assert "Next round." not in lines
-    assert [line for line in lines if line.startswith("Round")] == []
-
-
-def test_a_program_that_has_run_is_stepped_through_from_the_start(tmp_path: Path) -> None:
-    assert told(tmp_path, "FW 1", "FW 2", "RUN", "STEP", "", "STOP", "RESET", "UNTIL 2", "STOP")[2:8] == [
-        "From the start again.",
-        "Line 1: FW 1",
-        "I walked 1 step forward.",
-        "Line 2: FW 2",
-        "Stopped at line 2.",
-        "I am back at the start.",
-    ]
-
-
-def test_steps_are_told_backwards_as_they_were_forwards(tmp_path: Path) -> None:
-    """Issue 4: lines, conditions, rounds, and the variables of then; what was not stepped, event by event."""
-    program = ("VAR x = 1", "WHILE x < 3 DO", "x = x + 1", "FW x", "END WHILE")
-    lines = told(
-        tmp_path, *program, "STEP", "", "", "", "", *["STEP BACK"] * 6, "", "CONTINUE", *["STEP BACK"] * 3
-    )
-
-    assert lines[8:23] == [
-        "Back: FW x. Position 0, 0.",
-        "Line 4: FW x",
-        "Back.",
-        "x is 1.",
-        "Condition true: 1 less than 3.",
-        "Round 1.",
-        "Line 3, level 1: x = x + 1",
-        "Back.",
-        "Line 2: WHILE x < 3 DO",
-        "Back.",
-        "x is not there yet.",
-        "Line 1: VAR x = 1",
-        "Back: start of the program.",
-        "This is the start.",
-        "Condition true: 2 less than 3.",
-    ]
-    assert lines[26:29] == [
-        "Back: end of the program. Position 0, 5.",
-        "Back: FW x. Position 0, 2.",
-        "x is 2.",
-    ]
-
-
-def test_a_procedure_that_was_stepped_over_is_taken_back_as_one_step(tmp_path: Path) -> None:
-    program = (
-        "PROCEDURE song: a DO",
-        "REPEAT 9 TIMES",
-        "TR a",
-        "END REPEAT",
-        "END PROCEDURE",
-        "song [10]",
-        "FW 1",
-    )
-    lines = told(tmp_path, *program, "STEP", "", "OVER", "STEP BACK")
-
-    back = lines[lines.index("Line 7: FW 1") + 1 :]
-    assert [line.split(".")[0] for line in back[:6]] == [*["Back: TR a"] * 5, "Back: 4 more"]
-    assert back[6] == "Line 6: song [10]"
-
-
-def test_a_breakpoint_where_no_command_begins_goes_to_the_next_one(tmp_path: Path) -> None:
-    lines = told(
-        tmp_path, "BREAK 1", "REPEAT 2 TIMES", "FW 1", "END REPEAT", "FW 2", "BREAK 3", "RUN", "STOP"
-    )
-
-    assert lines[:3] == [
-        "No lines yet.",
-        "No command begins on line 3, so nothing holds there.",
-        "Breakpoint at line 4.",
-    ]
-    assert lines[5:7] == ["Line 4: FW 2", "Stopped at line 4."]
-    assert (
-        told(tmp_path, "FW 1", "-- end", "BREAK 2")[0]
-        == "No command begins on line 2, so nothing holds there."
-    )
-
-
 def test_the_only_line_taken_back_leaves_none(tmp_path: Path) -> None:
     assert told(tmp_path, "FW 1", "UNDO") == ["No lines yet."]
-
-
-def test_a_line_that_is_not_taken_while_held_is_told(tmp_path: Path) -> None:
-    assert told(tmp_path, "FW 1", "FW 2", "STEP", "FW 9", "STOP")[1:3] == [
-        "Not now: FW 9",
-        "Enter goes on. RUN runs the rest. STOP ends.",
-    ]
 
 
 def test_what_is_out_of_range_tells_the_range(tmp_path: Path) -> None:
@@ -321,19 +221,6 @@ def test_reports_are_written_as_pages_tables_and_text(tmp_path: Path) -> None:
     assert "I walked 3 steps forward." in (tmp_path / "l.txt").read_text()
 
 
-def test_breakpoints_go_with_their_program_and_are_told_when_it_is_opened_again(tmp_path: Path) -> None:
-    (tmp_path / "walk.gd").write_text("FW 1\nFW 2\n")
-    (tmp_path / "other.gd").write_text("TR 90\nTR 90\nTR 90\n")
-    first = told(
-        tmp_path, "OPEN walk.gd", "BREAK 2", "INSERT 1 TR 90", "BREAK", "SAVE", "OPEN other.gd", "BREAK"
-    )
-    again = told(tmp_path, "OPEN walk.gd", "BREAK")
-
-    assert "Breakpoints: 3." in first
-    assert first[-1] == "No breakpoints."
-    assert again == ["Opened walk.gd, 3 lines.", "Breakpoints: 3.", "Breakpoints: 3."]
-
-
 def test_who_saves_nothing_or_replaces_nothing_is_asked_nothing(tmp_path: Path) -> None:
     """The line that comes next is one of the program, not a file's name."""
     assert told(tmp_path, "SAVE", "REPLACE FW", "FW 2", "RUN", "SAVE", "REPLACE TR", "LIST") == [
@@ -363,12 +250,6 @@ def test_a_mistake_is_explained_with_its_own_line_though_another_stands_there_no
     assert (lines[-4], lines[-1]) == ("This END does not fit what is open.", "Line 2: END REPEAT")
 
 
-def test_going_back_to_the_start_of_what_was_typed_names_no_file(tmp_path: Path) -> None:
-    typed = ["PF 2", "EXECUTAR", "PASSO ATRÁS", "PASSO ATRÁS", "PASSO ATRÁS", "NOVO"]
-
-    assert "De volta: começo do programa." in printed_by(tmp_path, "pt", typed)
-
-
 @pytest.mark.parametrize("closed", ["<&-", "<&- >&-", "<&- 2>&-"])
 def test_a_closed_input_is_an_empty_one(tmp_path: Path, closed: str) -> None:
     ended = subprocess.run(
@@ -392,15 +273,6 @@ def test_whoever_changes_what_has_run_is_told_that_all_of_it_waits_again(tmp_pat
         "Laid out anew.",
         "RUN runs all 2 lines again.",
         "RUN runs all 2 lines again.",
-    ]
-
-
-def test_only_what_can_be_a_variable_is_watched(tmp_path: Path) -> None:
-    assert told(tmp_path, "WATCH 3", "WATCH x y", "WATCH lado", "WATCH") == [
-        "I did not understand. Type WATCH x.",
-        "I did not understand. Type WATCH x.",
-        "Watching lado.",
-        "Watching lado.",
     ]
 
 
