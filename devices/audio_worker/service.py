@@ -91,6 +91,11 @@ class AudioService:
         with self._changed:
             return self._conductor.languages
 
+    @property
+    def is_mute(self) -> bool:
+        """Whether nothing will ever sound any more: no device, or the worker was given up."""
+        return self._conductor.state.is_for_good
+
     def wait_until_ready(self, seconds: float) -> bool:
         """Wait until the worker is ready or never will be, ``seconds`` at most; False if not in time."""
         settled = (State.READY, State.SILENT, State.GIVEN_UP, State.CLOSED)

@@ -131,11 +131,13 @@ class Audible:
     @property
     def has_cues(self) -> bool:
         """Whether a cue would be heard now."""
-        return self._made.cue_player is not None and self._is_on
+        return self._made.cue_player is not None and self._is_on and not self._is_mute
 
     @property
     def why_no_cues(self) -> str:
         """The code of the sentence that tells why no cue is heard now, and what to do."""
+        if self._is_mute:
+            return "cues-no-device"
         if self._made.cue_player is not None:
             return "cues-switched-off"
         is_missing = bool(self._settings.sound) and not self._facts.has_sound_device
@@ -198,6 +200,11 @@ class Audible:
         if is_linear != self._is_linear:
             self._is_linear = is_linear
             self._make_anew()
+
+    @property
+    def _is_mute(self) -> bool:
+        """Whether a device was looked for, and there is none that works."""
+        return self._made.audio is not None and self._made.audio.is_mute
 
     def _lacks_cues(self) -> bool:
         return self._made.cue_player is None and wants_cues(self._settings, self._facts)

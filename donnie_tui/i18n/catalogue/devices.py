@@ -34,13 +34,13 @@ SENTENCES: dict[str, Sentence] = {
         ),
     ),
     "audio-gave-up": Sentence(
-        "The sound failed. Everything is in print.",
-        "O som falhou. Tudo fica escrito.",
-        "El sonido falló. Todo se escribe.",
+        "The sound failed. All is in print. To hear again, restart Donnie.",
+        "O som falhou. Tudo fica escrito. Para ouvir de novo, reinicie o Donnie.",
+        "El sonido falló. Todo se escribe. Para oír otra vez, reinicia Donnie.",
         brief=(
-            "The sound failed. All is in print.",
-            "O som falhou. Tudo fica escrito.",
-            "El sonido falló. Todo se escribe.",
+            "Sound failed. To hear, restart Donnie.",
+            "Som falhou. Reinicie o Donnie.",
+            "Sonido falló. Reinicia Donnie.",
         ),
     ),
     "speech-backlog": Sentence(
@@ -74,13 +74,13 @@ SENTENCES: dict[str, Sentence] = {
         ),
     ),
     "ssip-lost": Sentence(
-        "speech-dispatcher is gone. All is in print.",
-        "O speech-dispatcher sumiu. Tudo fica escrito.",
-        "speech-dispatcher se fue. Todo se escribe.",
+        "speech-dispatcher is gone. All is in print. SET speech auto looks again.",
+        "O speech-dispatcher sumiu. Tudo fica escrito. AJUSTAR fala auto procura de novo.",
+        "speech-dispatcher se fue. Todo se escribe. AJUSTAR voz auto busca otra vez.",
         brief=(
-            "speech-dispatcher is gone.",
-            "O speech-dispatcher sumiu.",
-            "speech-dispatcher se fue.",
+            "Voice gone. SET speech auto looks again.",
+            "Voz sumiu. AJUSTAR fala auto a procura.",
+            "Sin voz. AJUSTAR voz auto la busca.",
         ),
     ),
     "voice-for-reader": Sentence(

@@ -3,21 +3,27 @@
 import re
 from contextlib import ExitStack
 from dataclasses import replace
+from functools import partial
 from pathlib import Path
 from types import SimpleNamespace
 
 import pytest
 
+from devices.audio_worker.service import AudioSettings
 from devices.ports.audio import Utterance
 from devices.speech.choose import Facts
 from devices.speech.silent import SilentSpeaker
-from donnie_tui.core.events import Announced, SoundSwitched, Spoke
+from donnie_tui import LANGUAGES
+from donnie_tui.core.events import Announced, Chimed, SoundSwitched, Spoke
 from donnie_tui.core.outlets import Hears, Voice
+from donnie_tui.core.transcript import told_lines
 from donnie_tui.i18n.words import Words
 from donnie_tui.outlets import audible
 from donnie_tui.outlets.audible import make_audible, wants_cues
 from donnie_tui.settings.chosen import Settings, Source
+from donnie_tui.words.sound_words import find_setting, read_setting
 from tests.floor import Floor
+from tests.sessions.learner import until
 from tests.unit.ssip.server import Server
 
 HOME = Facts(
@@ -181,6 +187,56 @@ def test_each_voice_says_its_part_and_every_voice_is_silenced(
     assert (voices.server.said, voices.own.said) == (at_server, own)
     assert voices.server.silenced == 1
     assert voices.own.silenced == bool(own)
+
+
+@pytest.mark.parametrize("language", LANGUAGES)
+def test_who_lost_the_dispatcher_is_told_what_brings_it_back(
+    monkeypatch: pytest.MonkeyPatch, tmp_path: Path, language: str
+) -> None:
+    """S6: said once, with the remedy, and that helps."""
+    server = Server(tmp_path)
+    monkeypatch.setenv("SPEECHD_ADDRESS", f"unix_socket:{server.address.path}")
+    floor, words, told = Floor(), Words(language), list[str]()
+    floor.session.hub.subscribe(lambda stamped: told.extend(told_lines(stamped, words)))
+    with ExitStack() as closing:
+        made = make_audible(Settings(speech="ssip", sound=False), floor.session, words, closing)
+        server.go_away()
+        Path(server.address.path).unlink()
+        until(lambda: says(floor, "Hi.") and words("ssip-lost") in told)
+        assert told.count(words("ssip-lost")) == 1
+
+        server = Server(tmp_path)
+        monkeypatch.setattr("devices.speech.probe._stdout_is_terminal", lambda: True)
+        monkeypatch.setattr("devices.speech.probe.find_screen_reader", lambda *_: None)
+        _, field, value = words("ssip-lost").split(". ")[-1].split()[:3]
+        setting = find_setting(field)
+        assert setting is not None
+        made.adjust(**{setting: read_setting(setting, value)})
+        says(floor, "Ho.")
+        assert server.wait_for(texts=1)
+        assert server.texts == ["Ho."]
+    server.close()
+
+
+def says(floor: Floor, sentence: str) -> bool:
+    floor.session.hub.publish(Spoke(sentence))
+    return True
+
+
+def test_where_no_device_works_the_cues_say_so(monkeypatch: pytest.MonkeyPatch) -> None:
+    """Q4: one may be there that can't be opened, which only its worker finds out."""
+    monkeypatch.setattr(audible, "look_around", lambda **_: HOME)
+    monkeypatch.setattr("devices.audio_worker.service.AudioSettings", partial(AudioSettings, device="none"))
+    floor, told = Floor(), list[str]()
+    floor.session.hub.subscribe(lambda stamped: told.extend(told_lines(stamped, Words())))
+    with ExitStack() as closing:
+        made = make_audible(Settings(speech="off"), floor.session, Words(), closing)
+        assert made.has_cues
+        floor.session.hub.publish(Chimed("bump"))
+        until(lambda: not made.has_cues)
+
+        assert made.why_no_cues == "cues-no-device"
+        until(lambda: told == ["No sound device. Everything is in print."])
 
 
 @pytest.mark.parametrize(
