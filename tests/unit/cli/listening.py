@@ -31,6 +31,7 @@ class Ear:
         self.voices: list[VoiceSettings] = []
         self.volumes: list[Mapping[str, float]] = []
         self.opened = self.closed = 0
+        self.is_mute = False
 
     def say(self, utterance: Utterance) -> None:
         self.heard.append(utterance.text)
