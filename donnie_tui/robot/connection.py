@@ -176,11 +176,17 @@ class Connection:
         try:
             self.search.connect(made[0])
         except RobotProblem:
+            self._stop_what_runs()
             self._session.change_robot(None)
             self._now.drop()
             raise
         self.robot = name
         self._session.hub.publish(Link(LinkNews.CONNECTED.value, name))
+
+    def _stop_what_runs(self) -> None:
+        """A program that was started while the robot was looked for has none."""
+        self._session.stop()
+        self._session.settle()
 
     def _maker(self, robot: str) -> tuple[Callable[[Pace, Watcher], Connectable], str]:
         if robot == DOUBLE:

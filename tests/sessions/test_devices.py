@@ -14,6 +14,7 @@ from devices.ports.robot import Pose
 from donnie_tui.bootstrap import assemble
 from donnie_tui.core.events import Link, Moved, RunEnded, Stamped
 from donnie_tui.robot.connection import Connection
+from donnie_tui.robot.search import Search, Searchable
 from donnie_tui.settings.chosen import Settings
 from tests.patience import PATIENCE
 from tests.sessions.command import QUIET, donnie, start
@@ -88,6 +89,28 @@ def test_a_robot_that_was_named_by_its_device_is_found_again_under_another_one(r
     donnie.close()
     for number in taken:
         os.close(number)
+
+
+def test_a_program_that_was_run_while_a_robot_was_looked_for_is_stopped_where_there_is_none() -> None:
+    """At the screen one may; the simulator is there again afterwards, and not a robot without a line."""
+
+    class Meanwhile(Search):
+        def connect(self, robot: Searchable) -> None:
+            donnie.session.start("WHILE 1 == 1 DO\nVAR a = 1\nEND WHILE", "test.gd", fresh=True)
+            super().connect(robot)
+
+    settings = Settings(speech="off", sound=False, speed=None)
+    donnie = assemble(settings, terminal=True)
+    connection = Connection(settings, donnie.words, donnie.world, donnie.session, search=Meanwhile())
+    told = connection.connect("serial:/dev/nothing")
+    assert told[0].startswith("Nothing is plugged in at /dev/nothing.")
+    assert connection.robot == "sim"
+
+    run = donnie.session.start("FW 1", "test.gd")
+    assert run.wait(PATIENCE)
+    assert donnie.session.pose.y == 1.0
+    connection.close()
+    donnie.close()
 
 
 # --- several programs, one port
