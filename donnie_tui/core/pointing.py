@@ -41,6 +41,11 @@ class Pointer:
         y = min(max(cell.y + north, bounds.bottom), bounds.top)
         self.cell = Cell(x, y)
 
+    def go(self, cell: Cell) -> None:
+        """To that cell, or the one of the floor that is nearest to it."""
+        here = self.here
+        self.move(cell.x - here.x, cell.y - here.y)
+
     def to_robot(self) -> None:
         self.cell = None
 

@@ -35,6 +35,7 @@ from donnie_tui.tui.terminal import is_plain, use_mouse, wants_mouse
 from donnie_tui.tui.terminal_app import TerminalApp
 from donnie_tui.tui.widgets.command_line import CommandLine
 from donnie_tui.tui.widgets.editor import Editor
+from donnie_tui.tui.widgets.lines import KeyLine
 from donnie_tui.tui.widgets.text_rows import TextRows
 
 if TYPE_CHECKING:
@@ -256,6 +257,9 @@ class DonnieApp(TerminalApp, inherit_bindings=False):
             self._await(self.work.do(name))
         else:
             self.workplace.log_lines([(first_screen.ONE_MOMENT[self._language], "")])
+
+    def on_key_line_clicked(self, event: KeyLine.Clicked) -> None:
+        self._keyboard.act(event.action)
 
     def on_command_line_typed(self, event: CommandLine.Typed) -> None:
         if self.work is not None:

@@ -175,7 +175,7 @@ class Display:
         self.say_status()
         self._show_inspector()
         offered = (name for name in _OFFERED[self._running.doing] if self._table.of(name))
-        self._place.keys.offer([self._key_entry(name) for name in offered])
+        self._place.keys.offer([(name, self._key_entry(name)) for name in offered])
 
     def _key_entry(self, name: str) -> str:
         shown_as = "continue_" if name == "pause" and self._running.doing is Doing.PAUSED else name

@@ -4,6 +4,8 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
+from textual.events import Click
+from textual.message import Message
 from textual.widgets import Static
 
 _GAP = "  "
@@ -36,13 +38,29 @@ class FixedLine(Static):
 class KeyLine(FixedLine):
     """What can be pressed now: as many entries as there is room for, the most important first."""
 
+    class Clicked(Message):
+        """An entry was clicked: the same as its key."""
+
+        def __init__(self, action: str) -> None:
+            super().__init__()
+            self.action = action
+
     def __init__(self, *, id: str) -> None:  # noqa: A002 -- Textual's own name
         super().__init__(id=id)
-        self._entries: tuple[str, ...] = ()
+        self._entries: tuple[tuple[str, str], ...] = ()
 
-    def offer(self, entries: Sequence[str]) -> None:
+    def offer(self, entries: Sequence[tuple[str, str]]) -> None:
+        """Actions with the words that are shown for them."""
         self._entries = tuple(entries)
         self._fit()
+
+    def on_click(self, event: Click) -> None:
+        place = event.get_content_offset(self)
+        begin = 1
+        for action, entry in self._entries:
+            if place is not None and begin <= place.x < min(begin + len(entry), len(self.words)):
+                self.post_message(self.Clicked(action))
+            begin += len(entry) + len(_GAP)
 
     def on_resize(self) -> None:
         self._fit()
@@ -50,7 +68,7 @@ class KeyLine(FixedLine):
     def _fit(self) -> None:
         room = self.size.width - 1
         shown: list[str] = []
-        for entry in self._entries:
+        for _action, entry in self._entries:
             room -= len(entry) + (len(_GAP) if shown else 0)
             if room < 0:
                 break

@@ -14,6 +14,7 @@ from typing import TYPE_CHECKING, ClassVar
 from rich.segment import Segment
 from rich.style import Style
 from textual.binding import Binding, BindingType
+from textual.events import Click
 from textual.geometry import Offset, Region, Size
 from textual.message import Message
 from textual.strip import Strip
@@ -232,6 +233,18 @@ class MapView(PaintedRows, can_focus=True):
         if self.pointer is not None and self.scale is not None:
             factor = self.scale.factor
             self.explore(lambda pointer: pointer.move(east * factor, north * factor))
+
+    def on_click(self, event: Click) -> None:
+        """The square under the mouse, if there is floor."""
+        place, scale = event.get_content_offset(self), self.scale
+        if place is None or scale is None:
+            return
+        right, down = place - self._rulers + self.scroll_offset
+        bounds = self._bounds
+        x, y = bounds.left + right // self._columns, bounds.top - down
+        if bounds.left <= x <= bounds.right and bounds.bottom <= y <= bounds.top:
+            square = scale.robot._replace(x=x, y=y)
+            self.explore(lambda pointer: pointer.go(scale.cell_of(square)))
 
     def explore(self, change: Callable[[Pointer], object]) -> None:
         """Move the finger."""
