@@ -81,7 +81,7 @@ def test_a_linear_session_that_moves_loads_the_physics(tmp_path: Path) -> None:
 
 TO_SPEAK = "SPEAK 2000 + 22\n\n"
 OURS = ("donnie_tui", "language", "sim", "devices", "worlds")
-MOST_OF_OURS = 165
+MOST_OF_OURS = 150
 """To find and open a module takes as long as to run what is in a small one. A program that speaks needs a few
 less than these; a new one belongs into the module of its subject, or is loaded by who needs it."""
 
