@@ -8,8 +8,8 @@ from __future__ import annotations
 import os
 from contextlib import ExitStack
 from functools import partial
-from typing import TYPE_CHECKING, TextIO
 
+from devices.ports.hints import TYPE_CHECKING, TextIO
 from devices.ports.robot import Pace, Watcher
 from devices.ports.values import Frozen
 from donnie_tui.core.belt_telling import BeltTelling

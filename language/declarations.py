@@ -6,8 +6,7 @@ the code remembers which declaration made it, to refuse another one.
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING
-
+from devices.ports.hints import TYPE_CHECKING
 from language.scopes import Scope
 from language.syntax import Declare, For, Name
 from language.translated import (

@@ -17,8 +17,8 @@ from collections.abc import Callable, Iterator
 from contextlib import suppress
 from itertools import repeat
 from types import FunctionType
-from typing import Any, NoReturn
 
+from devices.ports.hints import Any, NoReturn
 from devices.ports.robot import Bearing
 from language.control import ControlState, ExecutionControl
 from language.diagnostics import Kind, LanguageError, QuitRequested, Refused, Stopped

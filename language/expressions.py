@@ -12,8 +12,8 @@ of parentheses, so that no two that are needed at once have the same name.
 from __future__ import annotations
 
 from collections.abc import Callable
-from typing import TYPE_CHECKING
 
+from devices.ports.hints import TYPE_CHECKING
 from devices.ports.values import Frozen
 from language.numbers import LIMIT, SAFE_BITS, SENSOR_BITS
 from language.syntax import Binary, Colour, Condition, Distance, Expression, Name, Negative, Number, Position

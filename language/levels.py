@@ -15,8 +15,8 @@ from collections.abc import Iterable, Iterator, Mapping
 from functools import cache
 from itertools import islice
 from types import CodeType, FrameType, TracebackType
-from typing import TypeAlias
 
+from devices.ports.hints import TypeAlias
 from devices.ports.values import Mutable
 from language.diagnostics import CallSite
 from language.runtime import Frame

@@ -10,8 +10,8 @@ from __future__ import annotations
 
 import re
 from functools import cache
-from typing import TypeAlias
 
+from devices.ports.hints import TypeAlias
 from devices.ports.values import Frozen, field
 from language.diagnostics import Diagnostic, Kind
 from language.keywords import END_WORDS, FIRST_OF_SEVERAL, TERMINAL_OF_WORD, argument

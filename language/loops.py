@@ -19,8 +19,8 @@ would have been last.
 from __future__ import annotations
 
 from collections.abc import Collection, Iterable
-from typing import TYPE_CHECKING
 
+from devices.ports.hints import TYPE_CHECKING
 from language.expressions import Expressions
 from language.syntax import Binary, Declare, Expression, For, Name, Number, Statement
 from language.translated import (

@@ -17,8 +17,8 @@ from __future__ import annotations
 from collections import defaultdict
 from collections.abc import Iterator, Mapping
 from math import inf
-from typing import TypeAlias
 
+from devices.ports.hints import TypeAlias
 from language.diagnostics import Kind, Refused
 from language.scopes import Scope
 from language.syntax import Assign, Binary, Call, Declare, Expression, For, Name, Negative, Number, Statement

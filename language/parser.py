@@ -9,8 +9,8 @@ Rule: whatever the text, the answer is a program or mistakes, in time and memory
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping
-from typing import TYPE_CHECKING, Any
 
+from devices.ports.hints import TYPE_CHECKING, Any
 from devices.ports.values import Frozen
 from language.diagnostics import Diagnostic, Kind
 from language.keywords import argument

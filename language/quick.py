@@ -7,9 +7,12 @@ is a detail of CPython's layout of slots; where it is refused, the frozen class 
 
 from __future__ import annotations
 
-from typing import Any, TypeVar
+from devices.ports.hints import TYPE_CHECKING, Any
 
-T = TypeVar("T")
+if TYPE_CHECKING:
+    from typing import TypeVar
+
+    T = TypeVar("T")
 
 
 def quick(frozen: type[T]) -> type[T]:

@@ -9,8 +9,8 @@ place. After an action was cut short by a stop, the runtime raises ``Stopped`` a
 from __future__ import annotations
 
 from collections.abc import Callable
-from typing import Protocol, TypeAlias, TypeVar
 
+from devices.ports.hints import TYPE_CHECKING, Protocol, TypeAlias
 from devices.ports.robot import Bearing
 from devices.ports.values import Frozen, Mutable, field
 from language.control import ExecutionControl
@@ -87,7 +87,10 @@ Trace: TypeAlias = Callable[[int, int, int], None]
 _MOST_FRAMES = 100
 """What ``frames`` tells of a deep recursion."""
 
-_Level = TypeVar("_Level")
+if TYPE_CHECKING:
+    from typing import TypeVar
+
+    _Level = TypeVar("_Level")
 
 
 class Runnable(Protocol):

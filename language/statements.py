@@ -8,8 +8,7 @@ be declared twice (``declarations``). ``p_``, a name and a number of arguments i
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING
-
+from devices.ports.hints import TYPE_CHECKING
 from language.commands import command
 from language.declarations import Declarations
 from language.expressions import Bounds, Expressions

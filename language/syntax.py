@@ -7,8 +7,8 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 from enum import Enum
-from typing import TypeAlias
 
+from devices.ports.hints import TypeAlias
 from devices.ports.robot import Bearing
 from devices.ports.values import Frozen
 

@@ -10,15 +10,18 @@ from __future__ import annotations
 import _ast as ast  # the nodes of ast alone: all else in it takes as long to load as the translator itself
 from collections.abc import Sequence
 from types import CodeType
-from typing import TypeAlias, TypeVar
 
+from devices.ports.hints import TYPE_CHECKING, TypeAlias
 from devices.ports.values import Frozen
 from language.scopes import Declared
 from language.syntax import Condition, Expression, Procedure, Program, Span, Statement
 
 Node: TypeAlias = Statement | Expression | Condition
 
-_Placed = TypeVar("_Placed", bound=ast.stmt | ast.expr | ast.arg)
+if TYPE_CHECKING:
+    from typing import TypeVar
+
+    _Placed = TypeVar("_Placed", bound=ast.stmt | ast.expr | ast.arg)
 
 _OPERATORS: dict[str, type[ast.operator]] = {
     "+": ast.Add,

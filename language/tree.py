@@ -8,8 +8,8 @@ learner's text from the first part to the last. The nodes that programs have mos
 from __future__ import annotations
 
 from collections.abc import Callable
-from typing import Any
 
+from devices.ports.hints import Any
 from devices.ports.robot import Bearing
 from language import syntax
 from language.keywords import argument

@@ -10,8 +10,8 @@ from __future__ import annotations
 import threading
 from collections.abc import Mapping, Sequence
 from math import ceil, log
-from typing import TYPE_CHECKING
 
+from devices.ports.hints import TYPE_CHECKING
 from sim.placement import Placement
 from sim.scene import Model, Scene
 

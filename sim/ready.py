@@ -14,8 +14,8 @@ import marshal
 import os
 from collections.abc import Callable, Iterable, Sequence
 from enum import Enum
-from typing import Any
 
+from devices.ports.hints import Any
 from devices.ports.values import replace
 from sim.colours import Colour
 from sim.fittings import (

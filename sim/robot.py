@@ -9,8 +9,8 @@ from __future__ import annotations
 
 import threading
 from functools import cached_property
-from typing import TYPE_CHECKING
 
+from devices.ports.hints import TYPE_CHECKING
 from devices.ports.robot import (
     STEP,
     Bearing,

@@ -9,8 +9,8 @@ from __future__ import annotations
 import os
 import re
 from enum import Enum
-from typing import TYPE_CHECKING, Any
 
+from devices.ports.hints import TYPE_CHECKING, Any
 from devices.ports.values import Frozen
 
 if TYPE_CHECKING:

@@ -3,8 +3,8 @@
 from __future__ import annotations
 
 from enum import Enum
-from typing import Protocol
 
+from devices.ports.hints import Protocol
 from devices.ports.values import Frozen
 
 

@@ -10,8 +10,8 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 from enum import Enum
-from typing import Protocol
 
+from devices.ports.hints import Protocol
 from devices.ports.values import Frozen
 
 STEP = 0.05

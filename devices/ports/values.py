@@ -18,9 +18,13 @@ from _thread import RLock
 from collections.abc import Callable, Mapping
 from operator import attrgetter
 from reprlib import recursive_repr
-from typing import TYPE_CHECKING, Any, NoReturn, TypeVar, dataclass_transform
 
-T = TypeVar("T")
+from devices.ports.hints import TYPE_CHECKING, Any, NoReturn, dataclass_transform
+
+if TYPE_CHECKING:
+    from typing import TypeVar
+
+    T = TypeVar("T")
 
 FEW = 30
 """As many values as are made one field at a time in the time that it takes to write a constructor, or so."""
@@ -89,7 +93,8 @@ class _LateFields:
                     name: dataclasses.field(**each.options) if isinstance(each, _Field) else each
                     for name, each in _defaults[kind].items()
                 }
-                body = {"__annotations__": kind.__annotations__, "__module__": kind.__module__, **given}
+                hints = {name: kind.__annotations__[name] for name in kind.__match_args__}
+                body = {"__annotations__": hints, "__module__": kind.__module__, **given}
                 twin: type = dataclasses.dataclass(init=False, repr=False, eq=False)(
                     type(kind.__name__, (), body)
                 )

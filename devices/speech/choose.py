@@ -7,8 +7,8 @@ is guessed, but never over what is possible: without a voice or a sound device i
 from __future__ import annotations
 
 from enum import Enum
-from typing import Protocol
 
+from devices.ports.hints import Protocol
 from devices.ports.values import Frozen
 
 

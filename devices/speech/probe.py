@@ -11,7 +11,8 @@ import os
 import sys
 from collections.abc import Iterator, Mapping
 from functools import cached_property
-from typing import TYPE_CHECKING
+
+from devices.ports.hints import TYPE_CHECKING
 
 if TYPE_CHECKING:
     from devices.speech.dispatcher import Address

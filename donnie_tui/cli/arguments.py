@@ -3,8 +3,8 @@
 from __future__ import annotations
 
 from types import SimpleNamespace
-from typing import TYPE_CHECKING, TypeAlias
 
+from devices.ports.hints import TYPE_CHECKING, TypeAlias
 from devices.ports.values import Frozen
 
 if TYPE_CHECKING:

@@ -8,8 +8,8 @@ from __future__ import annotations
 
 import sys
 from collections.abc import Mapping
-from typing import TYPE_CHECKING
 
+from devices.ports.hints import TYPE_CHECKING
 from devices.ports.values import Frozen, Mutable, replace
 from donnie_tui.cli.order import Order
 from donnie_tui.settings.chosen import Settings

@@ -4,8 +4,8 @@ from __future__ import annotations
 
 import os
 from collections.abc import Callable, Mapping
-from typing import TYPE_CHECKING
 
+from devices.ports.hints import TYPE_CHECKING
 from devices.ports.values import Frozen, replace
 from donnie_tui.cli import codes
 from donnie_tui.cli.arguments import TO_COME, Invocation, WrongUsage

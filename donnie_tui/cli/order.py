@@ -3,8 +3,8 @@
 from __future__ import annotations
 
 from collections.abc import Iterator, Mapping
-from typing import TYPE_CHECKING
 
+from devices.ports.hints import TYPE_CHECKING
 from devices.ports.values import Frozen
 from donnie_tui.cli.arguments import Invocation
 from donnie_tui.cli.output import Output

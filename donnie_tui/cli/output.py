@@ -9,7 +9,8 @@ from __future__ import annotations
 import os
 import sys
 from collections.abc import Callable
-from typing import TextIO
+
+from devices.ports.hints import TextIO
 
 
 class Output:

@@ -8,8 +8,8 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 from types import SimpleNamespace
-from typing import TYPE_CHECKING
 
+from devices.ports.hints import TYPE_CHECKING
 from donnie_tui.cli.arguments import COMMANDS, COMMON, TO_COME, Invocation
 from donnie_tui.i18n.words import Words
 

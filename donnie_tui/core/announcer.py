@@ -6,8 +6,6 @@ robot's front, positive to the right.
 
 from __future__ import annotations
 
-from typing import assert_never
-
 from devices.ports.robot import Met, Pose, Pushed, StoppedBy
 from donnie_tui.core.events import (
     Announced,
@@ -106,6 +104,8 @@ class Announcer:
             ):
                 pass
             case never:
+                from typing import assert_never  # no start comes here
+
                 assert_never(never)
 
     def _moved(self, moved: Moved) -> None:

@@ -8,7 +8,8 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Sequence
 from contextlib import suppress
-from typing import TYPE_CHECKING
+
+from devices.ports.hints import TYPE_CHECKING
 
 if TYPE_CHECKING:
     from pathlib import Path

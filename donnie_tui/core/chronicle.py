@@ -3,8 +3,8 @@
 from __future__ import annotations
 
 from collections import deque
-from typing import TYPE_CHECKING
 
+from devices.ports.hints import TYPE_CHECKING
 from donnie_tui.core.events import TRANSIENT, Stamped
 
 if TYPE_CHECKING:

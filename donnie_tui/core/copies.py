@@ -18,8 +18,8 @@ import os
 import sys
 import threading
 from collections.abc import Callable, Iterable
-from typing import TYPE_CHECKING
 
+from devices.ports.hints import TYPE_CHECKING
 from devices.ports.values import Frozen
 from donnie_tui.core.documents import DocumentError, as_lines, new_file, read_program, write_program
 

@@ -12,8 +12,8 @@ import errno
 import itertools
 import os
 from collections.abc import Iterable
-from typing import TYPE_CHECKING
 
+from devices.ports.hints import TYPE_CHECKING
 from donnie_tui.core.harmless import cleaned
 from language.source import lines_in, with_newlines
 

@@ -10,8 +10,8 @@ from __future__ import annotations
 import re
 from collections.abc import Mapping
 from enum import Enum
-from typing import ClassVar, TypeAlias
 
+from devices.ports.hints import ClassVar, TypeAlias
 from devices.ports.robot import Bearing, Grip, Met, Pose, Pushed, StoppedBy
 from devices.ports.values import Frozen, field
 

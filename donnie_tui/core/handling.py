@@ -8,8 +8,8 @@ from __future__ import annotations
 
 from collections.abc import Callable
 from enum import Enum
-from typing import Protocol, TypeAlias, runtime_checkable
 
+from devices.ports.hints import Protocol, TypeAlias, TypeGuard
 from devices.ports.robot import Gripped, Robot, RobotProblem
 from donnie_tui.core.events import GripperUsed, PlacedThing, ThingsMoved
 from donnie_tui.core.hub import Hub
@@ -21,7 +21,6 @@ MovedThings: TypeAlias = Callable[[], tuple[PlacedThing, ...] | None]
 """Where things are that are not at their start; None if that is as it was when it was last asked."""
 
 
-@runtime_checkable
 class Gripping(Protocol):
     """A robot that may have a gripper."""
 
@@ -29,6 +28,10 @@ class Gripping(Protocol):
         """Take what is between the paddles, or just before them. Raises ``RobotProblem``."""
 
     def release(self) -> Gripped: ...
+
+
+def _has_gripper(robot: object) -> TypeGuard[Gripping]:
+    return hasattr(robot, "grip")
 
 
 class Handling:
@@ -51,9 +54,10 @@ class Handling:
         self.tell_things()
 
     def _gripped(self, deed: Deed) -> Gripped:
-        if not isinstance(self._robot, Gripping):
+        robot = self._robot
+        if not _has_gripper(robot):
             raise RobotProblem("no-gripper")
-        return self._robot.grip() if deed is Deed.GRIP else self._robot.release()
+        return robot.grip() if deed is Deed.GRIP else robot.release()
 
     def tell_things(self) -> None:
         """Where things are now, if that has changed; behind a fresh start too, which may put them back."""

@@ -17,8 +17,8 @@ from collections import deque
 from collections.abc import Callable
 from enum import Enum, auto
 from math import inf
-from typing import Protocol, TypeAlias
 
+from devices.ports.hints import Protocol, TypeAlias
 from donnie_tui.core.events import TRANSIENT, Answered, Chimed, Event, Pointed, Stamped
 
 Listener: TypeAlias = Callable[[Stamped], None]

@@ -8,8 +8,8 @@ from __future__ import annotations
 
 import re
 from collections.abc import Sequence
-from typing import TYPE_CHECKING
 
+from devices.ports.hints import TYPE_CHECKING
 from donnie_tui.core.wording import Wording
 from language.source import fold_name
 

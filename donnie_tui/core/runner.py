@@ -8,8 +8,8 @@ from __future__ import annotations
 
 import threading
 from collections.abc import Callable
-from typing import Protocol, TypeAlias, runtime_checkable
 
+from devices.ports.hints import Protocol, TypeAlias, TypeGuard
 from devices.ports.robot import Robot
 from devices.ports.values import Frozen
 from donnie_tui.core.events import INTERNAL, Announced, Error, Outcome, RunEnded, RunStarted, Statement
@@ -25,7 +25,6 @@ Readable: TypeAlias = Runnable | tuple[Diagnostic, ...]
 """A text once it was read: a program, or its mistakes of form."""
 
 
-@runtime_checkable
 class TakesTurns(Protocol):
     """A robot that shares its world with others: from ``join`` to ``leave`` they act in a fixed order."""
 
@@ -33,6 +32,11 @@ class TakesTurns(Protocol):
         """Called in the program's thread; returns when it is this robot's turn, or the run was stopped."""
 
     def leave(self) -> None: ...
+
+
+def takes_turns(robot: object) -> TypeGuard[TakesTurns]:
+    """Whether a robot acts in the order of a simulated world; a real one waits for nobody."""
+    return hasattr(robot, "join")
 
 
 class Stage(Frozen):
@@ -135,7 +139,7 @@ class Run:
     def _run_in_turn(self) -> Outcome:
         """From its first event to its last one the run is in its place among those of other robots."""
         robot = self._stage.robot
-        if not isinstance(robot, TakesTurns):
+        if not takes_turns(robot):
             return self._tell_and_run()
         robot.join()
         try:

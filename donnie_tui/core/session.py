@@ -9,8 +9,8 @@ from __future__ import annotations
 import threading
 from collections.abc import Callable
 from functools import partial
-from typing import Protocol, TypeAlias
 
+from devices.ports.hints import Protocol, TypeAlias
 from devices.ports.robot import Pace, Pose, Robot, Watcher
 from devices.ports.values import replace
 from donnie_tui import __version__
@@ -21,7 +21,7 @@ from donnie_tui.core.events import HowStarted, Outcome, Reset, RunStarted, Sense
 from donnie_tui.core.handling import Deed, DeedRun, MovedThings
 from donnie_tui.core.hub import Hub, Stream
 from donnie_tui.core.outlets import UntilSaid
-from donnie_tui.core.runner import Readable, Run, Stage, TakesTurns
+from donnie_tui.core.runner import Readable, Run, Stage, takes_turns
 from donnie_tui.core.telling import Teller
 from donnie_tui.core.wording import Wording
 from language.compiler import compile_program
@@ -231,7 +231,7 @@ class Session:
             self.stop()
             return
         self._release(run)
-        if isinstance(self._robot, TakesTurns):
+        if takes_turns(self._robot):
             self._robot.leave()
 
     def _new_run(self, name: str, how: HowStarted, hooked: bool, deed: Deed | None) -> Run:
@@ -331,7 +331,7 @@ class Session:
     @property
     def takes_turns(self) -> bool:
         """Whether its robot acts in the order of a simulated world; a real one waits for nobody."""
-        return isinstance(self._robot, TakesTurns)
+        return takes_turns(self._robot)
 
     @property
     def speed(self) -> float | None:

@@ -7,8 +7,8 @@ the first one is meant until somebody goes on to another, for it is the one to b
 from __future__ import annotations
 
 from collections.abc import Iterable
-from typing import TYPE_CHECKING
 
+from devices.ports.hints import TYPE_CHECKING
 from donnie_tui.core.events import Error
 from donnie_tui.core.transcript import lines_of, lines_said_by
 from donnie_tui.core.wording import Wording

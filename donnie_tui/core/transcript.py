@@ -17,8 +17,8 @@ from __future__ import annotations
 
 from collections import deque
 from collections.abc import Callable, Sequence
-from typing import Protocol
 
+from devices.ports.hints import Protocol
 from devices.ports.values import Mutable, field
 from donnie_tui.core.events import (
     BELT_LINK,

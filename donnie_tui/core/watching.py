@@ -6,8 +6,8 @@ Asked before each statement of a run, while it is held, and at its end; each cha
 from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Sequence
-from typing import TYPE_CHECKING
 
+from devices.ports.hints import TYPE_CHECKING
 from donnie_tui.core.events import Answered
 from donnie_tui.core.wording import Wording
 from language.source import fold_name

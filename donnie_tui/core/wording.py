@@ -2,8 +2,7 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING, Protocol
-
+from devices.ports.hints import TYPE_CHECKING, Protocol
 from language.diagnostics import Diagnostic
 
 if TYPE_CHECKING:

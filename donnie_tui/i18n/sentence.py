@@ -7,8 +7,7 @@ language's own sign; text is told as it is.
 
 from __future__ import annotations
 
-from typing import TypeAlias
-
+from devices.ports.hints import TypeAlias
 from devices.ports.values import Frozen
 from donnie_tui import LANGUAGES
 

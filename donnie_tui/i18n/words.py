@@ -6,8 +6,7 @@ mistakes and of GoDonnie is loaded when it is asked: the first frame needs neith
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING
-
+from devices.ports.hints import TYPE_CHECKING
 from donnie_tui.i18n.catalogue import SENTENCES
 from donnie_tui.i18n.sentence import filled
 

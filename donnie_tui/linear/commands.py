@@ -3,8 +3,8 @@
 from __future__ import annotations
 
 from importlib import import_module
-from typing import TYPE_CHECKING
 
+from devices.ports.hints import TYPE_CHECKING
 from donnie_tui.core import use_cases
 from donnie_tui.core.use_cases import UseCase
 from donnie_tui.core.view_cases import IN_WORDS, VIEW_CASES

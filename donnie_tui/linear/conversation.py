@@ -9,8 +9,8 @@ from __future__ import annotations
 import os
 from collections.abc import Callable
 from functools import cached_property
-from typing import TYPE_CHECKING
 
+from devices.ports.hints import TYPE_CHECKING
 from devices.ports.values import Frozen
 from donnie_tui.bootstrap import Donnie
 from donnie_tui.core.answer_log import AnswerLog

@@ -5,8 +5,7 @@ Rule: any thread may tell something; it never prints, it wakes who does.
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING
-
+from devices.ports.hints import TYPE_CHECKING
 from donnie_tui.bootstrap import Donnie
 from donnie_tui.core.events import TRANSIENT, Announced, Answered, Error, RunStarted, Stamped
 from donnie_tui.core.told_errors import ToldErrors

@@ -14,8 +14,8 @@ from __future__ import annotations
 
 from collections import deque
 from collections.abc import Callable, Sequence
-from typing import Protocol
 
+from devices.ports.hints import Protocol
 from donnie_tui.i18n.first_words import PROMPT
 
 REST = 0.3

@@ -11,8 +11,8 @@ from __future__ import annotations
 import contextlib
 from collections.abc import Callable, Iterator
 from functools import cached_property
-from typing import TYPE_CHECKING, Protocol
 
+from devices.ports.hints import TYPE_CHECKING, Protocol
 from donnie_tui.core.breakpoints import KeptBreakpoints
 from donnie_tui.core.typed_program import TypedProgram
 from donnie_tui.linear.greeting import has_rescued

@@ -10,8 +10,8 @@ from collections import deque
 from collections.abc import Callable, Iterable
 from enum import Enum, auto
 from itertools import takewhile
-from typing import Protocol
 
+from devices.ports.hints import Protocol
 from devices.ports.values import Frozen
 from donnie_tui.core.recall import Past, Recall
 from donnie_tui.linear.console import Console

@@ -9,9 +9,9 @@ from __future__ import annotations
 import os
 from collections.abc import Callable
 from contextlib import ExitStack
-from typing import TYPE_CHECKING, Protocol
 
 from devices.ports.audio import CuePlayer, Speaker, Urgency, Utterance
+from devices.ports.hints import TYPE_CHECKING, Protocol
 from devices.ports.values import Frozen, replace
 from devices.speech.choose import Channel, ChannelReason, Choice, SpeakPlace, Surroundings, choose_channel
 from devices.speech.probe import look_around, ssip_address

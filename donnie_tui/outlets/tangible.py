@@ -9,8 +9,8 @@ from __future__ import annotations
 import threading
 from collections.abc import Callable
 from contextlib import ExitStack
-from typing import TYPE_CHECKING
 
+from devices.ports.hints import TYPE_CHECKING
 from donnie_tui.core.belt import BeltSettings
 from donnie_tui.core.belt_telling import ChosenBelt
 from donnie_tui.core.events import BELT_LINK, Announced

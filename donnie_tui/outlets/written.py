@@ -10,9 +10,9 @@ import os
 from collections.abc import Callable
 from contextlib import ExitStack, suppress
 from stat import S_ISFIFO
-from typing import TYPE_CHECKING, TextIO, cast
 
 import worlds
+from devices.ports.hints import TYPE_CHECKING, TextIO, cast
 from donnie_tui import __version__
 from donnie_tui.core.events import Answered
 from donnie_tui.core.hub import Hub

@@ -18,7 +18,10 @@ from contextlib import suppress
 from queue import Empty, SimpleQueue
 from stat import S_ISCHR
 from types import FrameType
-from typing import Self, TypeAlias
+
+TYPE_CHECKING = False  # that of typing takes longer to load than all that is here
+if TYPE_CHECKING:
+    from typing import Self, TypeAlias
 
 Handler: TypeAlias = Callable[[int, FrameType | None], object]
 

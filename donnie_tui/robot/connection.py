@@ -10,8 +10,8 @@ from __future__ import annotations
 import threading
 from collections.abc import Callable
 from functools import partial
-from typing import TYPE_CHECKING, Protocol
 
+from devices.ports.hints import TYPE_CHECKING, Protocol
 from devices.ports.robot import LinkNews, Pace, Pose, RobotProblem, Watcher
 from devices.ports.values import Mutable, replace
 from donnie_tui.core.events import Link

@@ -6,7 +6,8 @@ Rule: nothing here takes a lock, for it is called by a signal's handler in the m
 from __future__ import annotations
 
 from collections.abc import Callable
-from typing import Protocol
+
+from devices.ports.hints import Protocol
 
 
 class Searchable(Protocol):

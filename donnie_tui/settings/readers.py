@@ -8,8 +8,8 @@ from __future__ import annotations
 import math
 import os
 from collections.abc import Callable, Mapping
-from typing import TypeAlias
 
+from devices.ports.hints import TypeAlias
 from donnie_tui import LANGUAGES
 from donnie_tui.settings import OFF, ON
 

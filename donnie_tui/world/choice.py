@@ -6,9 +6,8 @@ configuration file chooses its world, the robots that it offers, and the real ro
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING
-
 import worlds
+from devices.ports.hints import TYPE_CHECKING
 from devices.ports.robot import STEP, Pose
 from devices.ports.values import Frozen
 from donnie_tui.i18n.words import Unusable, Words

@@ -2,8 +2,7 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING
-
+from devices.ports.hints import TYPE_CHECKING
 from devices.ports.robot import STEP, Pose
 from donnie_tui.core.events import PlacedThing
 

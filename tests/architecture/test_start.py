@@ -99,7 +99,7 @@ NOT_TO_SPEAK = {
     *("donnie_tui.linear.key_echo", "donnie_tui.process.lost_network", "donnie_tui.core.unknown_words"),
     *("donnie_tui.world.remarks", "donnie_tui.cli.kinds", "donnie_tui.words.team_words"),
     *("devices.speech.dispatcher", "string", "shlex"),
-    *("tempfile", "random", "shutil", "logging", "pickle", "_pickle", "zlib"),
+    *("tempfile", "random", "shutil", "logging", "typing", "pickle", "_pickle", "zlib"),
     *("pathlib", "urllib.parse", "ipaddress", "fnmatch", "ntpath"),
     *("donnie_tui.core.documents", "donnie_tui.core.copies", "donnie_tui.core.in_use"),
     *("donnie_tui.cli.overwriting",),
