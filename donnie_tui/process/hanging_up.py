@@ -23,13 +23,16 @@ def hear_hang_up() -> None:
     masters = [] if ours is None else masters_of(ours)
     for number in masters:
         os.close(number)
-    if masters and (keeper := _keeper(os.getpid())) is not None:
+    if masters and (keeper := keeper_of(os.getpid())) is not None:
         _end_with(keeper)
 
 
 def masters_of(terminal: str) -> list[int]:
     """The open files that are the other end of ``terminal``, such as ``/dev/pts/3``."""
-    numbers = sorted(map(int, os.listdir("/proc/self/fd")))  # noqa: PTH208 -- pathlib is slow to load
+    try:
+        numbers = sorted(map(int, os.listdir("/proc/self/fd")))  # noqa: PTH208 -- pathlib is slow to load
+    except OSError:  # a system without that folder
+        return []
     return [each for each in numbers if _other_end(each) == terminal]
 
 
@@ -52,13 +55,19 @@ def _other_end(number: int) -> str | None:
     return f"/dev/pts/{int.from_bytes(found, sys.byteorder)}"
 
 
-def _keeper(pid: int) -> int | None:
-    """The nearest process above that is on another terminal: it has the other end of ours."""
-    _, ours = _parent_and_terminal(pid)
-    terminal = ours
-    while pid > 1 and terminal == ours:
-        pid, _ = _parent_and_terminal(pid)
-        _, terminal = _parent_and_terminal(pid) if pid > 1 else (0, "")
+def keeper_of(pid: int) -> int | None:
+    """The nearest process above that is on another terminal: it has the other end of ours.
+
+    None where there is none, or one on the way may not be looked at.
+    """
+    try:
+        _, ours = _parent_and_terminal(pid)
+        terminal = ours
+        while pid > 1 and terminal == ours:
+            pid, _ = _parent_and_terminal(pid)
+            _, terminal = _parent_and_terminal(pid) if pid > 1 else (0, "")
+    except OSError:
+        return None
     return pid if pid > 1 else None
 
 

@@ -11,7 +11,7 @@ from pathlib import Path
 
 import pytest
 
-from donnie_tui.process.hanging_up import masters_of
+from donnie_tui.process.hanging_up import keeper_of, masters_of
 from tests.conftest import ROOT
 from tests.patience import PATIENCE
 from tests.sessions.command import COMMAND, QUIET, environment
@@ -115,3 +115,11 @@ def test_where_nobody_reads_the_linear_mode_ends_without_a_fault(
     os.close(writing)
 
     assert (done.returncode, done.stderr) == (128 + signal.SIGHUP, b"")
+
+
+def test_a_process_that_can_not_be_looked_at_keeps_no_terminal() -> None:
+    """It has just ended, or is somebody else's where these are hidden."""
+    ended = subprocess.Popen([sys.executable, "-c", ""])
+    ended.wait(PATIENCE)
+
+    assert keeper_of(ended.pid) is None
