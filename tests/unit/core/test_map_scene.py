@@ -14,7 +14,7 @@ from donnie_tui.core.pointing import Pointer, legend
 from donnie_tui.i18n.words import Words
 from sim.picture import Picture, Thing
 
-CHAIR = Thing("old chair", "chair", "c", "red", 2, 6, 2, 1, index=3)
+CHAIR = Thing("chair3", "chair", "c", "red", 2, 6, 2, 1, index=3)
 ROWS = (
     "##########",
     "#........#",
@@ -69,7 +69,7 @@ def test_a_position_or_a_colour_is_no_ray() -> None:
 
 def test_a_pushed_thing_is_shown_where_it_is_and_its_old_place_is_free() -> None:
     it = scene()
-    changed = it.place_things((PlacedThing("old chair", Pose(4, 3, 0), 3),))
+    changed = it.place_things((PlacedThing("chair3", Pose(4, 3, 0), 3),))
 
     assert shown(it)[3] == "#........#"
     assert shown(it)[6].count("c") == 2
@@ -88,7 +88,7 @@ def test_a_new_run_answers_the_cells_that_look_different() -> None:
     it.move(Pose(0, 4, 90))
     it.look_along(Read("distance", "front", 3))
     it.move_other("bob", Pose(5, 4, 90))
-    it.place_things((PlacedThing("old chair", Pose(4, 3, 0), 3),))
+    it.place_things((PlacedThing("chair3", Pose(4, 3, 0), 3),))
     before = shown(it)
     changed = it.begin(Pose(2, 1, 0))
     after = shown(it)
