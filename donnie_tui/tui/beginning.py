@@ -80,7 +80,8 @@ class Beginning:
             place.log_rows.looks.update(brought.looks)
             place.log_lines(brought.log)
             return
-        keys = {name: key_table.label(name) or word for name, word in (("run", "RUN"), ("help", "HELP"))}
+        spoken, named = LANGUAGES[language], (("run", "RUN"), ("help", "HELP"))
+        keys = {name: key_table.label(name, spoken) or word for name, word in named}
         about_keys = first_screen.START_KEYS[language].format(**keys)
         self._greeting = (first_screen.START[language], about_keys)
         place.log_lines((line, "") for line in self._greeting)

@@ -208,14 +208,16 @@ class SettingsDeeds:
 
     def _key_row(self, name: str) -> str:
         words, word = self._host.words, BY_NAME[name].word(self._host.words.language)
-        keys = self._host.key_table.labels(name) or words("keys-none")
+        keys = self._host.key_table.labels(name, words.language) or words("keys-none")
         return words("keys-row", word=word, keys=keys, purpose=words(f"action-{name}"))
 
     async def _change_key(self, name: str) -> None:
         words, word = self._host.words, BY_NAME[name].word(self._host.words.language)
 
         def wrong(key: str) -> str | None:
-            return None if is_free_to_give(key) else words("keys-not-this", key=key_label(key))
+            return (
+                None if is_free_to_give(key) else words("keys-not-this", key=key_label(key, words.language))
+            )
 
         key = await self._host.talk.press_key(words("keys-ask", word=word), wrong)
         if key is None:

@@ -179,7 +179,7 @@ class Display:
 
     def _key_entry(self, name: str) -> str:
         shown_as = "continue_" if name == "pause" and self._running.doing is Doing.PAUSED else name
-        return f"{self._table.label(name)} {self._words(f'key-{shown_as}')}"
+        return f"{self._table.label(name, self._words.language)} {self._words(f'key-{shown_as}')}"
 
     def show_titles(self) -> None:
         self._place.editor.is_nobodys = self._files.document.path is None
@@ -250,7 +250,7 @@ class Display:
         line, lines = self._program_line(), place.editor.line_count
         mistake = place.editor.mistake
         if mistake is not None and self._running.doing is Doing.READY:
-            key = self._table.label("fix")
+            key = self._table.label("fix", words.language)
             code = "status-mistake-meant" if mistake.meant and key else "status-mistake"
             return words(code, line=line, lines=lines, message=mistake.message, meant=mistake.meant, key=key)
         return words("status-program", line=line, lines=lines)

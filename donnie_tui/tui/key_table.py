@@ -45,13 +45,13 @@ class KeyTable:
     def of(self, name: str) -> tuple[str, ...]:
         return self._keys.get(name, ())
 
-    def label(self, name: str) -> str:
+    def label(self, name: str, language: str) -> str:
         """The key that is shown, as it is told; empty where there is none."""
-        return next((key_label(each) for each in self.of(name)), "")
+        return next((key_label(each, language) for each in self.of(name)), "")
 
-    def labels(self, name: str) -> str:
+    def labels(self, name: str, language: str) -> str:
         """All of them."""
-        return ", ".join(dict.fromkeys(map(key_label, self.of(name))))
+        return ", ".join(dict.fromkeys(key_label(each, language) for each in self.of(name)))
 
     def action_of(self, key: str) -> str | None:
         """What that key does."""

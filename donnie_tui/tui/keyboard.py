@@ -169,5 +169,8 @@ class Keyboard:
     def _tell_nothing_done(self, event: events.Key) -> None:
         if self._behind.work is not None:
             words = self._behind.work.words
-            label = event.character if event.is_printable and event.character else key_label(event.key)
-            self._behind.work.talk.tell_sentences(words("menu-no-key", key=f"{key_label(MENU)} {label}"))
+            own = event.character if event.is_printable else None
+            label = own or key_label(event.key, words.language)
+            self._behind.work.talk.tell_sentences(
+                words("menu-no-key", key=f"{key_label(MENU, words.language)} {label}")
+            )

@@ -6,6 +6,8 @@ the keys alone.
 
 from __future__ import annotations
 
+from donnie_tui import LANGUAGES
+
 MENU = "ctrl+k"
 """Before a letter, a letter with Shift or a sign: the key of what has none of its own. It lists them."""
 
@@ -162,14 +164,33 @@ def behind_menu(key: str) -> str:
     return f"shift+{key.lower()}" if len(key) == 1 and key.isupper() else key
 
 
-def key_label(key: str) -> str:
-    """The key as it is told: ``F5``, ``Ctrl+S``, ``Esc``, ``Ctrl+K A``.
+_NAMES = {
+    "escape": ("Esc", "Esc", "Esc"),
+    "shift": ("Shift", "Shift", "Mayús"),
+    "space": ("Space", "Espaço", "Espacio"),
+    "up": ("Up", "Seta acima", "Arriba"),
+    "down": ("Down", "Seta abaixo", "Abajo"),
+    "left": ("Left", "Seta esquerda", "Izquierda"),
+    "right": ("Right", "Seta direita", "Derecha"),
+    "home": ("Home", "Home", "Inicio"),
+    "end": ("End", "End", "Fin"),
+    "pageup": ("Page Up", "Page Up", "Re Pág"),
+    "pagedown": ("Page Down", "Page Down", "Av Pág"),
+    "backspace": ("Backspace", "Backspace", "Retroceso"),
+    "delete": ("Delete", "Delete", "Supr"),
+    "insert": ("Insert", "Insert", "Insert"),
+}
+"""As keyboards of these languages have them: Brazilian ones keep most English names."""
+
+
+def key_label(key: str, language: str) -> str:
+    """The key as it is told: ``F5``, ``Ctrl+S``, ``Esc``, ``Ctrl+K Shift+A``, ``Ctrl+K Mayús+A``.
 
     Many terminals send Ctrl+Space as what Textual calls ``ctrl+@``.
     """
-    key = key.replace("ctrl+@", "ctrl+space")
-    return " ".join("+".join(map(_part_label, each.split("+"))) for each in key.split())
+    at, key = LANGUAGES.index(language), key.replace("ctrl+@", "ctrl+space")
+    return " ".join("+".join(_part_label(part, at) for part in each.split("+")) for each in key.split())
 
 
-def _part_label(part: str) -> str:
-    return "Esc" if part == "escape" else _SIGNS.get(part, part.title())
+def _part_label(part: str, at: int) -> str:
+    return _NAMES[part][at] if part in _NAMES else _SIGNS.get(part, part.title())

@@ -26,7 +26,7 @@ def keys_here(place: Workplace, words: Words, table: KeyTable) -> tuple[str, ...
     own = (words(code) for code in codes if words.knows(code))
     names = (*_ACTIONS[pane], *_EVERYWHERE)
     actions = (
-        words("here-key", keys=table.labels(name), purpose=words(f"action-{name}"))
+        words("here-key", keys=table.labels(name, words.language), purpose=words(f"action-{name}"))
         for name in names
         if table.of(name)
     )

@@ -55,8 +55,8 @@ class Pages:
     def _keys_by_name(self) -> dict[str, str]:
         """The key of each action as it is now; of one without a key the word."""
         table, language = self._host.key_table, self._words.language
-        own = {each.name: table.label(each.name) or each.word(language) for each in ACTIONS}
-        return own | {"menu": key_label(MENU), "palette": key_label(PALETTE)}
+        own = {each.name: table.label(each.name, language) or each.word(language) for each in ACTIONS}
+        return own | {"menu": key_label(MENU, language), "palette": key_label(PALETTE, language)}
 
     def _turned(self, at: int) -> None:
         self._tour_at = at

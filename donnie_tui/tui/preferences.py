@@ -76,7 +76,10 @@ class Preference(Frozen):
             return ", ".join(f"{cue_name(name, at)} {percent}" for name, percent in self.value.items())
         if self.key == "keys":
             pairs = understood(str(self.value))
-            return ", ".join(f"{key_label(key)} {BY_NAME[name].word(words.language)}" for name, key in pairs)
+            language = words.language
+            return ", ".join(
+                f"{key_label(key, language)} {BY_NAME[name].word(language)}" for name, key in pairs
+            )
         if isinstance(self.value, float):
             return words("decimal", number=self.value)
         return _as_value(self.value) or "-"

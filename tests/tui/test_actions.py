@@ -198,9 +198,9 @@ def test_no_key_does_two_things():
 
 
 def test_keys_are_told_as_they_are_on_the_keyboard():
-    assert key_label("ctrl+k left_square_bracket") == "Ctrl+K ["
-    assert key_label("escape") == "Esc"
-    assert key_label("ctrl+s") == "Ctrl+S"
+    assert key_label("ctrl+k left_square_bracket", "en") == "Ctrl+K ["
+    assert key_label("escape", "en") == "Esc"
+    assert key_label("ctrl+s", "en") == "Ctrl+S"
 
 
 async def test_the_menu_key_lists_its_letters_and_esc_goes_back(work):

@@ -48,7 +48,7 @@ def test_a_key_may_be_given_to_another_action():
 
     assert table.of("step")[0] == "f5"
     assert "f5" not in table.of("run")
-    assert table.label("run") == "Ctrl+K 9"
+    assert table.label("run", "en") == "Ctrl+K 9"
     assert table.of("pause") == ("f6",)
     assert table.action_of("f5") == "step"
 

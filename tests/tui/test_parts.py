@@ -42,7 +42,6 @@ from donnie_tui.tui.deeds_telling import TellingDeeds
 from donnie_tui.tui.deeds_text import TextDeeds
 from donnie_tui.tui.highlighting import highlights
 from donnie_tui.tui.intake import Intake
-from donnie_tui.tui.keys import key_label
 from donnie_tui.tui.widgets.editor import Editor
 from donnie_tui.tui.widgets.text_rows import MOST_LINES as MOST_LOGGED
 from donnie_tui.tui.widgets.text_rows import TextRows
@@ -106,10 +105,6 @@ def test_every_action_is_done_by_something_and_has_its_words():
     for action in ACTIONS:
         assert any(callable(getattr(part, action.name, None)) for part in DEEDS), action.name
         assert f"action-{action.name}" in SENTENCES
-
-
-def test_keys_are_told_as_they_are_printed():
-    assert [key_label(key) for key in ("f5", "ctrl+s", "escape", "f12")] == ["F5", "Ctrl+S", "Esc", "F12"]
 
 
 def test_speeds_go_up():

@@ -98,7 +98,7 @@ SENTENCES: dict[str, Sentence] = _here() | {
     "here-tab": Sentence(
         "Tab: the next pane. Shift+Tab: the one before.",
         "Tab: o próximo painel. Shift+Tab: o anterior.",
-        "Tab: el panel siguiente. Shift+Tab: el anterior.",
+        "Tab: el panel siguiente. Mayús+Tab: el anterior.",
     ),
     "action-keys_here": Sentence(
         "Tells the keys of this pane.", "Diz as teclas daqui.", "Dice las teclas de aquí."

@@ -56,7 +56,7 @@ _PAGES: tuple[tuple[tuple[str, str, str], ...], ...] = (
             "Tab segue: programa, mapa, registro, linha de comando.",
             "Tab sigue: programa, mapa, registro, línea de comandos.",
         ),
-        ("Shift+Tab goes back.", "Shift+Tab volta.", "Shift+Tab vuelve."),
+        ("Shift+Tab goes back.", "Shift+Tab volta.", "Mayús+Tab vuelve."),
         (
             "The status line tells where you are.",
             "A linha de estado diz onde você está.",

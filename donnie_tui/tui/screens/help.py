@@ -80,4 +80,4 @@ def _program_lines(listed: Sequence[Action], words: Wording) -> tuple[str, ...]:
 
 def _line(action: Action, words: Wording, table: KeyTable) -> str:
     """The typed word first: it works everywhere; then its keys, then what it does."""
-    return help_line(action.case, words, table.labels(action.name))
+    return help_line(action.case, words, table.labels(action.name, words.language))

@@ -48,8 +48,9 @@ class KeyMenu(ModalScreen[None]):
         self._point(f"{self._words('menu-title')}. {self.rows.lines[0]}")
 
     def _row(self, key: str, name: str) -> str:
-        word = BY_NAME[name].word(self._words.language)
-        return f"{key_label(key)}: {word}: {self._words(f'action-{name}')}"
+        language = self._words.language
+        word = BY_NAME[name].word(language)
+        return f"{key_label(key, language)}: {word}: {self._words(f'action-{name}')}"
 
     def leave(self) -> None:
         """Go, as soon as it is there."""

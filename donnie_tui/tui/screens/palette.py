@@ -16,6 +16,6 @@ def palette(words: Wording, table: KeyTable) -> tuple[str, str, str, tuple[Choic
 
 
 def _row(action: Action, words: Wording, table: KeyTable) -> str:
-    label = table.label(action.name)
+    label = table.label(action.name, words.language)
     keys = f" ({label})" if label else ""
     return f"{action.word(words.language)}{keys}: {words(f'action-{action.name}')}"

@@ -1,0 +1,31 @@
+"""Keys are told as they are printed on the learner's keyboard."""
+
+import pytest
+
+from donnie_tui.tui.key_table import KeyTable
+from donnie_tui.tui.keys import KEYS, key_label
+
+
+@pytest.mark.parametrize(
+    ("key", "en", "pt", "es"),
+    [
+        ("f5", "F5", "F5", "F5"),
+        ("ctrl+s", "Ctrl+S", "Ctrl+S", "Ctrl+S"),
+        ("escape", "Esc", "Esc", "Esc"),
+        ("ctrl+k shift+a", "Ctrl+K Shift+A", "Ctrl+K Shift+A", "Ctrl+K Mayús+A"),
+        ("ctrl+@", "Ctrl+Space", "Ctrl+Espaço", "Ctrl+Espacio"),
+        ("alt+up", "Alt+Up", "Alt+Seta acima", "Alt+Arriba"),
+        ("ctrl+pagedown", "Ctrl+Page Down", "Ctrl+Page Down", "Ctrl+Av Pág"),
+        ("shift+delete", "Shift+Delete", "Shift+Delete", "Mayús+Supr"),
+        ("ctrl+k full_stop", "Ctrl+K .", "Ctrl+K .", "Ctrl+K ."),
+    ],
+)
+def test_keys_have_the_names_that_the_learners_keyboard_has(key: str, en: str, pt: str, es: str) -> None:
+    assert tuple(key_label(key, each) for each in ("en", "pt", "es")) == (en, pt, es)
+
+
+def test_no_key_of_the_spanish_help_has_an_english_name() -> None:
+    names = [KeyTable().labels(name, "es") for name in KEYS]
+
+    assert any("Mayús+" in each for each in names)
+    assert not any(english in each for each in names for english in ("Shift", "Space", "Page"))
