@@ -101,6 +101,9 @@ def _translate(desk: Desk, _: Runs, rest: str) -> bool:
 
 def _lay_out(desk: Desk, language: str | None) -> None:
     text = desk.program.text
+    if not desk.program.lines:
+        desk.answer("linear-no-lines")
+        return
     try:
         result = patiently(desk, lambda: formatted(text, language), "slow-layout", may_be_left=True)
     except GivenUp:

@@ -132,6 +132,10 @@ def test_a_program_is_laid_out_and_its_words_translated(tmp_path: Path) -> None:
     ]
 
 
+def test_where_there_are_no_lines_nothing_is_laid_out(tmp_path: Path) -> None:
+    assert told(tmp_path, "FORMAT", "TRANSLATE pt") == ["No lines yet.", "No lines yet."]
+
+
 def test_a_program_with_a_mistake_is_not_laid_out(tmp_path: Path) -> None:
     assert told(tmp_path, "FW 1", "FW", "FORMAT")[:1] == [
         "There is a mistake in line 2; it must be mended first."
