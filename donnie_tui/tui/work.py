@@ -48,7 +48,8 @@ from donnie_tui.tui.talk import Talk
 from donnie_tui.tui.while_typing import WhileTyping
 from donnie_tui.words.world_going import stop_before_going, tell_arrival
 from language.control import ControlState
-from language.keywords import canonical
+from language.diagnostics import Kind
+from language.keywords import canonical, spelling
 
 
 class Work:
@@ -166,7 +167,7 @@ class Work:
         found = find(text)
         if found is not None:
             return self.do(found[0].name, found[1])
-        if not self._explain(text) and not self._is_slip(text):
+        if not self._explain(text) and not self._is_slip(text) and not self._opens_block(text):
             self.talk.tell(self.running.command(text, self.words("typed-program")))
             self.look()
         return None
@@ -194,6 +195,15 @@ class Work:
         if unknown is not None:
             self.talk.tell(Answer("help-unknown-near", {"topic": unknown.word, "near": unknown.meant}))
         return unknown is not None
+
+    def _opens_block(self, typed: str) -> bool:
+        """Whoever types line by line, as in the linear mode, is told where there is room for that."""
+        missing = self._donnie.session.parse(typed).diagnostics
+        if not missing or any(each.kind is not Kind.MISSING_END for each in missing):
+            return False
+        closer = spelling(missing[0].expected[0], self.words.language)
+        self.talk.tell(Answer("screen-open-block", {"closer": closer}))
+        return True
 
     def key_pressed(self, event: Event, focused: Widget | None) -> None:
         """Any key ends what is being said, and is said itself where somebody wants that."""

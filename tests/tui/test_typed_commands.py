@@ -89,3 +89,13 @@ async def test_the_key_of_typed_lists_the_line_typed_last_too(work) -> None:  # 
         await desk.until(lambda: desk.app.screen is not desk.place, "the list")
 
         assert desk.app.screen.rows.lines == ("FW 1", "VAR a = 3")
+
+
+async def test_a_block_that_is_begun_at_the_command_line_is_told_where_its_lines_go(work):
+    async with work(language="pt") as desk:
+        await desk.type_line("REPITA 2 VEZES")
+        await desk.told("Aqui um bloco é uma linha só, com FIM REPITA. Mais linhas vão no programa.")
+        await desk.type_line("REPITA 2 VEZES PF 1 FIM REPITA")
+        await desk.told("Andei 1 passo para frente.")
+
+        assert not any("não tem FIM REPITA" in line for line in desk.log)

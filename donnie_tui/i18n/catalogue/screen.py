@@ -111,6 +111,16 @@ _EDITOR = {
     "screen-no-fix": Sentence(
         "I don't know what was meant.", "Não sei o que se queria dizer.", "No sé qué se quería decir."
     ),
+    "screen-open-block": Sentence(
+        "Here a block is one line, with its {closer}. More lines go into the program.",
+        "Aqui um bloco é uma linha só, com {closer}. Mais linhas vão no programa.",
+        "Aquí un bloque es una sola línea, con {closer}. Más líneas van en el programa.",
+        brief=(
+            "One line here, with its {closer}.",
+            "Aqui uma linha só, com {closer}.",
+            "Aquí una sola línea, con {closer}.",
+        ),
+    ),
     "screen-fixed": Sentence(
         "Line {line}: {word} now.", "Linha {line}: agora {word}.", "Línea {line}: ahora {word}."
     ),
