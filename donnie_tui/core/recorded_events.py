@@ -68,7 +68,7 @@ def _kinds() -> Mapping[str, type]:
 
 @cache
 def _types_of(kind: type) -> Mapping[str, object]:
-    hints = typing.get_type_hints(kind)
+    hints = typing.get_type_hints(kind, localns={"ClassVar": typing.ClassVar})
     return {each.name: hints[each.name] for each in dataclasses.fields(kind)}
 
 
