@@ -160,6 +160,8 @@ class Conversation:
         except GoToWorld:
             self._desk.programs.keep_for_later()
             self._desk.showing.show_told()
+            if not self._desk.is_attended:  # whoever types has ended the voice by that
+                self._leaving.let_speak()
             raise
         except SwitchMode:
             self._desk.programs.hand_over()

@@ -114,14 +114,16 @@ class Leaving:
         self._desk.showing.show_told()
         if self._desk.leaving == 0 and not self._keeps_copies:
             self._desk.programs.leave_copies(of_all=self._desk.is_attended)
-        if self._desk.leaving == 0 and self._desk.donnie.outlets.audible.speaks:
-            self._let_speak()
+        if self._desk.leaving == 0:
+            self.let_speak()
 
-    def _let_speak(self) -> None:
+    def let_speak(self) -> None:
         """All is done: the voice gets its time, where somebody types a moment, until a key or a signal."""
+        desk = self._desk
+        if not desk.donnie.outlets.audible.speaks:
+            return
         from donnie_tui.linear.sounding import is_disturbed
 
-        desk = self._desk
         for _ in range(_GOODBYE if desk.is_attended else _LONGEST_SPEECH):
             if desk.donnie.outlets.audible.is_quiet_within(0) or is_disturbed(desk, _GLANCE):
                 return
