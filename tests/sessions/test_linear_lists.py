@@ -6,7 +6,7 @@ from pathlib import Path
 
 import pytest
 
-from tests.sessions.test_linear_words import printed_by
+from tests.sessions.typed_lines import printed_by
 
 DEEDS = [line for number in range(20) for line in (f"VAR v{number} = {number}", f"TR {number}")]
 """Twenty answers."""

@@ -4,8 +4,7 @@ from __future__ import annotations
 
 from pathlib import Path
 
-from tests.sessions.test_linear_text import told
-from tests.sessions.test_linear_words import printed_by
+from tests.sessions.typed_lines import printed_by, told
 
 
 def test_a_step_over_a_call_counts_the_round(tmp_path: Path) -> None:

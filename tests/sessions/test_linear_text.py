@@ -10,12 +10,7 @@ import pytest
 
 from tests.patience import PATIENCE
 from tests.sessions.command import COMMAND, QUIET, donnie, environment
-from tests.sessions.test_linear_words import printed_by
-
-
-def told(folder: Path, *lines: str) -> list[str]:
-    """The answers, without the first two lines and the last one."""
-    return printed_by(folder, "en", [*lines, "NEW"])[2:-3]
+from tests.sessions.typed_lines import told
 
 
 def test_what_was_probably_meant_takes_the_place_of_a_mistake(tmp_path: Path) -> None:

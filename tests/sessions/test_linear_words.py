@@ -2,10 +2,7 @@
 
 from __future__ import annotations
 
-import os
 import re
-import subprocess
-import sys
 import unicodedata
 from pathlib import Path
 
@@ -17,7 +14,8 @@ from donnie_tui.i18n.catalogue.manual import CHAPTERS
 from donnie_tui.i18n.manual import chapter_lines
 from donnie_tui.i18n.words import Words
 from tests.patience import PATIENCE
-from tests.sessions.command import end
+from tests.sessions.command import end, environment
+from tests.sessions.typed_lines import printed_by, quiet
 
 LANGUAGES = ("en", "pt", "es")
 PROGRAMS = {
@@ -32,17 +30,6 @@ NOT_ALONE = {"open", "save_as", "save_log", "run_to"}
 SETTING = {"en": ["SET page off"], "pt": ["AJUSTAR página nada"], "es": ["AJUSTAR página nada"]}
 DRAWN = {"map_picture"}
 """A picture is asked for, and is not text."""
-
-
-def quiet(language: str, *options: str) -> list[str]:
-    always = ["--linear", "--speech", "off", "--sound", "off", "--speed", "max", "--lang", language]
-    return [sys.executable, "-m", "donnie_tui", *always, "--world", "living_room", *options]
-
-
-def environment(folder: Path, **more: str) -> dict[str, str]:
-    plain = {name: value for name, value in os.environ.items() if not name.startswith("DONNIE_")}
-    homes = {"XDG_STATE_HOME": str(folder / "state"), "XDG_CONFIG_HOME": str(folder / "config")}
-    return plain | homes | {"LC_ALL": "C.UTF-8", "TERM": "xterm", "DONNIE_TOUR": "off"} | more
 
 
 def every_word(language: str, *, without: set[str] = ELSEWHERE) -> list[str]:
@@ -81,22 +68,6 @@ def read_in_manual(language: str) -> list[str]:
 
 def words_of(name: str, language: str) -> str:
     return next(each for each in USE_CASES if each.name == name).word(language)
-
-
-def printed_by(folder: Path, language: str, lines: list[str], *options: str) -> list[str]:
-    """What a session says that is read from a file."""
-    done = subprocess.run(
-        quiet(language, *options),
-        input="\n".join([*lines, ""]).encode(),
-        capture_output=True,
-        cwd=folder,
-        env=environment(folder),
-        timeout=60,
-        check=False,
-    )
-    assert done.returncode == 0, done.stderr.decode()
-    assert done.stderr == b""
-    return done.stdout.decode().split("\n")
 
 
 @pytest.mark.parametrize("language", LANGUAGES)
@@ -140,7 +111,7 @@ def test_with_the_plain_editor_a_terminal_gets_nothing_but_text(tmp_path: Path) 
     child: pexpect.spawn[bytes] = pexpect.spawn(
         command[0],
         command[1:],
-        env=environment(tmp_path, DONNIE_EDITOR="plain"),
+        env=environment(tmp_path, {"TERM": "xterm", "DONNIE_EDITOR": "plain"}),
         cwd=str(tmp_path),
         dimensions=(24, 80),
         timeout=PATIENCE,
@@ -171,7 +142,7 @@ def test_at_every_width_a_line_that_wraps_is_typed_and_taken_whole(tmp_path: Pat
     child: pexpect.spawn[bytes] = pexpect.spawn(
         command[0],
         command[1:],
-        env=environment(tmp_path),
+        env=environment(tmp_path, {"TERM": "xterm"}),
         cwd=str(tmp_path),
         dimensions=(24, columns),
         timeout=PATIENCE,

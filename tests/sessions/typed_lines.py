@@ -1,0 +1,36 @@
+"""The linear mode as it reads lines from a file: what it answers."""
+
+from __future__ import annotations
+
+import subprocess
+from pathlib import Path
+
+from tests.patience import PATIENCE
+from tests.sessions.command import COMMAND, QUIET, environment
+
+
+def quiet(language: str, *options: str) -> list[str]:
+    """The command that begins such a conversation, in a world with things."""
+    always = ["--linear", *QUIET, "--speed", "max", "--lang", language]
+    return [*COMMAND, *always, "--world", "living_room", *options]
+
+
+def printed_by(folder: Path, language: str, lines: list[str], *options: str) -> list[str]:
+    """What a session says that is read from a file."""
+    done = subprocess.run(
+        quiet(language, *options),
+        input="\n".join([*lines, ""]).encode(),
+        capture_output=True,
+        cwd=folder,
+        env=environment(folder),
+        timeout=PATIENCE,
+        check=False,
+    )
+    assert done.returncode == 0, done.stderr.decode()
+    assert done.stderr == b""
+    return done.stdout.decode().split("\n")
+
+
+def told(folder: Path, *lines: str) -> list[str]:
+    """The answers, without the first two lines and the last one."""
+    return printed_by(folder, "en", [*lines, "NEW"])[2:-3]
