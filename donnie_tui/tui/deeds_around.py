@@ -95,6 +95,8 @@ class AroundDeeds:
         name = argument or await self._host.talk.ask(self._host.words("ask-save-log"), value="log.txt")
         if name:
             await self._host.files.saving.write_beside(report_text.with_suffix(name, ".txt"), self._log_text)
+        else:
+            self._host.talk.tell(Answer("answer-unchanged"))
 
     @property
     def _log_text(self) -> str:

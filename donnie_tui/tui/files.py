@@ -119,6 +119,7 @@ class Files:
                 return await self._read(name)
             except DocumentError as error:
                 asked = self._words(error.code, path=error.path, reason=error.reason)
+        self._desk.talk.tell(Answer("answer-unchanged"))
         return None
 
     async def _read(self, name: str) -> tuple[Path, str]:

@@ -48,7 +48,7 @@ class Saving:
         own = str(self._programs.document.path or "")
         name = name or await self._desk.talk.ask(self._words("ask-save"), value=own) or ""
         if not name:
-            return False
+            return self._goes_no_further()
         try:
             path = self._programs.document.place_for(name)
         except DocumentError as error:
@@ -61,9 +61,13 @@ class Saving:
         slow = Answer("slow-saving", {"name": path.name})
         asked = await self._desk.talk.patiently(lambda: self._to_be_asked(path), slow)
         if asked and not await self._question.ask(asked, path.name):
-            self._desk.talk.tell(Answer("answer-unchanged"))
-            return False
+            return self._goes_no_further()
         return await self._write(path)
+
+    def _goes_no_further(self) -> bool:
+        """Somebody left a question."""
+        self._desk.talk.tell(Answer("answer-unchanged"))
+        return False
 
     def _to_be_asked(self, path: Path) -> str:
         """The code of a question; empty where nothing would be lost."""
@@ -101,8 +105,7 @@ class Saving:
         """Whether nothing is there, or somebody wants it replaced; that it stays is told."""
         with contextlib.suppress(OSError, ValueError, RuntimeError):
             if path.expanduser().exists() and not await self._question.ask("ask-replace", path.name):
-                self._desk.talk.tell(Answer("answer-unchanged"))
-                return False
+                return self._goes_no_further()
         return True
 
     async def write_beside(self, name: str, text: str) -> None:
@@ -140,7 +143,9 @@ class Saving:
             if not self._programs.is_changed or not self._desk.text.strip():
                 return True
             answer = await self._question.ask("ask-unsaved", self._programs.name)
+            if answer is None:
+                return self._goes_no_further()
             if not answer:
-                return answer is False
+                return True
             if not await self.save(""):
                 return False

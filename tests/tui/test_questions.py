@@ -66,3 +66,31 @@ async def test_enter_alone_is_neither_yes_nor_no(work) -> None:  # type: ignore[
 
         await desk.press("escape")
         await desk.until(lambda: desk.app.screen is desk.place, "the workplace")
+
+
+@pytest.mark.parametrize("typed", ["SAVE", "SAVE AS", "NEW", "OPEN", "QUIT", "SAVE LOG", "WORLD maze"])
+async def test_what_nobody_goes_on_with_is_told_to_have_changed_nothing(work, typed) -> None:  # type: ignore[no-untyped-def]
+    async with work("FW 1") as desk:
+        await desk.type_line(typed)
+        await desk.until(lambda: desk.app.screen is not desk.place, "the question")
+        await desk.press("escape")
+        await desk.told("Nothing was changed.")
+        await desk.type_line("WHERE")
+        await desk.told("Position 0, 0.")
+
+        assert desk.app.work.text == "FW 1"
+        assert desk.log.count("Nothing was changed.") == 1
+
+
+async def test_a_name_that_nobody_gives_for_what_is_to_be_saved_first_is_told_once(work) -> None:  # type: ignore[no-untyped-def]
+    async with work("FW 1") as desk:
+        await desk.press("ctrl+n")
+        await desk.answer("yes")
+        await desk.until(lambda: "Save as:" in desk.screen, "the question for the name")
+        await desk.press("enter")
+        await desk.told("Nothing was changed.")
+        await desk.type_line("WHERE")
+        await desk.told("Position 0, 0.")
+
+        assert desk.app.work.text == "FW 1"
+        assert desk.log.count("Nothing was changed.") == 1
