@@ -17,6 +17,9 @@ Highlight: TypeAlias = tuple[int, int | None, str]
 LARGEST = 200_000
 """Characters beyond which a program is shown plainly: every keystroke reads it anew."""
 
+LONGEST_LINE = 2000
+"""Characters beyond which a line is shown plainly: the editor goes through all of it for each row of it."""
+
 _LOOK_OF_KIND = {NAME: "", NUMBER: "number", STRING: "string", TOPIC: "argument", FRAGMENT: ""}
 _LOOK_OF_TERMINAL = {
     **dict.fromkeys(("DIRECTION", "AXIS", "COLOUR", "SWITCH"), "argument"),
@@ -68,7 +71,8 @@ class _Places:
         line = self._line
         while start < end and line < len(self._lines):
             stop = min(end, self._starts[line + 1])
-            found[line].append((self._bytes(line, start), self._bytes(line, stop), look))
+            if len(self._lines[line]) <= LONGEST_LINE:
+                found[line].append((self._bytes(line, start), self._bytes(line, stop), look))
             start, line = stop, line + 1
 
     def _bytes(self, line: int, offset: int) -> int:

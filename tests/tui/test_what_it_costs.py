@@ -2,11 +2,16 @@
 
 from collections.abc import Callable
 
+import pytest
 from textual.containers import Horizontal, Vertical
+from textual.document._wrapped_document import WrappedDocument
 from textual.dom import DOMNode
+from textual.geometry import Region
 from textual.widget import Widget
+from textual.widgets.text_area import Selection
 
 from donnie_tui.tui.glances import SELDOM, SOON, Glances
+from donnie_tui.tui.highlighting import highlights
 from donnie_tui.tui.widgets.map_view import MapView
 
 
@@ -158,3 +163,27 @@ async def test_rows_that_are_painted_again_have_the_looks_that_they_had(work, mo
         before = desk.place.map.painted_as("wall")
         desk.app.theme = "donnie-light"
         await desk.until(lambda: desk.place.map.painted_as("wall") != before, "the looks of the other theme")
+
+
+@pytest.mark.parametrize(("selected", "most"), [(False, 0), (True, 2)])
+async def test_where_the_selection_is_is_looked_for_once_a_picture_and_not_for_each_row_of_a_long_line(
+    work, monkeypatch, selected, most
+):
+    async with work("FW 1\n" + "x" * 5000) as desk:
+        editor = desk.place.editor
+        if selected:
+            editor.selection = Selection((0, 0), (1, 3000))
+        await desk.pilot.pause()
+        asked, find = [], WrappedDocument.location_to_offset
+        monkeypatch.setattr(WrappedDocument, "location_to_offset", lambda *of: asked.append(of) or find(*of))
+        editor.refresh()
+        strips = editor.render_lines(Region(0, 0, *editor.size))
+
+        assert len(strips) > 5
+        assert len(asked) <= most
+
+
+def test_a_line_of_any_length_is_shown_plainly_and_the_others_are_not() -> None:
+    found = highlights(f"FW 1\n{'FW 1 ' * 1000}\nFW 2 -- a\n")
+
+    assert sorted(found) == [0, 2]

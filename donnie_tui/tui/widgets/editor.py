@@ -69,6 +69,8 @@ class Editor(TextArea):
         self.cursor_blink = False
         self.is_nobodys = True
         """Whether the text is no file's: only there a first word and Enter is no text."""
+        self._chosen_painted: tuple[Offset, Offset] | None = None
+        """Where the selection is, while rows are painted."""
         self._marks: dict[int, str] = {}
         self._notes: dict[int, Mistake] = {}
         self.breakpoints: frozenset[int] = frozenset()
@@ -266,6 +268,14 @@ class Editor(TextArea):
         """More than Textual's, for the marks."""
         return super().gutter_width + MARKS
 
+    def render_lines(self, crop: Region) -> list[Strip]:
+        """Where the selection is in a line of any length is looked for once, and not for each row."""
+        self._chosen_painted = None if self.selection.is_empty else self._chosen
+        try:
+            return super().render_lines(crop)
+        finally:
+            self._chosen_painted = None
+
     def render_line(self, y: int) -> Strip:
         strip = self._with_selection(self._with_gutter(super().render_line(y)), y)
         line, is_first, is_last = self._line_at(y)
@@ -287,7 +297,9 @@ class Editor(TextArea):
 
     def _with_selection(self, strip: Strip, y: int) -> Strip:
         """The chosen columns in the colours for it, over those of the syntax, which Textual leaves there."""
-        row, (first, last) = y + self.scroll_offset.y, self._chosen
+        if self.selection.is_empty:
+            return strip
+        row, (first, last) = y + self.scroll_offset.y, self._chosen_painted or self._chosen
         if first == last or not first.y <= row <= last.y:
             return strip
         text_end = max(cell_len(strip.text.rstrip()), self.gutter_width + 1)
