@@ -9,7 +9,7 @@ from math import ceil
 from pathlib import Path, PurePath
 from typing import TYPE_CHECKING
 
-import worlds
+import worlds.words
 from donnie_tui.cli import codes
 from donnie_tui.cli.order import Order
 from donnie_tui.cli.world_models import records
@@ -37,7 +37,7 @@ MOST_NAMES = 4
 def list_worlds(order: Order) -> int:
     """Name, title and difficulty of each world that ships, a line each."""
     for name in worlds.names():
-        about = worlds.about(name, order.words.language)
+        about = worlds.words.about(name, order.words.language)
         difficulty = order.words(f"difficulty-{about.difficulty.value}")
         order.output.line(order.words("world-listed", name=name, title=about.title, difficulty=difficulty))
     return codes.DONE

@@ -21,7 +21,7 @@ from donnie_tui.core.wording import Wording
 
 if TYPE_CHECKING:
     from sim.picture import Picture, Thing
-    from worlds import About
+    from worlds.words import About
 
 MOST_THINGS = 20
 """Things that are told one by one."""

@@ -20,7 +20,7 @@ from donnie_tui.core.wording import Wording
 
 if TYPE_CHECKING:
     from sim.picture import Picture
-    from worlds import About
+    from worlds.words import About
 
 WIDEST, HIGHEST = 40, 18
 """Squares of the picture: what a braille display shows of a line, and what a screen reader takes at once."""

@@ -8,7 +8,7 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
-import worlds
+import worlds.words
 from donnie_tui import LANGUAGES
 from donnie_tui.core.describe import size_in_words
 from donnie_tui.core.wording import Wording
@@ -27,7 +27,7 @@ def world_meant(typed: str) -> str | None:
 
 def world_row(name: str, wording: Wording) -> str:
     """A world to choose: its title, how hard it is, what is there, and a task."""
-    about = worlds.about(name, wording.language)
+    about = worlds.words.about(name, wording.language)
     return wording(
         "world-row",
         name=name,
@@ -44,7 +44,9 @@ def worlds_in_words(here: str, wording: Wording) -> tuple[str, ...]:
     return (wording("worlds-count", count=len(names)), *(_listed(each, here, wording) for each in names))
 
 
-def arrived(name: str, about: worlds.About | None, picture: Picture, wording: Wording) -> tuple[str, ...]:
+def arrived(
+    name: str, about: worlds.words.About | None, picture: Picture, wording: Wording
+) -> tuple[str, ...]:
     """That this world is there now, and what it has, in few sentences."""
     title = wording("world-here-titled", name=name, title=about.title) if about else None
     return (
@@ -55,14 +57,14 @@ def arrived(name: str, about: worlds.About | None, picture: Picture, wording: Wo
 
 
 def _listed(name: str, here: str, wording: Wording) -> str:
-    about = worlds.about(name, wording.language)
+    about = worlds.words.about(name, wording.language)
     code = "worlds-line-here" if name == here else "worlds-line"
     level = wording(f"difficulty-{about.difficulty.value}")
     return wording(code, name=name, title=about.title, difficulty=level)
 
 
 def _titles(name: str) -> tuple[str, ...]:
-    return tuple(_folded(worlds.about(name, language).title) for language in LANGUAGES)
+    return tuple(_folded(worlds.words.about(name, language).title) for language in LANGUAGES)
 
 
 def _folded(typed: str) -> str:

@@ -18,6 +18,7 @@ if TYPE_CHECKING:
 
     from sim.scene import Scene
     from sim.worldfile import Offer
+    from worlds.words import About
 
 WITHOUT_WORLD = "open_floor"
 """Where a configuration file asks for a real robot only: something to draw it on."""
@@ -38,13 +39,15 @@ class ChosenWorld(Frozen):
     stands_in_for: str = ""
     """The configuration file that has no world; what was loaded is only there to draw its robot on."""
 
-    def about(self, language: str) -> worlds.About | None:
+    def about(self, language: str) -> About | None:
         """Title, description and task; None for a file of the learner's own without any beside it."""
+        from worlds.words import BadWords, about, beside
+
         if self.ships:
-            return worlds.about(self.name, language)
+            return about(self.name, language)
         try:
-            return worlds.words_beside(self.path, language)
-        except worlds.BadWords:
+            return beside(self.path, language)
+        except BadWords:
             return None  # that was told when the world was loaded
 
     def start(self) -> Pose:
@@ -58,8 +61,16 @@ class ChosenWorld(Frozen):
 def files_of(world: ChosenWorld) -> tuple[str, ...]:
     """All that was read for the world, or is to be: an own one's words too."""
     report = world.scene.report
-    words = None if world.ships else worlds.words_file(world.path)
-    return (world.path, *report.files, *report.pictures, *((words,) if words else ()))
+    return (world.path, *report.files, *report.pictures, *_own_words(world))
+
+
+def _own_words(world: ChosenWorld) -> tuple[str, ...]:
+    if world.ships:
+        return ()
+    from worlds.words import file_beside
+
+    file = file_beside(world.path)
+    return (file,) if file else ()
 
 
 def choose_world(

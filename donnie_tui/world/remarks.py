@@ -8,7 +8,7 @@ from __future__ import annotations
 import shlex
 from typing import TYPE_CHECKING
 
-import worlds
+import worlds.words
 from donnie_tui.i18n.phrasing import Phrasing
 
 if TYPE_CHECKING:
@@ -38,8 +38,8 @@ def remarks(world: ChosenWorld, words: Phrasing) -> tuple[str, ...]:
 def _bad_words(world: ChosenWorld, words: Phrasing) -> tuple[str, ...]:
     """Why the author's words are not told, if there are any."""
     try:
-        worlds.words_beside(world.path, words.language)
-    except worlds.BadWords as problem:
+        worlds.words.beside(world.path, words.language)
+    except worlds.words.BadWords as problem:
         code = "key" if problem.key else "line" if problem.line else "file"
         code = "difficulty" if problem.key == "difficulty" else code
         values = {"file": problem.file.name, "key": problem.key, "line": problem.line}

@@ -10,7 +10,7 @@ from pathlib import Path
 
 import pytest
 
-import worlds
+import worlds.words
 from donnie_tui.cli.arguments import TO_COME
 from donnie_tui.cli.main import main
 from donnie_tui.i18n.words import Words
@@ -155,7 +155,7 @@ def test_worlds_lists_each_with_its_title_and_difficulty(printed: Printed, langu
     assert printed.by("worlds", "--lang", language) == 0
     assert printed.out.splitlines() == [
         f"{name}: {about.title}, {Words(language)(f'difficulty-{about.difficulty.value}')}."
-        for name, about in ((each, worlds.about(each, language)) for each in worlds.names())
+        for name, about in ((each, worlds.words.about(each, language)) for each in worlds.names())
     ]
 
 
@@ -164,7 +164,7 @@ def test_worlds_lists_each_with_its_title_and_difficulty(printed: Printed, langu
 def test_a_world_is_told_in_words(printed: Printed, name: str, language: str) -> None:
     assert printed.by("world", name, "--lang", language) == 0
 
-    about = worlds.about(name, language)
+    about = worlds.words.about(name, language)
     first, *middle, last = printed.out.splitlines()
     assert first == f"{name}: {about.title}."
     assert set(about.sentences) <= set(middle)

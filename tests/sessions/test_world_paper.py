@@ -6,7 +6,7 @@ from xml.etree import ElementTree
 
 import pytest
 
-import worlds
+import worlds.words
 from donnie_tui.cli.main import main
 from tests.conftest import ROOT
 
@@ -173,7 +173,7 @@ def test_every_world_has_its_place_in_the_documents() -> None:
 
     for name in worlds.names():
         if name in worlds.scenarios():
-            level = worlds.about(name, "en").difficulty.value
+            level = worlds.words.about(name, "en").difficulty.value
             assert f"\n## {name}, {level}\n" in scenarios
         else:
             assert f": `{name}`\n" in manual

@@ -4,7 +4,7 @@ from pathlib import Path
 
 import pytest
 
-import worlds
+import worlds.words
 from donnie_tui.bootstrap import assemble
 from donnie_tui.i18n.words import Words
 from donnie_tui.settings.chosen import Settings
@@ -112,7 +112,7 @@ def test_a_file_beside_a_world_of_ones_own_gives_its_words(tmp_path: Path, langu
     about = choose_world(str(tmp_path / "my.world"), Words()).about(language)
 
     assert about is not None
-    assert (about.title, about.difficulty) == (title, worlds.Difficulty.EASY)
+    assert (about.title, about.difficulty) == (title, worlds.words.Difficulty.EASY)
     told = command.donnie(tmp_path, "world", "my.world", "--lang", language).stdout.decode()
     assert about.task in told
     assert told.startswith(f"my.world: {title}.\n")
@@ -160,5 +160,5 @@ def test_the_copy_of_a_world_that_ships_keeps_its_words(tmp_path: Path) -> None:
 
     copied = choose_world(str(tmp_path / "room.world"), Words())
 
-    assert copied.about("pt") == worlds.about("living_room", "pt")
+    assert copied.about("pt") == worlds.words.about("living_room", "pt")
     assert remarks(copied, Words()) == ()

@@ -7,7 +7,7 @@ from pathlib import Path
 
 import pytest
 
-import worlds
+import worlds.words
 from devices.ports.robot import STEP
 from sim.picture import Picture, picture
 from sim.scene import Model, Scene
@@ -176,12 +176,12 @@ MEASURED = dict(measured())
 @pytest.mark.parametrize("name", worlds.scenarios())
 @pytest.mark.parametrize("language", LANGUAGES)
 def test_every_number_of_a_description_is_measured(name: str, language: str) -> None:
-    assert numbers(worlds.about(name, language).description) == MEASURED[name]
+    assert numbers(worlds.words.about(name, language).description) == MEASURED[name]
 
 
 @pytest.mark.parametrize("name", worlds.names())
 def test_descriptions_are_short_whole_sentences_the_same_in_each_language(name: str) -> None:
-    told = [worlds.about(name, language) for language in LANGUAGES]
+    told = [worlds.words.about(name, language) for language in LANGUAGES]
 
     assert len({len(about.sentences) for about in told}) == 1
     for about in told:
@@ -204,7 +204,7 @@ def test_the_map_of_a_scenario_fits_eighty_columns_step_by_step(name: str) -> No
 
 @pytest.mark.parametrize("name", worlds.scenarios())
 def test_every_colour_of_a_thing_is_in_the_description(name: str) -> None:
-    told = set(re.findall(r"[a-z]+", worlds.about(name, "en").description)) & COLOURS
+    told = set(re.findall(r"[a-z]+", worlds.words.about(name, "en").description)) & COLOURS
     there = {each.colour for each in seen(name).things if each.kind != "donnie"}
 
     assert there <= told

@@ -5,7 +5,7 @@ from pathlib import Path
 
 import pytest
 
-import worlds
+import worlds.words
 from devices.ports.robot import Bearing, Pose, StoppedBy
 from sim.picture import picture
 from sim.robot import SimulatedRobot
@@ -33,20 +33,20 @@ def test_an_unknown_world_is_a_key_error() -> None:
     with pytest.raises(KeyError):
         worlds.path("../scenes/open_floor")
     with pytest.raises(KeyError):
-        worlds.about("moon", "en")
+        worlds.words.about("moon", "en")
 
 
 @pytest.mark.parametrize("name", worlds.names())
 @pytest.mark.parametrize("language", ["en", "pt", "es"])
 def test_every_world_is_told_in_every_language(name: str, language: str) -> None:
-    about = worlds.about(name, language)
+    about = worlds.words.about(name, language)
 
     assert all(len(words) > 3 for words in (about.title, about.description, about.task))
 
 
 @pytest.mark.parametrize("name", worlds.names())
 def test_no_language_repeats_another(name: str) -> None:
-    descriptions = {worlds.about(name, language).description for language in ("en", "pt", "es")}
+    descriptions = {worlds.words.about(name, language).description for language in ("en", "pt", "es")}
 
     assert len(descriptions) == 3
 

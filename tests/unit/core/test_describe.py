@@ -7,7 +7,7 @@ from donnie_tui.core.describe import MOST_THINGS, compass_place_of, describe, pl
 from donnie_tui.i18n.words import Words
 from sim.picture import Picture, Thing, picture
 from tests.floor import floor
-from worlds import About, Difficulty
+from worlds.words import About, Difficulty
 
 
 @pytest.mark.parametrize(

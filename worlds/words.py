@@ -1,0 +1,113 @@
+"""What is said of a world, in three languages: of ours, and of one whose author wrote a file beside it."""
+
+from __future__ import annotations
+
+import re
+import tomllib
+from enum import Enum
+from pathlib import Path
+
+from devices.ports.hints import Any
+from devices.ports.values import Frozen
+from worlds import path
+
+WORDS = ".toml"
+"""Beside ``maze.world`` lies ``maze.toml`` with its words."""
+LANGUAGES = ("en", "pt", "es")
+LARGEST = 100_000
+"""Bytes of words that are read."""
+
+
+class Difficulty(Enum):
+    """How much of the language the task of a world needs."""
+
+    EASY = "easy"
+    """A few commands in a row."""
+    MEDIUM = "medium"
+    """Sensors and loops."""
+    HARD = "hard"
+    """A program that decides for itself."""
+    UNTOLD = ""
+    """The author of a world says nothing of it."""
+
+
+class About(Frozen):
+    """What is said of a world in one language."""
+
+    title: str
+    description: str
+    """Some sentences that need no picture, a line each."""
+    task: str
+    """Something to try there."""
+    difficulty: Difficulty
+
+    @property
+    def sentences(self) -> tuple[str, ...]:
+        """The description, sentence by sentence."""
+        return tuple(self.description.split("\n"))
+
+
+def about(name: str, language: str) -> About:
+    """What to say of a world in ``en``, ``pt`` or ``es``. KeyError if there is no such world or language."""
+    return _about(_read(_file_of(path(name))), language)
+
+
+class BadWords(Exception):
+    """A file of words that can't be used."""
+
+    def __init__(self, file: Path, key: str = "", line: str = "") -> None:
+        super().__init__(f"{file}: {key or line}")
+        self.file = file
+        self.key = key
+        """What is missing in it or is no text, such as ``en.title``; empty if it can't be read at all."""
+        self.line = line
+        """Where it can't be read, if that is known."""
+
+
+def file_beside(world: str) -> str | None:
+    """The file with an author's words beside a world file; None where there is none."""
+    file = _file_of(world)
+    return str(file) if file.is_file() else None
+
+
+def beside(world: str, language: str) -> About | None:
+    """What the author of a world file says of it in a file beside it, None without one. Raises ``BadWords``.
+
+    In that language if it is there, else in English, else in any of the three.
+    """
+    file = _file_of(world)
+    if not file.is_file():
+        return None
+    told = _read(file)
+    written = [each for each in (language, *LANGUAGES) if each in told]
+    if not written:
+        raise BadWords(file, language)
+    for key in ("title", "description", "task"):
+        if not isinstance(told[written[0]], dict) or not isinstance(told[written[0]].get(key), str):
+            raise BadWords(file, f"{written[0]}.{key}")
+    if told.get("difficulty", "") not in [each.value for each in Difficulty]:
+        raise BadWords(file, "difficulty")
+    return _about(told, written[0])
+
+
+def _file_of(world: str) -> Path:
+    """The file of its words."""
+    return Path(world).with_suffix(WORDS)
+
+
+def _read(file: Path) -> dict[str, Any]:
+    try:
+        with file.open("rb") as stream:
+            return tomllib.loads(stream.read(LARGEST).decode("utf-8-sig").replace("\r\n", "\n"))
+    except OSError:
+        raise BadWords(file) from None
+    except (ValueError, RecursionError) as problem:
+        place = re.search(r"line (\d+)", str(problem))
+        raise BadWords(file, line=place[1] if place else "") from None
+
+
+def _about(told: dict[str, Any], language: str) -> About:
+    words = told[language]
+    return About(
+        words["title"], words["description"].strip(), words["task"], Difficulty(told.get("difficulty", ""))
+    )
