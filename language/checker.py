@@ -17,7 +17,7 @@ from language.syntax import Program
 
 def check(program: Program, *, whole: bool = True) -> tuple[Diagnostic, ...]:
     """The hints, in the order of the text. ``whole`` is False for a batch of a terminal."""
-    found = list(_unused_values(program))
+    found = [*_unused_values(program), *_negative_steps(program)]
     if whole:
         from language.names import Names  # no batch of a terminal
 
@@ -25,7 +25,7 @@ def check(program: Program, *, whole: bool = True) -> tuple[Diagnostic, ...]:
     return tuple(sorted(found, key=lambda hint: hint.span.start))
 
 
-# --- sensors that nobody reads -----------------------------------------------------------------------
+# --- what does nothing --------------------------------------------------------------------------------
 
 
 def _unused_values(program: Program) -> Iterator[Diagnostic]:
@@ -42,6 +42,22 @@ def _unused_values(program: Program) -> Iterator[Diagnostic]:
             details={"word": word, "speak": speak, "value": spoken},
             severity=Severity.HINT,
         )
+
+
+def _negative_steps(program: Program) -> Iterator[Diagnostic]:
+    """FW -2, which walks nowhere: learners mean the other direction."""
+    for each in syntax.walk(program.body):
+        match each:
+            case syntax.Walk(
+                direction=direction, steps=syntax.Negative(operand=syntax.Number(value=steps))
+            ) if steps:
+                is_forward = direction is syntax.Direction.FORWARD
+                other = spelling("BW" if is_forward else "FW", _language_of(program))
+                typed = program.typed(each.span)
+                meant = f"{other} {steps}"
+                yield Diagnostic(
+                    Kind.UNUSED_VALUE, each.span, "steps", typed, meant=meant, severity=Severity.HINT
+                )
 
 
 def _language_of(program: Program) -> str:

@@ -46,7 +46,7 @@ class Kind(Enum):
     ROBOT = "robot"
     """The robot can't do what it was asked, or was lost."""
     UNUSED_VALUE = "unused-value"
-    """A sensor on a line of its own; only ever a hint."""
+    """What does nothing: a sensor on a line of its own, a step below 0; only ever a hint."""
 
 
 class Severity(Enum):

@@ -79,3 +79,10 @@ def test_a_text_that_was_spoken_without_quotes_is_explained_as_one(tmp_path: Pat
     learner.sees("Não existe a variável olá.")
     learner.enters("EXPLICAR")
     learner.sees('Crie antes: CRIAR x = 5.\r\nOu, se é um texto: FALAR "oi".')
+
+
+def test_steps_below_0_are_told_with_the_way_back(tmp_path: Path) -> None:
+    learner = Learner(tmp_path, language="pt")
+    learner.enters("PF -2", "EXECUTAR")
+    learner.sees("Andei 0 passos para frente.\r\nUm número menor que 0 não move nada.\r\n")
+    learner.sees("Você quis dizer PT 2?")

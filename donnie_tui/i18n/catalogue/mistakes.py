@@ -174,6 +174,11 @@ SENTENCES: dict[str, Sentence] = {
     "mistake-unused-value": Sentence(
         "{word} alone tells nothing.", "{word} sozinho não diz nada.", "{word} solo no dice nada."
     ),
+    "mistake-unused-value-steps": Sentence(
+        "A number below 0 moves nothing here.",
+        "Um número menor que 0 não move nada.",
+        "Un número menor que 0 no mueve nada.",
+    ),
     # --- what would put it right
     "hint-meant": Sentence(
         "Did you mean {meant}?", "Você quis dizer {meant}?", "Quizá querías decir {meant}."

@@ -23,9 +23,11 @@ def hints(source: str, *, whole: bool = True) -> list[tuple[str, int, int]]:
         ("PF 1 DISTÂNCIA T", "FALAR DISTÂNCIA T"),
         ("REPEAT 2 TIMES COLOR red END REPEAT", "SPEAK COLOR RED"),
         ("AV 1 POS X", "HABLAR POS X"),
+        ("PF -2", "PT 2"),
+        ("TR -90 BW - 5", "FW 5"),
     ],
 )
-def test_a_sensor_on_its_own_hints_at_speaking_it(source: str, meant: str) -> None:
+def test_what_does_nothing_is_told_with_what_was_meant(source: str, meant: str) -> None:
     program = parse(source).program
     assert program is not None
 
