@@ -3,8 +3,9 @@
 from __future__ import annotations
 
 from language.diagnostics import Kind
-from language.keywords import spelling
-from language.lexer import END, KIND, NAME, Token
+from language.keywords import END_WORDS, spelling
+from language.lexer import KIND, NAME, Token
+from language.nearby import has_few_slips
 from language.outline import ENDS, OPENERS
 from language.recovery.going_on import skip_rest_of_line
 from language.recovery.kinds import ELSE
@@ -22,17 +23,27 @@ from language.recovery.pairs import pair_meant
 from language.recovery.reading import Reading
 
 
+def is_misspelt_end(reading: Reading) -> bool:
+    """ENDD REPEAT at the end of a line, where a REPEAT is open."""
+    token, following = reading.token, reading.following
+    if not reading.blocks or OPENERS.get(following[0]) != reading.blocks[-1].kind:
+        return False
+    is_near = any(has_few_slips(token[5], each) for each in END_WORDS)
+    return is_near and following[3] == token[3] and _ends_line(reading, 1)
+
+
 def read_end(reading: Reading) -> None:
+    """One with its word, one without, or a misspelt one."""
     token = reading.token
     end, meant, width = ENDS.get(token[0], ""), "", 1
-    if token[0] == END:
+    if not end:
         end, meant, width = _end_meant(reading)
     reading.begun = reading.at
     closing = _closing(reading, token, end, meant, width)
     for read_as in close(reading.blocks, end, closing):
         _feed_end(reading, read_as)
     reading.at += width
-    if token[0] == END:
+    if token[0] not in ENDS:
         skip_rest_of_line(reading, token[3])
 
 
@@ -51,10 +62,14 @@ def _innermost_meant(reading: Reading) -> tuple[str, int]:
     """For an END alone, or with one word that is none of ours: the words of the block that it ends."""
     if not reading.blocks or not reading.blocks[-1].kind:
         return "", 1
-    line, following = reading.token[3], reading.following
-    behind = reading.tokens[min(reading.at + 2, len(reading.tokens) - 1)]
-    has_word = following[0] == NAME and following[3] == line and (behind[3] != line or behind[0] == 0)
+    has_word = reading.following[0] == NAME and not _ends_line(reading, 0) and _ends_line(reading, 1)
     return spelling(f"END {reading.blocks[-1].kind}", reading.language), 2 if has_word else 1
+
+
+def _ends_line(reading: Reading, more: int) -> bool:
+    """Whether the token so many behind this one is the last of the line."""
+    behind = reading.tokens[min(reading.at + more + 1, len(reading.tokens) - 1)]
+    return behind[3] != reading.token[3] or behind[0] == 0
 
 
 def _closing(reading: Reading, token: Token, end: str, meant: str, width: int) -> Closing:
@@ -63,15 +78,15 @@ def _closing(reading: Reading, token: Token, end: str, meant: str, width: int) -
         reading.tell(Kind.WRONG_END, token, "stray-end", ("command",))
         return Closing.STRAY
     block = reading.blocks[-1]
-    if token[0] != END and block.kind in (end, ""):
+    if token[0] in ENDS and block.kind in (end, ""):
         return Closing.INNERMOST
     closing = best_closing(kinds_of(reading.blocks), end, reading.tokens[reading.at + width :])
     if block.kind:
-        is_other = bool(end) and token[0] != END and closing is Closing.INNERMOST
+        is_other = token[0] in ENDS and closing is Closing.INNERMOST
         meant = spelling(f"END {block.kind}", reading.language) if is_other else meant
         code = "other-end" if is_other else ""
         _tell_about_end(reading, Kind.WRONG_END, token, block, meant, width, code)
-    return Closing.INNERMOST if token[0] == END and closing is Closing.STRAY else closing
+    return Closing.INNERMOST if token[0] not in ENDS and closing is Closing.STRAY else closing
 
 
 def tell_missing_ends(reading: Reading) -> None:

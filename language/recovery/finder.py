@@ -10,7 +10,13 @@ from language.lexer import DISTANCE, END, FOR, FRAGMENT, NAME, TAKES, Lexed, lex
 from language.outline import ENDS, is_split_else
 from language.recovery.arguments import tell_missing_argument
 from language.recovery.commands import read_stray, read_unknown_command, read_unknown_pair
-from language.recovery.ends import read_else, read_end, read_split_else, tell_missing_ends
+from language.recovery.ends import (
+    is_misspelt_end,
+    read_else,
+    read_end,
+    read_split_else,
+    tell_missing_ends,
+)
 from language.recovery.kinds import BEHIND_FIRST_NAME, COMMANDS, ELSE
 from language.recovery.pairs import has_misspelt_second
 from language.recovery.reading import Reading
@@ -94,7 +100,7 @@ def _step(reading: Reading) -> None:
 def _begin_or_go_on(reading: Reading) -> None:
     """Where a command may begin: begin it, or go on with the one before, which may be longer."""
     kind = reading.token[0]
-    if kind in ENDS or kind == END:
+    if kind in ENDS or kind == END or (kind == NAME and is_misspelt_end(reading)):
         read_end(reading)
     elif kind == ELSE:
         read_else(reading)

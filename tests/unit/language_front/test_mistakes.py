@@ -272,6 +272,9 @@ def test_a_near_word_is_offered_and_a_far_one_is_not(source: str, meant: str) ->
         ("REPITA 2 VEZES\nPF 1\nFIM LAÇO", "FIM REPITA", "FIM LAÇO"),
         ("PROCEDIMIENTO P HACER\nAV 1\nFIN APRENDIZAJE\nP []", "FIN PROCEDIMIENTO", "FIN APRENDIZAJE"),
         ("REPEAT 2 TIMES\nFW 1\nEND FW 2", "END REPEAT", "END"),
+        ("REPEAT 2 TIMES\nFW 1\nENDD REPEAT\nFW 2", "END REPEAT", "ENDD REPEAT"),
+        ("REPITA 2 VEZES\nPF 1\nFI REPITA", "FIM REPITA", "FI REPITA"),
+        ("SI 1 == 1 ENTONCES\nAV 1\nFINN SI", "FIN SI", "FINN SI"),
     ],
 )
 def test_an_end_without_its_word_means_that_of_the_block_that_is_open(
@@ -281,6 +284,12 @@ def test_an_end_without_its_word_means_that_of_the_block_that_is_open(
     end = mistake.span.end if mistake.meant_end is None else mistake.meant_end
 
     assert (mistake.meant, source[mistake.span.start : end]) == (meant, replaced)
+
+
+def test_a_word_before_a_loop_that_begins_is_no_end() -> None:
+    mistakes = parse("REPEAT 2 TIMES\nEN REPEAT 3 TIMES\nFW 1\nEND REPEAT\nEND REPEAT").diagnostics
+
+    assert [(each.kind, each.found) for each in mistakes] == [(Kind.UNKNOWN_COMMAND, "EN")]
 
 
 @pytest.mark.parametrize(
