@@ -11,6 +11,9 @@ from donnie_tui.core.events import Moved, RunEnded, RunStarted, Stamped, Turned
 from donnie_tui.core.telling import facing, position_in_words
 from donnie_tui.core.wording import Wording
 
+USUALLY_TOLD = 5
+"""Moves that TRAIL tells without a number."""
+
 KEPT = 1000
 """Moves that are remembered."""
 

@@ -8,14 +8,12 @@ from donnie_tui.core.describe import told_world
 from donnie_tui.core.map_grid import FREE, MapGrid
 from donnie_tui.core.naming import shown_name
 from donnie_tui.core.sensor_words import sensors_in_words, sensors_of_board
-from donnie_tui.core.trail import place_in_words
+from donnie_tui.core.trail import USUALLY_TOLD, place_in_words
 from donnie_tui.core.transcript import lines_said_by
 from donnie_tui.core.typed_words import numbers_in
 from donnie_tui.linear.arguments import Handler, alone, counted
 from donnie_tui.linear.desk import Desk
 from donnie_tui.linear.runs import Runs
-
-_DEFAULT_TRAIL = 5
 
 
 def _grid(desk: Desk) -> MapGrid:
@@ -105,5 +103,5 @@ HANDLERS: dict[str, Handler] = {
     "map_column": _column,
     "map_picture": alone(_picture),
     "sensors": alone(_sensors),
-    "trail": counted(_trail, _DEFAULT_TRAIL),
+    "trail": counted(_trail, USUALLY_TOLD),
 }

@@ -18,7 +18,7 @@ from donnie_tui.core.map_grid import MapGrid
 from donnie_tui.core.naming import shown_name
 from donnie_tui.core.sensor_words import sensors_in_words, sensors_of_board
 from donnie_tui.core.told_errors import ToldErrors, line_of
-from donnie_tui.core.trail import place_in_words
+from donnie_tui.core.trail import USUALLY_TOLD, place_in_words
 from donnie_tui.core.transcript import lines_said_by
 from donnie_tui.core.typed_words import count_in, numbers_in
 from donnie_tui.core.wording import Wording
@@ -31,9 +31,6 @@ from donnie_tui.words import sound_words
 
 if TYPE_CHECKING:
     from donnie_tui.tui.host import WorkHost
-
-_TRAIL = 5
-"""Moves that TRAIL tells without a number."""
 
 
 class TellingDeeds:
@@ -94,7 +91,7 @@ class TellingDeeds:
         self._host.pages.show_lines(self._host.words("key-show_map"), lines)
 
     def trail(self, argument: str) -> bool:
-        count = count_in(argument, _TRAIL)
+        count = count_in(argument, USUALLY_TOLD)
         if count is not None:
             self._tell_of_robot(*self._host.trail.in_words(count, self._host.words))
         return count is not None
