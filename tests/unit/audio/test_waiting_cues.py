@@ -26,8 +26,9 @@ def taken(cues: WaitingCues, now: float) -> list[tuple[str, float]]:
     return [(order.name, order.delay) for order in cues.take(now)]
 
 
-def test_a_worker_that_is_there_late_is_given_a_line_that_is_as_long_as_before() -> None:
-    names, delays = zip(*taken(waiting("found", "found", "found"), now=0.9), strict=True)
+@pytest.mark.parametrize("late", [0.3, 0.9])
+def test_a_worker_that_is_there_late_is_given_a_line_that_is_as_long_as_before(late: float) -> None:
+    names, delays = zip(*taken(waiting("found", "found", "found"), now=late), strict=True)
 
     assert names == ("found", "found", "found")
     assert delays == pytest.approx((0.0, FOUND, 2 * FOUND))
