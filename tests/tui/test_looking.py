@@ -1,10 +1,9 @@
-"""Panes, focus, the terminal's cursor, sizes, help: what is seen and how one gets there, by keys alone."""
+"""Panes, focus, the terminal's cursor, sizes: what is seen and how one gets there, by keys alone."""
 
 import pytest
 from textual.geometry import Offset
 
 from devices.ports.robot import Pose
-from donnie_tui.tui.actions import ACTIONS
 
 SIZES = [(40, 12), (80, 24), (100, 30), (120, 40), (200, 60)]
 
@@ -249,56 +248,6 @@ async def test_words_go_to_the_panes(work, typed, focused):
         await desk.until(lambda: desk.app.focused.id == focused, focused)
 
 
-async def test_f1_shows_every_key_and_word_and_esc_goes_back(work):
-    async with work() as desk:
-        await desk.press("f1")
-        await desk.until(lambda: desk.app.screen is not desk.place, "the help")
-        rows = desk.app.screen.rows
-        told = "\n".join(rows.lines)
-        assert all(action.en in told for action in ACTIONS if not action.hidden)
-        assert "FW" in told
-        assert caret(desk) == rows.content_region.offset
-        await desk.press("down", "down")
-        assert caret(desk) == rows.content_region.offset + Offset(0, 2)
-        await desk.press("escape")
-        await desk.until(lambda: desk.app.screen is desk.place, "the workplace")
-
-        assert desk.place.editor.has_focus
-
-
-MANUALS = {"en": "the manual", "pt": "o manual", "es": "el manual"}
-
-
-@pytest.mark.parametrize("language", MANUALS)
-async def test_f1_again_goes_on_from_the_help_to_the_manual(work, language):
-    async with work(language=language) as desk:
-        await desk.press("f1")
-        await desk.until(lambda: desk.app.screen is not desk.place, "the help")
-        help_screen, title = desk.app.screen, MANUALS[language]
-        assert any(line.startswith("F1 ") and title in line for line in help_screen.rows.lines)
-        await desk.press("f1")
-        await desk.until(lambda: desk.app.screen not in (desk.place, help_screen), "the manual")
-        assert title in desk.app.screen._title_words
-        await desk.press("escape")
-        await desk.until(lambda: desk.app.screen is help_screen, "the help again")
-        await desk.press("escape")
-        await desk.until(lambda: desk.app.screen is desk.place, "the workplace")
-
-
-async def test_help_with_a_word_of_the_screen_tells_its_purpose(work):
-    async with work() as desk:
-        await desk.type_line("HELP stop")
-
-        await desk.told("Stops the program and Donnie.")
-
-
-async def test_help_with_a_command_of_godonnie_is_godonnie_s(work):
-    async with work() as desk:
-        await desk.type_line("HELP FW")
-
-        await desk.until(lambda: any("FW" in line for line in desk.log[3:]), "the help")
-
-
 async def test_up_and_down_bring_back_what_was_typed(work):
     async with work() as desk:
         await desk.type_line("FW 1")
@@ -328,26 +277,6 @@ async def test_the_log_is_read_by_rows_and_follows_its_end_again(work):
         await desk.type_line("SPEAK 100")
         await desk.told("100")
         assert desk.place.log_rows.row_text == "100"
-
-
-async def test_the_palette_does_what_is_chosen(work):
-    async with work('SPEAK "chosen"') as desk:
-        await desk.press("ctrl+p")
-        await desk.until(lambda: desk.app.screen is not desk.place, "the palette")
-        await desk.press(*"runs the", "enter")
-        await desk.told("chosen")
-
-
-async def test_the_cursor_stands_on_the_row_that_enter_would_choose(work):
-    async with work() as desk:
-        await desk.press("ctrl+p")
-        await desk.until(lambda: desk.app.screen is not desk.place, "the palette")
-        await desk.press("down", "down")
-        await desk.pilot.pause()
-        row = desk.screen.splitlines()[desk.app.cursor_position.y]
-
-        assert row.startswith(">")
-        assert [line for line in desk.screen.splitlines() if line.startswith(">")] == [row]
 
 
 @pytest.mark.parametrize("language", ["pt", "es"])

@@ -1,6 +1,5 @@
-"""The parts of the full screen, one by one: table of actions, bridge, rows, highlighting, copies."""
+"""The parts of the full screen, one by one: table of actions, rows, highlighting, copies."""
 
-import threading
 from pathlib import Path
 
 import pytest
@@ -9,29 +8,13 @@ from hypothesis import strategies as st
 from textual.app import App, ComposeResult
 from textual.widgets import TextArea
 
-from devices.ports.robot import Bearing, Pose, StoppedBy
 from donnie_tui import LANGUAGES
 from donnie_tui.core.copies import MOST_COPIES, Copies
 from donnie_tui.core.documents import Document, DocumentError, as_lines
-from donnie_tui.core.events import (
-    Announced,
-    Answered,
-    Error,
-    Moved,
-    Outcome,
-    Passing,
-    RunEnded,
-    RunStarted,
-    Sensed,
-    Spoke,
-    Stamped,
-)
 from donnie_tui.core.in_use import FilesInUse
 from donnie_tui.core.speeds import SPEEDS
 from donnie_tui.i18n.catalogue import SENTENCES
-from donnie_tui.i18n.words import Words
 from donnie_tui.tui.actions import ACTIONS, BY_NAME, find
-from donnie_tui.tui.bridge import MOST_LINES, NO_MAIL, Began, Bridge, Ended, Happened, LogLine
 from donnie_tui.tui.deeds import Deeds
 from donnie_tui.tui.deeds_around import AroundDeeds
 from donnie_tui.tui.deeds_lines import LineDeeds
@@ -41,7 +24,6 @@ from donnie_tui.tui.deeds_settings import SettingsDeeds
 from donnie_tui.tui.deeds_telling import TellingDeeds
 from donnie_tui.tui.deeds_text import TextDeeds
 from donnie_tui.tui.highlighting import highlights
-from donnie_tui.tui.intake import Intake
 from donnie_tui.tui.widgets.editor import Editor
 from donnie_tui.tui.widgets.text_rows import MOST_LINES as MOST_LOGGED
 from donnie_tui.tui.widgets.text_rows import TextRows
@@ -50,7 +32,6 @@ from language.keywords import canonical
 ODD_TEXTS = ("[bold]", "\x1b[31mred", "a\tb", "日本語" * 20, "", "e\u0301" * 50, "\udcff")
 ODD_LETTERS = tuple('FW TR 1"“”-–\n\r\té́ação[]:=<>\u2028\x0c\udcff日')
 DEEDS = (Deeds, AroundDeeds, LineDeeds, MapDeeds, RobotDeeds, SettingsDeeds, TellingDeeds, TextDeeds)
-HERE = Pose(0.0, 0.0, 0.0)
 
 
 # --- actions
@@ -111,157 +92,6 @@ def test_speeds_go_up():
     assert list(SPEEDS[:-1]) == sorted(SPEEDS[:-1])
     assert SPEEDS[-1] is None
     assert BY_NAME["quit"].keys == ("ctrl+q",)
-
-
-# --- bridge
-
-
-def bridge() -> tuple[Bridge, list]:
-    posted: list = []
-    return Bridge(posted.append, Words(), lambda: HERE), posted
-
-
-def told(listener: Bridge, *events) -> None:
-    for number, event in enumerate(events, 1):
-        listener(Stamped(number, 0.0, event))
-
-
-def test_what_stopped_one_robot_is_not_the_reason_of_another_ones_line():
-    posted: list = []
-    listener = Bridge(posted.append, Words(), lambda: HERE, lambda: "alice")
-    for robot, reason in (("alice", StoppedBy.OBSTACLE), ("bob", None)):
-        listener(Stamped(1, 0.0, Moved("FW", 5, 2, reason, HERE, forward=True), robot))
-    for robot in ("bob", "alice"):
-        listener(Stamped(2, 0.0, Announced("moved", "I walked 2 steps."), robot))
-
-    assert [(each.text, each.kind) for each in listener.take().lines] == [
-        ("bob: I walked 2 steps.", "moved"),
-        ("alice: I walked 2 steps.", "obstacle"),
-    ]
-
-
-def test_what_is_said_waits_in_the_mailbox_and_the_screen_is_woken_once():
-    listener, posted = bridge()
-    told(listener, Spoke("one"), Spoke("two\nthree"), Answered("four"))
-
-    assert [type(each) for each in posted] == [Happened]
-    assert [line.text for line in listener.take().lines] == ["one", "two", "three", "four"]
-    assert listener.take().lines == ()
-
-
-def test_after_a_look_the_screen_is_woken_again():
-    listener, posted = bridge()
-    told(listener, Spoke("one"))
-    listener.take()
-    told(listener, Spoke("two"))
-
-    assert len(posted) == 2
-
-
-def test_a_movement_that_was_cut_short_is_told_with_its_reason():
-    listener, _ = bridge()
-    told(
-        listener,
-        Moved("FW 3", 3, 1, StoppedBy.OBSTACLE, HERE, True),
-        Announced("moved", "I walked only 1 step."),
-        Moved("FW 3", 3, 3, None, HERE, True),
-        Announced("moved", "I walked 3 steps."),
-    )
-
-    assert [line.kind for line in listener.take().lines] == ["obstacle", "moved"]
-
-
-def test_a_program_that_talks_without_end_costs_no_memory_and_what_is_lost_is_counted():
-    listener, posted = bridge()
-    for _ in range(MOST_LINES + 500):
-        told(listener, Spoke("again"))
-    mail = listener.take()
-
-    assert len(mail.lines) == MOST_LINES
-    assert mail.missed == 500
-    assert len(posted) == 1
-
-
-def test_poses_come_from_every_thread_and_wake_the_screen_once():
-    listener, posted = bridge()
-    threads = [
-        threading.Thread(target=told, args=(listener, *[Passing(Pose(i, 0, 0)) for i in range(200)]))
-        for _ in range(4)
-    ]
-    for thread in threads:
-        thread.start()
-    for thread in threads:
-        thread.join()
-
-    assert len(posted) == 1
-    assert len(listener.take().poses) == 800
-
-
-def test_distances_that_are_what_they_were_wake_nobody():
-    listener, posted = bridge()
-    told(listener, Sensed({Bearing.FRONT: 4}))
-    assert listener.take().distances == {Bearing.FRONT: 4}
-
-    told(listener, Sensed({Bearing.FRONT: 4}))
-    assert (listener.take(), len(posted)) == (NO_MAIL, 1)
-
-    told(listener, Sensed({Bearing.FRONT: 3}))
-    assert (listener.take().distances, len(posted)) == ({Bearing.FRONT: 3}, 2)
-
-
-def test_what_happens_in_a_run_waits_until_its_beginning_is_shown():
-    """Else the way that the robot went would be wiped away with the last one's."""
-    listener, posted = bridge()
-    told(listener, Answered("Saved."), RunStarted("p", "w", "d", 0, "0"), Passing(HERE))
-    assert listener.take() == NO_MAIL
-
-    listener.begun()
-    mail = listener.take()
-
-    assert [type(each) for each in posted] == [Happened, Began]
-    assert (mail.poses, [each.text for each in mail.lines]) == ((HERE,), ["Saved."])
-
-
-def test_the_end_of_a_run_brings_its_mistakes():
-    listener, posted = bridge()
-    mistake = Error("syntax", 2, 5, "What?", None)
-    told(listener, RunStarted("p", "w", "d", 0, "0"), mistake, RunEnded(Outcome.FAILED, HERE, {}, 0.0))
-
-    assert isinstance(posted[0], Began)
-    assert isinstance(posted[-1], Ended)
-    assert posted[-1].errors == (mistake,)
-    listener.begun()
-    assert listener.take().lines[0] == LogLine("Error, line 2, column 5: What?", "error")
-
-
-def test_the_end_of_another_robots_run_is_not_that_of_ones_own():
-    posted: list = []
-    listener = Bridge(posted.append, Words(), lambda: HERE, lambda: "alice")
-    for robot in ("bob", "alice"):
-        listener(Stamped(1, 0.0, RunEnded(Outcome.COMPLETED, Pose(1.0, 0.0, 0.0), {}, 0.0), robot))
-
-        assert any(isinstance(each, Ended) for each in posted) == (robot == "alice")
-    assert listener.take().others == (("bob", Pose(1.0, 0.0, 0.0)),)
-
-
-def test_what_did_not_fit_is_told_before_what_did():
-    listener, _ = bridge()
-    for _ in range(MOST_LINES + 500):
-        told(listener, Spoke("again"))
-    written: list[LogLine] = []
-    intake = Intake(
-        listener, Words(), set_timer=lambda *_: None, receive=lambda _: None, write=written.extend
-    )
-    intake.take()
-    intake.write()
-
-    assert [each.text for each in written[:2]] == ["500 lines were left out.", "again"]
-    assert len(written) == MOST_LINES + 1
-
-
-def test_two_calls_to_look_are_as_good_as_one():
-    assert Happened().can_replace(Happened())
-    assert not Happened().can_replace(Began("p", HERE))
 
 
 # --- rows of text
