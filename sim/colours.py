@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Iterable
-from colorsys import rgb_to_hsv
 
 from devices.ports.values import Frozen
 
@@ -19,22 +18,19 @@ class Colour(Frozen):
     red: float
     green: float
     blue: float
-    alpha: float = 1.0
+    alpha: float
+    family: str
+    """The word of the language for it."""
 
     def same(self, other: Colour) -> bool:
         """Equal as Stage's blobfinder compares: without the alpha, to a level of 255."""
         pairs = ((self.red, other.red), (self.green, other.green), (self.blue, other.blue))
         return all(abs(mine - theirs) < 1 / 255 for mine, theirs in pairs)
 
-    @property
-    def family(self) -> str:
-        """The word of the language for this colour; every colour has one, black and white are gray."""
-        name = self.name.lower()
-        if "gray" in name or "grey" in name:
-            return "gray"
-        if "pink" in name:
-            return "pink"
-        return _family(*rgb_to_hsv(_level(self.red), _level(self.green), _level(self.blue)))
+
+def colour_of(name: str, red: float, green: float, blue: float, alpha: float = 1.0) -> Colour:
+    """A colour as a world file gives it."""
+    return Colour(name, red, green, blue, alpha, _family(name.lower(), red, green, blue))
 
 
 def families(told_apart: Iterable[tuple[Colour, ...]]) -> frozenset[str]:
@@ -49,7 +45,18 @@ def _level(value: float) -> float:
     return min(1.0, max(0.0, value))
 
 
-def _family(hue: float, saturation: float, value: float) -> str:
+def _family(name: str, red: float, green: float, blue: float) -> str:
+    """Every colour has one; black and white are gray."""
+    if "gray" in name or "grey" in name:
+        return "gray"
+    if "pink" in name:
+        return "pink"
+    from colorsys import rgb_to_hsv  # a world that ships was read before
+
+    return _family_of_hue(*rgb_to_hsv(_level(red), _level(green), _level(blue)))
+
+
+def _family_of_hue(hue: float, saturation: float, value: float) -> str:
     if saturation < 0.15 or value < 0.15:
         return "gray"
     degrees = hue * 360

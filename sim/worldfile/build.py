@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections import Counter
 from collections.abc import Callable, Iterable, Mapping
 
-from sim.colours import Colour
+from sim.colours import colour_of
 from sim.fittings import RangeSensor
 from sim.placement import Placement
 from sim.scene import Model, Note, NoteKind, Polygon
@@ -18,7 +18,7 @@ from sim.worldfile.values import ValueReader
 Trace = Callable[[Setting], Plan]
 """The dark pixels of the picture that a ``bitmap`` names."""
 
-_RED, _NAVY, _BLACK = Colour("red", 1, 0, 0), Colour("", 0, 0, 0.5), Colour("black", 0, 0, 0)
+_RED, _NAVY, _BLACK = colour_of("red", 1, 0, 0), colour_of("", 0, 0, 0.5), colour_of("black", 0, 0, 0)
 _SIZES = {
     "ranger": (0.15, 0.15, 0.2),
     "fiducial": (0.0, 0.0, 0.0),

@@ -8,7 +8,7 @@ from difflib import get_close_matches
 from math import degrees
 from typing import TYPE_CHECKING
 
-from sim.colours import FAMILIES, Colour
+from sim.colours import FAMILIES, Colour, colour_of
 from sim.placement import Placement
 from sim.scene import Note, NoteKind
 from sim.worldfile import tree
@@ -163,7 +163,7 @@ class ValueReader:
         if (setting := settings.get("color_rgba")) is None:
             return default
         levels = [min(1.0, max(0.0, _number(setting, item))) for item in _items(setting, 3, 4)]
-        return Colour("", *levels)
+        return colour_of("", *levels)
 
     def named_colour(self, setting: Setting, name: str) -> Colour:
         """Red, as Stage has it, and a warning, where nobody knows the name."""
@@ -171,8 +171,8 @@ class ValueReader:
         if levels is None:
             details = {"name": name[:60], "nearest": nearest_name(name)}
             self.note(NoteKind.WARNING, "unknown-colour", setting, **details)
-            return Colour("red", 1.0, 0.0, 0.0)
-        return Colour(name, *(level / 255 for level in levels))
+            return colour_of("red", 1.0, 0.0, 0.0)
+        return colour_of(name, *(level / 255 for level in levels))
 
     def _any_colour(self, setting: Setting) -> Colour:
         """One of those that the language has a word for: the same file gives the same ones each time."""
