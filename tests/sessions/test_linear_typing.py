@@ -199,7 +199,7 @@ def test_quit_moves_no_robot_by_a_program_that_was_only_opened(
     (tmp_path / "walk.gd").write_text("FW 2\nREPEAT 2 TIMES\nFW 1\n")
     learner = Learner(tmp_path, "walk.gd")
     learner.enters(*typed, "QUIT")
-    learner.sees(f"{3 + len(typed)} lines did not run. RUN was missing.")
+    learner.sees(f"{3 + len(typed)} lines did not run. END REPEAT was missing.")
     if typed:
         learner.enters("n")  # not saved
 
