@@ -102,6 +102,8 @@ def _take_copy(desk: Desk, copy: Path) -> None:
     desk.program.replace(found.text, str(found.path) if found.path else None, in_file=in_file)
     desk.programs.bring_breakpoints()
     tell_back_again(desk)
+    if desk.programs.copies.rescued():
+        desk.answer("answer-rescued-more")
 
 
 def _taken(copies: Copies, copy: Path) -> tuple[Rescued, str]:

@@ -72,4 +72,4 @@ class Recovering:
         code = "answer-recovered" if found.path is None else "answer-recovered-file"
         self._desk.talk.tell(Answer(code, {"lines": lines, "name": self._programs.name}))
         if self.is_offered:
-            self._desk.talk.tell(Answer("answer-rescued"))
+            self._desk.talk.tell(Answer("answer-rescued-more"))

@@ -70,3 +70,16 @@ def test_a_programs_own_file_is_saved_by_any_of_its_names_without_a_question(
     (tmp_path / "a.gd").write_text("FW 1\n")
     learner.enters("OPEN a.gd", "FW 2", f"SAVE {tmp_path / 'a.gd'}")
     learner.sees("Saved a.gd, 2 lines.")
+
+
+def test_that_there_is_one_program_more_is_told_with_the_first(tmp_path: Path) -> None:
+    folder = tmp_path / "state" / "donnie" / "unsaved"
+    folder.mkdir(parents=True)
+    for number in (1, 2):
+        (folder / f"unsaved-9999999{number}-a.gd").write_text(f"FW {number}\n")
+
+    learner = Learner(tmp_path)
+    learner.enters("RECOVER")
+    learner.sees("Here it is again, 1 line.\r\nThere is one more. RECOVER opens it.\r\n")
+    learner.enters("RECOVER")
+    learner.sees("Here it is again, 1 line.\r\n> ")

@@ -50,6 +50,11 @@ _PROGRAM = {
     ),
     "answer-unchanged": Sentence("Nothing was changed.", "Nada foi mudado.", "No se cambió nada."),
     "answer-rescued": Sentence(*first_words.RESCUED),
+    "answer-rescued-more": Sentence(
+        "There is one more. RECOVER opens it.",
+        "Há mais um. RECUPERAR o abre.",
+        "Hay uno más. RECUPERAR lo abre.",
+    ),
     "answer-recovered": Sentence(
         "Here it is again, {lines} {lines:line|lines}.",
         "Aqui está de novo, {lines} {lines:linha|linhas}.",
