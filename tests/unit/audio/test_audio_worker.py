@@ -5,7 +5,6 @@ The device is miniaudio's null device, which takes the sound at the right pace a
 
 from __future__ import annotations
 
-import errno
 import json
 import os
 import signal
@@ -217,107 +216,6 @@ def test_closing_before_anything_was_heard_starts_nothing() -> None:
 def test_where_there_is_no_worker_speaker_and_cues_are_silent() -> None:
     assert isinstance(make_speaker(None), SilentSpeaker)
     assert isinstance(make_cue_player(None), SilentCuePlayer)
-
-
-PARENT = """
-import sys
-from devices.audio_worker.lifetime import State
-from devices.audio_worker.factory import AudioSettings, make_audio
-audio = make_audio(AudioSettings(device={device!r}), lambda notice: None)
-audio.warm_up()
-with audio._changed:
-    audio._changed.wait_for(lambda: audio.state not in (State.IDLE, State.STARTING), 20)
-{then}
-"""
-
-TELL_AND_WAIT = "print(audio.worker_pid, flush=True); sys.stdin.read()"
-
-
-@contextmanager
-def parent_process(then: str) -> Iterator[tuple[subprocess.Popen[bytes], int]]:
-    """Another Python that has a worker, and that worker's process id."""
-    command = (sys.executable, "-c", PARENT.format(device="null", then=then))
-    with subprocess.Popen(command, cwd=ROOT, stdin=subprocess.PIPE, stdout=subprocess.PIPE) as parent:
-        assert parent.stdout is not None
-        try:
-            yield parent, int(parent.stdout.readline())
-        finally:
-            parent.kill()
-
-
-@pytest.mark.parametrize("freeze", [False, True], ids=["busy", "frozen"])
-def test_a_worker_dies_with_a_parent_that_is_killed(freeze: bool) -> None:
-    with parent_process(TELL_AND_WAIT) as (parent, pid):
-        if freeze:
-            os.kill(pid, signal.SIGSTOP)
-        assert group_of(pid)
-        parent.kill()
-        parent.wait()
-
-        assert eventually(lambda: not group_of(pid))
-
-
-def test_a_parent_that_ends_without_closing_leaves_nothing() -> None:
-    with parent_process("print(audio.worker_pid, flush=True)") as (parent, pid):
-        assert parent.wait(PATIENCE) == 0
-
-        assert eventually(lambda: not group_of(pid))
-
-
-def output_on_a_terminal(code: str) -> bytes:
-    """All bytes that a Python with ``code`` and what it starts write to their terminal."""
-    ours, theirs = os.openpty()
-    command = (sys.executable, "-c", code)
-    with subprocess.Popen(
-        command, cwd=ROOT, stdin=theirs, stdout=theirs, stderr=theirs, start_new_session=True
-    ):
-        os.close(theirs)
-        output = b"".join(iter(lambda: read_terminal(ours), b""))
-    os.close(ours)
-    return output
-
-
-def read_terminal(descriptor: int) -> bytes:
-    try:
-        return os.read(descriptor, 4096)
-    except OSError as reason:
-        if reason.errno == errno.EIO:  # the other end was closed
-            return b""
-        raise
-
-
-@pytest.mark.parametrize("device", ["auto", "null"])
-def test_not_one_byte_reaches_the_terminal(device: str) -> None:
-    say_and_close = """
-from devices.ports.audio import Cue, Urgency, Utterance
-audio.set_cue_volumes({"bump": 0.0001})
-audio.play(Cue("bump"))
-audio.say(Utterance("", Urgency.PROGRAM, "en"))
-audio.wait_until_quiet(5)
-audio.close()
-"""
-
-    assert output_on_a_terminal(PARENT.format(device=device, then=say_and_close)) == b""
-
-
-def test_the_worker_is_ours_wherever_the_learner_is(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
-    package = tmp_path / "devices" / "audio_worker"
-    package.mkdir(parents=True)
-    for file in (package.parent / "__init__.py", package / "__init__.py", package / "__main__.py"):
-        file.write_text("raise SystemExit(1)\n")
-    monkeypatch.chdir(tmp_path)
-    with audio() as (service, notices):
-        warm(service)
-
-        assert notices == []
-
-
-def test_complaints_of_the_libraries_go_to_the_log(tmp_path: Path) -> None:
-    log = tmp_path / "audio.log"
-    with audio(log=log) as (service, _):
-        warm(service)
-
-        assert log.exists()
 
 
 RENDER = """
