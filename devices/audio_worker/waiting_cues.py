@@ -58,8 +58,9 @@ class WaitingCues:
             yield PlayCue(cue.name, cue.bearing, cue.steps, self._volume_of(cue), wait)
 
     def are_over(self, now: float) -> bool:
-        """Whether nothing waits nor sounds."""
-        return not self._waiting and now >= self._sound_until + ON_ITS_WAY
+        """Whether nothing sounds, nor waits that it is not too late for: a server may hang."""
+        waits = any(now - waiting.due <= STALE_CUE for waiting in self._waiting)
+        return not waits and now >= self._sound_until + ON_ITS_WAY
 
     def hush(self, now: float) -> bool:
         """Nothing played until now is heard any more. Whether something sounds now."""

@@ -7,7 +7,7 @@ import pytest
 from devices.audio_worker.conductor import Conductor
 from devices.audio_worker.messages import PlayCue, SoundReady, VoiceReady
 from devices.audio_worker.steps import Send
-from devices.audio_worker.waiting_cues import ON_ITS_WAY, WaitingCues
+from devices.audio_worker.waiting_cues import ON_ITS_WAY, STALE_CUE, WaitingCues
 from devices.ports.audio import Cue, Urgency, Utterance
 from devices.sound.tones import seconds_of
 from devices.speech.voices import VoiceSettings
@@ -58,6 +58,14 @@ def test_a_cue_is_over_when_it_was_heard() -> None:
     end = 0.5 + seconds_of("done") + ON_ITS_WAY
     assert not cues.are_over(end - 0.01)
     assert cues.are_over(end + 0.01)
+
+
+def test_nobody_waits_for_a_worker_that_does_not_come() -> None:
+    cues = waiting("found", "found", "done")
+    last = 2 * FOUND + STALE_CUE
+
+    assert not cues.are_over(last - 0.01)
+    assert cues.are_over(last + 0.01)
 
 
 def test_hushed_cues_are_over() -> None:
