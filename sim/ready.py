@@ -33,14 +33,14 @@ from sim.fittings import (
     Wheels,
 )
 from sim.placement import Placement
-from sim.scene import LoadReport, Model, Note, NoteKind, Polygon, Scene
+from sim.scene import LoadReport, Model, Polygon, Scene
 
 SUFFIX = ".scene"
 
 _KINDS: dict[str, Any] = {
     kind.__name__: kind
     for kind in (
-        *(Scene, LoadReport, Note, NoteKind, Model, Polygon, Placement, Colour, Wheels, Drive, Localization),
+        *(Scene, LoadReport, Model, Polygon, Placement, Colour, Wheels, Drive, Localization),
         *(
             Limits,
             OdometryError,
@@ -54,7 +54,8 @@ _KINDS: dict[str, Any] = {
         ),
     )
 }
-"""All that a scene is made of."""
+"""All that a scene is made of, but for notes."""
+_NOTES = ("Note", "NoteKind")
 _FORM = 2
 """Of marshal: one that every Python reads, and that is the same bytes for the same contents."""
 _SUM = 4
@@ -76,9 +77,9 @@ def read(world: str) -> Scene | None:
             return None
         sources, kinds, rows = marshal.loads(kept[_SUM:])
         is_fresh = all(_sum(_bytes_of(f"{folder}/{name}")) == sum_ for name, sum_ in sources)
-        if not is_fresh or any(names != _names(_KINDS[kind]) for kind, names in kinds):
+        if not is_fresh or any(names != _names(_kind(kind)) for kind, names in kinds):
             return None
-        scene = _put_together(rows, [_KINDS[kind] for kind, _ in kinds])
+        scene = _put_together(rows, [_kind(kind) for kind, _ in kinds])
     except (OSError, EOFError, ValueError, TypeError, LookupError):
         return None
     return _placed(scene, lambda name: os.path.normpath(f"{folder}/{name}"))
@@ -101,6 +102,20 @@ def made(world: str, scene: Scene) -> bytes:
 def _sum(content: bytes) -> int:
     """The content as one number, modulo a prime: as sure as a CRC that it is another after any change."""
     return int.from_bytes(b"\1" + content) % _PRIME
+
+
+def _kind(name: str) -> Any:
+    """LookupError if nothing in a scene is called so."""
+    if name in _NOTES:
+        from sim import notes  # few worlds that ship have any
+
+        return getattr(notes, name)
+    return _KINDS[name]
+
+
+def _is_known(content: Any) -> bool:
+    name = type(content).__name__
+    return name in _KINDS or name in _NOTES
 
 
 def _names(kind: Any) -> tuple[str, ...]:
@@ -139,7 +154,7 @@ class _Apart:
     def add(self, value: Any) -> int:
         """The number of its row; of the same one for the same contents."""
         name = type(value).__name__
-        self.kinds.setdefault(name, _names(_KINDS[name]))
+        self.kinds.setdefault(name, _names(_kind(name)))
         contents = (
             [value.value] if isinstance(value, Enum) else [getattr(value, each) for each in _names(value)]
         )
@@ -157,9 +172,9 @@ class _Apart:
 
     def _inside(self, content: Any) -> int | tuple[int, ...] | None:
         """Which values the content is; None if it is plain."""
-        if type(content).__name__ in _KINDS:
+        if _is_known(content):
             return self.add(content)
-        if isinstance(content, tuple) and content and type(content[0]).__name__ in _KINDS:
+        if isinstance(content, tuple) and content and _is_known(content[0]):
             return tuple(map(self.add, content))
         return None
 

@@ -9,34 +9,16 @@ same scene with things elsewhere than its file has them: pushed, carried, or dri
 from __future__ import annotations
 
 from collections.abc import Iterator, Mapping
-from enum import Enum
 
-from devices.ports.values import Frozen, field, replace
+from devices.ports.hints import TYPE_CHECKING
+from devices.ports.values import Frozen, replace
 from sim.colours import Colour
 from sim.fittings import Blobfinder, Bumper, Camera, FiducialFinder, Gripper, RangeSensor, Wheels
 from sim.geometry import Point, direction, placed, signed_area
 from sim.placement import Placement
 
-
-class NoteKind(Enum):
-    IGNORED = "ignored"
-    REPAIRED = "repaired"
-    WARNING = "warning"
-
-
-class Note(Frozen):
-    """One remark. Codes: ``unknown-property`` (name, nearest), ``unused-property`` (name), ``not-simulated``
-    (type, name), ``second-define`` (name), ``unknown-colour`` (name, nearest), ``random-colour``,
-    ``lone-sensor`` (name), ``walls-made-solid`` (name), ``not-utf8`` (path), ``margin-cropped`` (path),
-    ``no-robot``, ``robot-without-name`` and ``robot-renamed`` (name, alias), ``starts-inside`` (name,
-    thing); of a configuration file ``driver-not-used`` (name), ``unknown-model`` (name, nearest)."""
-
-    kind: NoteKind
-    code: str
-    file: str
-    line: int
-    column: int
-    details: Mapping[str, str | int | float] = field(default_factory=dict)
+if TYPE_CHECKING:
+    from sim.notes import Note
 
 
 class LoadReport(Frozen):

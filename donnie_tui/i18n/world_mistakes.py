@@ -11,7 +11,7 @@ from donnie_tui.i18n.phrasing import Phrasing
 from language import keywords
 
 if TYPE_CHECKING:
-    from sim.scene import Note
+    from sim.notes import Note
     from sim.worldfile.mistakes import WorldError
 
 _WITHOUT_PLACE = ("is-folder", "file-not-found", "file-unreadable", "file-too-large")

@@ -9,8 +9,9 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from sim.geometry import overlapping, placed
+from sim.notes import Note, NoteKind
 from sim.parts import Body, Part, body_of, parts_of
-from sim.scene import Model, Note, NoteKind, Scene
+from sim.scene import Model, Scene
 
 MOST = 50
 """Robots that are looked at."""

@@ -7,8 +7,9 @@ from collections.abc import Callable, Iterable, Mapping
 
 from sim.colours import colour_of
 from sim.fittings import RangeSensor
+from sim.notes import Note, NoteKind
 from sim.placement import Placement
-from sim.scene import Model, Note, NoteKind, Polygon
+from sim.scene import Model, Polygon
 from sim.worldfile import equipment, shapes
 from sim.worldfile.entities import MODEL_TYPES, Entity, Setting
 from sim.worldfile.mistakes import Code, WorldError

@@ -8,7 +8,8 @@ from difflib import get_close_matches
 from pathlib import Path
 
 from devices.ports.values import Frozen, replace
-from sim.scene import LoadReport, Note, NoteKind, Scene
+from sim.notes import Note, NoteKind
+from sim.scene import LoadReport, Scene
 from sim.worldfile.addresses import DEFAULT_PORT, Address, address
 from sim.worldfile.entities import Entity, Expander, Setting
 from sim.worldfile.load import load_world

@@ -10,7 +10,7 @@ from collections.abc import Iterable, Mapping
 from pathlib import Path
 
 from devices.ports.values import Frozen
-from sim.scene import Note, NoteKind
+from sim.notes import Note, NoteKind
 from sim.worldfile import tree
 from sim.worldfile.mistakes import Code, WorldError
 from sim.worldfile.nearby import defining, near_name

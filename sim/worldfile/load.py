@@ -7,7 +7,8 @@ from collections.abc import Iterable, Mapping
 from pathlib import Path
 
 from devices.ports.values import replace
-from sim.scene import LoadReport, Model, Note, NoteKind, Scene
+from sim.notes import Note, NoteKind
+from sim.scene import LoadReport, Model, Scene
 from sim.worldfile.beginnings import standing_inside
 from sim.worldfile.build import Builder
 from sim.worldfile.entities import Expander, Setting

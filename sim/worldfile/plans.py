@@ -6,7 +6,8 @@ from pathlib import Path
 
 from devices.ports.values import Frozen
 from sim.bitmap import BadPicture, Picture, count_outlines, read_picture, rectangles
-from sim.scene import NoteKind, Polygon
+from sim.notes import NoteKind
+from sim.scene import Polygon
 from sim.worldfile.entities import Setting
 from sim.worldfile.mistakes import Code
 from sim.worldfile.reader import LARGEST_FILE, FileReader

@@ -6,7 +6,7 @@ from collections.abc import Callable, Iterator
 from pathlib import Path
 
 from devices.ports.values import Frozen
-from sim.scene import Note, NoteKind
+from sim.notes import Note, NoteKind
 from sim.worldfile import tree
 from sim.worldfile.mistakes import Code, WorldError
 from sim.worldfile.nearby import near_file, near_world, worlds_in

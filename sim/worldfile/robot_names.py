@@ -10,7 +10,8 @@ from collections.abc import Iterable
 from unicodedata import combining, normalize
 
 from devices.ports.values import replace
-from sim.scene import Model, Note, NoteKind
+from sim.notes import Note, NoteKind
+from sim.scene import Model
 
 _UNSPEAKABLE = frozenset(':="\\')
 """Of Stage's numbering, of ``NAME=FILE``, of quoting."""

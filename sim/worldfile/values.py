@@ -9,8 +9,8 @@ from math import degrees
 from typing import TYPE_CHECKING
 
 from sim.colours import FAMILIES, Colour, colour_of
+from sim.notes import Note, NoteKind
 from sim.placement import Placement
-from sim.scene import Note, NoteKind
 from sim.worldfile import tree
 from sim.worldfile.entities import Setting
 from sim.worldfile.mistakes import Code, WorldError

@@ -102,7 +102,7 @@ NOT_TO_SPEAK = {
     *("tempfile", "random", "shutil", "logging", "typing", "pickle", "_pickle", "zlib"),
     *("pathlib", "urllib.parse", "ipaddress", "fnmatch", "ntpath"),
     *("donnie_tui.core.documents", "donnie_tui.core.copies", "donnie_tui.core.in_use"),
-    *("donnie_tui.cli.overwriting", "worlds.words", "colorsys"),
+    *("donnie_tui.cli.overwriting", "worlds.words", "colorsys", "sim.notes"),
 }
 
 

@@ -4,7 +4,7 @@ from pathlib import Path
 
 import pytest
 
-from sim.scene import NoteKind
+from sim.notes import NoteKind
 from sim.worldfile import Address, Code, Configuration, Offer, WorldError, load_configuration
 from sim.worldfile.addresses import address
 

@@ -5,7 +5,8 @@ from pathlib import Path
 import pytest
 
 from sim.colours import FAMILIES
-from sim.scene import Model, NoteKind, Scene
+from sim.notes import NoteKind
+from sim.scene import Model, Scene
 from sim.worldfile import load_text, load_world
 
 

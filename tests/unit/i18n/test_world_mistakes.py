@@ -7,7 +7,7 @@ import pytest
 from donnie_tui import LANGUAGES
 from donnie_tui.i18n.words import Words
 from donnie_tui.i18n.world_mistakes import world_mistake, world_note
-from sim.scene import Note, NoteKind
+from sim.notes import Note, NoteKind
 from sim.worldfile import WorldError, load_text, load_world
 from sim.worldfile.mistakes import Code
 
