@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from language.diagnostics import Kind
-from language.keywords import is_reserved
+from language.keywords import is_reserved, spelling
 from language.lexer import NUMBER, STRING
 from language.nearby import Near, nearest_keyword, pair_ending_with
 from language.recovery.arguments import follows_taker, read_bad_argument
@@ -29,9 +29,18 @@ def read_unknown_command(reading: Reading) -> None:
     pair = pair_with_misspelt_first(reading)
     near, width = (pair, 2) if pair else (_command_meant(reading, token[5]), 1)
     code = "call-brackets" if reading.following[0] == LPAR and near is None else ""
+    meant = near.text if near else _spoken_besides(reading)
     reading.begun = reading.at
-    reading.tell(Kind.UNKNOWN_COMMAND, token, code, ("command",), near.text if near else "", width=width)
+    reading.tell(Kind.UNKNOWN_COMMAND, token, code, ("command",), meant, width=width)
     read_as(reading, near, width)
+
+
+def _spoken_besides(reading: Reading) -> str:
+    """SPEAK "a" x: one SPEAK says one thing."""
+    token, before = reading.token, reading.before
+    if reading.at == 0 or before[0] != STRING or before[3] != token[3]:
+        return ""
+    return f"{spelling('SPEAK', reading.language)} {reading.typed(token)}"
 
 
 def _read_two_equals_signs(reading: Reading) -> None:

@@ -32,6 +32,7 @@ def fixed(text: str) -> str:
         ("RIGHT TRUN 90", "RIGHT TURN 90"),
         ("FALAR DISTANSIA F FALAR COLOR azul", "FALAR DISTÂNCIA F FALAR COLOR azul"),
         ("VAR x x == 3 FW x", "VAR x x = 3 FW x"),
+        ('CREAR x = 3 HABLAR "total" x', 'CREAR x = 3 HABLAR "total" HABLAR x'),
         ("repita 2 vezes pf 1 fim se", "repita 2 vezes pf 1 FIM REPITA"),
     ],
 )
