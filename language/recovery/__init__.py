@@ -9,6 +9,7 @@ Reads the tokens as the parser does, but goes on behind a mistake. How:
 5. Nothing is told about a command in which a character could not be read; that was told already.
 
 ``finder`` is the way in. ``reading`` is the place in the text that all others look at and move: ``commands``
-where a command may begin, ``ends`` at ENDs and ELSE, ``within`` inside a command, ``arguments`` behind a
+where a command may begin, ``ends`` at ENDs and ELSE (``lone_ends`` tells an END alone from one over two
+lines), ``within`` inside a command, ``arguments`` behind a
 word that takes one, ``sensors`` behind one that was meant to. ``going_on`` finds where reading goes on.
 """

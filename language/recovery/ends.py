@@ -52,7 +52,7 @@ def _end_meant(reading: Reading) -> tuple[str, str, int]:
     near, width = pair_meant(reading)
     if near and width == 2:
         return near.terminal.removeprefix("END_"), near.text, 2
-    opener = OPENERS.get(reading.following[0])
+    opener = OPENERS.get(reading.following[0]) if reading.following[3] == reading.token[3] else None
     if opener and reading.blocks and opener == reading.blocks[-1].kind:
         return opener, spelling(f"END {opener}", reading.language), 2
     return "", *_innermost_meant(reading)

@@ -17,6 +17,7 @@ from language.origin import language_of, languages_in
 from language.outline import OPENERS
 from language.recovery.automaton import Automaton
 from language.recovery.kinds import HEAD_ENDS
+from language.recovery.lone_ends import part
 from language.recovery.open_blocks import Block
 from language.scopes import Declared
 from language.source import Lines
@@ -46,6 +47,7 @@ class Reading:
         self._declared = declared
         self.language = language_of(lexed.tokens, lexed.source)
         self.tokens = [*lexed.tokens, _end_token(lexed, first_line)]
+        part(self.tokens, self._flaws, lexed.source, first_line)
         self.at = 0
         """The token that is read next."""
         self.begun = 0
