@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import wave
+from array import array
 from contextlib import ExitStack
 from pathlib import Path
 
@@ -63,3 +65,24 @@ def test_sounds_that_can_not_be_written_keep_everything_from_starting(tmp_path: 
     wrong = str(tmp_path / "none" / "a.wav")
     with ExitStack() as closing, pytest.raises(Unusable):
         Written(Settings(sound=wrong), Floor().session.hub, Words(), closing).sounds()
+
+
+def loud_seconds(path: Path) -> list[float]:
+    """At which tenths of seconds something sounds."""
+    with wave.open(str(path)) as file:
+        tenth = file.getframerate() // 10
+        chunks = [array("h", file.readframes(tenth)) for _ in range(file.getnframes() // tenth)]
+    return [number / 10 for number, chunk in enumerate(chunks) if max(chunk) > 1_000]
+
+
+def test_a_second_run_sounds_behind_the_first_and_what_sound_off_silences_is_not_written(
+    tmp_path: Path,
+) -> None:
+    floor, path = Floor(), tmp_path / "a.wav"
+    with ExitStack() as closing:
+        Written(Settings(sound=str(path)), floor.session.hub, Words(), closing).sounds()
+        for program in ("FW 1 WAIT 4", "SOUND OFF FW 1 WAIT 4", "SOUND ON FW 1 WAIT 4"):
+            assert floor.session.start(program, "a.gd", fresh=True).wait(PATIENCE)
+
+    heard = {int(each) for each in loud_seconds(path)}
+    assert heard == {1, 5, 11, 15}  # a step and an end; nothing; a step and an end
