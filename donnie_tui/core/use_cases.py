@@ -34,7 +34,10 @@ class When(Enum):
 
 
 class UseCase(Frozen):
-    """One thing that can be asked for."""
+    """One thing that can be asked for. Declared once, so that it is equal to nothing but itself."""
+
+    __eq__ = object.__eq__
+    __hash__ = object.__hash__
 
     name: str
     en: str
@@ -232,7 +235,13 @@ def _form(case: UseCase, wording: Wording) -> str:
 
 @cache
 def _by_word(cases: tuple[UseCase, ...]) -> dict[str, UseCase]:
-    return {_folded(each.word(language)): each for each in reversed(cases) for language in LANGUAGES}
+    return {form: each for each in reversed(cases) for form in _forms(each)}
+
+
+@cache
+def _forms(case: UseCase) -> tuple[str, ...]:
+    """Its word in all languages, as they are compared."""
+    return tuple(map(_folded, (case.en, case.pt, case.es)))
 
 
 def _folded(word: str) -> str:
