@@ -172,6 +172,7 @@ def look_at_worker() -> Iterator[Finding]:
         audio.close()
     if not is_settled:
         yield amiss("doctor-worker-hangs", seconds=round(_WORKER_SECONDS))
+        return
     yield well("doctor-player", name=player) if player else amiss("doctor-no-player")
     yield from _voices(languages) if player else ()
 

@@ -11,6 +11,7 @@ from pathlib import Path
 import pytest
 
 from devices import serial_port
+from devices.audio_worker.service import AudioService
 from devices.audio_worker import service
 from devices.port_listing import FoundPort
 from devices.reset_line import GpioReset, PinFault
@@ -107,6 +108,16 @@ def test_a_device_that_is_missing_is_told_with_the_remedy(monkeypatch: pytest.Mo
 
 
 @pytest.mark.parametrize("group", ["dialout", None])
+def test_a_sound_server_that_hangs_is_told_and_not_that_there_is_no_device(
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    """S6: what is there nobody knows until it answers."""
+    monkeypatch.setattr(AudioService, "warm_up", lambda _: None)
+    monkeypatch.setattr(examination, "_WORKER_SECONDS", 0.01)
+
+    assert [each.code for each in examination.look_at_worker()] == ["doctor-worker-hangs"]
+
+
 def test_a_port_that_we_may_not_use_names_the_group_or_who_to_ask(
     monkeypatch: pytest.MonkeyPatch, group: str | None
 ) -> None:
