@@ -11,8 +11,8 @@ from pathlib import Path
 import pytest
 
 from devices import serial_port
-from devices.audio_worker.service import AudioService
 from devices.audio_worker import service
+from devices.audio_worker.service import AudioService
 from devices.port_listing import FoundPort
 from devices.reset_line import GpioReset, PinFault
 from devices.sound.player import NO_DEVICE
@@ -107,7 +107,6 @@ def test_a_device_that_is_missing_is_told_with_the_remedy(monkeypatch: pytest.Mo
     assert f"{finding.code}-remedy" in SENTENCES
 
 
-@pytest.mark.parametrize("group", ["dialout", None])
 def test_a_sound_server_that_hangs_is_told_and_not_that_there_is_no_device(
     monkeypatch: pytest.MonkeyPatch,
 ) -> None:
@@ -118,6 +117,7 @@ def test_a_sound_server_that_hangs_is_told_and_not_that_there_is_no_device(
     assert [each.code for each in examination.look_at_worker()] == ["doctor-worker-hangs"]
 
 
+@pytest.mark.parametrize("group", ["dialout", None])
 def test_a_port_that_we_may_not_use_names_the_group_or_who_to_ask(
     monkeypatch: pytest.MonkeyPatch, group: str | None
 ) -> None:
