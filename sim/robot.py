@@ -109,7 +109,10 @@ class SimulatedRobot:
         return None if self._vehicle is None else self._vehicle.hand.held
 
     def get_ready(self) -> Vehicle:
-        """What drives and feels, made if it was not there. Any thread."""
+        """What drives and feels, made if it was not there. Any thread; who looks on and on holds nobody."""
+        return self._vehicle or self._made()
+
+    def _made(self) -> Vehicle:
         with self._making:
             if self._vehicle is None:
                 from sim.vehicle import Vehicle
@@ -146,12 +149,12 @@ class SimulatedRobot:
 
     def forward(self, steps: int) -> Moved:
         """Walk forward. ValueError if ``steps`` is negative."""
-        vehicle = self._vehicle or self.get_ready()
+        vehicle = self.get_ready()
         return self._walk(vehicle, Motion.FORWARD, steps, vehicle.rates.forward)
 
     def backward(self, steps: int) -> Moved:
         """Walk backward. ValueError if ``steps`` is negative."""
-        vehicle = self._vehicle or self.get_ready()
+        vehicle = self.get_ready()
         return self._walk(vehicle, Motion.BACKWARD, steps, vehicle.rates.backward)
 
     def turn(self, degrees: int) -> Turned:

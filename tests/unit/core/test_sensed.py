@@ -71,7 +71,7 @@ def test_a_run_is_the_same_whenever_somebody_looks(monkeypatch: pytest.MonkeyPat
     is_over = threading.Event()
 
     def look() -> None:
-        while not is_over.is_set():
+        while not is_over.wait(0.001):  # who looks without a pause leaves the program no turn at its locks
             looked_at.session.tell_distances()
 
     looking = threading.Thread(target=look)
