@@ -58,6 +58,11 @@ class Learner:
         self.child.expect_exact(text.encode())
         self._seen += self.child.before + text.encode()
 
+    def sees_one_of(self, *texts: str) -> None:
+        """Wait until one of them is printed."""
+        found = self.child.expect_exact([text.encode() for text in texts])
+        self._seen += self.child.before + texts[found].encode()
+
     def sees_prompt(self) -> None:
         """Wait for the prompt at the beginning of a line."""
         self.child.expect(rb"(?:\A|\n)(?:[0-9]+)?> ")
