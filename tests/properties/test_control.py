@@ -134,12 +134,6 @@ class ControlMachine(RuleBasedStateMachine):
         self.control.stop()
         self.asked(ControlState.STOPPING)
 
-    @precondition(lambda self: self.expected is ControlState.ENDED)
-    @rule()
-    def restart(self) -> None:
-        self.control.restart()
-        self.expected = ControlState.RUNNING
-
     @precondition(lambda self: self.program.is_idle)
     @rule()
     def end(self) -> None:

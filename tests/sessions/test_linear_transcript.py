@@ -27,7 +27,7 @@ def test_what_is_said_is_what_is_printed(tmp_path: Path, language: str) -> None:
         input="\n".join([*lines, ""]).encode(),
         capture_output=True,
         cwd=tmp_path,
-        env=environment(tmp_path, SPEECHD_ADDRESS=f"unix_socket:{server.address.path}"),
+        env=environment(tmp_path, {"SPEECHD_ADDRESS": f"unix_socket:{server.address.path}"}),
         timeout=120,
         check=True,
     )

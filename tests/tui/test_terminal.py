@@ -170,7 +170,7 @@ def test_a_lesson_from_typing_to_leaving(terminal):
     donnie.type(F7)
     donnie.shows("Line 7: RECTANGLE [9, 3]")
     donnie.type(F7)
-    donnie.shows("Line 2: REPEAT 2 TIMES")
+    donnie.shows("Line 2, level 1: REPEAT 2 TIMES")
     donnie.type(F8)
     donnie.shows("Ready")
     donnie.type(CTRL_K + "2")
