@@ -112,10 +112,13 @@ def call_sites(levels: list[Level]) -> tuple[CallSite, ...]:
 
 
 def variables_in(names: Mapping[str, object]) -> dict[str, int]:
-    """GoDonnie's variables among the names of a frame of the translated code."""
+    """GoDonnie's variables among the names of a frame of the translated code.
+
+    Of a copy: a running frame has one mapping of them for all threads, filled anew whenever one asks.
+    """
     return {
         name.removeprefix(VARIABLE): value
-        for name, value in names.items()
+        for name, value in dict(names).items()
         if name.startswith(VARIABLE) and isinstance(value, int)
     }
 
