@@ -81,12 +81,13 @@ class Shown:
 
 
 async def until_shown(terminal: Any, shown: Shown, text: str) -> None:
-    end = time.monotonic() + PATIENCE
     while not shown.has(text):
-        message = await terminal.receive(timeout=PATIENCE)
+        try:
+            message = await terminal.receive(timeout=PATIENCE)
+        except TimeoutError:
+            pytest.fail(f"never shown: {text}\n{shown}")
         if isinstance(message.data, bytes):
             shown.feed(message.data)
-        assert time.monotonic() < end, f"never shown: {text}\n{shown}"
 
 
 def run(*arguments: str, **environment: str) -> tuple[int, str]:
@@ -157,7 +158,10 @@ class Page:
 
     async def gets(self, text: str) -> None:
         while not self._shown.has(text):
-            self._note(await self._socket.receive_json(timeout=PATIENCE))
+            try:
+                self._note(await self._socket.receive_json(timeout=PATIENCE))
+            except TimeoutError:
+                pytest.fail(f"never shown: {text}\n{self._shown}")
 
     async def value(self, expression: str) -> Any:
         return (await self.call("Runtime.evaluate", expression=expression))["result"].get("value")
