@@ -210,7 +210,9 @@ async def test_the_map_with_names_rays_and_coordinates(work, same, theme, size):
     async with work(size=size, world="living_room") as desk:
         desk.app.theme = theme
         await desk.run("FW 3 TR 45 SPEAK DISTANCE F")
-        await desk.press("ctrl+k", "c", "ctrl+k", "t", "ctrl+k", "n")
+        await desk.press("ctrl+k", "c", "ctrl+k", "t")
+        await desk.told("Names on the map.")
+        await desk.press("ctrl+k", "n")
         await desk.until(lambda: "Map," in desk.status, "the finger")
         await same(desk)
 
