@@ -1,12 +1,12 @@
-# Two commands for a fresh machine: `make run` and `make test`.
+# Two commands for a fresh machine: `make run` and `make test`. `make test-all` also runs the slow tests.
 # Each makes its own environment in .venv first; only Python 3.11 with its venv module is needed.
 
 PYTHON ?= python3
 BIN := .venv/bin
 
-.PHONY: run test install dev bench clean
+.PHONY: run test test-all install dev bench mutants clean
 
-run: install
+run: install .venv/compiled
 	@$(BIN)/donnie $(ARGS)
 
 install: .venv/installed
@@ -14,7 +14,14 @@ install: .venv/installed
 test: .venv/developed
 	@./check
 
+test-all: test
+	@./check --slow
+
 dev: .venv/developed
+
+mutants: .venv/developed
+	@$(BIN)/python -m pip install --quiet --disable-pip-version-check --group mutants
+	@$(BIN)/python -m tests.tools.mutants --seed $(or $(SEED),1) --count $(or $(COUNT),150) $(ARGS)
 
 bench: .venv/developed
 	@for each in benchmarks/[a-z]*.py; do echo "== $$each"; $(BIN)/python $$each || exit 1; done
@@ -31,6 +38,11 @@ bench: .venv/developed
 .venv/developed: .venv/installed
 	@$(BIN)/python -m pip install --quiet --disable-pip-version-check 'pip>=25.1'
 	@$(BIN)/python -m pip install --quiet --disable-pip-version-check --group dev
+	@touch $@
+
+# The sentences and words of all languages, as Donnie loads them.
+.venv/compiled: .venv/installed $(wildcard donnie_tui/i18n/locales/*/*.po donnie_tui/i18n/locales/*/*.toml)
+	@$(BIN)/python -m donnie_tui.i18n.translations compile
 	@touch $@
 
 clean:

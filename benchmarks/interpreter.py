@@ -22,14 +22,14 @@ from pathlib import Path
 ROOT = Path(__file__).resolve().parent.parent
 sys.path.insert(0, str(ROOT))
 
-from language.compiler import Runnable, compile_program  # noqa: E402
+from language.call_stack import raise_recursion_limit  # noqa: E402
+from language.compiler import compile_program  # noqa: E402
 from language.control import ExecutionControl  # noqa: E402
 from language.diagnostics import Stopped  # noqa: E402
-from language.levels import make_room  # noqa: E402
 from language.parser import parse  # noqa: E402
-from language.plain import plain_program  # noqa: E402
-from language.runtime import Memory  # noqa: E402
+from language.runtime import Memory, Runnable  # noqa: E402
 from language.syntax import Program  # noqa: E402
+from tests.unit.language_back.interpreter import interpreted_program  # noqa: E402
 from tests.unit.language_back.recorder import Recorder  # noqa: E402
 
 Work = Callable[[], object]
@@ -267,13 +267,13 @@ def print_plain(rounds: int) -> None:
     print("\nthe plain back end, times slower than by hand")
     for pair in TARGETED:
         values = ratios(
-            pair, {"plain": running(plain_program(program_of(pair.program)))}, max(1, rounds // 5)
+            pair, {"interpreted": running(interpreted_program(program_of(pair.program)))}, max(1, rounds // 5)
         )
         print(f"  {pair.name:14} {1 / statistics.median(values['plain']):5.0f}")
 
 
 def print_recursion(rounds: int) -> None:
-    make_room()
+    raise_recursion_limit()
     memory = bytes_a_level()
     fast = {"fast": running(compile_program(program_of(DEEP.program)))}
     times = [1 / ratio for ratio in ratios(DEEP, fast, rounds)["fast"]]

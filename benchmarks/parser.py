@@ -25,7 +25,7 @@ from pathlib import Path
 ROOT = Path(__file__).resolve().parent.parent
 sys.path.insert(0, str(ROOT))
 
-from language.formatter import format_source  # noqa: E402
+from language.formatter import formatted  # noqa: E402
 from language.lexer import lex  # noqa: E402
 from language.parser import parse  # noqa: E402
 
@@ -53,7 +53,7 @@ END FOR
 SPIRAL{n} [1, 8]
 """
 TEXT = "".join(PROGRAM.format(n=n) for n in range(60))
-PORTUGUESE = format_source(TEXT, "pt")
+PORTUGUESE = formatted(TEXT, "pt").text or ""
 
 
 def seconds(work: Callable[[], object]) -> float:

@@ -28,11 +28,11 @@ from textual.widgets import RichLog
 
 from devices.ports.robot import Pose
 from donnie_tui.bootstrap import assemble
-from donnie_tui.settings.chosen import Settings
+from donnie_tui.core.run_controller import RunState
+from donnie_tui.settings.settings import Settings
 from donnie_tui.tui.app import DonnieApp
 from donnie_tui.tui.full_screen import SWITCH
-from donnie_tui.tui.running import Doing
-from donnie_tui.tui.widgets.text_rows import TextRows
+from donnie_tui.tui.widgets.rows import TextRows
 
 FRAMES = 100
 LINES = 100_000
@@ -100,7 +100,7 @@ async def key_to_screen(busy: Callable[[DonnieApp], None] | None) -> float:
                 await asyncio.sleep(0)
             taken.append(time.perf_counter() - began)
             await asyncio.sleep(0.01)
-        if app.work.running.doing is not Doing.READY:
+        if app.work.ctx.runs.state is not RunState.READY:
             app.work.halt()
         return median(taken)
 

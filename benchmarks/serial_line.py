@@ -1,8 +1,10 @@
-"""The real robot's line: frames a second through the codec, how soon a stop is on the wire, what it costs.
+"""The real robot's connection: frames a second through the codec, how soon a stop is on the wire, what it
+costs.
 
-The line is a pseudo-terminal with a simulated board behind it, which sends as many frames as the real one.
-Targets: ten times the frames of a board; a stop within 50 ms; the thread takes less than 5 % of a processor.
-The board is a process of its own, so that only the driver is measured. (Not called serial.py: pyserial is.)
+It is a pseudo-terminal with a simulated board behind it, which sends as many frames as the real one. Targets:
+ten times the frames of a board; a stop within 50 ms; the thread takes less than 5 % of a processor. The board
+is a process of its own, so that only the driver is measured. (It is not called serial.py, because pyserial
+is.)
 """
 
 from __future__ import annotations
@@ -13,11 +15,11 @@ import time
 from collections.abc import Callable
 from multiprocessing.connection import Connection
 
-from devices.firmware_double.board import SimulatedBoard
-from devices.firmware_double.on_pty import DoubleOnPty
-from devices.serial_link import SerialLink
-from devices.wire.commands import STOP, Drive
-from devices.wire.decoder import Decoder
+from devices.board_simulator.board import SimulatedBoard
+from devices.board_simulator.pty import PtyBoard
+from devices.serial_robot.link import SerialLink
+from devices.wire.commands import STOP, MotorDrive
+from devices.wire.reports import Decoder
 
 FAR = 1e9
 SECONDS = 5.0
@@ -38,7 +40,7 @@ def main() -> None:
 
 
 def decode() -> None:
-    """What a driving board says in ten seconds, in the chunks in which it is read."""
+    """Decode what a driving board sends in ten seconds, in the chunks in which it is read."""
     board = SimulatedBoard(boot_loader=-0.9)
     board.advance(0.2)
     board.receive(bytes.fromhex("aabb13c03f800000000000000000000040a0000003fdef"))
@@ -57,7 +59,7 @@ def cost(link: SerialLink) -> None:
     before, began = link.telemetry.frames, time.perf_counter()
     worked = -time.process_time()
     while (passed := time.perf_counter() - began) < SECONDS:
-        link.drive(link.permit(), Drive.FORWARD, FAR)
+        link.drive(link.permit(), MotorDrive.FORWARD, FAR)
         time.sleep(0.02)
     worked += time.process_time()
     link.stop()
@@ -66,32 +68,32 @@ def cost(link: SerialLink) -> None:
 
 
 def stop(link: SerialLink, board: Connection) -> None:
-    """From the call to the last byte of a stop at the other end of the line."""
+    """From the call to the last byte of a stop at the board."""
     took = [one_stop(link, board.recv) for _ in range(STOPS)]
     print(
         f"stop: {1000 * statistics.median(took):.1f} ms in the middle, {1000 * max(took):.1f} ms at the most"
     )
 
 
-def one_stop(link: SerialLink, heard_at: Callable[[], float]) -> float:
+def one_stop(link: SerialLink, received_at: Callable[[], float]) -> float:
     for _ in range(25):
-        link.drive(link.permit(), Drive.FORWARD, FAR)
+        link.drive(link.permit(), MotorDrive.FORWARD, FAR)
         time.sleep(0.02)
     asked = time.monotonic()
     link.stop()
-    while (at := heard_at()) < asked:
+    while (at := received_at()) < asked:
         pass
     time.sleep(0.5)
     return at - asked
 
 
 def play_board(talk: Connection) -> None:
-    """Tells its path, and then when it heard each stop."""
-    with DoubleOnPty(SimulatedBoard(boot_loader=-0.9)) as double:
+    """Send its path, and then the time of each stop that the board receives."""
+    with PtyBoard(SimulatedBoard(boot_loader=-0.9)) as double:
         talk.send(double.path)
         looked_to = 0
         while True:
-            found = double.heard.find(STOP, looked_to)
+            found = double.received.find(STOP, looked_to)
             if found >= 0:
                 looked_to = found + len(STOP)
                 talk.send(time.monotonic())

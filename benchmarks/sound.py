@@ -1,9 +1,9 @@
-"""How soon Donnie is heard and silent, who waits for it, and what a thousand sentences cost (S1 to S4, C1).
+"""How soon sound begins and ends, how long its callers wait, and what a thousand sentences cost.
 
-Everything goes the whole way: the service, its worker process, the device. The ear is the sink of a private
-PulseAudio where pulseaudio and parec are installed; its own 10 ms are counted too. While cues are played two
-processes compute. Without an ear only who waits and what it costs is measured.
-Run: ``python benchmarks/sound.py``
+Everything is measured end to end: the service, its worker process, the device. The recorder is the sink of a
+private PulseAudio where pulseaudio and parec are installed; its own 10 ms are included. While cues are played
+two processes compute. Without a recorder only the callers' waiting and the cost are measured. Run: ``python
+benchmarks/sound.py``
 """
 
 from __future__ import annotations
@@ -22,12 +22,20 @@ from collections.abc import Callable, Iterator
 from contextlib import contextmanager
 from pathlib import Path
 
-from devices.audio_worker.lifetime import State
-from devices.audio_worker.messages import Finished, Hushed, Refused, Say, Started, VoiceReady, to_line
-from devices.audio_worker.service import AudioService, AudioSettings
-from devices.audio_worker.worker import AudioWorker
+from devices.audio.cues import SAMPLE_RATE
+from devices.audio.messages import (
+    Say,
+    Silenced,
+    SpeechFinished,
+    SpeechRefused,
+    SpeechStarted,
+    VoiceReady,
+    to_line,
+)
+from devices.audio.service import AudioService, AudioSettings
+from devices.audio.worker import AudioWorker
+from devices.audio.worker_state import WorkerState
 from devices.ports.audio import Cue, Urgency, Utterance
-from devices.sound.tones import SAMPLE_RATE
 
 SENTENCES, SILENCES, CUES, UTTERANCES = 30, 30, 100, 1000
 PATIENCE = 30.0
@@ -36,38 +44,38 @@ CHUNK = SAMPLE_RATE // 200
 LONG = "one two three four five six seven eight nine ten " * 4
 
 
-class Ear:
-    """When it was loud, of late, by this machine's clock."""
+class Recorder:
+    """Records when the sink was loud lately, by this machine's clock."""
 
     def __init__(self, recording: subprocess.Popen[bytes]) -> None:
         self._recording = recording
         self._changed = threading.Condition()
         self._loud: list[float] = []
-        self._heard_until = 0.0
+        self._recorded_until = 0.0
         threading.Thread(target=self._listen, daemon=True).start()
 
     def until_loud(self, since: float) -> float:
-        """Seconds from ``since`` to the first sound behind it."""
+        """Seconds from ``since`` to the first sound after it."""
         with self._changed:
             if not self._changed.wait_for(lambda: self._loud and self._loud[-1] > since, PATIENCE):
-                sys.exit("nothing is heard")
+                sys.exit("nothing is recorded")
             return next(each for each in self._loud if each > since) - since
 
     def until_silent(self, since: float, silence: float = 0.4) -> float:
-        """Seconds from ``since`` to the last sound before so long a silence."""
+        """Seconds from ``since`` to the last sound before a silence of that length."""
         with self._changed:
             self._changed.wait_for(
-                lambda: self._heard_until > max(since, *self._loud[-1:]) + silence, PATIENCE
+                lambda: self._recorded_until > max(since, *self._loud[-1:]) + silence, PATIENCE
             )
             return max(0.0, self._loud[-1] - since)
 
     def _listen(self) -> None:
         assert self._recording.stdout is not None
-        while len(heard := self._recording.stdout.read(4 * CHUNK)) == 4 * CHUNK:
+        while len(chunk := self._recording.stdout.read(4 * CHUNK)) == 4 * CHUNK:
             with self._changed:
-                self._heard_until = time.monotonic()
-                if max(array("h", heard)) > LOUD:
-                    self._loud.append(self._heard_until)
+                self._recorded_until = time.monotonic()
+                if max(array("h", chunk)) > LOUD:
+                    self._loud.append(self._recorded_until)
                 self._changed.notify_all()
 
 
@@ -76,17 +84,17 @@ def main() -> None:
     waits()
     grows()
     if shutil.which("pulseaudio") and shutil.which("parec"):
-        with private_ear() as ear, ready() as audio:
-            first_sound(ear, audio)
-            silence(ear, audio)
+        with private_recorder() as recorder, ready() as audio:
+            first_sound(recorder, audio)
+            silence(recorder, audio)
             with busy():
-                cues(ear, audio)
+                cues(recorder, audio)
     else:
-        print("when it is heard: not measured, pulseaudio and parec are not installed")
+        print("when it sounds: not measured, pulseaudio and parec are not installed")
 
 
 def waits() -> None:
-    """The longest that ``say`` and ``play`` hold whoever calls them, in the states that there are."""
+    """The longest time that ``say`` and ``play`` take, in different states of the worker."""
     _print_waits("no device", AudioSettings(device="none"), None)
     _print_waits("starting", AudioSettings(device="null"), None)
     _print_waits("ready", AudioSettings(device="null"), _nothing)
@@ -105,8 +113,8 @@ def _print_waits(name: str, settings: AudioSettings, trouble: Callable[[AudioSer
         played = [_playing(audio) for _ in range(UTTERANCES)]
     finally:
         audio.close()
-    _print(f"say holds who calls, {name}", said, 0.005)
-    _print(f"play holds who calls, {name}", played, 0.002)
+    _print(f"say blocks its caller, {name}", said, 0.005)
+    _print(f"play blocks its caller, {name}", played, 0.002)
 
 
 def _nothing(_: object) -> None:
@@ -132,7 +140,8 @@ def _playing(audio: AudioService) -> float:
 
 
 def grows() -> None:
-    """What the worker's side grows by, in a process of its own, with a player that ends each at once."""
+    """By how much the worker's side grows, in a process of its own, with a player that ends each sentence at
+    once."""
     code = "from sound import speak_a_thousand; speak_a_thousand()"
     done = subprocess.run(
         (sys.executable, "-c", code), cwd=Path(__file__).parent, capture_output=True, text=True, check=False
@@ -141,7 +150,7 @@ def grows() -> None:
 
 
 class _PlayerAtOnce:
-    """Takes every sentence for heard."""
+    """Reports the end of every sentence at once."""
 
     name, frames, is_playing = "at once", 0, False
 
@@ -151,38 +160,38 @@ class _PlayerAtOnce:
 
     def cue(self, name: str, stereo: array[int], delay: float) -> None: ...
 
-    def hush(self, speech: bool, cues: bool) -> None: ...
+    def silence(self, speech: bool, cues: bool) -> None: ...
 
     def close(self) -> None: ...
 
 
 def speak_a_thousand() -> None:
     """In the process of ``grows``: prints the growth, the last line."""
-    from devices.audio_worker import worker
+    from devices.audio import worker
 
     worker.open_player = lambda _: _PlayerAtOnce()  # type: ignore[assignment, return-value]
-    heard = threading.Semaphore(0)
+    ended = threading.Semaphore(0)
     order: list[int] = []
 
     def answer(each: object) -> None:
         match each:
-            case Finished(number=number):
+            case SpeechFinished(number=number):
                 order.append(number)
-                heard.release()
+                ended.release()
             case VoiceReady(languages=languages) if languages:
-                heard.release()
-            case Refused() | VoiceReady():
+                ended.release()
+            case SpeechRefused() | VoiceReady():
                 sys.exit("no voice")
-            case Started() | Hushed() | _:
+            case SpeechStarted() | Silenced() | _:
                 pass
 
-    made = AudioWorker(answer, "null", False, {})
+    made = AudioWorker(answer, "null", False, {}, {"en": ("en", "en-gb", "en-us")})
     threading.Thread(target=made._speak_for_ever, daemon=True).start()
-    heard.acquire()
+    ended.acquire()
     warm = UTTERANCES // 20
-    _say(made, heard, range(warm))
+    _say(made, ended, range(warm))
     before = _resident()
-    _say(made, heard, range(warm, warm + UTTERANCES))
+    _say(made, ended, range(warm, warm + UTTERANCES))
     grown = (_resident() - before) / 1e6
     how = "all, in order" if order == list(range(warm + UTTERANCES)) else "NOT ALL IN ORDER"
     print(f"{UTTERANCES} sentences: {how}, grown by {grown:.2f} of 10 MB")
@@ -190,11 +199,11 @@ def speak_a_thousand() -> None:
     os._exit(0)
 
 
-def _say(made: AudioWorker, heard: threading.Semaphore, numbers: range) -> None:
+def _say(made: AudioWorker, ended: threading.Semaphore, numbers: range) -> None:
     for number in numbers:
         made._obey(to_line(Say(number, f"I walked {number} steps forward.", "en", 180, 50, 1.0)))
     for _ in numbers:
-        heard.acquire()
+        ended.acquire()
 
 
 def _resident() -> int:
@@ -202,12 +211,12 @@ def _resident() -> int:
 
 
 @contextmanager
-def private_ear() -> Iterator[Ear]:
-    """A PulseAudio of our own, whose sink is recorded."""
+def private_recorder() -> Iterator[Recorder]:
+    """A private PulseAudio whose sink is recorded."""
     with tempfile.TemporaryDirectory() as folder:
         socket = f"{folder}/native"
         own = {**os.environ, "XDG_RUNTIME_DIR": folder, "HOME": folder, "PULSE_SERVER": f"unix:{socket}"}
-        sink = f"module-null-sink sink_name=ear rate={SAMPLE_RATE}"
+        sink = f"module-null-sink sink_name=recorder rate={SAMPLE_RATE}"
         line = f"module-native-protocol-unix socket={socket} auth-anonymous=1"
         quiet = {"env": own, "stderr": subprocess.DEVNULL}
         server = subprocess.Popen(
@@ -217,12 +226,12 @@ def private_ear() -> Iterator[Ear]:
         while not Path(socket).exists():
             time.sleep(0.05)
         recording = subprocess.Popen(
-            ["parec", "-d", "ear.monitor", "--format=s16le", f"--rate={SAMPLE_RATE}", "--channels=2",
+            ["parec", "-d", "recorder.monitor", "--format=s16le", f"--rate={SAMPLE_RATE}", "--channels=2",
              "--latency-msec=10"], stdout=subprocess.PIPE, **quiet,  # type: ignore[call-overload]
         )  # fmt: skip
         os.environ["PULSE_SERVER"] = f"unix:{socket}"
         try:
-            yield Ear(recording)
+            yield Recorder(recording)
         finally:
             for each in (recording, server):
                 each.kill()
@@ -231,14 +240,14 @@ def private_ear() -> Iterator[Ear]:
 
 @contextmanager
 def ready() -> Iterator[AudioService]:
-    """With its voice loaded and once heard."""
+    """With its voice loaded and used once."""
     audio = AudioService(AudioSettings(), lambda notice: sys.exit(f"{notice}"))
     audio.warm_up()
     audio.wait_until_ready(PATIENCE)
-    if audio.state is not State.READY:
+    if audio.state is not WorkerState.READY:
         sys.exit(f"no sound: {audio.state}")
     audio.say(Utterance("Warm.", Urgency.ANSWER, "en"))
-    audio.wait_until_still(PATIENCE)
+    audio.wait_until_silent(PATIENCE)
     try:
         yield audio
     finally:
@@ -247,7 +256,7 @@ def ready() -> Iterator[AudioService]:
 
 @contextmanager
 def busy() -> Iterator[None]:
-    """Two processes that compute, as long as it lasts."""
+    """Two processes that compute meanwhile."""
     computing = [subprocess.Popen((sys.executable, "-c", "while True: pass")) for _ in range(2)]
     try:
         yield
@@ -257,36 +266,36 @@ def busy() -> Iterator[None]:
             each.wait()
 
 
-def first_sound(ear: Ear, audio: AudioService) -> None:
+def first_sound(recorder: Recorder, audio: AudioService) -> None:
     took = []
     for number in range(SENTENCES):
         asked = time.monotonic()
         audio.say(Utterance(f"I walked {number} steps.", Urgency.ANSWER, "en"))
-        took.append(ear.until_loud(asked))
+        took.append(recorder.until_loud(asked))
         audio.silence_speech()
-        ear.until_silent(time.monotonic())
+        recorder.until_silent(time.monotonic())
     _print("say to the first sound", took, 0.2)
 
 
-def silence(ear: Ear, audio: AudioService) -> None:
+def silence(recorder: Recorder, audio: AudioService) -> None:
     took = []
     for _ in range(SILENCES):
         audio.say(Utterance(LONG, Urgency.PROGRAM, "en"))
-        audio.say(Utterance("Nobody hears this.", Urgency.PROGRAM, "en"))
-        ear.until_loud(time.monotonic())
+        audio.say(Utterance("This is silenced.", Urgency.PROGRAM, "en"))
+        recorder.until_loud(time.monotonic())
         asked = time.monotonic()
         audio.silence_speech()
-        took.append(ear.until_silent(asked))
+        took.append(recorder.until_silent(asked))
     _print("silence", took, 0.15)
 
 
-def cues(ear: Ear, audio: AudioService) -> None:
+def cues(recorder: Recorder, audio: AudioService) -> None:
     took = []
     for _ in range(CUES):
         asked = time.monotonic()
         audio.play(Cue("step-forward"))
-        took.append(ear.until_loud(asked))
-        ear.until_silent(time.monotonic(), silence=0.1)
+        took.append(recorder.until_loud(asked))
+        recorder.until_silent(time.monotonic(), silence=0.1)
     _print("cue to its sound, two processes computing", took, 0.1)
 
 

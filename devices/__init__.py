@@ -1,1 +1,1 @@
-"""Everything that Donnie can be: the ports, and the devices that stand behind them."""
+"""The ports of what Donnie can drive, and the devices that implement them."""

@@ -2,8 +2,5 @@
 
 __version__ = "0.1.0"
 
-LANGUAGES = ("en", "pt", "es")
-"""Which it speaks. Whatever has a text for each has them in this order."""
-
 DETAILS = ("brief", "normal", "full")
 """How much it tells."""

@@ -1,4 +1,4 @@
-"""The program. Tiny on purpose: the linear mode's first lines are printed before anything else is loaded."""
+"""The program. Small: the first lines of the linear mode are printed before anything else is loaded."""
 
 from __future__ import annotations
 
@@ -7,7 +7,7 @@ import sys
 
 from donnie_tui.process import HIGHEST_STANDARD
 from donnie_tui.process.collecting import load_undisturbed
-from donnie_tui.process.hanging_up import hear_hang_up
+from donnie_tui.process.disconnection import watch_for_hang_up
 
 TYPE_CHECKING = False  # that of typing costs as much as the rest of the first prompt
 if TYPE_CHECKING:
@@ -19,7 +19,7 @@ def main() -> int:
     try:
         load_undisturbed()
         _open_what_is_closed()
-        hear_hang_up()
+        watch_for_hang_up()
         greeting = _greet_early()
         from donnie_tui.cli.main import main as command
 
@@ -29,7 +29,7 @@ def main() -> int:
 
 
 def _open_what_is_closed() -> None:
-    """Nobody else may get the number of a closed input: the linear mode read its own pipe for ever."""
+    """Keep the number of a closed input taken: the linear mode read its own pipe for ever."""
     while (number := os.open(os.devnull, os.O_RDWR)) <= HIGHEST_STANDARD:
         pass
     os.close(number)

@@ -8,43 +8,42 @@ from __future__ import annotations
 import os
 from contextlib import ExitStack
 from functools import partial
+from typing import TYPE_CHECKING, TextIO
 
-from devices.ports.hints import TYPE_CHECKING, TextIO
+from msgspec import Struct
+
 from devices.ports.robot import Pace, Watcher
-from devices.ports.values import Frozen
-from donnie_tui.core.belt_telling import BeltTelling
-from donnie_tui.core.chronicle import Chronicle
 from donnie_tui.core.events import Announced, Answered
 from donnie_tui.core.hub import Stream
 from donnie_tui.core.outlets import UntilSaid
 from donnie_tui.core.session import ResettableRobot, Session
 from donnie_tui.core.team import Team
+from donnie_tui.core.timeline import Chronicle
+from donnie_tui.core.workspace import Workspace
 from donnie_tui.i18n.words import Unusable, Words
 from donnie_tui.outlets.audible import Audible, make_audible
-from donnie_tui.outlets.outlets import Outlets
-from donnie_tui.outlets.tangible import belt_settings, connect_belt
-from donnie_tui.outlets.written import Written
+from donnie_tui.outlets.belt import BeltTelling, belt_settings, connect_belt
+from donnie_tui.outlets.files import Outlets, Written
 from donnie_tui.process.collecting import loaded
+from donnie_tui.robot.choice import Search
 from donnie_tui.robot.connection import Connection
-from donnie_tui.robot.search import Search
-from donnie_tui.settings.chosen import Settings, Source
-from donnie_tui.settings.devices import SERIAL, SIMULATED
-from donnie_tui.settings.first_start import is_new_decision
-from donnie_tui.settings.folders import state_path
+from donnie_tui.settings.folders import BREAKPOINTS, RECENT, UNSAVED, is_new_decision, state_path
+from donnie_tui.settings.parsing import SERIAL, SIMULATED
+from donnie_tui.settings.settings import Settings, Source
 from donnie_tui.world.choice import ChosenWorld, choose_world, files_of
 from donnie_tui.world.moved_things import ThingWatch
 
 if TYPE_CHECKING:
-    from donnie_tui.core.in_use import FilesInUse
-    from sim.mounted import Mounted
+    from donnie_tui.core.program_files import FilesInUse
     from sim.picture import Picture
+    from sim.sensors import Mounted
     from sim.world import World
 
-__all__ = ["Donnie", "Unusable", "assemble", "colours_of_world"]
+__all__ = ["Donnie", "Unusable", "assemble", "colours_of_world", "open_workspace"]
 
 
-class Notices(Frozen):
-    """What had to be done without, a sentence each, to be told once at the start."""
+class Notices(Struct, frozen=True):
+    """What is missing in this session, a sentence each, for the start."""
 
     about_world: tuple[str, ...]
     """Slips in a file of the learner's own."""
@@ -58,12 +57,12 @@ class Notices(Frozen):
         return self.about_world + self.about_settings + self.about_voice + self.about_devices
 
 
-class Donnie(Frozen):
+class Donnie(Struct, frozen=True):
     """Everything that a front end works with. ``close`` leaves nothing running."""
 
     words: Words
     world: ChosenWorld
-    """Its name, scene, and title, description and task where it is one of ours."""
+    """Its name, its scene and, for a world that ships, title, description and task."""
     team: Team
     """The robots of the world, and who of them is talked to."""
     connection: Connection
@@ -81,7 +80,7 @@ class Donnie(Frozen):
         return self.team.chosen
 
     def tell(self, *sentences: str) -> None:
-        """Answer the learner: each is printed, said, and can be told again."""
+        """Answer the learner: each sentence is printed, spoken and can be repeated."""
         for sentence in sentences:
             self.session.hub.publish(Answered(sentence))
 
@@ -91,19 +90,19 @@ class Donnie(Frozen):
 
     @property
     def in_use(self) -> FilesInUse:
-        from donnie_tui.core.in_use import FilesInUse  # for who saves something
+        from donnie_tui.core.program_files import FilesInUse  # for who saves something
 
         return FilesInUse((*self.outlets.written.paths, *files_of(self.world)))
 
     def picture(self) -> Picture:
-        """The world at its start, for the robot that is talked to. Events tell where everything is."""
+        """The world at its start, for the current robot. Events say where everything is now."""
         from sim.picture import picture
 
         return picture(self.world.scene, self.team.chosen_name)
 
     def mounted(self) -> tuple[Mounted, ...]:
         """What the robot that is talked to has, in its world; a board has its own."""
-        from sim.mounted import mounted
+        from sim.sensors import mounted
 
         return () if self.connection.is_board else mounted(self.world.scene, self.session.name)
 
@@ -114,7 +113,7 @@ class Donnie(Frozen):
         return picture(self._shared.scene_now(), self.team.chosen_name)
 
     def get_ready_to_move(self) -> None:
-        """Load now what the first movement would load, while nobody waits for anything."""
+        """Load now what the first movement would load, while the prompt is idle."""
         if not self.connection.is_real:
             self._shared.get_ready()
 
@@ -130,7 +129,7 @@ class Donnie(Frozen):
         return is_running
 
     def stop_unreachable_robot(self) -> None:
-        """Whoever drives it sees and hears nothing any more; told for when the line is back."""
+        """Stop a real robot that the learner can't follow, and say so when the connection is back."""
         if self.stop_real_robot():
             self.session.hub.publish(Announced("link", self.words("network-stopped")))
 
@@ -150,8 +149,8 @@ def assemble(
 ) -> Donnie:
     """A session as the settings want it. ``out`` takes the events of ``--events -``. Raises ``Unusable``.
 
-    ``terminal``: QUIT is allowed, and a name may be declared again by a later batch. ``is_linear``: what is
-    told is printed line by line, so that a screen reader reads it. ``search``: for the robot, to give it up.
+    ``terminal``: QUIT is allowed, and a later batch may declare a name again. ``is_linear``: sentences are
+    printed line by line, for a screen reader. ``search``: the search for the robot, to cancel it.
     """
     closing = ExitStack()
     try:
@@ -161,7 +160,7 @@ def assemble(
         raise
     donnie.outlets.let_programs_wait()
     if os.environ.get("SSH_CONNECTION"):
-        from donnie_tui.process.lost_network import NetworkWatch  # who came by a network
+        from donnie_tui.process.disconnection import NetworkWatch  # who came by a network
 
         closing.callback(NetworkWatch(donnie.stop_unreachable_robot, os.environ).close)
     loaded()
@@ -177,7 +176,7 @@ def _assembled(
     is_linear: bool,
     search: Search | None,
 ) -> Donnie:
-    """What hears the stream is there before anything happens: the robot is connected last."""
+    """All listeners subscribe before the robot is connected, so that they miss no event."""
     from sim.world import World
 
     words = Words(settings.language, settings.verbosity)
@@ -188,7 +187,7 @@ def _assembled(
     closing.callback(connection.close)
     closing.callback(team.close)
     if team.has_several:
-        _tell_hold_ups(team, shared, words, until_said, closing)
+        _announce_hold_ups(team, shared, words, until_said, closing)
     chronicle = Chronicle()
     team.chosen.hub.subscribe(chronicle)
     written = _written(settings, team.chosen, words, world, out, closing)
@@ -206,20 +205,20 @@ def _assembled(
 
 
 def _remarks(world: ChosenWorld, words: Words) -> tuple[str, ...]:
-    from donnie_tui.world.remarks import remarks
+    from donnie_tui.world.choice import remarks
 
     return remarks(world, words)
 
 
-def _tell_hold_ups(
+def _announce_hold_ups(
     team: Team, shared: World, words: Words, until_said: UntilSaid, closing: ExitStack
 ) -> None:
     """A program that says something at its own pace holds the others up on purpose."""
-    from donnie_tui.core.holding_up import HoldingUp
+    from donnie_tui.core.turn_monitor import TurnMonitor
 
-    holding_up = HoldingUp(team, shared.turn, words, is_excused=lambda: until_said.waiting > 0)
-    holding_up.watch()
-    closing.callback(holding_up.close)
+    turn_monitor = TurnMonitor(team, shared.turn, words, is_excused=lambda: until_said.waiting > 0)
+    turn_monitor.watch()
+    closing.callback(turn_monitor.close)
 
 
 def _written(
@@ -239,7 +238,7 @@ def _written(
 
 
 def _decided(audible: Audible, words: Words) -> tuple[str, ...]:
-    """Who speaks and how to change it: at the first start, and when it is somebody else."""
+    """Which voice speaks and how to change it: at the first start, and when that changes."""
     code = audible.decided
     return (words(code),) if code and is_new_decision(state_path(os.environ), code) else ()
 
@@ -249,7 +248,7 @@ def _connect_robot(
 ) -> tuple[str, ...]:
     """The robot of the settings, or the real one that a configuration file asks for.
 
-    Where nobody could choose another one, it must be there: raises ``Unusable``.
+    Raises ``Unusable`` if it is missing and the learner can't choose another one.
     """
     robot = settings.robot
     if world.physical_port is not None and settings.source_of("robot") is Source.DEFAULT:
@@ -262,7 +261,7 @@ def _connect_robot(
 
 
 def colours_of_world(settings: Settings, words: Words) -> frozenset[str]:
-    """The colours that the world's robot can tell apart. Raises ``Unusable``."""
+    """The colours that the world's robot distinguishes. Raises ``Unusable``."""
     world = _inhabited_world(settings, words)
     return make_team(settings, words, world, terminal=False).chosen.colours
 
@@ -314,3 +313,8 @@ def _simulated_robot(
     world: World, name: str, settings: Settings, pace: Pace, watcher: Watcher
 ) -> ResettableRobot:
     return world.robot(name, pace=pace, watcher=watcher, speed=settings.speed)
+
+
+def open_workspace(state_folder: str) -> Workspace:
+    """An empty workspace, with what earlier starts kept in that folder."""
+    return Workspace(f"{state_folder}/{UNSAVED}", f"{state_folder}/{BREAKPOINTS}", f"{state_folder}/{RECENT}")

@@ -1,1 +1,1 @@
-"""GoDonnie: its text, its meaning, how its programs run. Of robots it knows the bearings of their sensors."""
+"""The language GoDonnie: text, syntax tree, mistakes, compiled programs."""

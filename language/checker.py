@@ -1,45 +1,47 @@
-"""Hints about a program that can be read: what will surely fail or do nothing when it is reached.
+"""Hints about a correct text: commands that do nothing, and mistakes that are certain when it runs.
 
-Rule: a hint is never a guess, and never keeps a program from running. Names (``names``) are looked
-at only where the whole program is known; in the terminal an earlier batch may have declared them.
+Rule: a hint is never a guess, and never keeps a program from running. The checker looks up names only if the
+whole program is known; in the terminal an earlier batch may have declared them.
 """
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterable, Iterator
+
+from msgspec.structs import replace
 
 from language import syntax
-from language.diagnostics import Diagnostic, Kind, Severity
+from language.diagnostics import Diagnostic, MistakeKind, Severity, mistake_at
 from language.keywords import argument_spelling, spelling
-from language.lexer import lex
-from language.syntax import Program
+from language.lexer import language_of, lex
+from language.syntax import Expression, Name, Program, Scope, Statement, scopes_of
 
 
 def check(program: Program, *, whole: bool = True) -> tuple[Diagnostic, ...]:
     """The hints, in the order of the text. ``whole`` is False for a batch of a terminal."""
     found = [*_unused_values(program), *_negative_steps(program)]
     if whole:
-        from language.names import Names  # no batch of a terminal
-
-        found += Names(program).hints()
+        scopes = scopes_of(Scope(program, None))
+        mistakes = [*_undeclared_variables(scopes), *_wrong_calls(scopes), *_terminal_only(scopes)]
+        found += [replace(mistake, severity=Severity.HINT) for mistake in mistakes]
     return tuple(sorted(found, key=lambda hint: hint.span.start))
 
 
-# --- what does nothing --------------------------------------------------------------------------------
+# --- commands that do nothing -------------------------------------------------------------------------
 
 
 def _unused_values(program: Program) -> Iterator[Diagnostic]:
-    unused = [each for each in syntax.walk(program.body) if isinstance(each, syntax.Unused)]
+    unused = [each for each in syntax.walk(program.body) if isinstance(each, syntax.UnusedSensor)]
     language = _language_of(program) if unused else "en"
     for statement in unused:
-        word, spoken = _sensor(statement.value, language)
+        word, value = _sensor(statement.value, language)
         speak = spelling("SPEAK", language)
         yield Diagnostic(
-            Kind.UNUSED_VALUE,
+            MistakeKind.UNUSED_VALUE,
             statement.span,
             found=program.typed(statement.span),
-            meant=f"{speak} {spoken}",
-            details={"word": word, "speak": speak, "value": spoken},
+            meant=f"{speak} {value}",
+            details={"word": word, "speak": speak, "value": value},
             severity=Severity.HINT,
         )
 
@@ -48,31 +50,137 @@ def _negative_steps(program: Program) -> Iterator[Diagnostic]:
     """FW -2, which walks nowhere: learners mean the other direction."""
     for each in syntax.walk(program.body):
         match each:
-            case syntax.Walk(
-                direction=direction, steps=syntax.Negative(operand=syntax.Number(value=steps))
+            case syntax.WalkCommand(
+                direction=direction, steps=syntax.Negative(operand=syntax.NumberLiteral(value=steps))
             ) if steps:
                 is_forward = direction is syntax.Direction.FORWARD
                 other = spelling("BW" if is_forward else "FW", _language_of(program))
                 typed = program.typed(each.span)
                 meant = f"{other} {steps}"
                 yield Diagnostic(
-                    Kind.UNUSED_VALUE, each.span, "steps", typed, meant=meant, severity=Severity.HINT
+                    MistakeKind.UNUSED_VALUE, each.span, "steps", typed, meant=meant, severity=Severity.HINT
                 )
 
 
 def _language_of(program: Program) -> str:
-    from language.origin import language_of  # few leave a sensor unread
-
     return language_of(lex(program.source).tokens)
 
 
-def _sensor(sensor: syntax.Distance | syntax.Position | syntax.Colour, language: str) -> tuple[str, str]:
-    """Its canonical word, and how it is written in full."""
+def _sensor(sensor: syntax.Sensor, language: str) -> tuple[str, str]:
+    """Its canonical word, and its full spelling."""
     match sensor:
-        case syntax.Distance(bearing=bearing):
+        case syntax.DistanceSensor(bearing=bearing):
             word, argument = "DISTANCE", argument_spelling(bearing, language)
-        case syntax.Position(axis=axis):
+        case syntax.PositionSensor(axis=axis):
             word, argument = "POS", argument_spelling(axis, language)
-        case syntax.Colour(colour=colour):
+        case syntax.ColourSensor(colour=colour):
             word, argument = "COLOR", argument_spelling(colour, language)
     return word, f"{spelling(word, language)} {argument}"
+
+
+# --- names --------------------------------------------------------------------------------------------
+
+
+def _undeclared_variables(scopes: tuple[Scope, ...]) -> Iterator[Diagnostic]:
+    """Each scope's undeclared names, at their first use."""
+    from language.suggestions import undeclared_variable  # only whole programs need it
+
+    of_program = scopes[0].declarations()
+    for scope in scopes:
+        declared = scope.declarations()
+        procedure = scope.program.typed(scope.procedure.name.span) if scope.procedure else ""
+        for name in _first_uses(name for each in scope.statements() for name in _names_used(each)):
+            if name.name not in declared:
+                yield undeclared_variable(
+                    scope.program, name, declared, procedure, of_program, most_compared=None
+                )
+
+
+def _wrong_calls(scopes: tuple[Scope, ...]) -> Iterator[Diagnostic]:
+    """Calls of procedures that are declared nowhere, or never with so many parameters."""
+    from language.suggestions import undeclared_procedure  # only whole programs need it
+
+    program = scopes[0].program
+    counts: dict[str, set[int]] = {}
+    for scope in scopes[1:]:
+        assert scope.procedure is not None
+        counts.setdefault(scope.procedure.name.name, set()).add(len(scope.parameters))
+    calls = [each for scope in scopes for each in scope.statements() if isinstance(each, syntax.Call)]
+    for name in _first_uses(call.name for call in calls):
+        if name.name not in counts:
+            yield undeclared_procedure(program, name, counts, most_compared=None)
+    for call in calls:
+        wanted, given = counts.get(call.name.name, set()), len(call.arguments)
+        if len(wanted) == 1 and given not in wanted:
+            span = call.name.span
+            details: dict[str, str | int] = {
+                "name": program.typed(span),
+                "wanted": min(wanted),
+                "given": given,
+            }
+            yield mistake_at(program, span, MistakeKind.WRONG_ARGUMENT_COUNT, details)
+
+
+def _terminal_only(scopes: tuple[Scope, ...]) -> Iterator[Diagnostic]:
+    for scope in scopes:
+        for each in scope.statements():
+            if isinstance(each, syntax.QuitCommand | syntax.RunCommand):
+                yield mistake_at(scope.program, each.span, MistakeKind.TERMINAL_ONLY, {})
+
+
+def _first_uses(names: Iterable[Name]) -> Iterable[Name]:
+    """Each name at its first place in the text."""
+    first: dict[str, Name] = {}
+    for name in names:
+        known = first.setdefault(name.name, name)
+        if name.span.start < known.span.start:
+            first[name.name] = name
+    return first.values()
+
+
+def _names_used(statement: Statement) -> Iterator[Name]:
+    """The variables that a statement reads or assigns, without those of the blocks in it."""
+    match statement:
+        case syntax.Assign(name=name):
+            yield name
+        case syntax.For(start=start, step=step):
+            yield from (start.name, step.name)
+    for expression in _expressions(statement):
+        yield from _names_in(expression)
+
+
+def _expressions(statement: Statement) -> tuple[Expression, ...]:
+    """The expressions that a statement evaluates, without those of the blocks in it."""
+    match statement:
+        case syntax.Declare(value=value):
+            return () if value is None else (value,)
+        case syntax.Assign(value=value):
+            return (value,)
+        case syntax.SpeakCommand(what=what):
+            return () if isinstance(what, syntax.TextLiteral) else (what,)
+        case (
+            syntax.WalkCommand(steps=value)
+            | syntax.TurnCommand(degrees=value)
+            | syntax.WaitCommand(seconds=value)
+            | syntax.Repeat(times=value)
+        ):
+            return (value,)
+        case syntax.If(condition=condition) | syntax.While(condition=condition):
+            return (condition.left, condition.right)
+        case syntax.Call(arguments=arguments):
+            return arguments
+        case syntax.For(start=start, condition=condition, step=step):
+            return (*_expressions(start), condition.left, condition.right, *_expressions(step))
+        case _:
+            return ()
+
+
+def _names_in(expression: Expression) -> Iterator[Name]:
+    match expression:
+        case Name():
+            yield expression
+        case syntax.Negative(operand=operand):
+            yield from _names_in(operand)
+        case syntax.Binary(left=left, right=right):
+            yield from _names_in(left)
+            yield from _names_in(right)

@@ -1,8 +1,8 @@
 """Pausing, stepping and stopping a running program: one state, one table, one condition variable.
 
-Front ends ask from any thread and never block. The program's thread answers at its checkpoints
-(``reached``) and in its waits (``sleep``), and is the only one that ever waits here. A pause takes hold
-where the program next looks: until then the state is PAUSING, from then on PAUSED.
+Front ends make requests from any thread and never block. The program's thread looks at its checkpoints
+(``reached``) and in its waits (``sleep``); only that thread ever waits here. A pause begins at the program's
+next look: until then the state is PAUSING, from then on PAUSED.
 """
 
 from __future__ import annotations
@@ -21,15 +21,15 @@ LONGEST_WAIT = 3600.0
 _NOWHERE = (0, 0)
 
 FOREVER = 1e12
-"""Seconds beyond which a sleep's length makes no difference to anybody."""
+"""Seconds; a longer sleep makes no difference."""
 
 
 class ControlState(Enum):
-    """What a program is doing, or is about to do at its next checkpoint."""
+    """The activity of a program, now or from its next checkpoint on."""
 
     RUNNING = auto()
     PAUSING = auto()
-    """A pause was asked for; the program holds at its next checkpoint or wait."""
+    """A pause was requested; the program holds at its next checkpoint or wait."""
     PAUSED = auto()
     """The program holds."""
     STEPPING = auto()
@@ -42,8 +42,8 @@ class ControlState(Enum):
     ENDED = auto()
 
 
-class Request(Enum):
-    """What can happen to the state. HOLD and END come from the program's thread, the rest from front ends."""
+class ControlRequest(Enum):
+    """A change of the state. The program's thread requests HOLD and END, front ends the others."""
 
     PAUSE = auto()
     RESUME = auto()
@@ -55,11 +55,11 @@ class Request(Enum):
     END = auto()
 
 
-_S, _R = ControlState, Request
+_S, _R = ControlState, ControlRequest
 _HOLDABLE = (_S.PAUSING, _S.STEPPING, _S.STEPPING_OVER, _S.RUNNING_TO)
 _ALIVE = (_S.RUNNING, _S.PAUSED, *_HOLDABLE)
 
-TRANSITIONS: dict[tuple[ControlState, Request], ControlState] = {
+TRANSITIONS: dict[tuple[ControlState, ControlRequest], ControlState] = {
     **{(state, _R.PAUSE): _S.PAUSING for state in _ALIVE if state is not _S.PAUSED},
     **{(state, _R.RESUME): _S.RUNNING for state in _ALIVE},
     **{(state, _R.STEP): _S.STEPPING for state in _ALIVE},
@@ -69,11 +69,11 @@ TRANSITIONS: dict[tuple[ControlState, Request], ControlState] = {
     **{(state, _R.HOLD): _S.PAUSED for state in (_S.RUNNING, *_HOLDABLE)},
     **{(state, _R.END): _S.ENDED for state in (*_ALIVE, _S.STOPPING)},
 }
-"""Where each request leads; one that is not listed changes nothing."""
+"""The next state after each request; one that is not listed changes nothing."""
 
 
 class ExecutionControl:
-    """The switch between one program and the people who watch it."""
+    """Connects one running program with its observers and the requests of front ends."""
 
     def __init__(self, clock: Callable[[], float] = time.monotonic) -> None:
         self._clock = clock
@@ -96,28 +96,28 @@ class ExecutionControl:
 
     def stop(self) -> None:
         """End the program at its next checkpoint, in the middle of a wait or of a movement too."""
-        self._change(Request.STOP)
+        self._change(ControlRequest.STOP)
 
     def pause(self) -> None:
-        self._change(Request.PAUSE)
+        self._change(ControlRequest.PAUSE)
 
     def resume(self) -> None:
-        self._change(Request.RESUME)
+        self._change(ControlRequest.RESUME)
 
     def step(self) -> None:
-        """Go on to the next statement, into a procedure where one is called."""
-        self._change(Request.STEP)
+        """Run to the next statement, into a called procedure."""
+        self._change(ControlRequest.STEP)
 
     def step_over(self) -> None:
-        """Go on to the next statement, after the whole procedure where one is called."""
-        self._change(Request.STEP_OVER)
+        """Run to the next statement, after a called procedure."""
+        self._change(ControlRequest.STEP_OVER)
 
     def run_to(self, line: int) -> None:
-        """Go on to the next statement that begins on ``line``."""
-        self._change(Request.RUN_TO, line)
+        """Run to the next statement that begins on ``line``."""
+        self._change(ControlRequest.RUN_TO, line)
 
     def break_at(self, lines: frozenset[int]) -> None:
-        """From now on hold before each statement that begins on one of these lines, whatever else is wanted.
+        """From now on hold before each statement that begins on one of these lines, in every state.
 
         Needs a program that was compiled with hooks.
         """
@@ -127,9 +127,9 @@ class ExecutionControl:
                 self._runtime(self._state)
 
     def look_before_each(self, look: Callable[[], None] | None) -> None:
-        """From now on have ``look`` called before each statement, in the program's thread; None ends that.
+        """From now on call ``look`` before each statement, in the program's thread; None ends that.
 
-        Needs a program that was compiled with hooks. It costs a program that computes dearly.
+        Needs a program that was compiled with hooks. It slows down computations a lot.
         """
         with self._changed:
             self._look = look
@@ -141,15 +141,15 @@ class ExecutionControl:
         """Line and column of the statement before which the program holds; 0, 0 in the middle of one."""
         return self._held_at
 
-    def observe(self, told: Callable[[ControlState], None]) -> Callable[[], None]:
-        """Have ``told`` called with the new state each time the state becomes or stops being PAUSED.
+    def observe(self, observer: Callable[[ControlState], None]) -> Callable[[], None]:
+        """Call ``observer`` with the new state each time the state becomes or stops being PAUSED.
 
-        It is called without any lock, in the thread that made the change: the program's own where it
-        holds. Two changes close together may be told by two threads at once; ``state`` is the truth.
-        Returns what ends the observation.
+        The thread that made the change calls it without any lock; for a hold that is the program's own
+        thread. Two threads may report close changes at once; only ``state`` is reliable.
+        Returns a function that ends the observation.
         """
-        self._observers.append(told)
-        return lambda: self._observers.remove(told)
+        self._observers.append(observer)
+        return lambda: self._observers.remove(observer)
 
     # --- for the program's thread ---
 
@@ -170,32 +170,32 @@ class ExecutionControl:
                 remaining -= self._clock() - started
 
     def reached(self, line: int, depth: int, column: int = 0) -> None:
-        """A statement on ``line``, inside ``depth`` calls, is next: hold if wanted; raises Stopped."""
-        if self._holds_at(line, depth):  # asked again under the lock; most statements are not to be held at
+        """A statement on ``line``, inside ``depth`` calls, is next: hold if requested; raises Stopped."""
+        if self._holds_at(line, depth):  # checked again under the lock; most statements hold nothing
             self._hold_if(lambda: self._holds_at(line, depth), depth, (line, column))
         if self._state is ControlState.STOPPING:
             raise Stopped
-        look = self._look  # read once: another thread may take it away
+        look = self._look  # read once: another thread may remove it
         if look is not None:
             look()
 
     def ended(self) -> None:
-        """The program is over, however it ended."""
-        self._change(Request.END)
+        """The program ended, in any way."""
+        self._change(ControlRequest.END)
 
     # --- for the runtime ---
 
     def attach(self, runtime: Callable[[ControlState], None] | None) -> None:
-        """Have ``runtime`` called with the state, now and at every change, under the lock."""
+        """Call ``runtime`` with the state, now and at every change, under the lock."""
         with self._changed:
             self._runtime = runtime
             if runtime is not None:
                 runtime(self._state)
 
     def holds_on_lines(self) -> frozenset[int]:
-        """The breakpoints, and the line that ``run_to`` asked for while that counts."""
-        asked = {self._run_to_line} if self._state is ControlState.RUNNING_TO else set[int]()
-        return self._breakpoints | asked
+        """The breakpoints, and the line of ``run_to`` in the state RUNNING_TO."""
+        requested = {self._run_to_line} if self._state is ControlState.RUNNING_TO else set[int]()
+        return self._breakpoints | requested
 
     @property
     def looks_before_each(self) -> bool:
@@ -221,36 +221,36 @@ class ExecutionControl:
                 return False
 
     def _hold_if(self, wanted: Callable[[], bool], depth: float, place: tuple[int, int]) -> None:
-        """If ``wanted``, be paused at ``place``, tell it, and wait for the next request."""
+        """If ``wanted``, pause at ``place``, notify observers, and wait for the next request."""
         with self._changed:
             holding = wanted()
             if holding:
                 self._held_depth, self._held_at = depth, place
-                self._apply(Request.HOLD)
+                self._apply(ControlRequest.HOLD)
         if holding:
-            self._tell(ControlState.PAUSED)
+            self._notify(ControlState.PAUSED)
             with self._changed:
                 self._changed.wait_for(lambda: self._state is not ControlState.PAUSED)
 
-    def _change(self, request: Request, line: int = 0) -> None:
+    def _change(self, request: ControlRequest, line: int = 0) -> None:
         with self._changed:
             before = self._state
-            if request is Request.RUN_TO:
+            if request is ControlRequest.RUN_TO:
                 self._run_to_line = line
-            elif request is Request.STEP_OVER and before is not ControlState.STEPPING_OVER:
+            elif request is ControlRequest.STEP_OVER and before is not ControlState.STEPPING_OVER:
                 self._over_depth = self._held_depth if before is ControlState.PAUSED else inf
             after = self._apply(request)
         if before is ControlState.PAUSED and after is not before:
-            self._tell(after)
+            self._notify(after)
 
-    def _apply(self, request: Request) -> ControlState:
-        """Follow the table and let the runtime know; under the lock."""
+    def _apply(self, request: ControlRequest) -> ControlState:
+        """Change the state by the table and notify the runtime; under the lock."""
         self._state = TRANSITIONS.get((self._state, request), self._state)
         if self._runtime is not None:
             self._runtime(self._state)
         self._changed.notify_all()
         return self._state
 
-    def _tell(self, state: ControlState) -> None:
-        for told in tuple(self._observers):
-            told(state)
+    def _notify(self, state: ControlState) -> None:
+        for observer in tuple(self._observers):
+            observer(state)

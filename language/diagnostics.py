@@ -1,9 +1,9 @@
 """Mistakes as data: a kind, a place and parameters. The sentences are made in i18n.
 
-Diagnostic                what was found, where, what was expected, what was probably meant
-LanguageError             the family
+Diagnostic                the text, its place, what was expected, what was probably meant
+LanguageError             the base class
 +-- ProgramError          a mistake of meaning, raised when its line is reached
-+-- Refused               raised by an action; the runtime adds the place and makes it a ProgramError
++-- ActionRefused         raised by an action; the runtime adds the place and makes it a ProgramError
 +-- Stopped               the user stopped the program
 +-- QuitRequested         QUIT was reached in the terminal
 """
@@ -13,14 +13,15 @@ from __future__ import annotations
 from collections.abc import Mapping
 from enum import Enum
 
-from devices.ports.values import Frozen, field
-from language.syntax import Span
+from msgspec import Struct, field
+
+from language.syntax import Program, Span
 
 MOST_MISTAKES = 100
-"""Mistakes of form that are told of one text; nobody listens to more."""
+"""Mistakes of form that are reported for one text; no listener needs more."""
 
 
-class Kind(Enum):
+class MistakeKind(Enum):
     """The stable kinds. Scripts rely on the values."""
 
     SYNTAX = "syntax"
@@ -46,7 +47,7 @@ class Kind(Enum):
     ROBOT = "robot"
     """The robot can't do what it was asked, or was lost."""
     UNUSED_VALUE = "unused-value"
-    """What does nothing: a sensor on a line of its own, a step below 0; only ever a hint."""
+    """A command that does nothing: a sensor on a line of its own, a step below 0; only ever a hint."""
 
 
 class Severity(Enum):
@@ -54,15 +55,15 @@ class Severity(Enum):
     HINT = "hint"
 
 
-class Diagnostic(Frozen):
+class Diagnostic(Struct, frozen=True):
     """One mistake, or one hint."""
 
-    kind: Kind
+    kind: MistakeKind
     span: Span
     code: str = ""
-    """Which sentence tells it, where a kind has several, such as ``text-plus``; empty: the kind's own."""
+    """Selects the sentence where a kind has several, such as ``text-plus``; empty: the kind's own."""
     found: str = ""
-    """What stands there, as typed; empty at the end of the text."""
+    """The text at the span, as typed; empty at the end of the text."""
     expected: tuple[str, ...] = ()
     """Canonical command words (``TIMES``, ``END REPEAT``) or lower-case classes (``number``, ``name``,
     ``expression``, ``command``, ``comparison``, ``direction``, ``axis``, ``colour``, ``on-or-off``,
@@ -70,27 +71,34 @@ class Diagnostic(Frozen):
     meant: str = ""
     """The word that was probably meant, in the language of the program, or empty."""
     details: Mapping[str, str | int] = field(default_factory=dict)
-    """What else the sentence needs: ``name``, ``opener``, ``opener_line``, ``wanted``, ``limit`` ..."""
+    """More values for the sentence: ``name``, ``opener``, ``opener_line``, ``wanted``, ``limit`` ..."""
     severity: Severity = Severity.ERROR
     meant_end: int | None = None
-    """The offset behind all of what ``meant`` is to replace, where that is more than the span."""
+    """The end of the text that ``meant`` replaces, if that is more than the span."""
     meant_at: int | None = None
-    """The offset at which ``meant`` is to be put in and replaces nothing; it is missing there."""
+    """The offset where ``meant`` is missing and replaces nothing."""
 
 
-class CallSite(Frozen):
-    """One level of the call stack of a mistake: the procedure's name as declared, and where it was called."""
+def mistake_at(
+    program: Program, span: Span, kind: MistakeKind, details: Mapping[str, str | int], meant: str = ""
+) -> Diagnostic:
+    """A mistake in a program that can be read; ``found`` is its text."""
+    return Diagnostic(kind, span, found=program.typed(span), meant=meant, details=details)
+
+
+class CallSite(Struct, frozen=True):
+    """One level of the call stack of a mistake: the procedure's name as declared, and the calling line."""
 
     procedure: str
     line: int
 
 
 class LanguageError(Exception):
-    """Everything that ends a program before its end."""
+    """Ends a program before its last statement."""
 
 
 class ProgramError(LanguageError):
-    """A mistake of meaning, with its place and the calls that led there, innermost first."""
+    """A mistake of meaning, with the open calls, innermost first."""
 
     def __init__(self, diagnostic: Diagnostic, calls: tuple[CallSite, ...] = ()) -> None:
         super().__init__(diagnostic.kind.value)
@@ -98,10 +106,10 @@ class ProgramError(LanguageError):
         self.calls = calls
 
 
-class Refused(LanguageError):
-    """An action that can't be done now, such as VIBRATE while the belt is off."""
+class ActionRefused(LanguageError):
+    """An action that is impossible now, such as VIBRATE while the belt is off."""
 
-    def __init__(self, kind: Kind, **details: str | int) -> None:
+    def __init__(self, kind: MistakeKind, **details: str | int) -> None:
         super().__init__(kind.value)
         self.kind = kind
         self.details = details

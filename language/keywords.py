@@ -1,31 +1,31 @@
-"""The one table of GoDonnie's words in English, Portuguese and Spanish.
+"""The one table of GoDonnie's words in all languages; each language has its own in ``keywords.toml``.
 
-Rule: whatever knows a word knows it from here: lexer, formatter, help, completion, messages. The first
-spelling in a language is the one that the formatter writes. The first word of every command and every
-word between commands is reserved in all languages at once; words that only follow (FRENTE, ON, RED)
-and the letters of directions and axes are ordinary names everywhere else.
+Lexer, formatter, help, completion and messages take all words from here. The formatter writes the first
+spelling of a language. The first word of every command and every word between commands are reserved in all
+languages. Words that only follow others (FRENTE, ON, RED) and the letters of directions and axes are ordinary
+names in all other places.
 """
 
 from __future__ import annotations
 
 import re
-from collections.abc import Iterable, Mapping
+from collections.abc import Mapping
 from functools import cache
 from types import MappingProxyType
 
+from msgspec import Struct
+
 from devices.ports.robot import Bearing
-from devices.ports.values import Frozen
+from language.locales import languages, words
 from language.source import fold_name
 from language.syntax import Axis
 
-LANGUAGES = ("en", "pt", "es")
 
-
-class Word(Frozen):
+class Keyword(Struct, frozen=True):
     """One form of one keyword: FW and FORWARD are two words of the same terminal."""
 
     canonical: str
-    """Its English spelling, by which all of the program knows it."""
+    """Its English spelling, which the code uses everywhere."""
     terminal: str
     """Its name in grammar.lark."""
     topic: str
@@ -34,8 +34,8 @@ class Word(Frozen):
     """By language; the canonical spelling of the language first."""
 
 
-class Argument(Frozen):
-    """A word that means something only behind certain keywords."""
+class ArgumentWord(Struct, frozen=True):
+    """A word that has a meaning only after certain keywords."""
 
     terminal: str
     value: Bearing | Axis | str | bool
@@ -43,107 +43,110 @@ class Argument(Frozen):
     spellings: Mapping[str, tuple[str, ...]]
 
 
-def _spellings(en: str, pt: str, es: str) -> Mapping[str, tuple[str, ...]]:
-    rows = zip(LANGUAGES, (en, pt, es), strict=True)
-    return MappingProxyType({language: tuple(words.split("|")) for language, words in rows})
+def _spellings(section: str, key: str) -> Mapping[str, tuple[str, ...]]:
+    return MappingProxyType({each: words(each, "keywords", section, key) for each in languages()})
 
 
-def _word(terminal: str, topic: str, en: str, pt: str, es: str) -> Word:
-    return Word(en.split("|")[0], terminal, topic, _spellings(en, pt, es))
+def _word(canonical: str, terminal: str = "", topic: str = "") -> Keyword:
+    terminal = terminal or canonical.replace(" ", "_")
+    return Keyword(
+        canonical, terminal, topic or terminal.removeprefix("END_"), _spellings("keywords", canonical)
+    )
 
 
 WORDS = (
-    _word("QUIT", "QUIT", "QUIT", "SAIR", "SALIR"),
-    _word("QUIT", "QUIT", "EXIT", "SAIR", "SALIR"),
-    _word("VAR", "VAR", "VAR", "CRIAR", "CREAR"),
-    _word("SPEAK", "SPEAK", "SPEAK", "FALAR", "HABLAR"),
-    _word("SOUND", "SOUND", "SOUND", "SOM", "SONIDO"),
-    _word("FW", "FW", "FW", "PF", "AV"),
-    _word("FW", "FW", "FORWARD", "PARA FRENTE", "AVANZAR"),
-    _word("BW", "BW", "BW", "PT", "RE"),
-    _word("BW", "BW", "BACKWARD", "PARA TRÁS", "RETROCEDER"),
-    _word("TR", "TR", "TR", "GD", "GD"),
-    _word("TR", "TR", "RIGHT TURN", "GIRAR DIREITA", "GIRAR DERECHA"),
-    _word("TL", "TL", "TL", "GE", "GI"),
-    _word("TL", "TL", "LEFT TURN", "GIRAR ESQUERDA", "GIRAR IZQUIERDA"),
-    _word("SCAN", "SCAN", "SCAN", "ESPIAR", "MIRAR"),
-    _word("STATE", "STATE", "STATE", "ESTADO", "ESTADO"),
-    _word("DISTANCE", "DISTANCE", "DISTANCE", "DISTÂNCIA", "DISTANCIA"),
-    _word("POS", "POS", "POS", "POS", "POS"),
-    _word("POS", "POS", "POSITION", "POSIÇÃO", "POSICIÓN"),
-    _word("COLOR", "COLOR", "COLOR", "COR", "COLOR"),
-    _word("WAIT", "WAIT", "WAIT", "ESPERAR", "ESPERAR"),
-    _word("HISTORY", "HISTORY", "HISTORY", "HISTÓRICO", "HISTORIAL"),
-    _word("BELT", "BELT", "BELT", "CINTO", "CINTURÓN"),
-    _word("VIBRATE", "VIBRATE", "VIBRATE", "VIBRAR", "VIBRAR"),
-    _word("HELP", "HELP", "HELP", "AJUDA", "AYUDA"),
-    _word("RUN", "RUN", "RUN", "EXECUTAR", "EJECUTAR"),
-    _word("IF", "IF", "IF", "SE", "SI"),
-    _word("THEN", "IF", "THEN", "ENTÃO", "ENTONCES"),
-    _word("ELSE", "IF", "ELSE", "SENÃO", "SINO"),
-    _word("END_IF", "IF", "END IF", "FIM SE", "FIN SI"),
-    _word("FOR", "FOR", "FOR", "PARA", "PARA"),
-    _word("DO", "FOR", "DO", "FAÇA", "HACER"),
-    _word("END_FOR", "FOR", "END FOR", "FIM PARA", "FIN PARA"),
-    _word("REPEAT", "REPEAT", "REPEAT", "REPITA", "REPETIR"),
-    _word("TIMES", "REPEAT", "TIMES", "VEZES", "VECES"),
-    _word("END_REPEAT", "REPEAT", "END REPEAT", "FIM REPITA", "FIN REPETIR"),
-    _word("WHILE", "WHILE", "WHILE", "ENQUANTO", "MIENTRAS"),
-    _word("END_WHILE", "WHILE", "END WHILE", "FIM ENQUANTO", "FIN MIENTRAS"),
-    _word("PROCEDURE", "PROCEDURE", "PROCEDURE", "APRENDER", "PROCEDIMIENTO"),
-    _word("END_PROCEDURE", "PROCEDURE", "END PROCEDURE", "FIM APRENDER", "FIN PROCEDIMIENTO"),
+    _word("QUIT"),
+    _word("EXIT", "QUIT"),
+    _word("VAR"),
+    _word("SPEAK"),
+    _word("SOUND"),
+    _word("FW"),
+    _word("FORWARD", "FW"),
+    _word("BW"),
+    _word("BACKWARD", "BW"),
+    _word("TR"),
+    _word("RIGHT TURN", "TR"),
+    _word("TL"),
+    _word("LEFT TURN", "TL"),
+    _word("SCAN"),
+    _word("STATE"),
+    _word("DISTANCE"),
+    _word("POS"),
+    _word("POSITION", "POS"),
+    _word("COLOR"),
+    _word("WAIT"),
+    _word("HISTORY"),
+    _word("BELT"),
+    _word("VIBRATE"),
+    _word("HELP"),
+    _word("RUN"),
+    _word("IF"),
+    _word("THEN", topic="IF"),
+    _word("ELSE", topic="IF"),
+    _word("END IF"),
+    _word("FOR"),
+    _word("DO", topic="FOR"),
+    _word("END FOR"),
+    _word("REPEAT"),
+    _word("TIMES", topic="REPEAT"),
+    _word("END REPEAT"),
+    _word("WHILE"),
+    _word("END WHILE"),
+    _word("PROCEDURE"),
+    _word("END PROCEDURE"),
 )
+
+
+def _arguments_of(
+    terminal: str, topic: str, section: str, values: Mapping[str, Bearing | Axis | str | bool]
+) -> tuple[ArgumentWord, ...]:
+    return tuple(
+        ArgumentWord(terminal, value, topic, _spellings(section, key)) for key, value in values.items()
+    )
+
+
+_BEARINGS = (
+    *(Bearing.FRONT, Bearing.FRONT_RIGHT, Bearing.FRONT_LEFT),
+    *(Bearing.BACK, Bearing.BACK_RIGHT, Bearing.BACK_LEFT),
+)
+_COLOURS = ("red", "green", "blue", "yellow", "orange", "pink", "gray")
 
 ARGUMENTS = (
-    Argument("DIRECTION", Bearing.FRONT, "DISTANCE", _spellings("F", "F", "F")),
-    Argument("DIRECTION", Bearing.FRONT_RIGHT, "DISTANCE", _spellings("FR", "FD", "FD")),
-    Argument("DIRECTION", Bearing.FRONT_LEFT, "DISTANCE", _spellings("FL", "FE", "FI")),
-    Argument("DIRECTION", Bearing.BACK, "DISTANCE", _spellings("B", "T", "T")),
-    Argument("DIRECTION", Bearing.BACK_RIGHT, "DISTANCE", _spellings("BR", "TD", "TD")),
-    Argument("DIRECTION", Bearing.BACK_LEFT, "DISTANCE", _spellings("BL", "TE", "TI")),
-    Argument("AXIS", Axis.X, "POS", _spellings("X", "X", "X")),
-    Argument("AXIS", Axis.Y, "POS", _spellings("Y", "Y", "Y")),
-    Argument("AXIS", Axis.ANGLE, "POS", _spellings("A", "A", "A")),
-    Argument("COLOUR", "red", "COLOR", _spellings("RED", "VERMELHO", "ROJO")),
-    Argument("COLOUR", "green", "COLOR", _spellings("GREEN", "VERDE", "VERDE")),
-    Argument("COLOUR", "blue", "COLOR", _spellings("BLUE", "AZUL", "AZUL")),
-    Argument("COLOUR", "yellow", "COLOR", _spellings("YELLOW", "AMARELO", "AMARILLO")),
-    Argument("COLOUR", "orange", "COLOR", _spellings("ORANGE", "LARANJA", "NARANJA")),
-    Argument("COLOUR", "pink", "COLOR", _spellings("PINK", "ROSA", "ROSA")),
-    Argument("COLOUR", "gray", "COLOR", _spellings("GRAY|GREY", "CINZA", "GRIS")),
-    Argument("SWITCH", True, "SOUND", _spellings("ON", "LIGADO", "ENCENDIDO")),
-    Argument("SWITCH", False, "SOUND", _spellings("OFF", "DESLIGADO", "APAGADO")),
+    *_arguments_of("DIRECTION", "DISTANCE", "directions", {each.name.lower(): each for each in _BEARINGS}),
+    *_arguments_of("AXIS", "POS", "axes", {each.name.lower(): each for each in Axis}),
+    *_arguments_of("COLOUR", "COLOR", "colours", {each: each for each in _COLOURS}),
+    *_arguments_of("SWITCH", "SOUND", "switch", {"on": True, "off": False}),
 )
-
-END_WORDS = frozenset({"end", "fim", "fin"})
-"""Alone they end nothing, but they are reserved."""
 
 
 def folded_word(text: str) -> str:
-    """A word or several as the tables know them: folded, one blank between."""
+    """One word or several in the form of the tables: folded, one blank between."""
     return " ".join(fold_name(text).split())
 
 
-def _index(items: Iterable[Word | Argument]) -> dict[str, list[Word | Argument]]:
-    found: dict[str, list[Word | Argument]] = {}
-    for item in items:
-        for spelling_ in (each for spellings in item.spellings.values() for each in spellings):
-            rows = found.setdefault(folded_word(spelling_), [])
-            if item not in rows:
-                rows.append(item)
+def _index() -> dict[str, list[Keyword]]:
+    """By folded spelling. A spelling that means something else in an earlier language keeps that meaning."""
+    found: dict[str, list[Keyword]] = {}
+    for language in languages():
+        for each in WORDS:
+            for spelled in each.spellings[language]:
+                rows = found.setdefault(folded_word(spelled), [])
+                if each not in rows and (not rows or rows[0].terminal == each.terminal):
+                    rows.append(each)
     return found
 
 
-_words: dict[str, list[Word]] = _index(WORDS)  # type: ignore[assignment]
+_words = _index()
 _by_canonical = {word.canonical: word for word in WORDS}
 
 
-def _arguments() -> dict[str, dict[str, Argument]]:
-    found: dict[str, dict[str, Argument]] = {}
+def _arguments() -> dict[str, dict[str, ArgumentWord]]:
+    found: dict[str, dict[str, ArgumentWord]] = {}
     for argument in ARGUMENTS:
         rows = found.setdefault(argument.terminal, {})
         for spellings in argument.spellings.values():
-            rows.update({fold_name(each): argument for each in spellings})
+            for each in spellings:
+                rows.setdefault(fold_name(each), argument)
     return found
 
 
@@ -154,12 +157,19 @@ TERMINAL_OF_WORD: Mapping[str, str] = MappingProxyType(
 )
 """Folded word, one blank between its parts, to its terminal in the grammar."""
 
+END_WORDS = frozenset(
+    folded.split()[0]
+    for folded, rows in _words.items()
+    if rows[0].terminal.startswith("END_") and " " in folded
+)
+"""``end`` and its words in other languages: alone they end nothing, but they are reserved."""
+
 FIRST_OF_SEVERAL = frozenset(folded.split()[0] for folded in _words if " " in folded)
 """The folded first words of the keywords that have two."""
 
 
-def word(text: str) -> Word | None:
-    """The word that is spelled so in any language, or None."""
+def word(text: str) -> Keyword | None:
+    """The keyword with this spelling in any language, or None."""
     rows = _words.get(folded_word(text))
     return rows[0] if rows else None
 
@@ -176,19 +186,19 @@ def canonical_of_terminal(terminal: str) -> str:
 
 
 def spelling(canonical_word: str, language: str) -> str:
-    """How a language spells a canonical word. Raises ``KeyError`` for what is none."""
+    """The spelling of a canonical word in a language. Raises ``KeyError`` for any other word."""
     return _by_canonical[canonical_word].spellings[language][0]
 
 
-def argument(terminal: str, text: str) -> Argument | None:
-    """What a word means behind a keyword: terminal is DIRECTION, AXIS, COLOUR or SWITCH."""
+def argument(terminal: str, text: str) -> ArgumentWord | None:
+    """The meaning of a word after a keyword: terminal is DIRECTION, AXIS, COLOUR or SWITCH."""
     return _arguments_by_terminal[terminal].get(fold_name(text))
 
 
 def argument_spelling(value: Bearing | Axis | str | bool, language: str) -> str:
-    """How a language spells a direction, an axis, a colour (its English word) or on and off.
+    """The spelling of a direction, an axis, a colour (its English word) or on and off in a language.
 
-    Raises ``KeyError`` for what is none.
+    Raises ``KeyError`` for any other value.
     """
     for each in ARGUMENTS:
         if each.value is value or (isinstance(value, str) and each.value == value):
@@ -197,29 +207,28 @@ def argument_spelling(value: Bearing | Axis | str | bool, language: str) -> str:
 
 
 def argument_words(terminal: str, language: str) -> tuple[str, ...]:
-    """Every word that may stand there in one language, in the order of the table."""
+    """Every word of that terminal in one language, in the order of the table."""
     return tuple(each.spellings[language][0] for each in ARGUMENTS if each.terminal == terminal)
 
 
 @cache
 def all_words(language: str | None = None) -> tuple[str, ...]:
     """Every keyword of one language or of all, as it is written; for completion and near misses."""
-    languages = LANGUAGES if language is None else (language,)
-    found = (each for word in WORDS for code in languages for each in word.spellings[code])
+    codes = languages() if language is None else (language,)
+    found = (each for word in WORDS for code in codes for each in word.spellings[code])
     return tuple(dict.fromkeys(found))
 
 
 def is_reserved(name: str) -> bool:
     """Whether a name can't be given to a variable or a procedure."""
     folded = fold_name(name)
-    reserved_first = folded in FIRST_OF_SEVERAL or folded in END_WORDS
-    return reserved_first or folded in _words
+    return folded in FIRST_OF_SEVERAL or folded in _words
 
 
 def topic(text: str) -> str | None:
     """The canonical word of the construct that a word belongs to, for HELP word; None if it is no word.
 
-    ``THEN``, ``fim se`` and ``ELSE`` are of ``IF``; ``FORWARD`` is of ``FW``; a colour is of ``COLOR``.
+    ``THEN``, ``fim se`` and ``ELSE`` belong to ``IF``, ``FORWARD`` to ``FW``, a colour to ``COLOR``.
     """
     found = word(text)
     if found:
@@ -230,7 +239,7 @@ def topic(text: str) -> str | None:
 
 
 def topic_at(line: str, column: int) -> str:
-    """What the last command word is about that begins at or before a column, from 1; empty without one."""
+    """The topic of the last command word that begins at or before a column, from 1; empty without one."""
     found = [*re.finditer(r"[^\W\d_]+", line)]
     begun = [at for at, each in enumerate(found) if each.start() < column]
     for at in reversed(begun):
@@ -242,7 +251,7 @@ def topic_at(line: str, column: int) -> str:
 
 
 @cache
-def _languages() -> dict[str, frozenset[str]]:
+def _languages_by_word() -> dict[str, frozenset[str]]:
     found: dict[str, set[str]] = {}
     for each in WORDS:
         for language, spellings in each.spellings.items():
@@ -252,5 +261,5 @@ def _languages() -> dict[str, frozenset[str]]:
 
 
 def languages_of(text: str) -> frozenset[str]:
-    """The languages in which a keyword is spelled so; none for what is no keyword."""
-    return _languages().get(folded_word(text), frozenset())
+    """The languages in which a keyword has this spelling; empty for any other word."""
+    return _languages_by_word().get(folded_word(text), frozenset())

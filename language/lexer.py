@@ -1,7 +1,7 @@
-"""Text to tokens: canonical terminals with the places where the learner wrote them.
+"""Text to tokens: canonical terminals with their places in the learner's text.
 
-Rule: no character is lost. What can't be read becomes a mistake, never nothing, and its place in the row
-of tokens is remembered, so that nobody complains about what follows from it.
+Rule: no character is lost. A character that can't be read becomes a mistake, and its place among the tokens
+is kept, so that recovery reports none of its consequences.
 
 A token is a plain tuple, because a program has many: kind, start, end, line, column, folded text.
 """
@@ -9,15 +9,27 @@ A token is a plain tuple, because a program has many: kind, start, end, line, co
 from __future__ import annotations
 
 import re
+from collections import Counter
+from collections.abc import Iterable
 from functools import cache
+from typing import TypeAlias
+from unicodedata import normalize
 
-from devices.ports.hints import TypeAlias
-from devices.ports.values import Frozen, field
-from language.diagnostics import Diagnostic, Kind
-from language.keywords import END_WORDS, FIRST_OF_SEVERAL, TERMINAL_OF_WORD, argument
-from language.source import COMMENT_MARK, DASHES, MARK, UNSEEN, column, fold, line_ends, widthless
+from msgspec import Struct, field
+
+from language.diagnostics import Diagnostic, MistakeKind
+from language.keywords import (
+    END_WORDS,
+    FIRST_OF_SEVERAL,
+    TERMINAL_OF_WORD,
+    all_words,
+    argument,
+    languages_of,
+)
+from language.locales import languages
+from language.source import COMMENT_MARK, DASHES, MARK, UNSEEN, column, fold, line_breaks, widthless
 from language.syntax import Span
-from language.tables import TERMINALS as TERMINALS
+from language.tables import TERMINALS
 
 Token: TypeAlias = tuple[int, int, int, int, int, str]
 
@@ -26,7 +38,7 @@ NAME, NUMBER, STRING, HELP, TOPIC = (KIND[name] for name in ("NAME", "NUMBER", "
 FOR, END, FRAGMENT, DISTANCE, POS = (KIND[name] for name in ("FOR", "END", "FRAGMENT", "DISTANCE", "POS"))
 
 MOST_DIGITS = 4300
-"""Of a number (language specification, section 3)."""
+"""Of a number."""
 
 TAKES = {
     DISTANCE: "DIRECTION",
@@ -51,7 +63,7 @@ _SIGNS = {
 _QUOTES = "\u201c\u201d\u201e\u201f"
 _OTHER_STRINGS = rf"|[{_QUOTES}][^{_QUOTES}]*[{_QUOTES}]|\u2018[^\u2019\r\n]*\u2019"
 _WHOLE_COMMENT = COMMENT_MARK + r"[^\r\n]*"
-_ASSIGNMENT_OR_CALL = r"\s*(?:=(?!=)|\[)"
+_ASSIGNMENT_OR_CALL = rf"(?:\s|{_WHOLE_COMMENT})*(?:=(?!=)|\[)"
 
 _single = {word: KIND[terminal] for word, terminal in TERMINAL_OF_WORD.items() if " " not in word}
 _fragments = {
@@ -70,7 +82,7 @@ _known = {
 
 @cache
 def _pieces(is_ascii: bool) -> re.Pattern[str]:
-    """Plain where nothing else can be: to compile the other expression takes three times as long."""
+    """A simpler expression for ASCII texts: to compile the other one takes three times as long."""
     letter = r"\w" if is_ascii else rf"[\w{MARK}]"
     dashes = "--" if is_ascii else f"(?:--|[{DASHES}])"
     others = "" if is_ascii else _OTHER_STRINGS
@@ -81,34 +93,36 @@ def _pieces(is_ascii: bool) -> re.Pattern[str]:
     )
 
 
-class Comment(Frozen):
+class Comment(Struct, frozen=True):
     start: int
     end: int
     line: int
     before: int
-    """The index of the token that it stands before; in a keyword of two words, of the one behind it."""
+    """The index of the next token; in a keyword of two words, of the token after the keyword."""
 
 
-class Lexed(Frozen):
-    """What a text consists of, white space apart."""
+class Lexed(Struct, frozen=True):
+    """All parts of a text except white space."""
 
     source: str
     tokens: list[Token]
     comments: list[Comment] = field(default_factory=list)
     mistakes: list[Diagnostic] = field(default_factory=list)
     flaws: list[int] = field(default_factory=list)
-    """For each mistake, the index of the token that it is, or that it stands before."""
+    """For each mistake, the index of its token or of the next one."""
     colours: list[Token] = field(default_factory=list)
-    """Those of the tokens that are colours."""
+    """The tokens that are colours."""
     open_quote: int | None = None
-    """Where a string begins that ends nowhere."""
+    """The start of a string that has no end."""
+    first_line: int = 1
+    """The number of the first line."""
 
 
 def lex(source: str, first_line: int = 1, blamed_quote: int | None = None) -> Lexed:
     """Every token of a text.
 
-    A string that ends nowhere is taken to end with its line. ``blamed_quote`` is the offset of a quotation
-    mark that is to be taken for such a string whatever follows.
+    A string without an end ends with its line. ``blamed_quote`` is the offset of a quotation mark that begins
+    such a string, whatever follows.
     """
     lexer = _Lexer(source, first_line)
     if blamed_quote is not None:
@@ -124,8 +138,38 @@ def span_of(token: Token) -> Span:
 
 
 def without_comments(text: str) -> str:
-    """For a stretch that has no string in it."""
+    """Of a text without strings."""
     return re.sub(_WHOLE_COMMENT, "", text)
+
+
+# --- languages -----------------------------------------------------------------------------------------
+
+
+def languages_in(tokens: Iterable[Token], source: str = "") -> frozenset[str]:
+    """The result of ``language_of``, and each language of a keyword that belongs to one language only."""
+    tokens = tuple(tokens)
+    found = [languages_of(token[5]) for token in tokens if token[5][:1].isalpha()]
+    only = [possible for possible in found if len(possible) == 1]
+    return frozenset({language_of(tokens, source)}).union(*only)
+
+
+def language_of(tokens: Iterable[Token], source: str = "") -> str:
+    """The language of most keywords that do not belong to all languages; English if there are none.
+
+    The accents in ``source``, if given, decide between languages with as many keywords.
+    """
+    tokens = [token for token in tokens if token[5][:1].isalpha()]
+    words = Counter(token[5] for token in tokens)
+    typed = Counter(normalize("NFC", source[token[1] : token[2]]).upper() for token in tokens)
+    votes = {language: [0, 0] for language in languages()}
+    for word, count in words.items():
+        possible = languages_of(word)
+        if len(possible) < len(votes):
+            for language in possible:
+                votes[language][0] += count
+    for language, vote in votes.items():
+        vote[1] = sum(typed[word] for word in all_words(language))
+    return max(votes, key=votes.__getitem__)
 
 
 class _Lexer:
@@ -135,17 +179,17 @@ class _Lexer:
         self._source = source
         self._folded = fold(source)
         self._widthless = widthless(self._folded)
-        self._line = first_line
+        self._first_line = self._line = first_line
         self._margin = -1
         self._tokens: list[Token] = []
         self._comments: list[Comment] = []
-        self._flaws: list[tuple[Kind, int, int, int, int, int]] = []
+        self._flaws: list[tuple[MistakeKind, int, int, int, int, int]] = []
         self._colours: list[int] = []
         self._open_quote: int | None = None
         self.position = 0
 
     def read(self, start: int, stop: int) -> None:
-        """All tokens from ``start`` to ``stop``. Long for its speed: it sees every piece of a program."""
+        """Read from ``start`` to ``stop``. One long loop, because it handles every piece of a program."""
         folded, tokens = self._folded, self._tokens
         find = _pieces(folded.isascii()).findall
         known = dict(_known)
@@ -196,7 +240,7 @@ class _Lexer:
         return kind
 
     def _decided(self, token: Token) -> Token:
-        """The token as the keyword before it wants it; a second word takes the first one with it."""
+        """The token as the keyword before it requires; a second word of a keyword replaces the first."""
         before = self._tokens[-1]
         kind, start, end, line, start_column, folded = token
         text = folded.replace(MARK, "")
@@ -232,7 +276,7 @@ class _Lexer:
         return before[0] == END or not self._is_target(token[2])
 
     def _is_target(self, end: int) -> bool:
-        """Whether the word that ends there is assigned to or called."""
+        """Whether an assignment or a call follows the word that ends there."""
         return re.compile(_ASSIGNMENT_OR_CALL).match(self._folded, end) is not None
 
     def _rare(self, kind: int, piece: str, start: int) -> None:
@@ -247,7 +291,7 @@ class _Lexer:
         elif piece[0].isascii() and (piece[0].isdigit() or piece[0] == "_"):
             self._unreadable_word(piece, start, end)
         else:
-            self._flaw(Kind.UNKNOWN_CHARACTER, start, end)
+            self._flaw(MistakeKind.UNKNOWN_CHARACTER, start, end)
             if len(piece) > 1:
                 self._tokens.append(self._token(STRING, start, end))
 
@@ -255,7 +299,7 @@ class _Lexer:
         return (kind, start, end, self._line, start - self._margin, self._folded[start:end])
 
     def _skip_lines(self, start: int, end: int) -> None:
-        ends = line_ends(self._folded[start:end])
+        ends = line_breaks(self._folded[start:end])
         if ends:
             self._line += len(ends)
             self._margin = start + ends[-1] - 1
@@ -265,21 +309,21 @@ class _Lexer:
         if too_large and len(piece.lstrip("0")) <= MOST_DIGITS:
             self._tokens.append(self._token(NUMBER, start, end))
             return
-        self._flaw(Kind.NUMBER_TOO_LARGE if too_large else Kind.INVALID_NAME, start, end)
+        self._flaw(MistakeKind.NUMBER_TOO_LARGE if too_large else MistakeKind.INVALID_NAME, start, end)
         self._tokens.append(self._token(NUMBER if too_large else NAME, start, end))
 
     def open_string(self, start: int) -> None:
-        """A string that begins there and ends with its line."""
+        """Read a string that begins there and ends with its line."""
         line_end = next(iter(re.compile(r"[\r\n]|\Z").finditer(self._folded, start)))
         self._open_quote = start
         self.position = line_end.start()
-        self._flaw(Kind.UNTERMINATED_STRING, start, self.position)
+        self._flaw(MistakeKind.UNTERMINATED_STRING, start, self.position)
         self._tokens.append(self._token(STRING, start, self.position))
 
-    def _flaw(self, kind: Kind, start: int, end: int) -> None:
-        """Characters that can't be read in a row are one mistake."""
+    def _flaw(self, kind: MistakeKind, start: int, end: int) -> None:
+        """Add a mistake. Adjacent characters that can't be read are one mistake."""
         index = len(self._tokens)
-        if self._flaws and kind is Kind.UNKNOWN_CHARACTER:
+        if self._flaws and kind is MistakeKind.UNKNOWN_CHARACTER:
             last = self._flaws[-1]
             if last[0] is kind and last[2] == start:
                 self._flaws[-1] = (kind, last[1], end, *last[3:])
@@ -298,15 +342,16 @@ class _Lexer:
             [flaw[-1] for flaw in self._flaws],
             [tokens[index] for index in self._colours],
             self._open_quote,
+            self._first_line,
         )
 
     def _seen(self, token: Token) -> Token:
-        """The token with its column counted in what is seen, and a name without loose accents."""
+        """The token with its column counted in visible characters, and a name without loose accents."""
         kind, start, end, line, offset, text = token
         seen = column(start - offset + 1, start, self._widthless)
         return (kind, start, end, line, seen, text if kind == STRING else text.replace(MARK, ""))
 
-    def _diagnostic(self, kind: Kind, start: int, end: int, line: int, offset: int) -> Diagnostic:
+    def _diagnostic(self, kind: MistakeKind, start: int, end: int, line: int, offset: int) -> Diagnostic:
         seen = column(start - offset + 1, start, self._widthless)
-        limit = {"limit": MOST_DIGITS} if kind is Kind.NUMBER_TOO_LARGE else {}
+        limit = {"limit": MOST_DIGITS} if kind is MistakeKind.NUMBER_TOO_LARGE else {}
         return Diagnostic(kind, Span(start, end, line, seen), found=self._source[start:end], details=limit)

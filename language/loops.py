@@ -1,90 +1,68 @@
-"""Loops and calls in translated code: where they can be interrupted, and how loops become Python's.
+"""Loops in the Python code, and the checkpoints at which a running program can be held or stopped.
 
-``Interruption``: at the end of each turn of a loop, at each call and after each command, for the global
-``flag`` is true when anything is wanted. Asking it is four times as cheap as drawing from a shared iterator.
-The compilation for stepping asks before each statement instead, and for a loop's own line once more after
-each of its turns: each line has a global of its own, ``w_`` and its number, that is None if nothing is wanted
-there, or else the number of open calls up to which ``hook`` is to be called. A procedure that is stopped
-returns True, and what called it does the same: that is many times as fast as an exception that goes through
-thousands of open calls. Only the program itself raises it.
+``Checkpoints``: at the end of each iteration, at each call and after each command the code looks at the
+global ``flag``. It is true if the control requests anything. To read it is four times as cheap as to draw
+from a shared iterator.
+The compilation for stepping looks before each statement instead, and for a loop's own line once more after
+each iteration. Each line has a global of its own, ``w_`` and its number: None, or the deepest call for which
+the code calls ``hook`` there. A stopped procedure returns True, and so does its caller: that is many times as
+fast as an exception that passes thousands of open calls. Only the program itself raises it.
 
-``Nesting``: loops that are nested too deep for Python become functions of their own.
+``LoopNesting``: loops that are nested too deep for Python become functions of their own.
 
-``counts``: FOR loops that only count become ``range``: much faster than a test and a sum each turn. A FOR
-counts if its step is a plain number towards a limit that is a plain number or a variable, if nothing in the
-loop writes its variable or that limit, and if the variable ends with the loop, so that nobody sees what it
-would have been last.
+``is_counting``: FOR loops that only count become ``range``, which is much faster than a test and a sum each
+iteration. A FOR counts if its step is a plain number towards a limit that is a plain number or a variable, if
+no statement in the loop writes its variable or that limit, and if the variable ends with the loop, so that no
+statement can read its last value.
 """
 
 from __future__ import annotations
 
 from collections.abc import Collection, Iterable
 
-from devices.ports.hints import TYPE_CHECKING
+from language import python_code as py
 from language.expressions import Expressions
-from language.syntax import Binary, Declare, Expression, For, Name, Number, Statement
-from language.translated import (
-    OWNER,
-    VARIABLE,
-    Sites,
-    assign,
-    binary,
-    both,
-    call,
-    compare,
-    constant,
-    do,
-    element,
-    function,
-    give_back,
-    load,
-    outer,
-    wanted_at,
-    when,
-)
-
-if TYPE_CHECKING:
-    import ast
+from language.syntax import Binary, Declare, Expression, For, Name, NumberLiteral, Statement
 
 _MOST_LOOPS = 18
 """Loops inside each other in one function; CPython allows 20."""
 
 
-class Nesting:
-    """The loops that are open while one scope is translated."""
+class LoopNesting:
+    """The loops that are open while one scope is compiled."""
 
-    def __init__(self, interruption: Interruption) -> None:
-        self._interruption = interruption
+    def __init__(self, checkpoints: Checkpoints) -> None:
+        self._checkpoints = checkpoints
         self._depths = [0]
-        """How many loops each open one is inside of, itself counted, in its own function of Python."""
+        """For each open loop, the number of loops around it in its function of Python, itself included."""
         self._outlined: set[str] = set()
-        """The variables of loops that became functions."""
+        """The variables of the loops that became functions."""
 
     def enter(self) -> None:
         """Begin a loop."""
         depth = self._depths[-1]
         self._depths.append(1 if depth == _MOST_LOOPS else depth + 1)
 
-    def leave(self, site: int, loop: list[ast.stmt]) -> list[ast.stmt]:
-        """End a loop. Returns what to put in its place."""
+    def leave(self, site: int, loop: list[py.Stmt]) -> list[py.Stmt]:
+        """End a loop. Returns the statements for it."""
         self._depths.pop()
         if self._depths[-1] < _MOST_LOOPS:
             return loop
-        names = sorted(_variables_given(loop))
+        names = sorted(_assigned_variables(loop))
         self._outlined |= set(names)
-        declared = [outer(site, names)] if names else []
+        declared = [py.nonlocal_(site, names)] if names else []
         body = [*declared, *loop]
-        return [function(site, "loop", (), body), self._interruption.called(site, "loop")]
+        return [py.function(site, "loop", (), body), self._checkpoints.called(site, "loop")]
 
-    def at_beginning(self, site: int) -> list[ast.stmt]:
-        """Never runs: it only makes the variables of all loops belong to the outermost function."""
+    def at_beginning(self, site: int) -> list[py.Stmt]:
+        """Code that never runs; it makes the variables of all loops belong to the outermost function."""
         if not self._outlined:
             return []
-        given = [assign(site, name, constant(site, 0)) for name in sorted(self._outlined)]
-        return [when(site, constant(site, False), given)]
+        given = [py.assign(site, name, py.constant(site, 0)) for name in sorted(self._outlined)]
+        return [py.if_(site, py.constant(site, False), given)]
 
 
-def _variables_given(statements: Iterable[ast.stmt]) -> set[str]:
+def _assigned_variables(statements: Iterable[py.Stmt]) -> set[str]:
     """The variables that some statements assign or delete, those of functions inside them too."""
     import ast  # few nest so many loops
 
@@ -94,12 +72,12 @@ def _variables_given(statements: Iterable[ast.stmt]) -> set[str]:
         for node in ast.walk(statement)
         if isinstance(node, ast.Name)
         and not isinstance(node.ctx, ast.Load)
-        and node.id.startswith((VARIABLE, OWNER))
+        and node.id.startswith((py.VARIABLE, py.OWNER))
     }
 
 
-def counts(loop: For, written: Collection[str], expressions: Expressions) -> bool:
-    """Whether the loop only counts. ``written``: the names that its body may declare or give a value."""
+def is_counting(loop: For, written: Collection[str], expressions: Expressions) -> bool:
+    """Whether the loop only counts. ``written``: the names that its body may declare or assign."""
     name, step = loop.step.name.name, _step_of(loop)
     return (
         isinstance(loop.start, Declare)
@@ -113,25 +91,25 @@ def counts(loop: For, written: Collection[str], expressions: Expressions) -> boo
     )
 
 
-def turns_of(loop: For, site: int, expressions: Expressions) -> ast.expr:
+def range_of(loop: For, site: int, expressions: Expressions) -> py.Expr:
     """``range(v_i, limit, step)``."""
     step = _step_of(loop)
     limit = expressions.value(loop.condition.right)
     if loop.condition.comparator in ("<=", ">="):  # the limit itself counts too
-        limit = binary(site, "+" if step > 0 else "-", limit, constant(site, 1))
-    first = load(site, VARIABLE + loop.step.name.name)
-    return call(site, "range", first, limit, constant(site, step))
+        limit = py.binary(site, "+" if step > 0 else "-", limit, py.constant(site, 1))
+    first = py.load(site, py.VARIABLE + loop.step.name.name)
+    return py.call(site, "range", first, limit, py.constant(site, step))
 
 
 def _step_of(loop: For) -> int:
-    """What is added to the variable each turn; 0 where that is not a plain number."""
+    """The number that each iteration adds to the variable; 0 if that is not a plain number."""
     name = loop.step.name.name
     match loop.step.value:
-        case Binary(operator="+", left=left, right=Number(value=step)) if _is(left, name):
+        case Binary(operator="+", left=left, right=NumberLiteral(value=step)) if _is(left, name):
             return step
-        case Binary(operator="+", left=Number(value=step), right=right) if _is(right, name):
+        case Binary(operator="+", left=NumberLiteral(value=step), right=right) if _is(right, name):
             return step
-        case Binary(operator="-", left=left, right=Number(value=step)) if _is(left, name):
+        case Binary(operator="-", left=left, right=NumberLiteral(value=step)) if _is(left, name):
             return -step
         case _:
             return 0
@@ -142,53 +120,53 @@ def _is(expression: Expression, name: str) -> bool:
 
 
 def _is_steady(limit: Expression, written: Collection[str]) -> bool:
-    return isinstance(limit, Number) or (isinstance(limit, Name) and limit.name not in written)
+    return isinstance(limit, NumberLiteral) or (isinstance(limit, Name) and limit.name not in written)
 
 
-class Interruption:
-    """Makes the places of one scope where it can be interrupted."""
+class Checkpoints:
+    """Makes the checkpoints of one scope."""
 
-    def __init__(self, sites: Sites, *, in_procedure: bool, hooked: bool) -> None:
+    def __init__(self, sites: py.Sites, *, in_procedure: bool, hooked: bool) -> None:
         self._sites = sites
         self._in_procedure = in_procedure
         self._hooked = hooked
         self.lines: set[int] = set()
-        """Where it can be held."""
+        """The lines with a hook."""
 
-    def at_beginning(self, site: int) -> list[ast.stmt]:
-        """Of the whole scope."""
+    def at_beginning(self, site: int) -> list[py.Stmt]:
+        """Code for the beginning of the scope."""
         return [] if self._hooked else [self.checkpoint(site)]
 
-    def before(self, site: int, statement: Statement) -> list[ast.stmt]:
+    def before(self, site: int, statement: Statement) -> list[py.Stmt]:
         return [self._hook(site, statement)] if self._hooked else []
 
-    def after_turn(self, site: int, loop: Statement) -> list[ast.stmt]:
+    def after_iteration(self, site: int, loop: Statement) -> list[py.Stmt]:
         return [self._hook(site, loop) if self._hooked else self.checkpoint(site)]
 
-    def checkpoint(self, site: int) -> ast.stmt:
+    def checkpoint(self, site: int) -> py.Stmt:
         """``if flag and check(): (end)``."""
-        return when(site, both(site, load(site, "flag"), call(site, "check")), [self._end(site)])
+        return py.if_(site, py.and_(site, py.load(site, "flag"), py.call(site, "check")), [self._end(site)])
 
-    def called(self, site: int, name: str, *arguments: ast.expr) -> ast.stmt:
+    def called(self, site: int, name: str, *arguments: py.Expr) -> py.Stmt:
         """``if name(...) is not None: (end)``."""
-        ended = compare(site, call(site, name, *arguments), ("is not", constant(site, None)))
-        return when(site, ended, [self._end(site)])
+        ended = py.compare(site, py.call(site, name, *arguments), ("is not", py.constant(site, None)))
+        return py.if_(site, ended, [self._end(site)])
 
-    def _hook(self, site: int, statement: Statement) -> ast.stmt:
+    def _hook(self, site: int, statement: Statement) -> py.Stmt:
         """``if w_line is not None and depth <= w_line and hook(line, column, depth): (end)``."""
         self.lines.add(statement.span.line)
-        name = wanted_at(statement.span.line)
-        line, column = constant(site, statement.span.line), constant(site, statement.span.column)
-        is_wanted = compare(site, load(site, name), ("is not", constant(site, None)))
+        name = py.hook_depth_at(statement.span.line)
+        line, column = py.constant(site, statement.span.line), py.constant(site, statement.span.column)
+        is_hooked = py.compare(site, py.load(site, name), ("is not", py.constant(site, None)))
         if self._in_procedure:
-            depth = element(site, "d", 0)
-            is_near = [compare(site, depth, ("<=", load(site, name)))]
+            depth = py.subscript(site, "d", 0)
+            is_near = [py.compare(site, depth, ("<=", py.load(site, name)))]
         else:
-            is_near, depth = [], constant(site, 0)
-        test = both(site, is_wanted, *is_near, call(site, "hook", line, column, depth))
-        return when(site, test, [self._end(site)])
+            is_near, depth = [], py.constant(site, 0)
+        test = py.and_(site, is_hooked, *is_near, py.call(site, "hook", line, column, depth))
+        return py.if_(site, test, [self._end(site)])
 
-    def _end(self, site: int) -> ast.stmt:
+    def _end(self, site: int) -> py.Stmt:
         if self._in_procedure:
-            return give_back(site, constant(site, True))
-        return do(site, call(site, "stop"))
+            return py.return_(site, py.constant(site, True))
+        return py.evaluate(site, py.call(site, "stop"))

@@ -1,12 +1,13 @@
-"""Turns grammar.lark into tables.py with lark: ``python -m language.make_tables``, after a change.
+"""Makes tables.py from grammar.lark with lark. Run ``python -m language.make_tables`` after a change.
 
-The only module that imports lark, so that a program is read without it. States are numbered in the order
-in which they are reached over sorted symbols, because lark's own numbers change from run to run.
+Only this module imports lark, so the parser runs without it. States are numbered in the order in which they
+are reached over sorted symbols, because lark's own numbers change from run to run.
 """
 
 from __future__ import annotations
 
 import re
+import textwrap
 from pathlib import Path
 from typing import Any
 
@@ -17,7 +18,7 @@ HERE = Path(__file__).parent
 
 _HEADER = '''"""The parser's tables, made from grammar.lark by ``python -m language.make_tables``.
 
-An action above 0 moves on to that state, one below 0 reduces by RULES[action], 0 is a mistake.
+An action above 0 shifts to that state, one below 0 reduces by RULES[action], 0 is a mistake.
 """
 
 # fmt: off
@@ -25,7 +26,7 @@ An action above 0 moves on to that state, one below 0 reduces by RULES[action], 
 '''
 
 
-def made() -> str:
+def make_tables() -> str:
     """The text that tables.py must have."""
     grammar = (HERE / "grammar.lark").read_text(encoding="utf-8")
     terminals = ["$END", *_declared(grammar)]
@@ -63,9 +64,9 @@ def _tables(table: Any, terminals: list[str]) -> list[str]:
     return [
         f"START = {number[table.start_states['program']]}",
         f"END = {number[table.end_states['program']]}",
-        _rows("TERMINALS", terminals),
-        _rows("NONTERMINALS", nonterminals),
-        "# nonterminal, how many parts, the function of tree.py, the parts",
+        _names("TERMINALS", terminals),
+        _names("NONTERMINALS", nonterminals),
+        "# nonterminal, number of parts, the method of tree_builder.py, the parts",
         _rows("RULES", shapes),
         _rows("ACTIONS", map(tuple, actions)),
         _rows("GOTOS", map(tuple, gotos)),
@@ -74,7 +75,7 @@ def _tables(table: Any, terminals: list[str]) -> list[str]:
 
 
 def _shorten(actions: list[list[int]], gotos: list[list[int]], shapes: list[Any]) -> None:
-    """Where a state does nothing but call an atom a factor, go where the factor goes."""
+    """Skip each state that only renames a part, such as an atom to a factor."""
     for row in gotos:
         for nonterminal, state in enumerate(row):
             only = set(actions[state]) - {0}
@@ -101,9 +102,14 @@ def _order(table: Any) -> list[Any]:
     return found
 
 
+def _names(name: str, values: list[str]) -> str:
+    lines = textwrap.wrap(", ".join(map(repr, values)), 106)
+    return f"{name} = (\n" + "".join(f"    {line}\n" for line in lines) + ")"
+
+
 def _rows(name: str, values: Any) -> str:
     return f"{name} = (\n" + "".join(f"    {value!r},\n" for value in values) + ")"
 
 
 if __name__ == "__main__":
-    (HERE / "tables.py").write_text(made(), encoding="utf-8")
+    (HERE / "tables.py").write_text(make_tables(), encoding="utf-8")

@@ -1,15 +1,15 @@
-"""The numbers of GoDonnie: exact integers of at most 4300 digits, divided by cutting towards zero.
+"""The numbers of GoDonnie: exact integers of at most 4300 digits; a division truncates towards zero.
 
-What a program's variables can hold is found before it runs, from everything that each is ever given, so
-that the compiled program tests no more than it must:
+The compiler derives the possible values of each variable from all its assignments before a program runs, so
+that the code makes only the necessary checks:
 
-``Growth``    how many bits they can have at most. Most programs can't reach the largest number however long
-              they run: a counter that grows by one needs 10**4300 turns for it. A variable whose new value is
-              its old one plus or minus something is reckoned with 2**64 assignments, which nothing lives to
-              see; where variables feed each other in a circle, or a variable is multiplied by itself, nothing
-              is known and the bits are infinite. Dividing never makes a number larger.
-``Naturals``  which are never negative: then Python's own division is the right one. So are all until the
-              opposite is found; what sensors tell is not relied on.
+``NumberSizes``   how many bits a variable can have at most. Most programs can never reach the largest number:
+                  a counter that grows by one needs 10**4300 iterations for it. For a variable whose new value
+                  is its old one plus or minus something the limit is that of 2**64 assignments, more than any
+                  run can make. If variables depend on each other in a circle, or a variable is multiplied by
+                  itself, the bits are infinite. A division never makes a number larger.
+``NonNegatives``  which variables are never negative: for them Python's own division is right. A variable is
+                  one of them until an assignment contradicts. Readings of sensors may be negative.
 """
 
 from __future__ import annotations
@@ -17,11 +17,11 @@ from __future__ import annotations
 from collections import defaultdict
 from collections.abc import Iterator, Mapping
 from math import inf
+from typing import TypeAlias
 
-from devices.ports.hints import TypeAlias
-from language.diagnostics import Kind, Refused
-from language.scopes import Scope
-from language.syntax import Assign, Binary, Call, Declare, Expression, For, Name, Negative, Number, Statement
+from language import syntax
+from language.diagnostics import ActionRefused, MistakeKind
+from language.syntax import Binary, Expression, Name, Scope, Statement
 
 LARGEST_DIGITS = 4300
 
@@ -29,20 +29,20 @@ LIMIT: int = 10**LARGEST_DIGITS
 """No number reaches this, nor its negative."""
 
 SAFE_BITS = LIMIT.bit_length() - 1
-"""Whatever has no more bits than this is below the limit."""
+"""A number with no more bits than this is below the limit."""
 
 
 def checked(value: int) -> int:
     """``value``, or a refusal if it is too large."""
     if -LIMIT < value < LIMIT:
         return value
-    raise Refused(Kind.NUMBER_TOO_LARGE, limit=LARGEST_DIGITS)
+    raise ActionRefused(MistakeKind.NUMBER_TOO_LARGE, limit=LARGEST_DIGITS)
 
 
 def divide(dividend: int, divisor: int) -> int:
     """The quotient without its fraction: -7 / 2 is -3."""
     if divisor == 0:
-        raise Refused(Kind.DIVISION_BY_ZERO)
+        raise ActionRefused(MistakeKind.DIVISION_BY_ZERO)
     quotient = abs(dividend) // abs(divisor)
     return quotient if (dividend < 0) == (divisor < 0) else -quotient
 
@@ -55,58 +55,54 @@ Given: TypeAlias = tuple[int, Expression]
 
 
 def assignments_of(scopes: tuple[Scope, ...]) -> dict[Variable, list[Given]]:
-    """By variable; the scopes must call nothing outside them. The 0 of a plain VAR is left out."""
+    """The assigned values by variable, without the 0 of a plain VAR. All calls stay within the scopes."""
     given: dict[Variable, list[Given]] = defaultdict(list)
-    procedures = _procedures(scopes)
+    procedures: dict[tuple[str, int], list[int]] = defaultdict(list)
+    """The scopes of procedures by name and number of parameters."""
+    for number, scope in enumerate(scopes):
+        if scope.procedure is not None:
+            procedures[scope.procedure.name.name, len(scope.parameters)].append(number)
     for number, scope in enumerate(scopes):
         for statement in scope.statements():
-            for name, value in _values(statement):
+            for name, value in _assigned(statement):
                 given[number, name].append((number, value))
-            if isinstance(statement, Call):
+            if isinstance(statement, syntax.Call):
                 for callee in procedures[statement.name.name, len(statement.arguments)]:
-                    for parameter, argument in zip(
-                        scopes[callee].parameters, statement.arguments, strict=True
-                    ):
+                    pairs = zip(scopes[callee].parameters, statement.arguments, strict=True)
+                    for parameter, argument in pairs:
                         given[callee, parameter.name].append((number, argument))
     return given
 
 
-def _procedures(scopes: tuple[Scope, ...]) -> dict[tuple[str, int], list[int]]:
-    """The scopes of procedures by name and number of parameters."""
-    found: dict[tuple[str, int], list[int]] = defaultdict(list)
-    for number, scope in enumerate(scopes):
-        if scope.procedure is not None:
-            found[scope.procedure.name.name, len(scope.parameters)].append(number)
-    return found
-
-
-def _values(statement: Statement) -> Iterator[tuple[str, Expression]]:
+def _assigned(statement: Statement) -> Iterator[tuple[str, Expression]]:
     match statement:
-        case Declare(name=name, value=value) | Assign(name=name, value=value) if value is not None:
+        case syntax.Declare(name=name, value=value) | syntax.Assign(name=name, value=value) if (
+            value is not None
+        ):
             yield name.name, value
-        case For(start=start, step=step):
-            yield from _values(start)
-            yield from _values(step)
+        case syntax.For(start=start, step=step):
+            yield from _assigned(start)
+            yield from _assigned(step)
 
 
 SENSOR_BITS = 64
-"""What a sensor can tell; the robots' own limits are far below."""
+"""The largest reading of a sensor; the robots' own limits are far below."""
 
 _ASSIGNMENT_BITS = 64
 
 
-class Growth:
-    """The most bits of each variable of some scopes that call nothing outside them."""
+class NumberSizes:
+    """The most bits of each variable of some scopes. All calls stay within these scopes."""
 
     def __init__(self, given: Mapping[Variable, list[Given]], stored: Mapping[str, int]) -> None:
-        """``stored``: what the first scope's variables hold before it runs."""
+        """``stored``: the values of the first scope's variables before it runs."""
         self._given = given
         self._bits: dict[Variable, float] = {}
         self._stored = {(0, name): value.bit_length() for name, value in stored.items()}
         self._open: set[Variable] = set()
 
     def bits(self, scope: int, name: str) -> float:
-        """The bits of one variable; infinite where nothing is known."""
+        """The bits of one variable; infinite if the limit is unknown."""
         variable = (scope, name)
         if variable not in self._bits:
             if variable in self._open:
@@ -138,7 +134,7 @@ class Growth:
         match term:
             case Name(name=name):
                 return self.bits(scope, name)
-            case Number(value=value):
+            case syntax.NumberLiteral(value=value):
                 return value.bit_length()
             case Binary(operator="*"):
                 return sum(self._of_factor(scope, factor) for factor in _factors(term))
@@ -151,38 +147,38 @@ class Growth:
 
 
 def _terms(expression: Expression) -> Iterator[Expression]:
-    """What is added up in an expression; of a quotient, what is divided."""
-    waiting = [expression]
-    while waiting:
-        match waiting.pop():
+    """The terms of a sum; a quotient counts as its dividend."""
+    pending = [expression]
+    while pending:
+        match pending.pop():
             case Binary(operator="+" | "-", left=left, right=right):
-                waiting += (left, right)
+                pending += (left, right)
             case Binary(operator="/", left=left):
-                waiting.append(left)
-            case Negative(operand=operand):
-                waiting.append(operand)
+                pending.append(left)
+            case syntax.Negative(operand=operand):
+                pending.append(operand)
             case term:
                 yield term
 
 
 def _factors(product: Expression) -> Iterator[Expression]:
-    """What is multiplied in an expression; of a quotient, what is divided."""
-    waiting = [product]
-    while waiting:
-        match waiting.pop():
+    """The factors of a product; a quotient counts as its dividend."""
+    pending = [product]
+    while pending:
+        match pending.pop():
             case Binary(operator="*", left=left, right=right):
-                waiting += (left, right)
+                pending += (left, right)
             case Binary(operator="/", left=left):
-                waiting.append(left)
+                pending.append(left)
             case factor:
                 yield factor
 
 
-class Naturals:
-    """The variables of some scopes that call nothing outside them."""
+class NonNegatives:
+    """The variables of some scopes that are never negative. All calls stay within these scopes."""
 
     def __init__(self, given: Mapping[Variable, list[Given]], stored: Mapping[str, int]) -> None:
-        """``stored``: what the first scope's variables hold before it runs."""
+        """``stored``: the values of the first scope's variables before it runs."""
         self._others: set[Variable] = set()
         self._dependent: dict[Variable, list[Variable]] = defaultdict(list)
         found = [(0, name) for name, value in stored.items() if value < 0]
@@ -196,22 +192,22 @@ class Naturals:
         return (scope, name) not in self._others
 
     def _looks_natural(self, variable: Variable, scope: int, value: Expression) -> bool:
-        """Whether a value has no minus in it; the variables in it are noted."""
-        waiting = [value]
-        while waiting:
-            match waiting.pop():
-                case Number():
+        """Whether a value contains no minus. Notes the variables in it."""
+        pending = [value]
+        while pending:
+            match pending.pop():
+                case syntax.NumberLiteral():
                     pass
                 case Name(name=name):
                     self._dependent[scope, name].append(variable)
                 case Binary(operator="+" | "*" | "/", left=left, right=right):
-                    waiting += (left, right)
+                    pending += (left, right)
                 case _:
                     return False
         return True
 
     def _spread(self, found: list[Variable]) -> None:
-        """Variables that may be negative, and all that are given something of them."""
+        """Mark variables that may be negative, and all whose values depend on them."""
         while found:
             variable = found.pop()
             if variable not in self._others:

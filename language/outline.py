@@ -1,7 +1,7 @@
-"""Which blocks a text consists of, finished or not: for the prompt, for lists and jumps in an editor.
+"""The blocks of a text, finished or not: for the prompt, and for lists and jumps in an editor.
 
-Works on any text: what is wrong in it is passed over. An END closes the innermost block of its kind and
-what is still open in it; one that fits no block closes nothing.
+Works on any text and ignores its mistakes. An END closes the innermost block of its kind and all open blocks
+in it. An END that fits no block closes nothing.
 """
 
 from __future__ import annotations
@@ -9,13 +9,15 @@ from __future__ import annotations
 from collections import Counter
 from collections.abc import Iterator, Sequence
 
-from devices.ports.values import Frozen
+from msgspec import Struct
+
 from language.lexer import KIND, NAME, Token, lex
+from language.locales import languages, words
 from language.source import fold_name
 from language.tables import TERMINALS
 
 
-class OutlineItem(Frozen):
+class OutlineItem(Struct, frozen=True):
     """A block: ``IF``, ``FOR``, ``REPEAT``, ``WHILE`` or ``PROCEDURE``."""
 
     kind: str
@@ -23,22 +25,22 @@ class OutlineItem(Frozen):
     """Of a procedure, as it was typed; empty for the others."""
     line: int
     end_line: int
-    """The line where it ends: of its END, of an END further out, or of the last word of the text."""
+    """The line of its END, of the END of an outer block, or of the last word of the text."""
     depth: int
-    """How many blocks it is in."""
+    """The number of blocks around it."""
     is_closed: bool
-    """Whether it has an END of its own."""
+    """Whether it has its own END."""
 
 
-class _Open(Frozen):
+class _OpenBlock(Struct, frozen=True):
     kind: str
     index: int
     """Of the token that opened it."""
 
 
 def block_depth(source: str) -> int:
-    """How many blocks are open at the end of a text."""
-    blocks: list[_Open] = []
+    """The number of blocks that are open at the end of a text."""
+    blocks: list[_OpenBlock] = []
     for _ in _closed(lex(source).tokens, blocks):
         pass
     return len(blocks)
@@ -54,7 +56,7 @@ def open_block(source: str, *, first_line: int = 1) -> OutlineItem | None:
 def outline(source: str, *, first_line: int = 1) -> tuple[OutlineItem, ...]:
     """Every block of a text, in the order of their first words."""
     tokens = lex(source, first_line).tokens
-    left_open: list[_Open] = []
+    left_open: list[_OpenBlock] = []
     found = {
         block.index: _item(source, tokens, block, depth, end_line, is_closed)
         for block, depth, end_line, is_closed in _closed(tokens, left_open)
@@ -64,16 +66,16 @@ def outline(source: str, *, first_line: int = 1) -> tuple[OutlineItem, ...]:
     return tuple(found[index] for index in sorted(found))
 
 
-def _closed(tokens: list[Token], blocks: list[_Open]) -> Iterator[tuple[_Open, int, int, bool]]:
-    """Each block as it ends, with its depth, the line of its end, whether it is its own END.
+def _closed(tokens: list[Token], blocks: list[_OpenBlock]) -> Iterator[tuple[_OpenBlock, int, int, bool]]:
+    """Each block as it ends, with its depth, the line of its end, whether that is its own END.
 
-    What is open at the end of the text stays in ``blocks``.
+    Blocks that are open at the end of the text stay in ``blocks``.
     """
     open_kinds: Counter[str] = Counter()
     for index, token in enumerate(tokens):
         kind = ENDS.get(token[0])
         if token[0] in OPENERS and not (open_kinds["IF"] and is_split_else(tokens, index)):
-            blocks.append(_Open(TERMINALS[token[0]], index))
+            blocks.append(_OpenBlock(TERMINALS[token[0]], index))
             open_kinds[blocks[-1].kind] += 1
         elif kind is not None and open_kinds[kind]:
             is_its_own = False
@@ -85,7 +87,7 @@ def _closed(tokens: list[Token], blocks: list[_Open]) -> Iterator[tuple[_Open, i
 
 
 def _item(
-    source: str, tokens: list[Token], block: _Open, depth: int, end_line: int, is_closed: bool
+    source: str, tokens: list[Token], block: _OpenBlock, depth: int, end_line: int, is_closed: bool
 ) -> OutlineItem:
     opener, name = tokens[block.index], tokens[block.index + 1 : block.index + 2]
     is_named = block.kind == "PROCEDURE" and bool(name) and name[0][0] == NAME
@@ -96,7 +98,9 @@ def _item(
 OPENERS = {KIND[name]: name for name in ("IF", "FOR", "REPEAT", "WHILE", "PROCEDURE")}
 ENDS = {KIND[f"END_{name}"]: name for name in OPENERS.values()}
 
-_NOT = ("not", "nao", "no")
+_NOT = frozenset(
+    fold_name(word) for each in languages() for word in words(each, "keywords", "else", "second")
+)
 _BEGIN_NO_CONDITION = OPENERS.keys() | {
     KIND[name]
     for name in (
@@ -107,7 +111,7 @@ _BEGIN_NO_CONDITION = OPENERS.keys() | {
 
 
 def is_split_else(tokens: Sequence[Token], at: int) -> bool:
-    """Whether ``SI NO`` stands there, which learners write for SINO: the line ends, or a command follows."""
+    """Whether ``SI NO`` is there, as learners write SINO: the line ends after it, or a command follows."""
     opener, word, after = (*tokens[at : at + 3], None, None)[:3]
     if opener is None or opener[0] != KIND["IF"] or word is None or word[0] != NAME:
         return False

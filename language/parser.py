@@ -1,35 +1,45 @@
 """Text to tree, or to all mistakes of form at once.
 
-A text without a mistake is read once, by the tables that lark made (tables.py). Only when that meets a
-mistake does the recovery read the tokens again, to find all of them; so mistakes cost those who make them.
-Colours that the robot at hand can't see are mistakes of form too.
-Rule: whatever the text, the answer is a program or mistakes, in time and memory linear in its length.
+The tables that lark made (tables.py) read a correct text in one pass. Only after a mistake does the recovery
+read the tokens again, to find all mistakes. Colours that the robot can't see are mistakes of form too.
+For any text the result is a program or mistakes, in time and memory linear in its length.
 """
 
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping
+from typing import Any
 
-from devices.ports.hints import TYPE_CHECKING, Any
-from devices.ports.values import Frozen
-from language.diagnostics import Diagnostic, Kind
+from msgspec import Struct
+
+from language.diagnostics import Diagnostic, MistakeKind
 from language.keywords import argument
-from language.lexer import Lexed, Token, lex, span_of
-from language.syntax import Program
+from language.lexer import END as END_WORD
+from language.lexer import KIND, Lexed, Token, lex, span_of
+from language.outline import ENDS, OPENERS
+from language.syntax import DeclaredProcedure, Program
 from language.tables import ACTIONS, END, GOTOS, RULES, START
-from language.tree import MOST_LEVELS, Reductions, TooDeep
+from language.tree_builder import MOST_LEVELS, TooDeep, TreeBuilder
 
-if TYPE_CHECKING:
-    from language.scopes import Declared
+MOST_BLOCKS = 200
+"""Blocks in each other. With the limits, recursive functions may walk any tree."""
 
-SHALLOW = 200
-"""With fewer states on the stack than these, nothing can be nested too deeply."""
+MOST_PARENTHESES = 200
 
-_REDUCTION_NAMES = [rule[2] for rule in RULES]
+_SHALLOW = 200
+"""A stack with fewer states than this can't be nested too deeply."""
+
+_LPAR, _RPAR = KIND["LPAR"], KIND["RPAR"]
+_BEGIN_COMMANDS = OPENERS.keys() | {
+    KIND[name] for name in ("VAR", "SPEAK", "FW", "BW", "TR", "TL", "WAIT", "ASSIGN")
+}
+
+_Reduction = tuple[int, int, Callable[..., Any] | None]
+"""A nonterminal, how many parts it replaces, and the method that builds its node."""
 
 
-class Parsed(Frozen):
-    """A program, or None and why."""
+class Parsed(Struct, frozen=True):
+    """A program, or None and the mistakes."""
 
     program: Program | None
     diagnostics: tuple[Diagnostic, ...]
@@ -41,50 +51,35 @@ def parse(
     *,
     first_line: int = 1,
     colours: frozenset[str] | None = None,
-    declared: Mapping[str, Declared] | None = None,
+    declared: Mapping[str, DeclaredProcedure] | None = None,
 ) -> Parsed:
     """Read a program.
 
     ``first_line`` is the number of its first line. ``colours`` are the colours that the robot can see, as
     English words; another one is a mistake. None allows all. ``declared`` are the procedures of earlier
-    batches, by folded name: who calls one wrongly is told how.
+    batches, by folded name: a mistake about a wrong call of one shows the right call.
     """
     lexed = lex(source, first_line)
-    mistakes = unseen_colours(lexed, colours)
+    mistakes = _unseen_colours(lexed, colours)
     if not mistakes and not lexed.mistakes:
         try:
             body = _tree(lexed)
         except TooDeep as error:
             limit = {"limit": MOST_LEVELS}
-            mistakes = (Diagnostic(Kind.TOO_DEEP, error.span, "expression", details=limit),)
+            mistakes = (Diagnostic(MistakeKind.TOO_DEEP, error.span, "expression", details=limit),)
         else:
             if body is not None:
                 return Parsed(Program(source, body), ())
-    return Parsed(None, _mistakes(lexed, mistakes, first_line, colours, declared))
+    from language.recovery import mistakes_in  # only texts with mistakes need it
 
-
-def _mistakes(
-    lexed: Lexed,
-    known: tuple[Diagnostic, ...],
-    first_line: int,
-    colours: frozenset[str] | None,
-    declared: Mapping[str, Declared] | None,
-) -> tuple[Diagnostic, ...]:
-    from language.recovery.finder import mistakes_in  # only texts with mistakes need it
-
-    return mistakes_in(lexed, known + _nested_too_deeply(lexed), first_line, colours, declared)
-
-
-def _nested_too_deeply(lexed: Lexed) -> tuple[Diagnostic, ...]:
-    from language.depth import nested_too_deeply  # only deep texts and wrong ones need it
-
-    return nested_too_deeply(lexed.tokens)
+    known = mistakes + _nested_too_deeply(lexed.tokens)
+    return Parsed(None, mistakes_in(lexed, known, colours, declared or {}))
 
 
 def _tree(lexed: Lexed) -> tuple[Any, ...] | None:
-    """The statements, or None if there is a mistake. Long for its speed: it sees every token.
+    """The statements, or None if there is a mistake. One long loop, because it handles every token.
 
-    Any: what a reduction makes is as various as the tree.
+    Any: reductions make all types of nodes.
     """
     actions, gotos, is_deep = ACTIONS, GOTOS, False
     end: Token = (0, 0, 0, 0, 0, "")
@@ -96,28 +91,28 @@ def _tree(lexed: Lexed) -> tuple[Any, ...] | None:
         kind = token[0]
         action = actions[state][kind]
         while action < 0:
-            nonterminal, count, function = reduce[action]
-            if function is None:
+            nonterminal, count, build = reduce[action]
+            if build is None:
                 state = states[-1] = gotos[states[-2]][nonterminal]
                 if state == END:
-                    return None if is_deep and _nested_too_deeply(lexed) else tuple(parts[-1])
+                    return None if is_deep and _nested_too_deeply(lexed.tokens) else tuple(parts[-1])
             elif count == 1:
-                parts[-1] = function(parts[-1])
+                parts[-1] = build(parts[-1])
                 state = states[-1] = gotos[states[-2]][nonterminal]
             elif count == 2:
                 last = parts.pop()
-                parts[-1] = function(parts[-1], last)
+                parts[-1] = build(parts[-1], last)
                 del states[-1]
                 state = states[-1] = gotos[states[-2]][nonterminal]
             elif count == 0:
-                parts.append(function())
+                parts.append(build())
                 state = gotos[state][nonterminal]
                 states.append(state)
             else:
-                is_deep = is_deep or len(states) > SHALLOW
-                made = function(*parts[-count:])
+                is_deep = is_deep or len(states) > _SHALLOW
+                built = build(*parts[-count:])
                 del parts[-count:], states[-count:]
-                parts.append(made)
+                parts.append(built)
                 state = gotos[states[-1]][nonterminal]
                 states.append(state)
             action = actions[state][kind]
@@ -129,31 +124,74 @@ def _tree(lexed: Lexed) -> tuple[Any, ...] | None:
     return None
 
 
-def _reductions(source: str) -> list[tuple[int, int, Callable[..., Any] | None]]:
-    functions = Reductions(source).functions(_REDUCTION_NAMES)
-    return [(rule[0], rule[1], function) for rule, function in zip(RULES, functions, strict=True)]
+def _reductions(source: str) -> list[_Reduction]:
+    builder = TreeBuilder(source)
+    return [(rule[0], rule[1], getattr(builder, rule[2]) if rule[2] else None) for rule in RULES]
 
 
-def unseen_colours(lexed: Lexed, colours: frozenset[str] | None) -> tuple[Diagnostic, ...]:
+# --- mistakes that the grammar allows -----------------------------------------------------------------
+
+
+def _unseen_colours(lexed: Lexed, colours: frozenset[str] | None) -> tuple[Diagnostic, ...]:
     """A mistake for each colour outside ``colours``, which are English words; None allows all."""
     if colours is None:
         return ()
+    details = {"word": "COLOR", "wanted": ", ".join(sorted(colours))}
+    unseen = [
+        token
+        for token in lexed.colours
+        if (found := argument("COLOUR", token[5])) and found.value not in colours
+    ]
     return tuple(
-        _unseen(lexed.source, token, colours) for token in lexed.colours if _english(token) not in colours
+        Diagnostic(
+            MistakeKind.BAD_ARGUMENT,
+            span_of(token),
+            code="unseen-colour",
+            found=lexed.source[token[1] : token[2]],
+            expected=("colour",),
+            details=details,
+        )
+        for token in unseen
     )
 
 
-def _english(token: Token) -> str:
-    found = argument("COLOUR", token[5])
-    return str(found.value) if found else ""
+def _nested_too_deeply(tokens: list[Token]) -> tuple[Diagnostic, ...]:
+    """The first block and the first parenthesis that are too deep."""
+    kinds = [token[0] for token in tokens]
+    found = []
+    if sum(map(kinds.count, OPENERS)) > MOST_BLOCKS:
+        found += _too_deep_block(tokens)
+    if kinds.count(_LPAR) > MOST_PARENTHESES:
+        found += _too_deep_parenthesis(tokens)
+    return tuple(found)
 
 
-def _unseen(source: str, token: Token, colours: frozenset[str]) -> Diagnostic:
-    return Diagnostic(
-        Kind.BAD_ARGUMENT,
-        span_of(token),
-        code="unseen-colour",
-        found=source[token[1] : token[2]],
-        expected=("colour",),
-        details={"word": "COLOR", "wanted": ", ".join(sorted(colours))},
-    )
+def _too_deep_block(tokens: list[Token]) -> list[Diagnostic]:
+    depth = 0
+    for token in tokens:
+        if token[0] in OPENERS:
+            depth += 1
+            if depth > MOST_BLOCKS:
+                return [_too_deep(token, "blocks", MOST_BLOCKS)]
+        elif token[0] in ENDS or token[0] == END_WORD:
+            depth = max(0, depth - 1)
+    return []
+
+
+def _too_deep_parenthesis(tokens: list[Token]) -> list[Diagnostic]:
+    depth = 0
+    for token in tokens:
+        kind = token[0]
+        if kind == _LPAR:
+            depth += 1
+            if depth > MOST_PARENTHESES:
+                return [_too_deep(token, "parentheses", MOST_PARENTHESES)]
+        elif kind == _RPAR:
+            depth = max(0, depth - 1)
+        elif kind in _BEGIN_COMMANDS:
+            depth = 0
+    return []
+
+
+def _too_deep(token: Token, code: str, limit: int) -> Diagnostic:
+    return Diagnostic(MistakeKind.TOO_DEEP, span_of(token), code, details={"limit": limit})

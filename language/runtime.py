@@ -1,21 +1,20 @@
-"""What a running program asks of the world around it, what it leaves behind, and how it is run.
+"""The border between a running program and everything else: its actions, its memory, the way to run it.
 
-``Actions`` is the whole border between the language and everything else: the core implements it with a
-robot and a stream of events, tests with a list. An action may raise ``Refused``; the runtime adds the
-place. After an action was cut short by a stop, the runtime raises ``Stopped`` at its next checkpoint.
-``Runnable`` is what every back end makes of a program.
+The core implements ``Actions`` with a robot and a stream of events, tests with a list. An action may raise
+``ActionRefused``; the runtime adds the place. After a stop interrupts an action, the runtime raises
+``Stopped`` at its next checkpoint. Every back end turns a program into a ``Runnable``.
 """
 
 from __future__ import annotations
 
 from collections.abc import Callable
+from typing import Protocol, TypeAlias, TypeVar
 
-from devices.ports.hints import TYPE_CHECKING, Protocol, TypeAlias
+from msgspec import Struct, field
+
 from devices.ports.robot import Bearing
-from devices.ports.values import Frozen, Mutable, field
 from language.control import ExecutionControl
-from language.scopes import Declared
-from language.syntax import Axis
+from language.syntax import Axis, DeclaredProcedure
 
 
 class Actions(Protocol):
@@ -39,7 +38,7 @@ class Actions(Protocol):
 
     def history(self) -> None: ...
 
-    def tell_position(self) -> None: ...
+    def announce_pose(self) -> None: ...
 
     def wait(self, seconds: int) -> None: ...
 
@@ -59,12 +58,12 @@ class Actions(Protocol):
         """In the terminal a later batch declared a variable or procedure again."""
 
 
-class Memory(Mutable):
-    """What one batch leaves to the next in the terminal; a file starts with an empty one."""
+class Memory(Struct):
+    """The names that one batch leaves to the next in the terminal; a file starts with an empty memory."""
 
     variables: dict[str, int] = field(default_factory=dict)
     """By folded name."""
-    procedures: dict[str, Declared] = field(default_factory=dict)
+    procedures: dict[str, DeclaredProcedure] = field(default_factory=dict)
     """By folded name."""
 
     def forget(self) -> None:
@@ -72,8 +71,8 @@ class Memory(Mutable):
         self.procedures.clear()
 
 
-class Frame(Frozen):
-    """One level of a running program, for front ends: the program itself or a procedure."""
+class Frame(Struct, frozen=True):
+    """One open call of a running program, or the program itself, for front ends."""
 
     procedure: str
     """The name as declared; empty for the program itself."""
@@ -82,15 +81,12 @@ class Frame(Frozen):
 
 
 Trace: TypeAlias = Callable[[int, int, int], None]
-"""Told the line, the column and the number of open calls before each statement."""
+"""Called with the line, the column and the number of open calls before each statement."""
 
 _MOST_FRAMES = 100
-"""What ``frames`` tells of a deep recursion."""
+"""The length of ``frames`` in a deep recursion."""
 
-if TYPE_CHECKING:
-    from typing import TypeVar
-
-    _Level = TypeVar("_Level")
+_Frame = TypeVar("_Frame")
 
 
 class Runnable(Protocol):
@@ -101,18 +97,18 @@ class Runnable(Protocol):
     ) -> None:
         """Run to the end, in this thread.
 
-        Raises ``ProgramError``, ``Stopped``, ``QuitRequested``, or whatever an action raised. The memory
-        holds the program's variables and procedures then, as it does after the end.
+        Raises ``ProgramError``, ``Stopped``, ``QuitRequested``, or the exception of an action. In all cases
+        the memory then holds the program's variables and procedures.
         """
 
     def frames(self) -> tuple[Frame, ...]:
         """The open calls and the program, innermost first; from any thread, empty unless it runs.
 
-        Of a recursion deeper than 100 only the innermost frames and the program are told.
+        In a recursion deeper than 100 only the innermost frames and the program.
         """
 
 
-def told_levels(levels: list[_Level]) -> list[_Level]:
-    """Of levels from the program inwards those that ``frames`` tells, innermost first."""
-    told = levels if len(levels) <= _MOST_FRAMES else [levels[0], *levels[1 - _MOST_FRAMES :]]
-    return told[::-1]
+def shown_frames(stack: list[_Frame]) -> list[_Frame]:
+    """The part of a stack that ``frames`` shows, innermost first. The stack begins with the program."""
+    shown = stack if len(stack) <= _MOST_FRAMES else [stack[0], *stack[1 - _MOST_FRAMES :]]
+    return shown[::-1]

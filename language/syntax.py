@@ -1,25 +1,21 @@
 """The typed syntax tree of GoDonnie. Every node has the span of the text that the learner wrote.
 
-Names are folded (lower case, no accents); what was typed is ``program.source[span.start:span.end]``.
+Names are folded (lower case, no accents); the typed name is ``program.source[span.start:span.end]``.
 """
 
 from __future__ import annotations
 
+from collections import Counter
 from collections.abc import Iterator
 from enum import Enum
+from typing import TypeAlias
 
-from devices.ports.hints import TypeAlias
+from msgspec import Struct
+
 from devices.ports.robot import Bearing
-from devices.ports.values import Frozen
 
 
-class Node:
-    """A part of the tree."""
-
-    __slots__ = ()
-
-
-class Span(Node, Frozen):
+class Span(Struct, frozen=True):
     """A stretch of source text: offsets in characters, line and column of its start from 1."""
 
     start: int
@@ -28,8 +24,14 @@ class Span(Node, Frozen):
     column: int
 
 
+class Node(Struct, frozen=True):
+    """A part of the tree."""
+
+    span: Span
+
+
 class Axis(Enum):
-    """What POS tells."""
+    """The parts of the pose that POS reads."""
 
     X = "x"
     Y = "y"
@@ -49,234 +51,196 @@ class Side(Enum):
 # --- expressions ---------------------------------------------------------------------------------
 
 
-class Number(Node, Frozen):
-    span: Span
+class NumberLiteral(Node, frozen=True):
     value: int
 
 
-class Name(Node, Frozen):
-    span: Span
+class TextLiteral(Node, frozen=True):
+    text: str
+
+
+class Name(Node, frozen=True):
     name: str
 
 
-class Negative(Node, Frozen):
+class Negative(Node, frozen=True):
     """One sign before an operand. A plus sign leaves no node."""
 
-    span: Span
     operand: Expression
 
 
-class Binary(Node, Frozen):
-    span: Span
+class Binary(Node, frozen=True):
     operator: str
     """One of ``+ - * /``."""
     left: Expression
     right: Expression
 
 
-class Distance(Node, Frozen):
-    span: Span
+class DistanceSensor(Node, frozen=True):
     bearing: Bearing
 
 
-class Position(Node, Frozen):
-    span: Span
+class PositionSensor(Node, frozen=True):
     axis: Axis
 
 
-class Colour(Node, Frozen):
-    span: Span
+class ColourSensor(Node, frozen=True):
     colour: str
     """The English word of the colour."""
 
 
-Expression: TypeAlias = Number | Name | Negative | Binary | Distance | Position | Colour
+Sensor: TypeAlias = DistanceSensor | PositionSensor | ColourSensor
+Expression: TypeAlias = NumberLiteral | Name | Negative | Binary | Sensor
 
 
-class Condition(Node, Frozen):
-    span: Span
+class Condition(Node, frozen=True):
     comparator: str
     """One of ``== <> < > <= >=``."""
     left: Expression
     right: Expression
 
 
-class Text(Node, Frozen):
-    span: Span
-    text: str
-
-
 # --- statements ----------------------------------------------------------------------------------
 
 
-class Declare(Node, Frozen):
-    """VAR name, VAR name = value. ``value`` is None where none is given: the variable starts at 0."""
+class Declare(Node, frozen=True):
+    """VAR name, VAR name = value. Without a value the variable starts at 0."""
 
-    span: Span
     name: Name
     value: Expression | None
 
 
-class Assign(Node, Frozen):
-    span: Span
+class Assign(Node, frozen=True):
     name: Name
     value: Expression
 
 
-class Speak(Node, Frozen):
-    span: Span
-    what: Expression | Text
+class SpeakCommand(Node, frozen=True):
+    what: Expression | TextLiteral
 
 
-class Sound(Node, Frozen):
-    span: Span
+class SoundCommand(Node, frozen=True):
     on: bool
 
 
-class Walk(Node, Frozen):
-    span: Span
+class WalkCommand(Node, frozen=True):
     direction: Direction
     steps: Expression
 
 
-class Turn(Node, Frozen):
-    span: Span
+class TurnCommand(Node, frozen=True):
     side: Side
     degrees: Expression
 
 
-class Scan(Node, Frozen):
-    span: Span
+class ScanCommand(Node, frozen=True):
+    pass
 
 
-class State(Node, Frozen):
-    span: Span
+class StateCommand(Node, frozen=True):
+    pass
 
 
-class History(Node, Frozen):
-    span: Span
+class HistoryCommand(Node, frozen=True):
+    pass
 
 
-class TellPosition(Node, Frozen):
-    """POS on a line of its own: says the whole pose."""
-
-    span: Span
+class PoseCommand(Node, frozen=True):
+    """POS on a line of its own: announces the whole pose."""
 
 
-class Unused(Node, Frozen):
-    """A sensor on a line of its own: read by nobody, does nothing; the checker hints at SPEAK."""
+class UnusedSensor(Node, frozen=True):
+    """A sensor on a line of its own: does nothing; the checker hints at SPEAK."""
 
-    span: Span
-    value: Distance | Position | Colour
+    value: Sensor
 
 
-class Wait(Node, Frozen):
-    span: Span
+class WaitCommand(Node, frozen=True):
     seconds: Expression
 
 
-class BeltSwitch(Node, Frozen):
-    span: Span
+class BeltCommand(Node, frozen=True):
     on: bool
 
 
-class Vibrate(Node, Frozen):
-    span: Span
+class VibrateCommand(Node, frozen=True):
     bearing: Bearing
 
 
-class Help(Node, Frozen):
+class HelpCommand(Node, frozen=True):
     """HELP, HELP word. ``topic`` is the word as it was typed, or None."""
 
-    span: Span
     topic: str | None
 
 
-class Quit(Node, Frozen):
-    span: Span
+class QuitCommand(Node, frozen=True):
+    pass
 
 
-class RunTyped(Node, Frozen):
+class RunCommand(Node, frozen=True):
     """RUN: a word of the terminal, as QUIT is."""
 
-    span: Span
 
-
-class If(Node, Frozen):
-    span: Span
+class If(Node, frozen=True):
     condition: Condition
     then: tuple[Statement, ...]
     otherwise: tuple[Statement, ...] | None
 
 
-class For(Node, Frozen):
-    span: Span
+class For(Node, frozen=True):
     start: Declare | Assign
     condition: Condition
     step: Assign
     body: tuple[Statement, ...]
 
 
-class Repeat(Node, Frozen):
-    span: Span
+class Repeat(Node, frozen=True):
     times: Expression
     body: tuple[Statement, ...]
 
 
-class While(Node, Frozen):
-    span: Span
+class While(Node, frozen=True):
     condition: Condition
     body: tuple[Statement, ...]
 
 
-class Procedure(Node, Frozen):
-    span: Span
+class Procedure(Node, frozen=True):
     name: Name
     parameters: tuple[Name, ...]
     body: tuple[Statement, ...]
 
 
-class Call(Node, Frozen):
-    span: Span
+class Call(Node, frozen=True):
     name: Name
     arguments: tuple[Expression, ...]
 
 
-Statement: TypeAlias = (
-    Declare
-    | Assign
-    | Speak
-    | Sound
-    | Walk
-    | Turn
-    | Scan
-    | State
-    | History
-    | TellPosition
-    | Unused
-    | Wait
-    | BeltSwitch
-    | Vibrate
-    | Help
-    | Quit
-    | RunTyped
-    | If
-    | For
-    | Repeat
-    | While
-    | Procedure
-    | Call
+Command: TypeAlias = (
+    SpeakCommand
+    | SoundCommand
+    | WalkCommand
+    | TurnCommand
+    | ScanCommand
+    | StateCommand
+    | HistoryCommand
+    | PoseCommand
+    | WaitCommand
+    | BeltCommand
+    | VibrateCommand
+    | HelpCommand
+    | QuitCommand
+    | RunCommand
 )
-
 Block: TypeAlias = If | For | Repeat | While | Procedure
+Statement: TypeAlias = Declare | Assign | Call | UnusedSensor | Command | Block
 
 
-class Program(Node, Frozen):
+class Program(Struct, frozen=True):
     source: str
     body: tuple[Statement, ...]
 
     def typed(self, span: Span) -> str:
-        """What the learner wrote there, white space folded to single blanks."""
+        """The learner's text at a span, white space folded to single blanks."""
         return " ".join(self.source[span.start : span.end].split())
 
 
@@ -292,8 +256,75 @@ def blocks_of(statement: Statement) -> tuple[tuple[Statement, ...], ...]:
 
 
 def walk(statements: tuple[Statement, ...]) -> Iterator[Statement]:
-    """Every statement, blocks before what is in them."""
+    """Every statement, blocks before their contents."""
     for statement in statements:
         yield statement
         for block in blocks_of(statement):
             yield from walk(block)
+
+
+# --- scopes --------------------------------------------------------------------------------------
+
+
+class DeclaredProcedure(Struct, frozen=True):
+    """A procedure and the program that declared it, as a later batch finds it in the memory."""
+
+    procedure: Procedure
+    program: Program
+
+    @property
+    def typed_name(self) -> str:
+        return self.program.typed(self.procedure.name.span)
+
+
+class Scope(Struct, frozen=True):
+    """A program without its procedures, or one procedure without those that are declared in it.
+
+    Each scope has variables of its own.
+    """
+
+    program: Program
+    procedure: Procedure | None
+
+    @property
+    def body(self) -> tuple[Statement, ...]:
+        return self.program.body if self.procedure is None else self.procedure.body
+
+    @property
+    def parameters(self) -> tuple[Name, ...]:
+        return () if self.procedure is None else self.procedure.parameters
+
+    def statements(self) -> Iterator[Statement]:
+        """Every statement of this scope, in no particular order; a procedure in it counts as one."""
+        pending = list(self.body)
+        while pending:
+            statement = pending.pop()
+            yield statement
+            if not isinstance(statement, Procedure):
+                for block in blocks_of(statement):
+                    pending.extend(block)
+
+    def declarations(self) -> Counter[str]:
+        """How many parameters, VAR statements and FOR headers declare each name."""
+        names = Counter(parameter.name for parameter in self.parameters)
+        for statement in self.statements():
+            start = statement.start if isinstance(statement, For) else statement
+            if isinstance(start, Declare):
+                names[start.name.name] += 1
+        return names
+
+    def calls(self) -> frozenset[str]:
+        """The names of the procedures that the scope may call."""
+        return frozenset(each.name.name for each in self.statements() if isinstance(each, Call))
+
+
+def scopes_of(outermost: Scope) -> tuple[Scope, ...]:
+    """The scope itself, then every procedure declared in it or in one of those."""
+    found = [outermost]
+    for scope in found:
+        found.extend(
+            Scope(scope.program, statement)
+            for statement in scope.statements()
+            if isinstance(statement, Procedure)
+        )
+    return tuple(found)

@@ -1,21 +1,158 @@
-"""Robot time: computed, never read. Real time is the same run with sleeps between.
+"""Robot time and turns. Robot time is computed, never read; real time is the same run with sleeps.
 
-The one place of the simulator that waits: for real time through the pace, for its turn in a shared world.
+Of the programs that share a world only one runs at a time: the one with the least robot time. A program keeps
+its turn until its robot spends time; then the turn passes to the least time, and among equals to the robot
+that is first in the world. So the same programs give the same run, whatever the threads do. A seat that was
+announced keeps its place before its program starts; no program waits for a seat that was given up.
+
+This is the only module of the simulator that waits: for real time, and for a turn in a shared world.
 """
 
 from __future__ import annotations
 
-from collections.abc import Callable, Sequence
+import threading
+from collections.abc import Callable, Iterable, Sequence
+from heapq import heapify, heappop, heappush, heapreplace
 from math import inf
 
 from devices.ports.robot import Pace
-from sim.turns import Seat, Turns
+
+
+class Turns:
+    """The order of one world. Times are seconds since the world was made; they never go back."""
+
+    def __init__(self) -> None:
+        self.lock = threading.Lock()
+        self.present = 0.0
+        """The time up to which the world has come, and has been waited for in real time."""
+        self.holder: Seat | None = None
+        self.queue: list[tuple[float, int, Seat]] = []
+
+    def expect(self, seats: Iterable[Seat]) -> None:
+        """These take part from now on, all from the same moment. Their programs may come when they like."""
+        with self.lock:
+            for seat in seats:
+                self._admit(seat)
+            self._appoint()
+
+    def admit(self, seat: Seat) -> None:
+        """This one takes part, from now on if it did not before."""
+        with self.lock:
+            self._admit(seat)
+            self._appoint()
+
+    def dismiss(self, seat: Seat) -> None:
+        """This one takes part no more; without effect if it did not."""
+        with self.lock:
+            if not seat.takes_part:
+                return
+            seat.takes_part = False
+            seat.wake()
+            if self.holder is seat:
+                self.holder = None
+            else:
+                self.queue = [entry for entry in self.queue if entry[2] is not seat]
+                heapify(self.queue)
+            self._appoint()
+
+    def has_others(self, seat: Seat) -> bool:
+        """Whether anybody but this one takes part."""
+        with self.lock:
+            others = [self.holder, *(entry[2] for entry in self.queue)]
+            return any(other is not None and other is not seat for other in others)
+
+    def held_by(self) -> tuple[int, float] | None:
+        """The rank of the robot that has the turn while others wait, and the world's time."""
+        with self.lock:
+            holder = self.holder
+            return None if holder is None or not self.queue else (holder.rank, self.present)
+
+    def hand_over(self) -> None:
+        """The turn goes to the least; the holder gets in the queue. Under the lock."""
+        holder = self.holder
+        assert holder is not None
+        _, _, self.holder = heapreplace(self.queue, (holder.time, holder.rank, holder))
+        self.holder.wake()
+
+    def _admit(self, seat: Seat) -> None:
+        if not seat.takes_part:
+            seat.takes_part = True
+            seat.time = self.present
+            heappush(self.queue, (seat.time, seat.rank, seat))
+
+    def _appoint(self) -> None:
+        if self.holder is None and self.queue:
+            _, _, self.holder = heappop(self.queue)
+            self.holder.wake()
+
+
+class Seat:
+    """One robot's place in the order."""
+
+    def __init__(self, turns: Turns, rank: int) -> None:
+        """``rank``: its number in the world, which decides among equal times."""
+        self.turns = turns
+        self.rank = rank
+        self.time = 0.0
+        self.takes_part = False
+        self._gate = threading.Lock()
+        """Shut while there is nothing to look at. A condition would cost twice as much."""
+        self._gate.acquire()
+
+    def take(self, time: float, halted: Callable[[], bool]) -> bool:
+        """Wait until it is this one's turn at ``time``. False if ``halted`` first; ``nudge`` has it asked."""
+        self.time = time
+        while True:
+            with self.turns.lock:
+                if not self.takes_part or self._has_the_turn():
+                    return True
+                if halted():
+                    return False
+            self._gate.acquire()
+
+    def is_next(self, time: float) -> bool:
+        """Whether it would have the turn at ``time`` without any wait."""
+        turns = self.turns
+        if not self.takes_part:
+            return True
+        with turns.lock:
+            self.time = time
+            return turns.holder is self and not self._is_overtaken()
+
+    def free_until(self) -> float:
+        """The time at which another robot can act; infinity if there is none."""
+        queue = self.turns.queue
+        if not self.takes_part or not queue:
+            return inf
+        with self.turns.lock:
+            return queue[0][0] if queue else inf
+
+    def nudge(self) -> None:
+        """Make a waiting ``take`` check whether it was halted. Any thread."""
+        with self.turns.lock:
+            self.wake()
+
+    def wake(self) -> None:
+        """Let a ``take`` that waits look again. Under the lock."""
+        if self._gate.locked():
+            self._gate.release()
+
+    def _has_the_turn(self) -> bool:
+        """Whether it is this one's turn; who holds it too early passes it on."""
+        if self.turns.holder is self and self._is_overtaken():
+            self.turns.hand_over()
+        return self.turns.holder is self
+
+    def _is_overtaken(self) -> bool:
+        queue = self.turns.queue
+        return bool(queue) and queue[0][:2] < (self.time, self.rank)
+
 
 SLICE = 1 / 20
 """Seconds of real time between two looks at the speed and at the pace's answer."""
 
 Mark = tuple[float, Callable[[], None]]
-"""Seconds from the start of something, and what is to be told then."""
+"""Seconds from the start of a movement, and what to report then."""
 
 Passing = Callable[[float], None]
 
@@ -24,7 +161,7 @@ class Clock:
     """The time of one robot. ``speed``: a multiple of real time, None is unlimited; any thread may set it."""
 
     def __init__(self, pace: Pace, speed: float | None, seat: Seat | None = None) -> None:
-        """``seat``: its place among the robots of its world; nobody else is there if it is not given."""
+        """``seat``: its place among the robots of its world; without it the robot is alone."""
         self.speed = speed
         self.seconds = 0.0
         self._pace = pace
@@ -55,31 +192,31 @@ class Clock:
         return self._turns.has_others(self._seat)
 
     def halt(self) -> None:
-        """End the command that goes on now. From any thread."""
+        """End the current command. From any thread."""
         self._halted = True
         self._seat.nudge()
 
     def begin(self) -> bool:
         """A command begins: an earlier halt is over. False if it must stop before its turn came."""
         self._halted = False
-        return self._comes_to_turn()
+        return self._take_turn()
 
-    def goes_on(self) -> bool:
-        """Whether the command may go on. No time goes by."""
+    def is_active(self) -> bool:
+        """Whether the command may continue. Spends no time."""
         return not self._halted and self._rests(0.0)
 
     def reset(self) -> None:
-        """Back to 0; the world's time goes on."""
+        """Back to 0; the world's time continues."""
         self._joined_at += self.seconds
         self.seconds = 0.0
 
     def undisturbed(self) -> float:
-        """Seconds in which nobody else can act."""
+        """Seconds in which no other robot can act."""
         until = self._seat.free_until()
         return until if until == inf else until - self._joined_at - self.seconds
 
     def leap(self, seconds: float) -> bool:
-        """Begin and spend, where nobody waits and nobody else is there. False: did nothing."""
+        """Begin and spend, if no other robot waits or takes part. False: did nothing."""
         seat, turns = self._seat, self._turns
         if self.speed is not None or (seat.takes_part and (turns.queue or turns.holder is not seat)):
             return False
@@ -90,10 +227,10 @@ class Clock:
         return True
 
     def spend(self, seconds: float, marks: Sequence[Mark], passing: Passing | None = None) -> float:
-        """Let ``seconds`` go by undisturbed, telling ``marks`` (in order) and ``passing`` in every slice.
+        """Spend ``seconds``, reporting ``marks`` (in order), and calling ``passing`` in every slice.
 
-        Answers how many seconds went by: less than asked if it was halted, the pace said stop, or another
-        robot came and is to act before.
+        Returns the seconds spent: fewer than asked if it was halted, the pace stopped, or another robot
+        joined that acts first.
         """
         began, spent = self.seconds, 0.0
         for at, tell in (*marks, (seconds, None)):
@@ -106,13 +243,13 @@ class Clock:
 
     def elapse(self, seconds: float) -> bool:
         """Let ``seconds`` go by in which others act. False if it was cut short."""
-        if not self.goes_on():
+        if not self.is_active():
             return False
         if not self._seat.takes_part:
             return self.spend(seconds, ()) >= seconds
         began = self.seconds
         self.seconds = began + seconds
-        if self._comes_to_turn() and self._catch_up():
+        if self._take_turn() and self._catch_up():
             return True
         self.seconds = min(self.seconds, max(began, self._turns.present - self._joined_at))
         return False
@@ -131,12 +268,12 @@ class Clock:
             self.seconds = began + spent
             if speed is not None and passing is not None:
                 passing(spent)
-            if self._seat.takes_part and not self._has_brought_the_world_along():
+            if self._seat.takes_part and not self._advance_world_time():
                 break
         return spent
 
-    def _has_brought_the_world_along(self) -> bool:
-        """The world's time is this robot's. False if somebody has come who is to act before."""
+    def _advance_world_time(self) -> bool:
+        """Set the world's time to this robot's. False if another robot has joined that acts first."""
         self._turns.present = time = self.seconds + self._joined_at
         return self._seat.is_next(time)
 
@@ -147,7 +284,7 @@ class Clock:
         self._halted = True
         return False
 
-    def _comes_to_turn(self) -> bool:
+    def _take_turn(self) -> bool:
         if not self._seat.takes_part:
             return True
         time = self.seconds + self._joined_at
@@ -157,7 +294,7 @@ class Clock:
         """Wait until real time has come to this robot's time too."""
         time = self.seconds + self._joined_at
         while self._turns.present < time:
-            if not self._sleep_towards(time) or not self._comes_to_turn():
+            if not self._sleep_towards(time) or not self._take_turn():
                 return False
         return True
 

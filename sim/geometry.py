@@ -1,13 +1,22 @@
-"""Plane geometry without a world: points and angles in, numbers out. Metres, and degrees counter-clockwise.
+"""Plane geometry: points, angles and poses in, numbers out. Metres, and degrees counter-clockwise from x.
 
-Angles stay degrees, as world files and learners give them, so that right angles stay exact.
-Sweeps look along the positive x axis: callers turn the scene so that the motion goes there.
+Angles stay degrees, as world files and learners give them, so that right angles stay exact. Sweeps look along
+the positive x axis: callers turn the scene so that the motion goes there. ``pose_of`` converts to the port's
+steps and compass degrees.
+
+A raster lists the squares of a grid that a polygon covers, row by row, in time that grows with its edges and
+rows. A square counts if it shares more than a border with the polygon; squares may be taken smaller than the
+grid's cells, so that touching the rim of a cell does not count.
 """
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Sequence
-from math import atan2, cos, degrees, hypot, inf, radians, sin, sqrt
+from collections.abc import Iterable, Iterator, Sequence
+from math import atan2, ceil, cos, degrees, floor, hypot, inf, radians, sin, sqrt
+
+from msgspec import Struct
+
+from devices.ports.robot import STEP, Pose
 
 Point = tuple[float, float]
 Edge = tuple[float, float, float, float]
@@ -135,8 +144,8 @@ def _in_wedge(edge: Edge, c: float, s: float) -> Edge | None:
 def disc_contact(radius: float, edge: Edge, skin: float = 0.0) -> float:
     """How far a disc moves along x from the origin until it is within ``skin`` of the edge, or infinity.
 
-    A disc that touches already may leave: it is held only where it would come nearer. What it would pass by
-    without its skin is beside its way, and not met.
+    A disc that touches already may leave: it is stopped only if it would come nearer. What it would pass
+    without its skin is not met.
     """
     contact = _disc_contact(radius + skin, edge)
     return inf if skin and contact < inf and _disc_contact(radius, edge) == inf else contact
@@ -177,11 +186,11 @@ def _face_contact(radius: float, edge: Edge, length: float) -> float:
 def outline_contact(mover: Sequence[Edge], obstacle: Sequence[Edge]) -> tuple[float, float]:
     """How far the mover's edges go along x until they touch the obstacle's, or infinity.
 
-    Second: about how squarely they meet, from 0 (grazing) to 1. What lies beside the mover's way does not
-    touch it, even if nothing fits between them.
+    Second: about how squarely they meet, from 0 (grazing) to 1. What the mover passes does not touch it,
+    even without a gap between them.
     """
     nearest, squarely = inf, 1.0
-    if is_beside(mover, obstacle):
+    if passes_by(mover, obstacle):
         return nearest, squarely
     starts = [min(other[0], other[2]) for other in obstacle]
     for mine in mover:
@@ -195,8 +204,8 @@ def outline_contact(mover: Sequence[Edge], obstacle: Sequence[Edge]) -> tuple[fl
     return nearest, squarely
 
 
-def is_beside(mover: Iterable[Edge], obstacle: Sequence[Edge]) -> bool:
-    """Whether the mover passes the obstacle by, or only along its side, on its way along x."""
+def passes_by(mover: Iterable[Edge], obstacle: Sequence[Edge]) -> bool:
+    """Whether the mover passes the obstacle, or only slides along its side, on its way along x."""
     ys, others = [edge[1] for edge in mover], [edge[1] for edge in obstacle]
     return min(others) > max(ys, default=-inf) - HAIR or max(others) < min(ys, default=inf) + HAIR
 
@@ -302,3 +311,120 @@ def edges_apart(mine: Edge, other: Edge) -> float:
 def _point_apart(x: float, y: float, edge: Edge) -> float:
     ax, ay, bx, by = edge
     return hypot(*nearest_on_edge((ax - x, ay - y, bx - x, by - y)))
+
+
+class Placement(Struct, frozen=True):
+    """Where something stands and where it looks."""
+
+    x: float = 0.0
+    y: float = 0.0
+    z: float = 0.0
+    yaw: float = 0.0
+
+    def then(self, inner: Placement, lift: float = 0.0) -> Placement:
+        """Where ``inner``, given relative to this, is outside; ``lift`` is added to its height."""
+        c, s = direction(self.yaw)
+        return Placement(
+            self.x + c * inner.x - s * inner.y,
+            self.y + s * inner.x + c * inner.y,
+            self.z + lift + inner.z,
+            self.yaw + inner.yaw,
+        )
+
+    def within_a_turn(self) -> Placement:
+        """The same pose with its heading from 0 to below 360."""
+        return Placement(self.x, self.y, self.z, self.yaw % 360.0)
+
+
+class Spot(Struct, frozen=True):
+    """Where a robot, or something on it, is and where it looks."""
+
+    x: float
+    y: float
+    yaw: float
+
+    def ahead(self, metres: float, angle: float) -> Spot:
+        """The spot that lies that far in the direction ``angle`` (of the world), looking the same way."""
+        dx, dy = direction(angle)
+        return Spot(self.x + metres * dx, self.y + metres * dy, self.yaw)
+
+    def mounted(self, x: float, y: float, yaw: float) -> Spot:
+        """The spot of something that is mounted there, in the frame of this one."""
+        ((outer_x, outer_y),) = placed(((x, y),), self.x, self.y, self.yaw)
+        return Spot(outer_x, outer_y, self.yaw + yaw)
+
+
+def pose_of(spot: Spot | Placement) -> Pose:
+    """Rounded far below what matters, so that three steps are not 2.9999; adding 0 makes -0 a plain 0."""
+    heading = round((90.0 - spot.yaw) % 360.0, 9) % 360.0
+    return Pose(round(spot.x / STEP, 9) + 0.0, round(spot.y / STEP, 9) + 0.0, heading)
+
+
+_FUZZ = 1e-9
+
+
+class Raster(Struct, frozen=True):
+    """A grid. The middle of its cell 0, 0 is at ``left``, ``bottom``."""
+
+    left: float
+    bottom: float
+    cell: float
+    width: int
+    height: int
+
+
+def covered(outline: tuple[Point, ...], raster: Raster, half: float) -> Iterator[tuple[int, int, int]]:
+    """Row, first and last column of stretches of squares, each reaching ``half`` from its middle.
+
+    Stretches may overlap.
+    """
+    crossings: dict[int, list[float]] = {}
+    for edge in edges(outline):
+        yield from _along(edge, raster, half)
+        for row, x in _crossed(edge, raster):
+            crossings.setdefault(row, []).append(x)
+    for row, xs in crossings.items():
+        xs.sort()
+        for first, last in zip(xs[::2], xs[1::2], strict=True):
+            yield from _stretch(row, first, last, raster, half)
+
+
+def _along(edge: Edge, raster: Raster, half: float) -> Iterator[tuple[int, int, int]]:
+    """The squares through which an edge goes."""
+    ax, ay, bx, by = edge
+    low, high = min(ay, by), max(ay, by)
+    for row in _cells(low, high, raster.bottom, raster.cell, half, raster.height):
+        middle = raster.bottom + row * raster.cell
+        ends = [_crossing_x(edge, min(high, max(low, y))) for y in (middle - half, middle + half)]
+        if ay == by:
+            ends = [ax, bx]
+        yield from _stretch(row, min(ends), max(ends), raster, half)
+
+
+def _crossed(edge: Edge, raster: Raster) -> Iterator[tuple[int, float]]:
+    """Where an edge crosses the middle lines of rows; its lower end counts, its upper one does not."""
+    low, high = min(edge[1], edge[3]), max(edge[1], edge[3])
+    first = max(0, ceil((low - raster.bottom) / raster.cell))
+    last = min(raster.height - 1, ceil((high - raster.bottom) / raster.cell) - 1)
+    for row in range(first, last + 1):
+        yield row, _crossing_x(edge, raster.bottom + row * raster.cell)
+
+
+def _stretch(
+    row: int, first: float, last: float, raster: Raster, half: float
+) -> Iterator[tuple[int, int, int]]:
+    columns = _cells(first, last, raster.left, raster.cell, half, raster.width)
+    if columns:
+        yield row, columns[0], columns[-1]
+
+
+def _cells(low: float, high: float, start: float, cell: float, half: float, count: int) -> range:
+    """The cells whose squares reach between ``low`` and ``high``, more than their borders."""
+    first = floor((low - half - start) / cell + _FUZZ) + 1
+    last = ceil((high + half - start) / cell - _FUZZ) - 1
+    return range(max(0, first), min(count - 1, last) + 1)
+
+
+def _crossing_x(edge: Edge, y: float) -> float:
+    ax, ay, bx, by = edge
+    return ax if ay == by else ax + (y - ay) * (bx - ax) / (by - ay)

@@ -1,8 +1,8 @@
-"""Where everything of a world is now: one ground that all its robots share, from any thread.
+"""Where everything in a world is now. All robots share one ground, from any thread.
 
-Robots, and things that can be pushed or gripped, may be put elsewhere; the rest lies still. What was moved is
-worked out when somebody asks for it, so that a robot alone pays nothing for moving. The first question, or
-the first movement, loads pymunk and lays everything out (``layout``): until then all is where it started.
+Robots, and things that can be pushed or gripped, may move; the rest stays. Positions are computed on request,
+so that a robot alone pays nothing for moving. The first request or movement loads pymunk and lays everything
+out (``layout``).
 """
 
 from __future__ import annotations
@@ -10,9 +10,9 @@ from __future__ import annotations
 import threading
 from collections.abc import Mapping, Sequence
 from math import ceil, log
+from typing import TYPE_CHECKING
 
-from devices.ports.hints import TYPE_CHECKING
-from sim.placement import Placement
+from sim.geometry import Placement
 from sim.scene import Model, Scene
 
 if TYPE_CHECKING:

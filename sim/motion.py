@@ -1,22 +1,164 @@
-"""How far a robot gets: walks and turns of one body among things as they are now.
+"""How far a robot gets: walks and turns of one body among things as they are now, and what stopped it.
+
+``Surroundings`` are the ground without the robot, or the pushed thing, itself. A part that contains its
+centre from the start, such as a floor drawn as a box, is not an obstacle for it.
 
 Nothing is stepped through where the way is free: a thin ray through thickened bodies finds the first step
-that needs a closer look. ``careful`` looks at every step; both give the same (a property test holds it).
+that needs a closer look. ``careful`` looks at every step; both give the same result (a property test checks
+it).
 """
 
 from __future__ import annotations
 
-from collections.abc import Callable, Container, Iterable
+from collections.abc import Callable, Container, Iterable, Sequence
+from functools import cached_property
 from math import floor, hypot, inf
+from typing import TYPE_CHECKING
 
-from devices.ports.robot import STEP, Bearing, StoppedBy
-from devices.ports.values import Frozen, replace
-from sim.geometry import disc_contact, edges, outline_contact, overlapping, placed, seen_from, turn_contact
+from msgspec import Struct
+from msgspec.structs import replace
+
+from devices.ports.robot import STEP, Bearing, Met, StoppedBy
+from sim.geometry import (
+    Point,
+    Spot,
+    angle_of,
+    disc_contact,
+    edges,
+    nearest_on_edge,
+    nearest_point_in_wedge,
+    normal,
+    outline_contact,
+    overlapping,
+    placed,
+    seen_from,
+    turn_contact,
+)
 from sim.ground import Ground
-from sim.parts import Body, Outline, body_of
-from sim.physics import OtherRobots, Part, Surroundings
-from sim.placement import Spot
-from sim.sensors import CENTIMETRES_A_STEP, Around, Ranger, Senses, senses_of
+from sim.parts import Body, Outline, Part, body_of
+from sim.rangers import CENTIMETRES_A_STEP, Around, Ranger
+from sim.scene import Scene
+from sim.sensors import Senses, senses_of
+
+if TYPE_CHECKING:
+    from sim.rays import Hit
+
+
+__all__ = ["OtherRobots", "Part", "Surroundings"]
+
+
+SAFE = 1e-6
+"""Metres by which a circle of free room is taken smaller."""
+
+
+class _Room(Struct, frozen=True):
+    """A circle in which nothing comes near, as long as nothing has changed."""
+
+    x: float
+    y: float
+    radius2: float
+    changes: int
+
+    def holds(self, x: float, y: float) -> bool:
+        dx, dy = x - self.x, y - self.y
+        return dx * dx + dy * dy < self.radius2
+
+
+_NO_ROOM = _Room(0.0, 0.0, -1.0, -1)
+
+
+class OtherRobots:
+    """What is around one robot, as far as it is robots."""
+
+    def __init__(self, around: Surroundings) -> None:
+        self._around = around
+        self._robots = frozenset(around.ground.scene.robots)
+
+    def __bool__(self) -> bool:
+        return len(self._robots) > 1
+
+    def within(self, left: float, bottom: float, right: float, top: float) -> list[Part]:
+        """All parts that come into a box, and perhaps some more, in order."""
+        found = self._around.within(left, bottom, right, top)
+        return [part for part in found if part.root in self._robots]
+
+    def first_hits(self, x: float, y: float, ends: Sequence[Point], ranging: bool = False) -> list[Hit[Part]]:
+        """The robots that looks meet first, unless something else is before them."""
+        hits = self._around.first_hits(x, y, ends, ranging)
+        return [hit if hit[0] and hit[0].root in self._robots else (None, 1.0) for hit in hits]
+
+
+class Surroundings:
+    """Everything on the ground but one root and what is attached to it."""
+
+    def __init__(self, ground: Ground, root: int, ignored: frozenset[int] = frozenset()) -> None:
+        """``root``: the index of a top-level model. ``ignored``: ranks of parts that are not there for it."""
+        self.ground = ground
+        self.root = root
+        self._guard = 0.0
+        self._room = _NO_ROOM
+        self.has_company = len(ground.movable) > 1
+        """Whether anything else on the ground may move."""
+        self._ignored = ignored
+
+    @cached_property
+    def stands_in(self) -> tuple[int, ...]:
+        """The roots inside which it stands from the start."""
+        return tuple(dict.fromkeys(part.root for part in self.ground.around_start(self.root)))
+
+    @cached_property
+    def _absent(self) -> frozenset[int]:
+        return self._ignored | frozenset(part.rank for part in self.ground.around_start(self.root))
+
+    def without(self, roots: frozenset[int]) -> Surroundings:
+        """The same, as if these were not there either."""
+        ignored = (part.rank for root in roots if root != self.root for part in self.ground.parts_of(root))
+        return Surroundings(self.ground, self.root, self._ignored | frozenset(ignored))
+
+    def keep(self, guard: float) -> None:
+        """Have ``free_way`` keep that distance (metres) from everything."""
+        self._guard = self.ground.guarded(guard)
+        self._room = _NO_ROOM
+
+    @property
+    def parts(self) -> tuple[Part, ...]:
+        """Everything, in order."""
+        return tuple(
+            part for part in self.ground.parts() if part.root != self.root and part.rank not in self._absent
+        )
+
+    def near(self, x: float, y: float, reach: float) -> list[Part]:
+        """All parts that come within ``reach`` of a place, and perhaps some more, in order."""
+        return self.ground.within(self.root, x - reach, y - reach, x + reach, y + reach, self._absent)
+
+    def within(self, left: float, bottom: float, right: float, top: float) -> list[Part]:
+        """All parts that come into a box, and perhaps some more, in order."""
+        return self.ground.within(self.root, left, bottom, right, top, self._absent)
+
+    def first_hits(self, x: float, y: float, ends: Sequence[Point], ranging: bool = False) -> list[Hit[Part]]:
+        """The parts that looks from one place to each of ``ends`` meet first, and where on the way.
+
+        ``ranging``: as a ranger sees, to which some things are invisible.
+        """
+        return self.ground.first_hits(self.root, x, y, ends, ranging, self._absent)
+
+    def has_room(self, x: float, y: float, to_x: float, to_y: float) -> bool:
+        """Whether a way is known to keep the guard distance; False says nothing.
+
+        It is known of all ways within a circle, which is looked for where a way leaves the last one.
+        """
+        room = self._room
+        is_inside = room.holds(x, y) and room.changes == self.ground.changes_for(self.root)
+        if is_inside or self._absent:
+            return is_inside and room.holds(to_x, to_y)
+        radius = max(0.0, self.ground.room(self.root, x, y, self._guard) - SAFE)
+        self._room = _Room(x, y, radius * radius, self.ground.changes_for(self.root))
+        return self._room.holds(to_x, to_y)
+
+    def free_way(self, x: float, y: float, to_x: float, to_y: float) -> float:
+        """The part of the way, from 0 to 1, on which nothing comes nearer than the guard distance."""
+        return self.ground.free_way(self.root, x, y, (to_x, to_y), self._guard, self._absent)
+
 
 SKIN = 1e-4
 """Metres that a robot keeps from what it bumped into, so that it can turn and leave."""
@@ -34,7 +176,7 @@ def _always() -> bool:
     return True
 
 
-class Walk(Frozen):
+class Walk(Struct, frozen=True):
     """What becomes of a walk."""
 
     metres: float
@@ -43,7 +185,7 @@ class Walk(Frozen):
     """None with fewer steps than asked: there is something that gives way, and has to be pushed."""
 
 
-class Contact(Frozen):
+class Contact(Struct, frozen=True):
     """What a body meets first on its way, and after how many metres; infinity if the way is free."""
 
     metres: float
@@ -223,3 +365,79 @@ def guard_distance(body: Body, rangers: tuple[Ranger, ...]) -> float:
     """Metres from its centre beyond which nothing touches a robot within a step, nor blocks its sensors."""
     farthest = max((hypot(each.x, each.y) for each in rangers), default=0.0)
     return max(body.radius + STEP, farthest + 2 * STEP) + 0.01
+
+
+SIGHT = 3 * STEP
+"""Metres beyond the body in which an obstacle stops a walk: less than two steps before a sensor, which may
+look a bit to the side."""
+WEDGE = 60.0
+"""Degrees to either side of the way in which it is looked for."""
+HALF = 90.0
+
+WALL, ROBOT = "wall", "robot"
+
+
+class Meeting:
+    """Asked when a movement is over. It finds nothing where nothing was in the way."""
+
+    def __init__(self, mover: Mover, scene: Scene, robot: int) -> None:
+        """``robot``: the index of its model."""
+        self._mover = mover
+        self._scene = scene
+        self._me = scene.models[robot]
+        self._walls: dict[int, bool] = {}
+        """Whether models are walls, as far as that was asked."""
+
+    def walking(self, spot: Spot, turned: float, stopped_by: StoppedBy | None) -> Met | None:
+        """After a walk in the direction that is ``turned`` degrees from the front of a robot at ``spot``."""
+        if stopped_by is StoppedBy.OBSTACLE:
+            found = self._mover.barring(spot, self._mover.body.radius + SIGHT)
+            return self._nearest(found, spot, turned, WEDGE)
+        if stopped_by is StoppedBy.COLLISION:
+            part = self._mover.contact(spot, spot.yaw + turned, STEP).part
+            return None if part is None else self._nearest([part], spot, turned, HALF)
+        return None
+
+    def turning(self, spot: Spot, stopped_by: StoppedBy | None) -> Met | None:
+        """After a turn on the spot, or on a car's circle."""
+        if stopped_by is StoppedBy.OBSTACLE:
+            return self.walking(spot, 0.0, stopped_by)
+        if stopped_by is StoppedBy.COLLISION:
+            return self._nearest(self._mover.touchable(spot), spot, 0.0, None)
+        return None
+
+    def _nearest(
+        self, parts: Iterable[Part], spot: Spot, turned: float, half_angle: float | None
+    ) -> Met | None:
+        """Of those that come within the wedge about the way; None: on any side."""
+        found = [
+            (point, part)
+            for part in parts
+            if (point := _nearest_point(part, spot, spot.yaw + turned, half_angle)) is not None
+        ]
+        if not found:
+            return None
+        point, part = min(found, key=lambda each: hypot(*each[0]))
+        return self._met(part, normal(-angle_of(*point) - turned))
+
+    def _met(self, part: Part, degrees: float) -> Met:
+        model = self._scene.models[part.root]
+        name = "" if ":" in model.spoken_name else model.spoken_name
+        if model.index in self._scene.robots:
+            return Met(ROBOT, name, degrees)
+        return Met(WALL, "", degrees) if self._is_wall(part.root) else Met(model.kind, name, degrees)
+
+    def _is_wall(self, root: int) -> bool:
+        if root not in self._walls:
+            from sim.picture import is_wall  # who meets nothing needs no picture
+
+            self._walls[root] = is_wall(self._scene.models[root], self._me)
+        return self._walls[root]
+
+
+def _nearest_point(part: Part, spot: Spot, angle: float, half_angle: float | None) -> Point | None:
+    """Its point nearest to the robot's centre, where the robot's way is the positive x axis."""
+    outline = edges(seen_from(part.points, spot.x, spot.y, angle))
+    if half_angle is not None:
+        return nearest_point_in_wedge(outline, half_angle)
+    return min((nearest_on_edge(edge) for edge in outline), key=lambda point: hypot(*point), default=None)

@@ -1,11 +1,11 @@
-"""Movements, played in time: how a robot gets elsewhere, and what it tells on the way.
+"""Movements over time, and the events on the way.
 
-A ``Walk`` goes straight, forward or backward, step by step, pushing what gives way; a ``Turn`` is on the
-spot; a ``Bend``, for a car, on the smallest circle that it can drive.
+A ``Walk`` goes straight, forward or backward, step by step, and pushes what gives way. A ``Turn`` is on the
+spot. A ``Bend``, for a car, follows the smallest circle that it can drive.
 
-Where nobody can disturb it, a robot's way is found at once and then played. Where others may act meanwhile,
-or something has to be pushed, it goes in small fixed ticks, each of which looks at the world anew. Both come
-to the same where only one robot moves (a property test holds it).
+Where nothing can interfere, the way is computed at once and then played. Where other robots may act
+meanwhile, or something is pushed, the movement advances in small fixed ticks, each of which looks at the
+world again. With one moving robot both give the same result (a property test checks it).
 """
 
 from __future__ import annotations
@@ -17,18 +17,17 @@ from math import ceil, inf, radians, sin
 from devices.ports.robot import STEP, Bearing, Motion, StoppedBy
 from sim.clock import Mark
 from sim.motion import TOUCHING
-from sim.vehicle import Vehicle, Whereabouts
-from sim.wheels import NEARLY, TICK, Rate, moving, turning
+from sim.vehicle import NEARLY, TICK, Rate, Vehicle, Whereabouts, moving, turning
 
 MOST_REPORTS = 1000
-"""Of a longer movement only every so many-th step is told, so that a huge one stays short."""
+"""A longer movement reports only every n-th step, so that a huge one has few reports."""
 
 Going = tuple[int, StoppedBy | None]
 """Whole steps or degrees done, and why no more."""
 
 
 class Movement(ABC):
-    """A movement of ``asked`` steps or degrees, as fast as ``rate``, the ``every``-th of which are told."""
+    """A movement of ``asked`` steps or degrees at ``rate``; it reports every ``every``-th of them."""
 
     def __init__(self, vehicle: Vehicle, motion: Motion, asked: int, rate: Rate, every: int) -> None:
         self._vehicle = vehicle
@@ -39,7 +38,7 @@ class Movement(ABC):
         self._start = vehicle.here
         self._whole = 0
         """Steps or degrees done."""
-        self._told = 0
+        self._reported = 0
 
     def run(self) -> Going:
         """Play it. The clock has begun."""
@@ -47,7 +46,7 @@ class Movement(ABC):
         while stopped_by is None and self._whole < self._asked:
             stopped_by = self._go_on()
         if stopped_by is not StoppedBy.USER:
-            self._tell(self._whole)
+            self._report(self._whole)
         return self._whole, stopped_by
 
     @abstractmethod
@@ -57,19 +56,19 @@ class Movement(ABC):
     def _stride(self, count: int) -> int:
         return self._every * -(-count // (self._every * MOST_REPORTS))
 
-    def _tell_in_passing(self) -> None:
+    def _report_progress(self) -> None:
         """After a tick that came to a whole step or degree."""
         if self._whole % self._stride(self._asked) == 0:
-            self._tell(self._whole)
+            self._report(self._whole)
 
-    def _tell(self, whole: int) -> None:
-        if whole > self._told:
-            self._told = whole
+    def _report(self, whole: int) -> None:
+        if whole > self._reported:
+            self._reported = whole
             self._vehicle.report(self._motion)
 
 
 class Sweeping(Movement):
-    """A movement that can be found at once as far as nobody else can act."""
+    """A movement that is computed at once, as far as no other robot can act."""
 
     def _go_on(self) -> StoppedBy | None:
         room = self._room()
@@ -77,7 +76,7 @@ class Sweeping(Movement):
 
     @abstractmethod
     def _sweep(self, room: int) -> StoppedBy | None:
-        """Up to ``room`` whole steps or degrees, in which nobody else acts, at once."""
+        """Up to ``room`` whole steps or degrees at once, while no other robot acts."""
 
     @abstractmethod
     def _tick(self) -> StoppedBy | None:
@@ -93,9 +92,9 @@ class Sweeping(Movement):
     def _play(
         self, count: int, amount: float, at: Callable[[float], Whereabouts], room: int
     ) -> tuple[float, bool]:
-        """Let ``amount`` steps or degrees happen, ``count`` whole ones, telling them.
+        """Move ``amount`` steps or degrees, ``count`` whole ones, and report them.
 
-        Answers how many happened, and whether that is all.
+        Returns how many were done, and whether that is all.
         """
         vehicle, course, begun = self._vehicle, self._course, self._whole
         seconds = course.seconds(begun, amount)
@@ -108,7 +107,7 @@ class Sweeping(Movement):
         return (amount, True) if spent >= seconds else (course.further(begun, spent), False)
 
     def _marks(self, count: int, at: Callable[[float], Whereabouts], room: int) -> list[Mark]:
-        """When to tell what of the next ``count`` steps or degrees; to the last one if nobody can disturb."""
+        """When to report which of the next ``count`` steps; up to the last if nothing interferes."""
         if count == 0 or self._vehicle.watcher is None:
             return []
         begun = self._whole
@@ -119,14 +118,14 @@ class Sweeping(Movement):
         if is_all or (begun + count) % stride == 0:
             amounts.append(begun + count)
         seconds = self._course.seconds
-        return [(seconds(begun, n - begun), self._telling(n, at, n - begun)) for n in amounts]
+        return [(seconds(begun, n - begun), self._reporter(n, at, n - begun)) for n in amounts]
 
-    def _telling(self, whole: int, at: Callable[[float], Whereabouts], amount: int) -> Callable[[], None]:
-        def tell() -> None:
+    def _reporter(self, whole: int, at: Callable[[float], Whereabouts], amount: int) -> Callable[[], None]:
+        def report() -> None:
             self._vehicle.pass_by(at(amount))
-            self._tell(whole)
+            self._report(whole)
 
-        return tell
+        return report
 
 
 class Walk(Sweeping):
@@ -156,7 +155,7 @@ class Walk(Sweeping):
 
     def _sweep(self, room: int) -> StoppedBy | None:
         vehicle, begun = self._vehicle, self._whole
-        plan = vehicle.mover.walk(vehicle.here.truth, self._bearing, room, vehicle.clock.goes_on)
+        plan = vehicle.mover.walk(vehicle.here.truth, self._bearing, room, vehicle.clock.is_active)
         amount = plan.metres / STEP
         done, is_all = self._play(plan.steps, amount, lambda steps: self._at(begun + steps), room)
         self._done = begun + done
@@ -208,7 +207,7 @@ class Walk(Sweeping):
         vehicle.show()
         if has_come and following == round(following):
             self._whole, self._must_push = round(following), False
-            self._tell_in_passing()
+            self._report_progress()
 
 
 DEGREES_A_REPORT = 10
@@ -249,7 +248,7 @@ class Turn(Sweeping):
         self._whole += free if is_clear and vehicle.is_clear() else self._free(free)
         vehicle.go_to(self._at(self._whole))
         vehicle.show()
-        self._tell_in_passing()
+        self._report_progress()
         return None
 
     def _free(self, degrees: int) -> int:
@@ -275,18 +274,18 @@ class Bend(Movement):
         vehicle = self._vehicle
         if vehicle.mover.is_blocked(vehicle.here.truth, Bearing.FRONT):
             return StoppedBy.OBSTACLE
-        if not self._goes():
+        if not self._advance():
             return StoppedBy.COLLISION
         done = self._whole + self._piece / self._pieces
         if not vehicle.clock.elapse(self._course.seconds(done, 1 / self._pieces)):
             return StoppedBy.USER
-        if not self._goes(really=True):
+        if not self._advance(really=True):
             return StoppedBy.COLLISION
         vehicle.show()
-        self._tell_in_passing()
+        self._report_progress()
         return None
 
-    def _goes(self, really: bool = False) -> bool:
+    def _advance(self, really: bool = False) -> bool:
         """Whether the next piece is free; if so, and ``really``, drive it."""
         vehicle = self._vehicle
         angle = vehicle.here.truth.yaw + self._sign * 0.5

@@ -1,6 +1,6 @@
-"""The polygons of a world, each where it lies now: what there is to bump into and to see. Values only.
+"""The polygons of a world, each where it is now: obstacles and visible things. Values only.
 
-A robot's ``Body`` is what of it bumps into them: its own shape, what is attached to it, and what it holds.
+A robot's ``Body`` is everything of it that can bump: its shape, what is attached to it, and what it holds.
 """
 
 from __future__ import annotations
@@ -8,17 +8,17 @@ from __future__ import annotations
 from collections.abc import Iterable, Iterator, Sequence
 from math import dist, hypot
 
-from devices.ports.values import Frozen
+from msgspec import Struct
+
 from sim.colours import Colour
-from sim.geometry import Edge, Point, contains, edges, nearest_on_edge, placed, seen_from
-from sim.placement import Placement
+from sim.geometry import Edge, Placement, Point, contains, edges, nearest_on_edge, placed, seen_from
 from sim.scene import Model, Scene
 
 BODY, SIGHT, RANGED = 1, 2, 4
 """Categories of parts: everything; what eyes can't see through; what rangers notice."""
 
 
-class Part(Frozen):
+class Part(Struct, frozen=True):
     """One polygon of the world, where it lies. Equal to nothing but itself."""
 
     rank: int
@@ -114,7 +114,7 @@ ROUND = 0.9
 Outline = tuple[Point, ...]
 
 
-class Body(Frozen):
+class Body(Struct, frozen=True):
     """Polygons in the robot's own frame."""
 
     polygons: tuple[Outline, ...]

@@ -1,20 +1,36 @@
-"""The scene as a grid of letters and a list of things: what maps and descriptions are made from. Values only.
+"""The scene as a grid of letters and a list of things, for maps and descriptions. Values only.
 
-A cell is a step wide (more in a large world) and has a whole step in its middle, so that a robot at (0, 0)
-stands in the middle of a cell. Walls are ``#``, free floor is ``.``, things have their kind's letter.
+A cell is one step wide (more in a large world) and its middle is a whole step, so that a robot at (0, 0) is
+in the middle of a cell. Walls are ``#``, free floor is ``.``, things have the letter of their kind.
+
+``Room`` measures all distances that are reported, as the range sensors do: free steps from the edge of the
+robot's body to the edge of the thing.
 """
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator
-from math import ceil, floor
+from collections.abc import Iterable, Iterator, Sequence
+from math import ceil, floor, inf
 from string import ascii_lowercase
 
-from devices.ports.robot import STEP
-from devices.ports.values import Frozen, field
-from sim.geometry import Point
+from msgspec import Struct
+
+from devices.ports.robot import STEP, Pose
+from sim.geometry import (
+    Edge,
+    Point,
+    Raster,
+    angle_of,
+    contains,
+    covered,
+    edges,
+    edges_apart,
+    nearest_on_edge,
+    outline_contact,
+    placed,
+    seen_from,
+)
 from sim.parts import body_of
-from sim.raster import Raster, covered
 from sim.scene import Model, Scene
 
 MOST_CELLS = 400
@@ -28,7 +44,7 @@ _TAKEN = "aov"
 _WALL_KINDS = ("wall", "floorplan", "room", "map")
 
 
-class Thing(Frozen):
+class Thing(Struct, frozen=True, eq=False):
     """One thing of the world that is neither wall nor the robot."""
 
     name: str
@@ -49,13 +65,24 @@ class Thing(Frozen):
     """Another robot that can be programmed; of Stage's ``position`` models not all are."""
     heading: float = 0.0
     """Compass degrees; what a robot looks at."""
-    index: int = field(default=0, compare=False)
-    """Its number among the world's models, by which events tell that it was moved."""
-    outlines: tuple[tuple[Point, ...], ...] = field(default=(), compare=False)
+    index: int = 0
+    """Its number among the world's models; events about its moves use it."""
+    outlines: tuple[tuple[Point, ...], ...] = ()
     """Its polygons where they lie, in steps."""
 
+    @property
+    def _compared(self) -> tuple[object, ...]:
+        """All but ``index`` and ``outlines``: what is the same to look at."""
+        return tuple(getattr(self, name) for name in self.__struct_fields__[:-2])
 
-class Drawing(Frozen):
+    def __eq__(self, other: object) -> bool:
+        return isinstance(other, Thing) and self._compared == other._compared
+
+    def __hash__(self) -> int:
+        return hash(self._compared)
+
+
+class Drawing(Struct, frozen=True):
     """What stands in the world as lines: each wall, thing and robot with its outlines, in steps."""
 
     outlines: tuple[tuple[Point, ...], ...]
@@ -65,7 +92,7 @@ class Drawing(Frozen):
     """Its outlines are the pieces of one shape."""
 
 
-class Picture(Frozen):
+class Picture(Struct, frozen=True):
     """A grid. The cell in the bottom left corner has its middle at ``left``, ``bottom`` (steps)."""
 
     left: int
@@ -92,7 +119,7 @@ class Picture(Frozen):
         return (row, column) if 0 <= row < self.height and 0 <= column < self.width else None
 
 
-class _Shape(Frozen):
+class _Shape(Struct, frozen=True):
     """A top-level model with its outlines, in steps."""
 
     model: Model
@@ -181,7 +208,7 @@ def _shape(model: Model, outlines: tuple[tuple[Point, ...], ...], me: Model | No
 
 
 def is_wall(model: Model, me: Model | None) -> bool:
-    """Whether it is told and drawn as a wall, for the robot ``me``."""
+    """Whether descriptions and maps show it as a wall, for the robot ``me``."""
     outlines = tuple(model.outlines())
     return bool(outlines) and _shape(model, outlines, me).is_wall
 
@@ -285,3 +312,52 @@ def _thing(shape: _Shape, letters: dict[str, str], robots: frozenset[int]) -> Th
         index=model.index,
         outlines=shape.outlines,
     )
+
+
+HALF_A_CENTIMETRE = 0.1
+"""In steps."""
+Outlines = Sequence[Sequence[Point]]
+
+
+class Room:
+    """A robot at one place of a picture. All lengths in steps, all directions in compass degrees.
+
+    What its middle is in, such as a floor drawn as a box, is not in its way: so it is for the simulator.
+    """
+
+    def __init__(self, picture: Picture, pose: Pose) -> None:
+        self._pose = pose
+        self._body = picture.body or (((0.0, 0.0),),)
+        self.walls: Outlines = [each for each in picture.walls if not contains(each, pose.x, pose.y)]
+        things = (points for each in picture.things for points in each.outlines)
+        self.all: Outlines = (*self.walls, *things)
+
+    def ahead(self, outlines: Outlines, heading: float) -> float:
+        """How far the robot could be moved to ``heading``, as it stands, until it touches; or infinity."""
+        mine = self._edges(90.0 - heading)
+        gaps = (outline_contact(mine, edges(self._seen(points, heading)))[0] for points in outlines)
+        return min(gaps, default=inf)
+
+    def nearest(self, outlines: Outlines) -> tuple[float, float]:
+        """How far away its nearest edge is, and in which direction from the robot's middle."""
+        theirs = [edge for points in outlines for edge in edges(self._seen(points, 90.0))]
+        gap = min((edges_apart(a, b) for a in self._edges(0.0) for b in theirs), default=inf)
+        x, y = min((nearest_on_edge(edge) for edge in theirs), key=_length2, default=(0.0, 0.0))
+        return gap, 90.0 - angle_of(x, y)
+
+    @staticmethod
+    def whole(steps: float) -> int:
+        """Whole steps of whole centimetres, as range sensors count them."""
+        return floor(steps + HALF_A_CENTIMETRE)
+
+    def _edges(self, angle: float) -> tuple[Edge, ...]:
+        """The body's outline around the origin, seen in the direction ``angle``."""
+        turned = 90.0 - self._pose.heading - angle
+        return tuple(edge for points in self._body for edge in edges(placed(points, 0.0, 0.0, turned)))
+
+    def _seen(self, points: Sequence[Point], heading: float) -> tuple[Point, ...]:
+        return seen_from(points, self._pose.x, self._pose.y, 90.0 - heading)
+
+
+def _length2(point: Point) -> float:
+    return point[0] * point[0] + point[1] * point[1]

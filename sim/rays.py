@@ -1,8 +1,8 @@
-"""Many rays at once through a space of pymunk's: who is hit first, and how far along.
+"""Many rays at once through a pymunk space: what each hits first, and how far away.
 
-pymunk's own method makes four objects for every ray; its library, called directly, answers several times as
-fast and the same to the last bit (``benchmarks/rays.py``). That way in is private: where it is missing, or
-does not give what the public one gives in a small trial, the public one is used.
+pymunk's public method makes four objects for each ray. Its library, called directly, is several times as fast
+and gives the same result to the last bit (``benchmarks/rays.py``). That interface is private: where it is
+missing, or a small trial differs from the public method, the public method is used.
 """
 
 from __future__ import annotations
@@ -33,7 +33,7 @@ class Rays(Generic[Owner]):
         self._first_hits = self._by_method if library is None else _direct(library, space, self._owners)
 
     def own(self, shape: pymunk.Shape, owner: Owner) -> None:
-        """Rays that meet ``shape`` tell ``owner`` from now on."""
+        """Rays that hit ``shape`` return ``owner`` from now on."""
         self._owners[self._key(shape)] = owner
 
     def clear(self) -> None:

@@ -1,45 +1,42 @@
-"""The simulated robot: the port's commands, told in steps and compass degrees, over metres and the world.
+"""The simulated robot: the port's commands in steps and compass degrees, carried out in the world.
 
-Sensors take no time. What a movement comes to, and how it is played, is the business of ``movement``.
-What drives and feels (``vehicle``) is made when it is first asked to move or to look: until then it stands at
-its start, and who only speaks needs no more than that.
+Sensors take no time. ``movement`` computes movements and plays them. The vehicle and its sensors are made
+when the robot is first asked to move or to look; a program that only speaks does not need them.
 """
 
 from __future__ import annotations
 
 import threading
 from functools import cached_property
+from typing import TYPE_CHECKING
 
-from devices.ports.hints import TYPE_CHECKING
 from devices.ports.robot import (
     STEP,
     Bearing,
     Grip,
-    Gripped,
+    GripResult,
     Motion,
-    Moved,
     Pace,
     Pose,
     Pushed,
     Sighting,
     StoppedBy,
-    Turned,
+    TurnResult,
+    WalkResult,
     Watcher,
 )
-from sim.clock import Clock
+from sim.clock import Clock, Seat
 from sim.colours import families
+from sim.geometry import Placement, pose_of
 from sim.ground import Ground
-from sim.placement import Placement, pose_of
-from sim.turns import Seat
 
 if TYPE_CHECKING:
     from random import Random
 
+    from sim.cameras import Seen
+    from sim.geometry import Spot
     from sim.movement import Going, Movement
-    from sim.placement import Spot
-    from sim.sensors import Seen
-    from sim.vehicle import Vehicle
-    from sim.wheels import Rate
+    from sim.vehicle import Rate, Vehicle
 
 
 class SimulatedRobot:
@@ -68,7 +65,7 @@ class SimulatedRobot:
         """Held by who makes the vehicle, or has it begin anew."""
         self._vehicle: Vehicle | None = None
         self._seen: tuple[Spot, int, dict[Bearing, int]] | None = None
-        """What ``known_distances`` told last, from where, and after how many changes around."""
+        """The last result of ``known_distances``, its pose, and the number of changes in the world then."""
 
     @property
     def name(self) -> str:
@@ -109,7 +106,7 @@ class SimulatedRobot:
         return None if self._vehicle is None else self._vehicle.hand.held
 
     def get_ready(self) -> Vehicle:
-        """What drives and feels, made if it was not there. Any thread; who looks on and on holds nobody."""
+        """The vehicle, made on first use. Any thread; repeated calls block no other thread."""
         return self._vehicle or self._made()
 
     def _made(self) -> Vehicle:
@@ -130,7 +127,7 @@ class SimulatedRobot:
         self._clock.join()
 
     def leave(self) -> None:
-        """Take part no more, having joined or not: nobody waits for this robot any longer."""
+        """Leave the turns, joined or not: no program waits for this robot any more."""
         self._clock.leave()
 
     def reset(self) -> None:
@@ -147,17 +144,17 @@ class SimulatedRobot:
             if self._vehicle is not None:
                 self._vehicle.begin_anew(self._chance)
 
-    def forward(self, steps: int) -> Moved:
+    def forward(self, steps: int) -> WalkResult:
         """Walk forward. ValueError if ``steps`` is negative."""
         vehicle = self.get_ready()
         return self._walk(vehicle, Motion.FORWARD, steps, vehicle.rates.forward)
 
-    def backward(self, steps: int) -> Moved:
+    def backward(self, steps: int) -> WalkResult:
         """Walk backward. ValueError if ``steps`` is negative."""
         vehicle = self.get_ready()
         return self._walk(vehicle, Motion.BACKWARD, steps, vehicle.rates.backward)
 
-    def turn(self, degrees: int) -> Turned:
+    def turn(self, degrees: int) -> TurnResult:
         """On the spot; a car drives forward on its smallest circle. RobotProblem ``cannot-turn``."""
         from sim.movement import Bend, Turn
 
@@ -172,7 +169,7 @@ class SimulatedRobot:
             movement = Bend(vehicle, motion, abs(degrees), rate, sign, rates.bend)
         turned, stopped_by = self._run(vehicle, movement)
         met = vehicle.meeting.turning(vehicle.here.truth, stopped_by)
-        return Turned(degrees, -sign * turned, stopped_by, self.pose(), met, self._pushed(vehicle))
+        return TurnResult(degrees, -sign * turned, stopped_by, self.pose(), met, self._pushed(vehicle))
 
     def wait(self, seconds: float) -> bool:
         asked = max(0.0, seconds)
@@ -197,7 +194,7 @@ class SimulatedRobot:
         return mover.senses.steps(mover.around, vehicle.here.truth, bearing, self._chance)
 
     def known_distances(self) -> dict[Bearing, int]:
-        """Where nothing has moved since somebody looked, they are what they were."""
+        """If nothing has moved since the last call, the distances are unchanged."""
         vehicle = self.get_ready()
         spot, changes = vehicle.here.truth, vehicle.changes_around
         seen = self._seen
@@ -213,13 +210,13 @@ class SimulatedRobot:
         things = vehicle.mover.senses.look(vehicle.mover.around, vehicle.here.truth)
         return tuple(self._sighting(seen) for seen in things)
 
-    def grip(self) -> Gripped:
+    def grip(self) -> GripResult:
         """Take the thing between the paddles, or a step before them. RobotProblem ``no-gripper``."""
         self._clock.begin()
         outcome = self.get_ready().grip()
         return self._gripped(outcome, self.holds)
 
-    def release(self) -> Gripped:
+    def release(self) -> GripResult:
         """Let go what is held; it stays there. RobotProblem ``no-gripper``."""
         self._clock.begin()
         held = self.holds
@@ -235,17 +232,17 @@ class SimulatedRobot:
 
         return Random(f"{self._seed} {self.name}")
 
-    def _walk(self, vehicle: Vehicle, motion: Motion, steps: int, rate: Rate) -> Moved:
+    def _walk(self, vehicle: Vehicle, motion: Motion, steps: int, rate: Rate) -> WalkResult:
         if steps < 0:
             raise ValueError("a walk has no negative steps")
         turned = 180.0 if motion is Motion.BACKWARD else 0.0
         if vehicle.leap(steps, rate, turned):
-            return Moved(steps, steps, None, pose_of(vehicle.here.belief))
+            return WalkResult(steps, steps, None, pose_of(vehicle.here.belief))
         from sim.movement import Walk
 
         walked, stopped_by = self._run(vehicle, Walk(vehicle, motion, steps, rate))
         met = vehicle.meeting.walking(vehicle.here.truth, turned, stopped_by)
-        return Moved(steps, walked, stopped_by, self.pose(), met, self._pushed(vehicle))
+        return WalkResult(steps, walked, stopped_by, self.pose(), met, self._pushed(vehicle))
 
     def _run(self, vehicle: Vehicle, movement: Movement) -> Going:
         vehicle.pushed.clear()
@@ -259,11 +256,11 @@ class SimulatedRobot:
         model = self._ground.scene.models[root]
         return Pushed(model.kind, self._name_of(root), model.colour.family, metres / STEP)
 
-    def _gripped(self, outcome: Grip, root: int | None) -> Gripped:
+    def _gripped(self, outcome: Grip, root: int | None) -> GripResult:
         if root is None:
-            return Gripped(outcome)
+            return GripResult(outcome)
         model = self._ground.scene.models[root]
-        return Gripped(outcome, self._name_of(root), model.kind, model.colour.family)
+        return GripResult(outcome, self._name_of(root), model.kind, model.colour.family)
 
     def _sighting(self, seen: Seen) -> Sighting:
         return Sighting(

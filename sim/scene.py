@@ -1,28 +1,177 @@
-"""A world as it was loaded: models, shapes, sensors. Values only; nothing here moves or reads files.
+"""A world as it was loaded: models, shapes, equipment. Values only; nothing here moves or reads files.
 
-Metres, and degrees counter-clockwise from the x axis, as Stage has them.
-
-What was ignored, repaired, or looks like a slip comes with it as codes (``LoadReport``); ``moved`` is the
-same scene with things elsewhere than its file has them: pushed, carried, or driven there.
+Metres, kilograms, seconds, and degrees counter-clockwise from the x axis, as Stage has them; equipment
+(wheels, sensors, grippers) is in the frame of its model. ``LoadReport`` says by code what was ignored,
+repaired or looks like a slip. ``moved`` is the same scene with things at other places than in its file.
 """
 
 from __future__ import annotations
 
 from collections.abc import Iterator, Mapping
+from enum import Enum
 
-from devices.ports.hints import TYPE_CHECKING
-from devices.ports.values import Frozen, replace
+from msgspec import Struct, field
+from msgspec.structs import replace
+
 from sim.colours import Colour
-from sim.fittings import Blobfinder, Bumper, Camera, FiducialFinder, Gripper, RangeSensor, Wheels
-from sim.geometry import Point, direction, placed, signed_area
-from sim.placement import Placement
-
-if TYPE_CHECKING:
-    from sim.notes import Note
+from sim.geometry import Placement, Point, direction, placed, signed_area
 
 
-class LoadReport(Frozen):
-    """What became of a world file: models by type, and everything that is worth telling."""
+class NoteKind(Enum):
+    IGNORED = "ignored"
+    REPAIRED = "repaired"
+    WARNING = "warning"
+
+
+class Note(Struct, frozen=True):
+    """One remark. Codes: ``unknown-property`` (name, nearest), ``unused-property`` (name), ``not-simulated``
+    (type, name), ``second-define`` (name), ``unknown-colour`` (name, nearest), ``random-colour``,
+    ``lone-sensor`` (name), ``walls-made-solid`` (name), ``not-utf8`` (path), ``margin-cropped`` (path),
+    ``no-robot``, ``robot-without-name`` and ``robot-renamed`` (name, alias), ``starts-inside`` (name,
+    thing); of a configuration file ``driver-not-used`` (name), ``unknown-model`` (name, nearest)."""
+
+    kind: NoteKind
+    code: str
+    file: str
+    line: int
+    column: int
+    details: Mapping[str, str | int | float] = field(default_factory=dict)
+
+
+class RangeNoise(Struct, frozen=True):
+    """How far off a range sensor may be; without a seed it is never off.
+
+    Readings are drawn evenly from plus or minus these amounts. Names and meaning are Stage's.
+    """
+
+    constant: float = 0.0
+    """Metres."""
+    proportional: float = 0.0
+    """Of the distance."""
+    angle: float = 0.0
+    """Degrees."""
+
+
+class RangeSensor(Struct, frozen=True):
+    """One sensor of a ranger, in the ranger's frame."""
+
+    pose: Placement = field(default_factory=Placement)
+    minimum: float = 0.0
+    maximum: float = 5.0
+    fov: float = 5.729577951308232
+    """Degrees; the default is Stage's tenth of a radian."""
+    samples: int = 1
+    """1: a cone, covered whole. More: so many thin rays, spread evenly over the field of view."""
+    noise: RangeNoise = field(default_factory=RangeNoise)
+    thickness: float = 0.02
+    """Metres up and down; it looks from the middle of that."""
+
+
+class Blobfinder(Struct, frozen=True):
+    """The colours that a blobfinder distinguishes, and where it looks."""
+
+    maximum: float
+    fov: float
+    colours: tuple[Colour, ...]
+    """Empty: every colour."""
+    pan: float = 0.0
+    image: tuple[int, int] = (80, 60)
+    """Pixels, across and down."""
+
+
+class FiducialFinder(Struct, frozen=True):
+    """Finds the models that have a ``fiducial_return`` and the same key."""
+
+    minimum: float = 0.0
+    maximum: float = 8.0
+    maximum_id: float = 5.0
+    """Metres up to which it also reads the marker's number."""
+    fov: float = 180.0
+
+
+class Bumper(Struct, frozen=True):
+    """One bumper: a bar of that length across the direction in which its pose looks, touched or not."""
+
+    pose: Placement
+    length: float
+
+
+class Camera(Struct, frozen=True):
+    """Kept so that its field of view can be drawn; no picture is made."""
+
+    minimum: float = 0.2
+    maximum: float = 8.0
+    fov: tuple[float, float] = (70.0, 40.0)
+    """Degrees, across and up."""
+    pan: float = 0.0
+    tilt: float = 0.0
+
+
+class Gripper(Struct, frozen=True):
+    """Two paddles that close round a thing, and a lift. Proportions of the model's size, as in Stage."""
+
+    paddle_length: float = 0.66
+    paddle_width: float = 0.1
+    paddle_height: float = 0.4
+    closed: bool = False
+    lifted: bool = False
+    autosnatch: bool = False
+    """Whether it closes by itself round what breaks a beam."""
+
+
+class Drive(Enum):
+    DIFF = "diff"
+    OMNI = "omni"
+    CAR = "car"
+
+
+class Localization(Enum):
+    GPS = "gps"
+    """It knows exactly where it is."""
+    ODOM = "odom"
+    """It counts its wheels' turns, with errors."""
+
+
+Bounds = tuple[float, float]
+"""The least and the most."""
+
+
+class Limits(Struct, frozen=True):
+    """Bounds of a velocity (or, a second more, of an acceleration): metres and degrees a second."""
+
+    x: Bounds = (-1.0, 1.0)
+    y: Bounds = (-1.0, 1.0)
+    yaw: Bounds = (-90.0, 90.0)
+
+
+class OdometryError(Struct, frozen=True):
+    """The most that odometry is off, as a part of what is driven or turned.
+
+    Of a value E a part between -E/2 and E/2 is drawn once at the start, as in Stage.
+    """
+
+    x: float = 0.03
+    y: float = 0.03
+    yaw: float = 0.05
+
+
+class Wheels(Struct, frozen=True):
+    """How a position model drives, and what it knows about where it is."""
+
+    drive: Drive = Drive.DIFF
+    localization: Localization = Localization.GPS
+    localization_origin: Placement | None = None
+    """None: the file gives none."""
+    odom_error: OdometryError = field(default_factory=OdometryError)
+    velocity_bounds: Limits | None = None
+    """None: the file sets none; Stage's own are those of ``Limits``."""
+    acceleration_bounds: Limits | None = None
+    wheelbase: float = 1.0
+    """Metres between the axles of a car."""
+
+
+class LoadReport(Struct, frozen=True):
+    """The result of loading a world file: models by type, and notes."""
 
     files: tuple[str, ...]
     loaded: tuple[tuple[str, int], ...]
@@ -32,7 +181,7 @@ class LoadReport(Frozen):
     """The pictures that became walls and floors."""
 
 
-class Polygon(Frozen):
+class Polygon(Struct, frozen=True):
     """A block of a model, in the model's frame."""
 
     points: tuple[Point, ...]
@@ -40,7 +189,7 @@ class Polygon(Frozen):
     top: float
 
 
-class Model(Frozen):
+class Model(Struct, frozen=True):
     """One thing, or a part of one."""
 
     index: int
@@ -101,8 +250,8 @@ class Model(Frozen):
     def stage_area(self) -> float:
         """Square metres of its blocks as Stage adds them up.
 
-        Stage traces a picture clockwise and draws the walls of a boundary the other way round, beside a
-        picture only, so that their areas count against each other.
+        Stage traces a picture clockwise and, if there is a picture, draws the walls of a boundary the other
+        way round, so that their areas count against each other.
         """
         area = sum(abs(signed_area(shape.points)) for shape in self.polygons)
         if self.polygons and not self.bitmap:
@@ -130,7 +279,7 @@ class Model(Frozen):
         return self.ranger_return >= 0 and (self.solid or self.size[2] > 0.02)
 
 
-class Scene(Frozen):
+class Scene(Struct, frozen=True):
     """A whole world. A model's ``index``, ``parent`` and ``root`` count into ``models``."""
 
     name: str
@@ -138,7 +287,7 @@ class Scene(Frozen):
     """In Stage's order: a parent before its children."""
     robots: tuple[int, ...]
     """Indices of the models that GoDonnie can program; the first one is the learner's."""
-    settings: Mapping[str, object]
+    settings: Mapping[str, float | str | tuple[object, ...]]
     """The world's own properties, such as ``resolution``; tuples are Python tuples."""
     report: LoadReport
 

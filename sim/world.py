@@ -1,7 +1,7 @@
 """One world that several robots share. Deterministic: the same programs give the same run, at any speed.
 
-Rule: from ``join`` to ``leave`` a robot takes part in the world's order (``turns``). Who wants a run that
-doesn't hang on how fast threads start announces everybody first, with ``expect``.
+From ``join`` to ``leave`` a robot takes part in the world's turns. A run that must not depend on how fast
+threads start announces all robots first, with ``expect``.
 """
 
 from __future__ import annotations
@@ -9,11 +9,11 @@ from __future__ import annotations
 from collections.abc import Iterable, Mapping
 
 from devices.ports.robot import Pace, Watcher
+from sim.clock import Seat, Turns
+from sim.geometry import Placement
 from sim.ground import Ground
-from sim.placement import Placement
 from sim.robot import SimulatedRobot
 from sim.scene import Scene, moved
-from sim.turns import Seat, Turns
 
 
 class World:
@@ -60,7 +60,7 @@ class World:
         self._turns.expect([self._seats[self._index(name)] for name in names])
 
     def turn(self) -> tuple[str, float] | None:
-        """Whose turn it is while other robots wait for theirs, and the world's time; None if nobody waits."""
+        """The robot whose turn it is while others wait, and the world's time; None if none waits."""
         held = self._turns.held_by()
         return None if held is None else (self.scene.robot_names[held[0]], held[1])
 
@@ -78,7 +78,7 @@ class World:
 
     def get_ready(self) -> None:
         """Load and make now what the first movement would."""
-        from sim import meeting, movement, pushing  # noqa: F401 -- to be there is all that is asked of them
+        from sim import handling, motion, movement  # noqa: F401 -- loaded now, not by the first movement
 
         for robot in tuple(self._robots.values()):
             robot.get_ready()

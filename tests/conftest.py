@@ -1,25 +1,54 @@
-"""What every test may ask for."""
+"""Fixtures for every test, and the environment that each test has."""
 
+import os
 import signal
+import sys
+from itertools import count
 from pathlib import Path
 
 import pytest
-from hypothesis import settings
 
-settings.register_profile("donnie", deadline=None)  # a busy machine is no failure
-settings.load_profile("donnie")
+from donnie_tui.i18n.translations import compile_all, is_compiled
+from tests.effort import register_profiles
+from tests.environment import isolate
+
+isolate()
+sys.dont_write_bytecode = False  # as in the child processes
+
+register_profiles()
+
+_homes = count()
 
 for number in (signal.SIGINT, signal.SIGQUIT) if hasattr(signal, "SIGQUIT") else (signal.SIGINT,):
-    if signal.getsignal(number) is signal.SIG_IGN:  # a shell ignores them for what runs beside it
+    if signal.getsignal(number) is signal.SIG_IGN:  # a shell ignores them for a command in the background
         signal.signal(number, signal.default_int_handler if number == signal.SIGINT else signal.SIG_DFL)
 
 ROOT = Path(__file__).resolve().parent.parent
 
 
+def pytest_configure(config: pytest.Config) -> None:
+    """Compile the sentences and words of the languages where that is due, once for all workers."""
+    if not hasattr(config, "workerinput") and not is_compiled():
+        mistakes = compile_all()
+        if mistakes:
+            raise pytest.UsageError("\n".join(map(str, mistakes)))
+
+
+@pytest.fixture(scope="session", autouse=True)
+def _homes_folder(tmp_path_factory: pytest.TempPathFactory) -> Path:
+    return tmp_path_factory.mktemp("homes")
+
+
+@pytest.fixture(autouse=True)
+def _home(_homes_folder: Path) -> None:
+    """Each test has a new home folder that does not exist yet."""
+    os.environ["HOME"] = str(_homes_folder / str(next(_homes)))
+
+
 @pytest.fixture(scope="session")
 def shared() -> Path:
-    """The material that is kept beside the project; where it is absent, the test is skipped."""
+    """The material in the folder next to the project. Without it the test is skipped."""
     folder = ROOT.parent / "shared"
     if not folder.is_dir():
-        pytest.skip("needs the shared material beside the project")
+        pytest.skip("needs the shared material next to the project")
     return folder

@@ -1,4 +1,4 @@
-"""A robot without size on a floor made for the test, and everything that happens there."""
+"""A robot without size on a floor made for the test, and all events there."""
 
 from __future__ import annotations
 
@@ -6,8 +6,7 @@ from functools import partial
 from pathlib import Path
 
 from devices.ports.robot import Pace, Watcher
-from donnie_tui.core.event_stream import as_line
-from donnie_tui.core.events import TRANSIENT, Event, Outcome, Stamped
+from donnie_tui.core.events import TRANSIENT, Event, Outcome, Stamped, as_line
 from donnie_tui.core.session import Session
 from donnie_tui.core.transcript import lines_of
 from donnie_tui.i18n.words import Words
@@ -57,7 +56,7 @@ class Floor:
         return [each.event for each in self.stream]
 
     @property
-    def told(self) -> list[str]:
+    def printed(self) -> list[str]:
         """What is printed and said."""
         return [line for event in self.events for line in lines_of(event, self.words)]
 

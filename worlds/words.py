@@ -1,4 +1,4 @@
-"""What is said of a world, in three languages: of ours, and of one whose author wrote a file beside it."""
+"""What a world is, in words: of a built-in world, and of one whose author wrote a file of words for it."""
 
 from __future__ import annotations
 
@@ -6,14 +6,15 @@ import re
 import tomllib
 from enum import Enum
 from pathlib import Path
+from typing import Any
 
-from devices.ports.hints import Any
-from devices.ports.values import Frozen
+from msgspec import Struct
+
 from worlds import path
 
 WORDS = ".toml"
 """Beside ``maze.world`` lies ``maze.toml`` with its words."""
-LANGUAGES = ("en", "pt", "es")
+ENGLISH = "en"
 LARGEST = 100_000
 """Bytes of words that are read."""
 
@@ -31,7 +32,7 @@ class Difficulty(Enum):
     """The author of a world says nothing of it."""
 
 
-class About(Frozen):
+class About(Struct, frozen=True):
     """What is said of a world in one language."""
 
     title: str
@@ -48,8 +49,9 @@ class About(Frozen):
 
 
 def about(name: str, language: str) -> About:
-    """What to say of a world in ``en``, ``pt`` or ``es``. KeyError if there is no such world or language."""
-    return _about(_read(_file_of(path(name))), language)
+    """What to say of a built-in world, in English where the language is missing. Raises ``KeyError``."""
+    texts = _read(_file_of(path(name)))
+    return _about(texts, language if language in texts else ENGLISH)
 
 
 class BadWords(Exception):
@@ -73,21 +75,22 @@ def file_beside(world: str) -> str | None:
 def beside(world: str, language: str) -> About | None:
     """What the author of a world file says of it in a file beside it, None without one. Raises ``BadWords``.
 
-    In that language if it is there, else in English, else in any of the three.
+    In that language if it is there, else in English, else in the first one of the file.
     """
     file = _file_of(world)
     if not file.is_file():
         return None
-    told = _read(file)
-    written = [each for each in (language, *LANGUAGES) if each in told]
+    texts = _read(file)
+    others = (each for each, text in texts.items() if isinstance(text, dict))
+    written = [each for each in (language, ENGLISH, *others) if each in texts]
     if not written:
         raise BadWords(file, language)
     for key in ("title", "description", "task"):
-        if not isinstance(told[written[0]], dict) or not isinstance(told[written[0]].get(key), str):
+        if not isinstance(texts[written[0]], dict) or not isinstance(texts[written[0]].get(key), str):
             raise BadWords(file, f"{written[0]}.{key}")
-    if told.get("difficulty", "") not in [each.value for each in Difficulty]:
+    if texts.get("difficulty", "") not in [each.value for each in Difficulty]:
         raise BadWords(file, "difficulty")
-    return _about(told, written[0])
+    return _about(texts, written[0])
 
 
 def _file_of(world: str) -> Path:
@@ -106,8 +109,8 @@ def _read(file: Path) -> dict[str, Any]:
         raise BadWords(file, line=place[1] if place else "") from None
 
 
-def _about(told: dict[str, Any], language: str) -> About:
-    words = told[language]
+def _about(texts: dict[str, Any], language: str) -> About:
+    words = texts[language]
     return About(
-        words["title"], words["description"].strip(), words["task"], Difficulty(told.get("difficulty", ""))
+        words["title"], words["description"].strip(), words["task"], Difficulty(texts.get("difficulty", ""))
     )

@@ -1,1 +1,1 @@
-"""The vibrating belt on its serial line: frames, when they are sent, the line, and a simulated board."""
+"""The vibration belt on its serial connection."""

@@ -1,1 +1,1 @@
-"""The borders of the house: protocols and values, standard library only."""
+"""The borders between Donnie and its devices: protocols and values."""

@@ -1,28 +1,28 @@
-"""What every robot can do, simulated or real, and the values it answers with.
+"""What every robot can do, simulated or real, and the values that it returns.
 
-Steps and degrees are the learner's units and exist only at this border: a step is 0.05 m, the heading
-is a compass (0 north, 90 east, clockwise). The methods of ``Robot`` are the program's thread's, which they
-block until it is done; they return early, with ``StoppedBy.USER``, once the pace that the robot was made with
-tells them to. Any thread may ask ``pose``, ``time`` and ``known_distances``, and may ``halt``.
+Steps and degrees are the learner's units, and exist only at this border and above: a step is 0.05 m, and the
+heading is a compass (0 north, 90 east, clockwise). The program's thread calls the methods of ``Robot``, and
+they block until they are done. They return early, with ``StoppedBy.USER``, when the robot's pace says so. Any
+thread may call ``pose``, ``time``, ``known_distances`` and ``halt``.
 """
 
 from __future__ import annotations
 
 from collections.abc import Mapping
 from enum import Enum
+from typing import Protocol
 
-from devices.ports.hints import Protocol
-from devices.ports.values import Frozen
+from msgspec import Struct
 
 STEP = 0.05
-"""Metres in a step (the manual gives none; fixed by the language specification, section 4)."""
+"""Metres in a step (the manual gives none; GoDonnie's specification fixes it)."""
 
 FARTHEST = 60
-"""Steps that a sensor tells when nothing is within its range (manual, section 8)."""
+"""Steps that a sensor reports when nothing is within its range (manual, section 8)."""
 
 
 class Bearing(Enum):
-    """Where a sensor looks, as a compass angle in degrees relative to the robot's front."""
+    """The direction of a sensor, as a compass angle in degrees relative to the robot's front."""
 
     FRONT = 0
     FRONT_RIGHT = 45
@@ -33,19 +33,19 @@ class Bearing(Enum):
 
 
 class StoppedBy(Enum):
-    """Why a movement did less than it was asked."""
+    """Why a movement did less than was asked."""
 
     OBSTACLE = "obstacle"
     COLLISION = "collision"
     STALL = "stall"
     """A real robot's wheels don't turn although its motors are on."""
     LINK = "link"
-    """The line to a real robot was lost."""
+    """The connection to a real robot was lost."""
     USER = "stopped"
 
 
 class Motion(Enum):
-    """What a robot is doing while it reports progress."""
+    """The kind of movement that progress is reported of."""
 
     FORWARD = "forward"
     BACKWARD = "backward"
@@ -53,7 +53,7 @@ class Motion(Enum):
     LEFT = "left"
 
 
-class Pose(Frozen):
+class Pose(Struct, frozen=True):
     """A place and a direction: x steps to the east, y steps to the north, heading in compass degrees."""
 
     x: float
@@ -61,31 +61,31 @@ class Pose(Frozen):
     heading: float
 
 
-class Met(Frozen):
-    """What an obstacle or a collision was with, where the robot knows."""
+class Met(Struct, frozen=True):
+    """What the robot met in an obstacle or a collision, where it knows."""
 
     kind: str
-    """What it is in its world, such as ``chair``; ``wall`` for any wall, ``robot`` for another robot,
-    ``something`` where the robot felt it and can't tell."""
+    """Its kind in its world, such as ``chair``; ``wall`` for any wall, ``robot`` for another robot,
+    ``something`` where the robot only felt it."""
     name: str
-    """Its own name in its world, or an empty string."""
+    """Its name in its world, or an empty string."""
     degrees: float
-    """Where it is: from the robot's front, positive to the right, above -180 to 180."""
+    """Its direction: from the robot's front, positive to the right, above -180 to 180."""
 
 
-class Pushed(Frozen):
+class Pushed(Struct, frozen=True):
     """A thing that a movement pushed along."""
 
     kind: str
-    """What it is in its world, such as ``cone``."""
+    """Its kind in its world, such as ``cone``."""
     name: str
-    """Its own name in its world, or an empty string."""
+    """Its name in its world, or an empty string."""
     colour: str
     """An English colour word of the language."""
     steps: float
 
 
-class Moved(Frozen):
+class WalkResult(Struct, frozen=True):
     """A finished walk. ``asked`` and ``walked`` are whole steps, in the direction of the command."""
 
     asked: int
@@ -97,7 +97,7 @@ class Moved(Frozen):
     """In the order in which they were met."""
 
 
-class Turned(Frozen):
+class TurnResult(Struct, frozen=True):
     """A finished turn. ``asked`` and ``turned`` are whole degrees, positive to the right."""
 
     asked: int
@@ -106,10 +106,10 @@ class Turned(Frozen):
     pose: Pose
     met: Met | None = None
     pushed: tuple[Pushed, ...] = ()
-    """By a car, which drives its turns."""
+    """By a car, which drives while it turns."""
 
 
-class Sighting(Frozen):
+class Sighting(Struct, frozen=True):
     """One thing that the robot sees."""
 
     degrees: float
@@ -122,7 +122,7 @@ class Sighting(Frozen):
 
 
 class Grip(Enum):
-    """What became of gripping or releasing."""
+    """The outcome of gripping or releasing."""
 
     GRIPPED = "gripped"
     RELEASED = "released"
@@ -132,21 +132,21 @@ class Grip(Enum):
     HOLDS_NOTHING = "holds-nothing"
 
 
-class Gripped(Frozen):
+class GripResult(Struct, frozen=True):
     """A finished attempt to grip or to release. ``name``: the thing's, or empty where it has none."""
 
     outcome: Grip
     name: str = ""
     kind: str = ""
-    """What the thing is in its world, and its colour; empty where there is none."""
+    """The thing's kind in its world, and its colour; empty where there is none."""
     colour: str = ""
 
 
 class RobotProblem(Exception):
-    """Raised by a robot's method: it lacks what it was asked for, or can't be reached.
+    """Raised by a robot's method: the robot lacks what was asked for, or can't be reached.
 
-    ``code`` names the sentence (``no-sensor``, ``no-eyes``, ``link-lost``, ...), ``values`` what it needs. A
-    movement that was under way has ended before, and the motors are off as far as that can be known.
+    ``code`` names the sentence (``no-sensor``, ``no-eyes``, ``link-lost``, ...), ``values`` its parameters.
+    The movement that was under way has ended, and the motors are off as far as that can be known.
     """
 
     def __init__(self, code: str, **values: str | int) -> None:
@@ -155,32 +155,32 @@ class RobotProblem(Exception):
         self.values = values
 
 
-class LinkNews(Enum):
-    """What happens to the line to a real robot, and is told at once."""
+class LinkNotice(Enum):
+    """What happens to the connection to a real robot; it is reported at once."""
 
     CONNECTED = "connected"
     LOST = "lost"
     RESTORED = "restored"
     RESTARTED = "restarted"
-    """The robot's board began anew; whatever it was doing is forgotten, and it stands."""
+    """The robot's board restarted; it has forgotten its commands, and stands."""
     BATTERY_LOW = "battery-low"
 
 
 class Watcher(Protocol):
-    """Told by a robot, in the program's thread, how far it has come."""
+    """Receives a robot's progress, in the program's thread."""
 
     def progressed(self, motion: Motion, pose: Pose) -> None:
         """A whole step was walked, or ten degrees (or the rest of a turn) were turned."""
 
     def passing(self, pose: Pose) -> None:
-        """Where the robot is just now, some 20 times a second of real time; for display only."""
+        """The robot's present pose, some 20 times a second of real time; for display only."""
 
 
 class Pace(Protocol):
-    """Real time, as far as a robot has to do with it."""
+    """The program's pace: it waits, and knows when the program must stop."""
 
     def sleep(self, seconds: float) -> bool:
-        """Wait. False as soon as the program must stop; it holds on while the program is paused."""
+        """Wait. False as soon as the program must stop. While the program is paused, it blocks."""
 
 
 class Robot(Protocol):
@@ -191,13 +191,13 @@ class Robot(Protocol):
 
     @property
     def colours(self) -> frozenset[str]:
-        """The colour words that the robot can tell apart."""
+        """The colour words that the robot can distinguish."""
 
-    def forward(self, steps: int) -> Moved: ...
+    def forward(self, steps: int) -> WalkResult: ...
 
-    def backward(self, steps: int) -> Moved: ...
+    def backward(self, steps: int) -> WalkResult: ...
 
-    def turn(self, degrees: int) -> Turned:
+    def turn(self, degrees: int) -> TurnResult:
         """Turn on the spot, to the right if positive, to the left if negative."""
 
     def wait(self, seconds: float) -> bool:
@@ -212,14 +212,14 @@ class Robot(Protocol):
         """Whole steps from that sensor to the nearest obstacle in its cone, or the sensor's maximum."""
 
     def known_distances(self) -> Mapping[Bearing, int]:
-        """What is known of the distances just now, for who only looks, also while a command goes on.
+        """What is known of the distances now, also while a command runs.
 
-        Nothing happens for it: no command begins, nothing is sent or drawn by lot, so it has no noise.
-        Bearings that no sensor looks to, or whose sensor has told nothing, are missing.
+        It changes nothing: it begins no command, sends nothing and draws no random numbers, so it has no
+        noise. Bearings without a sensor, or whose sensor has not measured yet, are missing.
         """
 
     def scan(self) -> tuple[Sighting, ...]:
         """What is visible from 90 degrees left to 90 right, from left to right."""
 
     def halt(self) -> None:
-        """Motors off. From any thread, at any time; never raises."""
+        """Turn the motors off. From any thread, at any time; never raises."""

@@ -1,1 +1,1 @@
-"""The original robot on its serial line, as the port wants a robot: in steps and compass degrees."""
+"""The original robot on its serial connection as a ``Robot`` of the port: in steps and compass degrees."""

@@ -1,11 +1,16 @@
-"""What a certain robot is like. The defaults are the original's documented ones (docs/wire-protocol.md)."""
+"""The measures of a robot, and how a calibration derives them from counts of the wheels.
+
+The defaults are the original's documented ones (docs/wire-protocol.md).
+"""
 
 from __future__ import annotations
 
-from math import pi
+from math import pi, radians
+
+from msgspec import Struct
+from msgspec.structs import replace
 
 from devices.ports.robot import STEP, Bearing
-from devices.ports.values import Frozen
 
 _CLOCKWISE_FROM_FRONT_RIGHT = (
     Bearing.FRONT_RIGHT,
@@ -17,8 +22,8 @@ _CLOCKWISE_FROM_FRONT_RIGHT = (
 )
 
 
-class RobotConfig(Frozen):
-    """Lengths in metres, angles in degrees, times in seconds. A calibration writes down the first three."""
+class RobotConfig(Struct, frozen=True):
+    """Lengths in metres, angles in degrees, times in seconds. A calibration writes the first three."""
 
     wheel_radius: float = 0.021
     axle_length: float = 0.068
@@ -26,32 +31,36 @@ class RobotConfig(Frozen):
     counts_a_turn: int = 900
     """Encoder counts of one turn of a wheel."""
     sonars: tuple[Bearing | None, ...] = _CLOCKWISE_FROM_FRONT_RIGHT
-    """Where the board's sonars 0 to 5 look; None where one is not fitted. The original's sources disagree
-    about 3 and 5."""
+    """Directions of the board's sonars 0 to 5; None for one that is not fitted. The original's sources
+    disagree about 3 and 5."""
     head_sonar: int | None = 6
-    """Which of the board's sonars sits on the head; None without a head."""
+    """The board's sonar that sits on the head; None without a head."""
     front_bumpers: frozenset[int] = frozenset({0, 1, 2})
-    """Which of the board's six bumper bits are in front: NE, N, NW."""
+    """Of the board's six bumper bits, those in front: NE, N, NW."""
     back_bumpers: frozenset[int] = frozenset({3, 4, 5})
     """SE, S, SW."""
     bumper_degrees: tuple[float, ...] = (45.0, 0.0, -45.0, 135.0, 180.0, -135.0)
-    """Where each of them is: from the robot's front, positive to the right."""
+    """Directions of the bumpers: from the robot's front, positive to the right."""
     farthest: float = 2.0
-    """Sonars tell more than that unreliably: from 2.56 on, what is far looks near."""
+    """Sonars are unreliable beyond: from 2.56 on, what is far looks near."""
     walk_coast: int = 8
-    """Counts that the wheels go on for after a stop was sent, walking."""
+    """Counts that the wheels roll on after a stop was sent, walking."""
     turn_coast: int = 5
     """The same, turning."""
     stall: float = 0.5
-    """A wheel that doesn't count for so long, although it is told to turn, is stuck."""
-    settle: float = 1.0
-    """How long to wait for the wheels to stand, at the most."""
+    """A driven wheel that doesn't count for so long is stuck."""
+    stop_timeout: float = 1.0
+    """How long to wait for the wheels to stand, at most."""
     poll: float = 0.02
-    """Between two looks at the wheels."""
+    """Between two checks of the wheels."""
     head_pause: float = 0.6
-    """For the head to get where it is told to, and its sonar to have measured there."""
+    """For the head to reach its angle, and its sonar to measure there."""
     head_stride: int = 15
-    """Between two looks of a scan."""
+    """Between two measurements of a scan."""
+
+    def slower(self, factor: float) -> RobotConfig:
+        """The same with longer timeouts, for a computer that lets this program wait for its turn."""
+        return replace(self, stall=factor * self.stall, stop_timeout=factor * self.stop_timeout)
 
     @property
     def counts_a_step(self) -> float:
@@ -63,3 +72,14 @@ class RobotConfig(Frozen):
         """Of each wheel, turning on the spot; 4.048 with the defaults."""
         metres = pi * self.axle_length / 360
         return self.counts_a_turn * metres / (2 * pi * self.wheel_radius)
+
+
+def wheel_radius(counts: float, counts_a_turn: int, metres: float) -> float:
+    """Of a robot that walked ``metres`` while its wheels counted ``counts`` on average."""
+    return metres * counts_a_turn / (2 * pi * counts)
+
+
+def axle_length(counts: float, counts_a_turn: int, radius: float, degrees: float) -> float:
+    """Of a robot that turned ``degrees`` on the spot while each of its wheels counted ``counts``."""
+    rolled = 2 * pi * radius * counts / counts_a_turn
+    return 2 * rolled / radians(degrees)

@@ -1,98 +1,126 @@
-"""One movement of the real robot, from its first count to its last: walked or turned, watched and ended.
+"""One movement of the real robot, from its first count to its last: a walk or a turn, watched and ended.
 
-The line stops the wheels by itself where they were told to end, one step ahead at most; here it is decided
-whether there may be another step, and why a movement ends before its end. All waiting is the pace's.
+The link stops the wheels by itself at the end of what was allowed, at most one step ahead. This module
+decides whether another step is allowed, and why a movement ends early. The pace does all waiting.
 """
 
 from __future__ import annotations
 
 from collections.abc import Callable
 
-from devices.ports.robot import Pace, StoppedBy
-from devices.ports.values import Frozen
+from msgspec import Struct
+
+from devices.ports.robot import Motion, Pace, Pose, StoppedBy
 from devices.serial_robot.config import RobotConfig
-from devices.serial_robot.line import RobotLine
-from devices.wire.commands import Drive
+from devices.serial_robot.link import RobotLink
+from devices.serial_robot.senses import Clearance
+from devices.wire.commands import MotorDrive
 from devices.wire.connection import travelled
 from devices.wire.link_state import LinkState
 from devices.wire.telemetry import Telemetry
 
+LACKING = 0.05
+"""Of a step or a degree, that may be missing in one that counts as done."""
+
 RENEW_BEFORE = 0.5
-"""Of a step before its end, at which the next one is decided about, so that the wheels need not stop."""
+"""Of a step before its end, when the next one is decided about, so that the wheels need not stop."""
 
-
-SETTLED = 0.06
+STILL_AFTER = 0.06
 """Seconds without a count after which a wheel stands."""
 
 
-class Aim(Frozen):
-    """What a movement is to come to. ``unit`` is in counts: of a step, or of a degree."""
+def whole(units: float) -> int:
+    """The whole steps or degrees that were done; never negative."""
+    return max(0, int(units + LACKING))
 
-    drive: Drive
+
+class Progress:
+    """Reports each whole step, or each ten degrees and the rest, of one movement once and in time."""
+
+    def __init__(
+        self, motion: Motion, amount: int, every: int, report: Callable[[Motion, Pose], None]
+    ) -> None:
+        """``amount``: steps or degrees of the movement, of which ``every`` so many are reported."""
+        self._motion, self._amount, self._every, self._report = motion, amount, every, report
+        self._reported = 0
+
+    def reached(self, units: float, pose: Pose) -> None:
+        """So many units are done by now, and the robot is at ``pose``."""
+        while (following := min(self._amount, self._reported + self._every)) > self._reported:
+            if whole(units) < following:
+                return
+            self._reported = following
+            self._report(self._motion, pose)
+
+
+class MovementPlan(Struct, frozen=True):
+    """What a movement is to do. ``unit`` is in counts: of a step, or of a degree."""
+
+    drive: MotorDrive
     amount: int
     unit: float
     stride: int
     """Units that are allowed at once."""
     coast: int
-    """Counts that the wheels go on for after a stop."""
+    """Counts that the wheels roll on after a stop."""
     carried: float
-    """Counts that the movement before went too far, in the sense of this one."""
+    """Counts by which the previous movement overshot, in the direction of this one."""
 
 
-class Movement:
-    """Runs once. ``done`` and ``stopped_by`` tell what it came to."""
+class RobotMovement:
+    """Runs once. Afterwards ``units`` and ``stopped_by`` say what was done."""
 
     def __init__(
         self,
-        aim: Aim,
-        line: RobotLine,
+        plan: MovementPlan,
+        link: RobotLink,
         config: RobotConfig,
         pace: Pace,
         *,
-        may_begin: Callable[[Telemetry, float], bool | None],
+        clearance: Callable[[Telemetry, float], Clearance],
         bumps: Callable[[Telemetry], bool],
-        seen: Callable[[Telemetry, float], None],
+        on_poll: Callable[[Telemetry, float], None],
     ) -> None:
-        """``may_begin`` is asked with what is free of the part that was allowed: True, False, or None for not
-        yet known. ``seen`` is told the units done at each look."""
+        """``clearance`` is asked with the units left of what was allowed. ``on_poll`` is called with the
+        units done at each poll."""
         self.stopped_by: StoppedBy | None = None
-        self._aim, self._line, self._config, self._pace = aim, line, config, pace
-        self._may_begin, self._bumps, self._seen = may_begin, bumps, seen
-        self._permit = line.permit()
-        self._era = line.telemetry.era
-        self._zero = self._travelled() - aim.carried
+        self._plan, self._link, self._config, self._pace = plan, link, config, pace
+        self._clearance, self._bumps, self._on_poll = clearance, bumps, on_poll
+        self._permit = link.permit()
+        self._epoch = link.telemetry.epoch
+        self._zero = self._travelled() - plan.carried
         self._allowed = 0
-        self._begun = line.now()
+        self._begun = link.now()
 
     @property
     def counts(self) -> float:
-        """How far it came, by what the movement before went too far as well."""
+        """How far it came, including what the previous movement overshot."""
         return self._travelled() - self._zero
 
     @property
     def units(self) -> float:
-        return self.counts / self._aim.unit
+        return self.counts / self._plan.unit
 
     def run(self) -> None:
-        """Go, until it is done or something ends it. The wheels are off afterwards."""
+        """Move until it is done or something ends it. The wheels are off afterwards."""
         try:
-            self.stopped_by = self._go()
-        finally:  # whatever is raised by who is told of the movement
+            self.stopped_by = self._move()
+        finally:  # also when a listener raises
             if not self._is_done():
-                self._line.stop()
-        self._settle()
+                self._link.stop()
+        self._wait_until_still()
 
-    def _go(self) -> StoppedBy | None:
+    def _move(self) -> StoppedBy | None:
         while True:
-            telemetry = self._line.telemetry
-            self._seen(telemetry, self.units)
+            telemetry = self._link.telemetry
+            self._on_poll(telemetry, self.units)
             if reason := self._reason_to_end(telemetry):
                 return reason
             if self._is_done():
                 return None
-            if self._allow_more(telemetry) is False:
+            if self._allow_more(telemetry) is Clearance.BLOCKED:
                 return StoppedBy.OBSTACLE
-            if not self._is_driven() and not self._is_lost():
+            if not self._drive() and not self._is_lost():
                 return StoppedBy.USER
             if not self._pace.sleep(self._config.poll):
                 return StoppedBy.USER
@@ -105,60 +133,61 @@ class Movement:
         return StoppedBy.STALL if self._is_stuck(telemetry) else None
 
     def _is_lost(self) -> bool:
-        return self._line.state is not LinkState.STREAMING or self._line.telemetry.era != self._era
+        return self._link.state is not LinkState.STREAMING or self._link.telemetry.epoch != self._epoch
 
     def _is_stuck(self, telemetry: Telemetry) -> bool:
-        """One wheel is enough: the other one would turn the robot about it."""
-        since = self._line.driving_since
+        """One stuck wheel is enough: the other one would turn the robot about it."""
+        since = self._link.driving_since
         if since is None:
             return False
-        return self._line.now() - max(since, telemetry.both_moved_at) > self._config.stall
+        return self._link.now() - max(since, telemetry.both_moved_at) > self._config.stall
 
     def _is_done(self) -> bool:
-        return self._allowed >= self._aim.amount and self.counts >= self._counts_until(self._allowed)
+        return self._allowed >= self._plan.amount and self.counts >= self._counts_until(self._allowed)
 
     def _counts_until(self, units: int) -> float:
-        """Where to stop, so that the wheels roll on to the end: after one count at the least."""
-        whole = units * self._aim.unit
-        return max(whole - self._aim.coast, min(1.0, whole))
+        """Where to stop, so that the wheels roll on to the end: after one count at least."""
+        total = units * self._plan.unit
+        return max(total - self._plan.coast, min(1.0, total))
 
     def _stands(self) -> bool:
-        return self._line.driving_since is None
+        return self._link.driving_since is None
 
-    def _allow_more(self, telemetry: Telemetry) -> bool | None:
-        """Allow the next stride if it is time to, and free. False if it is known not to be."""
+    def _allow_more(self, telemetry: Telemetry) -> Clearance:
+        """Allow the next stride if it is time to, and the way is free."""
         left = self._allowed - self.units
-        if self._allowed and (self._allowed >= self._aim.amount or left > RENEW_BEFORE * self._aim.stride):
-            return True
-        answer = self._may_begin(telemetry, left)
-        if answer:
-            self._allowed = min(self._aim.amount, self._allowed + self._aim.stride)
-        return None if answer is False and not self._has_come_to_the_end() else answer
+        if self._allowed and (self._allowed >= self._plan.amount or left > RENEW_BEFORE * self._plan.stride):
+            return Clearance.FREE
+        clearance = self._clearance(telemetry, left)
+        if clearance is Clearance.FREE:
+            self._allowed = min(self._plan.amount, self._allowed + self._plan.stride)
+        elif clearance is Clearance.BLOCKED and not self._has_used_allowance():
+            return Clearance.DOUBTFUL
+        return clearance
 
-    def _has_come_to_the_end(self) -> bool:
-        """Of what was allowed."""
+    def _has_used_allowance(self) -> bool:
         return self._stands() and (self._allowed == 0 or self.counts >= self._counts_until(self._allowed))
 
-    def _is_driven(self) -> bool:
-        """Have the wheels turn as far as is allowed. False if somebody stopped them meanwhile."""
+    def _drive(self) -> bool:
+        """Turn the wheels as far as is allowed. False if another thread stopped them meanwhile."""
         if self._allowed == 0:
-            return self._permit == self._line.permit()
+            return self._permit == self._link.permit()
         until = self._zero + self._counts_until(self._allowed)
-        return self._line.drive(self._permit, self._aim.drive, until)
+        return self._link.drive(self._permit, self._plan.drive, until)
 
-    def _settle(self) -> None:
-        """Let the wheels come to stand, so that the place is the right one."""
-        ends = self._line.now() + self._config.settle
-        while self._line.now() < ends and not self._is_still():
+    def _wait_until_still(self) -> None:
+        """Let the wheels roll out, so that the final pose is right."""
+        ends = self._link.now() + self._config.stop_timeout
+        while self._link.now() < ends and not self._is_still():
             if not self._pace.sleep(self._config.poll):
                 return
-            self._seen(self._line.telemetry, self.units)
+            self._on_poll(self._link.telemetry, self.units)
 
     def _is_still(self) -> bool:
-        telemetry = self._line.telemetry
+        telemetry = self._link.telemetry
         if self._is_lost():
             return True
-        return self._stands() and telemetry.at - max(telemetry.moved_at, self._begun) > SETTLED
+        return self._stands() and telemetry.at - max(telemetry.moved_at, self._begun) > STILL_AFTER
 
     def _travelled(self) -> float:
-        return travelled(self._aim.drive, self._line.telemetry.right, self._line.telemetry.left)
+        return travelled(self._plan.drive, self._link.telemetry.right, self._link.telemetry.left)

@@ -1,7 +1,7 @@
-"""What the sonars and the bumpers of the real robot mean, in steps.
+"""What the sonars and bumpers of the real robot mean, in steps; and what a scan with its head sees.
 
-Rules: 0 is unknown and no distance; what is beyond the reliable range is far; an obstacle is one only if two
-refreshes in a row say so, for an echo from 2.56 metres looks like one from 0.
+Rules: 0 is unknown and no distance. What is beyond the reliable range is far. An obstacle counts only if two
+refreshes in a row show it, because an echo from 2.56 metres looks like one from 0.
 """
 
 from __future__ import annotations
@@ -10,51 +10,51 @@ from collections.abc import Iterable, Sequence
 from enum import Enum, auto
 from math import inf
 
-from devices.ports.robot import FARTHEST, STEP, Bearing
+from devices.ports.robot import FARTHEST, STEP, Bearing, Sighting
 from devices.serial_robot.config import RobotConfig
 from devices.wire.telemetry import REMEMBERED, RangeSample, Telemetry
 
 CENTIMETRES_A_STEP = round(STEP * 100)
 ROUNDED_OFF = 1
-"""Centimetres that a sonar may tell too little: it rounds down, and measures to a centimetre."""
+"""Centimetres by which a sonar may report too little: it rounds down to a whole centimetre."""
 NO_ECHO = 141
-"""What the firmware tells where no echo comes back; a thing at exactly 1.41 metres looks the same."""
-ALMOST = 0.05
-"""Seconds: two refreshes are remembered between 0.38 and 0.4 seconds."""
+"""What the firmware reports without an echo; a thing at exactly 1.41 metres looks the same."""
+TOLERANCE = 0.05
+"""Seconds: the samples of two refreshes span between 0.38 and 0.4 seconds."""
 
 
-class Ahead(Enum):
+class Clearance(Enum):
     """Whether the robot may begin a step."""
 
     FREE = auto()
     DOUBTFUL = auto()
-    """The newest measurement says no, or nothing; it is too early to believe it."""
+    """The newest measurement shows an obstacle, or nothing; it is not confirmed yet."""
     BLOCKED = auto()
 
 
 def centimetres(sample: RangeSample, sonar: int, farthest: float) -> float | None:
-    """What a sonar told; None if it told nothing, infinity if it is too far to tell."""
-    told = sample.centimetres[sonar]
-    if told == 0:
+    """What a sonar measured; None if unknown, infinity if it is too far to be reliable."""
+    measured = sample.centimetres[sonar]
+    if measured == 0:
         return None
-    return inf if told == NO_ECHO or told > farthest * 100 else float(told)
+    return inf if measured == NO_ECHO or measured > farthest * 100 else float(measured)
 
 
-def steps_told(told: float | None) -> int:
-    """Whole steps, or as far as sensors reach: where nothing is known, nothing is near."""
-    if told is None or told == inf:
+def to_steps(measured: float | None) -> int:
+    """Whole steps of some centimetres; where nothing is known, the farthest: nothing is near."""
+    if measured is None or measured == inf:
         return FARTHEST
-    return int(told) // CENTIMETRES_A_STEP
+    return int(measured) // CENTIMETRES_A_STEP
 
 
-class Senses:
+class BoardSensors:
     """The sensors of one robot."""
 
     def __init__(self, config: RobotConfig) -> None:
         self._config = config
 
     def sonar_at(self, bearing: Bearing) -> int | None:
-        """The board's number of the sonar that looks there; None if there is none."""
+        """The board's number of the sonar in that direction; None if there is none."""
         return self._config.sonars.index(bearing) if bearing in self._config.sonars else None
 
     def newest(self, telemetry: Telemetry, sonar: int) -> float | None:
@@ -64,39 +64,75 @@ class Senses:
         return centimetres(telemetry.ranges[-1], sonar, self._config.farthest)
 
     def known(self, telemetry: Telemetry) -> dict[Bearing, int]:
-        """Whole steps, for each bearing whose sonar has told something."""
+        """Whole steps, for each bearing whose sonar has measured something."""
         sonars = ((bearing, self.sonar_at(bearing)) for bearing in Bearing)
-        told = ((each, self.newest(telemetry, sonar)) for each, sonar in sonars if sonar is not None)
-        return {bearing: steps_told(distance) for bearing, distance in told if distance is not None}
+        newest = ((each, self.newest(telemetry, sonar)) for each, sonar in sonars if sonar is not None)
+        return {bearing: to_steps(distance) for bearing, distance in newest if distance is not None}
 
-    def ahead(self, telemetry: Telemetry, sonar: int | None, needed: float, sense: int) -> Ahead:
+    def ahead(self, telemetry: Telemetry, sonar: int | None, needed: float, sense: int) -> Clearance:
         """Whether ``needed`` steps from here are free, going forward (``sense`` 1) or backward (-1).
 
         Every measurement counts from where the robot was when it came in.
         """
         if sonar is None:
-            return Ahead.FREE
+            return Clearance.FREE
         verdicts = [self._is_near(each, telemetry, sonar, needed, sense) for each in telemetry.ranges]
         if verdicts and verdicts[-1] is False:
-            return Ahead.FREE
+            return Clearance.FREE
         if not _spans_two_refreshes(telemetry.ranges) or False in verdicts:
-            return Ahead.DOUBTFUL
-        return Ahead.BLOCKED if True in verdicts else Ahead.FREE
+            return Clearance.DOUBTFUL
+        return Clearance.BLOCKED if True in verdicts else Clearance.FREE
 
     def _is_near(
         self, sample: RangeSample, telemetry: Telemetry, sonar: int, needed: float, sense: int
     ) -> bool | None:
-        """None if the sonar told nothing."""
-        told = centimetres(sample, sonar, self._config.farthest)
-        if told is None:
+        """None if the sonar measured nothing."""
+        measured = centimetres(sample, sonar, self._config.farthest)
+        if measured is None:
             return None
         counts = (telemetry.right + telemetry.left - sample.right - sample.left) / 2
-        gone = sense * counts / self._config.counts_a_step * CENTIMETRES_A_STEP
-        return told - gone + ROUNDED_OFF < needed * CENTIMETRES_A_STEP
+        moved = sense * counts / self._config.counts_a_step * CENTIMETRES_A_STEP
+        return measured - moved + ROUNDED_OFF < needed * CENTIMETRES_A_STEP
 
     def touches(self, telemetry: Telemetry, places: Iterable[int]) -> bool:
         return any(telemetry.bumpers[place] for place in places)
 
 
 def _spans_two_refreshes(samples: Sequence[RangeSample]) -> bool:
-    return len(samples) > 1 and samples[-1].at - samples[0].at >= REMEMBERED - ALMOST
+    return len(samples) > 1 and samples[-1].at - samples[0].at >= REMEMBERED - TOLERANCE
+
+
+# --- a scan with the sonar on the head
+
+HEAD_AHEAD = 90
+"""The servo's angle for straight ahead; 0 is full left, 180 full right."""
+SAME_THING = 10.0
+"""Centimetres by which two neighbouring measurements of one thing may differ."""
+
+
+def scan_angles(stride: int) -> range:
+    """Degrees from the robot's front, positive to the right, from left to right."""
+    return range(-HEAD_AHEAD, HEAD_AHEAD + 1, stride)
+
+
+def sightings(measurements: Iterable[tuple[int, float | None]]) -> tuple[Sighting, ...]:
+    """The things in a scan of degrees and centimetres; a sonar knows neither colours nor names.
+
+    Neighbours at nearly the same distance are one thing: in their middle, and as near as the nearest.
+    """
+    things: list[list[tuple[int, float]]] = []
+    previous: float = inf
+    for degrees, measured in measurements:
+        far = inf if measured is None else measured
+        if far < inf:
+            if abs(far - previous) <= SAME_THING:
+                things[-1].append((degrees, far))
+            else:
+                things.append([(degrees, far)])
+        previous = far
+    return tuple(_sighting(thing) for thing in things)
+
+
+def _sighting(thing: Sequence[tuple[int, float]]) -> Sighting:
+    middle = (thing[0][0] + thing[-1][0]) / 2
+    return Sighting(middle, min(far for _, far in thing) / (STEP * 100), "", "")

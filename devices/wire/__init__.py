@@ -1,5 +1,4 @@
-"""What goes over the robot's serial line, byte by byte: no port, no thread, no clock of its own.
+"""The protocol of the robot's serial connection, byte by byte, without a port, a thread or a clock.
 
-Bytes and the time of day come in as values, and bytes go out as values, so that every rule of the line can
-be tested without a line. Standard library only.
+Bytes and times come in as values, and bytes go out as values, so every rule can be tested without hardware.
 """

@@ -1,7 +1,7 @@
-"""What the host may tell the board, each as a whole frame.
+"""The frames from the host to the board, and the checksum of both directions.
 
-A frame is ``AA BB LEN TYPE DATA CRC``: LEN counts TYPE and DATA, the checksum covers both. The board answers
-none of them, and heeds them only once it has been sent ``CONFIGURE``.
+A frame is ``AA BB LEN TYPE DATA CRC``: LEN counts TYPE and DATA, and the checksum covers both. The board
+acknowledges no frame, and obeys none before it has received ``CONFIGURE``.
 """
 
 from __future__ import annotations
@@ -9,17 +9,17 @@ from __future__ import annotations
 import struct
 from enum import Enum
 
-from devices.wire.checksum import checksum
+BAUD = 115200
 
 HEADER = b"\xaa\xbb"
 LONGEST = 50
-"""The largest LEN that the board takes."""
+"""The largest LEN that the board accepts."""
 
 FILLER = bytes(LONGEST + 2)
-"""Ends whatever half frame the board may be in the middle of; on its own it does nothing."""
+"""Completes whatever half frame the board may have received; on its own it has no effect."""
 
 
-class Command(Enum):
+class CommandKind(Enum):
     """The types of frames from the host."""
 
     CONFIG = 0xC0
@@ -30,10 +30,11 @@ class Command(Enum):
     BEEP = 0x17
 
 
-class Drive(Enum):
-    """What the wheels are told: direction and speed of the right one, then of the left one.
+class MotorDrive(Enum):
+    """What the motors are commanded: direction and speed of the right wheel, then of the left one.
 
-    The speed is only zero or not; forward is 0F on the right and F0 on the left, for they are mirrored.
+    A speed is only zero or not. Forward is 0F on the right and F0 on the left, because the motors are
+    mirrored.
     """
 
     STOP = bytes((0x00, 0x00, 0x00, 0x00))
@@ -43,41 +44,63 @@ class Drive(Enum):
     RIGHT = bytes((0xF0, 0x66, 0xF0, 0x66))
 
 
-def frame(kind: int, data: bytes) -> bytes:
-    """A whole frame. ValueError if it is longer than the board can take."""
+_REFLECTED_POLYNOMIAL = 0x8C
+
+
+def _crc_of_byte(byte: int) -> int:
+    for _ in range(8):
+        byte = (byte >> 1) ^ _REFLECTED_POLYNOMIAL if byte & 1 else byte >> 1
+    return byte
+
+
+_CRC_TABLE = bytes(_crc_of_byte(byte) for byte in range(256))
+
+
+def checksum(data: bytes) -> int:
+    """CRC-8/MAXIM (polynomial 0x31 reflected, initial value 0): 0xA1 for ``b"123456789"``."""
+    crc = 0
+    for byte in data:
+        crc = _CRC_TABLE[crc ^ byte]
+    return crc
+
+
+def encode_frame(kind: int, data: bytes) -> bytes:
+    """A whole frame. ``ValueError`` if it is longer than the board accepts."""
     if len(data) >= LONGEST:
         raise ValueError("too long for a frame")
     body = bytes((kind,)) + data
     return HEADER + bytes((len(body),)) + body + bytes((checksum(body),))
 
 
-def motors(drive: Drive) -> bytes:
-    return _MOTORS[drive]
+def drive_frame(drive: MotorDrive) -> bytes:
+    return _DRIVE_FRAMES[drive]
 
 
-_MOTORS = {drive: frame(Command.MOTOR.value, drive.value) for drive in Drive}
-STOP = _MOTORS[Drive.STOP]
+_DRIVE_FRAMES = {drive: encode_frame(CommandKind.MOTOR.value, drive.value) for drive in MotorDrive}
+STOP = _DRIVE_FRAMES[MotorDrive.STOP]
 
-CONFIGURE = frame(Command.CONFIG.value, struct.pack(">4f2b", 1.0, 0.0, 0.0, 5.0, 3, -3))
-"""The original's own numbers, which change nothing about how the robot moves; it unlocks the board."""
+CONFIGURE = encode_frame(CommandKind.CONFIG.value, struct.pack(">4f2b", 1.0, 0.0, 0.0, 5.0, 3, -3))
+"""The original's own numbers. They don't change how the robot moves; the frame unlocks the board."""
 
-PING = frame(Command.PING.value, b"\x2b")
+PING = encode_frame(CommandKind.PING.value, b"\x2b")
 
 
-def head(angle: int) -> bytes:
-    """Turn the head: 0 is full left, 90 ahead, 180 full right. ValueError outside of that."""
+def head_frame(angle: int) -> bytes:
+    """Turns the head: 0 is full left, 90 ahead, 180 full right. ``ValueError`` outside of that."""
     if not 0 <= angle <= 180:
         raise ValueError("the head turns from 0 to 180")
-    return frame(Command.SERVO.value, bytes((0x10, angle)))
+    return encode_frame(CommandKind.SERVO.value, bytes((0x10, angle)))
 
 
-def outputs(*, buzzer: bool = False, vibrate_left: bool = False, vibrate_right: bool = False) -> bytes:
-    """Switch the digital outputs. The two lamps are the board's own and can't be switched."""
-    return frame(Command.OUTPUTS.value, bytes((buzzer << 2 | vibrate_left << 3 | vibrate_right << 4,)))
+def outputs_frame(*, buzzer: bool = False, vibrate_left: bool = False, vibrate_right: bool = False) -> bytes:
+    """Switches the digital outputs. The board controls its two lamps itself."""
+    return encode_frame(
+        CommandKind.OUTPUTS.value, bytes((buzzer << 2 | vibrate_left << 3 | vibrate_right << 4,))
+    )
 
 
-def beep(hertz: int, milliseconds: int) -> bytes:
-    """ValueError if a number doesn't fit into its 16 or 32 bits."""
+def beep_frame(hertz: int, milliseconds: int) -> bytes:
+    """``ValueError`` if a number doesn't fit into its 16 or 32 bits."""
     if not (0 <= hertz < 1 << 16 and 0 <= milliseconds < 1 << 32):
         raise ValueError("no such beep")
-    return frame(Command.BEEP.value, struct.pack(">HI", hertz, milliseconds))
+    return encode_frame(CommandKind.BEEP.value, struct.pack(">HI", hertz, milliseconds))

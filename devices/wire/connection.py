@@ -1,8 +1,8 @@
-"""The line to a board as a machine without a line: bytes, wishes and the time go in, actions come out.
+"""The connection to a board as a state machine without I/O: bytes, requests and times in, actions out.
 
-It owns the states, the handshake, the stop and every time limit. Rules: a drive ends where it was told to,
-when nobody renews it, when the line is lost and when the board restarts; and it is never taken up again
-without somebody asking anew. Not thread-safe: its owner holds a lock.
+It owns the states, the handshake, the stop and every time limit. A drive ends at the place that it names,
+when it is not renewed, when the link is lost and when the board restarts. It never resumes by itself. Not
+thread-safe: its owner holds a lock.
 """
 
 from __future__ import annotations
@@ -12,16 +12,16 @@ from enum import Enum, auto
 from math import inf
 from typing import TypeAlias, assert_never
 
-from devices.ports.robot import LinkNews
-from devices.ports.values import Frozen
-from devices.wire.commands import PING, Drive
-from devices.wire.decoder import Decoder
-from devices.wire.link_config import LinkConfig
-from devices.wire.link_state import Happening, LinkState, following
-from devices.wire.outbox import Outbox
+from msgspec import Struct
+
+from devices.ports.robot import LinkNotice
+from devices.wire.commands import PING, MotorDrive
+from devices.wire.link_state import LinkConfig, LinkState, LinkTrigger, next_state
+from devices.wire.outbox import Outbox, StopSequence
 from devices.wire.reports import (
     Bumpers,
     ConfigWanted,
+    Decoder,
     Encoders,
     Message,
     Outputs,
@@ -30,126 +30,126 @@ from devices.wire.reports import (
     Ranges,
     Report,
 )
-from devices.wire.stopping import Stopping
-from devices.wire.telemetry import Instruments
-
-News: TypeAlias = tuple[LinkNews, str]
+from devices.wire.telemetry import TelemetryTracker
 
 
-class Need(Enum):
-    """What the owner of the line has to do, besides writing."""
+class PortAction(Enum):
+    """What the owner of the port has to do, besides writing."""
 
-    FORCE = auto()
-    """Stop the board by its reset line, if there is one."""
+    RESET = auto()
+    """Restart the board by its reset wire, if there is one."""
     REOPEN = auto()
     """Close the port, where it is open, and open it again."""
 
 
-class Write(Frozen):
+class Write(Struct, frozen=True):
     """Bytes to be written at once, all of them."""
 
     data: bytes
 
 
-Action: TypeAlias = Write | Need
+Action: TypeAlias = Write | PortAction
 
 
-def travelled(drive: Drive, right: int, left: int) -> float:
-    """How far the wheels went in the sense of ``drive``: the mean of both, in counts."""
+def travelled(drive: MotorDrive, right: int, left: int) -> float:
+    """How far the wheels went in the direction of ``drive``: the mean of both, in counts."""
     match drive:
-        case Drive.FORWARD:
+        case MotorDrive.FORWARD:
             return (right + left) / 2
-        case Drive.BACKWARD:
+        case MotorDrive.BACKWARD:
             return -(right + left) / 2
-        case Drive.LEFT:
+        case MotorDrive.LEFT:
             return (right - left) / 2
-        case Drive.RIGHT:
+        case MotorDrive.RIGHT:
             return (left - right) / 2
-        case Drive.STOP:
+        case MotorDrive.STOP:
             return 0.0
         case never:
             assert_never(never)
 
 
-class Connection:
-    """One line to one board. All times are seconds on one clock that never goes back."""
+class BoardConnection:
+    """One connection to one board. All times are seconds on one clock that never runs backward."""
 
     def __init__(self, config: LinkConfig, on_text: Callable[[str], None] | None = None) -> None:
-        """``on_text`` is told the board's debug text, line by line; for a log."""
+        """``on_text`` receives the board's debug text, line by line, for a log."""
         self._config = config
         self._on_text = on_text
         self.state = LinkState.CLOSED
         self.permit = 0
-        """What a drive must name: it changes whenever everything that was asked before is void."""
+        """What a drive must name. It changes whenever all earlier requests become void."""
         self.driving_since: float | None = None
-        """When the wheels were told to turn; None while they are to stand."""
+        """When the wheels were commanded to turn; None while they are to stand."""
         self._decoder = Decoder(self._take_text)
         self._outbox = Outbox(config)
-        self._stopping = Stopping(config, self._outbox)
-        self._instruments = Instruments(config)
-        self.telemetry = self._instruments.telemetry(0.0, 0)
-        self._drive, self._until, self._lease_ends = Drive.STOP, 0.0, inf
-        self._news: list[News] = []
-        self._was_up = self._is_told_lost = self._is_told_low = False
+        self._stopping = StopSequence(config, self._outbox)
+        self._tracker = TelemetryTracker(config)
+        self.telemetry = self._tracker.telemetry(0.0, 0)
+        self._drive, self._until, self._lease_ends = MotorDrive.STOP, 0.0, inf
+        self._notices: list[tuple[LinkNotice, str]] = []
+        self._was_up = self._is_loss_reported = self._is_low_reported = False
         self._has_restarted = False
-        """While the line was lost, and by itself: that is what is told when it is back."""
-        self._heard_at = 0.0
+        """Whether the board restarted by itself while the link was lost; reported when the link is back."""
+        self._received_at = 0.0
         self._deadline = inf
-        self._greets = self._is_greeted = False
+        self._is_greeting = self._is_greeted = False
         self._millivolts: int | None = None
         self._now = 0.0
 
     @property
     def is_standing(self) -> bool:
-        """Whether nothing is left to be done for a stop: all was said, and the wheels were seen to stand."""
-        is_mute = self.state in (LinkState.CLOSED, LinkState.OPENING)
-        return self._stopping.is_over and (is_mute or not self._outbox.has_stops)
+        """Whether a stop is complete: all its frames were sent, and the wheels were seen to stand."""
+        can_not_send = self.state in (LinkState.CLOSED, LinkState.OPENING)
+        return self._stopping.is_over and (can_not_send or not self._outbox.has_stops)
 
-    # --- the owner's side: what happened to the port
+    # --- for the owner of the port: what happened to it
 
     def open(self, now: float) -> None:
-        """Somebody wants the port open. ``opened`` or ``failed`` is to follow."""
-        self._happens(Happening.OPEN, now)
+        """The owner begins to open the port. ``opened`` or ``failed`` follows."""
+        self._trigger(LinkTrigger.OPEN, now)
 
     def opened(self, now: float) -> None:
         self._decoder = Decoder(self._take_text)
         self._outbox.clear()
-        self._instruments.rebase()
+        self._tracker.rebase()
         self._await_answer(now)
         self._has_restarted = False
-        self._happens(Happening.OPENED, now)
+        self._trigger(LinkTrigger.OPENED, now)
 
     def failed(self, now: float, reason: str) -> None:
-        """The port couldn't be opened, read or written. Raises nothing; it is tried again."""
+        """The port couldn't be opened, read or written. It will be tried again."""
         if self.state in (LinkState.OPENING, LinkState.WAITING, LinkState.STREAMING, LinkState.LOST):
-            self._lose(Happening.FAILED, now, reason)
+            self._lose(LinkTrigger.FAILED, now, reason)
             self._deadline = now + self._config.reopen
 
     def received(self, data: bytes, now: float) -> None:
-        """Take whatever came in."""
+        """Take in the bytes that arrived."""
         if self.state in (LinkState.CLOSED, LinkState.OPENING):
             return
         self._now = now
         for report in self._decoder.feed(data):
             self._take(report, now)
-        self.telemetry = self._instruments.telemetry(self._heard_at, self._decoder.bad_frames)
+        self.telemetry = self._tracker.telemetry(self._received_at, self._decoder.bad_frames)
 
     def actions(self, now: float) -> list[Action]:
         """What is to be done now."""
-        self._look_at_the_time(now)
+        self._check_deadlines(now)
         done: list[Action] = []
         if self.state in (LinkState.OPENING, LinkState.CLOSED):
             return done
         if self.state is LinkState.LOST and now >= self._deadline:
             self._deadline = now + self._config.first_answer
-            return [Need.REOPEN]
-        if self._stopping.goes_on(now, self._heard_at, self._instruments.moved_at):
-            done.append(Need.FORCE)
+            return [PortAction.REOPEN]
+        if self._stopping.must_force(now, self._received_at, self._tracker.moved_at):
+            done.append(PortAction.RESET)
         return done + self._due(now)
 
     def urgent(self, now: float) -> list[Action]:
-        """What is due of a stop, before anybody reads what came in. Nothing is judged by the time yet, and
-        no handshake goes on: what came before its last frame would be taken for the answer."""
+        """The frames of a stop that are due before the received bytes are read.
+
+        Deadlines are not checked and the handshake does not proceed: bytes from before its last frame would
+        be taken for the answer.
+        """
         is_up = self.state is LinkState.STREAMING
         return self._due(now) if is_up and self._outbox.has_stops else []
 
@@ -157,7 +157,7 @@ class Connection:
         frame = self._outbox.due(now)
         if frame is None:
             return []
-        self._watch_handshake()
+        self._is_greeted = self._is_greeting and self._outbox.is_empty
         return [Write(frame)]
 
     def next_at(self, now: float) -> float:
@@ -167,15 +167,22 @@ class Connection:
             times.append(self._outbox.next_at(now))
         return max(now, min(times))
 
-    def take_news(self) -> list[News]:
-        """What is to be told, each thing once."""
-        news, self._news = self._news, []
-        return news
+    def take_notices(self) -> list[tuple[LinkNotice, str]]:
+        """The notices since the last call, each with its reason or an empty string."""
+        notices, self._notices = self._notices, []
+        return notices
 
-    # --- the robot's side: what it wants
+    def close(self, now: float) -> None:
+        """The owner closes the port, after all frames were sent."""
+        self.stop(now)
+        self._trigger(LinkTrigger.CLOSE, now)
+        self._deadline = inf
+        self._was_up = self._is_loss_reported = False
 
-    def drive(self, permit: int, drive: Drive, until: float, now: float) -> bool:
-        """Turn the wheels that way until they ``travelled`` to ``until``; to be renewed while it goes on.
+    # --- for the robot: what it requests
+
+    def drive(self, permit: int, drive: MotorDrive, until: float, now: float) -> bool:
+        """Turn the wheels in that direction until they ``travelled`` to ``until``. It must be renewed.
 
         False, and nothing is driven, if the permit is void.
         """
@@ -189,46 +196,39 @@ class Connection:
         self._lease_ends = now + self._config.lease
         if self.driving_since is None:
             self.driving_since = now
-        self._stopping.forget()
+        self._stopping.cancel()
         self._outbox.drive(drive, now)
         return True
 
     def stop(self, now: float) -> None:
-        """Wheels off, and every permit is void."""
+        """Turn the wheels off, and make every permit void."""
         self.permit += 1
         self._end_drive(now)
 
     def put(self, frame: bytes) -> None:
-        """Have another frame sent when there is time."""
+        """Queue another frame to be sent when there is time."""
         if self.state is LinkState.STREAMING:
             self._outbox.put(frame)
 
-    def close(self, now: float) -> None:
-        """The port is closed. What was to be said on it, was."""
-        self.stop(now)
-        self._happens(Happening.CLOSE, now)
-        self._deadline = inf
-        self._was_up = self._is_told_lost = False
-
-    # --- inside
+    # --- reports of the board
 
     def _take(self, report: Report, now: float) -> None:
-        self._heard_at = now
-        self._instruments.heard()
+        self._received_at = now
+        self._tracker.frames += 1
         match report:
             case ConfigWanted():
-                self._restarted(now)
+                self._board_restarted(now)
                 return
             case Encoders(right=right, left=left):
-                self._instruments.counted(right, left, now)
+                self._tracker.count_wheels(right, left, now)
                 if self.driving_since is not None and self._has_arrived():
                     self._end_drive(now)
             case Ranges(centimetres=centimetres):
-                self._instruments.measured(centimetres, now)
+                self._tracker.add_ranges(centimetres, now)
             case Bumpers(pressed=pressed):
-                self._instruments.touched(pressed)
+                self._tracker.add_bumpers(pressed)
             case Power(millivolts=millivolts):
-                self._powered(millivolts)
+                self._take_power(millivolts)
             case Pinged():
                 self._outbox.put(PING)
             case Message(text=text):
@@ -237,108 +237,101 @@ class Connection:
                 pass
             case never:
                 assert_never(never)
-        self._heard_frame(now)
+        self._continue_handshake(now)
 
-    def _heard_frame(self, now: float) -> None:
-        """A frame of a board that streams, whether or not it was asked to."""
+    def _continue_handshake(self, now: float) -> None:
+        """A frame came from a board that streams, perhaps without having been asked to."""
         if self.state is LinkState.LOST:
-            self._happens(Happening.HEARD, now)
+            self._trigger(LinkTrigger.FRAME_RECEIVED, now)
             self._await_answer(now)
         if self.state is not LinkState.WAITING:
             return
-        if not self._greets:
+        if not self._is_greeting:
             self._outbox.flush()
             self._greet()
-        elif self._is_greeted:
+        elif self._is_greeted:  # a frame that comes after the whole greeting was sent answers it
             self._ready(now)
 
-    def _restarted(self, now: float) -> None:
-        """The board asks for its configuration: it has just begun, its motors off and its counts at zero."""
-        self._void(now)
-        self._stopping.forget()
-        self._instruments.rebase()
+    def _board_restarted(self, now: float) -> None:
+        """The board asks for its configuration: it has just started, with motors off and counts at zero."""
+        self.stop(now)
+        self._stopping.cancel()
+        self._tracker.rebase()
         if self.state is LinkState.STREAMING:
-            self._news.append((LinkNews.RESTARTED, ""))
+            self._notices.append((LinkNotice.RESTARTED, ""))
         self._has_restarted = self._has_restarted or self.state is LinkState.LOST
         if self.state is not LinkState.WAITING:
-            self._happens(Happening.RESTARTED, now)
+            self._trigger(LinkTrigger.RESTARTED, now)
         self._await_answer(now)
         self._greet()
 
     def _greet(self) -> None:
-        self._greets, self._is_greeted = True, False
+        self._is_greeting, self._is_greeted = True, False
         self._outbox.configure()
         self._outbox.stop()
 
     def _await_answer(self, now: float) -> None:
-        self._greets = self._is_greeted = False
+        self._is_greeting = self._is_greeted = False
         self._deadline = now + self._config.first_answer
 
-    def _watch_handshake(self) -> None:
-        """A frame that comes once all of it was written is an answer, and none from before."""
-        self._is_greeted = self._greets and self._outbox.is_empty
-
     def _ready(self, now: float) -> None:
-        self._happens(Happening.READY, now)
+        self._trigger(LinkTrigger.READY, now)
         self._deadline = inf
         if not self._was_up:
-            self._news.append((LinkNews.CONNECTED, ""))
-        elif self._is_told_lost:
-            self._news.append((LinkNews.RESTARTED if self._has_restarted else LinkNews.RESTORED, ""))
-        self._was_up, self._is_told_lost, self._has_restarted = True, False, False
+            self._notices.append((LinkNotice.CONNECTED, ""))
+        elif self._is_loss_reported:
+            self._notices.append((LinkNotice.RESTARTED if self._has_restarted else LinkNotice.RESTORED, ""))
+        self._was_up, self._is_loss_reported, self._has_restarted = True, False, False
 
-    def _lose(self, how: Happening, now: float, reason: str) -> None:
-        self._void(now)
-        self._happens(how, now)
-        self._instruments.rebase()
-        self.telemetry = self._instruments.telemetry(self._heard_at, self._decoder.bad_frames)
-        if self._was_up and not self._is_told_lost:
-            self._is_told_lost = True
-            self._news.append((LinkNews.LOST, reason))
+    def _take_power(self, millivolts: int) -> None:
+        """Believes two samples that agree; reports a low battery once until it is charged."""
+        is_confirmed, self._millivolts = millivolts == self._millivolts, millivolts
+        if not is_confirmed:
+            return
+        self._tracker.millivolts = millivolts
+        if millivolts >= self._config.battery_fine:
+            self._is_low_reported = False
+        elif millivolts < self._config.battery_low and not self._is_low_reported:
+            self._is_low_reported = True
+            self._notices.append((LinkNotice.BATTERY_LOW, f"{millivolts / 1000:.1f}"))
 
-    def _void(self, now: float) -> None:
-        """Nothing that was asked for before is to be done."""
-        self.permit += 1
-        self._end_drive(now)
+    def _take_text(self, text: str) -> None:
+        if "Checksum Error" in text:
+            self._outbox.repeat_soon(self._now)
+        if self._on_text is not None:
+            self._on_text(text)
+
+    # --- drives, deadlines, losses
+
+    def _has_arrived(self) -> bool:
+        return travelled(self._drive, self._tracker.right, self._tracker.left) >= self._until
 
     def _end_drive(self, now: float) -> None:
         self._stopping.begin(now, was_driving=self.driving_since is not None)
         self.driving_since, self._lease_ends = None, inf
 
-    def _has_arrived(self) -> bool:
-        return travelled(self._drive, self._instruments.right, self._instruments.left) >= self._until
+    def _lose(self, trigger: LinkTrigger, now: float, reason: str) -> None:
+        self.stop(now)
+        self._trigger(trigger, now)
+        self._tracker.rebase()
+        self.telemetry = self._tracker.telemetry(self._received_at, self._decoder.bad_frames)
+        if self._was_up and not self._is_loss_reported:
+            self._is_loss_reported = True
+            self._notices.append((LinkNotice.LOST, reason))
 
-    def _look_at_the_time(self, now: float) -> None:
+    def _check_deadlines(self, now: float) -> None:
         if now >= self._lease_ends:
             self._end_drive(now)
         if self.state is LinkState.STREAMING and now >= self._silent_at():
-            self._lose(Happening.SILENCE, now, "silence")
+            self._lose(LinkTrigger.SILENCE, now, "silence")
             self._deadline = now + self._config.first_answer
         elif self.state is LinkState.WAITING and now >= self._deadline:
-            self._lose(Happening.SILENCE, now, "no answer")
+            self._lose(LinkTrigger.SILENCE, now, "no answer")
             self._deadline = now + self._config.reopen
 
     def _silent_at(self) -> float:
-        return self._heard_at + self._config.silence if self.state is LinkState.STREAMING else inf
+        return self._received_at + self._config.silence if self.state is LinkState.STREAMING else inf
 
-    def _powered(self, millivolts: int) -> None:
-        """Two samples that agree; told once until it is charged."""
-        is_sure, self._millivolts = millivolts == self._millivolts, millivolts
-        if not is_sure:
-            return
-        self._instruments.powered(millivolts)
-        if millivolts >= self._config.battery_fine:
-            self._is_told_low = False
-        elif millivolts < self._config.battery_low and not self._is_told_low:
-            self._is_told_low = True
-            self._news.append((LinkNews.BATTERY_LOW, f"{millivolts / 1000:.1f}"))
-
-    def _take_text(self, text: str) -> None:
-        if "Checksum Error" in text:
-            self._outbox.hurry(self._now)
-        if self._on_text is not None:
-            self._on_text(text)
-
-    def _happens(self, happening: Happening, now: float) -> None:
+    def _trigger(self, trigger: LinkTrigger, now: float) -> None:
         self._now = now
-        self.state = following(self.state, happening)
+        self.state = next_state(self.state, trigger)

@@ -1,31 +1,40 @@
-"""What is to be written next, and when: the only one that decides what goes onto the wire.
+"""Decides what is written to the board next, and when, and makes sure that a stopped robot stands.
 
-Of each kind of frame only the newest is kept, a stop goes before everything else, the set-point is said again
-and again, and the board never gets more than its buffer holds: what doesn't fit, it drops, stops as well.
+``Outbox`` is the only one that decides what is sent: of each kind of frame only the newest is kept, a stop
+precedes everything else, the drive command is repeated, and the board never gets more than its buffer holds,
+because it drops what doesn't fit, stops included.
+
+A stop can be lost with the half frame before it, and a board that reports nothing may be driving. So
+``StopSequence`` ends a stop only once the wheels are seen to stand: first stops, then zeros and stops, then
+force.
 """
 
 from __future__ import annotations
 
+from enum import Enum, auto
 from math import inf
 
-from devices.wire.commands import CONFIGURE, FILLER, STOP, Drive, motors
-from devices.wire.link_config import LinkConfig
+from devices.wire.commands import CONFIGURE, FILLER, STOP, MotorDrive, drive_frame
+from devices.wire.link_state import LinkConfig
 
 STOPS = 2
-"""A stop is sent twice at least, for a frame can be lost."""
+"""A stop is sent at least twice, because a frame can be lost."""
+
+LONGEST_STOP = 1.3
+"""Seconds after which all was done that can be: with the default times, a little over twice ``runaway``."""
 
 
 class Outbox:
-    """Frames on their way to the board. Times are seconds on the line's clock."""
+    """The frames to be sent. Times are seconds on the link's clock."""
 
     def __init__(self, config: LinkConfig) -> None:
         self._config = config
         self.clear()
 
     def clear(self) -> None:
-        """A line begins: nothing is on its way."""
+        """Forget everything, for a port that was just opened."""
         self._waiting: dict[int, bytes] = {}
-        self._drive = Drive.STOP
+        self._drive = MotorDrive.STOP
         self._stops = 0
         self._is_at_once = False
         self._must_flush = self._must_configure = False
@@ -35,38 +44,38 @@ class Outbox:
 
     @property
     def is_empty(self) -> bool:
-        """Whether everything was written, but for what is repeated."""
+        """Whether everything was written, except for what is repeated."""
         return not (self._must_flush or self._must_configure or self._stops or self._waiting)
 
     @property
     def has_stops(self) -> bool:
-        """Whether a stop was asked for that was not written as often as it must."""
+        """Whether a requested stop was not yet written as often as it must be."""
         return self._stops > 0
 
     def flush(self) -> None:
-        """Have zeros sent before anything else, to end what the board may hold half of."""
+        """Send zeros before anything else, to complete a half frame that the board may hold."""
         self._must_flush = True
 
     def configure(self) -> None:
         self._must_configure = True
 
     def stop(self) -> None:
-        """Two stops at once, and the set-point is to stand. What waited to be driven is forgotten."""
-        self._drive = Drive.STOP
+        """Send two stops at once, make STOP the drive command, and forget the drive that waited."""
+        self._drive = MotorDrive.STOP
         self._is_at_once = self._is_at_once or not self._stops
         self._stops = STOPS
 
-    def drive(self, drive: Drive, now: float) -> None:
-        """Make ``drive`` the set-point, soon; it takes the place of stops that were not sent yet."""
+    def drive(self, drive: MotorDrive, now: float) -> None:
+        """Make ``drive`` the drive command; it replaces stops that were not sent yet."""
         if drive is not self._drive or self._stops:
             self._drive, self._stops, self._is_at_once, self._repeat_at = drive, 0, False, now
 
-    def hurry(self, now: float) -> None:
-        """Say the set-point again as soon as may be: the board may have missed it."""
+    def repeat_soon(self, now: float) -> None:
+        """Repeat the drive command as soon as possible: the board may have missed it."""
         self._repeat_at = min(self._repeat_at, now)
 
     def put(self, frame: bytes) -> None:
-        """Have a frame sent when there is time; a newer one of its type takes its place."""
+        """Send a frame when there is time; a newer one of its type replaces it."""
         self._waiting[frame[3]] = frame
 
     def due(self, now: float) -> bytes | None:
@@ -78,7 +87,7 @@ class Outbox:
         return wanted
 
     def next_at(self, now: float) -> float:
-        """When to ask again; now at the earliest, infinity if nothing is to be repeated."""
+        """When to ask again; ``now`` at the earliest, infinity if nothing is to be repeated."""
         if self.is_empty:
             return max(now, self._repeat_at, self._free_at, self._quiet_until)
         earliest = (
@@ -100,10 +109,11 @@ class Outbox:
         if self._stops:
             return STOP
         if now >= self._repeat_at:
-            return motors(self._drive)
+            return drive_frame(self._drive)
         return next(iter(self._waiting.values()), None)
 
     def _fits(self, frame: bytes, now: float) -> bool:
+        """Whether the board's buffer has room for it, by an estimate of what the board has read."""
         self._unread = max(0.0, self._unread - (now - self._counted_at) * self._config.bytes_a_second)
         self._counted_at = now
         return self._unread + len(frame) <= self._config.most_outstanding
@@ -119,7 +129,70 @@ class Outbox:
         elif frame is STOP and self._stops:
             self._stops, self._is_at_once = self._stops - 1, False
             self._repeat_at = now + self._config.repeat
-        elif frame is motors(self._drive):
+        elif frame is drive_frame(self._drive):
             self._repeat_at = now + self._config.repeat
         else:
             self._waiting.pop(frame[3], None)
+
+
+class _Stage(Enum):
+    STANDING = auto()
+    STOP_SENT = auto()
+    FLUSHED = auto()
+    FORCED = auto()
+
+
+class StopSequence:
+    """Stops one drive after the other, and watches the wheels until they stand."""
+
+    def __init__(self, config: LinkConfig, outbox: Outbox) -> None:
+        self._config = config
+        self._outbox = outbox
+        self._stage = _Stage.STANDING
+        self._since = self._again_at = 0.0
+
+    @property
+    def is_over(self) -> bool:
+        return self._stage is _Stage.STANDING
+
+    def begin(self, now: float, *, was_driving: bool) -> None:
+        """Stop. Only a robot that was driving is watched: one that is pushed must not be reset."""
+        self._outbox.stop()
+        if was_driving and self.is_over:
+            self._stage, self._since = _Stage.STOP_SENT, now
+            self._again_at = now + self._config.stop_again
+
+    def cancel(self) -> None:
+        """The robot drives again, or its board is known to have restarted."""
+        self._stage = _Stage.STANDING
+
+    def must_force(self, now: float, received_at: float, moved_at: float) -> bool:
+        """Check the wheels and repeat what is due. True, once, if the robot must be stopped by force now.
+
+        ``received_at`` and ``moved_at``: when the last frame came, and when a wheel last counted.
+        """
+        if self.is_over or self._stands(now, received_at, moved_at):
+            self._stage = _Stage.STANDING
+            return False
+        if now >= self._again_at:
+            self._again_at = now + self._config.stop_again
+            self._outbox.repeat_soon(now)
+        if self._stage is _Stage.FORCED or now - self._since < self._config.runaway:
+            return False
+        self._since = now
+        self._outbox.flush()
+        self._outbox.stop()
+        self._stage = _Stage.FORCED if self._stage is _Stage.FLUSHED else _Stage.FLUSHED
+        return self._stage is _Stage.FORCED
+
+    def next_at(self) -> float | None:
+        """When to check again, at the latest."""
+        if self.is_over:
+            return None
+        runaway = inf if self._stage is _Stage.FORCED else self._since + self._config.runaway
+        return min(self._again_at, runaway)
+
+    def _stands(self, now: float, received_at: float, moved_at: float) -> bool:
+        """Frames have come since the stop, and no count for a while."""
+        still = self._config.still
+        return received_at - self._since >= still and now - moved_at >= still and now - received_at < still

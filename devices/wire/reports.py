@@ -1,15 +1,30 @@
-"""What the board tells, each frame as a value; and which LEN and count each type must have.
+"""The frames from the board to the host: what each type says, and the decoder that finds them in a stream.
 
-``read`` is total: what does not fit its type is None and never an exception.
+Any chunking of a stream gives the same reports. Bytes outside of frames are text for the log. After a wrong
+checksum the decoder drops one byte and searches again. It never holds more than one frame, and no input makes
+it raise.
 """
 
 from __future__ import annotations
 
 import struct
+from collections.abc import Callable
 from enum import Enum
 from typing import TypeAlias
 
-from devices.ports.values import Frozen
+from msgspec import Struct
+
+from devices.wire.commands import HEADER, LONGEST, checksum
+
+SONARS = 7
+BUMPERS = 6
+
+LONGEST_TEXT = 200
+"""Characters in one line of the board's debug text; longer lines are split."""
+
+_NEWLINE = 0x0A
+_OVERHEAD = 4
+"""Bytes of a frame that LEN doesn't count."""
 
 
 class ReportKind(Enum):
@@ -25,51 +40,47 @@ class ReportKind(Enum):
     MESSAGE = 0x73
 
 
-SONARS = 7
-BUMPERS = 6
+class ConfigWanted(Struct, frozen=True):
+    """The board has just started and waits for its configuration."""
 
 
-class ConfigWanted(Frozen):
-    """The board has just started and waits."""
+class Pinged(Struct, frozen=True):
+    """The board asks whether a host is there, every two seconds."""
 
 
-class Pinged(Frozen):
-    """The board asks whether somebody is there, every two seconds."""
-
-
-class Encoders(Frozen):
-    """Counts of the wheels, -32768 to 32767, which go round. (The frame's speeds are no speeds.)"""
+class Encoders(Struct, frozen=True):
+    """Counts of the wheels, -32768 to 32767; they wrap. (The speeds in the frame are no speeds.)"""
 
     right: int
     left: int
 
 
-class Ranges(Frozen):
-    """Seven sonars in the board's order, whole centimetres, 0 for unknown; from 256 on they wrap."""
+class Ranges(Struct, frozen=True):
+    """Seven sonars in the board's order, in whole centimetres. 0 is unknown; from 256 on they wrap."""
 
     centimetres: tuple[int, ...]
 
 
-class Bumpers(Frozen):
+class Bumpers(Struct, frozen=True):
     """Six places in the board's order: NE, N, NW, SE, S, SW."""
 
     pressed: tuple[bool, ...]
 
 
-class Power(Frozen):
-    """The battery, in steps of 100 mV; the firmware can tell less than nothing."""
+class Power(Struct, frozen=True):
+    """The battery, in steps of 100 mV; the firmware may report a negative value."""
 
     millivolts: int
 
 
-class Outputs(Frozen):
+class Outputs(Struct, frozen=True):
     """Five bits: lamp of the battery, lamp of the connection, vibration right, left, buzzer."""
 
     bits: int
 
 
-class Message(Frozen):
-    """Text of the firmware, sent as a frame (after a beep only)."""
+class Message(Struct, frozen=True):
+    """Text of the firmware, sent as a frame (only after a beep)."""
 
     text: bytes
 
@@ -80,18 +91,18 @@ _ENCODERS = struct.Struct(">hhhh")
 _POWER = struct.Struct("<h")
 
 
-def read(kind: int, data: bytes) -> Report | None:
-    """The value of a frame whose checksum was right, or None if its type or its data are none."""
+def decode_report(kind: int, data: bytes) -> Report | None:
+    """The report in a frame with a correct checksum; None if its type is unknown or its data don't fit it."""
     if kind == ReportKind.ENCODERS.value:  # 97 of a hundred frames
         return Encoders(*_ENCODERS.unpack(data)[:2]) if len(data) == _ENCODERS.size else None
     if kind == ReportKind.RANGES.value:
         return Ranges(tuple(data[1:])) if _is_counted(data, SONARS) else None
     if kind == ReportKind.BUMPERS.value:
-        return _bumpers(data)
-    return _rare(kind, data)
+        return _decode_bumpers(data)
+    return _decode_rare_report(kind, data)
 
 
-def _rare(kind: int, data: bytes) -> Report | None:
+def _decode_rare_report(kind: int, data: bytes) -> Report | None:
     if kind == ReportKind.POWER.value:
         return Power(_POWER.unpack(data)[0]) if len(data) == _POWER.size else None
     if kind == ReportKind.OUTPUTS.value:
@@ -105,11 +116,98 @@ def _rare(kind: int, data: bytes) -> Report | None:
     return None
 
 
-def _bumpers(data: bytes) -> Bumpers | None:
+def _decode_bumpers(data: bytes) -> Bumpers | None:
     if not _is_counted(data, BUMPERS) or max(data[1:]) > 1:
         return None
     return Bumpers(tuple(each == 1 for each in data[1:]))
 
 
 def _is_counted(data: bytes, count: int) -> bool:
+    """Whether the first byte gives the number of the others."""
     return len(data) == count + 1 and data[0] == count
+
+
+class Decoder:
+    """Decodes the stream of bytes from the board."""
+
+    def __init__(self, on_text: Callable[[str], None] | None = None) -> None:
+        """``on_text`` receives the board's debug text, line by line, 200 characters at most."""
+        self.bad_frames = 0
+        """Frames with a wrong LEN or checksum, or with data that don't fit their type."""
+        self._on_text = on_text
+        self._held = b""
+        self._text = bytearray()
+        self._last_frame = b""
+        self._last_report: Report | None = None
+
+    @property
+    def held(self) -> int:
+        """Bytes that wait for the rest of their frame or line; never more than a few hundred."""
+        return len(self._held) + len(self._text)
+
+    def feed(self, data: bytes) -> list[Report]:
+        """The reports that ``data`` completes, in order."""
+        held = self._held + data
+        reports: list[Report] = []
+        at = 0
+        while True:
+            begins = held.find(HEADER, at)
+            if begins < 0:
+                self._held = self._rest_without_frame(held, at)
+                return reports
+            self._take_text(held[at:begins])
+            ends = self._end_of_frame(held, begins)
+            if ends > len(held):
+                self._held = held[begins:]
+                return reports
+            at = self._take_frame(held, begins, ends, reports)
+
+    def _rest_without_frame(self, held: bytes, at: int) -> bytes:
+        """Takes the rest as text, except for a last byte that may begin a frame."""
+        keeps = 1 if held[at:].endswith(HEADER[:1]) else 0
+        self._take_text(held[at : len(held) - keeps])
+        return held[len(held) - keeps :]
+
+    def _end_of_frame(self, held: bytes, begins: int) -> int:
+        """Where the frame that begins there ends; ``begins`` if its LEN is not valid."""
+        if len(held) < begins + 3:
+            return len(held) + 1
+        length = held[begins + 2]
+        return begins + length + _OVERHEAD if 1 <= length <= LONGEST else begins
+
+    def _take_frame(self, held: bytes, begins: int, ends: int, reports: list[Report]) -> int:
+        """Decode a frame. Returns the position to continue at."""
+        whole = held[begins:ends]
+        if whole and whole == self._last_frame and self._last_report is not None:
+            self._end_line()
+            reports.append(self._last_report)
+            return ends
+        if not whole or checksum(whole[3:-1]) != whole[-1]:
+            self.bad_frames += 1
+            self._take_text(held[begins : begins + 1])
+            return begins + 1
+        self._end_line()
+        report = decode_report(whole[3], whole[4:-1])
+        if report is None:
+            self.bad_frames += 1
+        else:
+            reports.append(report)
+            self._last_frame, self._last_report = whole, report
+        return ends
+
+    def _take_text(self, data: bytes) -> None:
+        if self._on_text is None:
+            return
+        for byte in data:
+            if byte == _NEWLINE:
+                self._end_line()
+            else:
+                self._text.append(byte)
+                if len(self._text) >= LONGEST_TEXT:
+                    self._end_line()
+
+    def _end_line(self) -> None:
+        """A frame ends a line, too: the board sends its newlines before the text, not after it."""
+        if self._text and self._on_text is not None:
+            self._on_text(self._text.decode("ascii", "backslashreplace"))
+            self._text.clear()

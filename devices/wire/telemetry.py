@@ -1,4 +1,4 @@
-"""What is known of the board, as one value that other threads may read; and how it is kept.
+"""What is known of the board, as one value that other threads may read, and how it is kept up to date.
 
 Rule: nothing that ends a program's movement rests on one frame alone. A CRC of eight bits lets one bad frame
 in 256 pass, and the firmware's own counters can be torn.
@@ -8,45 +8,46 @@ from __future__ import annotations
 
 from collections import deque
 
-from devices.ports.values import Frozen
-from devices.wire.link_config import LinkConfig
+from msgspec import Struct
+
+from devices.wire.link_state import LinkConfig
 from devices.wire.reports import BUMPERS
 
 REFRESH = 0.2
 """Seconds in which every sonar has measured once more."""
 
 REMEMBERED = 2 * REFRESH
-"""Seconds of ranges that are remembered: a wrapped or missed echo is rarely there twice."""
+"""Seconds of ranges that are remembered: a wrapped or missed echo rarely occurs twice."""
 
 _MOST_REMEMBERED = 64
 
 
-class RangeSample(Frozen):
-    """What the sonars told once."""
+class RangeSample(Struct, frozen=True):
+    """One report of the sonars."""
 
     at: float
-    """Seconds on the line's clock."""
+    """Seconds on the link's clock."""
     right: int
     left: int
-    """Counts of the wheels by then."""
+    """Counts of the wheels at that time."""
     centimetres: tuple[int, ...]
     """In the board's order; 0 is unknown."""
 
 
-class Telemetry(Frozen):
+class Telemetry(Struct, frozen=True):
     """The board, as it was when the last bytes came in."""
 
     at: float = 0.0
-    """Seconds on the line's clock when the last frame came."""
-    era: int = 0
-    """Grows when the counts begin anew: the board restarted, or the line was lost."""
+    """Seconds on the link's clock when the last frame came."""
+    epoch: int = 0
+    """Grows when the counts begin anew: the board restarted, or the link was lost."""
     right: int = 0
     left: int = 0
-    """Counts of the wheels since the line was first open; they neither wrap nor jump."""
+    """Counts of the wheels since the link was first open; they neither wrap nor jump."""
     moved_at: float = 0.0
     """When a wheel last counted."""
     both_moved_at: float = 0.0
-    """Since when one of the wheels has not counted: of their last counts, the older one's."""
+    """Of the two wheels' last counts, the time of the older one: since then one wheel has not counted."""
     ranges: tuple[RangeSample, ...] = ()
     """Of the last two refreshes, oldest first."""
     bumpers: tuple[bool, ...] = (False,) * BUMPERS
@@ -57,7 +58,7 @@ class Telemetry(Frozen):
 
 
 class WheelCounter:
-    """One wheel's count, unrolled: it wraps every 4.8 metres, and now and then tells nonsense once."""
+    """One wheel's count, unwrapped. The raw count wraps every 4.8 metres, and is occasionally wrong once."""
 
     def __init__(self, jump: int) -> None:
         self.total = 0
@@ -66,15 +67,15 @@ class WheelCounter:
         self._doubtful: int | None = None
 
     def rebase(self) -> None:
-        """The next count is where the wheel stands, not how far it went."""
+        """Take the next count as the wheel's position, not as a distance."""
         self._last = self._doubtful = None
 
     def count(self, raw: int) -> int:
-        """Take a count of -32768 to 32767. Answers how far the wheel went since the last believed one."""
+        """Take a count of -32768 to 32767. Returns how far the wheel moved since the last trusted one."""
         if self._last is None:
             self._last = raw
             return 0
-        moved = _around(raw - self._last)
+        moved = _unwrapped(raw - self._last)
         if abs(moved) > self._jump and not self._is_confirmed(raw):
             self._doubtful = raw
             return 0
@@ -83,26 +84,26 @@ class WheelCounter:
         return moved
 
     def _is_confirmed(self, raw: int) -> bool:
-        return self._doubtful is not None and abs(_around(raw - self._doubtful)) <= self._jump
+        return self._doubtful is not None and abs(_unwrapped(raw - self._doubtful)) <= self._jump
 
 
-def _around(difference: int) -> int:
+def _unwrapped(difference: int) -> int:
     return (difference + 32768) % 65536 - 32768
 
 
-class Instruments:
-    """Keeps the telemetry while reports come in."""
+class TelemetryTracker:
+    """Keeps the telemetry up to date while reports come in."""
 
     def __init__(self, config: LinkConfig) -> None:
         self._right = WheelCounter(config.tick_jump)
         self._left = WheelCounter(config.tick_jump)
         self._ranges: deque[RangeSample] = deque(maxlen=_MOST_REMEMBERED)
         self._last_bumpers = self._bumpers = (False,) * BUMPERS
-        self._era = 0
-        self._millivolts: int | None = None
-        self._moved_at = 0.0
+        self._epoch = 0
+        self.millivolts: int | None = None
+        self.moved_at = 0.0
         self._right_moved_at = self._left_moved_at = 0.0
-        self._frames = 0
+        self.frames = 0
 
     @property
     def right(self) -> int:
@@ -112,51 +113,41 @@ class Instruments:
     def left(self) -> int:
         return self._left.total
 
-    @property
-    def moved_at(self) -> float:
-        return self._moved_at
-
     def rebase(self) -> None:
-        """The board began anew, or the line was lost: what it told before is no longer so."""
+        """The board restarted, or the link was lost: forget what may have changed meanwhile."""
         self._right.rebase()
         self._left.rebase()
         self._ranges.clear()
         self._last_bumpers = self._bumpers = (False,) * BUMPERS
-        self._era += 1
+        self._epoch += 1
 
-    def heard(self) -> None:
-        self._frames += 1
-
-    def counted(self, right: int, left: int, now: float) -> None:
+    def count_wheels(self, right: int, left: int, now: float) -> None:
         if self._right.count(right):
-            self._moved_at = self._right_moved_at = now
+            self.moved_at = self._right_moved_at = now
         if self._left.count(left):
-            self._moved_at = self._left_moved_at = now
+            self.moved_at = self._left_moved_at = now
 
-    def measured(self, centimetres: tuple[int, ...], now: float) -> None:
+    def add_ranges(self, centimetres: tuple[int, ...], now: float) -> None:
         while self._ranges and self._ranges[0].at < now - REMEMBERED:
             self._ranges.popleft()
         self._ranges.append(RangeSample(now, self.right, self.left, centimetres))
 
-    def touched(self, pressed: tuple[bool, ...]) -> None:
+    def add_bumpers(self, pressed: tuple[bool, ...]) -> None:
         if pressed == self._last_bumpers:
             self._bumpers = pressed
         self._last_bumpers = pressed
 
-    def powered(self, millivolts: int) -> None:
-        self._millivolts = millivolts
-
     def telemetry(self, now: float, bad_frames: int) -> Telemetry:
         return Telemetry(
             at=now,
-            era=self._era,
+            epoch=self._epoch,
             right=self.right,
             left=self.left,
-            moved_at=self._moved_at,
+            moved_at=self.moved_at,
             both_moved_at=min(self._right_moved_at, self._left_moved_at),
             ranges=tuple(self._ranges),
             bumpers=self._bumpers,
-            millivolts=self._millivolts,
-            frames=self._frames,
+            millivolts=self.millivolts,
+            frames=self.frames,
             bad_frames=bad_frames,
         )

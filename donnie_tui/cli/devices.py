@@ -1,4 +1,8 @@
-"""``donnie devices``: the serial ports, what answers there, and what to do about those that can't be used."""
+"""``donnie devices`` and ``donnie stop``.
+
+``devices`` lists the serial ports, what answers there, and how to repair those that can't be used. ``stop``
+halts a robot whose program is gone; a service manager can call it too.
+"""
 
 from __future__ import annotations
 
@@ -6,15 +10,18 @@ import threading
 from collections.abc import Callable, Iterable, Iterator
 from concurrent.futures import ThreadPoolExecutor
 from functools import partial
+from threading import Event
 
-from devices.port_listing import FoundPort, list_ports
-from devices.port_talk.asking import Answer, Found, ask
-from devices.serial_port import PortProblem
-from devices.wire.link_config import LinkConfig
+from devices.port_exchange import DeviceKind, HaltOutcome, IdentifiedDevice, halt, identify
+from devices.serial_ports.listing import FoundPort, list_ports
+from devices.serial_ports.port import PortProblem
+from devices.serial_ports.reset import GpioReset, reset_of
+from devices.wire.link_state import LinkConfig
 from donnie_tui.cli import codes
-from donnie_tui.cli.order import Order
-from donnie_tui.i18n.words import Words
-from donnie_tui.robot.choice import sentences_of
+from donnie_tui.cli.options import Order
+from donnie_tui.i18n.words import Unusable, Words
+from donnie_tui.robot.choice import find_port, sentences_of
+from donnie_tui.settings.settings import Settings
 
 MOST_AT_ONCE = 8
 """Ports that are asked at the same time; each takes some seconds."""
@@ -23,7 +30,7 @@ MOST_AT_ONCE = 8
 def list_devices(
     order: Order,
     found: Callable[[], tuple[FoundPort, ...]] = list_ports,
-    asked: Callable[..., Found] = ask,
+    asked: Callable[..., IdentifiedDevice] = identify,
 ) -> int:
     """A line a port. The exit code is 2 if a port that was named can't be used."""
     named: list[str] = order.invocation.arguments.port
@@ -31,7 +38,7 @@ def list_devices(
     ports = named or [each.stable for each in plugged if each.is_board]
     if ports:
         order.output.line(order.words("devices-asking", count=len(ports)))
-    problems = list(_tell_all(ports, asked, order))
+    problems = list(_describe_all(ports, asked, order))
     for each in plugged:
         if not each.is_board:
             order.output.line(order.words("device-other", port=each.stable))
@@ -40,10 +47,10 @@ def list_devices(
     return codes.UNUSABLE if named and any(problems) else codes.DONE
 
 
-def _tell_all(ports: Iterable[str], asked: Callable[..., Found], order: Order) -> Iterator[bool]:
+def _describe_all(ports: Iterable[str], ask: Callable[..., IdentifiedDevice], order: Order) -> Iterator[bool]:
     """Whether each can't be used, in their order. Ctrl+C gives all of them up."""
     ended = threading.Event()
-    asking = partial(asked, is_given_up=ended.is_set)
+    asking = partial(ask, is_given_up=ended.is_set)
     with ThreadPoolExecutor(MOST_AT_ONCE) as pool:
         try:
             for lines, is_problem in pool.map(partial(_answer, asking, order.words), ports):
@@ -54,22 +61,51 @@ def _tell_all(ports: Iterable[str], asked: Callable[..., Found], order: Order) -
             ended.set()
 
 
-def _answer(asked: Callable[[str], Found], words: Words, port: str) -> tuple[tuple[str, ...], bool]:
+def _answer(
+    asked: Callable[[str], IdentifiedDevice], words: Words, port: str
+) -> tuple[tuple[str, ...], bool]:
     try:
         return _lines(port, asked(port), words), False
     except PortProblem as problem:
         return sentences_of(problem, words), True
 
 
-def _lines(port: str, found: Found, words: Words) -> tuple[str, ...]:
+def _lines(port: str, found: IdentifiedDevice, words: Words) -> tuple[str, ...]:
     match found:
-        case Found(Answer.ROBOT, None):
+        case IdentifiedDevice(DeviceKind.ROBOT, None):
             told = words("device-robot-unknown", port=port)
-        case Found(Answer.ROBOT, int(millivolts)):
+        case IdentifiedDevice(DeviceKind.ROBOT, int(millivolts)):
             low = "-low" if millivolts < LinkConfig().battery_low else ""
             told = words(f"device-robot{low}", port=port, volts=millivolts / 1000)
-        case Found(Answer.BELT):
+        case IdentifiedDevice(DeviceKind.BELT):
             return words("device-belt", port=port), words("devices-use-belt", port=port)
         case _:
-            return (words(f"device-{found.answer.value}", port=port),)
+            return (words(f"device-{found.kind.value}", port=port),)
     return told, words("devices-use", port=port)
+
+
+_CODE_OF = {
+    HaltOutcome.STANDS: codes.DONE,
+    HaltOutcome.UNCONFIRMED: codes.FAILED,
+    HaltOutcome.IN_USE: codes.FAILED,
+}
+"""Only a robot that is known to stand is one that was stopped."""
+
+
+def stop(order: Order, halted: Callable[..., HaltOutcome] = halt) -> int:
+    """Stop it, and say what is known of it."""
+    port = order.invocation.arguments.port or find_port(
+        order.settings, order.words, remedy="remedy-switch-off"
+    )
+    try:
+        outcome = halted(port, by_force=lambda: _pull_pin(order.settings, port))
+    except PortProblem as problem:
+        raise Unusable(" ".join(sentences_of(problem, order.words))) from None
+    order.output.line(order.words(f"stop-{outcome.value}", port=port))
+    return _CODE_OF[outcome]
+
+
+def _pull_pin(settings: Settings, port: str) -> bool:
+    """DTR has done what it can when the port was opened."""
+    reset = reset_of(settings.reset_line, port)
+    return isinstance(reset, GpioReset) and reset.pull(None, Event().wait)

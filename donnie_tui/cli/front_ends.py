@@ -1,27 +1,30 @@
-"""``donnie``: starts the linear mode or the full screen, and changes between them as often as wanted.
+"""``donnie``: starts the linear mode or the full screen, and changes between them.
 
-Which one is decided once, from what is known at the start, with the cause that is told: the option, then the
-variables, then the settings file, then what the terminal is.
+The mode is decided once, at the start: by the option, then the environment variables, then the settings file,
+then the kind of terminal. The greeting names the cause.
 """
 
 from __future__ import annotations
 
 import sys
 from collections.abc import Mapping
+from typing import TYPE_CHECKING
 
-from devices.ports.hints import TYPE_CHECKING
-from devices.ports.values import Frozen, Mutable, replace
-from donnie_tui.cli.order import Order
-from donnie_tui.settings.chosen import Settings
-from donnie_tui.settings.readers import read_switch
-from donnie_tui.words.switching import SwitchMode
+from msgspec import Struct
+from msgspec.structs import replace
+
+from donnie_tui.cli.options import Order
+from donnie_tui.cli.streams import is_terminal
+from donnie_tui.commands.interaction import SwitchMode
+from donnie_tui.settings.parsing import read_switch
+from donnie_tui.settings.settings import Settings
 
 if TYPE_CHECKING:
     from donnie_tui.bootstrap import Donnie
     from donnie_tui.linear.greeting import Greeting
 
 
-class _Luggage(Mutable):
+class _Luggage(Struct):
     """What goes along from one mode to the other."""
 
     file: str | None
@@ -65,7 +68,7 @@ def _talk(settings: Settings, cause: str, along: _Luggage) -> int:
     return run_linear(settings, along.file, cause, along.greeting, text=along.text, donnie=along.donnie)
 
 
-class Surroundings(Frozen):
+class Surroundings(Struct, frozen=True):
     """What the process was started in."""
 
     stdin_is_terminal: bool
@@ -87,19 +90,11 @@ def surroundings(environment: Mapping[str, str]) -> Surroundings:
     return Surroundings(stdin, stdout, environment, stderr)
 
 
-def is_terminal(stream: object) -> bool:
-    """Also of none, as in a process that was started without it, and of a closed one."""
-    try:
-        return bool(stream is not None and stream.isatty())  # type: ignore[attr-defined] # a stream, or closed
-    except ValueError:
-        return False
-
-
 def cause_of_linear(option: bool | None, configured: bool | None, around: Surroundings) -> str | None:
-    """Why the mode is linear, a cause of the greeting; None for the full screen.
+    """Why the mode is linear, for the greeting; None for the full screen.
 
-    ``option``: True for ``--linear``, False for ``--visual``. A full screen without a terminal is impossible,
-    whoever asks for it.
+    ``option``: True for ``--linear``, False for ``--visual``. A full screen without a terminal is
+    impossible, even with ``--visual``.
     """
     chosen = _chosen(option, configured, around.environment)
     if chosen and chosen[0]:
@@ -114,7 +109,7 @@ def cause_of_linear(option: bool | None, configured: bool | None, around: Surrou
 def _chosen(
     option: bool | None, configured: bool | None, environment: Mapping[str, str]
 ) -> tuple[bool, str] | None:
-    """What somebody chose, and where; None if nobody did."""
+    """The mode that was chosen, and where; None if none was."""
     if option is not None:
         return option, "option"
     variable = _by_variable(environment)

@@ -1,26 +1,26 @@
-"""The way from a command line to an exit code: settings first, then the command that was asked for."""
+"""From the command line to the exit code: read the settings, then carry out the command."""
 
 from __future__ import annotations
 
 import os
 from collections.abc import Callable, Mapping
+from typing import TYPE_CHECKING
 
-from devices.ports.hints import TYPE_CHECKING
-from devices.ports.values import Frozen, replace
+from msgspec import Struct
+from msgspec.structs import replace
+
 from donnie_tui.cli import codes
-from donnie_tui.cli.arguments import TO_COME, Invocation, WrongUsage
-from donnie_tui.cli.order import Order
-from donnie_tui.cli.output import Output
-from donnie_tui.cli.understanding import language_before_parsing, understand
+from donnie_tui.cli.options import TO_COME, Invocation, Order, WrongUsage, language_before_parsing, understand
+from donnie_tui.cli.streams import Output
 from donnie_tui.i18n.words import Unusable, Words
-from donnie_tui.settings.chosen import FRONT_END_SPEED, BadOption, Notice, Settings, resolve
 from donnie_tui.settings.file import read_settings
+from donnie_tui.settings.settings import FRONT_END_SPEED, BadOption, Notice, Settings, resolve
 
 if TYPE_CHECKING:
     from donnie_tui.linear.greeting import Greeting
 
 
-class _Start(Frozen):
+class _Start(Struct, frozen=True):
     """What there is before a command is understood."""
 
     output: Output
@@ -61,17 +61,18 @@ def _obey(arguments: list[str], words: Words, start: _Start) -> int:
         raise Unusable(words("command-to-come", command=invocation.command))
     order = _order(invocation, start)
     if order.outputs:
-        from donnie_tui.cli.overwriting import refuse_overwriting
+        from donnie_tui.cli.run import refuse_overwriting
 
         refuse_overwriting(order)
     code = _handler(order)(order)
+    start.output.finish()
     if start.output.problem is not None:
         raise Unusable(order.words("output-unwritable", reason=start.output.problem))
     return code
 
 
 def _order(invocation: Invocation, start: _Start) -> Order:
-    """What is odd about the settings is told at once by a command, and by a front end once it listens."""
+    """A command reports problems of the settings at once; a front end does so once it listens."""
     is_command = bool(invocation.command or invocation.arguments.run)
     default_speed = None if is_command else FRONT_END_SPEED
     settings, notices = resolve(invocation.options, os.environ, start.file, default_speed=default_speed)
@@ -94,29 +95,29 @@ def _handler(order: Order) -> Callable[[Order], int]:
     """Each command loads no more than it needs."""
     match order.invocation.command:
         case "run":
-            from donnie_tui.cli.running import run as command
+            from donnie_tui.cli.run import run as command
         case "replay":
-            from donnie_tui.cli.replaying import replay as command
+            from donnie_tui.cli.replay import replay as command
         case "check":
-            from donnie_tui.cli.checking import check as command
+            from donnie_tui.cli.programs import check as command
         case "format":
-            from donnie_tui.cli.formatting import format_files as command
+            from donnie_tui.cli.programs import format_files as command
         case "worlds":
-            from donnie_tui.cli.worlds import list_worlds as command
+            from donnie_tui.cli.world import list_worlds as command
         case "world":
-            from donnie_tui.cli.worlds import tell_world as command
+            from donnie_tui.cli.world import describe_world as command
         case "doctor":
             from donnie_tui.cli.doctor import doctor as command
         case "devices":
             from donnie_tui.cli.devices import list_devices as command
         case "calibrate":
-            from donnie_tui.cli.calibrating import calibrate as command
+            from donnie_tui.cli.calibrate import calibrate as command
         case "serve":
-            from donnie_tui.cli.serving import serve as command
+            from donnie_tui.cli.serve import serve as command
         case "stop":
-            from donnie_tui.cli.stopping import stop as command
+            from donnie_tui.cli.devices import stop as command
         case _ if order.invocation.arguments.run:
-            from donnie_tui.cli.running import run_original as command
+            from donnie_tui.cli.run import run_original as command
         case _:
             from donnie_tui.cli.front_ends import start as command
     return command

@@ -1,34 +1,125 @@
-"""What each command of GoDonnie does: it asks the robot and publishes what happened, no more.
+"""The commands that a robot carries out: GoDonnie's statements, and the gripper.
 
-What is told about it, and with which sound, is decided in ``announcer``.
+``RobotActions`` asks the robot and publishes what happened, no more. ``Announcer`` decides which sentences
+and cues follow.
+
+GoDonnie has no words for the gripper. A front end starts it as a run of its own, so that its events have
+their place in the stream.
 """
 
 from __future__ import annotations
 
 from collections.abc import Callable
+from enum import Enum
 from itertools import groupby, takewhile
+from typing import Protocol, TypeAlias, TypeGuard
 
-from devices.ports.robot import Bearing, Motion, Pose, Robot, RobotProblem, Sighting, StoppedBy
-from donnie_tui.core import poses
+from devices.ports.robot import Bearing, GripResult, Motion, Pose, Robot, RobotProblem, Sighting, StoppedBy
 from donnie_tui.core.belt import BeltFeeling
 from donnie_tui.core.events import (
     CueSounded,
+    GripperUsed,
     Moved,
     Passing,
+    PlacedThing,
     Read,
     Scanned,
     SeenGroup,
     SoundSwitched,
     Spoke,
+    ThingsMoved,
     Turned,
     Waited,
 )
-from donnie_tui.core.handling import Handling, MovedThings
 from donnie_tui.core.hub import Hub
 from donnie_tui.core.outlets import UntilSaid
-from donnie_tui.core.telling import History, Teller
-from language.diagnostics import Kind, Refused
+from donnie_tui.core.transcript import History, SentencePublisher
+from donnie_tui.core.wording import compass_heading, whole_steps
+from language.control import ExecutionControl
+from language.diagnostics import ActionRefused, MistakeKind
+from language.runtime import Actions, Frame, Memory, Trace
 from language.syntax import Axis
+
+MovedThings: TypeAlias = Callable[[], tuple[PlacedThing, ...] | None]
+"""Returns the things that are not at their start; None if nothing changed since the last call."""
+
+
+class Gripping(Protocol):
+    """A robot that may have a gripper."""
+
+    def grip(self) -> GripResult:
+        """Takes what is between the paddles or just in front of them. Raises ``RobotProblem``."""
+
+    def release(self) -> GripResult: ...
+
+
+def _has_gripper(robot: object) -> TypeGuard[Gripping]:
+    return hasattr(robot, "grip")
+
+
+class Handling:
+    """Uses one robot's gripper and publishes the result."""
+
+    def __init__(
+        self, robot: Robot, hub: Hub, sentences: SentencePublisher, moved_things: MovedThings
+    ) -> None:
+        self._robot = robot
+        self._hub = hub
+        self._sentences = sentences
+        self._moved_things = moved_things
+
+    def use_gripper(self, gripper_command: Deed) -> None:
+        """Uses the gripper and publishes the result, also when the robot has none."""
+        try:
+            done = self._gripped(gripper_command)
+        except RobotProblem as problem:
+            self._sentences.announce("gripper", f"problem-{problem.code}")
+            return
+        self._hub.publish(GripperUsed(done.outcome, done.name, done.kind, done.colour))
+        self.publish_things()
+
+    def _gripped(self, gripper_command: Deed) -> GripResult:
+        robot = self._robot
+        if not _has_gripper(robot):
+            raise RobotProblem("no-gripper")
+        return robot.grip() if gripper_command is Deed.GRIP else robot.release()
+
+    def publish_things(self) -> None:
+        """Publishes where things are now, if that has changed. A fresh start may put them back, too."""
+        places = self._moved_things()
+        if places is not None:
+            self._hub.publish(ThingsMoved(places))
+
+
+class Deed(Enum):
+    """What a front end may ask of a gripper. The values are the names of the runs."""
+
+    GRIP = "GRIP"
+    RELEASE = "RELEASE"
+
+
+class GripperRun:
+    """A gripper command that runs as a program does."""
+
+    def __init__(self, gripper_command: Deed, handling: Handling) -> None:
+        self._gripper_command = gripper_command
+        self._handling = handling
+
+    def run(
+        self,
+        actions: Actions,  # noqa: ARG002 -- as of every program
+        control: ExecutionControl,
+        memory: Memory,  # noqa: ARG002
+        *,
+        trace: Trace | None = None,  # noqa: ARG002
+    ) -> None:
+        self._handling.use_gripper(self._gripper_command)
+        control.ended()
+
+    def frames(self) -> tuple[Frame, ...]:
+        """Nothing of GoDonnie runs."""
+        return ()
+
 
 LARGEST = 1_000_000_000
 """Steps, degrees or seconds that one command may ask for."""
@@ -47,7 +138,7 @@ class RobotWatcher:
     def __init__(self, hub: Hub) -> None:
         self._hub = hub
         self.belt: BeltFeeling | None = None
-        """It asks the robot, which is made after its watcher."""
+        """Set after construction: it needs the robot, which needs its watcher first."""
 
     def progressed(self, motion: Motion, pose: Pose) -> None:  # noqa: ARG002 -- the port gives the pose
         name, bearing = _CUE_OF[motion]
@@ -60,56 +151,56 @@ class RobotWatcher:
 
 
 class RobotActions:
-    """The commands, done by one robot. Lives as long as the robot: the history and the switches stay."""
+    """One robot's commands. Lives as long as the robot, so that history and switches stay."""
 
     def __init__(
         self,
         robot: Robot,
         hub: Hub,
-        teller: Teller,
+        sentences: SentencePublisher,
         belt: BeltFeeling,
         *,
-        goes_on: Callable[[], bool],
+        may_continue: Callable[[], bool],
         until_said: UntilSaid | None = None,
         moved_things: MovedThings = lambda: None,
     ) -> None:
-        """``goes_on`` is asked in the midst of what may take long: False ends it."""
+        """``may_continue`` is called during long commands; False ends them."""
         self._robot = robot
-        self._goes_on = goes_on
+        self._may_continue = may_continue
         self._hub = hub
-        self._tell = teller
+        self._sentences = sentences
         self.past = History()
         self._belt = belt
-        self.handling = Handling(robot, hub, teller, moved_things)
+        self.handling = Handling(robot, hub, sentences, moved_things)
         self._said = until_said or UntilSaid()
 
     def forget(self) -> None:
-        """Begin anew: no movement so far, the belt off."""
+        """Clears the history and switches the belt off."""
         self.past.forget()
         self._belt.forget()
 
-    # --- telling
+    # --- sentences
 
     def speak(self, what: int | str) -> None:
         self._hub.publish(Spoke(str(what)))
-        self._said.wait(self._goes_on)
+        self._said.wait(self._may_continue)
 
     def state(self) -> None:
-        self._tell.state(self.past.last, self._robot.pose())
+        self._sentences.state(self.past.last, self._robot.pose())
 
     def history(self) -> None:
         if self.past.last is None:
-            self._tell.no_history(self._robot.pose())
-        self._tell.history(takewhile(lambda _: self._goes_on(), self.past.movements))
+            self._sentences.no_history(self._robot.pose())
+        self._sentences.history(takewhile(lambda _: self._may_continue(), self.past.movements))
 
-    def tell_position(self) -> None:
-        self._tell.position(self._robot.pose())
+    def announce_pose(self) -> None:
+        self._sentences.position(self._robot.pose())
 
     def help(self, topic: str | None) -> None:
-        self._tell.help(topic)
+        self._sentences.help(topic)
 
     def overwritten(self, name: str) -> None:
-        self._tell.overwritten(name)
+        self._sentences.overwritten(name)
 
     # --- moving
 
@@ -128,13 +219,13 @@ class RobotActions:
     def wait(self, seconds: int) -> None:
         _refuse_beyond_limit(seconds)
         asked = max(0, seconds)
-        self._tell.waiting(asked)
+        self._sentences.waiting(asked)
         before = self._robot.time()
         try:
             whole_time = self._robot.wait(asked)
         except RobotProblem as problem:
             raise _refused(problem) from None
-        self._hub.publish(Waited(asked if whole_time else poses.whole(self._robot.time() - before)))
+        self._hub.publish(Waited(asked if whole_time else whole_steps(self._robot.time() - before)))
 
     def _walk(self, steps: int, command: str, *, forward: bool) -> None:
         _refuse_beyond_limit(steps)
@@ -146,7 +237,7 @@ class RobotActions:
         event = Moved(command, steps, done.walked, done.stopped_by, done.pose, forward, done.met, done.pushed)
         self.past.remember(event)
         self._hub.publish(event)
-        self.handling.tell_things()
+        self.handling.publish_things()
         self._feel(done.stopped_by, Bearing.FRONT if forward else Bearing.BACK)
         _refuse_after_lost_link(done.stopped_by)
 
@@ -160,13 +251,13 @@ class RobotActions:
         event = Turned(command, degrees, turned, done.stopped_by, done.pose, right, done.met, done.pushed)
         self.past.remember(event)
         self._hub.publish(event)
-        self.handling.tell_things()
+        self.handling.publish_things()
         to_the_right = right == (degrees >= 0)
         self._feel(done.stopped_by, Bearing.FRONT_RIGHT if to_the_right else Bearing.FRONT_LEFT)
         _refuse_after_lost_link(done.stopped_by)
 
     def _feel(self, stopped_by: StoppedBy | None, ahead: Bearing) -> None:
-        """What a movement came to, on the belt."""
+        """Shows the end of a movement on the belt."""
         if stopped_by in (StoppedBy.COLLISION, StoppedBy.STALL):
             self._belt.bumped(ahead)
         self._belt.felt()
@@ -183,14 +274,14 @@ class RobotActions:
     def position(self, axis: Axis) -> int:
         pose = self._robot.pose()
         value = {
-            Axis.X: poses.whole(pose.x),
-            Axis.Y: poses.whole(pose.y),
-            Axis.ANGLE: poses.heading(pose),
+            Axis.X: whole_steps(pose.x),
+            Axis.Y: whole_steps(pose.y),
+            Axis.ANGLE: compass_heading(pose),
         }
         return self._read("position", axis.value, value[axis])
 
     def colour(self, colour: str) -> int:
-        """A robot that tells no colours apart says so: none seen would be invented."""
+        """Counts things of a colour. A robot that can't see colours refuses, since 0 would be wrong."""
         if not self._robot.colours:
             raise _refused(RobotProblem("no-camera"))
         seen = sum(each.colour == colour for each in self._look())
@@ -215,38 +306,38 @@ class RobotActions:
         self._hub.publish(SoundSwitched(on))
 
     def belt(self, on: bool) -> None:
-        self._tell.belt(on)
+        self._sentences.belt(on)
         self._belt.switch(on)
 
     def vibrate(self, bearing: Bearing) -> None:
         if not self._belt.is_on:
-            raise Refused(Kind.BELT_OFF)
+            raise ActionRefused(MistakeKind.BELT_OFF)
         self._belt.pulse(bearing)
 
 
 def bearing_name(bearing: Bearing) -> str:
-    """As events have it: ``front right``."""
+    """The name of a bearing in events: ``front right``."""
     return bearing.name.lower().replace("_", " ")
 
 
-def _refused(problem: RobotProblem, **values: str) -> Refused:
-    """What the robot can't do, as the program's mistake; i18n has the sentence by the problem's code."""
-    return Refused(Kind.ROBOT, **{**values, **problem.values, "problem": problem.code})
+def _refused(problem: RobotProblem, **values: str) -> ActionRefused:
+    """The robot's problem as a mistake of the program; its code maps to a sentence in i18n."""
+    return ActionRefused(MistakeKind.ROBOT, **{**values, **problem.values, "problem": problem.code})
 
 
 def _refuse_after_lost_link(stopped_by: StoppedBy | None) -> None:
-    """A program whose movement lost the line has failed, even if there is nothing behind it."""
+    """Raises an error where a movement lost the connection, also after the last statement."""
     if stopped_by is StoppedBy.LINK:
         raise _refused(RobotProblem("link-lost"))
 
 
 def _refuse_beyond_limit(amount: int) -> None:
     if abs(amount) > LARGEST:
-        raise Refused(Kind.NUMBER_TOO_LARGE, limit=LARGEST)
+        raise ActionRefused(MistakeKind.NUMBER_TOO_LARGE, limit=LARGEST)
 
 
 def _groups(sightings: tuple[Sighting, ...]) -> tuple[SeenGroup, ...]:
-    """Things whose angles fall on the same five degrees are told together, the nearest distance first."""
+    """Groups things whose angles round to the same five degrees, with the nearest distance first."""
     seen = sorted(sightings, key=lambda each: (_to_five(each.degrees), each.steps))
     return tuple(
         _group(angle, list(several)) for angle, several in groupby(seen, lambda each: _to_five(each.degrees))
@@ -255,11 +346,11 @@ def _groups(sightings: tuple[Sighting, ...]) -> tuple[SeenGroup, ...]:
 
 def _group(angle: int, several: list[Sighting]) -> SeenGroup:
     side = "left" if angle < 0 else "right" if angle > 0 else "ahead"
-    nearest = min(poses.whole(each.steps) for each in several)
+    nearest = min(whole_steps(each.steps) for each in several)
     return SeenGroup(side, abs(angle), nearest, tuple(each.colour for each in several))
 
 
 def _to_five(degrees: float) -> int:
-    """The nearest multiple of five; halfway goes away from straight ahead."""
+    """The nearest multiple of five; halves round away from straight ahead."""
     fives = int(abs(degrees) / 5 + 0.5)
     return 5 * fives if degrees > 0 else -5 * fives

@@ -1,6 +1,6 @@
-"""What is worth telling about an event, and with which cue: decided here, once, for every front end.
+"""Decides which sentence and which cue follow an event, for all front ends.
 
-Listens to the stream and publishes announcements and cues into it. Bearings of cues are degrees from the
+Subscribes to the stream and publishes announcements and cues into it. Bearings of cues are degrees from the
 robot's front, positive to the right.
 """
 
@@ -36,36 +36,34 @@ from donnie_tui.core.events import (
     Waited,
 )
 from donnie_tui.core.hub import Hub
-from donnie_tui.core.naming import called, own_name, the_coloured
-from donnie_tui.core.poses import SIDES
-from donnie_tui.core.telling import Teller
-from donnie_tui.core.wording import Wording
+from donnie_tui.core.transcript import SentencePublisher
+from donnie_tui.core.wording import SIDES, Wording, called, own_name, the_coloured
 
 LEAST_PUSH = 0.1
-"""Steps; who comes up to a thing touches it, and that is no push."""
+"""Steps. A robot that only comes up to a thing touches it, which is no push."""
 MOST_PUSHED = 3
-"""Things that are told one by one."""
+"""Things that are announced one by one."""
 _OF_NO_WORLD = ("wall", "robot", "something")
-"""Kinds of what was met that are no things of a world."""
+"""Kinds of obstacles that are not things of a world."""
 
 
 class Announcer:
-    """Makes the sentences and cues that accompany what happens."""
+    """Publishes the sentences and cues that follow events."""
 
-    def __init__(self, hub: Hub, teller: Teller, wording: Wording) -> None:
+    def __init__(self, hub: Hub, sentences: SentencePublisher, wording: Wording) -> None:
         self._hub = hub
-        self._teller = teller
+        self._sentences = sentences
         self._say = wording
         self._is_talking = False
-        """Whether somebody types what runs; a script gets the manual's sentences and no more."""
-        hub.subscribe_to_own(self._hear)
+        """Whether the learner typed the program at a prompt. A script gets only the manual's sentences."""
+        hub.subscribe_to_own(self._on_event)
 
     def about_to_end(self, outcome: Outcome) -> None:
-        """A run is over, and will be told to be."""
+        """Plays the cue of a completed run, before its last event."""
         if outcome is Outcome.COMPLETED:
             self._cue("done")
 
-    def _hear(self, stamped: Stamped) -> None:
+    def _on_event(self, stamped: Stamped) -> None:
         match stamped.event:
             case RunStarted(how=how):
                 self._is_talking = how is not None and how.terminal
@@ -76,11 +74,11 @@ class Announcer:
             case Scanned(objects=groups):
                 self._scanned(groups)
             case SoundSwitched(on=on):
-                self._teller.announce("sound", "sound-on" if on else "sound-off")
+                self._sentences.announce("sound", "sound-on" if on else "sound-off")
             case GripperUsed() as used:
                 self._gripped(used)
             case Link(state=state, reason=reason):
-                self._teller.announce("link", f"link-{state}", reason=reason)
+                self._sentences.announce("link", f"link-{state}", reason=reason)
             case Error():
                 self._cue("error")
             case Announced(code="waiting"):
@@ -112,63 +110,63 @@ class Announcer:
         way = "forward" if moved.forward else "backward"
         ahead = 0.0 if moved.forward else 180.0
         self._bumped(moved.stopped_by, ahead)
-        self._teller.announce("moved", _with_reason(f"walked-{way}", moved.stopped_by), steps=moved.walked)
-        self._tell_met("moved", moved.met)
-        self._tell_pushed(moved.pushed)
+        self._sentences.announce("moved", _with_reason(f"walked-{way}", moved.stopped_by), steps=moved.walked)
+        self._announce_obstacle("moved", moved.met)
+        self._announce_pushed(moved.pushed)
         if moved.walked:
-            self._tell_place("moved", moved.pose)
+            self._announce_place("moved", moved.pose)
 
     def _turned(self, turned: Turned) -> None:
         to_the_right = turned.right == (turned.asked >= 0)
         side = "right" if to_the_right else "left"
         self._bumped(turned.stopped_by, 90.0 if to_the_right else -90.0)
-        self._teller.announce(
+        self._sentences.announce(
             "turned", _with_reason(f"turned-{side}", turned.stopped_by), degrees=abs(turned.turned)
         )
-        self._tell_met("turned", turned.met)
-        self._tell_pushed(turned.pushed)
+        self._announce_obstacle("turned", turned.met)
+        self._announce_pushed(turned.pushed)
         if turned.turned:
-            self._tell_place("turned", turned.pose)
+            self._announce_place("turned", turned.pose)
 
     def _gripped(self, used: GripperUsed) -> None:
-        """What is held, as the learner calls it."""
+        """Announces what the gripper took or released, under the learner's name for it."""
         kind, name = used.kind, used.thing
         thing = the_coloured(kind, name, used.colour, self._say) if used.colour and (name or kind) else name
         named = "" if thing else "-something"
-        self._teller.announce("gripper", f"gripper-{used.outcome.value}{named}", thing=thing)
+        self._sentences.announce("gripper", f"gripper-{used.outcome.value}{named}", thing=thing)
 
-    def _tell_pushed(self, pushed: tuple[Pushed, ...]) -> None:
-        """What gave way, or somebody who sees nothing would look for it where it was."""
+    def _announce_pushed(self, pushed: tuple[Pushed, ...]) -> None:
+        """Announces what was pushed, so that a blind learner does not look for it in its old place."""
         if self._say.detail == "brief":
             return
         felt = tuple(each for each in pushed if each.steps >= LEAST_PUSH)
         for each in felt[:MOST_PUSHED]:
             thing, steps = the_coloured(each.kind, each.name, each.colour, self._say), round(each.steps)
             code = "pushed" if steps else "pushed-little"
-            self._teller.announce("pushed", code, thing=thing, steps=steps)
+            self._sentences.announce("pushed", code, thing=thing, steps=steps)
         if len(felt) > MOST_PUSHED:
-            self._teller.announce("pushed", "pushed-more", count=len(felt) - MOST_PUSHED)
+            self._sentences.announce("pushed", "pushed-more", count=len(felt) - MOST_PUSHED)
 
-    def _tell_met(self, code: str, met: Met | None) -> None:
-        """With what, and on which side; at full in a script too."""
+    def _announce_obstacle(self, code: str, met: Met | None) -> None:
+        """Announces the obstacle and its side; at detail full in a script, too."""
         detail = self._say.detail
         if met is None or detail == "brief" or not (self._is_talking or detail == "full"):
             return
         where = self._say(f"around-{SIDES[round(met.degrees / 45) % 8]}")
-        self._teller.announce(code, "met", name=self._name_of(met), where=where)
+        self._sentences.announce(code, "met", name=self._name_of(met), where=where)
 
     def _name_of(self, met: Met) -> str:
-        """A robot's own name, a thing's kind."""
+        """A robot's name, or a thing's kind."""
         if met.kind == "robot" and met.name:
             return met.name
         if met.kind in _OF_NO_WORLD:
             return self._say(f"met-{met.kind}")
         return own_name(met.kind, met.name, self._say) or called(met.kind, met.name, self._say)
 
-    def _tell_place(self, code: str, pose: Pose) -> None:
-        """At full, where a movement led."""
+    def _announce_place(self, code: str, pose: Pose) -> None:
+        """At detail full, announces where a movement led."""
         if self._say.detail == "full":
-            self._teller.place(code, pose)
+            self._sentences.place(code, pose)
 
     def _bumped(self, stopped_by: StoppedBy | None, bearing: float) -> None:
         if stopped_by is StoppedBy.OBSTACLE:
@@ -181,9 +179,9 @@ class Announcer:
         for group in groups:
             sign = -1.0 if group.side == "left" else 1.0
             self._cue("found", sign * group.degrees, float(group.steps))
-            self._teller.announce("scan", f"scan-{group.side}", **self._words_for(group))
+            self._sentences.announce("scan", f"scan-{group.side}", **self._words_for(group))
         if not groups:
-            self._teller.announce("scan", "scan-nothing")
+            self._sentences.announce("scan", "scan-nothing")
 
     def _words_for(self, group: SeenGroup) -> dict[str, object]:
         colours = ", ".join(self._say(f"colour-{colour}") for colour in group.colours)
@@ -199,5 +197,5 @@ class Announcer:
 
 
 def _with_reason(sentence: str, stopped_by: StoppedBy | None) -> str:
-    """The code of the sentence for a movement that was cut short, or of the plain one."""
+    """The code of the sentence for a movement that was cut short, else of the plain sentence."""
     return sentence if stopped_by is None else f"{sentence}-{stopped_by.value}"

@@ -1,14 +1,21 @@
-"""What was told, answer by answer, to be said again, spelled, searched and saved. Bounded.
+"""The latest answers, so that a learner can repeat, spell, search and save them.
 
-An answer is what was told between two prompts; of a very long one the last lines are kept.
+An answer is all that was printed between two prompts. The number of answers is bounded; of a very long answer
+the last lines are kept. ``TranscriptLog`` writes every printed line into a file.
 """
 
 from __future__ import annotations
 
+import re
 from collections import deque
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
+from pathlib import Path
+from typing import TextIO
 from unicodedata import normalize
 
+from donnie_tui.core.events import Stamped
+from donnie_tui.core.line_files import LineFile
+from donnie_tui.core.transcript import told_lines
 from donnie_tui.core.wording import Wording
 from language.source import fold_name
 
@@ -17,9 +24,9 @@ KEPT = 1000
 LONGEST_ANSWER = 200
 """Lines of one answer that are remembered, its last ones."""
 MOST_FOUND = 20
-"""Lines that FIND tells, the newest ones."""
+"""Lines that FIND prints, the newest ones."""
 LONGEST_SPELLED = 200
-"""Characters that are spelled."""
+"""Characters that are spelled, at most."""
 LONGEST_LINE = 38
 """Characters of a line of spelling."""
 
@@ -31,14 +38,19 @@ class AnswerLog:
         self._answers: deque[deque[str]] = deque(maxlen=KEPT)
         self._goes_on = False
         self._said_again: deque[str] = deque()
-        """What is told again, and not remembered when it comes."""
+        """Repeated lines, which are not stored a second time when they are printed."""
 
     def add(self, lines: Sequence[str]) -> None:
         if lines:
             self._answers.append(deque(lines, maxlen=LONGEST_ANSWER))
 
+    def add_lines(self, lines: Sequence[str]) -> None:
+        """Adds lines to the current answer; in how many pieces they arrive depends on the machine."""
+        for line in lines:
+            self.add_line(line)
+
     def add_line(self, line: str) -> None:
-        """Where answers come line by line: one more of the answer that is being told."""
+        """Adds one line to the current answer."""
         if self._said_again and line == self._said_again[0]:
             self._said_again.popleft()
             return
@@ -49,17 +61,17 @@ class AnswerLog:
         self._goes_on = True
 
     def end_answer(self) -> None:
-        """What comes line by line from now on is another answer."""
+        """Ends the current answer; the next line begins another one."""
         self._goes_on = False
         self._said_again.clear()
 
     @property
     def has_begun(self) -> bool:
-        """Whether anything was told since the last answer ended."""
+        """Whether anything was printed since the last answer ended."""
         return self._goes_on
 
     def again(self, which: int = 1) -> tuple[str, ...]:
-        """As ``last``, to be told line by line without being remembered twice."""
+        """As ``last``, for printing line by line without storing it a second time."""
         lines = self.last(which)
         self._said_again = deque(lines)
         return lines
@@ -69,11 +81,11 @@ class AnswerLog:
         return tuple(self._answers[-which]) if 1 <= which <= len(self._answers) else ()
 
     def last_line(self, which: int = 1) -> str:
-        """Of that answer its last line, where what counts mostly stands alone; empty if there is none."""
+        """The last line of that answer, which mostly holds the result; empty if there is none."""
         return next(iter(self.last(which)[-1:]), "")
 
     def last_word(self) -> str:
-        """Without the signs behind it; empty if nothing was said."""
+        """The last word without the punctuation after it; empty if nothing was said."""
         return next(iter(self.last_line().rstrip(".,:;!?").split()[-1:]), "")
 
     def found(self, typed: str) -> tuple[str, ...]:
@@ -83,7 +95,7 @@ class AnswerLog:
         return tuple(hits[-MOST_FOUND:])
 
     def text(self) -> str:
-        """All of it, a line each."""
+        """All answers as one text."""
         return "".join(f"{line}\n" for answer in self._answers for line in answer)
 
     def __len__(self) -> int:
@@ -91,27 +103,27 @@ class AnswerLog:
 
 
 def none_so_far(log: AnswerLog, wording: Wording) -> str:
-    """That there is no such answer: none at all, or fewer."""
+    """The sentence that there is no such answer: none at all, or fewer."""
     return wording("answers-so-far", count=len(log)) if len(log) else wording("answer-nothing-said")
 
 
-LONGEST_TOLD = 40
-"""Characters of a word that is told not to have been said."""
+LONGEST_QUOTE = 40
+"""Characters of the word that the sentence "not said" quotes, at most."""
 
 
 def found_in_words(log: AnswerLog, typed: str, wording: Wording) -> tuple[str, ...]:
-    """How many lines have the word, and those; or that none has."""
+    """The number of lines that contain the word, and the lines; or the sentence that none does."""
     found = log.found(typed)
     if not found:
-        return (wording("find-none", word=typed[:LONGEST_TOLD]),)
+        return (wording("find-none", word=typed[:LONGEST_QUOTE]),)
     return (wording("find-count", count=len(found)), *found)
 
 
 def spelled(text: str, sign_names: dict[str, str], wording: Wording) -> tuple[str, ...]:
-    """Character by character, signs and blanks by name, as many lines as that takes.
+    """Spells a text in lines of bounded length, with names for signs and blanks.
 
-    Of a long text its beginning; of an empty one, that nothing was said. ``sign_names`` has the code of the
-    name of each sign.
+    Of a long text only the beginning is spelled; for an empty one, a sentence says that nothing was said.
+    ``sign_names`` maps each sign to the code of its name.
     """
     if not text:
         return (wording("answer-nothing-said"),)
@@ -132,3 +144,28 @@ def _name(character: str, sign_names: dict[str, str], wording: Wording) -> str:
     if character in sign_names:
         return wording(sign_names[character])
     return wording("spell-capital", letter=character) if character.isupper() else character
+
+
+class TranscriptLog:
+    """Writes every printed line of the stream to a file.
+
+    A full disk ends the log and nothing else; ``on_failure`` is called once.
+    """
+
+    def __init__(
+        self, out: TextIO, wording: Wording, on_failure: Callable[[OSError], None] | None = None
+    ) -> None:
+        self._file = LineFile(out, on_failure)
+        self._wording = wording
+
+    def __call__(self, stamped: Stamped) -> None:
+        lines = told_lines(stamped, self._wording)
+        if lines and self._file.takes_more:
+            self._file.write("".join(f"{line}\n" for line in lines))
+
+
+def next_log(folder: Path) -> Path:
+    """The first free name after all used ones: ``log_001.txt``, ``log_002.txt``."""
+    numbers = [re.fullmatch(r"log_(\d{1,9})\.txt", each.name) for each in folder.iterdir()]
+    highest = max((int(each[1]) for each in numbers if each), default=0)
+    return folder / f"log_{highest + 1:03}.txt"

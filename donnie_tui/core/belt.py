@@ -1,12 +1,12 @@
-"""What the belt shows: which motors stand for which direction of the robot, how strong, and in words.
+"""The vibration belt: which motors run for a direction, at which level, and the same in words.
 
-Seven columns go round the body from the back over the left, the front (column 3) and the right to the
-back again; both rows do the same, but for an approach. Levels are 0 off, 1 weak, 2 medium, 3 strong; the
+Seven columns go around the body: from the back over the left, the front (column 3) and the right to the back
+again. Both rows show the same, except for an approach. Levels are 0 off, 1 weak, 2 medium, 3 strong. The
 upper row of seven comes first.
 
-``BeltFeeling`` follows what the robot's sensors tell as it moves: the same with a real robot and a simulated
-one. Everything goes out as ``belt`` events, and only changes do; who has no belt reads or hears them. Called
-in the program's thread. Rule: the robot does and reads the same with the belt on as with it off.
+``BeltFeeling`` follows the robot's sensors as the robot moves, real or simulated. It publishes only changes,
+as ``belt`` events, so that learners without a belt can read or listen to them. It is called in the program's
+thread. Rule: the belt never changes what the robot does or reads.
 """
 
 from __future__ import annotations
@@ -14,8 +14,9 @@ from __future__ import annotations
 from collections.abc import Mapping
 from types import MappingProxyType
 
+from msgspec import Struct, field
+
 from devices.ports.robot import Bearing, Robot
-from devices.ports.values import Frozen, field
 from donnie_tui.core.events import BeltShown, CueSounded
 from donnie_tui.core.hub import Hub
 from donnie_tui.core.wording import Wording
@@ -26,7 +27,7 @@ OFF = (0,) * MOTORS
 WEAK, MEDIUM, STRONG = 1, 2, 3
 
 Levels = tuple[int, ...]
-"""14 of them."""
+"""14 levels."""
 
 _COLUMNS_OF: Mapping[Bearing, tuple[int, ...]] = MappingProxyType(
     {
@@ -38,12 +39,12 @@ _COLUMNS_OF: Mapping[Bearing, tuple[int, ...]] = MappingProxyType(
         Bearing.BACK_RIGHT: (5,),
     }
 )
-"""As the original belt has them."""
+"""The columns of the original belt."""
 
 _WORD_OF_LEVEL = {WEAK: "belt-weak", MEDIUM: "belt-medium", STRONG: "belt-strong"}
 
 
-class BeltSettings(Frozen):
+class BeltSettings(Struct, frozen=True):
     """How distances become levels, and directions columns."""
 
     strong: int = 5
@@ -65,19 +66,19 @@ def pulse(bearing: Bearing, settings: BeltSettings | None = None) -> Levels:
 
 
 def presence(levels: Mapping[Bearing, int], settings: BeltSettings) -> Levels:
-    """What is there: each direction at its level, both rows the same."""
+    """Shows obstacles: each direction at its level, both rows the same."""
     row = _row(levels, settings)
     return row + row
 
 
 def approach(levels: Mapping[Bearing, int], nearer: frozenset[Bearing], settings: BeltSettings) -> Levels:
-    """What came nearer is a blow of the upper row while the lower one says how near it is now."""
+    """Shows an approach: the upper row pulses while the lower row shows the distance now."""
     struck = {**levels, **dict.fromkeys(nearer, STRONG)}
     return _row(struck, settings) + _row(levels, settings)
 
 
 def bump(bearing: Bearing, settings: BeltSettings) -> Levels:
-    """Something was hit: that direction and its neighbours on both sides, as strong as it gets."""
+    """Shows a collision: that direction and both neighbours at full strength."""
     hit = settings.columns[bearing]
     wide = {(column + side) % COLUMNS for column in hit for side in (-1, 0, 1)}
     row = tuple(STRONG if column in wide else 0 for column in range(COLUMNS))
@@ -85,14 +86,14 @@ def bump(bearing: Bearing, settings: BeltSettings) -> Levels:
 
 
 def felt(levels: Levels, settings: BeltSettings | None = None) -> dict[Bearing, int]:
-    """How strong each direction is felt; those that are off are left out. The upper row may only strike."""
+    """The level of each direction, without those that are off. The upper row alone may pulse."""
     columns, lower = (settings or BeltSettings()).columns, levels[COLUMNS:]
     strongest = {bearing: max((lower[each] for each in columns[bearing]), default=0) for bearing in Bearing}
     return {bearing: level for bearing, level in strongest.items() if level}
 
 
 def in_words(levels: Levels, wording: Wording, settings: BeltSettings | None = None) -> str:
-    """For those without a belt: "Belt: front strong, front right weak."."""
+    """The levels in words: "Belt: front strong, front right weak."."""
     parts = [
         f"{wording(f'belt-{bearing.name.lower()}')} {wording(_WORD_OF_LEVEL[level])}"
         for bearing, level in felt(levels, settings).items()
@@ -112,7 +113,7 @@ def rows(levels: Levels) -> tuple[Levels, Levels]:
 
 
 def _row(levels: Mapping[Bearing, int], settings: BeltSettings) -> Levels:
-    """Where two directions share a column, the stronger one counts."""
+    """One row of levels. Where two directions share a column, the stronger one counts."""
     row = [0] * COLUMNS
     for bearing, level in levels.items():
         for column in settings.columns[bearing]:
@@ -124,7 +125,7 @@ _CUE = "belt"
 
 
 class BeltFeeling:
-    """What is felt of the surroundings while the belt is on."""
+    """Shows the robot's surroundings on the belt while it is on."""
 
     def __init__(self, robot: Robot, hub: Hub, settings: BeltSettings) -> None:
         self._robot = robot
@@ -136,7 +137,7 @@ class BeltFeeling:
         self.is_on = False
 
     def switch(self, on: bool) -> None:
-        """From now on, or no longer. The surroundings are felt at once."""
+        """Switches the belt on or off; on shows the surroundings at once."""
         self.is_on = on
         if on:
             self.felt()
@@ -144,17 +145,17 @@ class BeltFeeling:
             self._show(OFF)
 
     def forget(self) -> None:
-        """Begin anew: off."""
+        """Switches the belt off for a new start."""
         self.is_on = False
         self._levels, self._steps = {}, {}
 
     def rest(self) -> None:
-        """A run is over: the motors are off until the robot moves again."""
+        """Switches the motors off at the end of a run, until the robot moves again."""
         self._show(OFF)
         self._levels, self._steps = {}, {}
 
     def felt(self) -> None:
-        """The robot has moved a little: what changed is shown; what came a level nearer strikes first."""
+        """Shows what changed after a small move; what came a level nearer pulses first."""
         if not self.is_on:
             return
         before, self._steps = self._steps, self._robot.known_distances()
@@ -167,13 +168,13 @@ class BeltFeeling:
         self._show(presence(levels, self._settings))
 
     def bumped(self, bearing: Bearing) -> None:
-        """The robot hit something there."""
+        """Shows that the robot hit something there."""
         if self.is_on:
             self._show(bump(bearing, self._settings))
             self._show(presence(self._levels, self._settings))
 
     def pulse(self, bearing: Bearing) -> None:
-        """One blow there, whatever is felt otherwise."""
+        """One pulse there, on top of what the belt shows."""
         before = self._shown
         self._hub.publish(BeltShown(pulse(bearing, self._settings)))
         self._hub.publish(BeltShown(before))

@@ -1,28 +1,35 @@
-"""Breakpoints: lines, from 1, that go with their program as it is edited, and are kept from start to start.
+"""Breakpoints: lines of a program, from 1, at which a run pauses.
 
-The file of them is a comfort only: whatever is wrong with it, nobody hears of it. Imports little: the first
+They move with their lines when the program is edited, and are kept in a file from one start to the next.
+The file is a convenience: a fault in it is never reported. This module imports little, because the first
 screen needs it.
 """
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Sequence
+from collections.abc import Callable, Iterable, Sequence
 from contextlib import suppress
-
-from devices.ports.hints import TYPE_CHECKING
+from typing import TYPE_CHECKING
 
 if TYPE_CHECKING:
     from pathlib import Path
+
+    from language.parser import Parsed
 
 MOST_PROGRAMS = 200
 MOST_LINES = 200
 """Breakpoints of one program that are kept."""
 LARGEST = 400_000
-"""Bytes of the file; more is not ours."""
+"""Bytes of the file; a larger one is damaged."""
+LONGEST_PARSED = 100_000
+"""Characters of a program that is parsed to find the lines where statements begin."""
 
 
-def alike(before: Sequence[str], after: Sequence[str]) -> tuple[int, int]:
-    """How many lines are the same at the beginning of both, and behind these at their ends."""
+# --- editing
+
+
+def common_lines(before: Sequence[str], after: Sequence[str]) -> tuple[int, int]:
+    """How many lines are the same at the beginning of both, and how many of the rest at their ends."""
     shorter = min(len(before), len(after))
     top = next((at for at in range(shorter) if before[at] != after[at]), shorter)
     rest = shorter - top
@@ -30,20 +37,51 @@ def alike(before: Sequence[str], after: Sequence[str]) -> tuple[int, int]:
 
 
 def shifted(lines: Iterable[int], first: int, last: int, added: int) -> frozenset[int]:
-    """Lines behind ``last`` have moved by ``added``; what is behind ``first`` up to there is gone."""
+    """Moves the lines after ``last`` by ``added``, and drops the ones after ``first`` up to ``last``."""
     kept = (each for each in lines if not first < each <= last)
     return frozenset(each + added if each > last else each for each in kept)
 
 
 def followed(lines: Iterable[int], before: Sequence[str], after: Sequence[str]) -> frozenset[int]:
-    """Where they are once the text ``before`` is the text ``after``: what differs is all that is known."""
+    """Where the lines are once the program ``before`` is the program ``after``, as far as a diff shows it."""
     added = len(after) - len(before)
-    top, same = alike(before, after)
+    top, same = common_lines(before, after)
     return shifted(lines, top, len(before) - same, added) if added else frozenset(lines)
 
 
-class KeptBreakpoints:
-    """Those of each program that has a file, by its path; the program used last comes first."""
+# --- setting
+
+
+def toggled(
+    breakpoints: frozenset[int], line: int, text: str, parse: Callable[[str], Parsed]
+) -> tuple[frozenset[int], int | None]:
+    """The breakpoints after BREAK with ``line``, and the line that was set or cleared."""
+    if line in breakpoints:
+        return breakpoints - {line}, line
+    at = pausing_line(text, line, parse)
+    return (breakpoints if at is None else breakpoints | {at}), at
+
+
+def pausing_line(text: str, line: int, parse: Callable[[str], Parsed]) -> int | None:
+    """The first line from ``line`` on where a run can pause; None after the last statement.
+
+    A run never pauses at an END or at a comment. ``parse`` reads GoDonnie. In a program that has mistakes,
+    or is long, every line counts.
+    """
+    program = parse(text).program if len(text) <= LONGEST_PARSED else None
+    if program is None:
+        return line
+    from language.syntax import walk
+
+    lines = {each.span.line for each in walk(program.body)}
+    return min((each for each in lines if each >= line), default=None)
+
+
+# --- keeping
+
+
+class BreakpointFile:
+    """The breakpoints of each program that has a file, by its path; the program used last comes first."""
 
     def __init__(self, file: str) -> None:
         self._file_name = file
@@ -54,15 +92,15 @@ class KeptBreakpoints:
 
         return Path(self._file_name)
 
-    def of(self, program: Path | None, line_count: int) -> frozenset[int]:
-        """As they were left; those behind the end of the text are forgotten."""
+    def read(self, program: Path | None, line_count: int) -> frozenset[int]:
+        """The breakpoints of that program, as far as its lines reach."""
         if program is None:
             return frozenset()
         lines = dict(self._entries()).get(_name(program), ())
         return frozenset(each for each in lines if 1 <= each <= line_count)
 
-    def keep(self, program: Path | None, lines: Iterable[int]) -> None:
-        """From now on these; a program without a file, or that can't be written down, is passed over."""
+    def write(self, program: Path | None, lines: Iterable[int]) -> None:
+        """Keep these for the next start. Ignores a program without a file, and a file it can't write."""
         if program is None:
             return
         name, chosen = _name(program), tuple(sorted(lines))[:MOST_LINES]
@@ -91,7 +129,7 @@ def _name(program: Path) -> str:
 
 
 def _line(entry: tuple[str, tuple[int, ...]]) -> str:
-    """``3 7`` and the path behind a tab; a path that would not stay a line is left out."""
+    """``3 7``, a tab and the path; empty for a path that does not fit into a line of text."""
     name, lines = entry
     return f"{' '.join(map(str, lines))}\t{name}\n" if name.isprintable() else ""
 

@@ -1,7 +1,7 @@
-"""A world for paper: which letter stands for what, robots included, and a floor of these letters.
+"""A world as letters for paper: what each letter means, and the floor made of these letters.
 
-Letters are small ones, each with one meaning, so that they can be told apart in six-dot braille. Free floor
-is ``.``, a wall ``#``; the northern row is the first.
+Letters are small and have one meaning each, so that six-dot braille can distinguish them. Free floor is
+``.``, a wall ``#``. The northern row is the first.
 """
 
 from __future__ import annotations
@@ -10,12 +10,12 @@ from collections.abc import Iterable, Mapping, Sequence
 from string import ascii_lowercase
 from typing import TYPE_CHECKING
 
+from msgspec import Struct
+
 from devices.ports.robot import Pose
-from devices.ports.values import Frozen
 from donnie_tui.core.map_grid import FREE, WALL
-from donnie_tui.core.naming import name_of, shade
-from donnie_tui.core.telling import facing
-from donnie_tui.core.wording import Wording
+from donnie_tui.core.transcript import facing
+from donnie_tui.core.wording import Wording, name_of, shade
 
 if TYPE_CHECKING:
     from sim.picture import Picture, Thing
@@ -26,16 +26,16 @@ MOST_COLOURS = 3
 """Colours that the legend names for a letter."""
 
 
-class Robot(Frozen):
-    """A robot where it starts."""
+class Robot(Struct, frozen=True):
+    """A robot at its start."""
 
     name: str
     pose: Pose
     letter: str = ""
 
 
-class Chart(Frozen):
-    """What paper needs to know of a world."""
+class Chart(Struct, frozen=True):
+    """A world as rows of letters with a legend."""
 
     rows: tuple[str, ...]
     cell: int
@@ -57,7 +57,7 @@ def chart(picture: Picture, pose: Pose, robot: str | None, wording: Wording) -> 
 
 
 def shrunk(rows: Sequence[str], across: int, down: int, strong: str = "") -> tuple[str, ...]:
-    """A block of letters becomes one: of ``strong`` ones, things, walls, floor the first that is there."""
+    """Shrinks the rows: each block becomes its first letter of ``strong``, things, walls, floor."""
     return tuple(
         "".join(
             _strongest([row[x : x + across] for row in rows[y : y + down]], strong)

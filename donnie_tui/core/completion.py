@@ -1,26 +1,27 @@
-"""Which words may stand where somebody types: commands, names of the program, colours, directions.
+"""Suggests words for the letters before the cursor: commands, names, colours, directions.
 
-In one language, as the keywords have them; a name as it was declared. Works on any text, finished or not.
+Uses one language's keywords, and names as they were declared. Works on any text, finished or not.
 """
 
 from __future__ import annotations
 
 from collections.abc import Iterable
 
-from devices.ports.values import Frozen
+from msgspec import Struct
+
 from language import keywords
 from language.lexer import NAME, STRING, TAKES, lex
 from language.outline import open_block
 from language.source import fold_name
 
 MOST = 50
-"""Words to choose from; nobody listens to more."""
+"""Suggestions; a listener does not follow more."""
 LARGEST = 50_000
-"""Characters of a text that is looked through."""
+"""Characters of a text that is searched."""
 
 
-class Completion(Frozen):
-    """What the letters before the cursor may become."""
+class Completion(Struct, frozen=True):
+    """The words that the letters before the cursor can become."""
 
     typed: str
     words: tuple[str, ...]

@@ -1,36 +1,138 @@
-"""A world in words: how large it is, where its robots start, and what stands where, nearest first.
+"""Worlds in words: their size, walls, robots, sensors and things, and the list of worlds.
 
-Places are told from the robot, in steps: as it sees them (ahead, to the left) or by the compass, which suits
-somebody who makes a picture of the world before anything moves. However much stands in a world, what is told
-has an end: the nearest things one by one, the others counted by kind.
+Places are given from the robot, in steps: as it sees them (ahead, to the left), or by the compass, which
+suits a learner who studies the world before anything moves. The description is bounded: the nearest things
+one by one, the others counted by kind.
+
+Walls are described where the author of a world wrote nothing about them. A search over the free squares of
+the map decides whether there are walls all around.
+
+A world is found by its name or by its title in any language: in any case, without accents, and with blanks or
+nothing in place of underscores.
 """
 
 from __future__ import annotations
 
 from collections import Counter
-from collections.abc import Callable, Iterable, Sequence
-from math import cos, hypot, radians, sin
+from collections.abc import Callable, Iterable, Iterator, Sequence
+from math import cos, hypot, inf, radians, sin
 from typing import TYPE_CHECKING
 
+import worlds.words
 from devices.ports.robot import Pose
-from donnie_tui.core import poses
-from donnie_tui.core.naming import coloured, coloured_thing, name_of, told_name_of
-from donnie_tui.core.telling import facing
-from donnie_tui.core.wall_words import walls_in_words
-from donnie_tui.core.wording import Wording
+from donnie_tui.core.transcript import facing
+from donnie_tui.core.wording import Wording, coloured, coloured_thing, name_of, specific_name_of, whole_steps
+from language import keywords
+from language.locales import languages
+from language.source import fold_name
 
 if TYPE_CHECKING:
     from sim.picture import Picture, Thing
+    from sim.sensors import Mounted
     from worlds.words import About
 
+
+_SIDES = ("north", "east", "south", "west")
+_WALL = "#"
+
+
+def walls_in_words(picture: Picture, pose: Pose, wording: Wording) -> tuple[str, ...]:
+    """One sentence about the walls as seen from ``pose``; none where there are none."""
+    if not picture.has_walls:
+        return ()
+    if not _has_way_out(picture, pose):
+        return (wording("walls-around"),)
+    from sim.picture import Room  # a world without walls needs no geometry
+
+    room = Room(picture, pose)
+    gaps = {side: room.ahead(room.walls, 90.0 * quarter) for quarter, side in enumerate(_SIDES)}
+    seen = [wording(f"place-{side}", steps=room.whole(gap)) for side, gap in gaps.items() if gap < inf]
+    return (wording("walls-seen", sides=", ".join(seen)) if seen else wording("walls-aside"),)
+
+
+def _has_way_out(picture: Picture, pose: Pose) -> bool:
+    """Whether free squares lead from there over the edge of the map. Searches by runs of squares."""
+    rows, start = picture.rows, picture.at(pose.x, pose.y)
+    waiting = [] if start is None else [start]
+    seen = set[tuple[int, int]]()
+    while waiting:
+        row, column = waiting.pop()
+        left, right = rows[row].rfind(_WALL, 0, column) + 1, rows[row].find(_WALL, column)
+        if left == 0 or right < 0 or row in (0, picture.height - 1):
+            return True
+        if (row, left) not in seen:
+            seen.add((row, left))
+            waiting += [
+                (beside, at) for beside in (row - 1, row + 1) for at in _runs(rows[beside], left, right)
+            ]
+    return start is None
+
+
+def _runs(row: str, left: int, right: int) -> Iterator[int]:
+    """The first square of each run of free ones between two columns."""
+    for column in range(left, right):
+        if row[column] != _WALL and (column == left or row[column - 1] == _WALL):
+            yield column
+
+
+MOST = 20
+"""Kinds and directions that are listed one by one."""
+
+
+def sensors_in_words(devices: Iterable[Mounted], name: str, wording: Wording) -> tuple[str, ...]:
+    """A sentence for each kind and direction, with how many there are of it. ``name``: empty is Donnie."""
+    name = name or wording("cell-robot")
+    counted = Counter(_sensor_phrase(each, wording) for each in devices)
+    if not counted:
+        return (wording("sensors-none", name=name),)
+    described = [
+        text if count == 1 else wording("sensors-several", count=count, what=text)
+        for text, count in counted.items()
+    ]
+    more = len(described) - MOST
+    return (
+        wording("sensors-title", name=name),
+        *described[:MOST],
+        *((wording("sensors-more", count=more),) if more > 0 else ()),
+    )
+
+
+def sensors_of_board(name: str, wording: Wording) -> tuple[str, ...]:
+    """The sensors of the original robot's board, which has them in every world."""
+    return (
+        wording("sensors-title", name=name or wording("cell-robot")),
+        wording("sensors-board-around"),
+        wording("sensors-board-head", scan=keywords.spelling("SCAN", wording.language)),
+        wording("sensors-board-lacks"),
+    )
+
+
+def _sensor_phrase(device: Mounted, wording: Wording) -> str:
+    return wording(
+        f"sensors-{device.device.value}",
+        where=_where(device.degrees, wording),
+        width=round(device.width),
+        metres=f"{device.metres:.2f}".rstrip("0").rstrip("."),
+    )
+
+
+def _where(degrees: float, wording: Wording) -> str:
+    turned = round(degrees)
+    if turned == 0:
+        return wording("sensors-ahead")
+    if abs(turned) == 180:
+        return wording("sensors-behind")
+    return wording("sensors-right" if turned > 0 else "sensors-left", degrees=abs(turned))
+
+
 MOST_THINGS = 20
-"""Things that are told one by one."""
+"""Things that are described one by one."""
 MOST_KINDS = 5
-"""Kinds of the others that are counted."""
+"""Kinds of the remaining things that are counted."""
 MOST_ROBOTS = 10
 """Robots that are named."""
 LONG = 8
-"""Steps from which the size of a thing is told too."""
+"""Steps from which the size of a thing is given too."""
 
 _PlaceOf = Callable[[float, float, Pose, Wording], str]
 
@@ -38,9 +140,10 @@ _PlaceOf = Callable[[float, float, Pose, Wording], str]
 def describe(
     picture: Picture, pose: Pose, wording: Wording, *, robot: str | None = None, about: About | None = None
 ) -> tuple[str, ...]:
-    """A world for somebody who wants it in mind, a sentence a line: all of it, its walls, then its things.
+    """A world before anything moves: all of it, its walls, then its things. One sentence a line.
 
-    ``robot``: who starts at ``pose``, None where no robot is. ``about``: what the world's author says of it.
+    ``robot`` is the name of the robot at ``pose``, None where there is no robot. ``about`` has the author's
+    words.
     """
     return (
         *_overview(picture, pose, about, wording),
@@ -51,9 +154,9 @@ def describe(
 
 
 def told_world(name: str, about: About | None, in_words: Sequence[str], wording: Wording) -> tuple[str, ...]:
-    """A world for somebody who is in it: what its author says, what stands there, and what to try.
+    """A world for a learner whose robot is in it: the author's words, the things, and what to try.
 
-    ``in_words``: what stands there, as MAP tells it.
+    ``in_words`` are the sentences of MAP about the things.
     """
     if about is None:
         return tuple(in_words)
@@ -62,7 +165,7 @@ def told_world(name: str, about: About | None, in_words: Sequence[str], wording:
 
 
 def _overview(picture: Picture, pose: Pose, about: About | None, wording: Wording) -> tuple[str, ...]:
-    """The author's words know what is a room and what a passage; without them there are size and walls."""
+    """The author's words, which describe rooms and passages; without them the size and the walls."""
     if about is None:
         return (size_in_words(picture, wording), *walls_in_words(picture, pose, wording))
     if not about.difficulty.value:
@@ -72,17 +175,17 @@ def _overview(picture: Picture, pose: Pose, about: About | None, wording: Wordin
 
 
 def size_in_words(picture: Picture, wording: Wording) -> str:
-    """How large the floor is, in steps, or that it has no end."""
+    """The size of the floor in steps, or that it has no end."""
     if not picture.has_walls:
         return wording("world-endless")
     return wording("world-size", width=picture.width * picture.cell, height=picture.height * picture.cell)
 
 
 def _robots(picture: Picture, pose: Pose, robot: str | None, wording: Wording) -> tuple[str, ...]:
-    """Who they are, where the first one starts, and where the others are from there."""
+    """The names of the robots, where the first one starts, and where the others are from there."""
     if robot is None:
         return (wording("world-no-robot"),)
-    start = {"x": poses.whole(pose.x), "y": poses.whole(pose.y), "facing": facing(pose, wording)}
+    start = {"x": whole_steps(pose.x), "y": whole_steps(pose.y), "facing": facing(pose, wording)}
     others = _by_distance((each for each in picture.things if each.is_robot), pose)
     if not others:
         return (wording("world-robot-start", name=robot, **start),)
@@ -116,18 +219,18 @@ def _things(picture: Picture, pose: Pose, robot: str | None, wording: Wording) -
 
 
 def things_in_words(picture: Picture, pose: Pose, wording: Wording) -> tuple[str, ...]:
-    """What stands around as it is seen from ``pose``, other robots too, the nearest first.
+    """The things and other robots as seen from ``pose``, the nearest first.
 
-    One sentence for each of the nearest ``MOST_THINGS``, then how many more there are; so the number of
-    sentences is not that of the things.
+    One sentence for each of the nearest ``MOST_THINGS``, then the number of the rest, so that the text is
+    bounded.
     """
     return _bounded(picture.things, pose, wording, place_of)
 
 
 def _bounded(things: Sequence[Thing], pose: Pose, wording: Wording, where: _PlaceOf) -> tuple[str, ...]:
     nearest_first = _by_distance(things, pose)
-    told, others = nearest_first[:MOST_THINGS], nearest_first[MOST_THINGS:]
-    return (*(_thing(each, pose, wording, where) for each in told), *_counted(others, wording))
+    described, others = nearest_first[:MOST_THINGS], nearest_first[MOST_THINGS:]
+    return (*(_thing(each, pose, wording, where) for each in described), *_counted(others, wording))
 
 
 def _by_distance(things: Iterable[Thing], pose: Pose) -> list[Thing]:
@@ -135,7 +238,7 @@ def _by_distance(things: Iterable[Thing], pose: Pose) -> list[Thing]:
 
 
 def _counted(others: Sequence[Thing], wording: Wording) -> tuple[str, ...]:
-    """The things that are not told one by one: how many, and of which kinds most."""
+    """The remaining things: their number, and the most frequent kinds."""
     if not others:
         return ()
     kinds = Counter(coloured(each.kind, "", each.colour, wording) for each in others)
@@ -150,11 +253,11 @@ def _counted(others: Sequence[Thing], wording: Wording) -> tuple[str, ...]:
 
 def _thing(thing: Thing, pose: Pose, wording: Wording, where: _PlaceOf) -> str:
     brief = wording.detail == "brief"
-    told = told_name_of(thing, wording) if brief else coloured_thing(thing, wording)
+    described = specific_name_of(thing, wording) if brief else coloured_thing(thing, wording)
     width, depth = round(thing.width), round(thing.depth)
     return wording(
         "world-large-thing" if max(width, depth) >= LONG else "world-thing",
-        thing=told,
+        thing=described,
         width=width,
         depth=depth,
         place=where(thing.x, thing.y, pose, wording),
@@ -178,7 +281,60 @@ def compass_place_of(x: float, y: float, pose: Pose, wording: Wording) -> str:
 def _both(
     first: int, first_codes: tuple[str, str], second: int, second_codes: tuple[str, str], wording: Wording
 ) -> str:
-    """Two distances in words; the codes are for negative and for positive ones."""
+    """Two distances in words. The codes are those for negative and for positive distances."""
     pairs = ((first, first_codes), (second, second_codes))
     parts = [wording(codes[steps > 0], steps=abs(steps)) for steps, codes in pairs if steps]
     return ", ".join(parts) or wording("place-here")
+
+
+def world_meant(typed: str) -> str | None:
+    """The name of the built-in world with that name or title; None for anything else."""
+    wanted = _folded(typed)
+    by_name = next((name for name in worlds.names() if _folded(name) == wanted), None)
+    return by_name or next((name for name in worlds.names() if wanted in _titles(name)), None)
+
+
+def world_row(name: str, wording: Wording) -> str:
+    """A row of the list of worlds: title, difficulty, content, and a task."""
+    about = worlds.words.about(name, wording.language)
+    return wording(
+        "world-row",
+        name=name,
+        title=about.title,
+        difficulty=wording(f"difficulty-{about.difficulty.value}"),
+        about=" ".join(about.sentences),
+        task=" ".join(about.task.split()),
+    )
+
+
+def worlds_in_words(here: str, wording: Wording) -> tuple[str, ...]:
+    """The number of worlds and how to open one, then a line for each; ``here`` is the current one."""
+    names = worlds.names()
+    return (wording("worlds-count", count=len(names)), *(_listed(each, here, wording) for each in names))
+
+
+def arrived(
+    name: str, about: worlds.words.About | None, picture: Picture, wording: Wording
+) -> tuple[str, ...]:
+    """The sentences after a world was opened: its name, and briefly its content."""
+    title = wording("world-here-titled", name=name, title=about.title) if about else None
+    return (
+        title or wording("world-here", name=name),
+        size_in_words(picture, wording),
+        wording("world-has", count=len(picture.things)) if picture.things else wording("world-bare"),
+    )
+
+
+def _listed(name: str, here: str, wording: Wording) -> str:
+    about = worlds.words.about(name, wording.language)
+    code = "worlds-line-here" if name == here else "worlds-line"
+    level = wording(f"difficulty-{about.difficulty.value}")
+    return wording(code, name=name, title=about.title, difficulty=level)
+
+
+def _titles(name: str) -> tuple[str, ...]:
+    return tuple(_folded(worlds.words.about(name, language).title) for language in languages())
+
+
+def _folded(typed: str) -> str:
+    return "".join(fold_name(typed).replace("_", " ").split())

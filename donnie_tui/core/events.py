@@ -1,19 +1,22 @@
-"""The events: everything that happens, as values. Names and fields are a contract (scripts rely on them).
+"""Events: everything that happens, as values, and as JSON lines for scripts (``--events``).
 
-The transient ones are the exception, neither numbered nor recorded: ``Passing`` and ``Sensed``, where the
-robot is just now and what is around it, are for a living picture and depend on the clock of the machine; the
-others are about the front end.
+Names and fields are a contract, since scripts rely on them. Transient events are the exception: they are
+neither numbered nor recorded. ``Passing`` and ``Sensed`` depend on the machine's clock and are for a moving
+picture; the others are about the front end.
 """
 
 from __future__ import annotations
 
+import json
 import re
-from collections.abc import Mapping
+from collections.abc import Callable, Mapping
 from enum import Enum
+from typing import ClassVar, TextIO, TypeAlias
 
-from devices.ports.hints import ClassVar, TypeAlias
+from msgspec import Struct
+
 from devices.ports.robot import Bearing, Grip, Met, Pose, Pushed, StoppedBy
-from devices.ports.values import Frozen, field
+from donnie_tui.core.line_files import LineFile
 
 
 class Outcome(Enum):
@@ -25,8 +28,8 @@ class Outcome(Enum):
     QUIT = "quit"
 
 
-class HowStarted(Frozen):
-    """A run as it was asked for: its text, and from where it goes on."""
+class HowStarted(Struct, frozen=True):
+    """The request that began a run: its text, and where it starts."""
 
     text: str
     first_line: int
@@ -35,7 +38,7 @@ class HowStarted(Frozen):
     terminal: bool
     trace: bool
     pose: Pose
-    """Where the robot stands as it begins."""
+    """Where the robot is when the run begins."""
     language: str = "en"
     detail: str = "normal"
     named: bool = False
@@ -43,9 +46,9 @@ class HowStarted(Frozen):
     together: tuple[str, ...] = ()
     """The robots that started at the same moment, this one among them; empty for one alone."""
     deed: str = ""
-    """What the gripper did in place of a program, ``GRIP`` or ``RELEASE``; else empty."""
+    """The gripper command in place of a program, ``GRIP`` or ``RELEASE``; else empty."""
     refused: bool = False
-    """Whether mistakes of form keep it from running."""
+    """Whether mistakes of form prevent the run."""
 
     @property
     def is_together(self) -> bool:
@@ -59,20 +62,21 @@ class HowStarted(Frozen):
 
 
 TYPED = "typed"
-"""What a program is called that was typed and has no file."""
+"""The name of a program that was typed and has no file."""
 
 
-class RunStarted(Frozen):
+class RunStarted(Struct, frozen=True):
+    PRIVATE: ClassVar[tuple[str, ...]] = ("how",)
     program: str
     world: str
     robot: str
     seed: int
     version: str
-    how: HowStarted | None = field(default=None, metadata={"private": True})
+    how: HowStarted | None = None
     """What is needed to run it again."""
 
 
-class Statement(Frozen):
+class Statement(Struct, frozen=True):
     """A statement is about to run; only with ``--trace``."""
 
     line: int
@@ -80,46 +84,48 @@ class Statement(Frozen):
     depth: int
 
 
-class Spoke(Frozen):
+class Spoke(Struct, frozen=True):
     text: str
 
 
-class Announced(Frozen):
-    """A sentence of Donnie's own. ``code`` says what it is about, ``text`` is in the learner's language."""
+class Announced(Struct, frozen=True):
+    """A sentence from Donnie. ``code`` is its subject, ``text`` is in the learner's language."""
 
     code: str
     text: str
 
 
-class Moved(Frozen):
+class Moved(Struct, frozen=True):
     """``asked`` and ``walked`` in steps, forward or backward as ``command`` says."""
 
+    PRIVATE: ClassVar[tuple[str, ...]] = ("forward", "met", "pushed")
     command: str
     asked: int
     walked: int
     stopped_by: StoppedBy | None
     pose: Pose
-    forward: bool = field(metadata={"private": True})
-    met: Met | None = field(default=None, metadata={"private": True})
+    forward: bool
+    met: Met | None = None
     """What stopped it, where that is known."""
-    pushed: tuple[Pushed, ...] = field(default=(), metadata={"private": True})
+    pushed: tuple[Pushed, ...] = ()
 
 
-class Turned(Frozen):
+class Turned(Struct, frozen=True):
     """``asked`` and ``turned`` in degrees, in the direction of the command."""
 
+    PRIVATE: ClassVar[tuple[str, ...]] = ("right", "met", "pushed")
     command: str
     asked: int
     turned: int
     stopped_by: StoppedBy | None
     pose: Pose
-    right: bool = field(metadata={"private": True})
+    right: bool
     """Whether the command was a turn to the right."""
-    met: Met | None = field(default=None, metadata={"private": True})
-    pushed: tuple[Pushed, ...] = field(default=(), metadata={"private": True})
+    met: Met | None = None
+    pushed: tuple[Pushed, ...] = ()
 
 
-class SeenGroup(Frozen):
+class SeenGroup(Struct, frozen=True):
     """Things that SCAN sees at one angle."""
 
     side: str
@@ -129,11 +135,11 @@ class SeenGroup(Frozen):
     colours: tuple[str, ...]
 
 
-class Scanned(Frozen):
+class Scanned(Struct, frozen=True):
     objects: tuple[SeenGroup, ...]
 
 
-class Read(Frozen):
+class Read(Struct, frozen=True):
     """A sensor was read: ``distance``, ``position`` or ``colour``."""
 
     sensor: str
@@ -141,134 +147,139 @@ class Read(Frozen):
     value: int
 
 
-class Waited(Frozen):
+class Waited(Struct, frozen=True):
     seconds: int
 
 
-class CueSounded(Frozen):
+class CueSounded(Struct, frozen=True):
     EVENT: ClassVar[str] = "cue"
     name: str
     bearing: float
     steps: float | None
 
 
-class BeltShown(Frozen):
+class BeltShown(Struct, frozen=True):
     """14 levels, 0 off to 3 strong: the upper row of seven, then the lower."""
 
     EVENT: ClassVar[str] = "belt"
     levels: tuple[int, ...]
 
 
-class GripperUsed(Frozen):
+class GripperUsed(Struct, frozen=True):
     """The gripper closed or opened; ``thing`` is the name of what it took or let go, where that has one."""
 
+    PRIVATE: ClassVar[tuple[str, ...]] = ("kind", "colour")
     EVENT: ClassVar[str] = "gripper"
     outcome: Grip
     thing: str
-    kind: str = field(default="", metadata={"private": True})
+    kind: str = ""
     """What it is in its world, and its colour."""
-    colour: str = field(default="", metadata={"private": True})
+    colour: str = ""
 
 
-class PlacedThing(Frozen):
+class PlacedThing(Struct, frozen=True):
     """Where a thing of the world is now, with what the world's file calls it."""
 
+    PRIVATE: ClassVar[tuple[str, ...]] = ("index",)
     name: str
     pose: Pose
-    index: int = field(default=0, metadata={"private": True})
+    index: int = 0
     """Its number among the world's models; names may be equal."""
 
 
-class ThingsMoved(Frozen):
-    """All things that are elsewhere than at the start of the world: pushed, held, or put down again."""
+class ThingsMoved(Struct, frozen=True):
+    """All things that are not at their start: pushed, held, or put down again."""
 
     EVENT: ClassVar[str] = "things"
     places: tuple[PlacedThing, ...]
 
 
-class Reset(Frozen):
-    """The robot was put back to its start, and what it remembered is gone."""
+class Reset(Struct, frozen=True):
+    """The robot was put back to its start, with its memory cleared."""
 
     pose: Pose
 
 
-class SoundSwitched(Frozen):
+class SoundSwitched(Struct, frozen=True):
     EVENT: ClassVar[str] = "sound"
     on: bool
 
 
-class Link(Frozen):
-    """The line to a real robot: ``connected``, ``lost`` or ``restored``."""
+class Link(Struct, frozen=True):
+    """The connection to a real robot: ``connected``, ``lost`` or ``restored``."""
 
     state: str
     reason: str
 
 
 BELT_LINK = "belt-link"
-"""The code of what is announced when the belt is lost or back, while a program runs or not."""
+"""The code of the announcement that the belt's connection was lost or restored, during a run or not."""
 
 INTERNAL = "internal"
-"""The kind of an error that is no mistake of the program: a fault of ours. The others are the language's."""
+"""The kind of an internal error of Donnie. All other kinds are the language's."""
 
 
-class Error(Frozen):
-    """A mistake in the program. ``source_line`` is the line as typed, for those who print the error."""
+class Error(Struct, frozen=True):
+    """A mistake in the program. ``source_line`` is the line as typed, for front ends that print it."""
 
+    PRIVATE: ClassVar[tuple[str, ...]] = ("source_line", "calls", "code", "meant", "topic", "mended_line")
     kind: str
     line: int
     column: int
     message: str
     hint: str | None
-    source_line: str = field(default="", metadata={"private": True})
-    calls: tuple[int, ...] = field(default=(), metadata={"private": True})
+    source_line: str = ""
+    calls: tuple[int, ...] = ()
     """The lines of the calls that led there, innermost first."""
-    code: str = field(default="", metadata={"private": True})
+    code: str = ""
     """Which of the mistakes of its kind it is, where that is known."""
-    meant: str = field(default="", metadata={"private": True})
+    meant: str = ""
     """What was probably meant."""
-    topic: str = field(default="", metadata={"private": True})
+    topic: str = ""
     """The command that it is about, as the canonical word of its help."""
-    mended_line: int = field(default=0, metadata={"private": True})
-    """The line to change, where that is another than the one in which it was found."""
+    mended_line: int = 0
+    """The line to change, where it differs from the one in which the mistake was found."""
 
 
-class RunEnded(Frozen):
+class RunEnded(Struct, frozen=True):
     outcome: Outcome
     pose: Pose
     variables: Mapping[str, int]
     seconds: float
 
 
-class Passing(Frozen):
+class Passing(Struct, frozen=True):
     """Where the robot is while it moves; transient."""
 
     pose: Pose
 
 
-class Sensed(Frozen):
-    """What is known of the distances around the robot, in steps, told because somebody looks; transient."""
+class Sensed(Struct, frozen=True):
+    """The known distances around the robot, in steps; published on request of a screen; transient."""
 
     distances: Mapping[Bearing, int]
 
 
-class Answered(Frozen):
-    """What a front end answers to a word of its own, such as "Saved."; told and spoken; transient."""
+class Answered(Struct, frozen=True):
+    """A front end's answer to its own commands, such as "Saved."; printed and spoken; transient."""
 
     text: str
     in_print_only: bool = False
-    """The answer to QUIET is not said."""
+    """Whether the answer is printed and not spoken, as that to QUIET."""
     at_once: bool = False
-    """To a word that was typed while a program runs: printed before what waits to be printed."""
+    """Whether it answers a command typed during a run: it is printed before lines that wait."""
+    is_repeated: bool = False
+    """Whether it repeats an earlier answer, which is not stored again."""
 
 
-class Pointed(Frozen):
-    """What is where somebody points on the map; shown in the status line and spoken, not kept; transient."""
+class Pointed(Struct, frozen=True):
+    """The content of the square under the pointer; for the status line and the voice, not kept; transient."""
 
     text: str
 
 
-class Chimed(Frozen):
-    """A cue of a front end's own, such as that a block was opened; fields as of ``CueSounded``; transient."""
+class Chimed(Struct, frozen=True):
+    """A front end's own cue, such as for an opened block; fields as of ``CueSounded``; transient."""
 
     name: str
     bearing: float = 0.0
@@ -304,7 +315,7 @@ Event: TypeAlias = (
 )
 
 
-class Stamped(Frozen):
+class Stamped(Struct, frozen=True):
     """An event with its number (from 1, 0 for a transient one) and its robot time in seconds."""
 
     seq: int
@@ -322,9 +333,9 @@ def event_name(event: Event | type[Event]) -> str:
 
 
 def as_record(stamped: Stamped, *, whole: bool = False) -> dict[str, object]:
-    """The event as the stream writes it: the common fields first, then its own.
+    """The event as a record of the stream: the common fields first, then its own.
 
-    ``whole``: also what the stream does not tell, so that the event can be made again from it.
+    ``whole``: with the fields that the stream leaves out, so that the event can be rebuilt.
     """
     record: dict[str, object] = {
         "seq": stamped.seq,
@@ -336,18 +347,15 @@ def as_record(stamped: Stamped, *, whole: bool = False) -> dict[str, object]:
     return record | _fields(stamped.event, whole)
 
 
-def _fields(value: object, whole: bool) -> dict[str, object]:
-    import dataclasses  # slow to load, and few write events
-
+def _fields(value: Struct, whole: bool) -> dict[str, object]:
+    private = () if whole else getattr(value, "PRIVATE", ())
     return {
-        each.name: _plain(getattr(value, each.name), whole)
-        for each in dataclasses.fields(value)  # type: ignore[arg-type] # only given dataclasses
-        if whole or not each.metadata.get("private")
+        name: _plain(getattr(value, name), whole) for name in value.__struct_fields__ if name not in private
     }
 
 
 def _plain(value: object, whole: bool) -> object:
-    """Values as JSON has them. Numbers are rounded so far that no float shows its last digits."""
+    """Values as JSON has them. Numbers are rounded, so that no float shows its last digits."""
     match value:
         case float():
             return round(value, 6) + 0.0
@@ -361,3 +369,26 @@ def _plain(value: object, whole: bool) -> object:
             return _fields(value, whole)
         case _:
             return value
+
+
+class JsonLines:
+    """Writes every event that is not transient as one line of JSON.
+
+    A stream that accepts no more lines ends the writing and nothing else; ``on_failure`` is called once.
+    """
+
+    def __init__(
+        self, out: TextIO, on_failure: Callable[[OSError], None] | None = None, *, whole: bool = False
+    ) -> None:
+        """``whole``: the events can be rebuilt from the lines."""
+        self._file = LineFile(out, on_failure)
+        self._whole = whole
+
+    def __call__(self, stamped: Stamped) -> None:
+        if not isinstance(stamped.event, TRANSIENT) and self._file.takes_more:
+            self._file.write(as_line(stamped, whole=self._whole))
+
+
+def as_line(stamped: Stamped, *, whole: bool = False) -> str:
+    """One line with its newline. Keys keep the order of the contract."""
+    return json.dumps(as_record(stamped, whole=whole), ensure_ascii=False, separators=(",", ":")) + "\n"

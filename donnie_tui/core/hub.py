@@ -1,13 +1,17 @@
 """One stream of events and its listeners.
 
-Rules: every listener hears every event in the same order, also when a listener publishes in answer to
-one; a publisher never waits for a screen, so listeners must be quick. Threads may publish at any time.
-Whoever publishes delivers what was queued up to its own event and no more: what others queue meanwhile is
-delivered by a thread of the stream, so that nobody works for others without end. A program goes on once its
-event was delivered, by whichever thread: what is answered to it comes before what the program tells next, so
-that a run is the same whoever else tells something meanwhile. A program that tells more than is read waits
-behind its event (``gates``), outside of any delivery: that holds nobody else.
-Where a world has several robots, each has a channel into the one stream.
+Rules: all listeners get the events in the same order, also where a listener publishes an answer to one. A
+publisher never waits for a screen, so listeners must be quick. Any thread may publish at any time.
+
+A publishing thread delivers the queue up to its own event and no further. A thread of the stream delivers
+what others queue meanwhile, so that no publisher works for others without end. A program continues once its
+event was delivered, by any thread. So the answers to an event come before the program's next event, and a run
+is the same whatever other threads publish.
+
+A program that publishes faster than the listeners read waits after its event (``gates``), outside of any
+delivery: that stops no other thread.
+
+In a world of several robots, each has a channel into the one stream.
 """
 
 from __future__ import annotations
@@ -17,38 +21,38 @@ from collections import deque
 from collections.abc import Callable
 from enum import Enum, auto
 from math import inf
+from typing import Protocol, TypeAlias
 
-from devices.ports.hints import Protocol, TypeAlias
 from donnie_tui.core.events import TRANSIENT, Answered, Chimed, Event, Pointed, Stamped
 
 Listener: TypeAlias = Callable[[Stamped], None]
 Leave: TypeAlias = Callable[[], None]
 Gate: TypeAlias = Callable[[str | None], None]
-"""Called with a robot's name in its program's thread: returns once there is room for more from it."""
+"""Called with a robot's name in its program's thread. Returns once there is room for more events."""
 
 MOST_WAITING = 10_000
 """Events that wait to be delivered before a program is slowed down."""
 LONGEST_HOLD = 0.05
-"""Seconds that it waits then for each event; a listener that hangs holds no program for ever."""
+"""Seconds that it then waits for each event, so that no hanging listener holds a program for ever."""
 LONGEST_TURN = 0.5
-"""Seconds that it waits for another thread to deliver its event; for a listener that hangs, once."""
+"""Seconds that it waits for another thread to deliver its event; only once where a listener hangs."""
 LAST_WORD = 2.0
-"""Seconds that a run waits at its end until everybody has heard of it."""
+"""Seconds that a run waits at its end until all its events were delivered."""
 
-_NOBODY = 0
+_NO_THREAD = 0
 _HANDED_OVER = -1
-"""Who delivers where it is no thread that is known yet."""
+"""Stands for the delivering thread until that thread is known."""
 
 
 class _End(Enum):
-    """Why a thread delivers no more. Its own: behind the lock another one may deliver already."""
+    """Why a thread stops delivering. Once the lock is free, another thread may deliver already."""
 
     NOTHING_WAITS = auto()
     OTHERS_WAIT = auto()
 
 
 class _Listeners:
-    """A list that may change while somebody goes through it."""
+    """Listeners that can be added and removed during a delivery."""
 
     def __init__(self, lock: threading.Lock) -> None:
         self._lock = lock
@@ -75,32 +79,32 @@ class Stream:
         self._queued = self._delivered = 0
         self._awaited = 0
         """How many threads wait for something to be delivered."""
-        self._deliverer = _NOBODY
+        self._deliverer = _NO_THREAD
         """The thread that delivers."""
         self._hangs_at = -1
-        """How many had been delivered when a program last gave up waiting for its event."""
+        """The number of delivered events when a program last gave up waiting for its event."""
         self._last_own: float = 0
-        """The last event that this one has to deliver."""
+        """The last event that the delivering thread must deliver."""
         self._gates: tuple[Gate, ...] = ()
         self._seq = 0
 
     def subscribe(self, listener: Listener) -> Leave:
-        """Listen to all channels from now on. The answer ends it."""
+        """Adds a listener to all channels. The returned function removes it."""
         return self._listeners.add(listener)
 
     def listeners(self) -> _Listeners:
-        """Those of one channel."""
+        """A new list of listeners, for one channel."""
         return _Listeners(self._lock)
 
     def pass_on(self, stamped: Stamped) -> None:
-        """Tell everybody what happened before, as it was then."""
+        """Delivers a recorded event unchanged."""
         with self._lock:
             if not self._queue(stamped, self.listeners()):
                 return
         self._deliver()
 
     def publish(self, event: Event, t: float, robot: str | None, own: _Listeners) -> int:
-        """Tell the channel's ``own`` listeners, then everybody. Answers its place in the order."""
+        """Publishes to the ``own`` listeners, then to all. Returns the event's place in the order."""
         with self._lock:
             is_ours = self._queue(self._stamp(event, t, robot), own)
             place = self._queued
@@ -108,10 +112,10 @@ class Stream:
             self._deliver()
         return place
 
-    # --- programs that tell faster than anybody reads
+    # --- programs that publish faster than listeners read
 
     def add_gate(self, gate: Gate) -> Leave:
-        """Have programs wait behind their events until ``gate`` returns. The answer ends it."""
+        """Makes programs wait after their events until ``gate`` returns. The returned function removes it."""
         self._gates = (*self._gates, gate)
         return lambda: self._remove_gate(gate)
 
@@ -119,8 +123,7 @@ class Stream:
         self._gates = tuple(each for each in self._gates if each != gate)
 
     def wait_for_room(self, robot: str | None, place: int) -> None:
-        """In the thread of that robot's program, behind its event at ``place``; never in the midst of a
-        delivery."""
+        """Waits after the event at ``place``, in that program's thread; never during a delivery."""
         if self._delivers_here():
             return
         if self._delivered < place and self._delivered != self._hangs_at:
@@ -131,7 +134,7 @@ class Stream:
             gate(robot)
 
     def wait_until_heard(self, seconds: float) -> None:
-        """Return once everybody has heard what was published so far, or after so many seconds."""
+        """Returns once all published events were delivered, or after so many seconds."""
         if self._delivers_here():
             return
         until = self._queued
@@ -142,7 +145,7 @@ class Stream:
             self._hangs_at = self._delivered
 
     def _wait_for(self, happened: Callable[[], bool], seconds: float) -> bool:
-        """Whether it happened in time."""
+        """Waits; returns whether it happened in time."""
         with self._moved:
             self._awaited += 1
             has_happened = self._moved.wait_for(happened, seconds)
@@ -155,10 +158,10 @@ class Stream:
         return self._deliverer == threading.get_ident()
 
     def _queue(self, stamped: Stamped, own: _Listeners) -> bool:
-        """Whether the caller is to deliver; else somebody does already. Under the lock."""
+        """Queues an event, under the lock. Returns whether the caller must deliver it."""
         self._queued += 1
         self._waiting.append((self._queued, stamped, own))
-        if self._deliverer == _NOBODY:
+        if self._deliverer == _NO_THREAD:
             self._deliverer, self._last_own = threading.get_ident(), self._queued
             return True
         if self._delivers_here():
@@ -172,20 +175,20 @@ class Stream:
         return Stamped(self._seq, t, event, robot)
 
     def _deliver(self) -> None:
-        """Up to the last event of this thread; then another one goes on."""
+        """Delivers up to the last event of this thread; then another thread continues."""
         while not isinstance(entry := self._next(), _End):
-            self._tell(*entry)
+            self._call(*entry)
             self._delivered += 1
         if entry is _End.OTHERS_WAIT:
             threading.Thread(target=self._deliver_rest, name="stream", daemon=True).start()
 
     def _next(self) -> tuple[Stamped, tuple[Listener, ...]] | _End:
-        """The next event for this thread to deliver; else whether it has to find another one."""
+        """The next event for this thread to deliver, else the reason to stop."""
         with self._lock:
             if self._awaited:
                 self._moved.notify_all()
             if not self._waiting:
-                self._deliverer = _NOBODY
+                self._deliverer = _NO_THREAD
                 return _End.NOTHING_WAITS
             number, stamped, own = self._waiting[0]
             if number > self._last_own:
@@ -195,60 +198,61 @@ class Stream:
             return stamped, own.all + self._listeners.all
 
     def _deliver_rest(self) -> None:
-        """In a thread of the stream's own: until nothing waits."""
+        """Delivers until the queue is empty, in a thread of the stream."""
         with self._lock:
             self._deliverer, self._last_own = threading.get_ident(), inf
         try:
             self._deliver()
-        except Exception:  # nobody is here to catch it; who publishes next delivers what is left
+        except Exception:  # no caller can catch it; the next publisher delivers the rest
             import logging  # slow to load, and never needed as long as all is well
 
             logging.getLogger(__name__).exception("a listener failed")
 
-    def _tell(self, stamped: Stamped, listeners: tuple[Listener, ...]) -> None:
+    def _call(self, stamped: Stamped, listeners: tuple[Listener, ...]) -> None:
         try:
             for listener in listeners:
                 listener(stamped)
         except BaseException:
             with self._lock:
                 self._delivered += 1
-                self._deliverer = _NOBODY
+                self._deliverer = _NO_THREAD
             raise
 
 
 class HasHub(Protocol):
-    """Whatever can be listened to."""
+    """An object with a hub."""
 
     @property
     def hub(self) -> Hub: ...
 
 
 class Hub:
-    """One robot's channel into the stream; a stream of its own where none is given."""
+    """One robot's channel into a stream; without a stream it makes its own."""
 
     def __init__(
         self, clock: Callable[[], float], robot: str | None = None, stream: Stream | None = None
     ) -> None:
-        """``clock`` is the robot's time, ``robot`` its name where the world has several."""
+        """``clock`` gives the robot's time; ``robot`` is its name where the world has several."""
         self._clock = clock
         self.robot = robot
         self._stream = stream or Stream()
         self._own = self._stream.listeners()
-        self._program = _NOBODY
-        """The thread of the program that may be held back."""
+        self._program = _NO_THREAD
+        """The thread of the program that may have to wait."""
 
     def subscribe(self, listener: Listener) -> Leave:
-        """Listen from now on, to the other robots of the stream too. The answer ends it."""
+        """Adds a listener, also to the other robots of the stream. The returned function removes it."""
         return self._stream.subscribe(listener)
 
     def subscribe_to_own(self, listener: Listener) -> Leave:
-        """Listen to this robot only, before the listeners to all."""
+        """Adds a listener to this robot only, called before the listeners to all."""
         return self._own.add(listener)
 
     def publish(self, event: Event) -> None:
-        """Tell everybody. Returns once it is delivered, or queued behind an event that is being delivered.
+        """Publishes an event. Returns once it is delivered, or queued during another delivery.
 
-        What a front end answers is no robot's. A program waits here where it tells more than is read.
+        A front end's answer belongs to no robot. A program that publishes faster than listeners read waits
+        here.
         """
         robot = None if isinstance(event, (Answered, Pointed, Chimed)) else self.robot
         place = self._stream.publish(event, self._clock(), robot, self._own)
@@ -256,16 +260,16 @@ class Hub:
             self._stream.wait_for_room(self.robot, place)
 
     def add_gate(self, gate: Gate) -> Leave:
-        """As the stream does."""
+        """As ``Stream.add_gate``."""
         return self._stream.add_gate(gate)
 
     def hold_back_here(self) -> None:
-        """From now on this thread, which is a program's, waits where it tells more than is read."""
+        """Makes this program's thread wait where it publishes faster than listeners read."""
         self._program = threading.get_ident()
 
-    def hold_back_nobody(self) -> None:
-        self._program = _NOBODY
+    def stop_holding_back(self) -> None:
+        self._program = _NO_THREAD
 
     def wait_until_heard(self, seconds: float = LAST_WORD) -> None:
-        """Return once everybody has heard what was published so far, or after so many seconds."""
+        """Returns once all published events were delivered, or after so many seconds."""
         self._stream.wait_until_heard(seconds)

@@ -13,8 +13,9 @@ from enum import Enum
 from math import floor, hypot
 from typing import TYPE_CHECKING, NamedTuple
 
+from msgspec import Struct
+
 from devices.ports.robot import Pose
-from devices.ports.values import Frozen
 
 if TYPE_CHECKING:
     from sim.picture import Picture, Thing
@@ -50,7 +51,7 @@ class Kind(Enum):
     """What a sensor looked along."""
 
 
-class Bounds(Frozen):
+class Bounds(Struct, frozen=True):
     """The part of the floor that is worth showing, both ends included."""
 
     left: int

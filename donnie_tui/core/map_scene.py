@@ -1,23 +1,30 @@
-"""Everything that a map shows: the floor with one robot's trail, the other robots, what was moved, rays.
+"""The map of a world: the floor with one robot's trail, other robots, moved things, rays and labels.
 
-Values only, for every front end, as ``map_grid``. A ray is what a sensor looked along last; it goes when the
-robot moves. What was pushed or held is shown where it is now; its old place is free floor.
+Values only, for every front end, as ``map_grid``. A ray shows what a sensor looked along last; it disappears
+when the robot moves. A thing that was pushed or held is shown where it is now, and its old place is free
+floor.
+
+``MapScale`` shows several cells as one square, with the most important letter in it. ``labels`` places names
+next to things, on free floor only, so that they hide nothing.
 """
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Mapping
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 from itertools import pairwise, takewhile
 from math import cos, radians, sin
 from typing import TYPE_CHECKING
 
+from msgspec.structs import replace
+
 from devices.ports.robot import Bearing, Pose
-from devices.ports.values import replace
 from donnie_tui.core.events import PlacedThing, Read, Scanned
 from donnie_tui.core.map_grid import FREE, Bounds, Cell, Kind, MapGrid, arrow_of, cells_between
+from donnie_tui.core.wording import Wording, coloured_thing, name_of, shade
 
 if TYPE_CHECKING:
     from sim.picture import Picture, Thing
+
 
 RAY = "'"
 LONGEST_RAY = 100
@@ -31,7 +38,7 @@ _DEGREES_OF = {each.name.lower().replace("_", " "): each.value for each in Beari
 
 
 class MapScene:
-    """What is where, letter by letter."""
+    """The content of every cell, as letters."""
 
     def __init__(self, picture: Picture, pose: Pose, name: str = "") -> None:
         """``name``: the robot's; without one it is Donnie."""
@@ -48,9 +55,9 @@ class MapScene:
     # --- what happens
 
     def begin(self, pose: Pose) -> frozenset[Cell]:
-        """The robot starts here: no trail, nothing looked at. Whether things are back is told by events.
+        """Starts at that pose, without a trail and rays. Events report whether things are back.
 
-        The cells that may look different.
+        Returns the cells that may look different.
         """
         gone = self._rays | frozenset(self.others.values())
         self._pose = pose
@@ -59,13 +66,13 @@ class MapScene:
         return gone | self.place_things(self._places) | self.grid.begin(pose)
 
     def move(self, pose: Pose) -> frozenset[Cell]:
-        """The robot is there now. The cells that look different."""
+        """Moves the robot there. Returns the cells that look different."""
         rays, self._rays = self._rays, frozenset()
         self._pose = pose
         return self.grid.move(pose) | rays
 
     def move_other(self, name: str, pose: Pose) -> frozenset[Cell]:
-        """Another robot is there now."""
+        """Moves another robot there."""
         before = self._robots.get(name)
         now = (self.grid.cell_of(pose), arrow_of(pose.heading))
         if now == before:
@@ -75,7 +82,7 @@ class MapScene:
         return frozenset(changed | {now[0]})
 
     def place_things(self, places: Iterable[PlacedThing]) -> frozenset[Cell]:
-        """All things that are elsewhere than at the start."""
+        """Places the things that are not at their start."""
         before = self._lifted | frozenset(self._drawn)
         self._places = tuple(places)
         own = {each.index: each for each in self.grid.picture.things}
@@ -102,7 +109,7 @@ class MapScene:
         return cells
 
     def look_along(self, event: Read | Scanned) -> frozenset[Cell]:
-        """Show what a sensor looked along: to what it found, or as far as it saw."""
+        """Shows what a sensor looked along: to what it found, or to the end of its range."""
         rays = set(self._rays)
         for degrees, steps in _looks(event):
             angle = radians(self._pose.heading + degrees)
@@ -114,7 +121,7 @@ class MapScene:
         return changed
 
     def show_fields(self, lines: Iterable[Line]) -> frozenset[Cell]:
-        """Lines in the robot's frame, such as the borders of a camera's view; each ends at the first wall."""
+        """Shows lines in the robot's frame, such as a camera's field of view, up to the first wall."""
         rays = set(self._rays)
         for line in lines:
             places = [self._place_of(*point) for point in line]
@@ -126,7 +133,7 @@ class MapScene:
         return changed
 
     def _place_of(self, right: float, ahead: float) -> Cell:
-        """Of steps to the right and ahead of the robot."""
+        """The cell at so many steps to the right and ahead of the robot."""
         angle = radians(self._pose.heading)
         east = right * cos(angle) + ahead * sin(angle)
         north = ahead * cos(angle) - right * sin(angle)
@@ -216,7 +223,7 @@ class MapScene:
 
 
 def _by_cell(grid: MapGrid, things: Iterable[Thing]) -> dict[Cell, Thing]:
-    """Which thing each letter of the floor belongs to: of several the one whose middle is nearest."""
+    """The thing of each cell; of several the one whose middle is nearest."""
     found: dict[Cell, tuple[float, Thing]] = {}
     for thing in things:
         for cell in _cells_in_box(grid, thing, 1):
@@ -229,7 +236,7 @@ def _by_cell(grid: MapGrid, things: Iterable[Thing]) -> dict[Cell, Thing]:
 
 
 def _cells_in_box(grid: MapGrid, thing: Thing, margin: int = 0) -> Iterable[Cell]:
-    """The cells that a thing fills well, one at least; with ``margin`` those beside it too."""
+    """The cells that a thing fills well, at least one; with ``margin`` also those around it."""
     picture = grid.picture
     across, up = max(1, round(thing.width / picture.cell)), max(1, round(thing.depth / picture.cell))
     half = picture.cell / 2
@@ -242,10 +249,133 @@ def _cells_in_box(grid: MapGrid, thing: Thing, margin: int = 0) -> Iterable[Cell
 
 
 def _looks(event: Read | Scanned) -> Iterable[tuple[float, int]]:
-    """The angles that were looked along, clockwise from ahead, and how far in steps."""
+    """The angles that were measured, clockwise from ahead, and the distances in steps."""
     if isinstance(event, Scanned):
         for group in event.objects:
             sign = -1 if group.side == "left" else 1
             yield sign * group.degrees, group.steps
     elif event.sensor == "distance" and event.argument in _DEGREES_OF:
         yield _DEGREES_OF[event.argument], max(0, event.value)
+
+
+_WEIGHT = {
+    kind: weight
+    for weight, kind in enumerate(
+        (Kind.FREE, Kind.RAY, Kind.TRAIL, Kind.START, Kind.WALL, Kind.THING, Kind.OTHER, Kind.ROBOT)
+    )
+}
+"""Of several things in one square, the one with the highest rank is shown."""
+
+LARGEST = 64
+"""Cells along the side of a square."""
+
+
+class MapScale:
+    """A scene in squares of ``factor`` by ``factor`` cells. With a factor of 1 it is the scene itself."""
+
+    def __init__(self, scene: MapScene, factor: int = 1) -> None:
+        self.scene = scene
+        self.factor = factor
+
+    @property
+    def bounds(self) -> Bounds:
+        bounds, factor = self.scene.bounds, self.factor
+        return Bounds(
+            bounds.left // factor, bounds.bottom // factor, bounds.right // factor, bounds.top // factor
+        )
+
+    @property
+    def robot(self) -> Cell:
+        return self.square_of(self.scene.robot)
+
+    def square_of(self, cell: Cell) -> Cell:
+        """The square in which a cell is."""
+        return Cell(cell.x // self.factor, cell.y // self.factor)
+
+    def squares_of(self, cells: Iterable[Cell]) -> frozenset[Cell]:
+        return frozenset(map(self.square_of, cells))
+
+    def cell_of(self, square: Cell) -> Cell:
+        """The cell of the scene that the square shows."""
+        return self._heaviest(square) if self.factor > 1 else square
+
+    def _heaviest(self, square: Cell) -> Cell:
+        if self.square_of(self.scene.robot) == square:
+            return self.scene.robot
+        kind, factor = self.scene.kind, self.factor
+        x, y = square.x * factor, square.y * factor
+        cells = (Cell(x + east, y + north) for north in range(factor) for east in range(factor))
+        return max(cells, key=lambda cell: _WEIGHT[kind(cell)])
+
+    def shown(self, square: Cell) -> tuple[str, str]:
+        """The letter of a square, and what it is painted as: a kind, or ``thing-`` and its colour."""
+        cell = self.cell_of(square)
+        kind = self.scene.kind(cell)
+        look = f"thing-{self.scene.colour(cell)}" if kind is Kind.THING else kind.value
+        return self.scene.letter(cell), look
+
+
+def factor_for(bounds: Bounds, columns: int, rows: int) -> int:
+    """The smallest factor with which the whole floor is seen in so many columns and rows."""
+    factor = 1
+    while factor < LARGEST and (bounds.width > columns * factor or bounds.height > rows * factor):
+        factor += 1
+    return factor
+
+
+MOST = 300
+"""Names; a floor with more things has no room for them."""
+
+
+def labels(scale: MapScale, columns: int, wording: Wording) -> dict[Cell, str]:
+    """The label texts by square, ``columns`` characters each. A name without room is left out."""
+    written: dict[Cell, str] = {}
+    scene = scale.scene
+    named = [(names, scene.cell_at(each.x, each.y)) for each, names in _named(scene.things[:MOST], wording)]
+    named += [((name,), cell) for name, cell in scene.others.items()]
+    for names, cell in named:
+        square = scale.square_of(cell)
+        any(_write(f" {name} ", scale, square, columns, written) for name in names)
+    return written
+
+
+def _named(things: Sequence[Thing], wording: Wording) -> Iterator[tuple[Thing, tuple[str, ...]]]:
+    """The possible names of each thing, the best first; with the colour where a letter has several."""
+    colours: dict[str, set[str]] = {}
+    for each in things:
+        colours.setdefault(each.letter, set()).add(each.colour)
+    for each in things:
+        if len(colours[each.letter]) > 1:
+            yield each, (coloured_thing(each, wording), shade(each, wording))
+        else:
+            yield each, (name_of(each, wording),)
+
+
+def _write(name: str, scale: MapScale, square: Cell, columns: int, written: dict[Cell, str]) -> bool:
+    """Writes a name to the east of a thing, else to the west. Returns whether there was room."""
+    pieces = [name[at : at + columns].ljust(columns) for at in range(0, len(name), columns)]
+    for first in (_beyond(scale, square, 1), _beyond(scale, square, -1) - len(pieces) + 1):
+        squares = [Cell(first + index, square.y) for index in range(len(pieces))]
+        if all(_is_free(scale, each) and each not in written for each in squares):
+            written.update(zip(squares, pieces, strict=True))
+            return True
+    return False
+
+
+def _beyond(scale: MapScale, square: Cell, step: int) -> int:
+    """The first column next to the thing."""
+    x = square.x + step
+    while _kind(scale, Cell(x, square.y)) in (Kind.THING, Kind.OTHER):
+        x += step
+    return x
+
+
+def _kind(scale: MapScale, square: Cell) -> Kind:
+    return scale.scene.kind(scale.cell_of(square))
+
+
+def _is_free(scale: MapScale, square: Cell) -> bool:
+    return scale.bounds.left <= square.x <= scale.bounds.right and _kind(scale, square) in (
+        Kind.FREE,
+        Kind.TRAIL,
+    )

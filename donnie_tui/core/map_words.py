@@ -1,26 +1,35 @@
-"""The map in words: rows and columns as runs of like squares, single squares, the picture with its legend.
+"""The map in words: rows, columns and squares, the map in letters, and what is around the robot.
 
-Squares are told by their place in steps, x to the east and y to the north, as WHERE tells the robot's. Rows
-tell the floor and the robot, not its trail. A row in words has all that is in the grid: it can be read back.
+Squares are named by their place in steps, x to the east and y to the north, as WHERE does. Rows and columns
+are runs of equal squares. They give the floor and the robot, not its trail, and nothing is left out: the row
+of the grid can be rebuilt from them.
+
+AROUND gives the number of things, then each direction clockwise from ahead (or from north). Every thing in
+range is named exactly once, in the direction of its nearest edge. A direction with neither thing nor wall is
+free. Steps are counted from the robot's edge to that of the thing or wall, as DISTANCE does: straight on
+where the robot would hit it, else to the nearest point. Directions are 4, 8 at detail full, or the 12 hours
+of a clock face.
 """
 
 from __future__ import annotations
 
-from collections.abc import Iterable
+from collections.abc import Iterable, Iterator
 from itertools import groupby
 from string import ascii_lowercase
 from typing import TYPE_CHECKING
 
+from msgspec import Struct
+
 from devices.ports.robot import Pose
-from donnie_tui.core.describe import place_of, size_in_words, things_in_words
+from donnie_tui.core.describe import place_of, size_in_words, things_in_words, walls_in_words
 from donnie_tui.core.map_grid import FREE, START, TRAIL, WALL, Bounds, Cell, Kind, MapGrid
-from donnie_tui.core.naming import name_of, told_name_of
-from donnie_tui.core.wall_words import walls_in_words
-from donnie_tui.core.wording import Wording
+from donnie_tui.core.typed_words import keys_of, meant, spelled
+from donnie_tui.core.wording import COMPASS, SIDES, Wording, coloured_thing, name_of, specific_name_of
 
 if TYPE_CHECKING:
-    from sim.picture import Picture
+    from sim.picture import Picture, Room, Thing
     from worlds.words import About
+
 
 WIDEST, HIGHEST = 40, 18
 """Squares of the picture: what a braille display shows of a line, and what a screen reader takes at once."""
@@ -35,14 +44,14 @@ _LINE = {"brief": 40, "normal": 60, "full": 80}
 def map_in_words(
     picture: Picture, pose: Pose, wording: Wording, about: About | None = None
 ) -> tuple[str, ...]:
-    """How large the floor is, how many things there are, and where each is, the nearest first."""
+    """The size of the floor, the number of things, and the place of each, the nearest first."""
     return (*floor_in_words(picture, pose, wording, about), *things_in_words(picture, pose, wording))
 
 
 def floor_in_words(
     picture: Picture, pose: Pose, wording: Wording, about: About | None = None
 ) -> tuple[str, ...]:
-    """How large it is and how much stands there; where its walls are if nobody says anything ``about`` it."""
+    """The floor's size and the number of things; its walls too, unless a text ``about`` it exists."""
     walls = () if about else walls_in_words(picture, pose, wording)
     count = len(picture.things)
     return (
@@ -80,14 +89,14 @@ def square_in_words(grid: MapGrid, x: int, y: int, pose: Pose, wording: Wording)
 
 
 def _is_beyond(grid: MapGrid, cell: Cell) -> bool:
-    """Where the map has neither row nor column any more. A trail is floor anywhere."""
+    """Whether the cell is outside of the map. A trail counts as floor anywhere."""
     bounds = grid.bounds
     is_on_it = bounds.left <= cell.x <= bounds.right and bounds.bottom <= cell.y <= bounds.top
     return not is_on_it and grid.kind(cell) is Kind.FREE
 
 
 def _beyond(grid: MapGrid, wording: Wording) -> str:
-    """Behind the walls there is no floor; without walls it never ends."""
+    """The sentence for a place outside: no floor outside of the walls; without walls, floor without end."""
     return wording("cell-outside" if grid.picture.has_walls else "cell-beyond")
 
 
@@ -96,7 +105,7 @@ def square_content(grid: MapGrid, cell: Cell, wording: Wording) -> str:
     kind = grid.kind(cell)
     thing = grid.thing(cell) if kind is Kind.THING else None
     if thing is not None:
-        return told_name_of(thing, wording)
+        return specific_name_of(thing, wording)
     if kind is Kind.ROBOT:
         return _robot_words(grid, wording)
     return grid.letter(cell) if kind is Kind.THING else wording(f"cell-{kind.value}")
@@ -141,7 +150,7 @@ def picture_in_letters(grid: MapGrid, wording: Wording, free: str = FREE) -> tup
 
 
 def _part_in_words(grid: MapGrid, window: Bounds, wording: Wording) -> tuple[str, ...]:
-    """Which part of the world the picture has, where it has not all of it."""
+    """The part of the world that the picture shows, if it is not all of it."""
     if window == grid.bounds:
         return ()
     parts = (("picture-part", window), ("picture-whole", grid.bounds))
@@ -149,7 +158,7 @@ def _part_in_words(grid: MapGrid, window: Bounds, wording: Wording) -> tuple[str
 
 
 def _places(grid: MapGrid, bounds: Bounds) -> dict[str, int]:
-    """Where it ends, in steps."""
+    """The limits in steps."""
     left, bottom = grid.place(Cell(bounds.left, bounds.bottom))
     right, top = grid.place(Cell(bounds.right, bounds.top))
     return {"left": left, "bottom": bottom, "right": right, "top": top}
@@ -167,7 +176,7 @@ def _braille_letters(names: dict[str, str]) -> dict[str, str]:
 def _runs_in_words(
     grid: MapGrid, code: str, number: int, cells: list[Cell], wording: Wording
 ) -> Iterable[str]:
-    """The runs, in as many lines as they need; each says from where it goes on."""
+    """The runs, in as many lines as they need; each names the place where it continues."""
     names = names_of_letters(grid.picture, wording)
     start, runs = cells[0], list[str]()
     done = 0
@@ -201,3 +210,100 @@ def _robot_words(grid: MapGrid, wording: Wording) -> str:
 
 def _nearest_cell(grid: MapGrid, x: int, y: int) -> Cell:
     return grid.cell_of(Pose(float(x), float(y), 0.0))
+
+
+RANGE = 10
+"""Steps that are looked at in each direction."""
+
+
+class Face(Struct, frozen=True):
+    """The directions into which the surroundings are divided, and their names."""
+
+    sectors: int
+    first: float
+    """The compass heading of the first one."""
+    codes: tuple[str, ...]
+    """The code of the sentence that names each sector; with ``{hour}`` for a clock face."""
+    named_when_free: tuple[int, ...]
+
+    def heading(self, sector: int) -> float:
+        """The compass heading of a sector's middle."""
+        return self.first + sector * 360 / self.sectors
+
+
+def compass_point(typed: str) -> int | None:
+    """The point of the compass that a word means, in eighths clockwise from north; None if it means none."""
+    point = meant(typed, "compass")
+    return keys_of("compass").index(point) if point else None
+
+
+def compass_words(language: str) -> tuple[str, ...]:
+    """The points of the compass, clockwise from north, as they are typed in a language."""
+    return tuple(spelled(point, language, "compass") for point in keys_of("compass"))
+
+
+def around_in_words(
+    grid: MapGrid, pose: Pose, wording: Wording, *, compass: int | None = None, clock: bool = False
+) -> tuple[str, ...]:
+    """The number of things in range, then a line for each thing, wall or free direction.
+
+    ``compass``: by the compass, beginning with that point; else as the robot looks.
+    """
+    face = _face(pose.heading, wording.detail, compass=compass, clock=clock)
+    from sim.picture import Room  # only AROUND needs geometry
+
+    room = Room(grid.picture, pose)
+    sectors = _things_by_sector(grid, room, face)
+    count = sum(map(len, sectors))
+    lines = [wording("around-things" if count else "around-none", count=count, steps=RANGE)]
+    for sector in range(face.sectors):
+        lines += _sector_in_words(room, face, sector, sectors[sector], wording)
+    return tuple(lines)
+
+
+def _face(heading: float, detail: str, *, compass: int | None, clock: bool) -> Face:
+    full = detail == "full"
+    if clock:
+        return Face(12, heading, ("around-hour",) * 12, tuple(range(12)) if full else (0, 3, 6, 9))
+    step = 1 if full else 2
+    codes = [f"around-{each}" for each in SIDES]
+    if compass is not None:
+        codes = [f"compass-{each}" for each in (*COMPASS[compass:], *COMPASS[:compass])]
+    first = heading if compass is None else compass * 45.0
+    return Face(8 // step, first, tuple(codes[::step]), tuple(range(8 // step)))
+
+
+def _things_by_sector(grid: MapGrid, room: Room, face: Face) -> list[list[tuple[int, Thing]]]:
+    """The things in range with their distances, the nearest first, by sector."""
+    found: list[list[tuple[int, Thing]]] = [[] for _ in range(face.sectors)]
+    for thing in grid.picture.things:
+        gap, heading = room.nearest(thing.outlines)
+        if (steps := _in_range(room, gap)) is not None:
+            sector = round((heading - face.first) / (360 / face.sectors)) % face.sectors
+            straight = _in_range(room, room.ahead(thing.outlines, face.heading(sector)))
+            found[sector].append((steps if straight is None else straight, thing))
+    return [sorted(each, key=lambda found: (found[0], found[1].name)) for each in found]
+
+
+def _sector_in_words(
+    room: Room, face: Face, sector: int, things: list[tuple[int, Thing]], wording: Wording
+) -> Iterator[str]:
+    where = wording(face.codes[sector], hour=sector or 12)
+    wall, free = (_in_range(room, room.ahead(each, face.heading(sector))) for each in (room.walls, room.all))
+    found = [(steps, _named(thing, wording)) for steps, thing in things]
+    if wall is not None and (found or sector in face.named_when_free):
+        found = sorted([*found, (wall, wording("cell-wall"))], key=lambda each: each[0])
+    for steps, name in found:
+        yield wording("around-thing", where=where, thing=name, steps=steps)
+    if not found and sector in face.named_when_free:
+        yield wording("around-free", where=where, steps=RANGE if free is None else free)
+
+
+def _in_range(room: Room, steps: float) -> int | None:
+    """Whole steps; None out of range."""
+    whole = room.whole(min(steps, RANGE + 1))
+    return whole if whole <= RANGE else None
+
+
+def _named(thing: Thing, wording: Wording) -> str:
+    return specific_name_of(thing, wording) if wording.detail == "brief" else coloured_thing(thing, wording)

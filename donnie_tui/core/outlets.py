@@ -1,7 +1,7 @@
-"""What makes events audible: the voice and the cues, each a listener.
+"""The listeners that make events audible: the voice and the cues.
 
-SOUND OFF silences voice and cues and never the printed line; the belt has its own switch. ``UntilSaid`` lets
-a program wait until what it says was heard, where the learner wants that; a stop ends the wait.
+SOUND OFF silences voice and cues and never the printed line; the belt has its own switch. ``UntilSaid`` makes
+a program wait until the voice has finished, if the learner wants that; a stop ends the wait.
 """
 
 from __future__ import annotations
@@ -21,60 +21,62 @@ from donnie_tui.core.events import (
     Spoke,
     Stamped,
 )
-from donnie_tui.core.transcript import Telling, TellingAll, told_lines
+from donnie_tui.core.transcript import TranscriptFilter, UnfilteredTranscript, told_lines
 from donnie_tui.core.wording import Wording
 
 _URGENCY_OF = {"waiting": Urgency.PROGRESS, "hint": Urgency.HINT, "link": Urgency.ALERT}
 
 
-class Hears(Enum):
-    """What of the transcript a voice says."""
+class VoiceScope(Enum):
+    """The part of the transcript that a voice speaks."""
 
     ALL = "all"
     ANSWERS = "answers"
-    """Everything but the words of SPEAK, which are heard elsewhere."""
+    """Everything but the words of SPEAK, which another voice speaks."""
     PROGRAM = "program"
     """The words of SPEAK alone."""
 
 
 class Voice:
-    """Says what the transcript prints."""
+    """Speaks what the transcript prints."""
 
     def __init__(
         self,
         speaker: Speaker,
         wording: Wording,
-        hears: Hears = Hears.ALL,
+        scope: VoiceScope = VoiceScope.ALL,
         *,
         is_on: bool = True,
-        telling: Callable[[], Telling] = TellingAll,
+        transcript_filter: Callable[[], TranscriptFilter] = UnfilteredTranscript,
     ) -> None:
-        """``telling`` is asked at each event for what is printed of it."""
+        """``transcript_filter`` returns the filter that decides what is printed."""
         self._speaker = speaker
-        self._telling = telling
+        self._transcript_filter = transcript_filter
         self._wording = wording
-        self._hears = hears
+        self._scope = scope
         self._on = is_on
 
     def __call__(self, stamped: Stamped) -> None:
         if isinstance(stamped.event, SoundSwitched):
             self._switch(stamped.event.on)
         elif self._on:
-            self._tell(stamped)
+            self._speak_event(stamped)
 
-    def _tell(self, stamped: Stamped) -> None:
-        """What is printed, as far as it is ours."""
-        telling = self._telling()
-        if self._hears is not Hears.PROGRAM:
-            for line in telling.before(stamped):
+    def _speak_event(self, stamped: Stamped) -> None:
+        """Speaks the printed lines of an event that belong to this voice."""
+        transcript_filter = self._transcript_filter()
+        if self._scope is not VoiceScope.PROGRAM:
+            for line in transcript_filter.before(stamped):
                 self._speaker.say(Utterance(line, Urgency.ANSWER, self._wording.language))
-        if self._is_ours(stamped.event) and telling.passes(stamped):
+        if self._is_in_scope(stamped.event) and transcript_filter.passes(stamped):
             self._say(stamped)
 
-    def _is_ours(self, event: Event) -> bool:
+    def _is_in_scope(self, event: Event) -> bool:
         if isinstance(event, Answered) and event.in_print_only:
             return False
-        return self._hears is Hears.ALL or isinstance(event, Spoke) == (self._hears is Hears.PROGRAM)
+        return self._scope is VoiceScope.ALL or isinstance(event, Spoke) == (
+            self._scope is VoiceScope.PROGRAM
+        )
 
     def _switch(self, on: bool) -> None:
         self._on = on
@@ -87,7 +89,7 @@ class Voice:
 
 
 class Cues:
-    """Plays what the announcer or a front end chose."""
+    """Plays the cues of the announcer and the front ends."""
 
     def __init__(self, player: CuePlayer, *, is_on: bool = True) -> None:
         self._player = player
@@ -120,32 +122,32 @@ def _urgency_of(event: Event) -> Urgency:
 
 
 SLICE = 0.05
-"""Seconds between two looks whether to go on."""
+"""Seconds between two checks for a stop."""
 
 LONGEST = 30.0
-"""Seconds for one SPEAK; a voice that takes longer, or hangs, holds nobody."""
+"""Seconds for one SPEAK, so that a slow or hanging voice blocks no program."""
 
 
 class UntilSaid:
-    """Waits for nothing until it is given a voice."""
+    """Lets a program wait for its voice; without a voice it does not wait."""
 
     def __init__(self) -> None:
         self.is_quiet_within: Callable[[float], bool] | None = None
-        """Waits that many seconds at most until everything was said; False if that was not enough."""
+        """Waits up to that many seconds until everything was said; False if that was too short."""
         self.waiting = 0
         """Programs that wait just now."""
 
-    def wait(self, goes_on: Callable[[], bool]) -> None:
-        """Return once everything was said, or ``goes_on`` says no."""
+    def wait(self, may_continue: Callable[[], bool]) -> None:
+        """Returns once everything was said, or ``may_continue`` returns False."""
         if self.is_quiet_within is None:
             return
         self.waiting += 1
         try:
-            self._wait(self.is_quiet_within, goes_on)
+            self._wait(self.is_quiet_within, may_continue)
         finally:
             self.waiting -= 1
 
-    def _wait(self, is_quiet_within: Callable[[float], bool], goes_on: Callable[[], bool]) -> None:
+    def _wait(self, is_quiet_within: Callable[[float], bool], may_continue: Callable[[], bool]) -> None:
         for _ in range(round(LONGEST / SLICE)):
-            if is_quiet_within(SLICE) or not goes_on():
+            if is_quiet_within(SLICE) or not may_continue():
                 return

@@ -1,21 +1,22 @@
-"""A finger on the map: which square it is on, what is there in words, and where the next thing is.
+"""A pointer on the map: its square, what is there in words, and the way to the next thing.
 
-The same words as MAP and AROUND. Places are told as the robot sees them; from one square to another, from
-the first one as if the robot stood there.
+Uses the words of MAP and AROUND. Places are given as the robot sees them. From one square to another, they
+are given as if the robot stood on the first.
 """
 
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 from math import hypot
 from typing import TYPE_CHECKING
+
+from msgspec.structs import replace
 
 from donnie_tui.core.describe import place_of
 from donnie_tui.core.map_grid import Cell, Kind
 from donnie_tui.core.map_scene import MapScene
-from donnie_tui.core.naming import coloured, coloured_thing, name_of, shade
-from donnie_tui.core.wording import Wording
+from donnie_tui.core.wording import Wording, coloured, coloured_thing, name_of, shade
 
 if TYPE_CHECKING:
     from sim.picture import Thing
@@ -23,26 +24,26 @@ if TYPE_CHECKING:
 
 @dataclass(slots=True)
 class Pointer:
-    """Where the finger is. ``cell`` None: on the robot, wherever that goes."""
+    """The pointer's place. ``cell`` None: on the robot, wherever the robot moves."""
 
     scene: MapScene
     cell: Cell | None = None
     marked: Cell | None = None
-    """From here to there: where *here* is."""
+    """The marked square, from which the way is described."""
 
     @property
     def here(self) -> Cell:
         return self.cell or self.scene.robot
 
     def move(self, east: int, north: int) -> None:
-        """To another cell, no further than the floor goes."""
+        """Moves by cells, within the floor."""
         bounds, cell = self.scene.bounds, self.here
         x = min(max(cell.x + east, bounds.left), bounds.right)
         y = min(max(cell.y + north, bounds.bottom), bounds.top)
         self.cell = Cell(x, y)
 
     def go(self, cell: Cell) -> None:
-        """To that cell, or the one of the floor that is nearest to it."""
+        """Moves to that cell, or to the nearest one of the floor."""
         here = self.here
         self.move(cell.x - here.x, cell.y - here.y)
 
@@ -50,7 +51,7 @@ class Pointer:
         self.cell = None
 
     def to_next_thing(self, forward: bool) -> bool:
-        """To the next thing by its distance from the robot; False if there is none."""
+        """Moves to the next thing by its distance from the robot; False if there is none."""
         order = self._things_by_distance()
         if not order:
             return False
@@ -73,13 +74,13 @@ class Pointer:
     # --- in words
 
     def words(self, wording: Wording) -> str:
-        """What is under the finger and where that is from the robot."""
+        """The content of the pointer's square, and where it is from the robot."""
         x, y = self.scene.place(self.here)
         place = place_of(x, y, self.scene.pose, wording)
         return wording("map-square", x=x, y=y, what=content(self.scene, self.here, wording), place=place)
 
     def way(self, wording: Wording) -> str:
-        """From the marked square to this one; the robot's own where none is marked."""
+        """The way from the marked square to this one; from the robot's where none is marked."""
         from_x, from_y = self.scene.place(self.marked or self.scene.robot)
         x, y = self.scene.place(self.here)
         pose = replace(self.scene.pose, x=float(from_x), y=float(from_y))
@@ -102,7 +103,7 @@ def content(scene: MapScene, cell: Cell, wording: Wording) -> str:
 
 
 def legend(scene: MapScene, wording: Wording) -> tuple[str, ...]:
-    """What the letters of the map mean, those of the things of this floor last, with their colours."""
+    """The meanings of the map's letters; the things of this floor come last, with their colours."""
     letters: dict[str, list[Thing]] = {}
     for thing in scene.things:
         letters.setdefault(thing.letter, []).append(thing)

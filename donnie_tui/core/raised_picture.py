@@ -1,8 +1,8 @@
-"""A world as a picture for swell paper: an A4 sheet in SVG on which everything black is raised by heat.
+"""A world as a picture for swell paper: an A4 sheet in SVG. Heat raises everything black on it.
 
-Lines only, at least a millimetre thick, and nothing filled but thin walls, which are lines themselves. What
-things are is told in braille, made of dots, so that no font is needed; no print is raised. The title and the
-description that SVG has for screen readers say the same in text.
+Lines only, at least a millimetre thick. Nothing is filled but thin walls, which are lines themselves. Braille
+names the things; it is made of dots, so that no font is needed. No print is raised. The title and description
+of the SVG give screen readers the same in text.
 """
 
 from __future__ import annotations
@@ -14,7 +14,8 @@ from textwrap import wrap
 from typing import TYPE_CHECKING
 from xml.sax.saxutils import escape
 
-from devices.ports.values import Frozen
+from msgspec import Struct
+
 from donnie_tui.core.braille import braille, dots
 from donnie_tui.core.chart import Chart, Robot
 from donnie_tui.core.map_grid import WALL
@@ -38,13 +39,13 @@ MOST_LEGEND = 9
 """Lines of the legend; a map needs the rest of the sheet."""
 MOST_WALLS = 500
 MOST_LABELS = 60
-"""Things that have their letter beside them; more would cover each other."""
+"""Things that get a letter; more letters would cover each other."""
 
 _Point = tuple[float, float]
 _Box = tuple[float, float, float, float]
 
 
-class _Sheet(Frozen):
+class _Sheet(Struct, frozen=True):
     """Where the map lies on the paper. Millimetres from the top left corner; the world's places in steps."""
 
     width: float
@@ -168,7 +169,7 @@ def _nose(robot: Robot, sheet: _Sheet) -> str:
 
 
 def _labels(chart: Chart, drawings: Sequence[Drawing], sheet: _Sheet) -> Iterator[str]:
-    """The letter of each thing and robot, in it or beside it, where it covers as little as may be."""
+    """The letters of things and robots, inside or next to them, where they cover as little as possible."""
     things = [(each.thing, _box_on(each, sheet)) for each in drawings if each.thing is not None]
     letters = {each.name: each.letter for each in chart.robots}
     if len(things) > MOST_LABELS:
@@ -182,7 +183,7 @@ def _labels(chart: Chart, drawings: Sequence[Drawing], sheet: _Sheet) -> Iterato
 
 
 def _wall_boxes(drawings: Sequence[Drawing], sheet: _Sheet) -> Iterator[_Box]:
-    """Those of the first walls: a letter that covers one of very many is no harm."""
+    """The boxes of the first walls; where there are very many, a covered one is no harm."""
     walls = (each for each in drawings if each.thing is None and not each.from_bitmap)
     outlines = (outline for each in walls for outline in each.outlines)
     for outline in islice(outlines, MOST_WALLS):
@@ -264,5 +265,5 @@ def _written(cells: str, x: float, y: float) -> Iterator[str]:
 
 
 def _printable(text: str) -> str:
-    """Without what XML may not hold."""
+    """The text without characters that XML forbids."""
     return "".join(letter if letter.isprintable() else " " for letter in text)

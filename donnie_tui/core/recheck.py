@@ -1,7 +1,7 @@
-"""Running a recording again: the same programs in the same world give the same events, or one differs.
+"""Runs a recording again: the same programs in the same world must give the same events.
 
-What somebody stopped by hand is compared up to there, since nobody stops at the same moment twice. What
-follows can be compared again only where everything begins anew.
+A run that the learner stopped is compared up to the stop, since the moment of a stop can't be repeated. What
+follows can be compared only from where everything begins anew.
 """
 
 from __future__ import annotations
@@ -11,7 +11,9 @@ from collections.abc import Mapping, Sequence
 from enum import Enum
 from typing import Protocol
 
-from devices.ports.values import Frozen
+from msgspec import Struct
+
+from donnie_tui.core.actions import Deed
 from donnie_tui.core.events import (
     BELT_LINK,
     TRANSIENT,
@@ -27,11 +29,10 @@ from donnie_tui.core.events import (
     Waited,
     as_record,
 )
-from donnie_tui.core.handling import Deed
 from donnie_tui.core.runner import Run
 from donnie_tui.core.team import Assigned, Team
 
-_DEEDS = {each.value: each for each in Deed}
+_GRIPPER_COMMANDS = {each.value: each for each in Deed}
 
 
 class Tone(Protocol):
@@ -42,18 +43,18 @@ class Tone(Protocol):
 
 
 class Result(Enum):
-    """How it came out; a sentence ``recheck-...`` each."""
+    """The result; each has a sentence ``recheck-...``."""
 
     SAME = "same"
     DIFFERENT = "different"
     STOPPED = "stopped"
-    """The same as far as somebody let it run."""
+    """The same up to the learner's stop."""
     OVERLAPPING = "overlapping"
-    """Robots were started by hand at different moments; up to there it is the same."""
+    """The same up to where the learner started robots at different moments."""
 
 
-class Verdict(Frozen):
-    """``index`` is the event up to which it is the same; of a difference, what happened in its place."""
+class Verdict(Struct, frozen=True):
+    """``index`` is the event up to which it is the same; for a difference, also what happened instead."""
 
     result: Result
     index: int
@@ -61,33 +62,34 @@ class Verdict(Frozen):
 
 
 def recheck(events: Sequence[Stamped], team: Team, tone: Tone) -> Verdict:
-    """Run everything again with ``team``, which stands at the start of the same world, and compare.
+    """Runs everything again with ``team``, which is at the start of the same world, and compares.
 
-    Blocks as long as the programs take; ``team.stop`` ends it from another thread, which is a difference.
+    Blocks as long as the programs take. ``team.stop`` ends it from another thread, which counts as a
+    difference.
     """
     checking = _Checking(events, team, tone)
-    leave = team.stream.subscribe(checking.hear)
+    leave = team.stream.subscribe(checking.on_event)
     try:
         return checking.verdict()
     finally:
         leave()
 
 
-class _Segment(Frozen):
+class _Segment(Struct, frozen=True):
     """Runs that began together, and all that happened until the last of them ended."""
 
     first: int
     starts: Mapping[str | None, Stamped]
     end: int
-    """The position behind it."""
+    """The position after it."""
     cut: int | None
-    """The first event that depends on when somebody stopped it."""
+    """The first event that depends on the moment of the learner's stop."""
     intruder: int | None
-    """A run that somebody began meanwhile."""
+    """A run that the learner began meanwhile."""
 
 
 class _Checking:
-    """The position in the recording, shared with the programs' threads by the stream's own order."""
+    """The position in the recording. The stream's order makes it safe between the programs' threads."""
 
     def __init__(self, events: Sequence[Stamped], team: Team, tone: Tone) -> None:
         self._events = events
@@ -117,16 +119,19 @@ class _Checking:
         return Verdict(Result.SAME, len(self._events))
 
     def _begins_anew(self, how: HowStarted) -> bool:
-        """Whether nothing is left of what was stopped."""
+        """Whether the run begins without any effects of what was stopped."""
         return how.begins_anew and len(how.together or ("",)) == len(self._team.names)
 
     # --- a segment
 
     def _segment(self, how: HowStarted) -> _Segment:
-        """What a stopped run's last deed came to depends on the stop. Of a run without any, it may depend on
-        that whether it began at all: it had no turn while the first one computed."""
+        """The segment that begins here.
+
+        The result of a stopped run's last command depends on the stop. A run without any command may not even
+        have begun: it had no turn while the first one computed.
+        """
         first = self._at
-        first_robot, deeds = self._events[first].robot, set[str | None]()
+        first_robot, commanded = self._events[first].robot, set[str | None]()
         names: set[str | None] = set(how.together) or {first_robot}
         starts: dict[str | None, Stamped] = {}
         ended, cuts, intruder = 0, list[int](), None
@@ -142,14 +147,14 @@ class _Checking:
                     intruder = index
                 case Moved() | Turned() | Waited():
                     limits[stamped.robot] = index
-                    deeds.add(stamped.robot)
+                    commanded.add(stamped.robot)
                 case RunEnded(outcome=outcome) if stamped.robot in names:
                     ended += 1
                     if outcome is Outcome.STOPPED:
                         cuts.append(limits.get(stamped.robot, index))
                 case Announced():
-                    pass  # the stop itself is told so
-                case _ if stamped.robot == first_robot and stamped.robot not in deeds:
+                    pass  # the announcement of the stop
+                case _ if stamped.robot == first_robot and stamped.robot not in commanded:
                     limits[stamped.robot] = index + 1
             index += 1
         if ended < len(names):  # the recording ends before the run did
@@ -157,7 +162,7 @@ class _Checking:
         return _Segment(first, starts, index, min(cuts, default=None), intruder)
 
     def _run(self, segment: _Segment) -> Verdict | None:
-        """Run it. None if it is the same, as far as it can be."""
+        """Runs a segment. None if it is the same, as far as it can be compared."""
         limits = [each for each in (segment.cut, segment.intruder) if each is not None]
         self._until = min([segment.end, *limits])
         if self._until > segment.first:  # nothing would stop them otherwise
@@ -193,8 +198,8 @@ class _Checking:
         (robot, (started, how)) = next(iter(hows.items()))
         assert how is not None  # it is the first
         session = self._team.session(robot or self._team.names[0])
-        if how.deed in _DEEDS:
-            return (session.use_gripper(_DEEDS[how.deed]),)
+        if how.deed in _GRIPPER_COMMANDS:
+            return (session.use_gripper(_GRIPPER_COMMANDS[how.deed]),)
         run = session.start(
             how.text,
             started.program,
@@ -206,8 +211,8 @@ class _Checking:
         )
         return (run,)
 
-    def hear(self, stamped: Stamped) -> None:
-        """What happens now, in a program's thread."""
+    def on_event(self, stamped: Stamped) -> None:
+        """Compares a new event with the recording, in a program's thread."""
         if isinstance(stamped.event, TRANSIENT):
             return
         with self._lock:
@@ -222,7 +227,7 @@ class _Checking:
             self._team.stop()
 
     def _skip_what_came_by(self, stamped: Stamped) -> None:
-        """Somebody asked where the robot is, or the belt was lost: nothing that a program did."""
+        """Skips events that no program caused: the learner asked for the position, or the belt was lost."""
         while (
             self._at < self._until
             and _came_by(self._events[self._at])
@@ -248,6 +253,6 @@ def _is_same(one: Stamped, other: Stamped) -> bool:
 
 
 def _compared(stamped: Stamped) -> dict[str, object]:
-    """All but the number, which depends on what was asked meanwhile, and the version of Donnie."""
+    """The event without its number, which depends on questions meanwhile, and without Donnie's version."""
     record = as_record(stamped, whole=True)
     return {name: value for name, value in record.items() if name not in ("seq", "version")}

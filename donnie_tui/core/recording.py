@@ -1,44 +1,172 @@
-"""Recordings: a header, then every event, a line of JSON each. Written as it happens, read with distrust.
+"""Recordings: writes the header, reads events back, and finds damage. Nothing in a file is trusted.
 
-The header says with what it was recorded: version, seed, settings, and the world with all its files; the
-programs stand in the events that begin their runs. Rule of reading: a line that makes no sense is told with
-its number and left out; what is whole counts. Lines stay in the file, so that a long recording costs little.
+A recording is a header, then every event, as lines of JSON written while things happen. The header says what
+was used: version, seed, settings, and the world with all its files. The programs are in the events that begin
+their runs.
+
+Reading a damaged line reports its number and leaves the line out; all whole lines count. Lines stay in the
+file, so that a long recording needs little memory. A line is parsed only if it is short and not deeply
+nested, since json recurses in C. Every field must have the type that the event gives it.
 """
 
 from __future__ import annotations
 
 import json
+import re
+import types
+import typing
 from array import array
 from collections.abc import Iterator, Mapping, Sequence
 from contextlib import suppress
+from enum import Enum
+from functools import cache
+from math import isfinite
 from typing import BinaryIO, TextIO, overload
 
-from devices.ports.values import Frozen
-from donnie_tui.core.events import Reset, RunEnded, RunStarted, Stamped
-from donnie_tui.core.recorded_events import DamagedLineError, event_of, parse_line
+from msgspec import Struct
+
+from donnie_tui.core.events import TRANSIENT, Event, Reset, RunEnded, RunStarted, Stamped, event_name
+
+DEEPEST = 12
+"""Nested brackets in a line; Donnie writes five at most."""
+
+_STRING = re.compile(r'"(?:[^"\\]|\\.)*"')
+_BRACKETS = re.compile(r"[\[\]{}]")
+
+
+class DamagedLineError(ValueError):
+    """A line that does not belong to a recording."""
+
+
+def parse_line(line: str) -> dict[str, object]:
+    """The object in a line. Raises ``DamagedLineError``."""
+    if _is_deep(line):
+        raise DamagedLineError("too deep")
+    try:
+        record = json.loads(line)
+    except (ValueError, RecursionError):
+        raise DamagedLineError("no JSON") from None
+    if not isinstance(record, dict):
+        raise DamagedLineError("no object")
+    return record
+
+
+def event_of(record: Mapping[str, object]) -> Stamped:
+    """The event of a line. Raises ``DamagedLineError`` for a wrong name, a missing field, a wrong type."""
+    kind = _kinds().get(str(record.get("event")))
+    if kind is None:
+        raise DamagedLineError("unknown event")
+    event = typing.cast(Event, _made(kind, record))
+    seq, t = _typed(int, record.get("seq")), _typed(float, record.get("t"))
+    return Stamped(seq, t, event, _robot_of(event, record.get("robot")))
+
+
+def _robot_of(event: Event, name: object) -> str | None:
+    """The robot in the record. A run always names its robot, also in a world of one robot."""
+    if isinstance(event, RunStarted) and not (event.how and event.how.named):
+        return None
+    return None if name is None else _typed(str, name)
+
+
+@cache
+def _kinds() -> Mapping[str, type[Struct]]:
+    """The event types by their names in the stream."""
+    recorded = [kind for kind in typing.get_args(Event) if kind not in TRANSIENT]
+    return {event_name(kind): kind for kind in recorded}
+
+
+@cache
+def _types_of(kind: type[Struct]) -> Mapping[str, object]:
+    hints = typing.get_type_hints(kind, localns={"ClassVar": typing.ClassVar})
+    return {name: hints[name] for name in kind.__struct_fields__}
+
+
+def _made(kind: type[Struct], record: object) -> object:
+    """A value from an object of JSON; a field that is left out has its default."""
+    if not isinstance(record, dict):
+        raise DamagedLineError(f"{kind.__name__} is no object")
+    given = {name: _typed(type_, record[name]) for name, type_ in _types_of(kind).items() if name in record}
+    try:
+        return kind(**given)
+    except TypeError:
+        raise DamagedLineError(f"{kind.__name__} lacks a field") from None
+
+
+def _typed(type_: typing.Any, value: object) -> typing.Any:  # the types and values of any field
+    """The value with that type. Raises ``DamagedLineError`` if it has another type."""
+    origin, inner = typing.get_origin(type_), typing.get_args(type_)
+    if origin in (types.UnionType, typing.Union):  # an optional one
+        return (
+            None
+            if value is None
+            else _typed(next(each for each in inner if each is not types.NoneType), value)
+        )
+    if origin is tuple and isinstance(value, list):
+        return tuple(_typed(inner[0], each) for each in value)
+    if origin is Mapping and isinstance(value, dict):
+        return {name: _typed(inner[1], each) for name, each in value.items()}
+    if isinstance(type_, type) and issubclass(type_, Struct):
+        return _made(type_, value)
+    if isinstance(type_, type) and issubclass(type_, Enum):
+        return _member(type_, value)
+    return _plain(type_, value)
+
+
+def _member(type_: type[Enum], value: object) -> Enum:
+    try:
+        return type_(value)
+    except ValueError:
+        raise DamagedLineError(f"no {type_.__name__}") from None
+
+
+def _plain(type_: object, value: object) -> object:
+    if type_ is float and isinstance(value, int | float) and not isinstance(value, bool):
+        number = _as_float(value)
+        if isfinite(number):
+            return number
+    elif type_ in (int, str, bool) and type(value) is type_:
+        return value
+    raise DamagedLineError(f"a {type(value).__name__} is in the wrong place")
+
+
+def _as_float(value: int | float) -> float:
+    try:
+        return float(value)
+    except OverflowError:
+        raise DamagedLineError("a number is too large") from None
+
+
+def _is_deep(line: str) -> bool:
+    depth = 0
+    for bracket in _BRACKETS.findall(_STRING.sub("", line)):
+        depth += 1 if bracket in "[{" else -1
+        if depth > DEEPEST:
+            return True
+    return False
+
 
 FORMAT = 1
 KEY = "donnie_recording"
 """The first word of the header; its value is the format."""
 
 LARGEST = 4 * 1024**3
-"""Bytes of a file that is looked through; the most events that are read have a fourth of it."""
+"""Bytes of a file that are read; it can have at most a quarter as many events."""
 LONGEST_HEADER = 64 * 1024 * 1024
 LONGEST_LINE = 16 * 1024 * 1024
 """Bytes; a program has at most half of it."""
 MOST_EVENTS = 5_000_000
 MOST_DAMAGES = 100
-"""Damaged lines that are told of one file."""
+"""Damaged lines of one file that are reported."""
 
 END = "end"
 """The damage of a recording whose end is missing, as a crash leaves it."""
 
 
 class NoRecordingError(Exception):
-    """A file in which nothing of a recording is whole."""
+    """The file has no whole line of a recording."""
 
 
-class Header(Frozen):
+class Header(Struct, frozen=True):
     """What a recording was made with."""
 
     version: str
@@ -63,24 +191,24 @@ class Header(Frozen):
         out.flush()
 
 
-class Damage(Frozen):
-    """Something that is missing from a recording: ``code`` is ``damaged-CODE`` in the catalogue."""
+class Damage(Struct, frozen=True):
+    """A missing part of a recording. The catalogue has ``damaged-`` and the ``code``."""
 
     code: str
     line: int
     last: int = 0
-    """Where several lines or events are meant."""
+    """The last line or event, where there are several."""
 
 
 class Recording:
-    """A recording that was opened. The file stays open as long as somebody reads its events."""
+    """An open recording. The file must stay open while its events are read."""
 
     def __init__(self, file: BinaryIO) -> None:
-        """Look through the whole file once. Raises ``NoRecordingError``, ``OSError``."""
+        """Reads the whole file once. Raises ``NoRecordingError``, ``OSError``."""
         self.header: Header | None = None
         """None where it is damaged."""
         self.is_newer = False
-        """Whether it is of a format that is not known yet."""
+        """Whether a newer version of Donnie wrote the format."""
         self.damages: list[Damage] = []
         """What is missing, in order; of many the first ones."""
         self._file = file
@@ -98,11 +226,11 @@ class Recording:
 
     @property
     def is_cut_off_only(self) -> bool:
-        """Whether nothing is wrong but that the end is missing."""
+        """Whether the missing end is the only damage."""
         return all(each.code == END for each in self.damages)
 
     def line_of(self, index: int) -> int:
-        """The number of the line in which an event stands, from 1; of one more, the line behind the last."""
+        """The number of an event's line, from 1; after the last event, the next line."""
         if index < len(self._lines):
             return self._lines[index]
         return self._lines[-1] + 1 if self._lines else 1
@@ -119,7 +247,7 @@ class Recording:
             if len(self._places) >= MOST_EVENTS:
                 self._damage("too-many", number)
                 break
-        if self._running and not self._was_just_told(number + 1):
+        if self._running and not self._was_just_reported(number + 1):
             self._damage(END, number + 1)
         if not self._places and self.header is None:
             raise NoRecordingError
@@ -138,7 +266,7 @@ class Recording:
             return
         if is_first:
             self._damage("no-header", number)
-        if stamped.seq > self._last_seq + 1 and not self._was_just_told(number):
+        if stamped.seq > self._last_seq + 1 and not self._was_just_reported(number):
             self._damage("missing", number, stamped.seq - self._last_seq - 1)
         self._last_seq = stamped.seq
         self._note_run(stamped)
@@ -156,8 +284,8 @@ class Recording:
         elif isinstance(stamped.event, RunEnded | Reset):
             self._running.discard(stamped.robot)
 
-    def _was_just_told(self, number: int) -> bool:
-        """Whether the line before was damaged, so that what is missing is no news."""
+    def _was_just_reported(self, number: int) -> bool:
+        """Whether the line before was damaged, so that missing events were reported already."""
         return bool(self.damages) and self.damages[-1].line == number - 1
 
     def _damage(self, code: str, line: int, last: int = 0) -> None:
@@ -220,7 +348,7 @@ def _is_newer(record: Mapping[str, object]) -> bool:
 
 
 def _header(record: Mapping[str, object]) -> Header | None:
-    """The header that stands in a line; None for one of another format."""
+    """The header in a line; None for one of another format."""
     version, seed, robot = record["version"], record["seed"], record["robot"]
     belt, world = record["belt"], record["world"]
     if record[KEY] != FORMAT or not isinstance(version, str) or not isinstance(robot, str):

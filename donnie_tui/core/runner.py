@@ -1,28 +1,28 @@
 """One run of one program, in a thread of its own.
 
-Rules: it begins with ``run_started`` and ends with ``run_ended`` whatever happens between them, and the
-robot is halted before that is told. The thread that asked for the run never waits for it unless it wants to.
+Rules: a run begins with ``run_started`` and ends with ``run_ended`` whatever happens between them. The robot
+is halted before ``run_ended`` is published. The thread that started the run waits for it only by ``wait``.
 """
 
 from __future__ import annotations
 
 import threading
 from collections.abc import Callable
+from typing import Protocol, TypeAlias, TypeGuard
 
-from devices.ports.hints import Protocol, TypeAlias, TypeGuard
+from msgspec import Struct
+
 from devices.ports.robot import Robot
-from devices.ports.values import Frozen
 from donnie_tui.core.events import INTERNAL, Announced, Error, Outcome, RunEnded, RunStarted, Statement
 from donnie_tui.core.hub import Hub
 from donnie_tui.core.wording import Wording
 from language import keywords
-from language.compiler import Runnable
 from language.control import ExecutionControl
-from language.diagnostics import MOST_MISTAKES, Diagnostic, Kind, ProgramError, QuitRequested, Stopped
-from language.runtime import Actions, Frame, Memory
+from language.diagnostics import MOST_MISTAKES, Diagnostic, MistakeKind, ProgramError, QuitRequested, Stopped
+from language.runtime import Actions, Frame, Memory, Runnable
 
 Readable: TypeAlias = Runnable | tuple[Diagnostic, ...]
-"""A text once it was read: a program, or its mistakes of form."""
+"""The result of parsing a text: a program, or its mistakes of form."""
 
 
 class TakesTurns(Protocol):
@@ -35,25 +35,25 @@ class TakesTurns(Protocol):
 
 
 def takes_turns(robot: object) -> TypeGuard[TakesTurns]:
-    """Whether a robot acts in the order of a simulated world; a real one waits for nobody."""
+    """Whether a robot acts in the order of a simulated world; a real one waits for no other."""
     return hasattr(robot, "join")
 
 
-class Stage(Frozen):
-    """What every run of a session shares."""
+class Stage(Struct, frozen=True):
+    """What all runs of a session share."""
 
     robot: Robot
     hub: Hub
     actions: Actions
     wording: Wording
     has_begun: Callable[[], None]
-    """Told behind the first event."""
+    """Called after the first event."""
     about_to_end: Callable[[Outcome], None]
-    """Told before the last event, so that this one stays the last."""
+    """Called before the last event, so that this one stays the last."""
 
 
 class Run:
-    """A program on its way, or at its end."""
+    """A program that runs or has ended."""
 
     def __init__(
         self,
@@ -68,7 +68,7 @@ class Run:
         first_line: int = 1,
         trace: bool = False,
     ) -> None:
-        """``begin`` makes the world ready for it, unless it is told that the run was refused."""
+        """``begin`` prepares the world, unless its argument says that the run was refused."""
         self.control = control
         self.name = name
         self.outcome: Outcome | None = None
@@ -85,20 +85,20 @@ class Run:
         self._over = threading.Event()
         self.has_begun = False
         self.when_read: Callable[[], None] | None = None
-        """Called in the program's thread once it was read, before anything of it runs."""
+        """Called in the program's thread once the text was parsed, before anything runs."""
 
     def start(self, then: Callable[[Run], None]) -> None:
-        """Begin; ``then`` is called in the program's thread, before ``wait`` returns."""
+        """Starts; ``then`` is called in the program's thread, before ``wait`` returns."""
         thread = threading.Thread(target=self._run, args=(then,), name=f"program {self.name}", daemon=True)
         thread.start()
         self.has_begun = True
 
     def wait(self, seconds: float | None = None) -> bool:
-        """Wait for the end. False if it has not come in time."""
+        """Waits for the end. False if it has not come in time."""
         return self._over.wait(seconds)
 
     def wait_until_read(self, seconds: float | None = None) -> bool:
-        """Wait until it is known whether it ``was_refused``. False if that has not come in time."""
+        """Waits until ``was_refused`` is known. False if that has not come in time."""
         return self._has_read.wait(seconds)
 
     @property
@@ -107,7 +107,7 @@ class Run:
 
     @property
     def was_refused(self) -> bool:
-        """Whether mistakes of form kept it from running; known once it has been read."""
+        """Whether mistakes of form prevented the run; known once the text was parsed."""
         return isinstance(self._program, tuple)
 
     def frames(self) -> tuple[Frame, ...]:
@@ -126,10 +126,10 @@ class Run:
                 self._over.set()
 
     def _read_first(self) -> None:
-        """Whatever other robots do: for that nobody needs a turn. What goes wrong is told in its place."""
+        """Parses the text, which needs no turn. A failure is kept, and reported in the run's place."""
         try:
             self._program = self._read()
-        except Exception as problem:  # noqa: BLE001 -- raised again where it is told
+        except Exception as problem:  # noqa: BLE001 -- raised again where it is reported
             self._problem = problem
         finally:
             if self.when_read is not None:
@@ -137,17 +137,17 @@ class Run:
             self._has_read.set()
 
     def _run_in_turn(self) -> Outcome:
-        """From its first event to its last one the run is in its place among those of other robots."""
+        """Runs the program, and keeps the robot's turn from the first event to the last."""
         robot = self._stage.robot
         if not takes_turns(robot):
-            return self._tell_and_run()
+            return self._publish_and_run()
         robot.join()
         try:
-            return self._tell_and_run()
+            return self._publish_and_run()
         finally:
             robot.leave()
 
-    def _tell_and_run(self) -> Outcome:
+    def _publish_and_run(self) -> Outcome:
         hub, robot = self._stage.hub, self._stage.robot
         started = self._begin(self.was_refused)
         began = robot.time()
@@ -155,7 +155,7 @@ class Run:
         hub.publish(started)
         self._stage.has_begun()
         outcome = self._outcome()
-        hub.hold_back_nobody()
+        hub.stop_holding_back()
         robot.halt()
         seconds = robot.time() - began
         self._stage.about_to_end(outcome)
@@ -173,7 +173,7 @@ class Run:
             return Outcome.STOPPED
         except QuitRequested:
             return Outcome.QUIT
-        except Exception:  # whatever went wrong, the learner must hear of it
+        except Exception:  # the learner must learn of every failure
             import logging  # slow to load, and never needed as long as all is well
 
             logging.getLogger(__name__).exception("the program's thread failed")
@@ -199,13 +199,13 @@ class Run:
         for each in mistakes:
             self._publish_error(each)
         if len(mistakes) >= MOST_MISTAKES:
-            told = self._stage.wording("more-mistakes", limit=MOST_MISTAKES)
-            self._stage.hub.publish(Announced("more-mistakes", told))
+            sentence = self._stage.wording("more-mistakes", limit=MOST_MISTAKES)
+            self._stage.hub.publish(Announced("more-mistakes", sentence))
 
     def _publish_error(self, diagnostic: Diagnostic, calls: tuple[int, ...] = ()) -> None:
         wording = self._stage.wording
         span, details = diagnostic.span, diagnostic.details
-        in_head = str(details.get("opener", "")) if diagnostic.kind is Kind.SYNTAX else ""
+        in_head = str(details.get("opener", "")) if diagnostic.kind is MistakeKind.SYNTAX else ""
         self._stage.hub.publish(
             Error(
                 diagnostic.kind.value,
@@ -223,11 +223,11 @@ class Run:
         )
 
     def _publish_failure(self) -> None:
-        """Our own fault: told like a mistake, so that nobody waits in silence."""
+        """Publishes an internal error like a mistake, so that the learner knows why the program ended."""
         frames = self.frames()
         line = frames[0].line if frames else self._first_line
-        told = self._stage.wording("internal-error")
-        self._stage.hub.publish(Error(INTERNAL, line, 1, told, None, self._source_line(line).strip()))
+        sentence = self._stage.wording("internal-error")
+        self._stage.hub.publish(Error(INTERNAL, line, 1, sentence, None, self._source_line(line).strip()))
 
     def _source_line(self, line: int) -> str:
         index = line - self._first_line

@@ -1,7 +1,7 @@
-"""One learner with one robot in one world: what both front ends and ``donnie run`` talk to.
+"""One learner with one robot in one world: the front ends and ``donnie run`` use it.
 
-Nothing here blocks but ``Run.wait``. One program runs at a time; the robot's pose and the variables live
-on from one run to the next unless a run is ``fresh``.
+Nothing here blocks but ``Run.wait``. One program runs at a time. The robot's pose and the variables stay from
+one run to the next, unless a run is ``fresh``.
 """
 
 from __future__ import annotations
@@ -9,20 +9,20 @@ from __future__ import annotations
 import threading
 from collections.abc import Callable
 from functools import partial
+from typing import Protocol, TypeAlias
 
-from devices.ports.hints import Protocol, TypeAlias
+from msgspec.structs import replace
+
 from devices.ports.robot import Pace, Pose, Robot, Watcher
-from devices.ports.values import replace
 from donnie_tui import __version__
-from donnie_tui.core.actions import RobotActions, RobotWatcher
+from donnie_tui.core.actions import Deed, GripperRun, MovedThings, RobotActions, RobotWatcher
 from donnie_tui.core.announcer import Announcer
 from donnie_tui.core.belt import BeltFeeling, BeltSettings
 from donnie_tui.core.events import HowStarted, Outcome, Reset, RunStarted, Sensed
-from donnie_tui.core.handling import Deed, DeedRun, MovedThings
 from donnie_tui.core.hub import Hub, Stream
 from donnie_tui.core.outlets import UntilSaid
 from donnie_tui.core.runner import Readable, Run, Stage, takes_turns
-from donnie_tui.core.telling import Teller
+from donnie_tui.core.transcript import SentencePublisher
 from donnie_tui.core.wording import Wording
 from language.compiler import compile_program
 from language.control import ControlState, ExecutionControl
@@ -42,7 +42,7 @@ class ResettableRobot(Robot, Protocol):
 
 
 LONGEST_STOP = 2.0
-"""Seconds that a program may take to end once it was told to stop."""
+"""Seconds that a program may take to end after a stop."""
 
 MakeRobot: TypeAlias = Callable[[Pace, Watcher], ResettableRobot]
 
@@ -52,7 +52,7 @@ class Busy(Exception):
 
 
 class _CurrentPace:
-    """The pace of whatever program runs just now: the robot outlives the controls."""
+    """The pace of the program that runs now; the robot outlives the programs' controls."""
 
     def __init__(self) -> None:
         self.control: ExecutionControl | None = None
@@ -63,8 +63,8 @@ class _CurrentPace:
         self.has_waited.set()
         return self.control is not None and self.control.sleep(seconds)
 
-    def goes_on(self) -> bool:
-        """Whether no stop was asked for."""
+    def may_continue(self) -> bool:
+        """Whether no stop was requested."""
         return self.control is not None and self.control.state is not ControlState.STOPPING
 
 
@@ -85,24 +85,24 @@ class Session:
         until_said: UntilSaid | None = None,
         moved_things: MovedThings = lambda: None,
     ) -> None:
-        """``terminal``: QUIT is allowed, and a name may be declared again by a later batch.
+        """``terminal``: QUIT is allowed, and a later batch may declare a name again.
 
-        ``name``: the robot's, where its world has several; ``stream``: the one that it shares with these.
-        ``moved_things`` tells where the things of the world are.
+        ``name``: the robot's, where its world has several. ``stream``: the one that these robots share.
+        ``moved_things`` returns the places of the world's things.
         """
         self._pace = _CurrentPace()
         self._began: float | None = None
         """When the last run of this robot began, by its clock; None before the first one."""
         self.hub = Hub(self._since_began, name, stream)
         self.wording = wording
-        self.teller = Teller(self.hub, wording)
+        self.sentences = SentencePublisher(self.hub, wording)
         self._belt_settings = belt or BeltSettings()
         self._own_robot, self._until_said = make_robot, until_said
         self._moved_things = moved_things
         self._take(make_robot)
         self.name = self.hub.robot or self._robot.name
-        """As its world calls it, whichever robot takes its place."""
-        self._announcer = Announcer(self.hub, self.teller, wording)
+        """The robot's name in its world, also after ``change_robot``."""
+        self._announcer = Announcer(self.hub, self.sentences, wording)
         self._memory = Memory()
         self._world, self._seed, self._terminal = world, seed, terminal
         self._lock = threading.Lock()
@@ -119,9 +119,9 @@ class Session:
         self._actions = RobotActions(
             self._robot,
             self.hub,
-            self.teller,
+            self.sentences,
             self._belt,
-            goes_on=self._pace.goes_on,
+            may_continue=self._pace.may_continue,
             until_said=self._until_said,
             moved_things=self._moved_things,
         )
@@ -131,7 +131,7 @@ class Session:
     def parse(self, text: str, first_line: int = 1, *, fresh: bool = False) -> Parsed:
         """The program's tree, or its mistakes of form, with the colours that this robot can see.
 
-        A robot without eyes says so when it is asked to look. ``fresh``: nothing was declared before.
+        A robot without a camera reports that at run time. ``fresh``: nothing was declared before.
         """
         colours, declared = self._robot.colours or None, {} if fresh else self._memory.procedures
         return parse(text, first_line=first_line, colours=colours, declared=declared)
@@ -150,13 +150,13 @@ class Session:
         each_statement: Callable[[], None] | None = None,
         when_read: Callable[[Run], None] | None = None,
     ) -> Run:
-        """Run a program. Raises ``Busy`` while another one runs.
+        """Runs a program. Raises ``Busy`` while another one runs.
 
-        ``fresh`` puts the robot back to its start and forgets variables, once it is clear that the program
-        can run; ``hooked`` makes it steppable; ``terminal`` is the session's own where it is not given (the
-        program of an editor is no terminal, the line below it is); ``prepare`` is given the control before
-        the first statement (to step from the start, say); ``each_statement`` is called before each one, in
-        the program's thread, where it is ``hooked``; ``when_read`` once it was read, before any of it runs.
+        ``fresh`` puts the robot back to its start and forgets variables, once the text was parsed without
+        mistakes. ``hooked`` makes the run steppable. ``terminal`` overrides the session's: the program of an
+        editor is no terminal, the line below it is. ``prepare`` gets the control before the first statement,
+        for example to step from the start. ``each_statement`` is called before each statement, in the
+        program's thread, if ``hooked``. ``when_read`` is called after parsing, before anything runs.
         """
         run = self.claim(
             text, name, fresh=fresh, hooked=hooked, trace=trace, first_line=first_line, terminal=terminal
@@ -187,11 +187,11 @@ class Session:
         first_line: int = 1,
         terminal: bool | None = None,
         together: tuple[str, ...] = (),
-        deed: Deed | None = None,
+        gripper_command: Deed | None = None,
     ) -> Run:
         """As ``start``, but the run waits for ``begin``: for robots that start ``together``.
 
-        ``deed``: what the gripper does in place of a program.
+        ``gripper_command``: the gripper command in place of a program.
         """
         terminal = self._terminal if terminal is None else terminal
         with self._lock:
@@ -208,25 +208,25 @@ class Session:
                 self.wording.detail,
                 self.hub.robot is not None,
                 together,
-                "" if deed is None else deed.value,
+                "" if gripper_command is None else gripper_command.value,
             )
             if fresh and how.is_together:  # the world begins anew before the first of them takes part
                 self._begin_anew()
-            self._run = self._new_run(name, how, hooked or trace, deed)
+            self._run = self._new_run(name, how, hooked or trace, gripper_command)
             self._pace.control = self._run.control
             self._pace.has_waited.clear()
             return self._run
 
-    def use_gripper(self, deed: Deed) -> Run:
-        """Close or open the robot's gripper, as a run of its own. Raises ``Busy`` while a program runs."""
-        return self._begun(self.claim("", deed.value, deed=deed))
+    def use_gripper(self, gripper_command: Deed) -> Run:
+        """Closes or opens the gripper, as a run of its own. Raises ``Busy`` while a program runs."""
+        return self._begun(self.claim("", gripper_command.value, gripper_command=gripper_command))
 
     def begin(self, run: Run) -> None:
-        """Let a run go that was claimed."""
+        """Starts a run that was claimed."""
         run.start(then=self._release)
 
     def give_up(self, run: Run) -> None:
-        """A run that was claimed and did not begin; one that did is stopped, and ends by itself."""
+        """Gives up a claimed run that has not begun. One that has begun is stopped, and ends by itself."""
         if run.has_begun:
             self.stop()
             return
@@ -234,12 +234,12 @@ class Session:
         if takes_turns(self._robot):
             self._robot.leave()
 
-    def _new_run(self, name: str, how: HowStarted, hooked: bool, deed: Deed | None) -> Run:
+    def _new_run(self, name: str, how: HowStarted, hooked: bool, gripper_command: Deed | None) -> Run:
         control = ExecutionControl()
 
         def read() -> Readable:
-            if deed is not None:
-                return DeedRun(deed, self._actions.handling)
+            if gripper_command is not None:
+                return GripperRun(gripper_command, self._actions.handling)
             parsed = self.parse(how.text, how.first_line, fresh=how.fresh)
             if parsed.program is None:
                 return parsed.diagnostics
@@ -253,7 +253,7 @@ class Session:
                 self.hub,
                 self._actions,
                 self.wording,
-                self._actions.handling.tell_things,
+                self._actions.handling.publish_things,
                 self._about_to_end,
             ),
             name,
@@ -267,7 +267,7 @@ class Session:
         )
 
     def _begin(self, name: str, how: HowStarted, refused: bool) -> RunStarted:
-        """In the program's thread, once it was read and is in its turn."""
+        """Prepares the run's first event, in the program's thread and in its turn."""
         how = replace(how, refused=refused)
         if how.begins_anew and not how.is_together:
             self._begin_anew()
@@ -301,7 +301,7 @@ class Session:
 
     @property
     def run(self) -> Run | None:
-        """What runs just now."""
+        """The run that is not over yet."""
         return self._run
 
     @property
@@ -310,27 +310,27 @@ class Session:
         return run.frames() if run else ()
 
     def stop(self) -> None:
-        """Stop whatever runs, and halt the robot. Any thread, any time."""
+        """Stops the program and halts the robot. Any thread, any time."""
         run = self._run
         if run:
             run.control.stop()
             self._robot.halt()
 
     def settle(self) -> bool:
-        """A program that was told to stop is waited for, some moments at most. Whether none is left."""
+        """Waits some moments at most for a stopped program to end. Returns whether no program runs."""
         run = self._run
         is_ending = run is not None and run.control.state in (ControlState.STOPPING, ControlState.ENDED)
         return run is None or not is_ending or run.wait(LONGEST_STOP)
 
     def wait_until_acting(self, seconds: float) -> None:
-        """Until the robot is at its first movement or wait, its program is over, or that time has passed."""
+        """Waits for the robot's first movement or wait, or the program's end, or until the time is over."""
         self._pace.has_waited.wait(seconds)
 
     # --- the robot
 
     @property
     def takes_turns(self) -> bool:
-        """Whether its robot acts in the order of a simulated world; a real one waits for nobody."""
+        """Whether its robot acts in the order of a simulated world; a real one waits for no other."""
         return takes_turns(self._robot)
 
     @property
@@ -346,7 +346,7 @@ class Session:
         return self._robot.pose()
 
     def tell_distances(self) -> None:
-        """Publish what is known of the distances around the robot, for who looks. Nothing else happens."""
+        """Publishes the known distances around the robot, for screens. Nothing else happens."""
         self.hub.publish(Sensed(self._robot.known_distances()))
 
     @property
@@ -359,20 +359,20 @@ class Session:
 
     @property
     def variables(self) -> dict[str, int]:
-        """What the last program left."""
+        """The variables of the last program."""
         return dict(self._memory.variables)
 
     def reset(self) -> None:
-        """Put the robot back to its start and forget everything. Raises ``Busy`` while a program runs."""
+        """Puts the robot back to its start and forgets everything. Raises ``Busy`` while a program runs."""
         with self._lock:
             if self._run is not None:
                 raise Busy
             self._begin_anew()
         self.hub.publish(Reset(self.pose))
-        self._actions.handling.tell_things()
+        self._actions.handling.publish_things()
 
     def change_robot(self, make_robot: MakeRobot | None) -> None:
-        """Another robot from now on, at its start, with nothing remembered. None: the one of the beginning.
+        """Changes to another robot, at its start and with nothing remembered. None: the first one.
 
         Raises ``Busy`` while a program runs, and what ``make_robot`` raises; then the old one stays.
         """
@@ -392,7 +392,7 @@ class Session:
         self._memory.forget()
 
     def close(self, seconds: float = 1.0) -> None:
-        """Stop, wait for the program's thread that long, and halt the robot."""
+        """Stops, waits that long for the program's thread, and halts the robot."""
         run = self._run
         self.stop()
         if run:

@@ -1,4 +1,4 @@
-"""The speeds that SLOWER and FASTER choose from, and how a speed is told. None is as fast as possible."""
+"""The speeds that SLOWER and FASTER choose from, and their words. None is as fast as possible."""
 
 from __future__ import annotations
 

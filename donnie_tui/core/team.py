@@ -1,8 +1,8 @@
-"""The robots of one world: a session for each, one stream of events, and the one that is talked to.
+"""The robots of one world: a session for each, one stream of events, and the chosen robot.
 
-Sessions are made when somebody asks for them, so a world of a thousand robots costs no more than those that
-are used. Rule: robots that start together are announced before the first of them acts, so that what happens
-does not depend on whose thread is faster.
+Sessions are made on first use, so a world of a thousand robots costs no more than those in use. Rule: robots
+that start together are announced before the first of them acts, so that events do not depend on the threads'
+speed.
 """
 
 from __future__ import annotations
@@ -10,19 +10,20 @@ from __future__ import annotations
 import threading
 from collections.abc import Callable, Iterable, Mapping
 
-from devices.ports.values import Frozen
+from msgspec import Struct
+
 from donnie_tui.core.hub import Stream
 from donnie_tui.core.runner import Run
 from donnie_tui.core.session import Session
 from language.source import fold_name
 
 
-class Assigned(Frozen):
+class Assigned(Struct, frozen=True):
     """A program for one robot."""
 
     text: str
     name: str
-    """What the program is called."""
+    """The program's name."""
 
 
 class Team:
@@ -35,7 +36,7 @@ class Team:
         stream: Stream,
         expect: Callable[[Iterable[str]], None] | None = None,
     ) -> None:
-        """``names`` in the order of the world, at least one; ``expect`` announces who starts together."""
+        """``names`` in the order of the world, at least one. ``expect`` announces a common start."""
         self.names = tuple(dict.fromkeys(names))
         self.stream = stream
         self._make_session = make_session
@@ -46,7 +47,7 @@ class Team:
         self.given: dict[str, Assigned] = {}
         """The programs that robots were given last, by name."""
 
-    # --- who
+    # --- the robots
 
     @property
     def has_several(self) -> bool:
@@ -54,29 +55,29 @@ class Team:
 
     @property
     def chosen_name(self) -> str:
-        """Of the robot that is talked to, as its world calls it."""
+        """The chosen robot's name in its world."""
         return self._chosen
 
     @property
     def chosen(self) -> Session:
-        """The session of the robot that is talked to."""
+        """The chosen robot's session."""
         return self.session(self._chosen)
 
     def choose(self, name: str) -> Session:
-        """Talk to that robot from now on, at the speed that was chosen. Raises ``KeyError``."""
+        """Chooses that robot, and keeps the chosen speed. Raises ``KeyError``."""
         session, speed = self.session(name), self.chosen.speed
         self._chosen = name
         session.speed = speed
         return session
 
     def called(self, typed: str) -> str | None:
-        """The name of the robot that somebody means, in any case and with or without accents."""
+        """The robot's name for what was typed, in any case and with or without accents."""
         if typed in self.names:
             return typed
         return next((name for name in self.names if fold_name(name) == fold_name(typed)), None)
 
     def give(self, name: str, program: Assigned) -> None:
-        """What that robot runs when all start together."""
+        """Sets the program that the robot runs when all start together."""
         self.given[name] = program
 
     def session(self, name: str) -> Session:
@@ -90,15 +91,15 @@ class Team:
 
     @property
     def sessions(self) -> tuple[Session, ...]:
-        """Those that somebody has asked for, in the order of the world."""
+        """The sessions in use, in the order of the world."""
         return tuple(self._sessions[name] for name in self.names if name in self._sessions)
 
     @property
     def running(self) -> tuple[Session, ...]:
-        """Those whose programs run just now."""
+        """The sessions whose programs run."""
         return tuple(each for each in self.sessions if each.run is not None)
 
-    # --- what
+    # --- their programs
 
     def start_together(
         self,
@@ -107,10 +108,12 @@ class Team:
         trace: bool = False,
         hooked: bool = True,
         terminal: bool | None = None,
+        prepare: Callable[[Session, Run], None] = lambda _session, _run: None,
     ) -> tuple[Run, ...]:
-        """Each robot runs its program from its start, all from the same moment on, in the order of the world.
+        """Starts each robot's program from its start at the same moment, in the order of the world.
 
-        Raises ``Busy`` before any has begun if one of them runs something, ``KeyError`` for an unknown robot.
+        ``prepare`` is called for each before any begins. Raises ``Busy`` before any has begun if one of them
+        runs something, ``KeyError`` for an unknown robot.
         """
         for unknown in programs.keys() - set(self.names):
             raise KeyError(unknown)
@@ -129,6 +132,7 @@ class Team:
                     together=names if len(names) > 1 else (),
                 )
                 claimed.append((session, run))
+                prepare(session, run)
             self._begin_together(claimed)
         except BaseException:
             for session, run in claimed:
@@ -145,18 +149,18 @@ class Team:
             session.begin(run)
 
     def stop(self) -> None:
-        """Stop all programs and halt all robots."""
+        """Stops all programs and halts all robots."""
         for session in self.sessions:
             session.stop()
 
     def settle(self) -> None:
-        """Those that were told to stop are waited for, some moments at most."""
+        """Waits some moments at most for the stopped programs to end."""
         for session in self.sessions:
             if not session.settle():
                 return
 
     def close(self, seconds: float = 1.0) -> None:
-        """Stop all, wait for each program's thread that long, halt the robots."""
+        """Stops all, waits that long for each program's thread, and halts the robots."""
         self.stop()
         for session in self.sessions:
             session.close(seconds)

@@ -1,17 +1,21 @@
-"""Going through what happened: event by event or step by step, forwards and backwards.
+"""Moves through past events: by event or by step, forwards and backwards.
 
-A position is the number of events that have happened, from 0 to all of them. At each one the timeline knows
-where every robot is and how it came there; variables are known only where a run ended. A step is what one
-command did, with all that was told about it.
+A position is the number of events before it. At each position the timeline knows the place and trail of every
+robot; variables are known only where a run ended. A step is one command with all announcements about it.
+
+``Chronicle`` is the listener that keeps the newest events for it.
 """
 
 from __future__ import annotations
 
+from collections import deque
 from collections.abc import Sequence
 
+from msgspec import Struct
+
 from devices.ports.robot import Pose
-from devices.ports.values import Frozen
 from donnie_tui.core.events import (
+    TRANSIENT,
     Announced,
     BeltShown,
     CueSounded,
@@ -28,13 +32,13 @@ from donnie_tui.core.events import (
     Turned,
 )
 
-_TOLD_OF_A_DEED = ("moved", "turned", "scan", "sound", "link", "gripper", "pushed")
-"""Announcements that follow an event of their own; all others are what happened themselves."""
+_ABOUT_AN_EVENT = ("moved", "turned", "scan", "sound", "link", "gripper", "pushed")
+"""Announcements that follow an event of their own; any other is an event in itself."""
 _LEADING_ON = ("step-forward", "step-back", "turn-right", "turn-left", "waiting", "done")
-"""Cues that come before what they are about has ended."""
+"""Cues that precede the event that they belong to."""
 
 
-class _Place(Frozen):
+class _Place(Struct, frozen=True):
     """A robot was here after so many events."""
 
     at: int
@@ -47,16 +51,16 @@ class Timeline:
     """A position in a list of events, at its start at first."""
 
     def __init__(self, events: Sequence[Stamped]) -> None:
-        """``events`` must not change while somebody goes through them; transient ones are not for it."""
+        """``events`` must not change during use, and must not contain transient ones."""
         self.events = events
         self.at = 0
         self._places: dict[str | None, list[_Place]] = {}
         self._things: list[tuple[int, tuple[PlacedThing, ...]]] = []
 
-    # --- going
+    # --- moving
 
     def forward(self) -> Stamped | None:
-        """Let the next event happen. None at the end."""
+        """Moves over the next event. None at the end."""
         if self.at == len(self.events):
             return None
         stamped = self.events[self.at]
@@ -65,7 +69,7 @@ class Timeline:
         return stamped
 
     def back(self) -> Stamped | None:
-        """Undo the last event and give it. None at the start."""
+        """Undoes the last event and returns it. None at the start."""
         if self.at == 0:
             return None
         self.at -= 1
@@ -78,21 +82,21 @@ class Timeline:
         return stamped
 
     def go_to(self, at: int) -> None:
-        """Go to a position; the nearest one there is."""
+        """Moves to a position, or to the nearest one that exists."""
         while self.at < at and self.forward():
             pass
         while self.at > max(at, 0):
             self.back()
 
     def step(self) -> tuple[Stamped, ...]:
-        """Let the next step happen. Its events, none at the end."""
+        """Moves over the next step. Returns its events, none at the end."""
         first = self.at
         while self.forward() and not self.is_between_steps:
             pass
         return tuple(self.events[index] for index in range(first, self.at))
 
     def step_back(self) -> tuple[Stamped, ...]:
-        """Undo the last step. Its events as they had happened, none at the start."""
+        """Undoes the last step. Returns its events in their order, none at the start."""
         last = self.at
         while self.back() and not self.is_between_steps:
             pass
@@ -105,21 +109,21 @@ class Timeline:
 
     @property
     def now(self) -> Stamped | None:
-        """What happened last; None at the start."""
+        """The last event; None at the start."""
         return self.events[self.at - 1] if self.at else None
 
     @property
     def robots(self) -> tuple[str | None, ...]:
-        """The robots that were seen so far; None is the only one of its world."""
+        """The robots so far; None is the only one of its world."""
         return tuple(robot for robot, places in self._places.items() if places)
 
     def pose(self, robot: str | None = None) -> Pose | None:
-        """Where the robot is here. None where nothing tells it yet."""
+        """The robot's pose here. None where it is not known yet."""
         places = self._places.get(robot)
         return places[-1].pose if places else None
 
     def trail(self, robot: str | None = None) -> tuple[Pose, ...]:
-        """Where it has been since it last stood at its start, oldest first, up to here."""
+        """The robot's poses since it was last at its start, oldest first, up to here."""
         places = self._places.get(robot, [])
         first = next((index for index in reversed(range(len(places))) if places[index].begins), 0)
         return tuple(each.pose for each in places[first:])
@@ -153,8 +157,8 @@ class Timeline:
             self._things.append((self.at, event.places))
 
 
-def is_deed(event: Event) -> bool:
-    """Whether it is what a step is about, and not what was told of it or what led to it."""
+def is_main_event(event: Event) -> bool:
+    """Whether it is the main event of a step, not an announcement about it or a cue before it."""
     return not (_leads_on(event) or _belongs_to_the_last(event))
 
 
@@ -175,7 +179,7 @@ def _begins_anew(event: RunStarted) -> bool:
 def _belongs_to_the_last(event: Event) -> bool:
     match event:
         case Announced(code=code):
-            return code in _TOLD_OF_A_DEED
+            return code in _ABOUT_AN_EVENT
         case CueSounded(name=name):
             return name not in _LEADING_ON
         case BeltShown() | ThingsMoved():
@@ -192,3 +196,30 @@ def _leads_on(event: Event) -> bool:
             return True
         case _:
             return False
+
+
+MOST = 50_000
+"""Events that are kept, the newest ones: a lesson has some thousands."""
+
+
+class Chronicle:
+    """Keeps the newest events that are not transient. Safe in any thread."""
+
+    def __init__(self, most: int = MOST) -> None:
+        self._events: deque[Stamped] = deque(maxlen=most)
+
+    def __call__(self, stamped: Stamped) -> None:
+        if not isinstance(stamped.event, TRANSIENT):
+            self._events.append(stamped)
+
+    @property
+    def last_seq(self) -> int:
+        """The number of the last event; 0 before any."""
+        return self._events[-1].seq if self._events else 0
+
+    def timeline(self) -> Timeline:
+        """The kept events, at their end."""
+
+        timeline = Timeline(tuple(self._events.copy()))
+        timeline.go_to(len(timeline))
+        return timeline

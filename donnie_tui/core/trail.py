@@ -1,4 +1,7 @@
-"""The robot's last moves, for TRAIL: heard from the stream, told in words, the newest last."""
+"""The robot's last moves in words, for TRAIL.
+
+Collects them from the stream; the newest is the last.
+"""
 
 from __future__ import annotations
 
@@ -6,30 +9,29 @@ from collections import deque
 from collections.abc import Callable
 
 from devices.ports.robot import Pose, StoppedBy
-from donnie_tui.core import poses
 from donnie_tui.core.events import Moved, RunEnded, RunStarted, Stamped, Turned
-from donnie_tui.core.telling import facing, position_in_words
-from donnie_tui.core.wording import Wording
+from donnie_tui.core.transcript import facing, position_in_words
+from donnie_tui.core.wording import Wording, compass_heading, whole_steps
 
 USUALLY_TOLD = 5
-"""Moves that TRAIL tells without a number."""
+"""Moves that TRAIL gives without a number."""
 
 KEPT = 1000
 """Moves that are remembered."""
 
 
 class Trail:
-    """The moves so far, of each robot its own. Subscribe ``hear`` to a hub."""
+    """The moves of each robot so far. Subscribe ``hear`` to a hub."""
 
     def __init__(self, of: Callable[[], str | None] = lambda: None) -> None:
-        """``of``: whose moves are asked for, by the name in its events; None in a world of one robot."""
+        """``of`` returns the robot's name in its events; None in a world of one robot."""
         self._of = of
         self._moves_of: dict[str | None, deque[Moved | Turned]] = {}
         self._last_poses: dict[str | None, Pose] = {}
 
     @property
     def last_pose(self) -> Pose | None:
-        """Where the robot last stood; None before anything ran."""
+        """The robot's last pose; None before anything ran."""
         return self._last_poses.get(self._of())
 
     @property
@@ -37,7 +39,7 @@ class Trail:
         return list(self._moves_of.get(self._of(), ()))
 
     def hear(self, stamped: Stamped) -> None:
-        """In any thread."""
+        """Called in any thread."""
         event = stamped.event
         if isinstance(event, Moved | Turned):
             self._moves_of.setdefault(stamped.robot, deque(maxlen=KEPT)).append(event)
@@ -58,9 +60,9 @@ class Trail:
             (
                 each.command,
                 each.walked if isinstance(each, Moved) else each.turned,
-                poses.whole(each.pose.x),
-                poses.whole(each.pose.y),
-                poses.heading(each.pose),
+                whole_steps(each.pose.x),
+                whole_steps(each.pose.y),
+                compass_heading(each.pose),
                 each.stopped_by is not None,
             )
             for each in self._moves
@@ -68,7 +70,7 @@ class Trail:
 
 
 def place_in_words(pose: Pose, trail: Trail, wording: Wording, *, is_full: bool) -> tuple[str, ...]:
-    """For WHERE: where the robot is; where more is wanted, its last move too."""
+    """The answer to WHERE: the robot's place, and at full its last move."""
     place = position_in_words(pose, wording)
     return (place, *trail.in_words(1, wording)) if is_full else (place,)
 
@@ -79,5 +81,5 @@ def _move(event: Moved | Turned, wording: Wording) -> str:
     code = "trail-blocked" if event.stopped_by else "trail-walked"
     if event.stopped_by in (StoppedBy.USER, StoppedBy.LINK):
         code = "trail-stopped"
-    x, y = poses.whole(event.pose.x), poses.whole(event.pose.y)
+    x, y = whole_steps(event.pose.x), whole_steps(event.pose.y)
     return wording(code, command=event.command, done=event.walked, x=x, y=y)

@@ -1,25 +1,30 @@
-"""The words of an event as lines of text: what linear mode prints, the log shows and the voice says.
+"""Events in words: the lines that linear mode prints, the log shows and the voice speaks.
 
-Whatever is spoken is printed: the voice takes its text from here too. What a program brings along is made
-printable here, so that no text of a learner's can move a cursor.
+``SentencePublisher`` publishes the answers to STATE, HISTORY, POS and HELP as announcements; ``History`` has
+the movements for them.
 
-Movements that are told faster than anybody can listen are summed up (``SummingUp``). While a program runs at
-a robot's pace, at most ``MOST`` lines are told in a second. Only what says no more than that a movement went
-as it was asked may be summed up, and where it led: what the program says, what is seen, obstacles, mistakes
-and answers are told always and in order, each after the sum of what was before it. Nothing is taken from the
-stream: a recording, the trail and the log have every movement.
+The voice takes its text from here, so that all that is spoken is also printed. Text from a program is made
+printable here, so that it can't move a cursor.
 
-Whoever tells events asks ``before`` and ``passes`` about each of them; all of them get the same answers, so
-that what is said is what is printed.
+``SummingUp`` sums up movements that come faster than a learner can follow. While a program runs at the
+robot's pace, at most ``MOST`` lines are printed in a second. Only the sentences "a movement was done" and
+"this is where it led" may be summed up. What the program says, what is seen, obstacles, mistakes and answers
+are always printed in order, each after the sum of what was before it. The stream keeps everything: a
+recording, the trail and the log have every movement.
+
+Each listener that prints or speaks asks ``before`` and ``passes`` about each event. All of them get the same
+answers, so that the voice speaks what is printed.
 """
 
 from __future__ import annotations
 
 from collections import deque
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Iterable, Sequence
+from typing import Protocol
 
-from devices.ports.hints import Protocol
-from devices.ports.values import Mutable, field
+from msgspec import Struct, field
+
+from devices.ports.robot import Pose, StoppedBy
 from donnie_tui.core.events import (
     BELT_LINK,
     Announced,
@@ -33,21 +38,136 @@ from donnie_tui.core.events import (
     Stamped,
     Turned,
 )
-from donnie_tui.core.harmless import printable
-from donnie_tui.core.wording import Wording
+from donnie_tui.core.hub import Hub
+from donnie_tui.core.safe_text import printable
+from donnie_tui.core.wording import COMPASS, Wording, compass_heading, whole_steps
+
+
+class Movement(Struct, frozen=True):
+    """One movement: its number from 1, the command as typed, the amount done, and the pose after it."""
+
+    number: int
+    command: str
+    turned: bool
+    done: int
+    crashed: bool
+    pose: Pose
+
+
+class History:
+    """The movements so far, oldest first."""
+
+    def __init__(self) -> None:
+        self._movements: list[Movement] = []
+
+    def remember(self, event: Moved | Turned) -> None:
+        done = event.walked if isinstance(event, Moved) else event.turned
+        crashed = event.stopped_by not in (None, StoppedBy.LINK)
+        number = len(self._movements) + 1
+        turned = isinstance(event, Turned)
+        self._movements.append(Movement(number, event.command, turned, done, crashed, event.pose))
+
+    def forget(self) -> None:
+        self._movements.clear()
+
+    @property
+    def last(self) -> Movement | None:
+        return self._movements[-1] if self._movements else None
+
+    @property
+    def movements(self) -> tuple[Movement, ...]:
+        return tuple(self._movements)
+
+
+class SentencePublisher:
+    """Makes sentences with the wording and publishes them."""
+
+    def __init__(self, hub: Hub, wording: Wording) -> None:
+        self._hub = hub
+        self._say = wording
+
+    def announce(self, code: str, sentence: str | None = None, **values: object) -> None:
+        """Publishes one sentence. ``sentence`` is its code in the catalogue where that is not ``code``."""
+        self._hub.publish(Announced(code, self._say(sentence or code, **values)))
+
+    def state(self, last: Movement | None, pose: Pose) -> None:
+        if last is None:
+            self._no_movement("state", pose)
+        else:
+            self._movement("state", last)
+
+    def history(self, movements: Iterable[Movement]) -> None:
+        for movement in movements:
+            self._movement("history", movement)
+
+    def no_history(self, pose: Pose) -> None:
+        self._no_movement("history", pose)
+
+    def position(self, pose: Pose) -> None:
+        self.place("position", pose)
+
+    def place(self, code: str, pose: Pose) -> None:
+        """Publishes the robot's place, with ``code`` as the subject."""
+        self._hub.publish(Announced(code, position_in_words(pose, self._say)))
+
+    def help(self, topic: str | None) -> None:
+        for line in self._say.help(topic):
+            self._hub.publish(Announced("help", line))
+
+    def overwritten(self, name: str) -> None:
+        self.announce("hint", "overwritten", name=name)
+
+    def waiting(self, seconds: int) -> None:
+        if seconds:
+            self.announce("waiting", seconds=seconds)
+
+    def belt(self, on: bool) -> None:
+        self.announce("belt", "belt-on" if on else "belt-off")
+
+    def _no_movement(self, code: str, pose: Pose) -> None:
+        self.announce(code, "no-movement", **_whole(pose))
+
+    def _movement(self, code: str, movement: Movement) -> None:
+        self.announce(
+            code,
+            "movement-turned" if movement.turned else "movement-walked",
+            number=movement.number,
+            command=movement.command,
+            done=movement.done,
+            crashed=self._say("crashed" if movement.crashed else "not-crashed"),
+            **_whole(movement.pose),
+        )
+
+
+def facing(pose: Pose, wording: Wording) -> str:
+    """The heading in words: "north", or "40 degrees, near northeast"."""
+    degrees = compass_heading(pose)
+    point = wording(f"compass-{COMPASS[round(degrees / 45) % 8]}")
+    return point if degrees % 45 == 0 else wording("facing-between", degrees=degrees, point=point)
+
+
+def position_in_words(pose: Pose, wording: Wording) -> str:
+    """A robot's place and heading."""
+    x, y = whole_steps(pose.x), whole_steps(pose.y)
+    return wording("position", facing=facing(pose, wording), x=x, y=y)
+
+
+def _whole(pose: Pose) -> dict[str, int]:
+    return {"x": whole_steps(pose.x), "y": whole_steps(pose.y), "heading": compass_heading(pose)}
+
 
 LONGEST_SOURCE = 60
 """Characters of a source line that are quoted with a mistake."""
 
 MOST_CALLS = 10
-"""Calls that are told of a mistake deep inside."""
+"""Calls that are listed for a mistake in a procedure."""
 
 OF_NO_ROBOT = ("help", "more-mistakes", BELT_LINK)
-"""Announcements that are about the language or the belt and not about what a robot does."""
+"""Announcements about the language or the belt, not about a robot."""
 
 
 def told_lines(stamped: Stamped, wording: Wording) -> tuple[str, ...]:
-    """The lines that tell the event, with the robot's name before them where the world has several."""
+    """The lines of an event, with the robot's name before them where the world has several."""
     lines = lines_of(stamped.event, wording)
     if stamped.robot is None or (isinstance(stamped.event, Announced) and stamped.event.code in OF_NO_ROBOT):
         return lines
@@ -65,7 +185,7 @@ def lines_said_by(robot: str | None, lines: Sequence[str], wording: Wording) -> 
 
 
 def lines_of(event: Event, wording: Wording) -> tuple[str, ...]:
-    """The lines that tell the event, none if it is not told in words."""
+    """The lines of an event; none if it is not printed."""
     match event:
         case Spoke(text=text) | Announced(text=text) | Answered(text=text) | Pointed(text=text):
             return tuple(printable(line) for line in text.splitlines()) or ("",)
@@ -76,7 +196,7 @@ def lines_of(event: Event, wording: Wording) -> tuple[str, ...]:
 
 
 def _lines_of_error(error: Error, wording: Wording) -> tuple[str, ...]:
-    """At most three lines: where and what, the line itself, what was meant; at full the calls too."""
+    """At most three lines: place and mistake, the source line, what was meant; at full also the calls."""
     lines = [wording("error-at", line=error.line, column=error.column, message=error.message)]
     if error.source_line:
         lines.append(wording("error-line", line=error.line, text=_quoted(error)))
@@ -97,142 +217,142 @@ def _quoted(error: Error) -> str:
 
 
 MOST = 4
-"""Lines that are told in a second, where some of them can be summed up."""
+"""Lines that are printed in a second, where some of them can be summed up."""
 SECOND = 1.0
 
 _MOVEMENTS = ("moved", "turned")
 """Codes of the announcements that follow a movement."""
 
 
-class Telling(Protocol):
-    """What of the stream is told, and what is told before."""
+class TranscriptFilter(Protocol):
+    """Decides which events are printed, and what is printed before them."""
 
     def before(self, stamped: Stamped) -> tuple[str, ...]:
-        """Lines that sum up what was not told, to be told before the event."""
+        """Lines to print before the event, which sum up what was left out."""
 
     def passes(self, stamped: Stamped) -> bool:
-        """Whether the event itself is told."""
+        """Whether the event itself is printed."""
 
 
-class TellingAll:
-    """Everything is told as it happens."""
+class UnfilteredTranscript:
+    """Prints everything as it happens."""
 
-    def before(self, stamped: Stamped) -> tuple[str, ...]:  # noqa: ARG002 -- as Telling has it
+    def before(self, stamped: Stamped) -> tuple[str, ...]:  # noqa: ARG002 -- as in the protocol
         return ()
 
-    def passes(self, stamped: Stamped) -> bool:  # noqa: ARG002 -- as Telling has it
+    def passes(self, stamped: Stamped) -> bool:  # noqa: ARG002 -- as in the protocol
         return True
 
 
-class _Untold(Mutable):
-    """What one robot did that was not told."""
+class _Omitted(Struct):
+    """The movements of one robot that were left out."""
 
     steps: int = 0
     turns: int = 0
     movements: int = 0
     only: tuple[str, ...] = ()
-    """The lines of the first movement: where it is the only one, they are told after all."""
+    """The lines of the first movement; they are printed if it stays the only one."""
     place: tuple[str, ...] = ()
-    """Where the last one led."""
+    """The lines for the place after the last movement."""
 
 
-class _Judgement(Mutable):
-    """Of the event that is being told."""
+class _Decision(Struct):
+    """The decision about the current event."""
 
     stamped: Stamped | None = None
     before: tuple[str, ...] = ()
     passes: bool = True
 
 
-class _Robot(Mutable):
+class _Robot(Struct):
     last: Moved | Turned | None = None
     """Its last movement."""
-    is_told: bool = False
-    """Whether the sentence of that movement was judged; what comes after it is where it led."""
-    untold: _Untold = field(default_factory=_Untold)
+    is_decided: bool = False
+    """Whether the sentence of that movement was decided on; the next one is about the place."""
+    omitted: _Omitted = field(default_factory=_Omitted)
 
 
 class SummingUp:
-    """The telling of a conversation with somebody who listens."""
+    """The filter for a learner at a prompt: sums up movements that come too fast."""
 
     def __init__(self, wording: Wording, now: Callable[[], float], is_wanted: Callable[[], bool]) -> None:
-        """``now`` in seconds; ``is_wanted`` is asked at each event: not where the robot has no pace."""
+        """``now`` in seconds. ``is_wanted`` is called at each event: False where the robot has no pace."""
         self._say, self._now, self._is_wanted = wording, now, is_wanted
         self._robots: dict[str | None, _Robot] = {}
-        self._told_at: deque[float] = deque(maxlen=MOST)
-        self._judged = _Judgement()
+        self._printed_at: deque[float] = deque(maxlen=MOST)
+        self._decided = _Decision()
 
     def before(self, stamped: Stamped) -> tuple[str, ...]:
-        return self._judge(stamped).before
+        return self._decision_on(stamped).before
 
     def passes(self, stamped: Stamped) -> bool:
-        return self._judge(stamped).passes
+        return self._decision_on(stamped).passes
 
-    def _judge(self, stamped: Stamped) -> _Judgement:
-        """Once for each event, which all listeners get one after the other."""
-        if self._judged.stamped is not stamped:
-            self._judged = self._judged_anew(stamped)
-        return self._judged
+    def _decision_on(self, stamped: Stamped) -> _Decision:
+        """Decides once for each event, which the listeners get one after the other."""
+        if self._decided.stamped is not stamped:
+            self._decided = self._decide(stamped)
+        return self._decided
 
-    def _judged_anew(self, stamped: Stamped) -> _Judgement:
+    def _decide(self, stamped: Stamped) -> _Decision:
         if not self._is_wanted():
-            return _Judgement(stamped, self._summed_up())
+            return _Decision(stamped, self._summed_up())
         robot = self._robots.setdefault(stamped.robot, _Robot())
         if isinstance(stamped.event, Moved | Turned):
-            robot.last, robot.is_told = stamped.event, False
+            robot.last, robot.is_decided = stamped.event, False
         lines = told_lines(stamped, self._say)
-        may_wait = _goes_without_saying(stamped, robot)
+        may_wait = _is_routine(stamped, robot)
         ends = isinstance(stamped.event, RunEnded) or (lines and not may_wait)
         before = self._summed_up() if ends or self._has_room() else ()
         if may_wait and not self._has_room():
             _keep(robot, lines)
-            return _Judgement(stamped, before, passes=False)
+            return _Decision(stamped, before, passes=False)
         self._count(lines)
-        robot.is_told = robot.is_told or may_wait
-        return _Judgement(stamped, before)
+        robot.is_decided = robot.is_decided or may_wait
+        return _Decision(stamped, before)
 
     def _has_room(self) -> bool:
-        return len(self._told_at) < MOST or self._now() - self._told_at[0] >= SECOND
+        return len(self._printed_at) < MOST or self._now() - self._printed_at[0] >= SECOND
 
     def _count(self, lines: tuple[str, ...]) -> None:
-        self._told_at.extend([self._now()] * len(lines))
+        self._printed_at.extend([self._now()] * len(lines))
 
-    # --- what was not told
+    # --- what was left out
 
     def _summed_up(self) -> tuple[str, ...]:
         lines: list[str] = []
         for name, robot in self._robots.items():
-            lines += (said_by(name, each, self._say) for each in self._sum(robot.untold))
-            lines += robot.untold.only if robot.untold.movements == 1 else ()
-            lines += robot.untold.place
-            robot.untold = _Untold()
+            lines += (said_by(name, each, self._say) for each in self._sum(robot.omitted))
+            lines += robot.omitted.only if robot.omitted.movements == 1 else ()
+            lines += robot.omitted.place
+            robot.omitted = _Omitted()
         self._count(tuple(lines))
         return tuple(lines)
 
-    def _sum(self, untold: _Untold) -> tuple[str, ...]:
-        if untold.movements < 2:
+    def _sum(self, omitted: _Omitted) -> tuple[str, ...]:
+        if omitted.movements < 2:
             return ()
-        code = "more-steps" if not untold.turns else "more-turns" if not untold.steps else "more-moves"
-        return (self._say(code, steps=untold.steps, turns=untold.turns),)
+        code = "more-steps" if not omitted.turns else "more-turns" if not omitted.steps else "more-moves"
+        return (self._say(code, steps=omitted.steps, turns=omitted.turns),)
 
 
-def _goes_without_saying(stamped: Stamped, robot: _Robot) -> bool:
+def _is_routine(stamped: Stamped, robot: _Robot) -> bool:
     """Whether it says only that the last movement was done, or where it led."""
     is_of_movement = isinstance(stamped.event, Announced) and stamped.event.code in _MOVEMENTS
     return is_of_movement and robot.last is not None and robot.last.stopped_by is None
 
 
 def _keep(robot: _Robot, lines: tuple[str, ...]) -> None:
-    """Add it to what is summed up later."""
-    untold, movement = robot.untold, robot.last
-    if robot.is_told:
-        untold.place = lines
+    """Adds the lines to what is summed up later."""
+    omitted, movement = robot.omitted, robot.last
+    if robot.is_decided:
+        omitted.place = lines
         return
-    robot.is_told = True
-    untold.place = ()
-    untold.movements += 1
-    untold.only = untold.only or lines
+    robot.is_decided = True
+    omitted.place = ()
+    omitted.movements += 1
+    omitted.only = omitted.only or lines
     if isinstance(movement, Moved):
-        untold.steps += movement.walked
+        omitted.steps += movement.walked
     else:
-        untold.turns += 1
+        omitted.turns += 1

@@ -1,12 +1,27 @@
-"""How the core asks for sentences: by code and parameters. The sentences themselves are in i18n."""
+"""How the core asks for sentences, and the words for poses, robots and things.
+
+The core asks by code and parameters; the sentences themselves are in i18n.
+
+Poses are given as in GoDonnie: whole numbers, cut towards zero, headings from 0 to 359, eight directions.
+
+The things of a built-in world are named in the learner's language, and adjectives and articles agree with the
+noun. The gender of another world's names is unknown, so these get a phrase that needs none. The author's name
+for a thing comes before its kind: "treasure, box, yellow".
+"""
 
 from __future__ import annotations
 
-from devices.ports.hints import TYPE_CHECKING, Protocol
+import re
+from collections.abc import Sequence
+from typing import TYPE_CHECKING, Protocol
+
+from devices.ports.robot import Pose
 from language.diagnostics import Diagnostic
+from language.source import fold_name
 
 if TYPE_CHECKING:
     from donnie_tui.core.events import Error
+    from sim.picture import Thing
 
 
 class Wording(Protocol):
@@ -14,7 +29,7 @@ class Wording(Protocol):
 
     @property
     def language(self) -> str:
-        """``en``, ``pt`` or ``es``."""
+        """Its code, such as ``en`` or ``pt``."""
 
     @property
     def detail(self) -> str:
@@ -22,6 +37,9 @@ class Wording(Protocol):
 
     def __call__(self, code: str, **values: object) -> str:
         """The sentence of a code."""
+
+    def knows(self, code: str) -> bool:
+        """Whether there is a sentence of that code."""
 
     def mistake(self, diagnostic: Diagnostic) -> str:
         """What is wrong, in one sentence."""
@@ -34,3 +52,132 @@ class Wording(Protocol):
 
     def help(self, topic: str | None) -> tuple[str, ...]:
         """The help for a word, or the list of commands; a line each."""
+
+
+_SAME = 6
+"""Decimals beyond which two places are the same: 2.9999999 steps are 3."""
+
+
+def whole_steps(value: float) -> int:
+    """The integer part."""
+    return int(round(value, _SAME))
+
+
+def compass_heading(pose: Pose) -> int:
+    """Whole compass degrees, 0 to 359."""
+    return whole_steps(pose.heading) % 360
+
+
+COMPASS = ("north", "northeast", "east", "southeast", "south", "southwest", "west", "northwest")
+SIDES = ("front", "front-right", "right", "back-right", "back", "back-left", "left", "front-left")
+"""The sides of the robot, clockwise from the front."""
+
+
+_DONNIE = "donnie"
+_COLOURS = ("red", "green", "blue", "yellow", "orange", "pink", "gray")
+
+
+def shown_name(robot: str) -> str:
+    """A robot's name for the map; empty for Donnie, the default."""
+    return "" if robot.lower() == _DONNIE else robot
+
+
+def no_such_robot(typed: str, names: Sequence[str], most: int, wording: Wording) -> str:
+    """The sentence that no robot has that name, with the first names of those there are."""
+    shown = [*names[:most], *(["…"] if len(names) > most else [])]
+    return wording("robot-unknown", name=typed[:40], names=all_of(shown, wording), count=len(names))
+
+
+def all_of(names: Sequence[str], wording: Wording) -> str:
+    """The names as a list in words: "alice, bob and carol"."""
+    if len(names) < 2:
+        return "".join(names)
+    code = "and-before-i" if names[-1].lower().startswith(("i", "í", "hi", "hí")) else "and"
+    return wording(code, first=", ".join(names[:-1]), last=names[-1])
+
+
+def name_of(thing: Thing, wording: Wording) -> str:
+    """A robot's name; a thing's kind, in the learner's language if its world is built in."""
+    if thing.is_robot and thing.name:
+        return thing.name
+    return called(thing.kind, thing.name, wording)
+
+
+def specific_name_of(thing: Thing, wording: Wording) -> str:
+    """The author's name for this thing, else ``name_of``, which is the same for all of a kind."""
+    return own_name(thing.kind, thing.name, wording) or name_of(thing, wording)
+
+
+def called(kind: str, name: str, wording: Wording) -> str:
+    """The kind of a thing in the learner's language, else its name in its world."""
+    return noun(kind, wording) or name or kind
+
+
+def own_name(kind: str, name: str, wording: Wording) -> str:
+    """The author's name for a thing, if it says more than kind, colour and a number; else empty.
+
+    A thing of a foreign kind has no other name, so for it this is empty.
+    """
+    word = noun(kind, wording)
+    if not word or not name:
+        return ""
+    plain = {kind, word, *_COLOURS}
+    plain |= {_agreeing(each, gender, wording) for each in _COLOURS for gender in ("m", "f")}
+    return name if _words(name) - _words(" ".join(plain)) else ""
+
+
+def _words(text: str) -> set[str]:
+    return set(re.findall(r"[^\W\d_]+", fold_name(text)))
+
+
+def noun(kind: str, wording: Wording) -> str:
+    """The word for a kind of thing; empty for kinds of foreign worlds."""
+    try:
+        return wording(f"thing-{kind}")
+    except KeyError:
+        return ""
+
+
+def coloured_thing(thing: Thing, wording: Wording) -> str:
+    """A thing or robot in a list: "box, red", "caixa vermelha", "tesouro, caixa vermelha"."""
+    if thing.is_robot and thing.name:
+        return _of_unknown_gender("listed", thing.name, thing.colour, wording)
+    return coloured(thing.kind, thing.name, thing.colour, wording)
+
+
+def coloured(kind: str, name: str, colour: str, wording: Wording) -> str:
+    """What stands in a list: "box, red", "caixa vermelha", "puck de cor vermelha"."""
+    return _phrase("listed", kind, name, colour, wording)
+
+
+def the_coloured(kind: str, name: str, colour: str, wording: Wording) -> str:
+    """In a sentence, with its article: "the red box", "a caixa vermelha", "puck de cor vermelha"."""
+    return _phrase("the", kind, name, colour, wording)
+
+
+def shade(thing: Thing, wording: Wording) -> str:
+    """The colour alone, agreeing with the thing's noun."""
+    known = not thing.is_robot and noun(thing.kind, wording)
+    gender = wording(f"gender-{thing.kind}") if known else "m"
+    return _agreeing(thing.colour, gender, wording)
+
+
+def _phrase(form: str, kind: str, name: str, colour: str, wording: Wording) -> str:
+    word = noun(kind, wording)
+    if not word:
+        return _of_unknown_gender(form, name or kind, colour, wording)
+    gender, own = wording(f"gender-{kind}"), own_name(kind, name, wording)
+    article, colour_word = wording(f"article-{gender}"), _agreeing(colour, gender, wording)
+    code = "one-colour" if colour_word == word else "coloured"  # an orange is orange
+    phrase = wording(f"{form}-{code}", the=article, name=word, colour=colour_word)
+    return wording("own-name", name=own, thing=phrase) if own else phrase
+
+
+def _of_unknown_gender(form: str, name: str, colour: str, wording: Wording) -> str:
+    """Portuguese has the colour agree with "cor", Spanish with "color"."""
+    agreed = _agreeing(colour, wording("gender-colour"), wording)
+    return wording(f"{form}-coloured-foreign", name=name, colour=agreed)
+
+
+def _agreeing(colour: str, gender: str, wording: Wording) -> str:
+    return wording(f"colour-{colour}-f" if gender == "f" else f"colour-{colour}")

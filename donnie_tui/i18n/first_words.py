@@ -1,56 +1,45 @@
-"""What the linear mode says before anything else is loaded. Imports nothing; the catalogue has it from here.
+"""The sentences that Donnie prints before anything else is loaded. Imports next to nothing.
 
-A cause is how the linear mode came about: ``option``, ``variable`` (DONNIE_LINEAR or ACCESSIBLE),
-``settings``, ``no-terminal``, ``simple-terminal`` (TERM=dumb) or ``word`` (LINEAR was typed).
+``linear-cause-CAUSE`` is how the linear mode came about: ``option``, ``variable`` (DONNIE_LINEAR or
+ACCESSIBLE), ``settings``, ``no-terminal``, ``simple-terminal`` (TERM=dumb) or ``word`` (LINEAR was typed).
 """
 
-CAUSES = {
-    "option": (
-        "Linear mode, from the option.",
-        "Modo linear, pela opção.",
-        "Modo lineal, por la opción.",
-    ),
-    "variable": (
-        "Linear mode, from the environment.",
-        "Modo linear, pelo ambiente.",
-        "Modo lineal, por el entorno.",
-    ),
-    "settings": (
-        "Linear mode, from the settings.",
-        "Modo linear, pelas configurações.",
-        "Modo lineal, por los ajustes.",
-    ),
-    "no-terminal": (
-        "Linear mode, without a terminal.",
-        "Modo linear, sem um terminal.",
-        "Modo lineal, sin un terminal.",
-    ),
-    "simple-terminal": (
-        "Linear mode, for this terminal.",
-        "Modo linear, por este terminal.",
-        "Modo lineal, por este terminal.",
-    ),
-    "word": (
-        "Linear mode, from the word.",
-        "Modo linear, pela palavra.",
-        "Modo lineal, por la palabra.",
-    ),
-}
+from __future__ import annotations
 
-HINT = ("HELP lists the commands.", "AJUDA lista os comandos.", "AYUDA lista los comandos.")
+from language.locales import ENGLISH, compiled_file
 
-TOUR = (
-    "New here? TOUR shows you around.",
-    "Primeira vez? PASSEIO mostra tudo.",
-    "¿Primera vez? PASEO te muestra todo.",
-)
-"""At the first start, once, in the place of the hint: no more than two lines come before a prompt."""
+FILE = "start.txt"
+"""A line ``code=sentence`` for each of them, compiled from ``messages.po``."""
 
-RESCUED = (
-    "A program was rescued. RECOVER opens it.",
-    "Programa resgatado. RECUPERAR o abre.",
-    "Programa rescatado. RECUPERAR lo abre.",
-)
-"""In the place of the hint, too, where a crash left a program."""
+_known: dict[str, dict[str, str] | None] = {}
 
-PROMPT = "> "
+
+def early(code: str, language: str) -> str:
+    """A sentence of the topic ``start``, in English where the language has none."""
+    for each in (language, ENGLISH):
+        if each not in _known:
+            _known[each] = _read(each)
+        known = _known[each]
+        if known is None:
+            return _found(code, language)
+        if code in known:
+            return known[code]
+    raise KeyError(code)
+
+
+def _read(language: str) -> dict[str, str] | None:
+    """None where the sentences of the language are not compiled."""
+    file = compiled_file(language, "messages.po", FILE)
+    if file is None:
+        return None
+    with open(file, encoding="utf-8") as lines:  # noqa: PTH123 -- pathlib is slow to load
+        return dict(line.rstrip("\n").split("=", 1) for line in lines)
+
+
+def _found(code: str, language: str) -> str:
+    from donnie_tui.i18n.messages import find  # slower
+
+    sentence = find(code, language)
+    if sentence is None:
+        raise KeyError(code)
+    return sentence.text

@@ -1,4 +1,6 @@
-"""HELP: the list of commands, and for each its purpose, its form and one example, in three languages.
+"""HELP, the manual of GoDonnie and the tour.
+
+HELP lists GoDonnie's commands, and has of each its purpose, its form and one example.
 
 Forms and examples are templates: ``{REPEAT}`` is spelled in the learner's language, ``{commands}`` stands
 for something else. The tests parse every example in every language.
@@ -7,19 +9,25 @@ for something else. The tests parse every example in every language.
 from __future__ import annotations
 
 import re
+from collections.abc import Mapping
+from textwrap import wrap
+from types import MappingProxyType
 
-from devices.ports.values import Frozen
-from donnie_tui.i18n.phrasing import Phrasing
+from msgspec import Struct
+
+from donnie_tui.core.reports import Section
+from donnie_tui.core.wording import Wording
 from language import keywords
 
 
-class Entry(Frozen):
+class Entry(Struct, frozen=True):
     """One command: how it is written, and used. ``leaders`` are the words that it may begin with."""
 
     leaders: tuple[str, ...]
     rest: str
+    """What follows the leader."""
     example: str
-    """What stands behind the leader."""
+    """A program that uses it."""
 
 
 ENTRIES: dict[str, Entry] = {
@@ -73,7 +81,7 @@ ENTRIES: dict[str, Entry] = {
 _PLACE = re.compile(r"\{([^{}]+)\}")
 
 
-def help_lines(topic: str | None, words: Phrasing) -> tuple[str, ...]:
+def help_lines(topic: str | None, words: Wording) -> tuple[str, ...]:
     """The list, or what there is to say about a word of any language."""
     if topic is None:
         return _list(words)
@@ -81,16 +89,16 @@ def help_lines(topic: str | None, words: Phrasing) -> tuple[str, ...]:
     return _unknown(topic, words) if found is None else _entry(found, words)
 
 
-def _list(words: Phrasing) -> tuple[str, ...]:
+def _list(words: Wording) -> tuple[str, ...]:
     first = words("help-list", count=len(ENTRIES), help=_spelled("HELP", words))
     return (first, *(_purpose(topic, words) for topic in ENTRIES))
 
 
-def _purpose(topic: str, words: Phrasing) -> str:
+def _purpose(topic: str, words: Wording) -> str:
     return words("help-purpose", word=_spelled(topic, words), purpose=words(f"purpose-{topic}"))
 
 
-def _entry(topic: str, words: Phrasing) -> tuple[str, ...]:
+def _entry(topic: str, words: Wording) -> tuple[str, ...]:
     return (
         _purpose(topic, words),
         form(topic, words),
@@ -98,28 +106,28 @@ def _entry(topic: str, words: Phrasing) -> tuple[str, ...]:
     )
 
 
-def form(topic: str, words: Phrasing) -> str:
+def form(topic: str, words: Wording) -> str:
     """How the command is written, as a sentence."""
     return words("help-form", form=_forms(ENTRIES[topic], words)) + "."
 
 
-def _forms(entry: Entry, words: Phrasing) -> str:
+def _forms(entry: Entry, words: Wording) -> str:
     spelled = dict.fromkeys(_spelled(leader, words) for leader in entry.leaders)
     rest = _filled(entry.rest, words)
     forms = [f"{leader} {rest}".strip() for leader in spelled]
     return forms[0] if len(forms) == 1 else words("help-or", first=forms[0], second=forms[1])
 
 
-def example(topic: str, words: Phrasing) -> str:
+def example(topic: str, words: Wording) -> str:
     """A program that shows the command, in the learner's language."""
     return _filled(ENTRIES[topic].example, words)
 
 
-def _filled(template: str, words: Phrasing) -> str:
+def _filled(template: str, words: Wording) -> str:
     return _PLACE.sub(lambda place: _spelled(place[1], words), template)
 
 
-def _spelled(place: str, words: Phrasing) -> str:
+def _spelled(place: str, words: Wording) -> str:
     """A keyword, a word behind one (``ON``, ``red``), or what a placeholder is called."""
     if place in ("ON", "OFF"):
         return keywords.argument_spelling(place == "ON", words.language)
@@ -130,7 +138,7 @@ def _spelled(place: str, words: Phrasing) -> str:
     return keywords.spelling(place, words.language)
 
 
-def _unknown(topic: str, words: Phrasing) -> tuple[str, ...]:
+def _unknown(topic: str, words: Wording) -> tuple[str, ...]:
     shown = topic[:30]
     known = {word.lower(): word for word in keywords.all_words()}
     import difflib
@@ -139,3 +147,61 @@ def _unknown(topic: str, words: Phrasing) -> tuple[str, ...]:
     if near:
         return (words("help-unknown-near", topic=shown, near=known[near[0]]),)
     return (words("help-unknown", topic=shown, help=_spelled("HELP", words)),)
+
+
+# --- the manual
+
+CHAPTERS = ("begin", "move", "look", "numbers", "decide", "repeat", "procedures", "mistakes")
+BRAILLE = 40
+"""Cells of a braille display."""
+
+
+def manual(words: Wording) -> tuple[str, ...]:
+    """The lines, in the learner's language."""
+    lines: list[str] = []
+    for chapter in CHAPTERS:
+        lines.append(words(f"manual-{chapter}").upper())
+        lines.extend(words(f"manual-{chapter}-text").split("\n"))
+        lines.append("")
+    return (*lines, words("manual-commands").upper(), *words.help(None))
+
+
+def sections(words: Wording) -> tuple[Section, ...]:
+    """For a page with headings: the chapters, then each command with its form and an example."""
+    chapters = (
+        Section(words(f"manual-{each}"), tuple(filter(None, words(f"manual-{each}-text").split("\n"))))
+        for each in CHAPTERS
+    )
+    commands = tuple(line for entry in ENTRIES for line in words.help(entry))
+    return (*chapters, Section(words("manual-commands"), commands))
+
+
+def chapter_lines(words: Wording, chapter: str) -> tuple[str, ...]:
+    """One chapter for the linear mode: a sentence or a line of its program each, at detail brief broken."""
+    lines = words(f"manual-{chapter}-text").replace(". ", ".\n").split("\n")
+    stripped = (line.strip() for line in lines if line)
+    if words.detail != "brief":
+        return tuple(stripped)
+    return tuple(part for line in stripped for part in wrap(line, BRAILLE))
+
+
+# --- the tour: ``tour-1-2`` is the second line of page 1; the full screen has its own, ``screen-tour-1-2``
+
+TOUR_PAGES = 9
+SCREEN_TOUR_PAGES = 9
+_MOST_LINES = 6
+
+
+def tour_page(number: int, words: Wording) -> tuple[str, ...]:
+    """The lines of one page, from 1."""
+    return _tour_lines(f"tour-{number}", words)
+
+
+def screen_tour_page(number: int, words: Wording, keys: Mapping[str, str]) -> tuple[str, ...]:
+    """The lines of one page of the full screen; ``keys`` are the labels of keys by their command."""
+    return _tour_lines(f"screen-tour-{number}", words, keys)
+
+
+def _tour_lines(page: str, words: Wording, keys: Mapping[str, str] = MappingProxyType({})) -> tuple[str, ...]:
+    codes = (f"{page}-{line}" for line in range(1, _MOST_LINES + 1))
+    return tuple(words(each, **keys) for each in codes if words.knows(each))

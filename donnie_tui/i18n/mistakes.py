@@ -1,57 +1,68 @@
-"""Mistakes as sentences: what is wrong, and what would put it right, in the learner's language.
+"""Mistakes as sentences in the learner's language: in programs, for EXPLAIN, and in world files.
 
 A diagnostic's ``code`` chooses among the sentences of its kind; the kind's own is the one that always
-exists. Phrasing of GoDonnie are spelled in the learner's language, what was typed is quoted as it was typed.
+exists. Words of GoDonnie are spelled in the learner's language, what was typed is quoted as it was typed.
+What is known of this one mistake (what was meant, the command it is in) comes before what can be said of
+all mistakes of its kind.
 """
 
 from __future__ import annotations
 
+import re
 import unicodedata
 from collections.abc import Callable
+from pathlib import PurePath
+from typing import TYPE_CHECKING
 
-from donnie_tui.core.harmless import printable
-from donnie_tui.i18n.catalogue.signs import CODE_OF
-from donnie_tui.i18n.phrasing import Phrasing
+from donnie_tui.core.events import Error
+from donnie_tui.core.safe_text import printable
+from donnie_tui.core.wording import Wording
+from donnie_tui.i18n import help as helping
+from donnie_tui.i18n.messages import CODE_OF_SIGN
 from language import keywords
-from language.diagnostics import Diagnostic, Kind
+from language.diagnostics import Diagnostic, MistakeKind
 from language.keywords import argument_spelling, argument_words
+
+if TYPE_CHECKING:
+    from sim.scene import Note
+    from sim.worldfile.mistakes import WorldError
 
 LONGEST_QUOTE = 24
 """Characters of what was typed that are repeated in a sentence."""
 
 MOST_EXPECTED = 4
-"""More things than these are no help to hear: the sentence names none."""
+"""More things than these are no help: the sentence names none."""
 
 _ARGUMENTS_OF = {"direction": "DIRECTION", "axis": "AXIS", "colour": "COLOUR", "on-or-off": "SWITCH"}
 
 
-def mistake(diagnostic: Diagnostic, words: Phrasing) -> str:
+def mistake(diagnostic: Diagnostic, words: Wording) -> str:
     """What is wrong, in one sentence."""
     make = _SENTENCE_OF.get(diagnostic.kind, _plain)
     return make(diagnostic, words)
 
 
-def hint(diagnostic: Diagnostic, words: Phrasing) -> str | None:
-    """What would put it right, where that is known. Of arguments there are few: all are told besides."""
+def hint(diagnostic: Diagnostic, words: Wording) -> str | None:
+    """What would put it right, where that is known. Of arguments there are few: all are listed too."""
     make = _HINT_OF.get(diagnostic.kind)
     if not diagnostic.meant or diagnostic.meant_at is not None or diagnostic.code == "other-end":
         return make(diagnostic, words) if make else None
     meant = words("hint-meant", meant=diagnostic.meant)
-    allowed = _hint_for_argument(diagnostic, words) if diagnostic.kind is Kind.BAD_ARGUMENT else None
+    allowed = _hint_for_argument(diagnostic, words) if diagnostic.kind is MistakeKind.BAD_ARGUMENT else None
     return f"{meant} {allowed}" if allowed else meant
 
 
-def remark(diagnostic: Diagnostic, words: Phrasing) -> str:
+def remark(diagnostic: Diagnostic, words: Wording) -> str:
     """A hint of the checker as one line: what it is about, and what would be better."""
     advice = hint(diagnostic, words)
-    told = mistake(diagnostic, words)
-    return f"{told} {advice}" if advice else told
+    sentence = mistake(diagnostic, words)
+    return f"{sentence} {advice}" if advice else sentence
 
 
 # --- what is wrong
 
 
-def _plain(diagnostic: Diagnostic, words: Phrasing) -> str:
+def _plain(diagnostic: Diagnostic, words: Wording) -> str:
     """The kind's own sentence, filled with whatever the diagnostic knows."""
     kind = diagnostic.kind.value
     special = f"mistake-{kind}-{diagnostic.code}"
@@ -59,7 +70,7 @@ def _plain(diagnostic: Diagnostic, words: Phrasing) -> str:
     return words(code, **_values(diagnostic, words))
 
 
-def _syntax(diagnostic: Diagnostic, words: Phrasing) -> str:
+def _syntax(diagnostic: Diagnostic, words: Wording) -> str:
     if diagnostic.code and words.knows(f"mistake-syntax-{diagnostic.code}"):
         return _plain(diagnostic, words)
     expected = _expected(diagnostic, words)
@@ -72,11 +83,11 @@ def _syntax(diagnostic: Diagnostic, words: Phrasing) -> str:
     return words("mistake-syntax-cut-off")
 
 
-def _unknown_character(diagnostic: Diagnostic, words: Phrasing) -> str:
+def _unknown_character(diagnostic: Diagnostic, words: Wording) -> str:
     return words("mistake-unknown-character", sign=_sign(diagnostic.found[:1], words))
 
 
-def _bad_argument(diagnostic: Diagnostic, words: Phrasing) -> str:
+def _bad_argument(diagnostic: Diagnostic, words: Wording) -> str:
     if diagnostic.code:
         return _plain(diagnostic, words)
     word = diagnostic.details.get("word")
@@ -84,22 +95,22 @@ def _bad_argument(diagnostic: Diagnostic, words: Phrasing) -> str:
     return words(code, found=_found(diagnostic, words), word=_spelled(str(word or ""), words))
 
 
-def _wrong_end(diagnostic: Diagnostic, words: Phrasing) -> str:
+def _wrong_end(diagnostic: Diagnostic, words: Wording) -> str:
     code = "mistake-wrong-end" if "opener" in diagnostic.details else "mistake-wrong-end-nothing-open"
     return words(code, **_values(diagnostic, words))
 
 
-def _already_declared(diagnostic: Diagnostic, words: Phrasing) -> str:
+def _already_declared(diagnostic: Diagnostic, words: Wording) -> str:
     before = "-before" if "first_line" in diagnostic.details else ""
     return words(f"mistake-already-declared{before}", **_values(diagnostic, words))
 
 
-def _undeclared_variable(diagnostic: Diagnostic, words: Phrasing) -> str:
+def _undeclared_variable(diagnostic: Diagnostic, words: Wording) -> str:
     in_procedure = "-in-procedure" if "in_procedure" in diagnostic.details else ""
     return words(f"mistake-undeclared-variable{in_procedure}", **_values(diagnostic, words))
 
 
-def _robot(diagnostic: Diagnostic, words: Phrasing) -> str:
+def _robot(diagnostic: Diagnostic, words: Wording) -> str:
     """What the robot can't do, by the code of its problem; in general words where there are none for it."""
     code = f"problem-{diagnostic.details.get('problem', '')}"
     if not words.knows(code):
@@ -110,34 +121,34 @@ def _robot(diagnostic: Diagnostic, words: Phrasing) -> str:
     return words(code, **{"where": place, "reason": "", **diagnostic.details})
 
 
-_SENTENCE_OF: dict[Kind, Callable[[Diagnostic, Phrasing], str]] = {
-    Kind.SYNTAX: _syntax,
-    Kind.UNKNOWN_CHARACTER: _unknown_character,
-    Kind.BAD_ARGUMENT: _bad_argument,
-    Kind.WRONG_END: _wrong_end,
-    Kind.ALREADY_DECLARED: _already_declared,
-    Kind.UNDECLARED_VARIABLE: _undeclared_variable,
-    Kind.ROBOT: _robot,
+_SENTENCE_OF: dict[MistakeKind, Callable[[Diagnostic, Wording], str]] = {
+    MistakeKind.SYNTAX: _syntax,
+    MistakeKind.UNKNOWN_CHARACTER: _unknown_character,
+    MistakeKind.BAD_ARGUMENT: _bad_argument,
+    MistakeKind.WRONG_END: _wrong_end,
+    MistakeKind.ALREADY_DECLARED: _already_declared,
+    MistakeKind.UNDECLARED_VARIABLE: _undeclared_variable,
+    MistakeKind.ROBOT: _robot,
 }
 
 
 # --- what would put it right
 
 
-def _hint_by_code(diagnostic: Diagnostic, words: Phrasing) -> str | None:
+def _hint_by_code(diagnostic: Diagnostic, words: Wording) -> str | None:
     special = f"hint-{diagnostic.code}"
     if diagnostic.code and words.knows(special):
         return words(special, **_values(diagnostic, words))
     return None
 
 
-def _hint_for_character(diagnostic: Diagnostic, words: Phrasing) -> str | None:
+def _hint_for_character(diagnostic: Diagnostic, words: Wording) -> str | None:
     code = {".": "hint-whole-numbers", "!": "hint-different", "'": "hint-double-quotes"}
     found = code.get(diagnostic.found[:1].replace("’", "'").replace("‘", "'"))
     return words(found) if found else None
 
 
-def _hint_for_argument(diagnostic: Diagnostic, words: Phrasing) -> str | None:
+def _hint_for_argument(diagnostic: Diagnostic, words: Wording) -> str | None:
     """The words that may stand there."""
     if diagnostic.code == "unseen-colour":
         colours = str(diagnostic.details.get("wanted", "")).split(", ")
@@ -148,17 +159,17 @@ def _hint_for_argument(diagnostic: Diagnostic, words: Phrasing) -> str | None:
     return words("hint-words", words=either(allowed, words)) if allowed else None
 
 
-def _hint_for_closer(diagnostic: Diagnostic, words: Phrasing) -> str | None:
+def _hint_for_closer(diagnostic: Diagnostic, words: Wording) -> str | None:
     return words("hint-write-closer", closer=_closer(diagnostic, words))
 
 
-def _hint_for_wrong_end(diagnostic: Diagnostic, words: Phrasing) -> str | None:
+def _hint_for_wrong_end(diagnostic: Diagnostic, words: Wording) -> str | None:
     if "opener" not in diagnostic.details:
         return None
     return words("hint-expected-closer", closer=_closer(diagnostic, words))
 
 
-def _hint_for_number(diagnostic: Diagnostic, words: Phrasing) -> str | None:
+def _hint_for_number(diagnostic: Diagnostic, words: Wording) -> str | None:
     """A limit of digits is small, a limit of the number itself is a large one."""
     limit = diagnostic.details.get("limit")
     if not isinstance(limit, int):
@@ -166,52 +177,52 @@ def _hint_for_number(diagnostic: Diagnostic, words: Phrasing) -> str | None:
     return words("hint-digits" if limit < 100_000 else "hint-at-most", limit=limit)
 
 
-def _hint_for_depth(diagnostic: Diagnostic, words: Phrasing) -> str | None:
+def _hint_for_depth(diagnostic: Diagnostic, words: Wording) -> str | None:
     limit = diagnostic.details.get("limit")
     return words("hint-at-most", limit=limit) if limit else None
 
 
-def _hint_for_variable(diagnostic: Diagnostic, words: Phrasing) -> str | None:
+def _hint_for_variable(diagnostic: Diagnostic, words: Wording) -> str | None:
     if "in_procedure" in diagnostic.details:
         return words("hint-own-variables")
     return words("hint-declare", var=_spelled("VAR", words), name=_name(diagnostic))
 
 
-def _hint_for_declared(diagnostic: Diagnostic, words: Phrasing) -> str | None:
+def _hint_for_declared(diagnostic: Diagnostic, words: Wording) -> str | None:
     is_variable = diagnostic.details.get("what") == "variable"
     return words("hint-change-it", **_values(diagnostic, words)) if is_variable else None
 
 
-def _hint_for_belt(_: Diagnostic, words: Phrasing) -> str:
+def _hint_for_belt(_: Diagnostic, words: Wording) -> str:
     return words("hint-belt-on", belt=_spelled("BELT", words), on=argument_spelling(True, words.language))
 
 
-_HINT_OF: dict[Kind, Callable[[Diagnostic, Phrasing], str | None]] = {
-    Kind.SYNTAX: _hint_by_code,
-    Kind.UNKNOWN_COMMAND: _hint_by_code,
-    Kind.UNKNOWN_CHARACTER: _hint_for_character,
-    Kind.INVALID_NAME: lambda _, words: words("hint-invalid-name"),
-    Kind.RESERVED_WORD: lambda _, words: words("hint-reserved-word"),
-    Kind.BAD_ARGUMENT: _hint_for_argument,
-    Kind.MISSING_END: _hint_for_closer,
-    Kind.WRONG_END: _hint_for_wrong_end,
-    Kind.NUMBER_TOO_LARGE: _hint_for_number,
-    Kind.UNDECLARED_VARIABLE: _hint_for_variable,
-    Kind.UNDECLARED_PROCEDURE: lambda _, words: words(
+_HINT_OF: dict[MistakeKind, Callable[[Diagnostic, Wording], str | None]] = {
+    MistakeKind.SYNTAX: _hint_by_code,
+    MistakeKind.UNKNOWN_COMMAND: _hint_by_code,
+    MistakeKind.UNKNOWN_CHARACTER: _hint_for_character,
+    MistakeKind.INVALID_NAME: lambda _, words: words("hint-invalid-name"),
+    MistakeKind.RESERVED_WORD: lambda _, words: words("hint-reserved-word"),
+    MistakeKind.BAD_ARGUMENT: _hint_for_argument,
+    MistakeKind.MISSING_END: _hint_for_closer,
+    MistakeKind.WRONG_END: _hint_for_wrong_end,
+    MistakeKind.NUMBER_TOO_LARGE: _hint_for_number,
+    MistakeKind.UNDECLARED_VARIABLE: _hint_for_variable,
+    MistakeKind.UNDECLARED_PROCEDURE: lambda _, words: words(
         "hint-declare-procedure", procedure=_spelled("PROCEDURE", words)
     ),
-    Kind.ALREADY_DECLARED: _hint_for_declared,
-    Kind.TOO_DEEP: _hint_for_depth,
-    Kind.RECURSION_LIMIT: lambda each, words: words("hint-call-depth", **_values(each, words)),
-    Kind.TERMINAL_ONLY: lambda _, words: words("hint-terminal-only"),
-    Kind.BELT_OFF: _hint_for_belt,
+    MistakeKind.ALREADY_DECLARED: _hint_for_declared,
+    MistakeKind.TOO_DEEP: _hint_for_depth,
+    MistakeKind.RECURSION_LIMIT: lambda each, words: words("hint-call-depth", **_values(each, words)),
+    MistakeKind.TERMINAL_ONLY: lambda _, words: words("hint-terminal-only"),
+    MistakeKind.BELT_OFF: _hint_for_belt,
 }
 
 
 # --- parts of sentences
 
 
-def _values(diagnostic: Diagnostic, words: Phrasing) -> dict[str, object]:
+def _values(diagnostic: Diagnostic, words: Wording) -> dict[str, object]:
     """What the places of a sentence may be filled with."""
     values: dict[str, object] = {"name": _name(diagnostic), "limit": "", "word": "", "wanted": 0, "given": 0}
     values |= diagnostic.details
@@ -228,21 +239,21 @@ def _name(diagnostic: Diagnostic) -> str:
     return _shortened(diagnostic.found or str(diagnostic.details.get("name", "")))
 
 
-def _closer(diagnostic: Diagnostic, words: Phrasing) -> str:
+def _closer(diagnostic: Diagnostic, words: Wording) -> str:
     """The word that closes what was opened."""
     opener = keywords.canonical(str(diagnostic.details.get("opener", ""))) or ""
     ends = [each for each in diagnostic.expected if each.startswith("END ")]
     return _spelled(ends[0] if ends else f"END {opener}", words)
 
 
-def _expected(diagnostic: Diagnostic, words: Phrasing) -> str:
+def _expected(diagnostic: Diagnostic, words: Wording) -> str:
     """What was expected, as a list in words; empty if there was nothing, or too much to name."""
     if not 0 < len(diagnostic.expected) <= MOST_EXPECTED:
         return ""
     return either([_thing(each, words) for each in diagnostic.expected], words)
 
 
-def either(things: list[str], words: Phrasing) -> str:
+def either(things: list[str], words: Wording) -> str:
     """They as a list in words, each once."""
     distinct = list(dict.fromkeys(things))
     if len(distinct) < 2:
@@ -250,29 +261,29 @@ def either(things: list[str], words: Phrasing) -> str:
     return words("or", first=", ".join(distinct[:-1]), last=distinct[-1])
 
 
-def _thing(expected: str, words: Phrasing) -> str:
+def _thing(expected: str, words: Wording) -> str:
     """A word of GoDonnie, a sign, or a class of words."""
     if expected == "on-or-off":
         return either(list(argument_words("SWITCH", words.language)), words)
     code = f"class-{expected.replace(' ', '-')}"
     if expected.islower() and words.knows(code):
         return words(code)
-    return _sign(expected, words) if expected in CODE_OF else _spelled(expected, words)
+    return _sign(expected, words) if expected in CODE_OF_SIGN else _spelled(expected, words)
 
 
-def _found(diagnostic: Diagnostic, words: Phrasing) -> str:
+def _found(diagnostic: Diagnostic, words: Wording) -> str:
     found = " ".join(diagnostic.found.split())
-    return _sign(found, words) if found in CODE_OF else _shortened(found)
+    return _sign(found, words) if found in CODE_OF_SIGN else _shortened(found)
 
 
-def _sign(sign: str, words: Phrasing) -> str:
-    if sign in CODE_OF:
-        return words(CODE_OF[sign])
+def _sign(sign: str, words: Wording) -> str:
+    if sign in CODE_OF_SIGN:
+        return words(CODE_OF_SIGN[sign])
     shown = sign if sign.isprintable() and not unicodedata.combining(sign or " ") else ""
     return words("sign-other", sign=shown or f"U+{ord(sign or chr(0)):04X}")
 
 
-def _spelled(word: str, words: Phrasing) -> str:
+def _spelled(word: str, words: Wording) -> str:
     """A canonical word in the learner's language, anything else as it is."""
     canonical = keywords.canonical(word)
     return keywords.spelling(canonical, words.language) if canonical else word
@@ -282,3 +293,126 @@ def _shortened(text: str) -> str:
     """As it was typed, but never long, and nothing that a terminal would obey."""
     shown = printable(" ".join(text.split()))
     return shown if len(shown) <= LONGEST_QUOTE else f"{shown[: LONGEST_QUOTE - 1]}…"
+
+
+# --- EXPLAIN
+
+_FORM_HELPS = {MistakeKind.SYNTAX.value, MistakeKind.BAD_ARGUMENT.value}
+"""Kinds for which the form of the command says what is missing."""
+_HINT_IS_ADVICE = {
+    MistakeKind.UNKNOWN_CHARACTER.value,
+    MistakeKind.BAD_ARGUMENT.value,
+    MistakeKind.MISSING_END.value,
+    MistakeKind.WRONG_END.value,
+}
+"""Kinds whose hint says more than what can be said of all of them."""
+_TOPIC_OF = {
+    MistakeKind.UNDECLARED_PROCEDURE.value: "PROCEDURE",
+    MistakeKind.TOO_DEEP.value: "PROCEDURE",
+    MistakeKind.RECURSION_LIMIT.value: "IF",
+}
+"""What helps against a kind, whatever command it is in."""
+_HAS_COMMAND = _FORM_HELPS | {MistakeKind.MISSING_END.value, MistakeKind.WRONG_END.value}
+
+
+def explanation(error: Error, words: Wording) -> tuple[str, ...]:
+    """What it means, what to do, and an example; a sentence each."""
+    if _is_of_numbers(error):
+        return words("explain-whole-numbers"), words("advice-whole-numbers")
+    code = f"explain-{error.kind}-{error.code}"
+    meaning = words(code if error.code and words.knows(code) else f"explain-{error.kind}")
+    if error.kind == MistakeKind.UNDECLARED_VARIABLE.value and error.topic == "SPEAK" and not error.meant:
+        return meaning, *_advice(error, "", words), words("advice-text-without-quotes")
+    topic = _topic(error)
+    example = words("help-example", example=helping.example(topic, words)) + "." if topic else ""
+    return tuple(filter(None, (meaning, *_advice(error, topic, words), example)))
+
+
+def _is_of_numbers(error: Error) -> bool:
+    """A number that is not whole: 2,5 or 2.5."""
+    is_point = error.kind == MistakeKind.UNKNOWN_CHARACTER.value and re.search(r"\d\.\d", error.source_line)
+    return error.code == "whole-numbers" or bool(is_point)
+
+
+def _advice(error: Error, topic: str, words: Wording) -> tuple[str, ...]:
+    is_known = bool(error.meant) or error.code == "procedure" or error.kind in _HINT_IS_ADVICE
+    hint = (error.hint,) if error.hint and is_known else ()
+    if topic and error.kind in _FORM_HELPS:
+        return (*hint, helping.form(topic, words))
+    return hint or (words(f"advice-{error.kind}"),)
+
+
+def _topic(error: Error) -> str:
+    """The command of which an example helps; empty where there is none, or the advice has one."""
+    if error.kind == MistakeKind.UNKNOWN_COMMAND.value:
+        return "PROCEDURE" if error.code == "procedure" else keywords.topic(error.meant) or ""
+    if error.kind in _HAS_COMMAND:
+        is_assignment = not error.topic and "=" in error.source_line
+        return "VAR" if is_assignment else error.topic
+    return _TOPIC_OF.get(error.kind, "")
+
+
+# --- world files
+
+_WITHOUT_PLACE = ("is-folder", "file-not-found", "file-unreadable", "file-too-large")
+"""About the file as a whole, where the file is the world itself."""
+
+
+def world_mistake(error: WorldError, words: Wording) -> str:
+    """One sentence with the place."""
+    message = _world_message(error, words)
+    nearest = error.details.get("nearest")
+    if nearest:
+        message = words("world-meant", message=message, near=nearest)
+    if error.code.value in _WITHOUT_PLACE and error.details.get("path") == error.file:
+        return message
+    return words("world-error-at", file=error.file, line=error.line, column=error.column, message=message)
+
+
+def world_note(note: Note, words: Wording) -> str:
+    """One remark of a load report, with its place where it has one."""
+    details = dict(note.details)
+    if note.code == "unknown-colour":
+        details["nearest"] = _colour_in_english(str(details.get("name", ""))) or details.get("nearest", "")
+    near = "-near" if details.get("nearest") and words.knows(f"note-{note.code}-near") else ""
+    remark = words(f"note-{note.code}{near}", **details)
+    if not note.line:
+        return remark
+    return words("note-at", line=note.line, file=PurePath(note.file).name, remark=remark)
+
+
+def _colour_in_english(name: str) -> str:
+    """World files are Stage's: of a colour in a learner's language the word that it takes."""
+    colour = keywords.argument("COLOUR", name)
+    return str(colour.value) if colour else ""
+
+
+def _world_message(error: WorldError, words: Wording) -> str:
+    expected = either([_world_thing(each, words) for each in error.expected], words)
+    values = {"found": "", "expected": expected, "name": "", "given": "", "limit": "", "path": ""}
+    found = str(error.details.get("found", ""))
+    filled = {**values, **error.details, "found": _found_in_world(found, words)}
+    return words(_world_code(error, found, expected), **filled)
+
+
+def _world_code(error: WorldError, found: str, expected: str) -> str:
+    """The sentence of the mistake; "unexpected" says what was expected where that is short."""
+    code = error.code.value
+    if code == "wrong-count" and not expected:
+        return "world-too-many"
+    if code != "unexpected" or not 0 < len(error.expected) <= 4:
+        return f"world-{code}"
+    return "world-unexpected-expecting" if found else "world-unexpected-end"
+
+
+def _found_in_world(found: str, words: Wording) -> str:
+    """What stands there; a lone character that nothing shows, by what it is."""
+    if len(found) == 1 and not found.isprintable():
+        return words("world-control-character")
+    return words(CODE_OF_SIGN[found]) if found in CODE_OF_SIGN else found
+
+
+def _world_thing(expected: str, words: Wording) -> str:
+    if words.knows(f"world-expected-{expected}"):
+        return words(f"world-expected-{expected}")
+    return words(CODE_OF_SIGN[expected]) if expected in CODE_OF_SIGN else expected

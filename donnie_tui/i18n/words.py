@@ -1,14 +1,14 @@
-"""A learner's language and level of detail: the wording that the core and the front ends ask.
+"""Sentences in the learner's language and at the learner's level of detail.
 
-``Unusable`` raises a sentence, where Donnie can't do what it was asked for. What words need to tell of
-mistakes and of GoDonnie is loaded when it is asked: the first frame needs neither.
+What makes sentences of mistakes, and HELP, is loaded when it is wanted: the first frame needs neither.
 """
 
 from __future__ import annotations
 
-from devices.ports.hints import TYPE_CHECKING
-from donnie_tui.i18n.catalogue import SENTENCES
-from donnie_tui.i18n.sentence import filled
+from functools import cache
+from typing import TYPE_CHECKING
+
+from donnie_tui.i18n.messages import filled, find
 
 if TYPE_CHECKING:
     from donnie_tui.core.events import Error
@@ -31,19 +31,28 @@ class Words:
         self.detail = detail
 
     def __call__(self, code: str, **values: object) -> str:
-        """The sentence of a code. Raises ``KeyError`` for a code that the catalogue lacks.
+        """The sentence of a code. Raises ``KeyError`` for a code that English does not have.
 
         A ``reason`` may be in the system's words.
         """
+        sentence = find(code, self.language, self.detail)
+        if sentence is None:
+            raise KeyError(code)
         if values.get("reason"):
-            from donnie_tui.i18n.reasons import reason_told  # only when something failed
+            values["reason"] = self._reason(code, str(values["reason"]))
+        return filled(sentence, values)
 
-            values["reason"] = reason_told(code, str(values["reason"]), self)
-        return filled(SENTENCES[code].text(self.language, self.detail), values, self.language)
+    def _reason(self, code: str, reason: str) -> str:
+        """The system's reason (no such folder, disk full) in the learner's language, where it is known."""
+        name = _error_names().get(reason)
+        for each in (f"reason-{name}-{code}", f"reason-{name}"):
+            if name and self.knows(each):
+                return self(each)
+        return reason
 
     def knows(self, code: str) -> bool:
-        """Whether the catalogue has the code."""
-        return code in SENTENCES
+        """Whether there is a sentence of that code."""
+        return find(code, self.language) is not None
 
     def mistake(self, diagnostic: Diagnostic) -> str:
         from donnie_tui.i18n.mistakes import mistake
@@ -56,7 +65,7 @@ class Words:
         return hint(diagnostic, self)
 
     def explanation(self, error: Error) -> tuple[str, ...]:
-        from donnie_tui.i18n.explanation import explanation
+        from donnie_tui.i18n.mistakes import explanation
 
         return explanation(error, self)
 
@@ -64,3 +73,12 @@ class Words:
         from donnie_tui.i18n.help import help_lines
 
         return help_lines(topic, self)
+
+
+@cache
+def _error_names() -> dict[str, str]:
+    """The names of the system's errors, such as ``ENOENT``, by what the system says of them."""
+    import errno
+    import os
+
+    return {os.strerror(number): name for number, name in errno.errorcode.items()}

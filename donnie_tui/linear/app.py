@@ -10,18 +10,21 @@ import contextlib
 import os
 from collections.abc import Callable
 
-from devices.ports.values import replace
+from msgspec.structs import replace
+
 from donnie_tui.bootstrap import Donnie, Unusable, assemble
+from donnie_tui.commands.interaction import EnterWorld, SwitchMode
+from donnie_tui.commands.preferences import Preferences
+from donnie_tui.commands.world import settings_there
 from donnie_tui.i18n.words import Words
 from donnie_tui.linear.console import Console, Gone
 from donnie_tui.linear.conversation import Conversation, Kept
 from donnie_tui.linear.greeting import Greeting
-from donnie_tui.linear.habits import Habits, of_settings
-from donnie_tui.robot.search import Search
-from donnie_tui.settings.chosen import Settings
-from donnie_tui.settings.devices import SIMULATED
+from donnie_tui.linear.options import Options
+from donnie_tui.robot.choice import Search
 from donnie_tui.settings.folders import state_path
-from donnie_tui.words.switching import GoToWorld, SwitchMode
+from donnie_tui.settings.parsing import SIMULATED
+from donnie_tui.settings.settings import Settings
 
 
 def run_linear(
@@ -39,14 +42,13 @@ def run_linear(
     did, ``file`` is then only its name, and ``donnie`` the session that it left. Raises ``SwitchMode``, with
     the session, for the full screen, and ``Unusable`` for a world that can't be used.
     """
-    habits = of_settings(settings)
     is_there = donnie is not None or settings.robot == SIMULATED
     begins_bare = file is None and not text and is_there and donnie is None
     greeting.greet(
         donnie.words.language if donnie else settings.language,
         cause,
         os.environ,
-        prompt=habits.prompt_at(0) if begins_bare else None,
+        prompt=Options(lambda: settings).prompt_at(0) if begins_bare else None,
         tour=settings.tour,
     )
     console = Console(greeting.terminal)
@@ -64,7 +66,7 @@ def run_linear(
         except Unusable:
             greeting.withdraw()
             raise
-        stay = _Stay(console, greeting, settings, habits, state_path(os.environ), ours)
+        stay = _Stay(console, greeting, settings, state_path(os.environ), ours)
         offers = cause == "word" and settings.linear is not True
         return stay.until_left(donnie, lambda talk: talk.until_left(file, text, offers_to_remember=offers))
 
@@ -77,13 +79,13 @@ class _Stay:
         console: Console,
         greeting: Greeting,
         settings: Settings,
-        habits: Habits,
         folder: str,
         ours: contextlib.ExitStack,
     ) -> None:
         """``ours`` closes the session that there is in the end, unless it goes on in the other mode."""
         self._console, self._greeting = console, greeting
-        self._settings, self._habits, self._folder = settings, habits, folder
+        self._settings, self._folder = settings, folder
+        self._preferences = Preferences(settings, os.environ)
         self._ours = ours
 
     def until_left(self, donnie: Donnie, begin: Callable[[Conversation], int]) -> int:
@@ -92,11 +94,11 @@ class _Stay:
         while True:
             self._console.give_up = donnie.connection.search.give_up
             self._ours.callback(donnie.close)
-            talk = Conversation(donnie, self._console, self._folder, self._habits, self._greeting, kept)
+            talk = Conversation(donnie, self._console, self._folder, self._preferences, self._greeting, kept)
             with contextlib.closing(talk):
                 try:
                     return talk.go_on() if kept else begin(talk)
-                except GoToWorld as going:
+                except EnterWorld as going:
                     donnie = self._move(donnie, going.name)
                     kept = talk.packed()
                 except SwitchMode:
@@ -105,9 +107,7 @@ class _Stay:
 
     def _move(self, donnie: Donnie, name: str) -> Donnie:
         """The session in that world, which can be loaded; where its devices fail, in the one before."""
-        from donnie_tui.words.world_going import settings_there
-
-        before = settings_there(donnie, donnie.outlets.audible.settings, self._settings.world)
+        before = settings_there(donnie, self._preferences.settings, self._settings.world)
         self._ours.close()
         there = replace(before, world=name)
         try:
@@ -141,7 +141,7 @@ def _awaited(
         return assemble(settings, terminal=True, search=search)
     from pathlib import Path
 
-    from donnie_tui.core.patience import SLOW, SLOW_AGAIN
+    from donnie_tui.core.timeouts import SLOW, SLOW_AGAIN
     from donnie_tui.linear.patience import aside
 
     words, name = Words(settings.language, settings.verbosity), Path(settings.world).name

@@ -4,9 +4,10 @@ from __future__ import annotations
 
 from collections.abc import Callable
 
-from donnie_tui.i18n.first_words import PROMPT
+from donnie_tui.i18n.words import Words
 from donnie_tui.linear.beside import Beside
 from donnie_tui.linear.ends import Ends
+from donnie_tui.linear.greeting import PROMPT
 from donnie_tui.linear.hearing import Hearing
 from donnie_tui.linear.reader import How, Typed
 from donnie_tui.linear.showing import Showing
@@ -24,18 +25,21 @@ class Asking:
         heard: Hearing,
         showing: Showing,
         beside: Beside,
+        words: Words,
         answer: Callable[..., None],
         tell: Callable[..., None],
         before_typing: Callable[[], None],
     ) -> None:
         """``answer`` tells a sentence by its code, ``tell`` lines; ``before_typing`` is done at prompts."""
         self._ends = ends
+        self._words = words
         self._console = ends.console
         self._heard = heard
         self._showing = showing
         self._beside = beside
         self._answer, self._tell = answer, tell
         self._before_typing = before_typing
+        self._typed_before: Typed | None = None
         self.offered = ""
         """The text that is offered for editing with the next prompt."""
         self.has_ended = False
@@ -43,6 +47,9 @@ class Asking:
 
     def read(self, prompt: str, *, shown: bool = False) -> Typed:
         """Print what was told and the prompt, unless it is ``shown`` already, and read a line."""
+        if self._typed_before is not None:
+            typed, self._typed_before = self._typed_before, None
+            return typed
         while True:
             typed = self._read(prompt, shown=shown)
             if typed.how not in (How.CHOICES, How.NEWS):
@@ -54,25 +61,30 @@ class Asking:
             self.offered = typed.text
             shown = False
 
+    def put_back(self, typed: Typed) -> None:
+        """What was read was meant for the next one who reads."""
+        self._typed_before = typed
+
     def ask(self, code: str, **values: object) -> str:
         """The answer to a question; empty if there is none."""
-        return self._answer_to(code, **values) or ""
+        return self.answer_to(self._words(code, **values)) or ""
 
     def ask_yes(self, code: str, **values: object) -> bool:
         """Whether the answer is yes."""
-        return self.decide(code, **values) is True
+        return self.decide(self._words(code, **values)) is True
 
-    def decide(self, code: str, **values: object) -> bool | None:
+    def decide(self, question: str) -> bool | None:
         """Yes or no; None for no answer: Ctrl+C, Escape alone, the end of the input, a signal to leave."""
         from donnie_tui.core.typed_words import answered
 
-        answer = self._answer_to(code, **values)
+        answer = self.answer_to(question)
         while answer and answered(answer) is None:
-            answer = self._answer_to("linear-yes-or-no")
+            answer = self.answer_to(self._words("linear-yes-or-no"))
         return bool(answered(answer)) if answer is not None else None
 
-    def _answer_to(self, code: str, **values: object) -> str | None:
-        self._answer(code, **values)
+    def answer_to(self, question: str) -> str | None:
+        """What is typed next; empty for an empty line, None where the learner gave up or left."""
+        self._tell(question)
         typed = self.read(PROMPT)
         text = typed.text.strip()
         self.has_ended = typed.how is How.CLOSED

@@ -9,8 +9,7 @@ from __future__ import annotations
 from collections.abc import Callable
 
 from donnie_tui.bootstrap import Donnie
-from donnie_tui.linear.output import LARGEST_BLOCK
-from donnie_tui.linear.told import Told
+from donnie_tui.linear.output import LARGEST_BLOCK, Told
 from language.control import ControlState
 
 _ENDING = (ControlState.STOPPING, ControlState.ENDED)
@@ -19,8 +18,13 @@ _ENDING = (ControlState.STOPPING, ControlState.ENDED)
 class Beside:
     """The robots whose programs run though nobody waits for them."""
 
-    def __init__(self, donnie: Donnie, told: Told, answer: Callable[..., None]) -> None:
-        """``told`` waits to be printed, ``answer`` tells a sentence by its code."""
+    def __init__(
+        self, donnie: Donnie, told: Told, answer: Callable[..., None], stop_all: Callable[[], None]
+    ) -> None:
+        """``told`` waits to be printed, ``answer`` says a sentence by its code, ``stop_all`` is STOP ALL."""
+        self._stop_all = stop_all
+        self._left_out = 0
+        """Lines that were not printed before the stop."""
         self._donnie = donnie
         self._told = told
         self._answer = answer
@@ -48,19 +52,14 @@ class Beside:
         return not self._told.has_first
 
     def stop(self, left_out: int = 0) -> None:
-        """Stop all, and say so once it is done; ``left_out``: lines that were not printed, besides those that
-        wait now."""
-        from donnie_tui.words import team_words  # robots that were STARTed
+        """Stop all robots, and say so; ``left_out`` lines were not printed, besides those that wait now."""
+        self._left_out = left_out
+        self._stop_all()
 
-        code = team_words.stopped_all(self._donnie)
-        self._told.let_pass()
-        self._donnie.team.settle()
-        self.leave_out(left_out)
-        self._answer(code)
-
-    def leave_out(self, left_out: int = 0) -> None:
+    def leave_out(self) -> None:
         """After a stop: the end of what waits is printed, and how many lines were not."""
         self._told.let_pass()
-        left_out += self._told.trim(LARGEST_BLOCK)
+        left_out = self._left_out + self._told.trim(LARGEST_BLOCK)
+        self._left_out = 0
         if left_out:
             self._answer("answer-left-out", lines=left_out)

@@ -5,28 +5,30 @@ from __future__ import annotations
 from pathlib import Path
 
 import worlds
-from donnie_tui.core.around import compass_words
-from donnie_tui.core.use_cases import USE_CASES, find
+from donnie_tui.commands.declarations import COMMANDS
+from donnie_tui.commands.lookup import find
+from donnie_tui.core.map_words import compass_words
+from donnie_tui.i18n.command_words import words_of
 from donnie_tui.linear.desk import Desk
 from language import keywords
 from language.source import fold_name
 
-_FILES = ("OPEN", "SAVE", "ABRIR", "SALVAR", "GUARDAR")
 MOST = 100
 """Words to choose from; nobody listens to more."""
 
 
 def candidates(desk: Desk, before: str) -> tuple[str, ...]:
     """The words that the last one of ``before`` may become, as it was typed in small or capital letters."""
-    first, blank, _ = before.lstrip().partition(" ")
-    last = before.rpartition(" ")[2]
-    if blank and first.upper() in _FILES:
+    blank, last = " " in before.lstrip(), before.rpartition(" ")[2]
+    asked = find(before)
+    if blank and asked is not None and asked[0].argument == "file":
         return _files(last)
     if not last:
         return ()
     known = [*keywords.all_words(desk.say.language), *desk.session.variables, *_arguments(desk, before)]
     if not blank:
-        known += [each.word(desk.say.language) for each in USE_CASES]
+        commands = (each for each in COMMANDS if not each.is_visual)
+        known += [word for each in commands for word in words_of(each.name, desk.say.language)]
     folded = fold_name(last)
     found = sorted({_as_typed(each, last) for each in known if fold_name(each).startswith(folded)})
     return tuple(found[:MOST])

@@ -15,7 +15,7 @@ import time
 from collections.abc import Callable
 
 from donnie_tui.linear.terminal import Terminal, size
-from donnie_tui.process.lost_readers import ReaderWatch
+from donnie_tui.process.disconnection import ReaderWatch
 from donnie_tui.process.signals import LEAVING, Deputy, WakingSignals, suspend
 
 MOST_AHEAD = 64 * 1024

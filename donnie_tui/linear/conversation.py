@@ -9,37 +9,40 @@ from __future__ import annotations
 import os
 from collections.abc import Callable
 from functools import cached_property
+from typing import TYPE_CHECKING
 
-from devices.ports.hints import TYPE_CHECKING
-from devices.ports.values import Frozen
-from donnie_tui.bootstrap import Donnie
+from msgspec import Struct
+
+from donnie_tui.bootstrap import Donnie, open_workspace
+from donnie_tui.commands.context import Context
+from donnie_tui.commands.dispatch import attempt
+from donnie_tui.commands.interaction import EnterWorld, SwitchMode, drive
+from donnie_tui.commands.preferences import Preferences
 from donnie_tui.core.answer_log import AnswerLog
-from donnie_tui.core.breakpoints import KeptBreakpoints
-from donnie_tui.core.recall import Past
+from donnie_tui.core.line_history import Past
+from donnie_tui.core.workspace import Workspace
 from donnie_tui.linear.console import Console, Gone
 from donnie_tui.linear.desk import Desk
 from donnie_tui.linear.ends import Ends
-from donnie_tui.linear.greeting import Greeting
-from donnie_tui.linear.habits import Habits
-from donnie_tui.linear.keys import Key
+from donnie_tui.linear.greeting import Greeting, has_rescued
+from donnie_tui.linear.interaction import LinearInteraction
 from donnie_tui.linear.leaving import Leaving
-from donnie_tui.linear.output import Output
-from donnie_tui.linear.programs import Programs
+from donnie_tui.linear.line_editor import Key
+from donnie_tui.linear.options import Options
+from donnie_tui.linear.output import Output, Told
 from donnie_tui.linear.reader import EditingReader, How, PlainReader, Typed
-from donnie_tui.linear.told import Told
+from donnie_tui.linear.run_loop import RunLoop
 from donnie_tui.linear.typed_lines import TypedLines
-from donnie_tui.linear.while_running import WhileRunning
-from donnie_tui.settings.folders import BREAKPOINTS, UNSAVED
-from donnie_tui.words.switching import GoToWorld, SwitchMode
+from donnie_tui.settings.folders import UNSAVED
 
 if TYPE_CHECKING:
-    from donnie_tui.linear.key_echo import KeyEcho
+    from donnie_tui.linear.line_editor import KeyEcho
 
 
-class Kept(Frozen):
+class Kept(Struct, frozen=True):
     """What goes along to another world."""
 
-    programs: Programs
+    workspace: Workspace
     answers: AnswerLog
     past: Past
     editing: EditingReader | None
@@ -57,13 +60,13 @@ class Conversation:
         donnie: Donnie,
         console: Console,
         folder: str,
-        habits: Habits,
+        preferences: Preferences,
         greeting: Greeting,
         kept: Kept | None = None,
     ) -> None:
         """``folder`` keeps what was typed before and what could not be saved, ``kept`` what came along."""
-        told = Told(console.nudge)
-        self._greeting = greeting
+        told, options = Told(console.nudge), Options(lambda: preferences.settings)
+        self._greeting, self._folder = greeting, folder
         edits, attended = greeting.terminal is not None, os.isatty(0)
         self._past = kept.past if kept else Past(f"{folder}/history" if edits else None)
         self._plain = kept.plain if kept else PlainReader(console)
@@ -73,29 +76,35 @@ class Conversation:
             paced=os.isatty(1),
             of_numbers=lambda count: donnie.words("linear-numbers", count=count),
         )
-        kept_breakpoints = KeptBreakpoints(f"{folder}/{BREAKPOINTS}")
+        workspace = kept.workspace if kept else open_workspace(folder)
         ends = Ends(
             console,
             editing,
             self._plain,
             output,
             told,
-            habits,
+            options,
             prompts=attended,
             is_terminal=os.isatty(1),
             offered=greeting.offered,
         )
         answers = kept.answers if kept else AnswerLog()
-        self._desk = Desk(donnie, ends, f"{folder}/{UNSAVED}", kept_breakpoints, answers)
+        self._desk = desk = Desk(donnie, ends, workspace, answers, self._past)
+        desk.ctx = Context(
+            donnie,
+            LinearInteraction(desk),
+            workspace,
+            answers,
+            self._past,
+            preferences,
+        )
         if kept:
-            self._desk.programs.take_over(kept.programs)
-            self._desk.watch.names.extend(kept.watched)
+            desk.ctx.runs.watched.extend(kept.watched)
         self._is_silent = kept is not None and kept.is_silent
-        self._desk.past = self._past.lines
         self._desk.take_again = self._take_again
         self._leaving = Leaving(self._desk)
-        meanwhile = WhileRunning(self._desk, told, self._past, editing)
-        self._runs = meanwhile.runs
+        self._runs = RunLoop(self._desk, told, editing)
+        self._desk.follow = self._runs.follow
         self._lines = TypedLines(self._desk, self._runs, self._leaving)
         self._console = console
         console.before_suspending = donnie.stop_real_robot
@@ -103,7 +112,7 @@ class Conversation:
             console.on_key = donnie.outlets.audible.hush
         if editing:
             editing.on_key = self._say_key
-        ends.apply_habits()
+        ends.apply_options()
 
     def _say_key(self, key: Key, before: str) -> None:
         if self._desk.donnie.outlets.audible.echoes:
@@ -111,7 +120,7 @@ class Conversation:
 
     @cached_property
     def _key_echo(self) -> KeyEcho:
-        from donnie_tui.linear.key_echo import KeyEcho  # where the own voice speaks
+        from donnie_tui.linear.line_editor import KeyEcho  # where the own voice speaks
 
         return KeyEcho(self._desk.donnie.outlets.audible, self._desk.donnie.words)
 
@@ -137,12 +146,12 @@ class Conversation:
         """What goes along to another world."""
         desk = self._desk
         return Kept(
-            desk.programs,
+            desk.workspace,
             desk.answers,
             self._past,
             self._editing,
             self._plain,
-            tuple(desk.watch.names),
+            tuple(desk.ctx.runs.watched),
             is_silent=not desk.donnie.outlets.audible.is_on,
         )
 
@@ -157,20 +166,20 @@ class Conversation:
     def _kept_safe(self, talk: Callable[[], int]) -> int:
         try:
             return talk()
-        except GoToWorld:
-            self._desk.programs.keep_for_later()
+        except EnterWorld:
+            self._desk.workspace.write_copies()
             self._desk.showing.show_told()
             if not self._desk.is_attended:  # whoever types has ended the voice by that
                 self._leaving.let_speak()
             raise
         except SwitchMode:
-            self._desk.programs.hand_over()
+            self._desk.workspace.hand_over()
             raise
         except Gone:
-            self._desk.programs.keep_for_later()
+            self._desk.workspace.write_copies()
             return self._console.code_when_gone
         except BaseException:
-            self._desk.programs.keep_for_later()
+            self._desk.workspace.write_copies()
             raise
         finally:
             self._past.trim()
@@ -182,11 +191,9 @@ class Conversation:
         if text is not None:
             self._take_over(text, file)
         elif file is not None:
-            from pathlib import Path
+            from donnie_tui.commands import files
 
-            from donnie_tui.linear import files
-
-            files.open_file(desk, Path(file))
+            drive(attempt(desk.ctx, files.open_named(desk.ctx, file)))
         self._tell_notices()
         if offers_to_remember:
             from donnie_tui.linear import modes
@@ -195,10 +202,10 @@ class Conversation:
         return self._take_lines(is_shown=is_shown)
 
     def _talk_there(self) -> int:
-        from donnie_tui.words.world_going import tell_arrival
+        from donnie_tui.commands.world import say_arrival
 
         desk = self._desk
-        tell_arrival(desk.donnie, is_silent=self._is_silent)
+        say_arrival(desk.donnie, is_silent=self._is_silent)
         desk.tell(*desk.donnie.notices.about_devices)
         if desk.program.lines:
             desk.answer("linear-lines", lines=len(desk.program.lines))
@@ -219,13 +226,12 @@ class Conversation:
         """The program that the full screen left; it is saved if its file says the same."""
         from pathlib import Path
 
-        from donnie_tui.core.documents import saved_text
+        from donnie_tui.core.program_files import saved_text
 
-        program = self._desk.program
-        program.replace(text, file, in_file=saved_text(Path(file)) if file else "")
-        self._desk.programs.bring_breakpoints()
-        if program.lines:
-            self._desk.answer("linear-lines", lines=len(program.lines))
+        path = Path(file) if file else None
+        self._desk.workspace.replace(text, path, in_file=saved_text(path) if path else "")
+        if self._desk.program.lines:
+            self._desk.answer("linear-lines", lines=len(self._desk.program.lines))
 
     def _tell_notices(self) -> None:
         """What had to be done without. Where the prompt stands already, it comes with the first answer.
@@ -235,13 +241,13 @@ class Conversation:
         desk = self._desk
         desk.tell(*desk.donnie.notices.all)
         self._console.has_news = bool(desk.donnie.notices.about_devices)
-        if desk.is_attended and not self._greeting.told_rescued and desk.programs.has_rescued:
+        if desk.is_attended and not self._greeting.told_rescued and has_rescued(f"{self._folder}/{UNSAVED}"):
             desk.answer("answer-rescued")
 
     def _prompt(self) -> str:
         in_program = self._desk.is_attended and not self._desk.next_line
         depth = self._desk.program.depth if in_program else 0
-        return self._desk.ends.habits.prompt_at(depth)
+        return self._desk.ends.options.prompt_at(depth)
 
     def _candidates(self, before: str) -> tuple[str, ...]:
         """For Tab. Loaded when somebody presses it."""

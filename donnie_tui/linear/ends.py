@@ -2,15 +2,15 @@
 
 from __future__ import annotations
 
-from devices.ports.values import Frozen
+from msgspec import Struct
+
 from donnie_tui.linear.console import Console
-from donnie_tui.linear.habits import Habits, Page
-from donnie_tui.linear.output import Output
+from donnie_tui.linear.options import Options, Page
+from donnie_tui.linear.output import Output, Told
 from donnie_tui.linear.reader import How, Reader, Typed
-from donnie_tui.linear.told import Told
 
 
-class Ends(Frozen):
+class Ends(Struct, frozen=True):
     """Who types, and who reads."""
 
     console: Console
@@ -19,7 +19,7 @@ class Ends(Frozen):
     plain: Reader
     output: Output
     told: Told
-    habits: Habits
+    options: Options
     prompts: bool
     """Whether somebody types: prompts are printed, and questions asked."""
     is_terminal: bool
@@ -44,20 +44,20 @@ class Ends(Frozen):
     @property
     def reader(self) -> Reader:
         """Where the next line comes from."""
-        return self.editing if self.editing is not None and self.habits.editor else self.plain
+        return self.editing if self.editing is not None and self.options.editor else self.plain
 
     @property
     def page_size(self) -> int:
         """Lines that come before somebody is asked for more; 0 if nobody is."""
-        if self.habits.hold:
+        if self.options.hold:
             return 1
-        return self.output.block_size if self.habits.page is Page.ASK else 0
+        return self.output.block_size if self.options.page is Page.ASK else 0
 
-    def apply_habits(self) -> None:
+    def apply_options(self) -> None:
         """Let the terminal and the printing be as it was chosen."""
         if self.has_terminal:
-            self.console.edit(self.habits.editor)
-        self.output.paced = self.is_terminal and self.habits.page is Page.REST
+            self.console.edit(self.options.editor)
+        self.output.paced = self.is_terminal and self.options.page is Page.REST
 
     def hold_newline(self) -> None:
         """What comes next begins on a line of its own."""

@@ -11,21 +11,23 @@ from __future__ import annotations
 import os
 import sys
 
-from donnie_tui import DETAILS, LANGUAGES
-from donnie_tui.i18n.first_words import CAUSES, HINT, PROMPT, RESCUED, TOUR
-from donnie_tui.settings.first_start import offers_tour
-from donnie_tui.settings.folders import UNSAVED, state_path
+from donnie_tui import DETAILS
+from donnie_tui.i18n.first_words import early
+from donnie_tui.settings.folders import UNSAVED, offers_tour, state_path
+from language.locales import ENGLISH, SEARCH_PATH, folders, language_of_locale
 
 TYPE_CHECKING = False  # that of typing costs as much as the rest of the first prompt
 if TYPE_CHECKING:
     from donnie_tui.linear.terminal import Terminal
 
+PROMPT = "> "
+
 _NOBODY_READS = 129
 """The exit code, as after a lost terminal."""
-_HARMLESS = ("DONNIE_LANG", "DONNIE_LINEAR", "DONNIE_READER", "DONNIE_TOUR")
+_HARMLESS = ("DONNIE_LANG", "DONNIE_LINEAR", "DONNIE_READER", "DONNIE_TOUR", SEARCH_PATH)
 _SWITCH = ("on", "off")
 PLAIN_VALUES = {
-    "--lang": LANGUAGES,
+    "--lang": tuple(folders()),
     "--speech": ("auto", "text", "ssip", "tts", "robot", "off"),
     "--sound": _SWITCH,
     "--verbosity": DETAILS,
@@ -71,19 +73,20 @@ class Greeting:
         self.was_printed, self.has_prompt = True, prompt is not None and os.isatty(0)
         if is_editable(environment):
             self.terminal = _taken_terminal()
-        at = LANGUAGES.index(language)
-        hint = self._hint(environment, tour=tour)[at]
-        self.lines = (CAUSES[cause][at],) if prompt is None else (CAUSES[cause][at], hint)
+        hint = self._hint(environment, tour=tour)
+        codes = (f"linear-cause-{cause}",) if prompt is None else (f"linear-cause-{cause}", hint)
+        self.lines = tuple(early(code, language) for code in codes)
         text = "".join(f"{line}\n" for line in self.lines)
         _print(text + (prompt if prompt and self.has_prompt else ""))
 
-    def _hint(self, environment: os._Environ[str] | dict[str, str], *, tour: bool) -> tuple[str, ...]:
-        """What is most worth knowing before the first prompt, where no more than two lines may stand."""
+    def _hint(self, environment: os._Environ[str] | dict[str, str], *, tour: bool) -> str:
+        """The code of what is most worth knowing before the first prompt, which has no room for more."""
         folder = state_path(environment)
         if self.has_prompt and has_rescued(f"{folder}/{UNSAVED}"):
             self.told_rescued = True
-            return RESCUED
-        return TOUR if tour and self.has_prompt and offers_tour(folder, environment) else HINT
+            return "answer-rescued"
+        offers = tour and self.has_prompt and offers_tour(folder, environment)
+        return "tour-offer" if offers else "linear-hint"
 
     def take_prompt(self) -> bool:
         """Whether the prompt was printed already; from now on it is somebody else's."""
@@ -109,15 +112,15 @@ class Greeting:
 
 
 def has_rescued(folder: str) -> bool:
-    """Whether a crash left a copy there. What knows copies is loaded only where one may be."""
+    """Whether a crash left a copy there. The module of copies is loaded only if there may be one."""
     try:
         if not any(each.startswith("unsaved-") for each in os.listdir(folder)):  # noqa: PTH208 -- pathlib is slow
             return False
     except OSError:
         return False
-    from donnie_tui.core.copies import Copies
+    from donnie_tui.core.recovery import CopyFolder
 
-    return bool(Copies(folder).rescued())
+    return bool(CopyFolder(folder).rescued())
 
 
 def begin(arguments: list[str], environment: os._Environ[str] | dict[str, str]) -> Greeting | None:
@@ -134,9 +137,10 @@ def language_of(options: dict[str, str], environment: os._Environ[str] | dict[st
     """The language of the options, else of ``DONNIE_LANG``, else of the locale, else English."""
     locale = environment.get("LC_ALL") or environment.get("LC_MESSAGES") or environment.get("LANG") or ""
     for given in (options.get("--lang", ""), environment.get("DONNIE_LANG", ""), locale):
-        if given[:2].lower() in LANGUAGES:
-            return given[:2].lower()
-    return "en"
+        language = language_of_locale(given)
+        if language is not None:
+            return language
+    return ENGLISH
 
 
 def _plain_options(arguments: list[str]) -> dict[str, str] | None:

@@ -5,17 +5,11 @@ Rule: any thread may tell something; it never prints, it wakes who does.
 
 from __future__ import annotations
 
-from devices.ports.hints import TYPE_CHECKING
 from donnie_tui.bootstrap import Donnie
-from donnie_tui.core.events import TRANSIENT, Announced, Answered, Error, RunStarted, Stamped
-from donnie_tui.core.told_errors import ToldErrors
-from donnie_tui.core.trail import Trail
+from donnie_tui.core.events import TRANSIENT, Announced, Answered, Stamped
 from donnie_tui.core.transcript import SummingUp, told_lines
 from donnie_tui.linear.beside import Beside
 from donnie_tui.linear.ends import Ends
-
-if TYPE_CHECKING:
-    from donnie_tui.core.timeline import Timeline
 
 CANNOT_WAIT = ("link",)
 """Codes of announcements that are told in the middle of a line that is being typed."""
@@ -28,11 +22,6 @@ class Hearing:
         self._donnie = donnie
         self._beside = beside
         self._ends = ends
-        self.errors = ToldErrors()
-        """Those of the last run of the robot that is talked to."""
-        self.trail = Trail(lambda: donnie.session.hub.robot)
-        self.timeline: Timeline | None = None
-        """Where STEP BACK has come to; None once something new has happened."""
         self._is_reading = self._told_beside = False
         """Whether a line is being typed, and a robot that runs beside the conversation told something."""
         ends.console.lines_wait = self._lines_wait
@@ -59,10 +48,6 @@ class Hearing:
     def _hear(self, stamped: Stamped) -> None:
         """Any thread's: what the event says will be printed."""
         event, console = stamped.event, self._ends.console
-        if not isinstance(event, TRANSIENT):
-            self.timeline = None
-        if stamped.robot == self._donnie.session.hub.robot:
-            self._hear_own(stamped)
         self._put(stamped)
         if self._is_reading and not isinstance(event, TRANSIENT):
             self._told_beside = True
@@ -71,17 +56,6 @@ class Hearing:
             console.has_news = True
             console.nudge()
 
-    def _hear_own(self, stamped: Stamped) -> None:
-        """What the robot does that is talked to."""
-        self.trail.hear(stamped)
-        match stamped.event:
-            case RunStarted():
-                self.errors = ToldErrors()
-            case Error() as error:
-                self.errors.add(error)
-            case _:
-                pass
-
     def _put(self, stamped: Stamped) -> None:
         """To be printed: a sum of what was not told before, and what is told; to be remembered: all.
 
@@ -89,10 +63,13 @@ class Hearing:
         """
         lines, before = told_lines(stamped, self._donnie.words), self._summing_up.before(stamped)
         passes = self._summing_up.passes(stamped)
-        if isinstance(stamped.event, Answered) and (stamped.event.at_once or self._beside.floods):
-            self._ends.told.put_first(lines)
-            lines, passes = (), False
-        self._ends.told.put((*before, *lines) if passes else before, lines, stamped.robot)
+        event, remembered = stamped.event, lines
+        if isinstance(event, Answered) and event.is_repeated:
+            remembered = ()
+        if isinstance(event, Answered) and (event.at_once or self._beside.floods):
+            self._ends.told.put_first(lines, is_kept=bool(remembered))
+            lines, remembered, passes = (), (), False
+        self._ends.told.put((*before, *lines) if passes else before, remembered, stamped.robot)
 
     def _lines_wait(self) -> bool:
         return self._told_beside and bool(self._ends.told)

@@ -7,7 +7,8 @@ for whoever asks for it.
 
 from __future__ import annotations
 
-from donnie_tui.core.typed_program import TypedProgram
+from donnie_tui.commands.interaction import drive
+from donnie_tui.core.document import Document
 from donnie_tui.linear.desk import Desk
 from language.keywords import spelling
 
@@ -32,7 +33,7 @@ class Leaving:
         desk = self._desk
         waiting = desk.program.waiting if desk.program.is_waiting else 0
         if waiting and not desk.is_attended:
-            was_tried = any(each.line > len(desk.program.lines) - waiting for each in desk.heard.errors.all)
+            was_tried = any(each.line > len(desk.program.lines) - waiting for each in desk.ctx.errors.all)
             if was_tried:
                 desk.answer("linear-did-not-run-mistake", lines=waiting)
             else:
@@ -48,7 +49,7 @@ class Leaving:
     def leave(self, code: int) -> None:
         """Leave, once a program that would be missed is saved or given up; else stay."""
         desk = self._desk
-        is_settled = all(map(self._is_settled, desk.programs.all()))
+        is_settled = all(map(self._is_settled, desk.workspace.current_first))
         if desk.console.leaving is not None:
             self.leave_by_signal(desk.console.leaving)
         elif is_settled:
@@ -65,31 +66,31 @@ class Leaving:
         if self._desk.beside.goes_on:
             self._desk.beside.stop()
 
-    def _is_settled(self, program: TypedProgram) -> bool:
+    def _is_settled(self, program: Document) -> bool:
         """Whether nobody would miss it any more."""
         desk = self._desk
         if not (desk.is_attended and program.is_worth_saving):
             return True
-        wants_to_save = desk.asking.decide("linear-ask-save", lines=len(program.lines))
+        wants_to_save = desk.asking.decide(desk.say("linear-ask-save", lines=len(program.lines)))
         if wants_to_save is False:
             desk.answer("linear-left")
         if not wants_to_save:
             return wants_to_save is False
-        with desk.programs.as_current(program):
-            from donnie_tui.linear import files
+        with desk.workspace.as_current(program):
+            from donnie_tui.commands import files
 
-            return files.save_named(desk, "")
+            return drive(files.save_document(desk.ctx, str(program.path or "")))
 
     def _leave_with_copies(self, code: int) -> None:
         """The input ended at the question: to stay and ask again would never end."""
         self._keeps_copies = True
-        self._desk.programs.keep_for_later()
+        self._desk.workspace.write_copies()
         self._desk.answer("answer-rescued")
         self._desk.leaving = code
 
     def leave_by_signal(self, number: int) -> None:
         self._desk.donnie.team.stop()
-        self._desk.programs.keep_for_later()
+        self._desk.workspace.write_copies()
         self._desk.leaving = 128 + number
 
     def interrupt(self, line: str) -> None:
@@ -113,7 +114,9 @@ class Leaving:
         self._desk.heard.hear_out()
         self._desk.showing.show_told()
         if self._desk.leaving == 0 and not self._keeps_copies:
-            self._desk.programs.leave_copies(of_all=self._desk.is_attended)
+            self._desk.copying.cancel()
+            self._desk.workspace.leave_copies(everything=self._desk.is_attended)
+            self._desk.workspace.write_copies()
         if self._desk.leaving == 0:
             self.let_speak()
 

@@ -1,30 +1,26 @@
-"""LINEAR and VISUAL: the change to the full screen takes everything along, the robot where it stands."""
+"""The way to the full screen, which takes everything along, the robot where it stands."""
 
 from __future__ import annotations
 
 import os
 
-from donnie_tui.core.documents import DocumentError
-from donnie_tui.linear.arguments import Handler, alone
+from donnie_tui.commands.interaction import SwitchMode
+from donnie_tui.core.program_files import DocumentError
 from donnie_tui.linear.desk import Desk
-from donnie_tui.linear.files import refuse
 from donnie_tui.settings.file import remember
-from donnie_tui.words.switching import SwitchMode
 
 
-def _linear(desk: Desk) -> None:
-    desk.answer("linear-linear")
-
-
-def _visual(desk: Desk) -> None:
+def switch_to_screen(desk: Desk) -> None:
+    """Raises ``SwitchMode``, unless there is no screen."""
     if not desk.ends.has_terminal:
         desk.answer("linear-no-screen")
         return
     offer_to_remember(desk, linear=False)
     if desk.console.leaving is not None:
         return
+    desk.ctx.runs.stop_to_leave()
     desk.showing.show_told()
-    raise SwitchMode(desk.program.text, desk.program.name, desk.donnie)
+    raise SwitchMode(desk.program.text, str(desk.program.path or "") or None, desk.donnie)
 
 
 def offer_to_remember(desk: Desk, *, linear: bool) -> None:
@@ -39,9 +35,6 @@ def offer_to_remember(desk: Desk, *, linear: bool) -> None:
     try:
         remember("linear", linear, os.environ)
     except DocumentError as error:
-        refuse(desk, error)
+        desk.answer(error.code, path=error.path, reason=error.reason)
     else:
         desk.answer("mode-remembered")
-
-
-HANDLERS: dict[str, Handler] = {"linear": alone(_linear), "visual": alone(_visual)}

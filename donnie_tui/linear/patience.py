@@ -10,15 +10,12 @@ import threading
 from collections.abc import Callable
 from typing import Generic, TypeVar
 
-from donnie_tui.core.patience import SLOW, SLOW_AGAIN
+from donnie_tui.commands.interaction import GivenUp
+from donnie_tui.core.timeouts import SLOW, SLOW_AGAIN
 from donnie_tui.linear.console import Console, Gone
 from donnie_tui.linear.desk import Desk
 
 T = TypeVar("T")
-
-
-class GivenUp(Exception):
-    """Ctrl+C was pressed; what is done beside may still come to its end, unheard."""
 
 
 class _Doing(Generic[T]):

@@ -10,13 +10,13 @@ from collections import deque
 from collections.abc import Callable, Iterable
 from enum import Enum, auto
 from itertools import takewhile
+from typing import Protocol
 
-from devices.ports.hints import Protocol
-from devices.ports.values import Frozen
-from donnie_tui.core.recall import Past, Recall
+from msgspec import Struct
+
+from donnie_tui.core.line_history import Past, Recall
 from donnie_tui.linear.console import Console
-from donnie_tui.linear.edit_line import EditLine
-from donnie_tui.linear.keys import ESCAPE_DELAY, Act, Key, KeyDecoder
+from donnie_tui.linear.line_editor import ESCAPE_DELAY, Act, EditLine, Key, KeyDecoder
 
 LONGEST_PLAIN = 1024 * 1024
 """Bytes of a plain line; a longer one is nobody's program and is not kept."""
@@ -40,7 +40,7 @@ class How(Enum):
     """Tab was pressed, and there are several words to choose from."""
 
 
-class Typed(Frozen):
+class Typed(Struct, frozen=True):
     text: str
     how: How
     choices: tuple[str, ...] = ()

@@ -3,15 +3,14 @@
 from __future__ import annotations
 
 from donnie_tui.core.answer_log import AnswerLog
-from donnie_tui.i18n.first_words import PROMPT
+from donnie_tui.core.typed_words import answered, meant
 from donnie_tui.i18n.words import Words
 from donnie_tui.linear.ends import Ends
-from donnie_tui.linear.habits import Prompt
+from donnie_tui.linear.greeting import PROMPT
+from donnie_tui.linear.options import Prompt
 from donnie_tui.linear.output import LARGEST_BLOCK
 from donnie_tui.linear.reader import How, Typed
-from language.source import fold_name
 
-_ENOUGH = ("q", "quit", "s", "sair", "salir", "n", "no", "nao")
 """What ends an answer that is told page by page."""
 
 
@@ -48,7 +47,9 @@ class Showing:
         """
         lines, kept = self._ends.told.take(most), self._ends.told.take_kept()
         if not self.is_repeating:
-            self._answers.add(kept)
+            self._answers.add_lines(kept)
+        if prompt:
+            self._answers.end_answer()
         self.is_repeating = False
         if not self._ends.prompts:
             return self._ends.output.show(lines)
@@ -72,7 +73,7 @@ class Showing:
                 lines = []
             if self._typed_early is not None:
                 return 0
-        if self._ends.habits.prompt is Prompt.ANSWER and prompt.endswith(PROMPT) and lines:
+        if self._ends.options.prompt is Prompt.ANSWER and prompt.endswith(PROMPT) and lines:
             prompt = self.prompt = f"{lines.pop()} "
         return self._ends.output.show(lines, prompt, to_the_end=self.is_hurrying)
 
@@ -82,11 +83,15 @@ class Showing:
     def _show_page(self, lines: list[str], left: int) -> bool:
         """Show a page and wait for Enter. Whether more is wanted; whoever types a line wants that instead."""
         ends = self._ends
-        question = f"{lines.pop()} " if ends.habits.hold else f"{self._say('linear-more', lines=left)} "
+        question = f"{lines.pop()} " if ends.options.hold else f"{self._say('linear-more', lines=left)} "
         ends.output.show(lines, question)
         typed = ends.reader.read(question)
         ends.end_line(typed)
         ends.console.interrupted |= typed.how is How.INTERRUPTED
-        if typed.text.strip() and fold_name(typed.text) not in _ENOUGH:
+        if typed.text.strip() and not _is_enough(typed.text):
             self._typed_early = typed
         return typed.how in (How.ENTER, How.ESCAPE) and not typed.text.strip()
+
+
+def _is_enough(typed: str) -> bool:
+    return answered(typed) is False or meant(typed, "pages") == "enough"

@@ -1,28 +1,8 @@
-"""QUIET and CUES in the linear mode: what sounds is waited for, and every key goes on."""
+"""Waits while something sounds, until the learner wants something else."""
 
 from __future__ import annotations
 
-from donnie_tui.linear.arguments import Handler, alone
 from donnie_tui.linear.desk import Desk
-from donnie_tui.linear.runs import Runs
-from donnie_tui.words import sound_words
-
-
-def _quiet(desk: Desk) -> None:
-    """LAST still means what was being said."""
-    if desk.session.run is None:
-        sound_words.quiet(desk.donnie)
-        desk.showing.is_repeating = True
-    else:
-        desk.donnie.outlets.audible.hush_all()
-        desk.showing.print_now("quiet")
-
-
-def _cues(desk: Desk, _: Runs, rest: str) -> None:
-    for seconds in sound_words.play_cues(desk.donnie, rest):
-        desk.showing.show_told()
-        if is_disturbed(desk, seconds):
-            break
 
 
 def is_disturbed(desk: Desk, seconds: float) -> bool:
@@ -35,6 +15,3 @@ def is_disturbed(desk: Desk, seconds: float) -> bool:
         if console.leaving is not None:
             return True
     return False
-
-
-HANDLERS: dict[str, Handler] = {"quiet": alone(_quiet), "cues": _cues}

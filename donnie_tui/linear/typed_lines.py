@@ -2,19 +2,22 @@
 
 from __future__ import annotations
 
-from donnie_tui.core.typed_program import ProgramTooLong, TypedProgram
-from donnie_tui.linear import commands
+from donnie_tui.commands.dispatch import perform, says_slip
+from donnie_tui.commands.interaction import drive
+from donnie_tui.commands.lookup import find
+from donnie_tui.commands.run import run_program
+from donnie_tui.core.document import Document, ProgramTooLong
 from donnie_tui.linear.desk import Desk
 from donnie_tui.linear.leaving import Leaving
-from donnie_tui.linear.runs import Runs
+from donnie_tui.linear.run_loop import RunLoop
 from language import keywords
-from language.diagnostics import Kind
+from language.diagnostics import MistakeKind
 
 
 class TypedLines:
     """Takes one line after the other."""
 
-    def __init__(self, desk: Desk, runs: Runs, leaving: Leaving) -> None:
+    def __init__(self, desk: Desk, runs: RunLoop, leaving: Leaving) -> None:
         self._desk = desk
         self._runs = runs
         self._leaving = leaving
@@ -26,7 +29,7 @@ class TypedLines:
             self._desk.next_line = None
             self._desk.answer("answer-unchanged")
         elif not line.strip() or self.take(line):
-            self._runs.run_waiting()
+            drive(run_program(self._desk.ctx, is_whole=False))
 
     def take(self, line: str) -> bool:
         """Do a word, or add the line to the program. Whether it was added and nothing more."""
@@ -37,17 +40,10 @@ class TypedLines:
             pass
         elif not words:
             self._run_unless_open()
-        elif first == "RUN" and len(words) == 1:
-            self._runs.run_waiting()
-        elif first in ("QUIT", "EXIT") and len(words) == 1:
-            self._quit(line)
-        elif first == "HELP":
-            commands.say_help(self._desk, " ".join(words[1:]))
-        elif commands.answer_of_screen(line, self._desk):
-            pass
-        elif found := commands.find(line):
-            commands.do(*found, self._desk, self._runs)
-        elif first is not None or not commands.is_probably_ours(line, self._desk):
+        elif found := find(line):
+            self._desk.quit = lambda: self._quit(line)
+            drive(perform(self._desk.ctx, *found))
+        elif first is not None or not says_slip(self._desk.ctx, line):
             return self._add(line)
         return False
 
@@ -61,11 +57,11 @@ class TypedLines:
             self._desk.answer("linear-too-long")
             return False
         if hears_blocks:
-            from donnie_tui.words import sound_words
+            from donnie_tui.commands.sound import chime_block
 
-            sound_words.chime_block(self._desk.donnie, before, self._desk.program.depth)
-        if self._desk.ends.habits.enter and not self._desk.program.open_block:
-            self._runs.run_waiting()
+            chime_block(self._desk.donnie, before, self._desk.program.depth)
+        if self._desk.ends.options.enter and not self._desk.program.open_block:
+            drive(run_program(self._desk.ctx, is_whole=False))
         return True
 
     def _run_unless_open(self) -> None:
@@ -75,16 +71,16 @@ class TypedLines:
         if block and not self._has_mistake(program):
             self._desk.answer("linear-still-open", opener=self._spelled(block.kind), line=block.line)
         elif program.is_waiting:
-            self._runs.run_waiting()
+            drive(run_program(self._desk.ctx, is_whole=False))
         elif self._desk.goes_on is not None:
             go_on, self._desk.goes_on = self._desk.goes_on, None
             go_on()
 
-    def _has_mistake(self, program: TypedProgram) -> bool:
+    def _has_mistake(self, program: Document) -> bool:
         """Whether something is wrong that no further line puts right."""
         return any(
-            each.found and each.kind is not Kind.MISSING_END
-            for each in self._desk.session.parse(program.take_batch().text).diagnostics
+            each.found and each.kind is not MistakeKind.MISSING_END
+            for each in self._desk.session.parse(program.waiting_text).diagnostics
         )
 
     def _quit(self, line: str) -> None:
@@ -95,7 +91,7 @@ class TypedLines:
         desk, block = self._desk, self._desk.program.open_block
         if self._quit_was_refused:
             self._leaving.leave(0)
-        elif desk.program.was_brought and desk.program.is_waiting:
+        elif desk.program.was_opened and desk.program.is_waiting:
             self._leaving.tell_what_waits()
             self._leaving.leave(0)
         elif block is None:
@@ -105,7 +101,7 @@ class TypedLines:
 
     def _run_and_quit(self, line: str) -> None:
         desk = self._desk
-        self._runs.run_waiting(last=line)
+        drive(run_program(desk.ctx, is_whole=False, last=line))
         if desk.leaving is not None:
             self._leaving.leave(desk.leaving)
         self._quit_was_refused = desk.program.is_waiting

@@ -1,1 +1,1 @@
-"""What comes out of a session besides its printed lines: voice and cues, the belt, and files."""
+"""The outputs of a session besides printed lines: voice and cues, the belt, and files."""

@@ -1,7 +1,7 @@
-"""Voice and cues for a session, as the settings and the surroundings allow. Nothing is started here.
+"""Voice and cues of a session, as the settings and the environment allow. Nothing is started here.
 
-The worker is woken by the first thing to be heard. What is found missing only then is told by an answer
-on the stream, in print, once.
+The first utterance or cue starts the worker. What turns out to be missing only then is reported once, by an
+answer on the stream.
 """
 
 from __future__ import annotations
@@ -9,24 +9,33 @@ from __future__ import annotations
 import os
 from collections.abc import Callable
 from contextlib import ExitStack
+from typing import TYPE_CHECKING, Protocol
 
+from msgspec import Struct
+from msgspec.structs import replace
+
+from devices.audio.channel import (
+    Channel,
+    ChannelReason,
+    ChosenChannel,
+    DetectedEnvironment,
+    SpeakPlace,
+    choose_channel,
+    ssip_address,
+)
 from devices.ports.audio import CuePlayer, Speaker, Urgency, Utterance
-from devices.ports.hints import TYPE_CHECKING, Protocol
-from devices.ports.values import Frozen, replace
-from devices.speech.choose import Channel, ChannelReason, Choice, SpeakPlace, Surroundings, choose_channel
-from devices.speech.probe import look_around, ssip_address
 from donnie_tui.core.events import Answered, SoundSwitched, Stamped
 from donnie_tui.core.hub import HasHub
-from donnie_tui.core.outlets import Cues, Hears, Voice
-from donnie_tui.core.transcript import Telling, TellingAll
+from donnie_tui.core.outlets import Cues, Voice, VoiceScope
+from donnie_tui.core.transcript import TranscriptFilter, UnfilteredTranscript
+from donnie_tui.core.typed_words import name_of_language
 from donnie_tui.i18n.words import Words
-from donnie_tui.settings.chosen import Settings, Source
 from donnie_tui.settings.folders import own_sounds
+from donnie_tui.settings.settings import Settings, Source
 
 if TYPE_CHECKING:
-    from devices.audio_worker.notices import AudioNotice
-    from devices.audio_worker.service import AudioService
-    from devices.speech.voices import VoiceSettings
+    from devices.audio.service import AudioService
+    from devices.ports.audio import AudioNotice, VoiceSettings
 
 DECIDED_FOR = {
     ChannelReason.OVER_SSH: "voice-over-ssh",
@@ -44,7 +53,7 @@ NOTICE_FOR = {
 
 
 class _Voiced(Protocol):
-    """What says sentences: it can be waited for, and be told how to sound."""
+    """A voice: it speaks sentences, can be waited for, and has settings."""
 
     def wait_until_quiet(self, seconds: float) -> bool: ...
 
@@ -61,9 +70,9 @@ def make_audible(
 
 
 class Audible:
-    """Voice and cues of a session, to be changed while it goes on.
+    """Voice and cues of a session, which may change meanwhile.
 
-    The main thread's, but for ``is_quiet_within``, which may wait; all else returns at once.
+    For the main thread, except ``is_quiet_within``, which may wait; everything else returns at once.
     """
 
     def __init__(self, settings: Settings, session: HasHub, words: Words, *, is_linear: bool) -> None:
@@ -72,14 +81,14 @@ class Audible:
         self._is_on = True
         """What SOUND said last."""
         self.hushed = 0
-        """How often there was a hush: whoever goes on sounding for a while looks at it."""
-        self._telling: Telling = TellingAll()
-        self._unsubscribe = session.hub.subscribe(self._hear)
+        """The number of hushes so far; a long sequence of sounds stops when it changes."""
+        self._reporting: TranscriptFilter = UnfilteredTranscript()
+        self._unsubscribe = session.hub.subscribe(self._on_event)
         self._make()
 
     def _make(self) -> None:
         self._own = ExitStack()
-        self._facts = look_around(
+        self._facts = DetectedEnvironment(
             is_linear=self._is_linear, has_real_robot=self._settings.robot.startswith("serial")
         )
         self.choice = choose_channel(self._settings.speech, self._facts, self._settings.speak)
@@ -90,7 +99,7 @@ class Audible:
             self._own,
             self.choice,
             is_on=self._is_on,
-            telling=lambda: self._telling,
+            transcript_filter=lambda: self._reporting,
         )
         self._made = made.make(self._facts)
         notice = NOTICE_FOR.get(self.choice.reason)
@@ -104,14 +113,14 @@ class Audible:
         self._unsubscribe()
         self._own.close()
 
-    def tell_as(self, telling: Telling) -> Callable[[], None]:
+    def tell_as(self, transcript_filter: TranscriptFilter) -> Callable[[], None]:
         """Say no more of the stream than what is printed of it. The answer ends that."""
-        self._telling = telling
+        self._reporting = transcript_filter
         return self.tell_all
 
     def tell_all(self) -> None:
-        """Say everything that is told."""
-        self._telling = TellingAll()
+        """Speak every sentence."""
+        self._reporting = UnfilteredTranscript()
 
     @property
     def settings(self) -> Settings:
@@ -120,7 +129,7 @@ class Audible:
 
     @property
     def speaks(self) -> bool:
-        """Whether answers are heard, and not only print."""
+        """Whether answers are spoken, and not only printed."""
         return self.choice.channel is not Channel.TEXT
 
     @property
@@ -130,12 +139,12 @@ class Audible:
 
     @property
     def has_cues(self) -> bool:
-        """Whether a cue would be heard now."""
+        """Whether a cue would sound now."""
         return self._made.cue_player is not None and self._is_on and not self._is_mute
 
     @property
     def why_no_cues(self) -> str:
-        """The code of the sentence that tells why no cue is heard now, and what to do."""
+        """The code of the sentence that says why no cue sounds now, and what to do."""
         if self._is_mute:
             return "cues-no-device"
         if self._made.cue_player is not None:
@@ -154,12 +163,12 @@ class Audible:
         return all(each.wait_until_quiet(seconds) for each in self._made.voiced)
 
     def is_still_within(self, seconds: float) -> bool:
-        """Wait until everything was said and every cue was heard, as above."""
+        """Wait until every utterance and every cue has ended, as above."""
         audio = self._made.audio
-        return self.is_quiet_within(seconds) and (audio is None or audio.wait_until_still(seconds))
+        return self.is_quiet_within(seconds) and (audio is None or audio.wait_until_silent(seconds))
 
     def hush(self) -> None:
-        """Nothing said until now is heard any more."""
+        """Silence everything that was said until now."""
         self.hushed += 1
         for each in self._made.speakers:
             each.silence()
@@ -186,7 +195,7 @@ class Audible:
     def adjust(self, **changed: object) -> None:
         """Settings from now on, by the names of their fields."""
         sources = {**self._settings.sources, **dict.fromkeys(changed, Source.OPTION)}
-        self._settings = replace(self._settings, sources=sources, **changed)  # type: ignore[arg-type] # their types
+        self._settings = replace(self._settings, sources=sources, **changed)
         if changed.keys() & _OF_THE_CHANNEL or self._lacks_cues():
             self._make_anew()
         elif changed.keys() & _OF_THE_VOICE:
@@ -196,7 +205,7 @@ class Audible:
             self._made.audio.set_cue_volumes(cue_volumes(self._settings))
 
     def move_to(self, *, is_linear: bool) -> None:
-        """The other mode goes on; what suits one need not suit the other."""
+        """Close the voice before the other mode takes over, which chooses its own."""
         if is_linear != self._is_linear:
             self._is_linear = is_linear
             self._make_anew()
@@ -213,7 +222,7 @@ class Audible:
         self._own.close()
         self._make()
 
-    def _hear(self, stamped: Stamped) -> None:
+    def _on_event(self, stamped: Stamped) -> None:
         if isinstance(stamped.event, SoundSwitched):
             self._is_on = stamped.event.on
 
@@ -222,8 +231,8 @@ _OF_THE_CHANNEL = {"speech", "speak", "sound"}
 _OF_THE_VOICE = {"rate", "pitch", "volume", "punctuation"}
 
 
-def wants_cues(settings: Settings, facts: Surroundings) -> bool:
-    """Somebody at this machine hears them, or asked for them."""
+def wants_cues(settings: Settings, facts: DetectedEnvironment) -> bool:
+    """Whether this machine can play cues, or they were asked for."""
     if not settings.sound or isinstance(settings.sound, str) or not facts.has_sound_device:
         return False
     asked_for = settings.source_of("sound") is not Source.DEFAULT
@@ -232,7 +241,7 @@ def wants_cues(settings: Settings, facts: Surroundings) -> bool:
 
 def voice_of(settings: Settings) -> VoiceSettings:
     """How the own voice sounds."""
-    from devices.speech.voices import VoiceSettings
+    from devices.ports.audio import VoiceSettings
 
     names = {"rate": "words_per_minute", "pitch": "pitch", "volume": "volume"}
     chosen = {name for key, name in names.items() if settings.source_of(key) is not Source.DEFAULT}
@@ -246,7 +255,7 @@ def cue_volumes(settings: Settings) -> dict[str, float]:
     return {name: percent / 100 for name, percent in settings.cues.items()}
 
 
-class _Made(Frozen):
+class _Made(Struct, frozen=True):
     """What there is of voice and cues."""
 
     speakers: tuple[Speaker, ...]
@@ -264,18 +273,18 @@ class _Maker:
         session: HasHub,
         words: Words,
         closing: ExitStack,
-        choice: Choice,
+        choice: ChosenChannel,
         *,
         is_on: bool,
-        telling: Callable[[], Telling],
+        transcript_filter: Callable[[], TranscriptFilter],
     ) -> None:
-        self._telling = telling
+        self._reporting = transcript_filter
         self._settings, self._session, self._words = settings, session, words
         self._closing, self._choice, self._is_on = closing, choice, is_on
         self._speakers: list[Speaker] = []
         self._voiced: list[_Voiced] = []
 
-    def make(self, facts: Surroundings) -> _Made:
+    def make(self, facts: DetectedEnvironment) -> _Made:
         cues = wants_cues(self._settings, facts)
         speaks = self._choice.channel is Channel.TTS or self._choice.speak is not SpeakPlace.HERE
         audio = self._worker() if speaks or cues else None
@@ -286,52 +295,56 @@ class _Maker:
     def _connect_voices(self, audio: AudioService | None) -> None:
         match self._choice.channel:
             case Channel.TTS:
-                self._voice(self._own_voice(audio), Hears.ALL)
+                self._voice(self._own_voice(audio), VoiceScope.ALL)
             case Channel.SSIP:
                 at_robot_only = self._choice.speak is SpeakPlace.ROBOT
-                self._voice(self._ssip(), Hears.ANSWERS if at_robot_only else Hears.ALL)
+                self._voice(self._ssip(), VoiceScope.ANSWERS if at_robot_only else VoiceScope.ALL)
         if self._choice.speak is not SpeakPlace.HERE:
-            self._voice(self._own_voice(audio), Hears.PROGRAM)
+            self._voice(self._own_voice(audio), VoiceScope.PROGRAM)
 
     def _own_voice(self, audio: AudioService | None) -> Speaker:
-        from devices.audio_worker.factory import make_speaker
+        from devices.audio.service import make_speaker
 
         return make_speaker(audio)
 
-    def _voice(self, speaker: Speaker, hears: Hears) -> None:
+    def _voice(self, speaker: Speaker, scope: VoiceScope) -> None:
         self._speakers.append(speaker)
-        voice = Voice(speaker, self._words, hears, is_on=self._is_on, telling=self._telling)
+        voice = Voice(speaker, self._words, scope, is_on=self._is_on, transcript_filter=self._reporting)
         self._closing.callback(self._session.hub.subscribe(voice))
 
     def _worker(self) -> AudioService:
-        from devices.audio_worker.factory import make_audio
-        from devices.audio_worker.service import AudioSettings
+        from devices.audio.service import AudioService, AudioSettings
+        from donnie_tui.outlets.spoken_languages import spoken_languages
 
         settings = AudioSettings(
-            voice_of(self._settings), cue_volumes(self._settings), sounds=own_sounds(os.environ)
+            voice_of(self._settings),
+            cue_volumes(self._settings),
+            sounds=own_sounds(os.environ),
+            languages=spoken_languages(),
         )
-        audio = make_audio(settings, self._tell)
+        audio = AudioService(settings, self._report)
         self._closing.callback(audio.close)
         self._voiced.append(audio)
         return audio
 
     def _ssip(self) -> Speaker:
-        from devices.ssip.speaker import SsipSpeaker
+        from devices.audio.speech_dispatcher import SsipSpeaker
+        from donnie_tui.outlets.spoken_languages import spoken_languages
 
         address = ssip_address(os.environ)
         assert address is not None  # it was reached when the channel was chosen
-        speaker = SsipSpeaker(address, self._tell, voice_of(self._settings))
+        speaker = SsipSpeaker(address, self._report, voice_of(self._settings), spoken_languages())
         self._closing.callback(speaker.close)
         self._voiced.append(speaker)
         return speaker
 
     def _cue_player(self, audio: AudioService) -> CuePlayer:
-        from devices.audio_worker.factory import make_cue_player
+        from devices.audio.service import make_cue_player
 
         player = make_cue_player(audio)
         self._closing.callback(self._session.hub.subscribe(Cues(player, is_on=self._is_on)))
         return player
 
-    def _tell(self, notice: AudioNotice) -> None:
-        language = self._words(f"language-{notice.language}") if notice.language else ""
+    def _report(self, notice: AudioNotice) -> None:
+        language = name_of_language(notice.language, self._words.language) if notice.language else ""
         self._session.hub.publish(Answered(self._words(notice.code.value, language=language)))

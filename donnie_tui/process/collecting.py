@@ -1,7 +1,7 @@
-"""When Python looks for garbage among all that is alive.
+"""When Python collects garbage.
 
-Not while a start loads, which makes next to none: looking for it took a tenth of the time. Afterwards rarely,
-and only among what came later: each look at all that was loaded stood in the way for twenty milliseconds.
+Not while a start loads, which makes next to none: collecting took a tenth of the time. Afterwards rarely, and
+only among newer objects: each collection of everything that was loaded took twenty milliseconds.
 """
 
 from __future__ import annotations

@@ -1,10 +1,9 @@
-"""Signals that somebody takes for a while, and gives back as they were found; Ctrl+Z.
+"""Signals: taken for a while and given back as they were; and Ctrl+Z.
 
-Rules: the main thread takes them and gives them back. What they ask for is done by a thread of its own, the
-``Deputy``: a handler interrupts the main thread in the midst of anything, another handler included, so it
-must not take a lock that is held there. It calls ``do`` and nothing else that might wait. A process that
-rests can't stop its robot, and a board drives on by itself: what has to stop is stopped first, and stands,
-before ``suspend`` is called.
+The main thread takes them and gives them back. The ``Deputy``, a thread, does what they ask for: a handler
+interrupts the main thread anywhere, in another handler too, so it must not take a lock. It calls ``do`` and
+nothing else that could wait. A suspended process can't stop its robot, and a board drives on by itself: the
+robot must stand before ``suspend`` is called.
 """
 
 from __future__ import annotations
@@ -63,7 +62,7 @@ class TakenSignals:
 
 
 class WakingSignals(TakenSignals):
-    """They wake whoever waits for input from here too, with their numbers."""
+    """The signals also wake a thread that waits for input here, with their numbers."""
 
     def __init__(self, handlers: Mapping[int, Handler]) -> None:
         super().__init__(handlers)
@@ -84,7 +83,7 @@ class WakingSignals(TakenSignals):
             return b""
 
     def nudge(self) -> None:
-        """Wake whoever waits. From any thread."""
+        """Wake the waiting thread. From any thread."""
         with suppress(OSError):
             os.write(self._writing, b"\0")
 
@@ -94,7 +93,7 @@ class WakingSignals(TakenSignals):
         super().give_back()
 
     def close(self) -> None:
-        """Behind ``give_back``, once nobody waits here any more."""
+        """After ``give_back``, once no thread waits here any more."""
         os.close(self._reading)
         os.close(self._writing)
 
@@ -118,16 +117,16 @@ class Deputy:
         self._deeds.put(deed)
 
     def see_done(self, deed: Deed, seconds: float) -> None:
-        """Have it done and wait for that, at most so long: the caller may hold what the deed needs."""
+        """Do it in the deputy's thread and wait, at most so long: the caller may hold a needed lock."""
         done: SimpleQueue[None] = SimpleQueue()
 
-        def do_and_tell() -> None:
+        def do_and_notify() -> None:
             try:
                 deed()
             finally:
                 done.put(None)
 
-        self.do(do_and_tell)
+        self.do(do_and_notify)
         with suppress(Empty):
             done.get(timeout=seconds)
 
@@ -155,7 +154,7 @@ _STANDARD = (0, 1, 2)
 
 
 def suspend() -> None:
-    """Rest until somebody brings us back; not where the terminal was closed: nobody ever would."""
+    """Suspend the process until it is continued; not if the terminal is closed: nothing would continue it."""
     if not any(map(is_hung_up, _STANDARD)):
         os.kill(os.getpid(), signal.SIGSTOP)
 

@@ -1,1 +1,1 @@
-"""Which robot a session has: chosen, looked for, connected to; simulated, real, or a simulated board."""
+"""The robot of a session: chosen, searched for, connected; simulated, real, or a simulated board."""

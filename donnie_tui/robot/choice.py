@@ -1,21 +1,79 @@
-"""Which robot is meant, where it is plugged in, and what to say and to do when it can't be used."""
+"""Which robot is meant, at which port, and what to say and do if it can't be used.
+
+A search takes some seconds, and the learner may cancel it. ``Search`` takes no lock, because a signal handler
+calls it.
+"""
 
 from __future__ import annotations
 
 from collections.abc import Callable
+from typing import Protocol
 
-from devices.port_listing import FoundPort, list_ports
+from msgspec import Struct
+
 from devices.ports.robot import RobotProblem
-from devices.ports.values import Frozen
-from devices.serial_port import PortFault, PortProblem, group_of, is_same_port
+from devices.serial_ports.listing import FoundPort, list_ports
+from devices.serial_ports.port import PortFault, PortProblem, group_of, is_same_port
 from donnie_tui.i18n.words import Unusable, Words
-from donnie_tui.settings.chosen import Settings
-from donnie_tui.settings.devices import DOUBLE, SERIAL, SIMULATED
+from donnie_tui.settings.parsing import DOUBLE, SERIAL, SIMULATED
+from donnie_tui.settings.settings import Settings
+
+
+class Searchable(Protocol):
+    """A robot with a line."""
+
+    def connect(self) -> None:
+        """Raises ``RobotProblem``."""
+
+    def give_up(self) -> None:
+        """Have ``connect`` end at once."""
+
+
+class Search:
+    """For one session's robot, each time that it changes."""
+
+    def __init__(self, *, is_coming: bool = False) -> None:
+        """``is_coming``: as after ``expect``."""
+        self._is_coming = is_coming
+        self._is_given_up = False
+        self._robot: Searchable | None = None
+        self.on_slow: Callable[[], object] = _nothing
+        """Reports that it continues, if it takes longer than a second; in the thread that connects."""
+
+    def expect(self) -> None:
+        """It begins soon, and may be given up before. ``end`` is to follow."""
+        self._is_coming = True
+
+    def give_up(self) -> bool:
+        """Whether there was anything to give up. Any thread."""
+        robot = self._robot
+        if robot is None and not self._is_coming:
+            return False
+        self._is_given_up = True
+        if robot is not None:
+            robot.give_up()
+        return True
+
+    def connect(self, robot: Searchable) -> None:
+        """Raises ``RobotProblem``, ``given-up`` among them."""
+        self._robot = robot
+        if self._is_given_up:
+            robot.give_up()
+        robot.connect()
+
+    def end(self) -> None:
+        """Whatever came of it."""
+        self._is_coming, self._robot = False, None
+        self._is_given_up = False
+
+
+def _nothing() -> None: ...
+
 
 Lister = Callable[[], tuple[FoundPort, ...]]
 
 
-class Choice(Frozen):
+class Choice(Struct, frozen=True):
     """One robot that a learner may choose."""
 
     robot: str

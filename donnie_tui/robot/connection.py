@@ -1,26 +1,28 @@
-"""Which robot a session has, and changing it: a simulated one, a real one on its line, or a simulated board.
+"""The connection of a session to its robot: simulated, real, or a simulated board; and changing it.
 
-Rules: what happens to the line is a ``link`` event at once; a robot that is not there is told, and the
-simulator takes its place, in so many words; whoever is left, its wheels stand; ports are looked at, and what
-looks at them is loaded, for who wants a real one only.
+Whatever happens to the connection is a ``link`` event at once. A robot that is missing is reported, and the
+simulator takes its place. A robot that is disconnected stands first. Ports are searched, and their modules
+loaded, only for a real robot.
 """
 
 from __future__ import annotations
 
+import os
 import threading
-from collections.abc import Callable
-from functools import partial
+from collections.abc import Callable, Mapping
+from typing import TYPE_CHECKING, Protocol
 
-from devices.ports.hints import TYPE_CHECKING, Protocol
-from devices.ports.robot import LinkNews, Pace, Pose, RobotProblem, Watcher
-from devices.ports.values import Mutable, replace
+from msgspec import Struct
+from msgspec.structs import replace
+
+from devices.ports.robot import LinkNotice, Pace, Pose, RobotProblem, Watcher
 from donnie_tui.core.events import Link
 from donnie_tui.core.session import Busy, ResettableRobot, Session
 from donnie_tui.i18n.words import Unusable, Words
-from donnie_tui.outlets.tangible import refuse_shared_port
-from donnie_tui.robot.search import Search
-from donnie_tui.settings.chosen import Settings
-from donnie_tui.settings.devices import DOUBLE, SERIAL, SIMULATED
+from donnie_tui.outlets.belt import refuse_shared_port
+from donnie_tui.robot.choice import Search
+from donnie_tui.settings.parsing import DOUBLE, SERIAL, SIMULATED
+from donnie_tui.settings.settings import Settings
 from donnie_tui.world.choice import ChosenWorld
 
 if TYPE_CHECKING:
@@ -52,7 +54,7 @@ class MeasurableRobot(Connectable, Protocol):
     def telemetry(self) -> Telemetry: ...
 
 
-class _Connected(Mutable):
+class _Connected(Struct):
     """The robot that has a line just now, if any."""
 
     robot: Connectable | None = None
@@ -78,7 +80,7 @@ class Connection:
     ) -> None:
         """``session``: whose robot it is; it begins with a simulated one.
 
-        ``found`` lists the ports, ``stable`` tells the name of one that stays; None: those of this machine.
+        ``found`` lists the ports, ``stable`` gives a port's permanent name; None: those of this machine.
         """
         self.search = search or Search()
         self._settings = settings
@@ -103,7 +105,7 @@ class Connection:
 
     def choices(self) -> tuple[Choice, ...]:
         """What a learner may choose among."""
-        from devices.port_listing import list_ports
+        from devices.serial_ports.listing import list_ports
         from donnie_tui.robot.choice import choices
 
         return choices(self._settings, self._words, self._found or list_ports)
@@ -118,7 +120,7 @@ class Connection:
                 self._change(robot)
             except (RobotProblem, Unusable) as problem:
                 self._change(SIMULATED)
-                return (*self._told(problem), self._words("connect-instead"))
+                return (*self._sentences_of(problem), self._words("connect-instead"))
             finally:
                 self.search.end()
         return ()
@@ -130,7 +132,7 @@ class Connection:
                 self._change(robot)
             except RobotProblem as problem:
                 self._change(SIMULATED)
-                raise Unusable(" ".join(self._told(problem))) from None
+                raise Unusable(" ".join(self._sentences_of(problem))) from None
             finally:
                 self.search.end()
 
@@ -181,7 +183,7 @@ class Connection:
             self._now.drop()
             raise
         self.robot = name
-        self._session.hub.publish(Link(LinkNews.CONNECTED.value, name))
+        self._session.hub.publish(Link(LinkNotice.CONNECTED.value, name))
 
     def _stop_what_runs(self) -> None:
         """A program that was started while the robot was looked for has none."""
@@ -191,7 +193,7 @@ class Connection:
     def _maker(self, robot: str) -> tuple[Callable[[Pace, Watcher], Connectable], str]:
         if robot == DOUBLE:
             return self._make_double, DOUBLE
-        from devices.port_listing import list_ports, stable_name
+        from devices.serial_ports.listing import list_ports, stable_name
         from donnie_tui.robot.choice import find_port
 
         settings = replace(self._settings, robot=robot)
@@ -207,34 +209,37 @@ class Connection:
             pace,
             watcher=watcher,
             start=self._world.start(),
-            on_event=self._tell,
+            on_notice=self._report,
             on_slow=lambda: self.search.on_slow(),
         )
 
     def _make_double(self, pace: Pace, watcher: Watcher) -> Connectable:
-        from devices.firmware_double.robot import DoubleRobot
-        from donnie_tui.robot.double_floor import SceneFloor, place_of
+        from devices.board_simulator.board import QUICK_PASSES, SimulatedBoard
+        from devices.board_simulator.robot import SimulatedSerialRobot
+        from donnie_tui.robot.board_floor import SceneFloor, place_of
 
         start = self._world.start()
-        return DoubleRobot(
-            SceneFloor(self._world.scene),
+        board = SimulatedBoard(
+            SceneFloor(self._world.scene), place=place_of(start), boot_loader=0.0, passes=QUICK_PASSES
+        )
+        return SimulatedSerialRobot(
+            board,
             robot_config(self._settings),
             pace=pace,
             watcher=watcher,
             speed=self._session.speed,
-            place=place_of(start),
             start=start,
-            on_event=self._tell,
+            on_notice=self._report,
         )
 
-    # --- telling
+    # --- reporting
 
-    def _tell(self, news: LinkNews, reason: str) -> None:
-        """What happens from now on; that it is connected is told by whoever wanted that, in its turn."""
-        if news is not LinkNews.CONNECTED:
+    def _report(self, news: LinkNotice, reason: str) -> None:
+        """Reports changes from now on; the caller that connected reports the connection itself."""
+        if news is not LinkNotice.CONNECTED:
             self._session.hub.publish(Link(news.value, reason))
 
-    def _told(self, problem: RobotProblem | Unusable) -> tuple[str, ...]:
+    def _sentences_of(self, problem: RobotProblem | Unusable) -> tuple[str, ...]:
         if isinstance(problem, Unusable):
             return (problem.sentence,)
         from donnie_tui.robot.choice import sentences_of
@@ -243,17 +248,19 @@ class Connection:
 
 
 def make_measurable(
-    settings: Settings, words: Words, pace: Pace, on_event: Callable[[LinkNews, str], None]
+    settings: Settings, words: Words, pace: Pace, on_notice: Callable[[LinkNotice, str], None]
 ) -> MeasurableRobot:
     """The real robot of the settings, or the simulated board, without a session. Raises ``Unusable``."""
     if settings.robot == DOUBLE:
-        from devices.firmware_double.robot import DoubleRobot
+        from devices.board_simulator.robot import SimulatedSerialRobot
 
-        return DoubleRobot(config=robot_config(settings), pace=pace, speed=settings.speed, on_event=on_event)
+        return SimulatedSerialRobot(
+            config=robot_config(settings), pace=pace, speed=settings.speed, on_notice=on_notice
+        )
     from donnie_tui.robot.choice import find_port
 
     port = find_port(settings, words, remedy="remedy-calibrate")
-    return _serial_robot(port, settings, pace, on_event=on_event)
+    return _serial_robot(port, settings, pace, on_notice=on_notice)
 
 
 def _serial_robot(
@@ -263,19 +270,30 @@ def _serial_robot(
     *,
     watcher: Watcher | None = None,
     start: Pose | None = None,
-    on_event: Callable[[LinkNews, str], None] | None = None,
+    on_notice: Callable[[LinkNotice, str], None] | None = None,
     on_slow: Callable[[], object] | None = None,
 ) -> SerialRobot:
-    from devices.reset_line import reset_of
-    from devices.same_board import SameBoard
-    from devices.serial_link import SerialLink
-    from devices.serial_link.port import OpenPort
+    from devices.serial_ports.listing import SameBoard
+    from devices.serial_ports.reset import reset_of
+    from devices.serial_robot.link import SerialLink, open_board_port
     from devices.serial_robot.robot import SerialRobot
+    from devices.wire.link_state import LinkConfig
 
     reset = reset_of(settings.reset_line, port)
-    open_port = SameBoard(partial(OpenPort, reset=reset))
-    link = SerialLink(port, on_event=on_event, open_port=open_port, on_slow=on_slow)
-    return SerialRobot(link, robot_config(settings), pace=pace, watcher=watcher, start=start)
+    open_port = SameBoard(open_board_port)
+    factor = _timeout_factor(os.environ)
+    config = LinkConfig().slower(factor)
+    link = SerialLink(port, config, on_notice, open_port=open_port, reset=reset, on_slow=on_slow)
+    return SerialRobot(link, robot_config(settings).slower(factor), pace=pace, watcher=watcher, start=start)
+
+
+def _timeout_factor(environment: Mapping[str, str]) -> float:
+    """DONNIE_ROBOT_TIMEOUTS makes all timeouts so many times as long, on a slow or busy computer."""
+    try:
+        factor = float(environment.get("DONNIE_ROBOT_TIMEOUTS", ""))
+    except ValueError:
+        return 1.0
+    return factor if factor > 0 else 1.0
 
 
 def robot_config(settings: Settings) -> RobotConfig:

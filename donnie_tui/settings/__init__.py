@@ -1,4 +1,4 @@
-"""What a learner has chosen, what is remembered from one start to the next, and where that lies."""
+"""What a learner has chosen, what is kept from one start to the next, and where."""
 
 ON = ("on", "yes", "true", "1")
 OFF = ("off", "no", "false", "0")

@@ -1,6 +1,6 @@
-"""The settings file: read with whatever is wrong in it told once, and written a line at a time.
+"""The settings file: read, with its mistakes reported once, and written a line at a time.
 
-A damaged file never keeps anybody from starting: defaults count, and the file is left as it is.
+A damaged file never prevents a start: defaults apply, and the file is left as it is.
 """
 
 from __future__ import annotations
@@ -8,8 +8,8 @@ from __future__ import annotations
 import re
 from collections.abc import Mapping
 
-from donnie_tui.settings.chosen import Notice
 from donnie_tui.settings.folders import settings_file
+from donnie_tui.settings.settings import Notice
 
 LARGEST = 100_000
 """Bytes; ten settings take two hundred."""
@@ -43,7 +43,7 @@ def remember(key: str, value: str | bool | float, environment: Mapping[str, str]
     """Put one setting into the file; the others, and comments, stay. Raises ``DocumentError``."""
     from pathlib import Path
 
-    from donnie_tui.core.documents import DocumentError, write_program  # a start only reads
+    from donnie_tui.core.program_files import DocumentError, write_program  # a start only reads
 
     path = Path(settings_file(environment))
     try:

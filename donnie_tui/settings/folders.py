@@ -1,13 +1,16 @@
-"""Where Donnie keeps what it remembers: settings in one folder, its state (histories, recoveries) in another.
+"""The folders of settings and state (histories, recovery), and what is announced at the first start only.
 
-Each platform has its own places. They are named here and made by whoever writes into them. The first
-prompt asks whether there are settings before anything heavy is loaded, so this module loads nothing.
+Each platform has its own folders; the code that writes into a folder creates it. An empty file in the state
+folder records that the tour was offered; the setting ``tour``, off, never offers it. The decision about the
+voice is announced again when it changes. The first prompt needs this module, so it loads nothing heavy.
 """
 
 from __future__ import annotations
 
 import os
 import sys
+
+from donnie_tui.settings import OFF
 
 TYPE_CHECKING = False  # that of typing costs as much as the rest of the first prompt
 if TYPE_CHECKING:
@@ -19,6 +22,8 @@ UNSAVED = "unsaved"
 """In the state folder: the folder of the copies of what is not saved."""
 BREAKPOINTS = "breakpoints.txt"
 """In the state folder: the breakpoints of each program."""
+RECENT = "recent.txt"
+"""In the state folder: the programs that were opened and saved lately."""
 
 
 def settings_file(environment: Mapping[str, str], platform: str = sys.platform) -> str:
@@ -54,3 +59,41 @@ def _folder(environment: Mapping[str, str], platform: str, variable: str, defaul
         return f"{home}/Library/Application Support/donnie"
     given = environment.get(variable, "")
     return f"{given if given.startswith('/') else f'{home}/{default}'}/donnie"
+
+
+MARKER = "tour-was-offered"
+VOICE_MARKER = "voice-was-told"
+
+if TYPE_CHECKING:
+    from collections.abc import Mapping
+
+
+def offers_tour(folder: str, environment: Mapping[str, str]) -> bool:
+    """Whether it is to be offered now; the next time it is not. ``folder``: the one of the state."""
+    path = f"{folder}/{MARKER}"
+    if environment.get("DONNIE_TOUR", "").strip().lower() in OFF or os.path.exists(path):  # noqa: PTH110 -- pathlib is slow to load
+        return False
+    try:
+        os.makedirs(folder, exist_ok=True)  # noqa: PTH103
+        os.close(os.open(path, os.O_WRONLY | os.O_CREAT, 0o600))
+    except OSError:  # then it is offered again
+        pass
+    return True
+
+
+def is_new_decision(folder: str, decided: str) -> bool:
+    """Whether to announce this decision about the voice now; it is announced again when it has changed."""
+    path = f"{folder}/{VOICE_MARKER}"
+    try:
+        with open(path, encoding="utf-8") as kept:  # noqa: PTH123 -- pathlib is slow to load
+            if kept.read(len(decided) + 1) == decided:
+                return False
+    except (OSError, ValueError):
+        pass
+    try:
+        os.makedirs(folder, exist_ok=True)  # noqa: PTH103
+        with open(path, "w", encoding="utf-8") as kept:  # noqa: PTH123
+            kept.write(decided)
+    except OSError:  # then it is announced again
+        pass
+    return True

@@ -18,25 +18,22 @@ from rich.text import Text
 from textual import events
 from textual.screen import Screen
 
-from donnie_tui import LANGUAGES
-from donnie_tui.i18n import first_screen
-from donnie_tui.robot.search import Search
-from donnie_tui.settings.chosen import Settings
+from donnie_tui.commands.keys import KeyTable
+from donnie_tui.i18n.first_words import early
+from donnie_tui.robot.choice import Search
 from donnie_tui.settings.folders import UNSAVED, state_folder
+from donnie_tui.settings.settings import Settings
 from donnie_tui.tui.beginning import Beginning
 from donnie_tui.tui.coming import Coming
 from donnie_tui.tui.ending import Ending
-from donnie_tui.tui.key_table import KeyTable
 from donnie_tui.tui.keyboard import STOPS, Keyboard, bindings
 from donnie_tui.tui.screen_host import ScreenHost
 from donnie_tui.tui.screens.workplace import Workplace
 from donnie_tui.tui.session_behind import SessionBehind
-from donnie_tui.tui.terminal import is_plain, use_mouse, wants_mouse
-from donnie_tui.tui.terminal_app import TerminalApp
+from donnie_tui.tui.terminal import TerminalApp, is_plain, use_mouse, wants_mouse
 from donnie_tui.tui.widgets.command_line import CommandLine
 from donnie_tui.tui.widgets.editor import Editor
-from donnie_tui.tui.widgets.lines import KeyLine
-from donnie_tui.tui.widgets.text_rows import TextRows
+from donnie_tui.tui.widgets.rows import KeyLine, TextRows
 
 if TYPE_CHECKING:
     from donnie_tui.bootstrap import Donnie
@@ -72,8 +69,8 @@ class DonnieApp(TerminalApp, inherit_bindings=False):
         """
         super().__init__(settings)
         self._settings, self._file, self._text, self._brought = settings, file, text, brought
-        self._language = LANGUAGES.index(settings.language)
-        self._folder = Path(folder or state_folder(os.environ)) / UNSAVED
+        self._language = settings.language
+        self._state = Path(folder or state_folder(os.environ))
         self.workplace = Workplace(
             self.size, plain=is_plain(settings), focus=brought.focus if brought else ""
         )
@@ -93,7 +90,11 @@ class DonnieApp(TerminalApp, inherit_bindings=False):
             let_keys=self._let_keys,
         )
         self.ending = Ending(
-            self, self._behind, self._folder, stop_all=lambda: self.do("stop_all"), repaint=self.repaint
+            self,
+            self._behind,
+            self._state / UNSAVED,
+            stop_all=lambda: self.do("stop_all"),
+            repaint=self.repaint,
         )
         self._host = self._as_host()
         self._first_word: str | None = None
@@ -126,7 +127,13 @@ class DonnieApp(TerminalApp, inherit_bindings=False):
     def _work_with(self, donnie: Donnie) -> Work:
         from donnie_tui.tui.work import Work
 
-        work = self._behind.work = Work(self._host, donnie, self._folder, self._settings)
+        work = self._behind.work = Work(
+            self._host,
+            donnie,
+            self._state,
+            self._settings,
+            self._brought.workspace if self._brought else None,
+        )
         work.begin(self._file, self._text, self._brought)
         if self._first_word is not None:
             self.call_later(self._do_first_word, self._first_word)
@@ -169,7 +176,7 @@ class DonnieApp(TerminalApp, inherit_bindings=False):
         self.wear_theme(settings)
         if settings.plain is not None:
             self.workplace.set_plain(settings.plain)
-        self._language = LANGUAGES.index(settings.language)
+        self._language = settings.language
         self._bind(settings.keys)
         use_mouse(self._driver, wanted=wants_mouse(settings))
 
@@ -243,7 +250,7 @@ class DonnieApp(TerminalApp, inherit_bindings=False):
             self._await(self._choose_action(self.work))
 
     async def _choose_action(self, work: Work) -> None:
-        from donnie_tui.tui.screens.palette import palette
+        from donnie_tui.tui.screens.pages import palette
 
         chosen = await self._host.choose(*palette(work.words, self.key_table))
         if chosen is not None:
@@ -256,7 +263,7 @@ class DonnieApp(TerminalApp, inherit_bindings=False):
         if self.work is not None:
             self._await(self.work.do(name))
         else:
-            self.workplace.log_lines([(first_screen.ONE_MOMENT[self._language], "")])
+            self.workplace.log_lines([(early("screen-starting", self._language), "")])
 
     def on_key_line_clicked(self, event: KeyLine.Clicked) -> None:
         self._keyboard.act(event.action)
@@ -288,9 +295,9 @@ class DonnieApp(TerminalApp, inherit_bindings=False):
         if self.work is not None:
             self.work.happened()
 
-    def on_paused(self) -> None:
+    def on_run_held(self) -> None:
         if self.work is not None:
-            self.work.paused()
+            self.work.held()
 
     def on_ended(self, event: Ended) -> None:
         """QUIT, typed with other commands, leaves once they are done."""
@@ -355,5 +362,5 @@ class DonnieApp(TerminalApp, inherit_bindings=False):
         """A fault of ours, of which Textual prints pages: the robot stops, the text is kept, one sentence."""
         self.ending.save_from_fault()
         if not self._exit_renderables:
-            self._exit_renderables.append(Text(first_screen.FAULT[self._language]))
+            self._exit_renderables.append(Text(early("screen-fault", self._language)))
         self._close_messages_no_wait()

@@ -9,11 +9,11 @@ from textual.geometry import Offset
 from textual.message import Message
 from textual.timer import Timer
 
-from donnie_tui.settings.chosen import Settings
-from donnie_tui.tui.key_table import KeyTable
-from donnie_tui.tui.running import Answer
-from donnie_tui.tui.screens.chooser import Choice
-from donnie_tui.tui.screens.tour import Page
+from donnie_tui.commands.interaction import Option
+from donnie_tui.commands.keys import KeyTable
+from donnie_tui.settings.settings import Settings
+from donnie_tui.tui.answer import Answer
+from donnie_tui.tui.screens.pages import Page
 from donnie_tui.tui.screens.workplace import Workplace
 
 
@@ -37,7 +37,7 @@ class Host(Protocol):
     ) -> Awaitable[str | None]: ...
 
     def choose(
-        self, title: str, keys: str, nothing: str, choices: Sequence[Choice]
+        self, title: str, keys: str, nothing: str, choices: Sequence[Option]
     ) -> Awaitable[str | None]: ...
 
     def press_key(

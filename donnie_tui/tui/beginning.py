@@ -13,13 +13,12 @@ from typing import TYPE_CHECKING
 
 from textual.app import App
 
-from donnie_tui import LANGUAGES
-from donnie_tui.core.patience import SLOW
-from donnie_tui.i18n import first_screen
-from donnie_tui.robot.search import Search
-from donnie_tui.settings.chosen import Settings
-from donnie_tui.settings.devices import SERIAL
-from donnie_tui.tui.key_table import KeyTable
+from donnie_tui.commands.keys import KeyTable
+from donnie_tui.core.timeouts import SLOW
+from donnie_tui.i18n.first_words import early
+from donnie_tui.robot.choice import Search
+from donnie_tui.settings.parsing import SERIAL
+from donnie_tui.settings.settings import Settings
 from donnie_tui.tui.screens.workplace import Workplace
 from donnie_tui.tui.session_behind import SessionBehind
 
@@ -27,6 +26,10 @@ if TYPE_CHECKING:
     from donnie_tui.bootstrap import Donnie
     from donnie_tui.tui.brought import Brought
     from donnie_tui.tui.work import Work
+
+
+_TITLES = ("pane-program-empty", "pane-map-empty", "pane-inspector", "pane-log")
+"""Of the panes, before there is a program and a world."""
 
 
 class Beginning:
@@ -68,22 +71,18 @@ class Beginning:
 
     def greet(self, key_table: KeyTable, brought: Brought | None = None) -> None:
         """The titles, and which keys there are; or what was told in the world before."""
-        language, place = LANGUAGES.index(self._settings.language), self._place
-        for pane, title in zip(
-            place.panes,
-            (first_screen.PROGRAM, first_screen.MAP, first_screen.VARIABLES, first_screen.LOG),
-            strict=True,
-        ):
-            pane.entitle(title[language])
-        place.status.say(f" {first_screen.STARTING[language]}")
+        language, place = self._settings.language, self._place
+        for pane, code in zip(place.panes, _TITLES, strict=True):
+            pane.entitle(early(code, language))
+        place.status.say(f" {early('status-starting', language)}")
         if brought is not None:
             place.log_rows.looks.update(brought.looks)
             place.log_lines(brought.log)
             return
-        spoken, named = LANGUAGES[language], (("run", "RUN"), ("help", "HELP"))
-        keys = {name: key_table.label(name, spoken) or word for name, word in named}
-        about_keys = first_screen.START_KEYS[language].format(**keys)
-        self._greeting = (first_screen.START[language], about_keys)
+        named = (("run", "RUN"), ("help", "HELP"))
+        keys = {name: key_table.label(name, language) or word for name, word in named}
+        about_keys = early("screen-start-keys", language).format(**keys)
+        self._greeting = (early("screen-start", language), about_keys)
         place.log_lines((line, "") for line in self._greeting)
 
     # --- the session

@@ -12,10 +12,10 @@ from collections import deque
 from collections.abc import Callable, Mapping
 from typing import NamedTuple
 
+from msgspec import Struct
 from textual.message import Message
 
 from devices.ports.robot import Bearing, Pose, StoppedBy
-from devices.ports.values import Frozen
 from donnie_tui.core.events import (
     Announced,
     Answered,
@@ -48,13 +48,15 @@ MOST_LOOKS = 50
 
 
 class LogLine(NamedTuple):
-    """One line of the log: what was told, and what kind of thing that is (``kind-...`` in the catalogue)."""
+    """One line of the log, and what kind of thing it is about (``kind-...`` in the catalogue)."""
 
     text: str
     kind: str
+    is_repeated: bool = False
+    """Whether it was said before: LAST does not count it again."""
 
 
-class Mail(Frozen):
+class Mail(Struct, frozen=True):
     """What happened since the last look."""
 
     lines: tuple[LogLine, ...]
@@ -152,7 +154,8 @@ class Bridge:
             self._stopped_by[stamped.robot] = event.stopped_by
         is_own = stamped.robot is None or stamped.robot == self._own()
         self._remember(event) if is_own else self._remember_other(stamped.robot or "", event)
-        lines = tuple(LogLine(text, self._kind(stamped)) for text in told_lines(stamped, self._wording))
+        kind, is_repeated = self._kind(stamped), isinstance(event, Answered) and event.is_repeated
+        lines = tuple(LogLine(text, kind, is_repeated) for text in told_lines(stamped, self._wording))
         with self._lock:
             self._missed += max(0, len(self._lines) + len(lines) - MOST_LINES)
             self._lines.extend(lines)

@@ -1,24 +1,24 @@
-"""What goes along to another world at the screen: what was told and typed before, and the breakpoints."""
+"""What is kept on the way to another world: the open programs, what was said and what was typed."""
 
 from __future__ import annotations
 
 from collections.abc import Mapping
 
-from devices.ports.values import Frozen
+from msgspec import Struct
+
 from donnie_tui.core.answer_log import AnswerLog
-from donnie_tui.core.recall import Past
+from donnie_tui.core.line_history import Past
+from donnie_tui.core.workspace import Workspace
 
 
-class Brought(Frozen):
-    """The program itself goes along as from the other mode."""
-
+class Brought(Struct, frozen=True):
     log: tuple[tuple[str, str], ...]
     """The lines of the log, each with the words of its kind."""
     looks: Mapping[str, str]
     answers: AnswerLog
     typed: Past
     """The lines of the command line."""
-    breakpoints: frozenset[int]
+    workspace: Workspace
     watched: tuple[str, ...]
     focus: str
     """Which part of the screen somebody was in."""

@@ -9,26 +9,28 @@ from collections.abc import Iterable, Mapping
 
 from devices.ports.robot import Bearing, Pose
 from donnie_tui.bootstrap import Donnie
+from donnie_tui.commands.keys import KeyTable
 from donnie_tui.core.events import Read
 from donnie_tui.core.map_grid import Cell, floor_size
 from donnie_tui.core.map_scene import Line, MapScene
-from donnie_tui.core.naming import shown_name
+from donnie_tui.core.run_controller import RunController, RunState
 from donnie_tui.core.timeline import Timeline
-from donnie_tui.i18n.catalogue import SENTENCES
+from donnie_tui.core.wording import shown_name
+from donnie_tui.core.workspace import Workspace
 from donnie_tui.tui.bridge import Mail
-from donnie_tui.tui.files import Files
-from donnie_tui.tui.key_table import KeyTable
-from donnie_tui.tui.running import Doing, Running
 from donnie_tui.tui.screens.workplace import Workplace
-from donnie_tui.tui.situation import doing_sentences, inspector_lines, robot_sentence
-from donnie_tui.tui.widgets.text_rows import LOOKS
+from donnie_tui.tui.situation import inspector_lines, robot_sentence, state_sentences
+from donnie_tui.tui.widgets.rows import LOOKS
 from language.runtime import Frame
 
+_WORDLESS = ("answer",)
+"""Kinds of lines in the log that have no words before them."""
+
 _OFFERED = {
-    Doing.READY: ("run", "help", "quit", "step", "save", "open", "show_variables"),
-    Doing.RUNNING: ("stop", "help", "quit", "pause", "slower", "faster", "show_variables"),
-    Doing.PAUSED: ("pause", "help", "quit", "stop", "step", "step_over", "run_to", "show_variables"),
-    Doing.STOPPING: ("help", "quit"),
+    RunState.READY: ("run", "help", "quit", "step", "save", "open", "show_variables"),
+    RunState.RUNNING: ("stop", "help", "quit", "pause", "slower", "faster", "show_variables"),
+    RunState.PAUSED: ("pause", "help", "quit", "stop", "step", "step_over", "run_to", "show_variables"),
+    RunState.STOPPING: ("help", "quit"),
 }
 """The keys that the bottom line shows, by what the program does; what there is no room for goes last."""
 
@@ -37,14 +39,14 @@ class Display:
     """Brings the workplace up to date."""
 
     def __init__(
-        self, place: Workplace, donnie: Donnie, running: Running, files: Files, table: KeyTable
+        self, place: Workplace, donnie: Donnie, runs: RunController, workspace: Workspace, table: KeyTable
     ) -> None:
         self._place = place
         self._table = table
         self._donnie = donnie
         self._words = donnie.words
-        self._running = running
-        self._files = files
+        self._runs = runs
+        self._workspace = workspace
         self._pose = donnie.session.pose
         self._readings: dict[tuple[str, str], Read] = {}
         self._distances: Mapping[Bearing, int] = {}
@@ -160,7 +162,8 @@ class Display:
         """What the log calls a kind; looked up once each, a flood has few kinds."""
         if kind not in self._kinds:
             code = f"kind-{kind}"
-            words = self._words(code) if code in SENTENCES else kind
+            known = self._words(code) if self._words.knows(code) else kind
+            words = "" if kind in _WORDLESS else known
             self._kinds[kind] = words
             if kind in LOOKS:
                 self._place.log_rows.looks[words] = LOOKS[kind]
@@ -174,17 +177,19 @@ class Display:
         self._show_marks()
         self.say_status()
         self._show_inspector()
-        offered = (name for name in _OFFERED[self._running.doing] if self._table.of(name))
+        offered = (name for name in _OFFERED[self._runs.state] if self._table.of(name))
         self._place.keys.offer([(name, self._key_entry(name)) for name in offered])
 
     def _key_entry(self, name: str) -> str:
-        shown_as = "continue_" if name == "pause" and self._running.doing is Doing.PAUSED else name
+        shown_as = "continue_" if name == "pause" and self._runs.state is RunState.PAUSED else name
         return f"{self._table.label(name, self._words.language)} {self._words(f'key-{shown_as}')}"
 
     def show_titles(self) -> None:
-        self._place.editor.is_nobodys = self._files.document.path is None
-        code = "pane-program-changed" if self._files.is_changed else "pane-program"
-        self._place.program_pane.entitle(self._words(code, name=self._files.name))
+        document = self._workspace.document
+        self._place.editor.is_nobodys = document.path is None
+        name = document.path.name if document.path else self._words("new-program")
+        code = "pane-program" if document.is_saved else "pane-program-changed"
+        self._place.program_pane.entitle(self._words(code, name=name))
 
     def _show_marks(self) -> None:
         lines = [frame.line for frame in self._program_frames()]
@@ -192,20 +197,20 @@ class Display:
 
     def _program_frames(self) -> tuple[Frame, ...]:
         """Where the editor's program is; empty while it is not running."""
-        return self._running.frames if self._running.is_program else ()
+        return self._runs.frames if self._runs.is_whole else ()
 
     @property
     def shows_distances(self) -> bool:
         """Not to those who listen while the robot moves: they would hear every one that it goes through."""
-        return not (self._place.is_plain and self._running.doing is Doing.RUNNING)
+        return not (self._place.is_plain and self._runs.state is RunState.RUNNING)
 
     def _show_inspector(self) -> None:
-        variables = self._donnie.session.variables if self._running.doing is Doing.READY else {}
+        variables = self._donnie.session.variables if self._runs.state is RunState.READY else {}
         distances = self._distances if self.shows_distances else {}
         readings = tuple(self._readings.values())
         belt = self._donnie.outlets.belt.rows() if self._has_belt else ()
         self._place.inspector.show(
-            inspector_lines(self._running.frames, variables, distances, readings, belt, self._words)
+            inspector_lines(self._runs.frames, variables, distances, readings, belt, self._words)
         )
 
     def say_status(self) -> None:
@@ -218,7 +223,7 @@ class Display:
             return
         session = self._donnie.session
         robot = robot_sentence(session.hub.robot, self._pose, self._words)
-        doings = doing_sentences(self._running.doing, self._running.speed, self._words)
+        doings = state_sentences(self._runs.state, self._donnie.session.speed, self._words)
         focus = self.focus_sentence
         whole = [f"{focus} {robot} {doing}" for doing in doings]
         short = [f"{focus} {doings[1]}", *([doings[1], ""] if self._answer else [focus])]
@@ -249,7 +254,7 @@ class Display:
             return words("status-command")
         line, lines = self._program_line(), place.editor.line_count
         mistake = place.editor.mistake
-        if mistake is not None and self._running.doing is Doing.READY:
+        if mistake is not None and self._runs.state is RunState.READY:
             key = self._table.label("fix", words.language)
             code = "status-mistake-meant" if mistake.meant and key else "status-mistake"
             return words(code, line=line, lines=lines, message=mistake.message, meant=mistake.meant, key=key)

@@ -10,9 +10,9 @@ import sys
 from pathlib import Path
 from typing import TYPE_CHECKING
 
-from donnie_tui.robot.search import Search
-from donnie_tui.settings.chosen import Settings
-from donnie_tui.settings.devices import SERIAL
+from donnie_tui.robot.choice import Search
+from donnie_tui.settings.parsing import SERIAL
+from donnie_tui.settings.settings import Settings
 from donnie_tui.tui.app import DonnieApp
 from donnie_tui.tui.terminal import wants_mouse
 
@@ -53,8 +53,8 @@ def _through_worlds(settings: Settings, file: Path | None, text: str | None, don
         app = _shown(settings, file, text, donnie, brought)
         if not app.next_world:
             break
-        settings, file, text, brought = _in_next_world(app)
-        donnie = None
+        settings, brought = _in_next_world(app)
+        file = text = donnie = None
     from donnie_tui.tui.outside import leave_behind
 
     leave_behind(app.workplace.log_rows.lines)
@@ -94,14 +94,13 @@ def _shown(
     return app
 
 
-def _in_next_world(app: DonnieApp) -> tuple[Settings, Path | None, str, Brought]:
-    """The settings as they were chosen, the program's file and its text, and what was told."""
-    from donnie_tui.words.world_going import settings_there
+def _in_next_world(app: DonnieApp) -> tuple[Settings, Brought]:
+    """The settings as they were chosen, and what is kept on the way there."""
+    from donnie_tui.commands.world import settings_there
 
     assert app.work is not None  # it went there
-    text = app.workplace.editor.text
-    settings = settings_there(app.work.donnie, app.work.preferences.settings, app.next_world)
-    return settings, app.work.files.document.path, text, app.work.brought_along()
+    settings = settings_there(app.work.donnie, app.work.ctx.preferences.settings, app.next_world)
+    return settings, app.work.brought_along()
 
 
 def _takes_time(settings: Settings) -> bool:
@@ -116,8 +115,8 @@ def _assembled(settings: Settings, search: Search | None) -> Donnie:
 
 
 def _switch(app: DonnieApp) -> None:
-    from donnie_tui.words.switching import SwitchMode
+    from donnie_tui.commands.interaction import SwitchMode
 
-    path = app.work.files.document.path if app.work is not None else None
+    path = app.work.workspace.document.path if app.work is not None else None
     donnie = app.work.hand_over() if app.work is not None else None
     raise SwitchMode(app.workplace.editor.text, str(path) if path else None, donnie)

@@ -9,7 +9,8 @@ from __future__ import annotations
 from collections import defaultdict
 from typing import TypeAlias
 
-from language.lexer import FRAGMENT, NAME, NUMBER, STRING, TERMINALS, TOPIC, Token, lex
+from language.lexer import FRAGMENT, NAME, NUMBER, STRING, TOPIC, Token, lex
+from language.tables import TERMINALS
 
 Highlight: TypeAlias = tuple[int, int | None, str]
 """First byte, byte after the last (None: to the end of the line), and the name of the look."""

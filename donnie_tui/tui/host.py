@@ -4,9 +4,8 @@ from __future__ import annotations
 
 from typing import Protocol
 
-from donnie_tui.tui.following import Following
 from donnie_tui.tui.pages import Pages
-from donnie_tui.tui.past import Past
+from donnie_tui.tui.run_view import RunView
 from donnie_tui.tui.while_typing import WhileTyping
 from donnie_tui.tui.workbench import Workbench
 
@@ -14,7 +13,6 @@ from donnie_tui.tui.workbench import Workbench
 class WorkHost(Workbench, Protocol):
     """What ``Work`` is to the deeds."""
 
-    past: Past
     pages: Pages
-    following: Following
+    run_view: RunView
     while_typing: WhileTyping

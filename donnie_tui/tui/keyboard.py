@@ -13,16 +13,15 @@ from textual.app import App
 from textual.binding import Binding, BindingsMap
 from textual.widgets import Input, TextArea
 
+from donnie_tui.commands.keys import MENU, PALETTE, KeyTable, behind_menu, key_label
 from donnie_tui.tui.coming import Coming
-from donnie_tui.tui.key_table import KeyTable
-from donnie_tui.tui.keys import MENU, PALETTE, behind_menu, key_label
 from donnie_tui.tui.screens.workplace import Workplace
 from donnie_tui.tui.session_behind import SessionBehind
 from donnie_tui.tui.turns import Turns
 
 if TYPE_CHECKING:
     from donnie_tui.i18n.words import Words
-    from donnie_tui.tui.screens.key_menu import KeyMenu
+    from donnie_tui.tui.screens.pages import KeyMenu
 
 STOPS = ("stop", "stop_all")
 """What is done at once, whatever was typed before."""
@@ -108,12 +107,13 @@ class Keyboard:
         """Esc right behind a question may be meant for it: it drives no robot until it is pressed again."""
         if self._app.screen is not self._place or not self._coming.forget_gone():
             return False
-        name, work = self._key_table.action_of(event.key), self._behind.work
+        name, work = self._key_table.command_of(event.key), self._behind.work
         if event.key != "escape" or name is None or work is None or self._behind.runs:
             return False
-        from donnie_tui.tui.actions import BY_NAME
+        from donnie_tui.commands.declarations import BY_NAME
+        from donnie_tui.commands.lookup import word_of
 
-        work.talk.tell_sentences(work.words("esc-again", word=BY_NAME[name].word(work.words.language)))
+        work.talk.tell_sentences(work.words("esc-again", word=word_of(BY_NAME[name], work.words.language)))
         return True
 
     def _is_stop(self, event: events.Event) -> bool:
@@ -145,7 +145,7 @@ class Keyboard:
 
     def open_menu(self, words: Words) -> None:
         """A list of them, and the next letter."""
-        from donnie_tui.tui.screens.key_menu import KeyMenu
+        from donnie_tui.tui.screens.pages import KeyMenu
 
         self._menu = KeyMenu(self._key_table.all, words, self._behind.point)
         self._app.push_screen(self._menu, self._menu_is_gone)

@@ -2,8 +2,8 @@
 
 from __future__ import annotations
 
+from donnie_tui.commands.keys import KeyTable
 from donnie_tui.i18n.words import Words
-from donnie_tui.tui.key_table import KeyTable
 from donnie_tui.tui.screens.workplace import Workplace
 
 MOST_LINES = 9

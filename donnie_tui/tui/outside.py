@@ -11,7 +11,7 @@ import tempfile
 from collections.abc import Mapping, Sequence
 from pathlib import Path
 
-from donnie_tui.tui.running import Answer
+from donnie_tui.tui.answer import Answer
 
 LEFT_BEHIND = 20
 """Lines of the log that stay on the normal screen."""
@@ -19,7 +19,7 @@ LEFT_BEHIND = 20
 
 def leave_behind(lines: Sequence[str]) -> None:
     """What was told last, where the shell goes on: it can be read again there."""
-    from donnie_tui.core.harmless import printable
+    from donnie_tui.core.safe_text import printable
 
     if os.environ.get("TEXTUAL_DRIVER"):
         return  # a browser has no such screen

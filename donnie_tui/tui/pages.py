@@ -5,13 +5,12 @@ from __future__ import annotations
 from collections.abc import Sequence
 from typing import TYPE_CHECKING
 
-from donnie_tui.i18n.manual import manual
-from donnie_tui.i18n.tour import SCREEN_PAGES, screen_page
-from donnie_tui.tui.actions import ACTIONS
-from donnie_tui.tui.keys import MENU, PALETTE, key_label
+from donnie_tui.commands.declarations import COMMANDS
+from donnie_tui.commands.keys import MENU, PALETTE, key_label
+from donnie_tui.commands.lookup import word_of
+from donnie_tui.i18n.help import SCREEN_TOUR_PAGES, manual, screen_tour_page
 from donnie_tui.tui.keys_here import keys_here
-from donnie_tui.tui.screens.help import help_text
-from donnie_tui.tui.screens.tour import Page
+from donnie_tui.tui.screens.pages import Page, help_text
 from language.keywords import canonical
 
 if TYPE_CHECKING:
@@ -45,9 +44,12 @@ class Pages:
     @property
     def _tour_pages(self) -> tuple[Page, ...]:
         words, keys = self._words, self._keys_by_name
-        numbers = range(1, SCREEN_PAGES + 1)
+        numbers = range(1, SCREEN_TOUR_PAGES + 1)
         return tuple(
-            Page(words("screen-tour-title", page=each, pages=SCREEN_PAGES), screen_page(each, words, keys))
+            Page(
+                words("screen-tour-title", page=each, pages=SCREEN_TOUR_PAGES),
+                screen_tour_page(each, words, keys),
+            )
             for each in numbers
         )
 
@@ -55,7 +57,7 @@ class Pages:
     def _keys_by_name(self) -> dict[str, str]:
         """The key of each action as it is now; of one without a key the word."""
         table, language = self._host.key_table, self._words.language
-        own = {each.name: table.label(each.name, language) or each.word(language) for each in ACTIONS}
+        own = {each.name: table.label(each.name, language) or word_of(each, language) for each in COMMANDS}
         return own | {"menu": key_label(MENU, language), "palette": key_label(PALETTE, language)}
 
     def _turned(self, at: int) -> None:

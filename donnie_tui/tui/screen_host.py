@@ -15,15 +15,15 @@ from textual.message import Message
 from textual.screen import Screen
 from textual.timer import Timer
 
-from donnie_tui.settings.chosen import Settings
+from donnie_tui.commands.keys import KeyTable
+from donnie_tui.settings.settings import Settings
 from donnie_tui.tui.coming import Coming
-from donnie_tui.tui.key_table import KeyTable
 from donnie_tui.tui.screens.workplace import Workplace
 
 if TYPE_CHECKING:
-    from donnie_tui.tui.running import Answer
-    from donnie_tui.tui.screens.chooser import Choice
-    from donnie_tui.tui.screens.tour import Page
+    from donnie_tui.commands.interaction import Option
+    from donnie_tui.tui.answer import Answer
+    from donnie_tui.tui.screens.pages import Page
 
 
 T = TypeVar("T")
@@ -66,7 +66,7 @@ class ScreenHost:
     async def ask(
         self, asked: str, keys: str, value: str, accepts: Callable[[str], str | None] | None
     ) -> str | None:
-        from donnie_tui.tui.screens.question import Question
+        from donnie_tui.tui.screens.dialogs import Question
 
         question = Question(asked, keys, self._point, value=value, accepts=accepts)
         return await self._answer_of(question)
@@ -74,17 +74,17 @@ class ScreenHost:
     async def press_key(
         self, asked: str, keys: str, behind: str, accepts: Callable[[str], str | None]
     ) -> str | None:
-        from donnie_tui.tui.screens.key_capture import KeyCapture
+        from donnie_tui.tui.screens.pages import KeyCapture
 
         return await self._answer_of(KeyCapture(asked, keys, behind, accepts, self._point))
 
-    async def choose(self, title: str, keys: str, nothing: str, choices: Sequence[Choice]) -> str | None:
-        from donnie_tui.tui.screens.chooser import Chooser
+    async def choose(self, title: str, keys: str, nothing: str, choices: Sequence[Option]) -> str | None:
+        from donnie_tui.tui.screens.dialogs import Chooser
 
         return await self._answer_of(Chooser(title, keys, nothing, choices, self._point))
 
     async def choose_word(self, words: Sequence[str], below: Offset) -> tuple[str, str]:
-        from donnie_tui.tui.screens.completions import Completions
+        from donnie_tui.tui.screens.dialogs import Completions
 
         return await self._answer_of(Completions(words, below, self._point))
 
@@ -106,12 +106,12 @@ class ScreenHost:
     def show_help(
         self, title: str, lines: tuple[str, ...], further: Callable[[], None] | None = None
     ) -> None:
-        from donnie_tui.tui.screens.help import Help
+        from donnie_tui.tui.screens.pages import Help
 
         self._read(Help(title, lines, self._point, further))
 
     def show_tour(self, pages: Sequence[Page], at: int, turned: Callable[[int], None]) -> None:
-        from donnie_tui.tui.screens.tour import Tour
+        from donnie_tui.tui.screens.pages import Tour
 
         self._read(Tour(pages, at, turned, self._point))
 

@@ -8,7 +8,7 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
-from donnie_tui.robot.search import Search
+from donnie_tui.robot.choice import Search
 
 if TYPE_CHECKING:
     from donnie_tui.bootstrap import Donnie
@@ -30,7 +30,7 @@ class SessionBehind:
     def runs(self) -> bool:
         """Whether anything could be stopped, of whichever robot."""
         work = self.work
-        return work is not None and (work.running.is_busy or bool(work.donnie.team.running))
+        return work is not None and (work.ctx.runs.is_busy or bool(work.donnie.team.running))
 
     def give_up_search(self) -> bool:
         """Whether a robot was looked for."""
@@ -55,7 +55,7 @@ class SessionBehind:
     def keep_text(self) -> None:
         """Write down what is not saved, for the next start."""
         if self.work is not None:
-            self.work.files.programs.keep_copy_now()
+            self.work.workspace.write_copies()
 
     def close(self) -> None:
         """After the screen is gone: nothing is left running."""

@@ -8,13 +8,12 @@ from __future__ import annotations
 from collections.abc import Mapping, Sequence
 
 from devices.ports.robot import Bearing, Pose
-from donnie_tui.core import poses
 from donnie_tui.core.actions import bearing_name
 from donnie_tui.core.events import Read
+from donnie_tui.core.run_controller import RunState
 from donnie_tui.core.speeds import speed_words
-from donnie_tui.core.telling import facing
-from donnie_tui.core.wording import Wording
-from donnie_tui.tui.running import Doing
+from donnie_tui.core.transcript import facing
+from donnie_tui.core.wording import Wording, compass_heading, whole_steps
 from language.runtime import Frame
 
 
@@ -23,22 +22,22 @@ def robot_sentence(name: str | None, pose: Pose, words: Wording) -> str:
 
     Between the points of the compass its heading is a number: the line is short.
     """
-    heading = poses.heading(pose)
+    heading = compass_heading(pose)
     is_at_point = heading % 45 == 0
     return words(
         "status-robot",
         robot=name or "Donnie",
-        x=poses.whole(pose.x),
-        y=poses.whole(pose.y),
+        x=whole_steps(pose.x),
+        y=whole_steps(pose.y),
         facing=facing(pose, words) if is_at_point else words("status-degrees", degrees=heading),
     )
 
 
-def doing_sentences(doing: Doing, speed: float | None, words: Wording) -> tuple[str, str]:
+def state_sentences(state: RunState, speed: float | None, words: Wording) -> tuple[str, str]:
     """What the program does, and how fast; and without the speed, where there is no room."""
     return (
-        words(f"status-{doing.value}-speed", speed=speed_words(speed, words)),
-        words(f"status-{doing.value}"),
+        words(f"status-{state.value}-speed", speed=speed_words(speed, words)),
+        words(f"status-{state.value}"),
     )
 
 

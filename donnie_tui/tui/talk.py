@@ -12,14 +12,14 @@ from typing import TYPE_CHECKING, TypeVar
 from donnie_tui.core.events import Pointed
 from donnie_tui.core.transcript import said_by
 from donnie_tui.tui import patience
-from donnie_tui.tui.running import Answer
+from donnie_tui.tui.answer import Answer
 
 if TYPE_CHECKING:
     from textual.geometry import Offset
 
     from donnie_tui.bootstrap import Donnie
+    from donnie_tui.commands.interaction import Option
     from donnie_tui.tui.application import Host
-    from donnie_tui.tui.screens.chooser import Choice
 
 T = TypeVar("T")
 
@@ -55,7 +55,7 @@ class Talk:
     ) -> str | None:
         return await self._host.ask(asked, self._words("ask-keys"), value, accepts)
 
-    async def choose(self, title: str, choices: Sequence[Choice]) -> str | None:
+    async def choose(self, title: str, choices: Sequence[Option]) -> str | None:
         keys, nothing = self._words("chooser-keys"), self._words("palette-nothing")
         return await self._host.choose(title, keys, nothing, choices)
 

@@ -1,6 +1,11 @@
 """What the terminal is asked for, decided before Textual is loaded: it reads its own switches then.
 
 Plain is for those who listen: one column, and nothing that a screen reader would say without need.
+
+Textual as a terminal wants it that may be slow, plain, without colours, or read aloud.
+
+Rules: a style sheet is read once, what is the same is not painted again, nothing is written that a terminal
+might show as letters, and the terminal's own cursor is where the focus is.
 """
 
 from __future__ import annotations
@@ -8,9 +13,18 @@ from __future__ import annotations
 import os
 from collections.abc import MutableMapping
 from functools import cache
-from typing import Protocol, cast
+from typing import Any, Protocol, cast
 
-from donnie_tui.settings.chosen import Settings
+from rich.console import RenderableType
+from textual.app import App
+from textual.geometry import Offset
+from textual.screen import Screen
+from textual.widgets import Input, TextArea
+
+from donnie_tui.settings.settings import Settings
+from donnie_tui.tui import themes
+from donnie_tui.tui.printable import Printable
+from donnie_tui.tui.terminal_output import Painted
 
 
 def is_plain(settings: Settings) -> bool:
@@ -23,7 +37,7 @@ def is_plain(settings: Settings) -> bool:
 @cache
 def _is_listened_to() -> bool:
     """Looked up once: it is asked three times before the first frame, and all processes are looked at."""
-    from devices.speech.probe import find_screen_reader
+    from devices.audio.channel import find_screen_reader
 
     return find_screen_reader(os.environ) is not None
 
@@ -66,3 +80,97 @@ def use_mouse(driver: object, *, wanted: bool) -> None:
     elif terminal._mouse and not wanted:
         terminal._disable_mouse_support()
         terminal._mouse = False
+
+
+SHOW_CURSOR = "\x1b[?25h"
+
+
+class TerminalApp(App[int], inherit_bindings=False):
+    """Looks and output; what is shown is up to those who build on it."""
+
+    def __init__(self, settings: Settings) -> None:
+        self._variables_of: dict[str, dict[str, str]] = {}
+        """By theme. They are asked for again and again before the first frame."""
+        super().__init__(ansi_color=True if "NO_COLOR" in os.environ else None)  # the filters ask at once
+        self.animation_level = "none"
+        for name in themes.NAMES:
+            self.register_theme(themes.theme(name))
+        self.theme = themes.TERMINAL if self.no_color else themes.name_of(settings.theme)
+        self._read_with = self.get_css_variables()
+        """The colours and sizes with which the style sheets were read last."""
+        self.stylesheet.set_variables(self._read_with)
+        self._filters.append(Printable())
+        self._painted = Painted()
+
+    # --- the looks
+
+    def wear_theme(self, settings: Settings) -> None:
+        """The one that somebody chose, where there are colours."""
+        if not self.no_color:
+            self.theme = themes.name_of(settings.theme)
+
+    def get_css_variables(self) -> dict[str, str]:
+        """Worked out once for each theme, which stays as it is."""
+        if self.theme not in self._variables_of:
+            self._variables_of[self.theme] = super().get_css_variables()
+        self.theme_variables = self._variables_of[self.theme]
+        return self.theme_variables
+
+    def get_theme_variable_defaults(self) -> dict[str, str]:
+        """Before a theme of ours is chosen the style sheet is read with Textual's own."""
+        return themes.theme(themes.DARK).variables
+
+    def refresh_css(self, animate: bool = True) -> None:
+        """Not as the application begins, when Textual asks for it too: nothing has changed by then."""
+        variables = self.get_css_variables()
+        if variables != self._read_with:
+            self._read_with = variables
+            super().refresh_css(animate)
+
+    # --- the output
+
+    @property
+    def is_read_by_rows(self) -> bool:
+        """Whether somebody may hear what is painted: rows are written whole then."""
+        return False
+
+    def _display(self, screen: Screen[Any], renderable: RenderableType | None) -> None:
+        """Whatever is painted passes here. In the plain layout readers hear it: rows are written whole."""
+        is_typing = isinstance(screen.focused, (TextArea, Input))
+        thrifty = self._painted.less(
+            renderable,
+            rows=self.is_read_by_rows,
+            typing=self.cursor_position if is_typing else None,
+        )
+        super()._display(screen, thrifty)
+
+    def repaint(self) -> None:
+        """All of it: something else may have written over the terminal."""
+        self._painted.forget()
+        self.refresh()
+        self.show_cursor()
+
+    def on_resize(self) -> None:
+        """Terminals move what they show."""
+        self._painted.forget()
+
+    def _set_pointer_shape(self, shape: str) -> None:
+        """Nobody asks for it, it costs bytes, and a console shows it as letters."""
+
+    @property
+    def cursor_position(self) -> Offset:
+        """Where the terminal's own cursor stands: where the widget with the focus says, at every update."""
+        place = getattr(self.focused, "cursor_screen_offset", None) if self.is_running else None
+        return place if isinstance(place, Offset) else Offset(0, 0)
+
+    @cursor_position.setter
+    def cursor_position(self, _place: Offset) -> None:
+        """Textual's editor and input line write here, also without the focus: not what is asked."""
+
+    def on_ready(self) -> None:
+        self.show_cursor()
+
+    def show_cursor(self) -> None:
+        """Textual hides the terminal's cursor; braille displays and console readers need it."""
+        if self._driver is not None:
+            self._driver.write(SHOW_CURSOR)

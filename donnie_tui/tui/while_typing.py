@@ -10,9 +10,9 @@ from typing import TYPE_CHECKING
 
 from textual.timer import Timer
 
+from donnie_tui.commands.sound import chime_block
 from donnie_tui.core.completion import Completion, completion
-from donnie_tui.core.mistakes import LARGEST, mistakes
-from donnie_tui.words import sound_words
+from donnie_tui.core.program_text import LONGEST_CHECKED, mistakes
 from language.outline import block_depth
 
 if TYPE_CHECKING:
@@ -49,7 +49,7 @@ class WhileTyping:
         """Mark the mistakes of the text as it is."""
         self._checking = None
         text, session = self._editor.text, self._work.donnie.session
-        found = session.check(text) if 0 < len(text) <= LARGEST and text.strip() else ()
+        found = session.check(text) if 0 < len(text) <= LONGEST_CHECKED and text.strip() else ()
         self._editor.note(mistakes(found, self._work.words))
         self._work.display.say_status()
 
@@ -60,33 +60,18 @@ class WhileTyping:
     def line_finished(self, row: int) -> None:
         """Enter was pressed in that row (from 0): a block that it opens or closes is heard."""
         text, donnie = self._editor.text, self._work.donnie
-        if donnie.outlets.audible.has_cues and len(text) <= LARGEST:
+        if donnie.outlets.audible.has_cues and len(text) <= LONGEST_CHECKED:
             lines = text.split("\n")
             depths = (block_depth("\n".join(lines[:end])) for end in (row, row + 1))
-            sound_words.chime_block(donnie, *depths)
+            chime_block(donnie, *depths)
 
     # --- copies
 
     def _keep_copy(self) -> None:
         self._copying = None
-        self._work.files.programs.keep_copy()
+        self._work.workspace.keep_copies()
 
-    def leave_copies(self) -> None:
-        """Leaving on purpose: what is not saved is there for whoever asks for it."""
-        self._stop_copying()
-        self._work.files.programs.leave_copies()
-
-    def give_up_copies(self) -> None:
-        """The text goes on elsewhere: no copy is needed."""
-        self._stop_copying()
-        self._work.files.programs.forget_copies()
-
-    def hand_over_copy(self) -> None:
-        """Somebody else goes on with the program in the editor; the others are offered there."""
-        self._stop_copying()
-        programs = self._work.files.programs
-        programs.forget_copy(programs.current)
-
-    def _stop_copying(self) -> None:
+    def stop_copying(self) -> None:
+        """The learner leaves: the last copies are written at the end."""
         if self._copying is not None:
             self._copying.stop()

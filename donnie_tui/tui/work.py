@@ -14,73 +14,73 @@ from textual.events import Event
 from textual.widget import Widget
 
 from devices.ports.robot import Pose
-from donnie_tui.bootstrap import Donnie
+from donnie_tui.bootstrap import Donnie, open_workspace
+from donnie_tui.commands.context import Context
+from donnie_tui.commands.declarations import BY_NAME, Command
+from donnie_tui.commands.dispatch import attempt, perform, says_slip
+from donnie_tui.commands.files import compare_with_file, open_named
+from donnie_tui.commands.interaction import begin
+from donnie_tui.commands.keys import KeyTable, not_understood
+from donnie_tui.commands.lookup import find
+from donnie_tui.commands.preferences import Preferences
+from donnie_tui.commands.world import say_arrival
 from donnie_tui.core.answer_log import AnswerLog
-from donnie_tui.core.breakpoints import KeptBreakpoints
-from donnie_tui.core.copies import Copies
-from donnie_tui.core.harmless import printable
-from donnie_tui.core.patience import LAST_WORDS
-from donnie_tui.core.trail import Trail
-from donnie_tui.core.use_cases import help_of
-from donnie_tui.core.watching import Watch
+from donnie_tui.core.run_controller import Program
+from donnie_tui.core.safe_text import printable
+from donnie_tui.core.session import Busy
+from donnie_tui.core.timeouts import LAST_WORDS
+from donnie_tui.core.workspace import Workspace
 from donnie_tui.i18n.words import Words
-from donnie_tui.settings.chosen import Settings
-from donnie_tui.settings.first_start import offers_tour
-from donnie_tui.settings.folders import BREAKPOINTS
-from donnie_tui.tui.actions import BY_NAME, DONE_HERE, find
+from donnie_tui.settings.folders import offers_tour
+from donnie_tui.settings.settings import Settings
+from donnie_tui.tui.answer import Answer
 from donnie_tui.tui.application import Host
 from donnie_tui.tui.bridge import Began, Bridge, Ended, LogLine, Mail
 from donnie_tui.tui.brought import Brought
 from donnie_tui.tui.chosen_settings import ChosenSettings
-from donnie_tui.tui.deeds import Deeds
 from donnie_tui.tui.display import Display
-from donnie_tui.tui.files import Files
-from donnie_tui.tui.following import Following
 from donnie_tui.tui.intake import Intake
+from donnie_tui.tui.interaction import ScreenInteraction
 from donnie_tui.tui.key_echo import KeyEcho
-from donnie_tui.tui.key_table import KeyTable, not_understood
 from donnie_tui.tui.pages import Pages
-from donnie_tui.tui.past import Past
-from donnie_tui.tui.preferences import Preferences
-from donnie_tui.tui.recent import Recent
-from donnie_tui.tui.running import Answer, Running
+from donnie_tui.tui.run_view import RunView
 from donnie_tui.tui.talk import Talk
 from donnie_tui.tui.while_typing import WhileTyping
-from donnie_tui.words.world_going import stop_before_going, tell_arrival
-from language.control import ControlState
-from language.diagnostics import Kind
-from language.keywords import canonical, spelling
+from language.diagnostics import MistakeKind
+from language.keywords import spelling
 
 
 class Work:
     """Everything that the keys and words reach."""
 
-    def __init__(self, host: Host, donnie: Donnie, folder: Path, settings: Settings | None = None) -> None:
-        """``folder`` holds the copies of what is not saved."""
+    def __init__(
+        self,
+        host: Host,
+        donnie: Donnie,
+        folder: Path,
+        settings: Settings | None = None,
+        workspace: Workspace | None = None,
+    ) -> None:
+        """``folder`` is the state folder; ``workspace`` came along from another world."""
         self._host = host
         self._donnie = donnie
-        self._state_folder = folder.parent
+        self._state_folder = folder
         self.words: Words = donnie.words
         self.workplace = host.workplace
         self.talk = Talk(host, donnie)
-        self.watch = Watch(self.words)
-        self.running = Running(
-            lambda: donnie.session,
-            self._paused,
-            self.watch,
-            lambda: self.workplace.editor.breakpoints,
-            lambda: donnie.chronicle.last_seq,
+        self.workspace = workspace or open_workspace(str(folder))
+        self.workspace.report_failure = lambda error: self.talk.tell(
+            Answer("answer-not-kept", {"reason": error.reason})
         )
-        self.preferences = Preferences(settings or Settings(), os.environ)
-        self.files = Files(
-            self,
-            self.words,
-            lambda: Copies(str(folder)),
-            donnie.in_use,
-            Recent(folder.parent / "recent.txt"),
-            KeptBreakpoints(str(folder.parent / BREAKPOINTS)),
+        self.workspace.attach(self.workplace.editor)
+        self.answers = AnswerLog()
+        interaction = ScreenInteraction(self, host)
+        past = self.workplace.command_line.past
+        preferences = Preferences(settings or Settings(), os.environ)
+        self.ctx = Context(
+            donnie, interaction, self.workspace, self.answers, past, preferences, screen=interaction
         )
-        self.display = Display(self.workplace, donnie, self.running, self.files, host.key_table)
+        self.display = Display(self.workplace, donnie, self.ctx.runs, self.workspace, host.key_table)
         bridge = Bridge(
             host.post_message, self.words, lambda: donnie.session.pose, lambda: donnie.session.name
         )
@@ -92,16 +92,11 @@ class Work:
             write=self._write,
         )
         self._key_echo = KeyEcho(donnie.outlets.audible, self.words)
-        self.answers = AnswerLog()
-        self.trail = Trail(lambda: donnie.session.hub.robot)
-        self.past = Past(self)
         self.pages = Pages(self, host)
-        self.following = Following(self, host, self._intake, self.past)
+        self.run_view = RunView(self, host, self._intake)
         self.while_typing = WhileTyping(self, host)
         self._chosen = ChosenSettings(self, host, self._intake, self.while_typing)
-        self._deeds = Deeds(self)
-        hear = (bridge, self.trail.hear, self.running.hear)
-        self._hear_no_more = [donnie.team.stream.subscribe(each) for each in hear]
+        self._unsubscribe = donnie.team.stream.subscribe(bridge)
 
     def begin(self, file: Path | None, text: str | None, brought: Brought | None = None) -> None:
         """Open what was asked for. ``text``: what the other mode left, unsaved changes included.
@@ -110,29 +105,29 @@ class Work:
         """
         notices = self._donnie.notices
         self.talk.tell_sentences(*(notices.all if brought is None else notices.about_devices))
-        for entry in not_understood(self.preferences.settings.keys):
+        for entry in not_understood(self.ctx.preferences.settings.keys):
             self.talk.tell_sentences(self.words("keys-not-understood", entry=printable(entry[:40])))
         if text is not None:
-            self.files.bring(text, str(file) if file else None)
-            self._host.begin_with(self.files.compare())
+            self.workspace.replace(text, file, in_file="")
+            self._host.begin_with(attempt(self.ctx, compare_with_file(self.ctx)))
         elif file is not None:
-            self._host.begin_with(self.files.open(str(file)))
-        elif self.preferences.settings.tour and offers_tour(str(self._state_folder), os.environ):
+            self._host.begin_with(attempt(self.ctx, open_named(self.ctx, str(file))))
+        elif self.ctx.preferences.settings.tour and offers_tour(str(self._state_folder), os.environ):
             self.talk.tell_sentences(self.words("tour-offer"))
         if brought is not None:
             self._arrive(brought)
-        elif self.files.recovering.is_offered:
+        elif self.workspace.rescued():
             self.talk.tell_sentences(self.words("answer-rescued"))
         self.look()
 
     def _arrive(self, brought: Brought) -> None:
         """With what was told in the world before; and that this one is there."""
-        self.answers = brought.answers
+        self.answers = self.ctx.answers = brought.answers
         self.answers.end_answer()
         self.workplace.command_line.have_typed(brought.typed)
-        self.workplace.editor.set_breakpoints(brought.breakpoints)
-        self.watch.names.extend(brought.watched)
-        tell_arrival(self._donnie, is_silent=brought.is_silent)
+        self.ctx.past = brought.typed
+        self.ctx.runs.watched.extend(brought.watched)
+        say_arrival(self._donnie, is_silent=brought.is_silent)
 
     def brought_along(self) -> Brought:
         """What goes along to another world."""
@@ -142,8 +137,8 @@ class Work:
             log.looks,
             self.answers,
             self.workplace.command_line.past,
-            self.breakpoints,
-            tuple(self.watch.names),
+            self.workspace,
+            tuple(self.ctx.runs.watched),
             self.workplace.focus_was,
             is_silent=not self._donnie.outlets.audible.is_on,
         )
@@ -151,14 +146,17 @@ class Work:
     # --- doing
 
     def do(self, name: str, argument: str | None = None) -> Awaitable[None] | None:
-        """Do an action of the table. One that asks something is to be awaited.
+        """Run a command. What is left of it after its first question is to be awaited.
 
-        ``argument`` is what was typed behind its word; None where it was a key or the palette.
+        ``argument`` is None where a key or the palette asked for it.
         """
         self._end_answer()
-        if argument is None and BY_NAME[name].needs_asking:
-            return self._deeds.ask_and_do(name)
-        return self._deeds.do(name, argument or "")
+        return begin(self._perform(BY_NAME[name], argument))
+
+    async def _perform(self, command: Command, argument: str | None) -> None:
+        await perform(self.ctx, command, argument)
+        self.run_view.show_past()
+        self.look()
 
     def typed(self, text: str) -> Awaitable[None] | None:
         """A line of the command line: a word of the screen, or a command of GoDonnie."""
@@ -167,10 +165,17 @@ class Work:
         found = find(text)
         if found is not None:
             return self.do(found[0].name, found[1])
-        if not self._explain(text) and not self._is_slip(text) and not self._opens_block(text):
-            self.talk.tell(self.running.command(text, self.words("typed-program")))
+        if not says_slip(self.ctx, text) and not self._opens_block(text):
+            self._run_typed(text)
             self.look()
         return None
+
+    def _run_typed(self, text: str) -> None:
+        """Run a line of GoDonnie where the robot is, with the variables that there are."""
+        try:
+            self.ctx.runs.start(Program(text, self.words("typed-program"), is_whole=False))
+        except Busy:
+            self.ctx.answer_of_robot("screen-busy")
 
     def _end_answer(self) -> None:
         """What is told from now on is the answer to something else."""
@@ -178,28 +183,10 @@ class Work:
         self._intake.write()
         self.answers.end_answer()
 
-    def _explain(self, typed: str) -> bool:
-        """HELP with a word of the screen: what that is for, as in the linear mode."""
-        words = typed.split(maxsplit=1)
-        is_help = len(words) == 2 and canonical(words[0]) == "HELP" and canonical(words[1]) is None
-        told = help_of(words[1], self.words, DONE_HERE) if is_help else ()
-        self.talk.tell_sentences(*told)
-        return bool(told)
-
-    def _is_slip(self, typed: str) -> bool:
-        """A slip in a word of the screen is answered with that word, as in the linear mode."""
-        from donnie_tui.core.unknown_words import unknown_word
-
-        session, lines = self._donnie.session, self.text.split("\n")
-        unknown = unknown_word(typed, lines, DONE_HERE, self.words.language, session.parse)
-        if unknown is not None:
-            self.talk.tell(Answer("help-unknown-near", {"topic": unknown.word, "near": unknown.meant}))
-        return unknown is not None
-
     def _opens_block(self, typed: str) -> bool:
         """Whoever types line by line, as in the linear mode, is told where there is room for that."""
         missing = self._donnie.session.parse(typed).diagnostics
-        if not missing or any(each.kind is not Kind.MISSING_END for each in missing):
+        if not missing or any(each.kind is not MistakeKind.MISSING_END for each in missing):
             return False
         closer = spelling(missing[0].expected[0], self.words.language)
         self.talk.tell(Answer("screen-open-block", {"closer": closer}))
@@ -214,15 +201,16 @@ class Work:
     def _receive(self, mail: Mail) -> None:
         """What the robot senses has changed, too, where others or things are elsewhere now."""
         self.display.receive(mail)
-        self.following.glances.heard()
+        self.run_view.polling.on_event()
         if mail.others or mail.things is not None:
             self.ask_distances()
 
     def _write(self, lines: Sequence[LogLine]) -> None:
         """Into the log, and into what can be said again."""
         for line in lines:
-            self.answers.add_line(line.text)
-        self.display.write(lines)
+            if not line.is_repeated:
+                self.answers.add_line(line.text)
+        self.display.write((line.text, line.kind) for line in lines)
 
     # --- what the actions ask for
 
@@ -230,6 +218,12 @@ class Work:
     def donnie(self) -> Donnie:
         """The robots and their world."""
         return self._donnie
+
+    @property
+    def program_name(self) -> str:
+        """The name of its file, where it has one."""
+        path = self.workspace.document.path
+        return path.name if path else self.words("new-program")
 
     @property
     def pose(self) -> Pose:
@@ -250,14 +244,12 @@ class Work:
 
     def load(self, text: str, breakpoints: frozenset[int] = frozenset()) -> None:
         """Another text in the editor, with the breakpoints that it has."""
-        self.workplace.editor.load_text(text)
-        self.workplace.editor.set_breakpoints(breakpoints)
-        self.workplace.editor.move_cursor((0, 0))
+        self.workplace.editor.show(text, breakpoints)
         self.look()
 
-    def prefer(self, key: str, typed: object) -> None:
-        """Choose a setting from now on, and keep it."""
-        self._chosen.prefer(key, typed)
+    def apply_setting(self, key: str) -> None:
+        """Show the session as the setting says from now on."""
+        self._chosen.apply(key)
 
     def look(self) -> None:
         self.ask_distances()
@@ -285,20 +277,16 @@ class Work:
         self.talk.point(self.display.focus_sentence)
 
     def began(self, event: Began) -> None:
-        self.following.began(event)
+        self.run_view.on_began(event)
 
     def happened(self) -> None:
         self._intake.happened()
 
-    def _paused(self, state: ControlState) -> None:
-        """Told in any thread."""
-        self.following.told(state)
-
-    def paused(self) -> None:
-        self.following.paused()
+    def held(self) -> None:
+        self.run_view.on_held()
 
     def ended(self, event: Ended) -> None:
-        self.following.ended(event)
+        self.run_view.on_ended(event)
 
     def edited(self) -> None:
         self.while_typing.edited()
@@ -310,40 +298,43 @@ class Work:
 
     def switch_to_linear(self) -> None:
         """The other mode has the text from now on: no copy of it is needed."""
-        self.while_typing.hand_over_copy()
+        self.while_typing.stop_copying()
+        self.workspace.hand_over()
         self._host.leave(for_linear=True)
 
     def leave(self) -> None:
         """For good, on purpose."""
-        self.while_typing.leave_copies()
+        self.while_typing.stop_copying()
+        self.workspace.leave_copies()
         self._host.leave()
 
     def change_world(self, name: str) -> None:
         """Another world, with the same program: everything begins anew there."""
-        self.running.note_line()
-        stop_before_going(self._donnie, name)
+        self.ctx.runs.stop_to_leave()
+        self.ctx.answer("world-going", name=name)
         self._intake.take()
         self._intake.write()
-        self.while_typing.give_up_copies()
+        self.while_typing.stop_copying()
         self._host.enter_world(name)
 
     def halt(self) -> None:
         """All robots. Any thread."""
-        self.running.note_line()
+        self.ctx.runs.note_stop()
         self._donnie.team.stop()
 
     def hand_over(self) -> Donnie:
         """To the other mode: the session goes on there, what runs here ends."""
-        for hear_no_more in self._hear_no_more:
-            hear_no_more()
+        self.ctx.close()
+        self._unsubscribe()
         self._donnie.team.stop()
         for session in self._donnie.team.sessions:
             if session.run is not None:
                 session.run.wait(LAST_WORDS)
-        self.files.programs.settle_copies()
+        self.workspace.write_copies()
         return self._donnie
 
     def close(self) -> None:
         """After the screen is gone: nothing is left running, nor to be written down."""
         self._donnie.close()
-        self.files.programs.settle_copies()
+        self.workspace.detach()
+        self.workspace.write_copies()

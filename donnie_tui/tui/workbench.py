@@ -7,15 +7,12 @@ from typing import Protocol
 
 from devices.ports.robot import Pose
 from donnie_tui.bootstrap import Donnie
+from donnie_tui.commands.context import Context
+from donnie_tui.commands.keys import KeyTable
 from donnie_tui.core.answer_log import AnswerLog
-from donnie_tui.core.trail import Trail
-from donnie_tui.core.watching import Watch
+from donnie_tui.core.workspace import Workspace
 from donnie_tui.i18n.words import Words
 from donnie_tui.tui.display import Display
-from donnie_tui.tui.files import Files
-from donnie_tui.tui.key_table import KeyTable
-from donnie_tui.tui.preferences import Preferences
-from donnie_tui.tui.running import Running
 from donnie_tui.tui.screens.workplace import Workplace
 from donnie_tui.tui.talk import Talk
 
@@ -26,13 +23,13 @@ class Workbench(Protocol):
     words: Words
     workplace: Workplace
     talk: Talk
-    running: Running
-    watch: Watch
-    files: Files
+    workspace: Workspace
     display: Display
-    preferences: Preferences
     answers: AnswerLog
-    trail: Trail
+    ctx: Context
+
+    @property
+    def program_name(self) -> str: ...
 
     @property
     def pose(self) -> Pose: ...
@@ -47,7 +44,7 @@ class Workbench(Protocol):
 
     def typed(self, text: str) -> Awaitable[None] | None: ...
 
-    def prefer(self, key: str, typed: object) -> None: ...
+    def apply_setting(self, key: str) -> None: ...
 
     # --- the screen
 

@@ -1,1 +1,1 @@
-"""Which world a session is in: chosen by name or file, taken into a recording and out of one again."""
+"""The world of a session: chosen by name or file, put into a recording and taken out of one."""

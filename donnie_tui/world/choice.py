@@ -1,17 +1,24 @@
-"""A world by its name or by its file, loaded; every way in which that can fail is a sentence.
+"""A world by its name or its file, loaded. Raises ``Unusable`` with the sentence for each failure.
 
-A name of a world that ships wins over a file in the current folder; ``./name`` is always the file. A
-configuration file chooses its world, the robots that it offers, and the real robot.
+The name of a world that ships wins over a file in the current folder; ``./name`` is always the file. A
+configuration file chooses its world, the robots that it offers, and the real robot. For the learner's own
+files, remarks name what would be searched for in the program: a robot that starts inside something,
+unreadable words, slips.
 """
 
 from __future__ import annotations
 
+import shlex
+from typing import TYPE_CHECKING
+
+from msgspec import Struct
+
 import worlds
-from devices.ports.hints import TYPE_CHECKING
+import worlds.words
 from devices.ports.robot import STEP, Pose
-from devices.ports.values import Frozen
+from donnie_tui.core.wording import Wording
 from donnie_tui.i18n.words import Unusable, Words
-from sim import ready
+from sim.compiled_scene import read_scene
 
 if TYPE_CHECKING:
     from pathlib import Path
@@ -20,18 +27,52 @@ if TYPE_CHECKING:
     from sim.worldfile import Offer
     from worlds.words import About
 
+
+_TOLD = "starts-inside"
+_SLIPS = frozenset({"unknown-property", "unknown-colour", "unknown-model", "second-define"})
+"""Of what was ignored or repaired: what the author wrote without effect."""
+MOST_TOLD = 3
+"""Remarks that are listed one by one."""
+
+
+def remarks(world: ChosenWorld, words: Wording) -> tuple[str, ...]:
+    """A sentence each; none of a world that ships."""
+    if world.ships:
+        return ()
+    notes = world.scene.report.notes
+    inside = [note for note in notes if note.code == _TOLD]
+    bad_words = _bad_words(world, words)
+    others = len(inside[MOST_TOLD:]) + sum(note.code in _SLIPS for note in notes)
+    told = (*bad_words, *(words(f"note-{_TOLD}", **note.details) for note in inside[:MOST_TOLD]))
+    if not others:
+        return told
+    return (*told, words("world-remarks", count=others, path=shlex.quote(world.path)))
+
+
+def _bad_words(world: ChosenWorld, words: Wording) -> tuple[str, ...]:
+    """Why the author's words can't be used, if there are any."""
+    try:
+        worlds.words.beside(world.path, words.language)
+    except worlds.words.BadWords as problem:
+        code = "key" if problem.key else "line" if problem.line else "file"
+        code = "difficulty" if problem.key == "difficulty" else code
+        values = {"file": problem.file.name, "key": problem.key, "line": problem.line}
+        return (words(f"world-words-{code}", **values),)
+    return ()
+
+
 WITHOUT_WORLD = "open_floor"
 """Where a configuration file asks for a real robot only: something to draw it on."""
 
 
-class ChosenWorld(Frozen):
+class ChosenWorld(Struct, frozen=True):
     """A world that was loaded. ``name`` is what the event stream calls it, whichever folder it came from."""
 
     name: str
     path: str
     scene: Scene
     ships: bool
-    """Whether it is one of ours, with words about it."""
+    """Whether it ships with Donnie, with words about it."""
     offers: tuple[Offer, ...] = ()
     """What a configuration file offers, and under which addresses."""
     physical_port: str | None = None
@@ -40,7 +81,7 @@ class ChosenWorld(Frozen):
     """The configuration file that has no world; what was loaded is only there to draw its robot on."""
 
     def about(self, language: str) -> About | None:
-        """Title, description and task; None for a file of the learner's own without any beside it."""
+        """Title, description and task; None for a world file without a file of words."""
         from worlds.words import BadWords, about, beside
 
         if self.ships:
@@ -48,7 +89,7 @@ class ChosenWorld(Frozen):
         try:
             return beside(self.path, language)
         except BadWords:
-            return None  # that was told when the world was loaded
+            return None  # reported when the world was loaded
 
     def start(self) -> Pose:
         """Where its first robot stands; the middle, facing north, if it has none."""
@@ -83,7 +124,7 @@ def choose_world(
     """
     if name_or_file in worlds.names():
         path = worlds.path(name_or_file)
-        scene = ready.read(path) or _load(path, words, folders)
+        scene = read_scene(path) or _load(path, words, folders)
         return ChosenWorld(name_or_file, path, scene, ships=True)
     return _in_a_file(name_or_file, words, folders, unknown)
 
@@ -91,7 +132,7 @@ def choose_world(
 def _in_a_file(name: str, words: Words, folders: tuple[str, ...], unknown: str) -> ChosenWorld:
     from pathlib import Path  # slow to load, and our own are called by text
 
-    from donnie_tui.core.documents import exists
+    from donnie_tui.core.program_files import exists
 
     path = Path(name)
     if not ("/" in name or "\\" in name or path.suffix or exists(path)):
@@ -102,7 +143,7 @@ def _in_a_file(name: str, words: Words, folders: tuple[str, ...], unknown: str) 
 
 
 def _configured(path: Path, words: Words, folders: tuple[str, ...]) -> ChosenWorld:
-    from donnie_tui.i18n.world_mistakes import world_mistake
+    from donnie_tui.i18n.mistakes import world_mistake
     from sim.worldfile import WorldError, load_configuration
 
     try:
@@ -123,7 +164,7 @@ def _unknown_world(name: str, words: Words, code: str) -> str:
     import difflib
     from pathlib import Path
 
-    from donnie_tui.core.documents import exists
+    from donnie_tui.core.program_files import exists
 
     if exists(Path(f"{name}.world")):
         return words("world-unknown-near", name=name, near=f"{name}.world")
@@ -136,7 +177,7 @@ def _unknown_world(name: str, words: Words, code: str) -> str:
 def _load(path: str, words: Words, folders: tuple[str, ...]) -> Scene:
     from pathlib import Path
 
-    from donnie_tui.i18n.world_mistakes import world_mistake
+    from donnie_tui.i18n.mistakes import world_mistake
     from sim.worldfile import WorldError, load_world
 
     try:

@@ -1,18 +1,19 @@
-"""Where the things of a simulated world are now, in steps and compass degrees; told where it has changed."""
+"""Where the things of a simulated world are now, in steps and compass degrees; published when it changes."""
 
 from __future__ import annotations
 
-from devices.ports.hints import TYPE_CHECKING
+from typing import TYPE_CHECKING
+
 from devices.ports.robot import STEP, Pose
 from donnie_tui.core.events import PlacedThing
 
 if TYPE_CHECKING:
-    from sim.placement import Placement
+    from sim.geometry import Placement
     from sim.world import World
 
 
 class ThingWatch:
-    """One for all robots of a world. Asked by whoever has the turn."""
+    """One for all robots of a world. The robot that has the turn asks it."""
 
     def __init__(self, world: World) -> None:
         self._world = world

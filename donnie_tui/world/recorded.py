@@ -1,25 +1,176 @@
-"""The world of a recording, loaded from the recording alone. Nothing of it stays behind."""
+"""All files of a world in one value, and a world loaded from a recording alone.
+
+File names are ``N/PATH``: 0 is the folder of the world, the others are folders that it may include from.
+``unpack`` writes nothing outside the folder that is given to it, and a loaded recording leaves no files.
+"""
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping
+import base64
+import binascii
+import os
+import re
+from collections.abc import Iterator, Mapping, Sequence
 from contextlib import contextmanager
-from pathlib import Path
+from pathlib import Path, PurePosixPath
 from tempfile import TemporaryDirectory
 from typing import TYPE_CHECKING
 
+from msgspec import Struct
+from msgspec.structs import replace
+
 import worlds
 from devices.ports.robot import Bearing
-from devices.ports.values import replace
 from donnie_tui.core.recording import Header
+from donnie_tui.i18n.mistakes import world_mistake
 from donnie_tui.i18n.words import Unusable, Words
-from donnie_tui.i18n.world_mistakes import world_mistake
-from donnie_tui.settings.chosen import Settings
-from donnie_tui.world.bundle import BundleError, WorldBundle, from_record, unpack
+from donnie_tui.settings.settings import Settings
 from donnie_tui.world.choice import ChosenWorld
 
 if TYPE_CHECKING:
     from sim.scene import Scene
+
+
+LARGEST = 32 * 1024 * 1024
+"""Bytes of all files together; a world with two large pictures has a tenth of it."""
+
+_PLACE = re.compile(r"\d{1,3}")
+
+
+class BundleError(Exception):
+    """A world that can't be bundled or taken out. ``code`` is a sentence of the catalogue."""
+
+    def __init__(self, code: str, **values: object) -> None:
+        super().__init__(code)
+        self.code = code
+        self.values = values
+
+
+class WorldBundle(Struct, frozen=True):
+    """A world with everything that it reads."""
+
+    name: str
+    """What the events call it."""
+    main: str
+    """Which of the files is the world."""
+    files: tuple[tuple[str, bytes], ...]
+    robots: tuple[str, ...]
+    """The robots that it offers, the learner's first."""
+
+    def as_record(self) -> dict[str, object]:
+        """For JSON: texts as they are, everything else in base64."""
+        return {
+            "name": self.name,
+            "main": self.main,
+            "robots": list(self.robots),
+            "files": [{"name": name, **_content(data)} for name, data in self.files],
+        }
+
+
+def pack(
+    name: str, main: Path, files: Sequence[str], folders: Sequence[Path], robots: Sequence[str]
+) -> WorldBundle:
+    """Read all ``files``; each lies in the folder of ``main`` or in one of ``folders``.
+
+    Raises ``BundleError``.
+    """
+    places = list(dict.fromkeys([main.resolve().parent, *(each.resolve() for each in folders)]))
+    packed: dict[str, bytes] = {}
+    for file in dict.fromkeys((str(main), *files)):
+        data = _read(Path(file), LARGEST - sum(map(len, packed.values())))
+        packed |= dict.fromkeys(_names_of(Path(file), places), data)
+    return WorldBundle(name, _names_of(main, places)[0], tuple(packed.items()), tuple(robots))
+
+
+def unpack(bundle: WorldBundle, folder: Path) -> tuple[Path, tuple[Path, ...]]:
+    """Write the files into ``folder``, which is empty; the world's file and the folders to include from.
+
+    Raises ``BundleError`` and writes nothing if a name leads anywhere else.
+    """
+    names = [_checked(name) for name, _ in bundle.files]
+    main = _checked(bundle.main)
+    if main not in names:
+        raise BundleError("bundle-incomplete", name=bundle.main[:80])
+    try:
+        for name, (_, data) in zip(names, bundle.files, strict=True):
+            path = folder.joinpath(*name.parts)
+            path.parent.mkdir(parents=True, exist_ok=True)
+            path.write_bytes(data)
+    except OSError as problem:
+        raise BundleError("bundle-unwritable", reason=problem.strerror or str(problem)) from None
+    places = sorted({int(name.parts[0]) for name in names} - {0})
+    return folder.joinpath(*main.parts), tuple(folder / str(place) for place in places)
+
+
+def from_record(record: object) -> WorldBundle:
+    """The bundle of a JSON object. Raises ``BundleError`` for what is none."""
+    try:
+        return _from_record(record)
+    except (TypeError, KeyError, ValueError, binascii.Error, AttributeError):
+        raise BundleError("bundle-damaged") from None
+
+
+def _from_record(record: object) -> WorldBundle:
+    if not isinstance(record, dict):
+        raise TypeError
+    files = tuple((_text(each["name"]), _data(each)) for each in record["files"])
+    if sum(len(data) for _, data in files) > LARGEST:
+        raise BundleError("bundle-too-large", limit=LARGEST // 1024**2)
+    robots = tuple(_text(each) for each in record["robots"])
+    return WorldBundle(_text(record["name"]), _text(record["main"]), files, robots)
+
+
+def _text(value: object) -> str:
+    if not isinstance(value, str):
+        raise TypeError
+    return value
+
+
+def _data(entry: dict[str, object]) -> bytes:
+    if "text" in entry:
+        return _text(entry["text"]).encode("utf-8", "surrogatepass")
+    return base64.b64decode(_text(entry["base64"]), validate=True)
+
+
+def _content(data: bytes) -> dict[str, str]:
+    try:
+        return {"text": data.decode("utf-8")}
+    except UnicodeDecodeError:
+        return {"base64": base64.b64encode(data).decode("ascii")}
+
+
+def _names_of(file: Path, places: Sequence[Path]) -> tuple[str, ...]:
+    """Its names in the bundle: in each folder that it lies in, as it may be looked for from any of them."""
+    paths = (Path(os.path.normpath(file.absolute())), file.resolve())
+    found = (
+        f"{number}/{path.relative_to(place).as_posix()}"
+        for number, place in enumerate(places)
+        for path in paths
+        if path.is_relative_to(place)
+    )
+    return tuple(dict.fromkeys(found))
+
+
+def _read(file: Path, room: int) -> bytes:
+    try:
+        with file.open("rb") as stream:
+            data = stream.read(room + 1)
+    except OSError as problem:
+        raise BundleError("file-unreadable", path=str(file), reason=problem.strerror or "") from None
+    if len(data) > room:
+        raise BundleError("bundle-too-large", limit=LARGEST // 1024**2)
+    return data
+
+
+def _checked(name: str) -> PurePosixPath:
+    path = PurePosixPath(name)
+    parts = path.parts
+    is_inside = (
+        len(parts) > 1 and _PLACE.fullmatch(parts[0]) and not any(part in ("..", "/") for part in parts)
+    )
+    if not is_inside or any(each in name for each in "\\:\0") or len(name) > 1000:
+        raise BundleError("bundle-damaged")
+    return path
 
 
 @contextmanager
@@ -48,7 +199,7 @@ def _loaded(bundle: WorldBundle, main: Path, folders: tuple[Path, ...], words: W
 
 
 def _ships(bundle: WorldBundle) -> bool:
-    """Whether there are words about it, as long as it is called as one of ours."""
+    """Whether there are words about it, if it has the name of a world that ships."""
     return bundle.name in worlds.names()
 
 

@@ -1,7 +1,7 @@
-"""The parser's automaton without a tree: where it stands and what it would accept there.
+"""The parser's automaton without a tree: its states, and which tokens it accepts in them.
 
-For finding mistakes. ``accepts`` asks a copy, so the answer is exact: unlike the rows of the table, it
-does not count a word that could be reduced for, but never be shifted.
+``accepts`` tries the token on a copy, so the answer is exact. The rows of the table alone also allow tokens
+that cause reductions and then fit nowhere.
 """
 
 from __future__ import annotations
@@ -14,12 +14,12 @@ from language.lexer import KIND
 from language.tables import ACTIONS, END, GOTOS, NONTERMINALS, RULES, START, TERMINALS
 
 _SCAN = KIND["SCAN"]
-"""Stands for any command; the automaton takes all in the same places."""
+"""Stands for any command: the automaton accepts all commands in the same places."""
 
 _NONTERMINAL = {name: number for number, name in enumerate(NONTERMINALS)}
 
 _BEGIN_EXPRESSIONS = frozenset(("NAME", "NUMBER", "SIGN", "LPAR", "DISTANCE", "POS", "COLOR"))
-_GO_ON = frozenset(("SIGN", "SCALE", "TOPIC", "$END"))
+_CONTINUATIONS = frozenset(("SIGN", "SCALE", "TOPIC", "$END"))
 _CLASSES = {
     "NAME": "name",
     "NUMBER": "number",
@@ -54,27 +54,28 @@ class Automaton:
         return _shift(self.states, kind) is not None
 
     def is_between_commands(self) -> bool:
-        """Whether the text up to here is complete, and a command may come next."""
+        """Whether the text so far is complete and a command may come next."""
         return self.accepts(_SCAN)
 
     def feed(self, kind: int) -> None:
-        """Move on over a token that is accepted."""
+        """Consume a token that is accepted."""
         states = _shift(self.states, kind)
         assert states is not None, f"{TERMINALS[kind]} is not accepted"
         self.states = states
 
-    def settle(self) -> int:
-        """Finish the command that is complete. Returns the depth to which ``cut`` can go back."""
+    def finish_command(self) -> int:
+        """Reduce the complete command. Returns the depth to which ``cut`` can return."""
         states = _shift(self.states, KIND["SEMICOLON"])
         assert states is not None, "only where a command may begin"
         self.states = states[:-1]
         return len(self.states)
 
     def cut(self, depth: int) -> None:
+        """Drop the states above ``depth``."""
         del self.states[depth:]
 
     def move(self, symbols: Iterable[str]) -> None:
-        """Move on over these symbols of the grammar, as if they had been read."""
+        """Consume these symbols of the grammar, as if the text contained them."""
         for symbol in symbols:
             if symbol in _NONTERMINAL:
                 self.states.append(GOTOS[self.states[-1]][_NONTERMINAL[symbol]])
@@ -95,8 +96,8 @@ class Automaton:
         elif "NUMBER" in names:
             words.append("expression")
             names -= _BEGIN_EXPRESSIONS
-        if words or names - _GO_ON:
-            names -= _GO_ON
+        if words or names - _CONTINUATIONS:
+            names -= _CONTINUATIONS
         ordered = sorted(names, key=lambda name: KIND[name])
         return tuple(
             dict.fromkeys(words + [_CLASSES.get(name) or canonical_of_terminal(name) for name in ordered])
@@ -110,17 +111,14 @@ def _begin_commands() -> frozenset[str]:
 
 
 def _shift(states: list[int], kind: int) -> list[int] | None:
-    """The states after that token, or None if it can't come there."""
+    """The states after that token, or None if the automaton does not accept it."""
     after = list(states)
     while True:
         action = ACTIONS[after[-1]][kind]
         if action >= 0:
-            return [*after, action] if action or _is_end(after, kind) else None
+            is_end = kind == KIND["$END"] and after[-1] == END
+            return [*after, action] if action or is_end else None
         nonterminal, count = RULES[action][:2]
         if count:
             del after[-count:]
         after.append(GOTOS[after[-1]][nonterminal])
-
-
-def _is_end(states: list[int], kind: int) -> bool:
-    return kind == KIND["$END"] and states[-1] == END

@@ -1,98 +1,359 @@
-"""What stands where a command may begin, and begins none."""
+"""Mistakes in commands: an unknown word where a command may begin, and a token that can't continue one.
+
+A word that is near to an acceptable one is reported and read as that one.
+"""
 
 from __future__ import annotations
 
-from language.diagnostics import Kind
-from language.keywords import is_reserved, spelling
-from language.lexer import NUMBER, STRING
-from language.nearby import Near, nearest_keyword, pair_ending_with
-from language.recovery.arguments import follows_taker, read_bad_argument
-from language.recovery.calls import read_call_without_brackets
-from language.recovery.going_on import can_open, read_as, skip_command
-from language.recovery.kinds import ASSIGN, COMPARATOR, LPAR, SIGN
-from language.recovery.pairs import pair_meant, pair_with_misspelt_first
-from language.recovery.reading import Reading
-from language.recovery.reserved import is_assigned_to_keyword, tell_reserved
-from language.recovery.sensors import read_misspelt_sensor
+from collections.abc import Sequence
+
+from language.diagnostics import MistakeKind
+from language.keywords import argument, argument_words, is_reserved, spelling
+from language.lexer import DISTANCE, FRAGMENT, KIND, NAME, NUMBER, STRING, TAKES, Token
+from language.recovery.automaton import Automaton
+from language.recovery.blocks import (
+    can_open,
+    end_of_head,
+    give_up,
+    is_after_head,
+    pair_meant,
+    read_as,
+    skip_command,
+)
+from language.recovery.reader import (
+    AFTER_FIRST_NAME,
+    ASSIGN,
+    BEGINNERS,
+    COMPARATOR,
+    HEAD_ENDS,
+    LPAR,
+    SEMICOLON,
+    SIGN,
+    VAR,
+    TokenReader,
+)
+from language.suggestions import (
+    SENSORS,
+    Suggestion,
+    nearest,
+    nearest_keyword,
+    nearest_pair,
+    pair_ending_with,
+)
+from language.tables import TERMINALS
+
+_BEFORE_NEW_NAME = frozenset(
+    KIND[name] for name in ("VAR", "PROCEDURE", "COLON", "COMMA", "FOR", "SEMICOLON")
+)
+_CALL_PUNCTUATION = (LPAR, *(KIND[name] for name in ("COLON", "COMMA", "RPAR")))
+"""May separate the values of a call without brackets."""
+
+_CLASS_OF = {"DIRECTION": "direction", "AXIS": "axis", "COLOUR": "colour", "SWITCH": "on-or-off"}
 
 
-def read_unknown_command(reading: Reading) -> None:
-    token = reading.token
-    if follows_taker(reading):
-        read_bad_argument(reading)
+# --- where a command may begin ------------------------------------------------------------------------
+
+
+def read_unknown_command(reader: TokenReader) -> None:
+    """Read a name that begins no command."""
+    token = reader.token
+    if _follows_taker(reader):
+        _read_bad_argument(reader)
         return
-    if read_misspelt_sensor(reading) or read_call_without_brackets(reading):
+    if _read_misspelt_sensor(reader) or _read_call_without_brackets(reader):
         return
-    if reading.following[0] == COMPARATOR and reading.following[5] == "==":
-        _read_two_equals_signs(reading)
+    if reader.following[0] == COMPARATOR and reader.following[5] == "==":
+        _read_two_equals_signs(reader)
         return
-    pair = pair_with_misspelt_first(reading)
-    near, width = (pair, 2) if pair else (_command_meant(reading, token[5]), 1)
-    code = "call-brackets" if reading.following[0] == LPAR and near is None else ""
-    meant = near.text if near else _spoken_besides(reading)
-    reading.begun = reading.at
-    reading.tell(Kind.UNKNOWN_COMMAND, token, code, ("command",), meant, width=width)
-    read_as(reading, near, width)
+    pair = _pair_with_misspelt_first(reader)
+    near, width = (pair, 2) if pair else (_command_meant(reader, token[5]), 1)
+    code = "call-brackets" if reader.following[0] == LPAR and near is None else ""
+    meant = near.text if near else _second_speak(reader)
+    reader.begun = reader.at
+    reader.report(MistakeKind.UNKNOWN_COMMAND, token, code, ("command",), meant, width=width)
+    read_as(reader, near, width)
 
 
-def _spoken_besides(reading: Reading) -> str:
-    """SPEAK "a" x: one SPEAK says one thing."""
-    token, before = reading.token, reading.before
-    if reading.at == 0 or before[0] != STRING or before[3] != token[3]:
+def _second_speak(reader: TokenReader) -> str:
+    """For SPEAK "a" x: a SPEAK for x, because one SPEAK says one thing."""
+    token, before = reader.token, reader.before
+    if reader.at == 0 or before[0] != STRING or before[3] != token[3]:
         return ""
-    return f"{spelling('SPEAK', reading.language)} {reading.typed(token)}"
+    return f"{spelling('SPEAK', reader.language)} {reader.typed(token)}"
 
 
-def _read_two_equals_signs(reading: Reading) -> None:
-    """An assignment written as a comparison: ``x == 3``."""
-    reading.begin()
-    reading.go_on()
-    reading.tell(Kind.SYNTAX, reading.token, "two-equals", ("=",), "=")
-    reading.mark_flaw()
-    reading.automaton.feed(ASSIGN)
-    reading.at += 1
+def _read_two_equals_signs(reader: TokenReader) -> None:
+    """Read an assignment written as a comparison: ``x == 3``."""
+    reader.begin_command()
+    reader.advance()
+    reader.report(MistakeKind.SYNTAX, reader.token, "two-equals", ("=",), "=")
+    reader.mark_flaw()
+    reader.automaton.feed(ASSIGN)
+    reader.at += 1
 
 
-def _command_meant(reading: Reading, typed: str) -> Near | None:
-    """The nearest word that leaves all ENDs what they are, or else the nearest one."""
-    words = reading.automaton.acceptable()
+def _pair_with_misspelt_first(reader: TokenReader) -> Suggestion | None:
+    """GIRA DIREITA: the keyword of both words, where the second one alone is not the mistake."""
+    token, following = reader.token, reader.following
+    if following[0] != NAME or following[3] != token[3]:
+        return None
+    return nearest_pair(token[5], following[5], reader.automaton.acceptable())
+
+
+def _command_meant(reader: TokenReader, typed: str) -> Suggestion | None:
+    """The nearest word that leaves all ENDs as they are, or else the nearest one."""
+    words = reader.automaton.acceptable()
     pair = pair_ending_with(typed, words)
     if pair:
         return pair
-    fitting = frozenset(word for word in words if can_open(reading, word, 1))
-    near = nearest_keyword(typed, fitting, reading.language)
-    return near or nearest_keyword(typed, words, reading.language)
+    fitting = frozenset(word for word in words if can_open(reader, word, 1))
+    near = nearest_keyword(typed, fitting, reader.language)
+    return near or nearest_keyword(typed, words, reader.language)
 
 
-def read_unknown_pair(reading: Reading) -> None:
-    """RIGHT without TURN, GIRAR DIRETA, PARA FRENT."""
-    token = reading.token
-    if follows_taker(reading):
-        read_bad_argument(reading)
+def has_misspelt_second(reader: TokenReader) -> bool:
+    """PARA FRENT, which is no head of PARA (FOR)."""
+    third = reader.tokens[min(reader.at + 2, len(reader.tokens) - 1)][0]
+    return third != ASSIGN and pair_meant(reader)[1] == 2
+
+
+def read_unknown_pair(reader: TokenReader) -> None:
+    """Read RIGHT without TURN, GIRAR DIRETA, PARA FRENT."""
+    token = reader.token
+    if _follows_taker(reader):
+        _read_bad_argument(reader)
         return
-    near, width = pair_meant(reading)
-    reading.begun = reading.at
-    if reading.tokens[reading.at + width][0] == ASSIGN:
-        tell_reserved(reading, token)
+    near, width = pair_meant(reader)
+    reader.begun = reader.at
+    if reader.tokens[reader.at + width][0] == ASSIGN:
+        _report_reserved(reader, token)
         near = None
     else:
-        reading.tell(Kind.UNKNOWN_COMMAND, token, "", ("command",), near.text if near else "", width=width)
-    read_as(reading, near, width)
+        reader.report(
+            MistakeKind.UNKNOWN_COMMAND, token, "", ("command",), near.text if near else "", width=width
+        )
+    read_as(reader, near, width)
 
 
-def read_stray(reading: Reading) -> None:
-    """Something that no command begins with, and with which the one before can't go on."""
-    token, before = reading.token, reading.before
-    if follows_taker(reading) and token[0] in (NUMBER, STRING):
-        read_bad_argument(reading)
+def read_stray(reader: TokenReader) -> None:
+    """Read a token that begins no command and does not continue the one before."""
+    token, before = reader.token, reader.before
+    if _follows_taker(reader) and token[0] in (NUMBER, STRING):
+        _read_bad_argument(reader)
         return
-    if is_assigned_to_keyword(reading):
-        tell_reserved(reading, before)
-    elif reading.following[0] == ASSIGN and is_reserved(token[5]):
-        tell_reserved(reading, token)
+    if _is_assigned_to_keyword(reader):
+        _report_reserved(reader, before)
+    elif reader.following[0] == ASSIGN and is_reserved(token[5]):
+        _report_reserved(reader, token)
     else:
         code = "text-plus" if before[0] == STRING and token[0] == SIGN else ""
-        code = "whole-numbers" if reading.is_decimal_comma else code
-        reading.tell(Kind.SYNTAX, token, code, reading.automaton.expected())
-    reading.at += 1
-    skip_command(reading)
+        code = "whole-numbers" if reader.is_decimal_comma else code
+        reader.report(MistakeKind.SYNTAX, token, code, reader.automaton.expected())
+    reader.at += 1
+    skip_command(reader)
+
+
+# --- calls without brackets: AB 2, AB: 2, AB (2), CD --------------------------------------------------
+
+
+def _read_call_without_brackets(reader: TokenReader) -> bool:
+    """If a procedure's name is here, report it with the right way to call it."""
+    token = reader.token
+    names = reader.procedures.get(token[5])
+    if names is None:
+        return False
+    typed, (values, width) = reader.typed(token), _values_of_call(reader)
+    meant = f"{typed} [{', '.join(values)}]" if values is not None and len(values) == len(names) else ""
+    reader.begun = reader.at
+    details: dict[str, str | int] = {"call": f"{typed} [{', '.join(names)}]"}
+    reader.report(MistakeKind.UNKNOWN_COMMAND, token, "procedure", ("command",), meant, details, width)
+    read_as(reader, None, 1)
+    return True
+
+
+def _values_of_call(reader: TokenReader) -> tuple[list[str] | None, int]:
+    """The values after the name on its line, None if not all are plain, and the tokens up to there."""
+    at = end = reader.at + 1
+    while reader.tokens[end][0] and reader.tokens[end][3] == reader.token[3]:
+        end += 1
+    line = reader.tokens[at:end]
+    values: list[str] = []
+    width = 1
+    for at, token in enumerate(line):
+        if token[0] in (NAME, NUMBER) and not _begins_another(line, at):
+            values.append(reader.typed(token))
+        elif token[0] not in _CALL_PUNCTUATION:
+            return (values if _begins_another(line, at) else None), width
+        width = at + 2
+    return values, width
+
+
+def _begins_another(line: Sequence[Token], at: int) -> bool:
+    """Whether another command begins at that token."""
+    kind = line[at][0]
+    following = line[at + 1][0] if at + 1 < len(line) else 0
+    return kind in BEGINNERS or kind in (SEMICOLON, VAR) or (kind == NAME and following in AFTER_FIRST_NAME)
+
+
+# --- within a command ---------------------------------------------------------------------------------
+
+
+def read_mistake_within(reader: TokenReader) -> None:
+    """Read a token that can't continue the command."""
+    token, before = reader.token, reader.before
+    if before[0] in TAKES and reader.automaton.accepts(KIND[TAKES[before[0]]]):
+        if token[0] in (NAME, NUMBER, STRING):
+            _read_bad_argument(reader)
+            return
+        if before[0] != DISTANCE:  # read as if the missing word were there
+            report_missing_argument(reader)
+            reader.automaton.feed(KIND[TAKES[before[0]]])
+            reader.mark_flaw()
+            return
+    if _read_misspelt_sensor(reader):
+        return
+    if _is_reserved_as_name(reader):
+        _report_reserved(reader, token)
+        reader.automaton.feed(NAME)
+        reader.at += 1
+    elif _is_assigned_to_keyword(reader):
+        _report_reserved(reader, before)
+        give_up(reader)
+    elif token[0] == ASSIGN and reader.automaton.accepts(COMPARATOR):
+        _read_equals_sign(reader)
+    else:
+        _read_unexpected(reader)
+
+
+def _read_equals_sign(reader: TokenReader) -> None:
+    """Read a comparison written with one equals sign, or with its signs turned: ``=>`` for ``>=``."""
+    _, start, end, line, column, text = token = reader.token
+    following = reader.following
+    is_turned = following[1] == end and following[5] in ("<", ">")
+    if is_turned:
+        token = (ASSIGN, start, following[2], line, column, text + following[5])
+    meant = f"{following[5]}=" if is_turned else "=="
+    reader.report(MistakeKind.SYNTAX, token, "single-equals", ("comparison",), meant)
+    reader.mark_flaw()
+    reader.automaton.feed(COMPARATOR)
+    reader.at += 2 if is_turned else 1
+
+
+def _read_unexpected(reader: TokenReader) -> None:
+    token, head, near = reader.token, reader.head, None
+    details: dict[str, str | int] = {} if head is None else {"opener": head.kind}
+    if _misses_end_of_head(reader):
+        _report_end_of_head(reader, details)
+        give_up(reader)
+        return
+    if token[0] in (NAME, FRAGMENT):
+        near = nearest_keyword(token[5], reader.automaton.acceptable(), reader.language)
+    code = "whole-numbers" if reader.is_decimal_comma else ""
+    expected = reader.automaton.expected()
+    reader.report(MistakeKind.SYNTAX, token, code, expected, near.text if near else "", details)
+    if near and not near.complete:
+        read_as(reader, near, 1)
+    else:
+        give_up(reader)
+
+
+def _misses_end_of_head(reader: TokenReader) -> bool:
+    """Whether only THEN, DO or TIMES is missing before a command, or another of them is in its place."""
+    head = reader.head
+    if head is None or reader.is_at_end or not is_after_head(reader, head):
+        return False
+    return reader.automaton.accepts(KIND[end_of_head(head)])
+
+
+def _report_end_of_head(reader: TokenReader, details: dict[str, str | int]) -> None:
+    """If the command is on the next line, the missing word belongs at the end of the line before."""
+    assert reader.head is not None
+    token, before, word = reader.token, reader.before, end_of_head(reader.head)
+    code = ""
+    if token[0] not in HEAD_ENDS:
+        code = "head-end" if token[3] == before[3] else "head-end-before"
+        details |= {"missing": word, "line": before[3]}
+    meant, expected = spelling(word, reader.language), reader.automaton.expected()
+    reader.report(MistakeKind.SYNTAX, token, code, expected, meant, details)
+
+
+# --- reserved words -----------------------------------------------------------------------------------
+
+
+def _report_reserved(reader: TokenReader, token: Token) -> None:
+    reader.report(MistakeKind.RESERVED_WORD, token, details={"name": reader.typed(token)})
+
+
+def _is_assigned_to_keyword(reader: TokenReader) -> bool:
+    """Whether an equals sign follows a keyword with which the command begins."""
+    before = reader.before
+    if reader.token[0] != ASSIGN or reader.at - 1 != reader.begun:
+        return False
+    return is_reserved(before[5]) and before[0] not in _BEFORE_NEW_NAME
+
+
+def _is_reserved_as_name(reader: TokenReader) -> bool:
+    """Whether a keyword is in the place of a new name, and the next token would fit the name."""
+    token, before, following = reader.token, reader.before, reader.following
+    if before[0] not in _BEFORE_NEW_NAME or not is_reserved(token[5]):
+        return False
+    if not reader.automaton.accepts(NAME) or reader.automaton.accepts(NUMBER):
+        return False
+    if following[0] == ASSIGN:
+        return True
+    beyond = Automaton()
+    beyond.states = list(reader.automaton.states)
+    beyond.feed(NAME)
+    return before[3] == token[3] and beyond.accepts(following[0])
+
+
+# --- sensors and arguments ----------------------------------------------------------------------------
+
+
+def _read_misspelt_sensor(reader: TokenReader) -> bool:
+    """If the name before was meant as a sensor, report it and read both words as its value: DISTANSIA F."""
+    token, before = reader.token, reader.before
+    if token[0] != NAME or before[0] != NAME or before[3] != token[3] or reader.at - 1 <= reader.begun:
+        return False
+    near = nearest_keyword(before[5], SENSORS, reader.language)
+    if near is None or near.complete:
+        return False
+    reader.report(MistakeKind.UNKNOWN_COMMAND, before, "sensor", ("expression",), near.text)
+    reader.mark_flaw()
+    reader.at += 1
+    return True
+
+
+def _follows_taker(reader: TokenReader) -> bool:
+    """Whether the word before takes a direction, an axis, a colour or a switch, on the same line."""
+    if reader.at <= reader.begun:
+        return False
+    return reader.before[0] in TAKES and reader.before[3] == reader.token[3]
+
+
+def _read_bad_argument(reader: TokenReader) -> None:
+    """Read a wrong argument, or a right one that was read as a name because an equals sign follows it."""
+    token, taker = reader.token, reader.before
+    terminal = TAKES[taker[0]]
+    if argument(terminal, token[5]) is None:
+        meant = ""
+        if len(token[5]) > 2:
+            preferred = argument_words(terminal, reader.language)
+            words = [word for language in reader.spoken for word in argument_words(terminal, language)]
+            meant = nearest(token[5], words, preferred) or ""
+        _report_argument(reader, token, taker, "", meant)
+    if reader.automaton.accepts(KIND[terminal]):
+        reader.automaton.feed(KIND[terminal])
+    reader.at += 1
+
+
+def report_missing_argument(reader: TokenReader) -> None:
+    _report_argument(reader, reader.before, reader.before, "missing-argument", "")
+
+
+def _report_argument(reader: TokenReader, token: Token, taker: Token, code: str, meant: str) -> None:
+    terminal = TAKES[taker[0]]
+    details: dict[str, str | int] = {"word": TERMINALS[taker[0]]}
+    if terminal == "COLOUR" and reader.colours is not None:
+        details["wanted"] = ", ".join(sorted(reader.colours))
+    reader.report(MistakeKind.BAD_ARGUMENT, token, code, (_CLASS_OF[terminal],), meant, details)

@@ -1,7 +1,6 @@
-"""World files as Stage has them: text in, a scene or a mistake with its place out."""
+"""World files as Stage has them: text in; a scene, or a mistake with its place, out."""
 
-from sim.worldfile.addresses import Address
-from sim.worldfile.configuration import Configuration, Offer, load_configuration
+from sim.worldfile.configuration import Address, Configuration, Offer, load_configuration
 from sim.worldfile.load import load_text, load_world
 from sim.worldfile.mistakes import Code, WorldError
 

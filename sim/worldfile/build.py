@@ -6,14 +6,12 @@ from collections import Counter
 from collections.abc import Callable, Iterable, Mapping
 
 from sim.colours import colour_of
-from sim.fittings import RangeSensor
-from sim.notes import Note, NoteKind
-from sim.placement import Placement
-from sim.scene import Model, Polygon
+from sim.geometry import Placement
+from sim.scene import Model, Note, NoteKind, Polygon, RangeSensor
 from sim.worldfile import equipment, shapes
 from sim.worldfile.entities import MODEL_TYPES, Entity, Setting
+from sim.worldfile.floor_plans import NOTHING, Plan
 from sim.worldfile.mistakes import Code, WorldError
-from sim.worldfile.plans import NOTHING, Plan
 from sim.worldfile.values import ValueReader
 
 Trace = Callable[[Setting], Plan]

@@ -1,4 +1,4 @@
-"""Configuration files, ``.cfg``: which world, which of its robots under which address, which real robot."""
+"""Configuration files (``.cfg``): the world, its robots under their device addresses, and the real robot."""
 
 from __future__ import annotations
 
@@ -7,15 +7,48 @@ from collections.abc import Iterator, Mapping
 from difflib import get_close_matches
 from pathlib import Path
 
-from devices.ports.values import Frozen, replace
-from sim.notes import Note, NoteKind
-from sim.scene import LoadReport, Scene
-from sim.worldfile.addresses import DEFAULT_PORT, Address, address
-from sim.worldfile.entities import Entity, Expander, Setting
+from msgspec import Struct
+from msgspec.structs import replace
+
+from sim.scene import LoadReport, Note, NoteKind, Scene
+from sim.worldfile.entities import Entity, Expander, FileReader, Setting
 from sim.worldfile.load import load_world
 from sim.worldfile.mistakes import Code, WorldError
-from sim.worldfile.reader import FileReader
 from sim.worldfile.values import ValueReader, mistake
+
+DEFAULT_PORT = 6665
+"""Player's."""
+LOCAL = "localhost"
+
+_INDEX = re.compile(r"[0-9]{1,9}")
+
+
+class Address(Struct, frozen=True):
+    """The address of a device. ``port`` distinguishes the robots of one host."""
+
+    interface: str
+    index: int
+    port: int = DEFAULT_PORT
+    host: str = LOCAL
+
+
+def address(text: str) -> Address | None:
+    """``position2d:0``, ``6666:position2d:0``, ``host:6666:position2d:0`` (or a key before it); else None."""
+    fields = text.split(":")
+    if not 2 <= len(fields) <= 5:
+        return None
+    *place, interface, index = fields
+    _, host, port = ["", "", "", *place][-3:]
+    number = _whole(port or str(DEFAULT_PORT), 65535)
+    at = _whole(index, 10**9)
+    if number is None or at is None or not re.fullmatch(r"[A-Za-z]\w*", interface):
+        return None
+    return Address(interface, at, number, host or LOCAL)
+
+
+def _whole(text: str, most: int) -> int | None:
+    return int(text) if _INDEX.fullmatch(text) and int(text) <= most else None
+
 
 _TYPES = frozenset({"driver"})
 _STAGE = "stage"
@@ -23,7 +56,7 @@ _ON_WHEELS = frozenset({"position2d", "position", "position3d"})
 _SERIAL = re.compile(r"(?i)/dev/\S+|COM[0-9]+|\\\\\.\\COM[0-9]+")
 
 
-class Offer(Frozen):
+class Offer(Struct, frozen=True):
     """A model of the world that programs may use, and the addresses of what it has."""
 
     model: str
@@ -36,14 +69,14 @@ class Offer(Frozen):
 
     @property
     def port(self) -> int:
-        """That of its wheels; robots are told apart by it."""
+        """The address of its wheels; it distinguishes robots."""
         return next((each.port for each in (*self._wheels(), *self.addresses)), DEFAULT_PORT)
 
     def _wheels(self) -> Iterator[Address]:
         return (each for each in self.addresses if each.interface in _ON_WHEELS)
 
 
-class Configuration(Frozen):
+class Configuration(Struct, frozen=True):
     """What a configuration file chose."""
 
     path: Path

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Mapping
 
-from sim.fittings import (
+from sim.scene import (
     Blobfinder,
     Bounds,
     Bumper,
@@ -113,8 +113,8 @@ def camera(read: ValueReader, settings: Settings) -> Camera:
 
 
 def wheels(read: ValueReader, settings: Settings) -> Wheels:
-    drive = read.choice(settings, "drive", "diff", tuple(each.value for each in Drive))
-    localization = read.choice(settings, "localization", "gps", tuple(each.value for each in Localization))
+    drive = read.one_of(settings, "drive", "diff", tuple(each.value for each in Drive))
+    localization = read.one_of(settings, "localization", "gps", tuple(each.value for each in Localization))
     origin = read.place(settings, "localization_origin") if "localization_origin" in settings else None
     return Wheels(
         Drive(drive),

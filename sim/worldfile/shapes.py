@@ -4,10 +4,8 @@ from __future__ import annotations
 
 from collections.abc import Iterable
 
-from sim.fittings import Gripper
-from sim.geometry import Point, placed
-from sim.placement import Placement
-from sim.scene import Polygon
+from sim.geometry import Placement, Point, placed
+from sim.scene import Gripper, Polygon
 from sim.worldfile.entities import Entity
 from sim.worldfile.mistakes import Code, WorldError
 from sim.worldfile.values import ValueReader

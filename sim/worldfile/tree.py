@@ -1,25 +1,25 @@
-"""What a world file says, as it was written: nothing is looked up and nothing has a meaning yet."""
+"""The syntax tree of a world file, as it was written: nothing is looked up yet."""
 
 from __future__ import annotations
 
 from typing import TypeAlias
 
-from devices.ports.values import Frozen
+from msgspec import Struct
 
 
-class Number(Frozen):
+class Number(Struct, frozen=True):
     line: int
     column: int
     value: float
 
 
-class String(Frozen):
+class String(Struct, frozen=True):
     line: int
     column: int
     text: str
 
 
-class Tuple(Frozen):
+class Tuple(Struct, frozen=True):
     line: int
     column: int
     items: tuple[Value, ...]
@@ -28,7 +28,7 @@ class Tuple(Frozen):
 Value: TypeAlias = Number | String | Tuple
 
 
-class Property(Frozen):
+class Property(Struct, frozen=True):
     """``name value``."""
 
     line: int
@@ -37,7 +37,7 @@ class Property(Frozen):
     value: Value
 
 
-class Instance(Frozen):
+class Instance(Struct, frozen=True):
     """``type ( ... )``."""
 
     line: int
@@ -46,7 +46,7 @@ class Instance(Frozen):
     body: tuple[Item, ...]
 
 
-class Define(Frozen):
+class Define(Struct, frozen=True):
     """``define name base ( ... )``."""
 
     line: int
@@ -58,7 +58,7 @@ class Define(Frozen):
     base_column: int
 
 
-class Include(Frozen):
+class Include(Struct, frozen=True):
     """``include "path"``; the place is that of the path."""
 
     line: int

@@ -1,6 +1,6 @@
-"""Each heavy library is imported by its owner only, also at run time: a static graph can't see deferral.
+"""Each heavy library is imported by its owner only, also at run time, which a static graph can't see.
 
-A fresh interpreter imports one module of ours and tells which heavy libraries came with it.
+A fresh interpreter imports modules and reports the heavy libraries that they load.
 """
 
 import pkgutil
@@ -10,6 +10,7 @@ import sys
 import pytest
 
 from tests.conftest import ROOT
+from tests.patience import PATIENCE
 
 PACKAGES = ("donnie_tui", "language", "sim", "devices", "worlds")
 
@@ -33,29 +34,51 @@ def modules() -> list[str]:
     return [each.name for each in found if each.name.split(".")[0] in PACKAGES]
 
 
-@pytest.mark.parametrize("module", modules())
-def test_a_module_brings_no_library_that_it_does_not_own(module: str) -> None:
-    loaded = libraries_loaded_by(module)
-
-    foreign = {each for each in loaded if not f"{module}.".startswith(OWNERS[each] or ("-",))}
-    assert foreign == set()
+def owned_by(module: str) -> frozenset[str]:
+    """The libraries that the module may load."""
+    return frozenset(name for name, owners in OWNERS.items() if f"{module}.".startswith(owners or ("-",)))
 
 
-def libraries_loaded_by(module: str) -> set[str]:
-    code = f"import sys, {module}; print(*sorted(sys.modules))"
+KINDS = sorted({owned_by(each) for each in modules()}, key=sorted)
+
+
+@pytest.mark.parametrize("owned", KINDS, ids=lambda each: " ".join(sorted(each)) or "none")
+def test_no_module_loads_a_library_that_it_does_not_own(owned: frozenset[str]) -> None:
+    """Those that may load the same libraries are imported in one process, which names the first offender."""
+    names = [each for each in modules() if owned_by(each) == owned]
+    foreign = " ".join(OWNERS.keys() - owned)
     done = subprocess.run(
-        [sys.executable, "-c", code], capture_output=True, text=True, cwd=ROOT, check=True, timeout=60
+        [sys.executable, "-c", WATCH_IMPORTS, foreign, *names],
+        capture_output=True,
+        text=True,
+        cwd=ROOT,
+        timeout=PATIENCE,
     )
-    return {name for name in done.stdout.split() if name in OWNERS}
+
+    assert (done.stdout, done.stderr) == ("", "")
+
+
+WATCH_IMPORTS = """
+import importlib, sys
+foreign = {*sys.argv[1].split()}
+for name in sys.argv[2:]:
+    importlib.import_module(name)
+    if loaded := foreign & {*sys.modules}:
+        sys.exit(f"{name} loads {loaded}")
+"""
 
 
 def test_every_module_can_be_imported() -> None:
-    """Found as files: a package that can't be imported hides its modules from whoever walks packages."""
+    """The modules are found as files: a broken package hides its modules from ``pkgutil``."""
     files = [each.relative_to(ROOT) for top in PACKAGES for each in (ROOT / top).rglob("*.py")]
     names = [".".join(each.with_suffix("").parts).removesuffix(".__init__") for each in files]
     wanted = sorted(each for each in names if not each.endswith("__main__"))
     done = subprocess.run(
-        [sys.executable, "-c", IMPORT_ALL, *wanted], capture_output=True, text=True, cwd=ROOT, timeout=100
+        [sys.executable, "-c", IMPORT_ALL, *wanted],
+        capture_output=True,
+        text=True,
+        cwd=ROOT,
+        timeout=PATIENCE,
     )
 
     assert (done.returncode, done.stdout, done.stderr) == (0, "", "")
@@ -71,5 +94,5 @@ for name in sys.argv[1:]:
 """
 
 
-def test_there_are_modules_to_look_at() -> None:
+def test_modules_are_found() -> None:
     assert {"donnie_tui.core.session", "language.parser", "sim.robot", "donnie_tui.tui.app"} <= set(modules())

@@ -1,13 +1,12 @@
-"""A belt in virtual time whose line and board fail at times. Whole again it shows what is wanted."""
+"""A belt in virtual time whose wire and board fail at times. After each fault it shows the right levels."""
 
 from __future__ import annotations
 
 from collections.abc import Callable
 from random import Random
 
-from devices.belt.board import BeltBoard
-from devices.belt.frame import LETTERS, MOTORS, OFF
-from devices.belt.sender import HOLD, BeltSender
+from devices.belt.protocol import HOLD, LETTERS, MOTORS, OFF, BeltSender
+from devices.board_simulator.belt import SimulatedBelt
 
 STEP = 0.01
 SHOWN_WITHIN = 0.5
@@ -29,7 +28,7 @@ def unplugged(belt: Belt, data: bytes) -> bytes:
 
 
 def restarted(belt: Belt, data: bytes) -> bytes:
-    belt.board = BeltBoard()
+    belt.board = SimulatedBelt()
     return data[belt.random.randrange(36) :]
 
 
@@ -37,11 +36,11 @@ FAULTS: tuple[Fault, ...] = (garbled, shortened, unplugged, restarted)
 
 
 class Belt:
-    """It asserts as it goes. ``live`` brings it up to a time, in seconds."""
+    """It asserts while it runs. ``live`` advances it to a time, in seconds."""
 
     def __init__(self, seed: int) -> None:
         self.random = Random(seed)
-        self.board = BeltBoard()
+        self.board = SimulatedBelt()
         self.survived: dict[str, int] = {}
         self._sender = BeltSender()
         self._now = 0.0
@@ -54,7 +53,7 @@ class Belt:
             self._next_round = self._now + self.random.uniform(1, 10)
 
     def _round(self, fault: Fault) -> None:
-        """Something is felt while the fault lasts; then its line is whole again."""
+        """It shows something during the fault; afterwards the wire is good again."""
         self._sender.show(self._levels(), self._now)
         self._pass(self.random.uniform(0.05, 3), fault)
         if fault is unplugged:
@@ -77,7 +76,7 @@ class Belt:
         while self._now < ends:
             self._now = min(ends, self._now + STEP)
             data = self._sender.next(self._now)
-            self._sender.heard(self.board.feed(fault(self, data) if fault else data, self._now))
+            self._sender.receive(self.board.feed(fault(self, data) if fault else data, self._now))
             motors = self.board.motors(self._now)
             shown = shown if motors == DARK else motors
         return shown

@@ -1,8 +1,9 @@
-"""What every robot promises, simulated or real, on a good line and on a bad one.
+"""What every robot promises, simulated or real, with a good wire and with a bad one.
 
-The same tests for the simulator, for the real robot's driver on a device path with a simulated board behind
-it (in real time), and for the driver in virtual time under each fault of line or board with which it can
-still work. Then, for each fault with which it can't: every command ends, says why, and leaves no motor on.
+The same tests run for the simulator; for the real robot's driver on a device path with a simulated board
+behind it, in real time; and for the driver in virtual time under each fault of wire or board with which it
+can still work. Then, for each fault with which it can't, every command ends, says why, and leaves no motor
+on.
 
 Tolerance between the robots: a fifth of a step, two degrees.
 """
@@ -16,14 +17,14 @@ from dataclasses import dataclass
 
 import pytest
 
-from devices.firmware_double.board import SimulatedBoard
-from devices.firmware_double.on_pty import DoubleOnPty
-from devices.firmware_double.surroundings import Switch, Walls
+from devices.board_simulator.board import SimulatedBoard
+from devices.board_simulator.floor import BumperSwitch, WalledFloor
+from devices.board_simulator.pty import PtyBoard
 from devices.ports.robot import Bearing, Motion, Pose, Robot, RobotProblem, StoppedBy
-from devices.serial_link import SerialLink
 from devices.serial_robot.config import RobotConfig
+from devices.serial_robot.link import SerialLink
 from devices.serial_robot.robot import SerialRobot
-from devices.wire.link_config import LinkConfig
+from devices.wire.link_state import LinkConfig
 from sim.world import World
 from tests.unit.devices.robots import Real, Sonars, wall_ahead
 from tests.unit.sim.floors import IDEAL, scene
@@ -37,23 +38,23 @@ IDEAL_WORLD = (
 
 
 class Pace:
-    """Waits in earnest, or not; says stop once it is told to."""
+    """Waits in real time, or not at all; says stop once ``is_stopped`` is set."""
 
     def __init__(self, waits: bool) -> None:
-        self._waits = waits
+        self.waits = waits
         self.is_stopped = threading.Event()
 
     def sleep(self, seconds: float) -> bool:
-        return not self.is_stopped.wait(seconds if self._waits else 0.0)
+        return not self.is_stopped.wait(seconds if self.waits else 0.0)
 
 
 class Progress:
     def __init__(self) -> None:
-        self.told: list[Motion] = []
+        self.reported: list[Motion] = []
         self.stops: Callable[[], None] | None = None
 
     def progressed(self, motion: Motion, pose: Pose) -> None:
-        self.told.append(motion)
+        self.reported.append(motion)
         if self.stops is not None:
             self.stops()
 
@@ -62,7 +63,7 @@ class Progress:
 
 
 @dataclass
-class Kept:
+class RobotUnderTest:
     robot: Robot
     pace: Pace
     progress: Progress
@@ -73,11 +74,11 @@ def simulator(closing: ExitStack, pace: Pace, progress: Progress) -> Robot:
 
 
 def on_a_device_path(closing: ExitStack, pace: Pace, progress: Progress) -> Robot:
-    """Patient with a busy machine; how impatient it is otherwise is tested in virtual time."""
+    """With generous limits for a busy machine; the real limits are tested in virtual time."""
     wall = wall_ahead(STEPS_TO_THE_WALL)
-    double = closing.enter_context(DoubleOnPty(SimulatedBoard(wall, boot_loader=-0.9)))
+    double = closing.enter_context(PtyBoard(SimulatedBoard(wall, boot_loader=-0.9)))
     link = SerialLink(double.path, LinkConfig(silence=10.0, lease=5.0, runaway=10.0))
-    robot = SerialRobot(link, RobotConfig(stall=10.0, settle=5.0), pace=pace, watcher=progress)
+    robot = SerialRobot(link, RobotConfig(stall=10.0, stop_timeout=5.0), pace=pace, watcher=progress)
     robot.connect()
     closing.callback(robot.close)
     return robot
@@ -88,9 +89,9 @@ def in_virtual_time(
 ) -> Callable[[ExitStack, Pace, Progress], Robot]:
     def make(closing: ExitStack, pace: Pace, progress: Progress) -> Robot:
         real = Real(wall_ahead(STEPS_TO_THE_WALL))
-        real.line.wire.noise, real.line.wire.cut = noise, cut
+        real.link.wire.noise, real.link.wire.cut = noise, cut
         bad = Tearing(pace, real.board) if torn else pace
-        real.robot._virtual._pace = bad
+        real.robot._virtual_pace._pace = bad
         real.robot._watcher = progress
         return real.robot
 
@@ -98,7 +99,7 @@ def in_virtual_time(
 
 
 class Tearing:
-    """Has an encoder frame torn at every look."""
+    """Has an encoder frame torn at every poll."""
 
     def __init__(self, pace: Pace, board: SimulatedBoard) -> None:
         self._pace, self._board = pace, board
@@ -119,140 +120,145 @@ ROBOTS = {
 
 
 @pytest.fixture(params=ROBOTS)
-def kept(request: pytest.FixtureRequest) -> Iterator[Kept]:
+def tested(request: pytest.FixtureRequest) -> Iterator[RobotUnderTest]:
     pace, progress = Pace(waits=request.param == "device-path"), Progress()
     with ExitStack() as closing:
-        yield Kept(ROBOTS[request.param](closing, pace, progress), pace, progress)
+        yield RobotUnderTest(ROBOTS[request.param](closing, pace, progress), pace, progress)
 
 
-def test_it_has_a_name_and_says_which_colours_it_tells_apart(kept: Kept) -> None:
-    assert kept.robot.name == "donnie"
-    assert isinstance(kept.robot.colours, frozenset)
+def test_it_has_a_name_and_the_colours_that_it_distinguishes(tested: RobotUnderTest) -> None:
+    assert tested.robot.name == "donnie"
+    assert isinstance(tested.robot.colours, frozenset)
 
 
-def test_forward_walks_whole_steps_the_way_it_looks(kept: Kept) -> None:
-    moved = kept.robot.forward(2)
+def test_forward_walks_whole_steps_the_way_it_looks(tested: RobotUnderTest) -> None:
+    moved = tested.robot.forward(2)
 
     assert (moved.asked, moved.walked, moved.stopped_by) == (2, 2, None)
     assert (moved.pose.x, moved.pose.y) == (pytest.approx(0, abs=0.2), pytest.approx(2, abs=0.2))
-    assert kept.progress.told == [Motion.FORWARD] * 2
+    assert tested.progress.reported == [Motion.FORWARD] * 2
 
 
-def test_backward_walks_the_other_way(kept: Kept) -> None:
-    moved = kept.robot.backward(1)
+def test_backward_walks_the_other_way(tested: RobotUnderTest) -> None:
+    moved = tested.robot.backward(1)
 
     assert (moved.walked, moved.stopped_by) == (1, None)
     assert moved.pose.y == pytest.approx(-1, abs=0.2)
-    assert kept.progress.told == [Motion.BACKWARD]
+    assert tested.progress.reported == [Motion.BACKWARD]
 
 
 @pytest.mark.parametrize(("degrees", "heading", "side"), [(45, 45, Motion.RIGHT), (-45, 315, Motion.LEFT)])
-def test_a_turn_is_positive_to_the_right(kept: Kept, degrees: int, heading: int, side: Motion) -> None:
-    turned = kept.robot.turn(degrees)
+def test_a_turn_is_positive_to_the_right(
+    tested: RobotUnderTest, degrees: int, heading: int, side: Motion
+) -> None:
+    turned = tested.robot.turn(degrees)
 
     assert (turned.asked, turned.turned, turned.stopped_by) == (degrees, degrees, None)
     assert turned.pose.heading == pytest.approx(heading, abs=2)
-    assert kept.progress.told == [side] * 5
+    assert tested.progress.reported == [side] * 5
 
 
-def test_nothing_asked_is_nothing_done(kept: Kept) -> None:
-    assert kept.robot.forward(0).stopped_by is None
-    assert kept.robot.turn(0).stopped_by is None
-    assert kept.progress.told == []
+def test_a_movement_of_nothing_takes_no_time(tested: RobotUnderTest) -> None:
+    before = tested.robot.time()
+
+    assert tested.robot.forward(0).stopped_by is None
+    assert tested.robot.turn(0).stopped_by is None
+    assert tested.progress.reported == []
+    assert tested.pace.waits or tested.robot.time() == before  # real time passes by itself
 
 
-def test_a_negative_walk_is_the_callers_mistake(kept: Kept) -> None:
+def test_a_negative_walk_is_the_callers_mistake(tested: RobotUnderTest) -> None:
     with pytest.raises(ValueError, match="negative"):
-        kept.robot.forward(-1)
+        tested.robot.forward(-1)
 
 
-def test_a_step_that_would_leave_less_than_one_free_is_not_begun(kept: Kept) -> None:
-    moved = kept.robot.forward(9)
+def test_a_step_that_would_leave_less_than_one_free_is_not_begun(tested: RobotUnderTest) -> None:
+    moved = tested.robot.forward(9)
 
     assert (moved.asked, moved.walked, moved.stopped_by) == (9, STEPS_TO_THE_WALL - 1, StoppedBy.OBSTACLE)
-    assert len(kept.progress.told) == moved.walked
+    assert len(tested.progress.reported) == moved.walked
 
 
-def test_a_sensor_tells_whole_steps_to_what_is_there(kept: Kept) -> None:
-    assert kept.robot.distance(Bearing.FRONT) in (STEPS_TO_THE_WALL - 1, STEPS_TO_THE_WALL)
-    assert kept.robot.distance(Bearing.BACK) == 60
+def test_a_sensor_measures_whole_steps(tested: RobotUnderTest) -> None:
+    assert tested.robot.distance(Bearing.FRONT) in (STEPS_TO_THE_WALL - 1, STEPS_TO_THE_WALL)
+    assert tested.robot.distance(Bearing.BACK) == 60
 
 
-def test_what_is_known_of_the_distances_is_what_the_sensors_tell(kept: Kept) -> None:
-    asked = {bearing: kept.robot.distance(bearing) for bearing in Bearing}
+def test_the_known_distances_are_those_that_the_sensors_measure(tested: RobotUnderTest) -> None:
+    asked = {bearing: tested.robot.distance(bearing) for bearing in Bearing}
 
-    known = kept.robot.known_distances()
+    known = tested.robot.known_distances()
 
     assert known.keys() == asked.keys()
     assert all(known[bearing] == pytest.approx(steps, abs=1) for bearing, steps in asked.items())
 
 
-def test_who_looks_at_the_distances_hinders_no_command(kept: Kept) -> None:
-    """A halt that came before counts as well."""
+def test_asking_for_the_known_distances_disturbs_no_command(tested: RobotUnderTest) -> None:
+    """A halt that came just before counts as well."""
 
     def halt_and_look() -> None:
-        kept.robot.halt()
-        kept.robot.known_distances()
+        tested.robot.halt()
+        tested.robot.known_distances()
 
-    kept.progress.stops = halt_and_look
+    tested.progress.stops = halt_and_look
 
-    assert kept.robot.forward(9).stopped_by is StoppedBy.USER
-
-
-def test_waiting_takes_the_robots_time(kept: Kept) -> None:
-    before = kept.robot.time()
-
-    assert kept.robot.wait(0.5) is True
-    assert kept.robot.time() - before >= 0.5 - 1e-9
+    assert tested.robot.forward(9).stopped_by is StoppedBy.USER
 
 
-def test_a_stop_ends_a_walk_after_the_step_at_which_it_came(kept: Kept) -> None:
-    kept.progress.stops = kept.pace.is_stopped.set
+def test_waiting_takes_the_robots_time(tested: RobotUnderTest) -> None:
+    before = tested.robot.time()
 
-    moved = kept.robot.forward(9)
+    assert tested.robot.wait(0.5) is True
+    assert tested.robot.time() - before >= 0.5 - 1e-9
+
+
+def test_a_stop_ends_a_walk_after_the_step_at_which_it_came(tested: RobotUnderTest) -> None:
+    tested.progress.stops = tested.pace.is_stopped.set
+
+    moved = tested.robot.forward(9)
 
     assert moved.stopped_by is StoppedBy.USER
     assert moved.walked == 1
 
 
-def test_a_stop_ends_a_wait(kept: Kept) -> None:
-    kept.pace.is_stopped.set()
+def test_a_stop_ends_a_wait(tested: RobotUnderTest) -> None:
+    tested.pace.is_stopped.set()
 
-    assert kept.robot.wait(1000.0) is False
+    assert tested.robot.wait(1000.0) is False
 
 
-def test_a_halt_from_another_thread_ends_a_walk(kept: Kept) -> None:
+def test_a_halt_from_another_thread_ends_a_walk(tested: RobotUnderTest) -> None:
     def halt() -> None:
-        halting = threading.Thread(target=kept.robot.halt)
+        halting = threading.Thread(target=tested.robot.halt)
         halting.start()
         halting.join()
 
-    kept.progress.stops = halt
+    tested.progress.stops = halt
 
-    assert kept.robot.forward(9).stopped_by is StoppedBy.USER
+    assert tested.robot.forward(9).stopped_by is StoppedBy.USER
 
 
-def test_a_halt_never_raises_and_hinders_no_later_command(kept: Kept) -> None:
+def test_a_halt_never_raises_and_ends_no_later_command(tested: RobotUnderTest) -> None:
     for _ in range(3):
-        kept.robot.halt()
+        tested.robot.halt()
 
-    assert kept.robot.forward(1).stopped_by is None
+    assert tested.robot.forward(1).stopped_by is None
 
 
-def test_a_scan_goes_from_left_to_right(kept: Kept) -> None:
-    if isinstance(kept.robot, SerialRobot):
-        kept.robot._config = type(kept.robot._config)(head_pause=0.25, head_stride=45)
+def test_a_scan_goes_from_left_to_right(tested: RobotUnderTest) -> None:
+    if isinstance(tested.robot, SerialRobot):
+        tested.robot._config = type(tested.robot._config)(head_pause=0.25, head_stride=45)
 
-    seen = kept.robot.scan()
+    seen = tested.robot.scan()
 
     assert [each.degrees for each in seen] == sorted(each.degrees for each in seen)
     assert any(abs(each.degrees) <= 15 for each in seen)
 
 
-# --- faults with which it can't work
+# --- faults with which the driver can't work
 
-WALL = Walls([(-9, 0.15, 9, 0.15)], radius=0.08)
-"""So near that the robot touches it, for whom the sonars are blind."""
+WALL = WalledFloor([(-9, 0.15, 9, 0.15)], radius=0.08)
+"""So near that the robot touches it, and too near for the sonars."""
 
 
 def mute(real: Real) -> None:
@@ -260,7 +266,7 @@ def mute(real: Real) -> None:
 
 
 def unplugged(real: Real) -> None:
-    real.line.is_plugged = False
+    real.link.is_plugged = False
 
 
 def restarted(real: Real) -> None:
@@ -272,17 +278,17 @@ def stuck(real: Real) -> None:
 
 
 def deaf(real: Real) -> None:
-    real.line.wire.cut = 1.0
+    real.link.wire.cut = 1.0
 
 
 def full(real: Real) -> None:
-    real.line.is_blocked = True
+    real.link.is_blocked = True
 
 
 def bumped(real: Real) -> None:
-    sonars = real.board.surroundings
+    sonars = real.board.floor
     assert isinstance(sonars, Sonars)
-    sonars.pressed = frozenset({Switch.NE, Switch.NW})
+    sonars.pressed = frozenset({BumperSwitch.NE, BumperSwitch.NW})
 
 
 FAULTS = {
@@ -307,30 +313,30 @@ def test_each_fault_ends_a_movement_with_its_reason_and_no_motor_stays_on(
 
     assert getattr(done, "stopped_by", None) is reason
     assert real.robot.time() < 4.0
-    real.line.advance(3.0 if fault is not full else 0.0)
-    real.line.is_blocked = False
-    real.line.advance(2.0)
+    real.link.advance(3.0 if fault is not full else 0.0)
+    real.link.is_blocked = False
+    real.link.advance(2.0)
     assert fault is unplugged or not real.board.is_driving
 
 
 def test_an_unplugged_robot_drives_on_only_until_it_is_plugged_in_again() -> None:
-    """Nobody can stop it before: its line is what was taken away."""
+    """Until then it can't be stopped: its connection is gone."""
     real = Real(Sonars())
     real.pace.due = [(1.5, lambda: unplugged(real))]
     real.robot.forward(50)
-    real.line.is_plugged = True
+    real.link.is_plugged = True
 
-    real.line.advance(4.0)
+    real.link.advance(4.0)
 
     assert not real.board.is_driving
 
 
-def test_a_board_that_hears_nothing_any_more_is_stopped_by_force() -> None:
+def test_a_board_that_receives_nothing_is_stopped_by_force() -> None:
     real = Real(Sonars(), stops_at=1.5)
     real.pace.due = [(1.0, lambda: deaf(real))]
 
     assert real.robot.forward(50).stopped_by is StoppedBy.USER
-    real.line.advance(2.0)
+    real.link.advance(2.0)
     assert not real.board.is_driving
 
 
@@ -346,13 +352,13 @@ def test_a_wall_that_no_sonar_sees_is_a_collision() -> None:
 
 
 @pytest.mark.parametrize("fault", [mute, unplugged, full], ids=lambda it: it.__name__)
-def test_while_the_line_is_lost_every_command_says_so(fault: Callable[[Real], None]) -> None:
+def test_while_the_link_is_lost_every_command_fails(fault: Callable[[Real], None]) -> None:
     real = Real(Sonars())
     fault(real)
-    real.line.advance(1.5)
+    real.link.advance(1.5)
 
     for command in (real.robot.scan, lambda: real.robot.forward(1), lambda: real.robot.turn(9)):
-        with pytest.raises(RobotProblem) as told:
+        with pytest.raises(RobotProblem) as caught:
             command()
-        assert told.value.code == "link-lost"
+        assert caught.value.code == "link-lost"
     real.robot.halt()

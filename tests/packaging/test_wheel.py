@@ -8,7 +8,11 @@ from pathlib import Path
 
 import pytest
 
+from language.locales import languages
 from tests.conftest import ROOT
+from tests.patience import PATIENCE
+
+pytestmark = pytest.mark.slow
 
 ROOTS = {"donnie_tui", "language", "sim", "devices", "worlds"}
 
@@ -17,7 +21,7 @@ ROOTS = {"donnie_tui", "language", "sim", "devices", "worlds"}
 def wheel(tmp_path_factory: pytest.TempPathFactory) -> Path:
     folder = tmp_path_factory.mktemp("wheel")
     command = [sys.executable, "-m", "build", "--wheel", "--no-isolation", "--outdir", str(folder), str(ROOT)]
-    subprocess.run(command, check=True, capture_output=True, timeout=110)
+    subprocess.run(command, check=True, capture_output=True, timeout=PATIENCE)
     return next(folder.glob("donnie_tui-*.whl"))
 
 
@@ -32,7 +36,23 @@ def test_every_data_file_of_the_packages_is_in_the_wheel(wheel: Path) -> None:
         ["git", "ls-files", *ROOTS], cwd=ROOT, check=True, capture_output=True, text=True
     )
 
-    assert set(tracked.stdout.split()) <= set(zipfile.ZipFile(wheel).namelist())
+    edited = {
+        name for name in tracked.stdout.split() if name.endswith((".po", ".toml")) and "/locales/" in name
+    }
+    assert set(tracked.stdout.split()) - edited <= set(zipfile.ZipFile(wheel).namelist())
+
+
+@pytest.mark.parametrize("language", languages())
+def test_the_wheel_has_what_is_compiled_of_each_language_and_not_what_translators_edit(
+    wheel: Path, language: str
+) -> None:
+    folder = f"donnie_tui/i18n/locales/{language}/"
+    names = {
+        each.removeprefix(folder) for each in zipfile.ZipFile(wheel).namelist() if each.startswith(folder)
+    }
+
+    compiled = ("messages.mo", "start.txt", "keywords.json", "commands.json")
+    assert names == {f"compiled/{each}" for each in compiled}
 
 
 def test_the_three_commands_are_installed(wheel: Path) -> None:
@@ -57,7 +77,7 @@ def test_what_is_installed_from_the_wheel_runs_a_program(wheel: Path, tmp_path: 
         capture_output=True,
         text=True,
         cwd=tmp_path,
-        timeout=60,
+        timeout=PATIENCE,
     )
 
     assert done.stdout.splitlines() == ["I walked 3 steps forward.", "3"], done.stderr

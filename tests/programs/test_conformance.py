@@ -1,7 +1,7 @@
-"""The conformance corpus agrees, program by program, run without a process of its own for each.
+"""Each program of the conformance corpus has its expected outcome, without a process for each.
 
-What the corpus expects, the floor that it makes and how it compares are its runner's own; only the run is
-replaced. The few programs that need the terminal are typed into the real command.
+The corpus's own runner reads the expectations, makes the floors and compares; only the run is replaced. The
+few programs that need the terminal are typed into the real command.
 """
 
 from __future__ import annotations
@@ -17,7 +17,7 @@ from typing import Any
 import pytest
 
 from donnie_tui.bootstrap import assemble
-from donnie_tui.settings.chosen import Settings
+from donnie_tui.settings.settings import Settings
 from tests.patience import PATIENCE
 
 COMMAND = [sys.executable, "-m", "donnie_tui"]
@@ -34,7 +34,7 @@ def runner(shared: Path) -> ModuleType:
     return module
 
 
-def test_every_program_of_the_corpus_has_the_outcome_that_it_must_have(
+def test_every_program_of_the_corpus_has_its_expected_outcome(
     runner: ModuleType, shared: Path, tmp_path: Path
 ) -> None:
     programs = sorted((shared / "corpus").glob("*.gd"))
@@ -59,7 +59,7 @@ _NO_PROCESS = SimpleNamespace(returncode=0, stderr="")
 
 
 def _events_of(program: Path, world: str, language: str, folder: Path) -> list[dict[str, Any]]:
-    """What ``donnie run --events -`` writes."""
+    """The output of ``donnie run --events -``."""
     file, out = folder / f"{program.stem}.world", io.StringIO()
     file.write_text(world, encoding="utf-8")
     settings = Settings(world=str(file), language=language, speed=None, speech="off", sound=False, events="-")

@@ -1,8 +1,8 @@
-"""Each program beside this file does what the ``.told`` beside it says, to the word.
+"""Each program in the folders here prints exactly the text of its ``.output`` file.
 
-A program stands in the folder of its language; ``-- world: NAME`` in its first line gives it a world.
-The last line of ``.told`` is the outcome and the pose. After a change that is wanted, read the difference
-and write the files anew with ``DONNIE_ACCEPT=1 pytest tests/programs``.
+A program is in the folder of its language; ``-- world: NAME`` in its first line selects its world.
+The last line of ``.output`` is the outcome and the pose. After an intended change, read the difference
+and write the files again with ``DONNIE_ACCEPT=1 pytest tests/programs``.
 """
 
 import os
@@ -14,15 +14,15 @@ import pytest
 from donnie_tui.bootstrap import assemble
 from donnie_tui.core.events import Event, RunEnded
 from donnie_tui.core.transcript import lines_of
-from donnie_tui.settings.chosen import Settings
+from donnie_tui.settings.settings import Settings
 from tests.patience import PATIENCE
 
 FOLDER = Path(__file__).parent
 PROGRAMS = sorted(FOLDER.glob("*/*.gd"))
 
 
-def told_by(program: Path) -> str:
-    """What a run prints, and how it ended."""
+def output_of(program: Path) -> str:
+    """The printed lines of a run, and its end."""
     text = program.read_text(encoding="utf-8")
     world = re.match(r"-- world: (\w+)", text)
     settings = Settings(
@@ -54,25 +54,25 @@ def ending(event: Event) -> str:
 
 
 @pytest.mark.parametrize("program", PROGRAMS, ids=[f"{each.parent.name}/{each.stem}" for each in PROGRAMS])
-def test_a_program_does_what_is_written_beside_it(program: Path) -> None:
-    expected = program.with_suffix(".told")
-    told = told_by(program)
+def test_a_program_prints_its_expected_output(program: Path) -> None:
+    expected = program.with_suffix(".output")
+    output = output_of(program)
     if os.environ.get("DONNIE_ACCEPT"):
-        expected.write_text(told, encoding="utf-8")
+        expected.write_text(output, encoding="utf-8")
 
-    assert told == expected.read_text(encoding="utf-8")
+    assert output == expected.read_text(encoding="utf-8")
 
 
-def test_no_expectation_is_left_over() -> None:
-    told = {each.with_suffix("") for each in FOLDER.glob("*/*.told")}
+def test_every_expected_output_has_its_program() -> None:
+    output = {each.with_suffix("") for each in FOLDER.glob("*/*.output")}
 
-    assert told == {each.with_suffix("") for each in PROGRAMS}
+    assert output == {each.with_suffix("") for each in PROGRAMS}
 
 
 @pytest.mark.parametrize("language", ["pt", "es"])
 def test_a_square_is_the_same_in_every_language(language: str) -> None:
     name = {"pt": "quadrado", "es": "cuadrado"}[language]
 
-    told = told_by(FOLDER / language / f"{name}.gd").splitlines()
+    output = output_of(FOLDER / language / f"{name}.gd").splitlines()
 
-    assert told[-1] == "(completed: 0 0 0)"
+    assert output[-1] == "(completed: 0 0 0)"

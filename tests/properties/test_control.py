@@ -1,4 +1,4 @@
-"""The control keeps its rules whatever is asked, in whatever order, from however many threads."""
+"""The control keeps its rules for any requests, in any order, from any number of threads."""
 
 from __future__ import annotations
 
@@ -18,6 +18,7 @@ from hypothesis.stateful import (
 
 from language.control import ControlState, ExecutionControl
 from language.diagnostics import Stopped
+from tests.effort import examples
 from tests.patience import PATIENCE
 
 WILL_HOLD = {
@@ -30,7 +31,7 @@ OVER = {ControlState.STOPPING, ControlState.ENDED}
 
 
 class Program:
-    """A thread that does one thing at a time when it is told to, and may be held in it."""
+    """A thread that runs one order at a time and may be held in it."""
 
     def __init__(self) -> None:
         self._orders: list[Callable[[], object]] = []
@@ -60,12 +61,12 @@ class Program:
                 self.is_idle = True
                 self._changed.notify_all()
 
-    def settle(self) -> None:
-        """Wait until the program is idle, or is told to be held in what it does."""
+    def wait(self) -> None:
+        """Wait until the program is idle or held."""
         with self._changed:
             assert self._changed.wait_for(lambda: self.is_idle or self.is_held, PATIENCE)
 
-    def told(self, state: ControlState) -> None:
+    def on_state(self, state: ControlState) -> None:
         with self._changed:
             self.is_held = state is ControlState.PAUSED
             self._changed.notify_all()
@@ -76,22 +77,22 @@ class Program:
 
 
 class ControlMachine(RuleBasedStateMachine):
-    """One program, and people who ask for everything. ``expected`` is what the rules say."""
+    """One program, and every possible request. ``expected`` is the state by the rules."""
 
     @initialize()
     def begin(self) -> None:
         self.control = ExecutionControl()
-        self.told: list[ControlState] = []
-        self.control.observe(self.told.append)
+        self.observed: list[ControlState] = []
+        self.control.observe(self.observed.append)
         self.program = Program()
-        self.control.observe(self.program.told)
+        self.control.observe(self.program.on_state)
         self.expected = ControlState.RUNNING
         self.line = 0
         self.over_depth = 0.0
         self.depth = float("inf")
 
-    def asked(self, after: ControlState) -> None:
-        """Somebody asked for something while nothing else happened."""
+    def requested(self, after: ControlState) -> None:
+        """A request was made, and nothing else happened."""
         was_held = self.expected is ControlState.PAUSED
         if self.expected not in OVER:
             self.expected = after
@@ -102,17 +103,17 @@ class ControlMachine(RuleBasedStateMachine):
     def pause(self) -> None:
         self.control.pause()
         if self.expected is not ControlState.PAUSED:
-            self.asked(ControlState.PAUSING)
+            self.requested(ControlState.PAUSING)
 
     @rule()
     def resume(self) -> None:
         self.control.resume()
-        self.asked(ControlState.RUNNING)
+        self.requested(ControlState.RUNNING)
 
     @rule()
     def step(self) -> None:
         self.control.step()
-        self.asked(ControlState.STEPPING)
+        self.requested(ControlState.STEPPING)
 
     @rule()
     def step_over(self) -> None:
@@ -121,18 +122,18 @@ class ControlMachine(RuleBasedStateMachine):
         elif self.expected is not ControlState.STEPPING_OVER:
             self.over_depth = float("inf")
         self.control.step_over()
-        self.asked(ControlState.STEPPING_OVER)
+        self.requested(ControlState.STEPPING_OVER)
 
     @rule(line=st.integers(1, 3))
     def run_to(self, line: int) -> None:
         self.control.run_to(line)
         self.line = line
-        self.asked(ControlState.RUNNING_TO)
+        self.requested(ControlState.RUNNING_TO)
 
     @rule()
     def stop(self) -> None:
         self.control.stop()
-        self.asked(ControlState.STOPPING)
+        self.requested(ControlState.STOPPING)
 
     @precondition(lambda self: self.program.is_idle)
     @rule()
@@ -145,7 +146,7 @@ class ControlMachine(RuleBasedStateMachine):
     def reach(self, line: int, depth: int) -> None:
         self.program.stopped = False
         self.program.do(lambda: self.control.reached(line, depth))
-        self.program.settle()
+        self.program.wait()
         assert self.program.stopped == (self.expected is ControlState.STOPPING)
         if self.holds(line, depth):
             self.expected, self.depth = ControlState.PAUSED, depth
@@ -155,7 +156,7 @@ class ControlMachine(RuleBasedStateMachine):
     def sleep(self) -> None:
         answers: list[bool] = []
         self.program.do(lambda: answers.append(self.control.sleep(0)))
-        self.program.settle()
+        self.program.wait()
         if self.expected is ControlState.PAUSING:
             self.expected, self.depth = ControlState.PAUSED, float("inf")
         else:
@@ -171,7 +172,7 @@ class ControlMachine(RuleBasedStateMachine):
                 return state in WILL_HOLD
 
     @invariant()
-    def the_state_is_what_the_rules_say(self) -> None:
+    def the_state_follows_the_rules(self) -> None:
         assert self.control.state is self.expected
 
     @invariant()
@@ -179,19 +180,19 @@ class ControlMachine(RuleBasedStateMachine):
         assert self.program.is_idle == (self.expected is not ControlState.PAUSED)
 
     @invariant()
-    def pauses_are_told_and_so_are_their_ends(self) -> None:
-        assert all(state is ControlState.PAUSED for state in self.told[::2])
-        assert all(state is not ControlState.PAUSED for state in self.told[1::2])
-        assert (len(self.told) % 2 == 1) == (self.expected is ControlState.PAUSED)
+    def observers_are_notified_of_each_pause_and_its_end(self) -> None:
+        assert all(state is ControlState.PAUSED for state in self.observed[::2])
+        assert all(state is not ControlState.PAUSED for state in self.observed[1::2])
+        assert (len(self.observed) % 2 == 1) == (self.expected is ControlState.PAUSED)
 
     def teardown(self) -> None:
         self.control.stop()
         assert self.program.becomes_idle()
 
 
-def test_one_request_after_the_other_does_what_the_rules_say() -> None:
+def test_requests_one_after_the_other_follow_the_rules() -> None:
     run_state_machine_as_test(
-        ControlMachine, settings=settings(max_examples=80, stateful_step_count=30, deadline=None)
+        ControlMachine, settings=settings(max_examples=examples(80), stateful_step_count=30)
     )
 
 
@@ -204,13 +205,13 @@ REQUESTS: list[Callable[[ExecutionControl], None]] = [
 ]
 
 
-@settings(max_examples=60, deadline=None)
+@settings(max_examples=examples(60))
 @given(st.lists(st.lists(st.sampled_from(REQUESTS), max_size=20), min_size=1, max_size=4))
-def test_whatever_many_threads_ask_a_stop_ends_the_program(
-    asked: list[list[Callable[[ExecutionControl], None]]],
+def test_a_stop_ends_the_program_after_requests_from_many_threads(
+    requests: list[list[Callable[[ExecutionControl], None]]],
 ) -> None:
-    control, told = ExecutionControl(), []
-    control.observe(told.append)
+    control, observed = ExecutionControl(), []
+    control.observe(observed.append)
 
     def work() -> None:
         line = 0
@@ -222,7 +223,9 @@ def test_whatever_many_threads_ask_a_stop_ends_the_program(
             pass
         control.ended()
 
-    threads = [threading.Thread(target=lambda each=each: [ask(control) for ask in each]) for each in asked]
+    threads = [
+        threading.Thread(target=lambda each=each: [request(control) for request in each]) for each in requests
+    ]
     program = threading.Thread(target=work)
     program.start()
     for thread in threads:
@@ -234,4 +237,4 @@ def test_whatever_many_threads_ask_a_stop_ends_the_program(
 
     assert not any(thread.is_alive() for thread in [*threads, program])
     assert control.state is ControlState.ENDED
-    assert 2 * told.count(ControlState.PAUSED) == len(told)
+    assert 2 * observed.count(ControlState.PAUSED) == len(observed)

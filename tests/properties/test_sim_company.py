@@ -1,4 +1,4 @@
-"""What holds for several robots in one world, whatever stands around and whatever they do."""
+"""Properties of several robots in one world with any things and any programs."""
 
 from itertools import combinations
 from math import hypot
@@ -13,6 +13,7 @@ from sim.ground import Ground
 from sim.motion import Mover
 from sim.robot import SimulatedRobot
 from sim.scene import Scene
+from tests.effort import examples
 from tests.properties.test_sim_motion import ROBOTS, SENSOR, Thing, commands, things
 from tests.unit.sim.company import Company, Program
 from tests.unit.sim.floors import scene
@@ -26,7 +27,7 @@ strolls = commands.map(lambda program: [(c, n if c == "t" else n % 16) for c, n 
 
 
 def several(kind: dict[str, str], around: list[Thing], yaw: int, pushable: bool, mounted: str = "") -> Scene:
-    """A floor with robots of these kinds; what stands too near to one of them is left out."""
+    """A floor with robots of these kinds, without the things that stand too near to one of them."""
     text = SENSOR + "".join(ROBOTS[each].replace("define it", f"define {each}") + "\n" for each in ROBOTS)
     for turn, (name, model) in enumerate(kind.items()):
         x, y = PLACES[name]
@@ -59,7 +60,7 @@ def doing(program: Commands, note: Program | None = None) -> Program:
 
 
 def nothing_overlaps(it: Scene, ground: Ground, bodies: dict[str, Mover]) -> bool:
-    """Of robots and things that may move, none reaches into another or into what stands still."""
+    """No robot or movable thing overlaps with another one or with a fixed thing."""
     solid: dict[int, list[tuple[tuple[float, float], ...]]] = {}
     for root in ground.movable:
         name, now = it.models[root].name, ground.place(root)
@@ -74,7 +75,7 @@ def nothing_overlaps(it: Scene, ground: Ground, bodies: dict[str, Mover]) -> boo
     return not any(overlapping(a, b) for a, b in pairs)
 
 
-@settings(max_examples=40, deadline=None)
+@settings(max_examples=examples(40))
 @given(
     st.tuples(kinds, kinds, kinds),
     things,
@@ -82,7 +83,7 @@ def nothing_overlaps(it: Scene, ground: Ground, bodies: dict[str, Mover]) -> boo
     st.booleans(),
     st.lists(strolls, min_size=3, max_size=3),
 )
-def test_nothing_ever_reaches_into_anything(
+def test_robots_and_things_never_overlap(
     kind: tuple[str, ...], around: list[Thing], yaw: int, pushable: bool, programs: list[Commands]
 ) -> None:
     it = several(dict(zip(PLACES, kind, strict=True)), around, yaw, pushable)
@@ -96,15 +97,15 @@ def test_nothing_ever_reaches_into_anything(
     company.run({name: doing(program, check) for name, program in zip(PLACES, programs, strict=True)})
 
 
-@settings(max_examples=40, deadline=None)
+@settings(max_examples=examples(40))
 @given(kinds, wheels, things, st.integers(0, 359), st.booleans(), strolls)
-def test_where_one_moves_ticks_and_one_sweep_come_to_the_same(
+def test_ticks_and_one_sweep_give_the_same_where_one_robot_moves(
     kind: str, mounted: str, around: list[Thing], yaw: int, pushable: bool, program: Commands
 ) -> None:
     it = several({"alice": kind, "bob": "octagon"}, around, yaw, pushable, mounted)
 
     def run(disturbed: bool) -> tuple[list[object], list[float]]:
-        """What happened, exactly, and all the numbers of where and when."""
+        """The exact events, and all numbers of places and times."""
         whats, wheres, over = list[object](), list[float](), list[bool]()
         company = Company(it)
 
@@ -137,7 +138,7 @@ def _numbers(pose: Pose) -> tuple[float, float, float]:
     return pose.x, pose.y, pose.heading
 
 
-@settings(max_examples=25, deadline=None)
+@settings(max_examples=examples(25))
 @given(st.tuples(kinds, kinds), things, st.integers(0, 359), strolls, strolls)
 def test_the_same_programs_give_the_same_run(
     kind: tuple[str, str], around: list[Thing], yaw: int, first: Commands, second: Commands

@@ -1,4 +1,4 @@
-"""What holds for every walk and every turn, whatever stands around."""
+"""Properties of every walk and every turn among any things."""
 
 from math import cos, hypot, radians, sin
 
@@ -6,14 +6,13 @@ from hypothesis import example, given, settings
 from hypothesis import strategies as st
 
 from devices.ports.robot import STEP, Bearing, StoppedBy
-from sim.geometry import overlapping, placed
+from sim.geometry import Spot, overlapping, placed
 from sim.ground import Ground
-from sim.motion import Mover
+from sim.motion import Mover, Surroundings
 from sim.parts import body_of
-from sim.physics import Surroundings
-from sim.placement import Spot
 from sim.scene import Scene
 from sim.world import World
+from tests.effort import examples
 from tests.unit.sim.floors import Unpaced, scene
 
 ROBOTS = {
@@ -65,7 +64,7 @@ def world(kind: str, around: list[Thing], yaw: int) -> Scene:
     return scene(SENSOR + ROBOTS[kind] + "\n".join(lines))
 
 
-@settings(max_examples=120, deadline=None)
+@settings(max_examples=examples(120))
 @example("octagon", [(-0.735, 0, 0.05, 0.6, 287)], 182, STOPPED_A_HAIR_SHORT)
 @given(st.sampled_from(sorted(ROBOTS)), things, st.integers(0, 359), commands)
 def test_a_robot_is_never_inside_a_thing(
@@ -94,7 +93,7 @@ def test_a_robot_is_never_inside_a_thing(
         assert not any(overlapping(mine, part.points) for mine in bodies for part in parts)
 
 
-@settings(max_examples=150, deadline=None)
+@settings(max_examples=examples(150))
 @given(
     st.sampled_from(sorted(ROBOTS)),
     things,
@@ -102,7 +101,7 @@ def test_a_robot_is_never_inside_a_thing(
     st.integers(0, 80),
     st.sampled_from([Bearing.FRONT, Bearing.BACK]),
 )
-def test_a_walk_at_once_and_one_looked_at_step_by_step_are_the_same(
+def test_a_walk_at_once_equals_a_walk_observed_step_by_step(
     kind: str, around: list[Thing], yaw: int, steps: int, bearing: Bearing
 ) -> None:
     it = world(kind, around, yaw)
@@ -112,11 +111,9 @@ def test_a_walk_at_once_and_one_looked_at_step_by_step_are_the_same(
     assert mover.walk(start, bearing, steps) == mover.walk(start, bearing, steps, careful=True)
 
 
-@settings(max_examples=80, deadline=None)
+@settings(max_examples=examples(80))
 @given(st.integers(0, 359), st.floats(0.3, 2.5), st.integers(-60, 60), st.integers(1, 100))
-def test_nothing_is_tunnelled_however_thin_the_wall_and_long_the_walk(
-    yaw: int, away: float, slant: int, steps: int
-) -> None:
+def test_no_robot_passes_a_thin_wall_on_a_long_walk(yaw: int, away: float, slant: int, steps: int) -> None:
     """A wall thinner than a hair, across the way: the robot ends on its own side of it."""
     x, y = away * cos(radians(yaw)), away * sin(radians(yaw))
     wall = f"model( size [ 0.0001 20 1 ] pose [ {x} {y} 0 {yaw + slant} ] )"
@@ -132,7 +129,7 @@ def test_nothing_is_tunnelled_however_thin_the_wall_and_long_the_walk(
         assert moved.stopped_by is StoppedBy.COLLISION
 
 
-@settings(max_examples=40, deadline=None)
+@settings(max_examples=examples(40))
 @given(things, st.integers(0, 359), commands)
 def test_the_same_commands_give_the_same_answers(
     around: list[Thing], yaw: int, program: list[tuple[str, int]]

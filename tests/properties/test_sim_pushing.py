@@ -1,4 +1,4 @@
-"""What a robot pushes lies in its way, or in the way of what it pushes: nothing beside the way is moved."""
+"""A robot pushes only things in its way, or in the way of pushed things."""
 
 from collections.abc import Iterable
 
@@ -9,6 +9,7 @@ from sim.geometry import seen_from
 from sim.ground import Ground
 from sim.motion import Mover
 from sim.world import World
+from tests.effort import examples
 from tests.properties.test_sim_motion import ROBOTS, SENSOR
 from tests.unit.sim.floors import STEP, Unpaced, scene
 
@@ -44,12 +45,12 @@ def meet(one: Way, other: Way) -> bool:
     return one[0] < other[1] - HAIR and other[0] < one[1] - HAIR
 
 
-@settings(max_examples=60, deadline=None)
+@settings(max_examples=examples(60))
 @example("octagon", [(-4, 0)], [("t", 90), ("t", 90), ("f", 15), ("t", -90), ("f", 5)])
 @example("octagon", [(4, 0)], [("f", 15), ("t", 90), ("f", 5), ("b", 9)])
 @example("long", [(4, 0), (4, 1), (4, -1), (3, 1)], [("f", 20)])
 @given(st.sampled_from(sorted(ROBOTS)), places, programs)
-def test_only_what_is_in_the_way_is_pushed(kind: str, boxes: list[tuple[int, int]], program: Program) -> None:
+def test_only_things_in_the_way_are_pushed(kind: str, boxes: list[tuple[int, int]], program: Program) -> None:
     lines = (
         f"model( size [ {SIDE} {SIDE} 1 ] pose [ {x * SIDE} {y * SIDE} 0 0 ] pushable 1 )" for x, y in boxes
     )

@@ -3,8 +3,7 @@
 from hypothesis import given
 from hypothesis import strategies as st
 
-from sim.geometry import Point, overlapping
-from sim.raster import Raster, covered
+from sim.geometry import Point, Raster, covered, overlapping
 
 RASTER = Raster(-3, -2, 2, 6, 5)
 places = st.tuples(st.floats(-6, 12, allow_subnormal=False), st.floats(-6, 10, allow_subnormal=False))
@@ -31,7 +30,7 @@ def cells(outline: tuple[Point, ...], half: float) -> set[tuple[int, int]]:
 
 
 @given(st.lists(places, min_size=3, max_size=7, unique=True), st.floats(0.4, 1.0))
-def test_any_polygon_covers_what_overlaps_with_it(points: list[Point], half: float) -> None:
+def test_a_polygon_covers_exactly_the_squares_that_overlap_with_it(points: list[Point], half: float) -> None:
     """Squares a hair smaller are all found, and of squares a hair larger no others."""
     outline = tuple(points)
 

@@ -1,4 +1,4 @@
-"""No robot at any allowed speed, heading or wall thickness passes a wall: alone or in company, any drive."""
+"""No robot passes a wall, at any speed, heading, wall thickness or drive, alone or with others."""
 
 from math import cos, radians, sin
 
@@ -11,6 +11,7 @@ from sim.geometry import overlapping, placed
 from sim.parts import body_of
 from sim.robot import SimulatedRobot
 from sim.scene import Scene
+from tests.effort import examples
 from tests.properties.test_sim_motion import ROBOTS, SENSOR
 from tests.unit.sim.company import Company
 from tests.unit.sim.floors import scene
@@ -41,7 +42,7 @@ programs = st.lists(
 
 
 class Bounded:
-    """A pace that ends what doesn't end: the longest of these programs is asked some thousand times."""
+    """A pace that stops an endless program. The longest of these programs calls it some thousand times."""
 
     def __init__(self) -> None:
         self._left = 10_000
@@ -80,7 +81,7 @@ def stays_on_its_side(it: Scene, company: Company, robot: SimulatedRobot) -> Non
     assert not any(overlapping(body, outline) for body in bodies for outline in wall.outlines())
 
 
-@settings(max_examples=25, deadline=None)
+@settings(max_examples=examples(25))
 @given(
     st.sampled_from(sorted(ROBOTS)),
     st.tuples(drives, bounds).map(" ".join),
@@ -91,7 +92,7 @@ def stays_on_its_side(it: Scene, company: Company, robot: SimulatedRobot) -> Non
     paces,
     st.tuples(programs, st.one_of(st.none(), programs)),
 )
-def test_nobody_passes_a_wall(
+def test_no_robot_passes_a_wall(
     kind: str,
     wheels: str,
     yaw: int,
@@ -122,7 +123,7 @@ def test_nobody_passes_a_wall(
 
 
 def test_a_robot_that_drives_straight_at_a_wall_stops_at_it_forward_and_backward() -> None:
-    """So that the property is not held by robots that never come there."""
+    """Without this the property could hold because no robot reaches the wall."""
     for thickness in (0.00001, 0.3):
         for turned, command in ((0, "forward"), (180, "backward")):
             it = hall("octagon", 'drive "diff"', 0, 1.0, 0, thickness)
@@ -134,10 +135,8 @@ def test_a_robot_that_drives_straight_at_a_wall_stops_at_it_forward_and_backward
 
 @pytest.mark.parametrize("thickness", [0.00001, 0.3])
 @pytest.mark.parametrize("wheels", ["", "acceleration_bounds [ -0.02 0.05 0 0 0 0 -90 90 ]"])
-def test_robots_that_feel_nothing_bump_into_the_wall_and_into_each_other(
-    thickness: float, wheels: str
-) -> None:
-    """In company each goes in ticks; neither has a sensor that way, so that only its body stops it."""
+def test_robots_without_sensors_bump_into_the_wall_and_into_each_other(thickness: float, wheels: str) -> None:
+    """Both move in ticks and have no sensor in that direction, so that only their bodies stop them."""
     it = hall("long", wheels, 0, 0.4, 0, thickness)
     company, paces = Company(it), {name: Bounded() for name in PLACES}
     ends = dict[str, object]()

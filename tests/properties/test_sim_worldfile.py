@@ -1,4 +1,4 @@
-"""Whatever stands in a world file: it loads, or it is a mistake with a place in the text. Nothing else."""
+"""Any world file loads or is a mistake with a place in the text."""
 
 from pathlib import Path
 
@@ -7,6 +7,7 @@ from hypothesis import strategies as st
 
 import worlds
 from sim.worldfile import WorldError, load_text
+from tests.effort import examples
 
 TEXT = """
 model position ranger sensor blobfinder block window define include pose size origin color bitmap boundary
@@ -29,19 +30,19 @@ def loads_or_is_a_mistake(text: str) -> None:
         assert all(model.root <= model.index for model in scene.models)
 
 
-@settings(max_examples=1000, deadline=None)
+@settings(max_examples=examples(1000))
 @given(st.text(alphabet=st.characters(codec="utf-8", exclude_characters="\r"), max_size=200))
-def test_any_text(text: str) -> None:
+def test_any_text_loads_or_is_a_mistake(text: str) -> None:
     loads_or_is_a_mistake(text)
 
 
-@settings(max_examples=1500, deadline=None)
+@settings(max_examples=examples(1500))
 @given(st.lists(st.sampled_from(WORDS), max_size=60))
-def test_any_words_of_the_language(words: list[str]) -> None:
+def test_any_words_of_the_language_load_or_are_a_mistake(words: list[str]) -> None:
     loads_or_is_a_mistake(" ".join(words))
 
 
-@settings(max_examples=500, deadline=None)
+@settings(max_examples=examples(500))
 @given(st.integers(0, len(DONNIE)), st.integers(0, 40), st.sampled_from(["", *WORDS, "\0", "é", "[[[["]))
-def test_a_good_file_with_a_piece_replaced(start: int, length: int, piece: str) -> None:
+def test_a_file_with_a_replaced_piece_loads_or_is_a_mistake(start: int, length: int, piece: str) -> None:
     loads_or_is_a_mistake(DONNIE[:start] + piece + DONNIE[start + length :])

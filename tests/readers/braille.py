@@ -1,4 +1,4 @@
-"""A braille display that writes down its 40 cells: BRLTTY's "virtual" driver wants somebody to connect to it.
+"""A braille display that logs its 40 cells: a client of BRLTTY's "virtual" driver.
 
 Arguments: the socket, the log.
 """

@@ -1,8 +1,8 @@
-"""Prints what a reader makes of the long lesson: ``python -m tests.readers.gate yasr``; with ``screen``
-behind the reader's name, of a short one in the full screen's plain layout.
+"""Prints how a reader reads the long lesson: ``python -m tests.readers.gate yasr``.
 
-The numbers are explained in ``hearing.py``; what was heard otherwise than it was printed follows. Of BRLTTY
-it tells of how many answers the last line stands on a display of 40 cells.
+With ``screen`` after the name of the reader it is a short lesson in the full screen's plain layout.
+The numbers are explained in ``scoring.py``. The answers that were spoken differently from the printed ones
+follow. For BRLTTY it counts the answers with their last line on a display of 40 cells.
 """
 
 from __future__ import annotations
@@ -11,9 +11,9 @@ import sys
 import tempfile
 from pathlib import Path
 
-from tests.readers.hearing import Phase, is_whole, score, shown
 from tests.readers.lesson import LONG, OF_THE_SCREEN
 from tests.readers.reading import AS_PROMPT, BRIEF, FULL_SCREEN, phases_of
+from tests.readers.scoring import Phase, is_whole, score, shown
 
 OPTIONS = ("--world", "living_room")
 
@@ -23,30 +23,32 @@ def main() -> None:
     with tempfile.TemporaryDirectory(prefix="donnie-gate-") as folder:
         if "screen" in sys.argv[2:]:
             # the greeting is the whole screen, and belongs to no command
-            tell_heard(reader, phases_of(reader, OF_THE_SCREEN, Path(folder), OPTIONS, mode=FULL_SCREEN)[1:])
+            print_spoken(
+                reader, phases_of(reader, OF_THE_SCREEN, Path(folder), OPTIONS, mode=FULL_SCREEN)[1:]
+            )
         elif reader == "brltty":
-            tell_shown(phases_of(reader, LONG, Path(folder), (*OPTIONS, *BRIEF), AS_PROMPT)[1:])
+            print_shown(phases_of(reader, LONG, Path(folder), (*OPTIONS, *BRIEF), AS_PROMPT)[1:])
         else:
-            tell_heard(reader, phases_of(reader, LONG, Path(folder), OPTIONS))
+            print_spoken(reader, phases_of(reader, LONG, Path(folder), OPTIONS))
 
 
-def tell_heard(reader: str, phases: list[Phase]) -> None:
+def print_spoken(reader: str, phases: list[Phase]) -> None:
     print(f"{reader}: {sum(map(bool, (each.command for each in phases)))} commands  {score(phases)}")
     for phase in phases:
         if not phase.is_clean:
-            tell(phase)
+            print_phase(phase)
 
 
-def tell_shown(phases: list[Phase]) -> None:
+def print_shown(phases: list[Phase]) -> None:
     answered = [each for each in phases if each.printed]
     whole = sum(map(is_whole, answered))
     print(f"brltty: {sum(map(shown, answered))} of {len(answered)} answers shown, {whole} whole")
     for phase in answered:
         if not shown(phase):
-            tell(phase)
+            print_phase(phase)
 
 
-def tell(phase: Phase) -> None:
+def print_phase(phase: Phase) -> None:
     print(f"otherwise: {phase.command}")
     print(f"  printed: {' | '.join(phase.printed)}")
     print(f"  heard:   {' | '.join(phase.heard)}")

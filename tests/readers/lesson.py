@@ -16,7 +16,7 @@ SHORT = (
     "FW 100",
     "POS",
 )
-"""A dozen, for every test run."""
+"""Twelve commands for every test run."""
 
 OF_THE_SCREEN = (
     "FW x",
@@ -31,8 +31,8 @@ OF_THE_SCREEN = (
     "FOR VAR i = 1; i <= 40; i = i + 1 DO SPEAK 200 + i END FOR",
     "STATE",
 )
-"""Eleven: T7 of the accessibility requirements. The mistake comes first: after other lines the linear mode
-counts them too. No number is told twice: Fenrir passes over a line that stands there already."""
+"""The mistake comes first: after other lines the linear mode counts them too. No number is printed twice:
+Fenrir passes over a line that is already on the screen."""
 
 LONG = (
     *SHORT,

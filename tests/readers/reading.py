@@ -1,5 +1,5 @@
-"""A learner with a screen reader: types a lesson into ``donnie --linear``, or into the command line of the
-plain full screen, and writes down what was heard.
+"""A learner with a screen reader types a lesson into ``donnie --linear``, or into the command line of the
+plain full screen, and records what the reader said.
 
 Readers: ``yasr``, ``fenrir`` and ``orca`` speak, into a log instead of a voice; ``brltty`` shows 40 cells.
 """
@@ -23,16 +23,16 @@ from pathlib import Path
 
 import pexpect
 
-from tests.readers.hearing import Phase, shown
+from tests.readers.scoring import Phase, shown
 
 HERE = Path(__file__).resolve().parent
 ROOT = HERE.parent.parent
 
 SILENCE = 0.6
-"""Seconds without a byte and without a word, once all was heard: the answer is over."""
+"""Seconds without a byte and without a word, after which a complete answer is over."""
 
 LONG_SILENCE = 4.0
-"""The same where something printed was not heard: on a busy machine a reader may only be late."""
+"""The same for an incomplete answer: on a busy machine a reader may only be late."""
 
 PATIENCE = 20.0
 START_PATIENCE = 90.0
@@ -51,7 +51,7 @@ BRIEF = ("--verbosity", "brief")
 """Answers fit a display of 40 cells."""
 
 _AT_A_REST = re.compile(r"Those were \d+ numbers\.")
-"""Stands where a rest was, which is not the same in two sessions: no answer, neither printed nor heard."""
+"""Printed after a rest, which differs between sessions. It is no part of an answer."""
 
 _ABOUT_ITSELF = ("pychant is not installed", "Start Fenrir")
 """What Fenrir says at its start, of itself."""
@@ -86,10 +86,10 @@ class Listener:
         self.child.delaybeforesend = None
 
     def take_lesson(self, printed: Sequence[Phase]) -> list[Phase]:
-        """The same with what was heard, or shown, after each command; the greeting is the first."""
+        """The same phases with the spoken or shown text after each command, the greeting first."""
         greeting, *answers = printed
-        self._settle(greeting, first=START_PATIENCE)
-        return [self._heard_of(greeting), *map(self._after, answers)]
+        self._wait_for_silence(greeting, first=START_PATIENCE)
+        return [self._with_output(greeting), *map(self._after, answers)]
 
     def close(self) -> None:
         """End the reader and the program, also where the reader holds the program's terminal open."""
@@ -101,18 +101,18 @@ class Listener:
         for key in printed.command:
             self.child.send(key.encode())
             time.sleep(_A_KEY)
-        self._settle(echo=len(printed.command))
+        self._wait_for_silence(echo=len(printed.command))
         self._new_words()  # what a reader says of typing is no answer
         self.child.send(b"\r")
-        self._settle(printed, first=PATIENCE)
-        return self._heard_of(printed)
+        self._wait_for_silence(printed, first=PATIENCE)
+        return self._with_output(printed)
 
-    def _heard_of(self, printed: Phase) -> Phase:
+    def _with_output(self, printed: Phase) -> Phase:
         return replace(printed, heard=self._new_words())
 
-    def _settle(self, printed: Phase | None = None, first: float = 0.0, echo: int = 0) -> None:
-        """Wait until something has come (``first`` seconds at most), and then until it is silent: for long,
-        unless all that was printed was heard, and ``echo`` bytes of what was typed came back.
+    def _wait_for_silence(self, printed: Phase | None = None, first: float = 0.0, echo: int = 0) -> None:
+        """Wait for output (``first`` seconds at most), and then for silence. The silence is long unless the
+        answer is complete and ``echo`` bytes of the typed text came back.
         """
         began = last = time.monotonic()
         size, has_come = self._log.stat().st_size, False
@@ -131,7 +131,7 @@ class Listener:
         so_far = replace(printed, heard=self._words_from(self._heard))
         if self._reader == "brltty":
             return not printed.printed or shown(so_far)
-        return len(so_far.heard_words) >= len(printed.printed_words)
+        return len(so_far.spoken_words) >= len(printed.printed_words)
 
     def _new_words(self) -> tuple[str, ...]:
         new = self._words_from(self._heard)
@@ -199,11 +199,11 @@ class Listener:
         (self._folder / "run").mkdir(mode=0o700)
         return [
             "xvfb-run", "-a", "-s", "-screen 0 1024x768x24", "dbus-run-session", "--",
-            _SYSTEM_PYTHON, str(HERE / "orca_desk.py"), str(self._folder), str(self._program),
+            _SYSTEM_PYTHON, str(HERE / "orca_session.py"), str(self._folder), str(self._program),
         ]  # fmt: skip
 
     def none(self) -> list[str]:
-        """Nobody reads; for comparison."""
+        """No reader, for comparison."""
         return [str(self._program)]
 
     # --- the program
@@ -215,7 +215,8 @@ class Listener:
         )
         return self._script(
             "program.sh",
-            f'export PYTHONPATH="{ROOT}" DONNIE_TOUR=off XDG_STATE_HOME="{self._folder}/state" '
+            f'unset DONNIE_READER; export PYTHONPATH="{ROOT}" DONNIE_TOUR=off '
+            f'XDG_STATE_HOME="{self._folder}/state" '
             f'XDG_CONFIG_HOME="{self._folder}/config"\n{variables}'
             f'exec "{sys.executable}" -m donnie_tui {options}',
         )
@@ -227,11 +228,8 @@ class Listener:
         return path
 
     def _environment(self) -> dict[str, str]:
-        kept = {name: value for name, value in os.environ.items() if not name.startswith("DONNIE_")}
-        for name in ("COLUMNS", "LINES"):
-            kept.pop(name, None)
         return {
-            **kept,
+            **os.environ,
             "HOME": str(self._folder),
             "SPEECH_LOG": str(self._log),
             **self._of_a_desktop(),
@@ -337,7 +335,7 @@ def phases_of(
     variables: Mapping[str, str] = EACH_LINE,
     mode: Sequence[str] = LINEAR,
 ) -> list[Phase]:
-    """The lesson under a reader, against what the linear mode prints: the full screen tells the same."""
+    """The lesson under a reader, with the printed lines of the linear mode, the same as on the screen."""
     printed = printed_by(commands, folder / "plain", options, {**variables, "DONNIE_PROMPT": "short"})
     work = folder / reader
     work.mkdir()

@@ -60,7 +60,7 @@ def main() -> None:
 
 
 def pass_on(terminal: int, screen: pyte.Screen, place: int) -> None:
-    """What is typed goes in; what comes out goes on, and is shown."""
+    """Passes keys to the program, and its output to the terminal and to the shared screen."""
     stream = pyte.ByteStream(screen)
     with contextlib.suppress(OSError):
         while True:

@@ -1,11 +1,10 @@
-"""What a screen reader makes of the linear mode (Gate 1 of the accessibility requirements, a short lesson).
+"""Real screen readers read the linear mode: a short lesson.
 
 The long lesson: ``python -m tests.readers.gate yasr`` (or ``fenrir``, ``orca``, ``brltty``).
 """
 
 from __future__ import annotations
 
-import os
 import threading
 from collections.abc import Iterator
 from contextlib import suppress
@@ -13,8 +12,6 @@ from pathlib import Path
 
 import pytest
 
-from devices.speech.probe import find_screen_reader
-from tests.readers.hearing import Phase, is_whole, score, shown
 from tests.readers.lesson import OF_THE_SCREEN, SHORT
 from tests.readers.reading import (
     AS_PROMPT,
@@ -25,15 +22,18 @@ from tests.readers.reading import (
     is_installed,
     phases_of,
 )
+from tests.readers.scoring import Phase, is_whole, score, shown
 from tests.sessions.learner import until
+
+pytestmark = pytest.mark.slow
 
 OPTIONS = ("--world", "living_room")
 ORCA = ("orca", "lxterminal", "xvfb-run", "dbus-run-session", "openbox", "xdotool")
-"""The reader, and the desk that it reads."""
+"""The reader, and the programs of its graphical session."""
 
 
 def needs(*programs: str) -> pytest.MarkDecorator:
-    """A reader, and what it needs itself."""
+    """Skips the test where the reader or a program that it needs is missing."""
     return pytest.mark.skipif(not all(map(is_installed, programs)), reason=f"needs {', '.join(programs)}")
 
 
@@ -68,7 +68,7 @@ def test_fenrir_says_every_answer_once_with_little_noise(tmp_path: Path) -> None
 
 
 @needs("fenrir")
-def test_fenrir_says_an_answer_again_that_still_stands_on_the_screen(tmp_path: Path) -> None:
+def test_fenrir_repeats_an_answer_that_is_still_on_the_screen(tmp_path: Path) -> None:
     walk = "FOR VAR i = 1; i <= 8; i = i + 1 DO FW i TR 10 * i END FOR"
     heard = score(phases_of("fenrir", (walk, "SHOW LOG", "SHOW LOG"), tmp_path, OPTIONS))
     assert (heard.once, heard.in_order) == (1.0, 1.0)
@@ -76,7 +76,7 @@ def test_fenrir_says_an_answer_again_that_still_stands_on_the_screen(tmp_path: P
 
 @needs(*ORCA)
 def test_orca_says_forty_lone_numbers_and_what_comes_after(tmp_path: Path) -> None:
-    """L9: Orca takes a block of nothing but digits for typing."""
+    """Orca takes a block of only digits for typing."""
     count = "FOR VAR i = 1; i <= 40; i = i + 1 DO SPEAK i END FOR"
     heard = score(phases_of("orca", ("FW 2", count, "SHOW LOG", "WHERE"), tmp_path, OPTIONS))
     assert (heard.once, heard.in_order, heard.clean, heard.noise) == (1.0, 1.0, heard.phases, 0.0)
@@ -84,7 +84,7 @@ def test_orca_says_forty_lone_numbers_and_what_comes_after(tmp_path: Path) -> No
 
 @needs("fenrir")
 def test_fenrir_says_the_answers_of_the_plain_full_screen_with_little_noise(tmp_path: Path) -> None:
-    """T7."""
+    """Fenrir compares the screen before and after."""
     clean, noise = noise_of_the_screen("fenrir", tmp_path)
     assert clean >= 8
     assert noise <= 0.05
@@ -94,15 +94,15 @@ def test_fenrir_says_the_answers_of_the_plain_full_screen_with_little_noise(tmp_
     "reader", [pytest.param("orca", marks=needs(*ORCA)), pytest.param("yasr", marks=needs("yasr"))]
 )
 def test_no_row_of_the_plain_full_screen_is_said_again(reader: str, tmp_path: Path) -> None:
-    """T7: the log does not move, so that what was told is not told with each answer."""
+    """The log does not scroll, so that a reader does not repeat earlier rows with each answer."""
     clean, noise = noise_of_the_screen(reader, tmp_path)
     assert clean >= 7
     assert noise <= 0.05
 
 
 @needs("brltty")
-def test_the_last_line_of_every_answer_is_under_the_fingers(tmp_path: Path) -> None:
-    """B2: a display of 40 cells shows it without a key, whole unless it leaves no room for the cursor."""
+def test_a_braille_display_shows_the_last_line_of_every_answer(tmp_path: Path) -> None:
+    """A display of 40 cells shows the line without a key, whole unless it leaves no room for the cursor."""
     phases = phases_of("brltty", SHORT, tmp_path, (*OPTIONS, *BRIEF), AS_PROMPT)[1:]
     assert [(each.command, each.heard[-1:]) for each in phases if not shown(each)] == []
     assert sum(map(is_whole, phases)) >= len(phases) - 1
@@ -110,11 +110,11 @@ def test_the_last_line_of_every_answer_is_under_the_fingers(tmp_path: Path) -> N
 
 IN_AUTO = ("--speech", "auto")
 WITH_A_DEVICE = {**EACH_LINE, "PULSE_SERVER": "unix:/nowhere/pulse"}
-"""A sound server is named, so that the own voice would be chosen; nobody must hear it."""
+"""With a named sound server Donnie would choose the built-in voice. It must stay inaudible."""
 
 
 def voices_below(parent: int) -> list[int]:
-    """The processes below that one which make sound."""
+    """The processes below that one that make sound."""
     found = []
     for each in Path("/proc").glob("[0-9]*"):
         with suppress(OSError):
@@ -130,12 +130,12 @@ def ancestors(pid: int) -> Iterator[int]:
 
 
 def has_voice_under(reader: str, folder: Path) -> bool:
-    """Whether Donnie, asked to choose, starts a voice beside the reader."""
+    """Whether Donnie starts a voice while the reader runs, if it may choose."""
     listener = Listener(reader, folder, (*OPTIONS, *IN_AUTO), WITH_A_DEVICE)
     found, is_over = list[int](), threading.Event()
 
     def look() -> None:
-        """All the time: one without a device does not live long."""
+        """Looks all the time: a voice without a device ends soon."""
         while not is_over.wait(0.02):
             found.extend(voices_below(listener.child.pid))
 
@@ -151,17 +151,15 @@ def has_voice_under(reader: str, folder: Path) -> bool:
 
 
 @pytest.mark.parametrize("reader", [pytest.param(each, marks=needs(each)) for each in ("yasr", "fenrir")])
-def test_under_a_reader_no_voice_process_is_started(reader: str, tmp_path: Path) -> None:
-    """V1."""
+def test_no_voice_process_starts_under_a_reader(reader: str, tmp_path: Path) -> None:
+    """With a screen reader Donnie does not speak."""
     assert not has_voice_under(reader, tmp_path)
 
 
 @needs("espeak-ng")
 def test_without_a_reader_the_same_session_has_a_voice_process(tmp_path: Path) -> None:
     """Shows that the test above would see one."""
-    if find_screen_reader(os.environ) is not None:
-        pytest.skip("a screen reader runs here")
-    listener = Listener("none", tmp_path, (*OPTIONS, *IN_AUTO), WITH_A_DEVICE)
+    listener = Listener("none", tmp_path, (*OPTIONS, *IN_AUTO), {**WITH_A_DEVICE, "DONNIE_READER": "off"})
     try:
         listener.child.expect("> ")
         listener.child.send(b"WHERE\r")
@@ -170,7 +168,7 @@ def test_without_a_reader_the_same_session_has_a_voice_process(tmp_path: Path) -
         listener.close()
 
 
-def test_what_a_display_shows_last_counts() -> None:
+def test_the_last_text_on_a_display_counts() -> None:
     assert shown(Phase("SPEAK 5", ("4", "5"), ("SPEAK 5", "4 5", "5")))
     assert not shown(Phase("SPEAK 5", ("5",), ("5", ">")))
     assert not shown(Phase("SPEAK 5", ("5",), ()))
@@ -179,7 +177,7 @@ def test_what_a_display_shows_last_counts() -> None:
     assert not is_whole(long)
 
 
-def test_what_is_heard_twice_or_besides_is_counted() -> None:
+def test_repeated_and_extra_words_are_counted() -> None:
     phases = [
         Phase("FW 3", ("I walked 3 steps.",), ("I walked 3 steps.",)),
         Phase("FW 2", ("I walked 2 steps.",), ("FW 2", "I walked 2 steps.")),

@@ -1,8 +1,7 @@
-"""The real command in a process of its own, in a folder of its own, without anybody's settings."""
+"""The real command in its own process and folder, without a learner's settings."""
 
 from __future__ import annotations
 
-import os
 import signal
 import subprocess
 import sys
@@ -11,6 +10,7 @@ from pathlib import Path
 
 import pexpect
 
+from tests.environment import of_a_process
 from tests.patience import PATIENCE
 
 COMMAND = (sys.executable, "-m", "donnie_tui")
@@ -18,18 +18,8 @@ QUIET = ("--speech", "off", "--sound", "off")
 
 
 def environment(folder: Path, changes: Mapping[str, str] | None = None) -> dict[str, str]:
-    """English, UTF-8, no settings of the one who runs the tests."""
-    kept = {
-        name: value for name, value in os.environ.items() if not name.startswith(("DONNIE_", "LC_", "LANG"))
-    }
-    own = {
-        "XDG_CONFIG_HOME": str(folder / "config"),
-        "XDG_STATE_HOME": str(folder / "state"),
-        "LC_ALL": "C.UTF-8",
-        "DONNIE_TOUR": "off",
-        "DONNIE_PLAIN": "off",  # a screen reader of this machine would change the layout
-    }
-    return {**kept, **own, **(changes or {})}
+    """English, UTF-8, settings of its own."""
+    return of_a_process(folder, **(changes or {}))
 
 
 def donnie(
@@ -46,7 +36,7 @@ def donnie(
     )
 
 
-def start(folder: Path, *arguments: str) -> subprocess.Popen[bytes]:
+def start(folder: Path, *arguments: str, changes: Mapping[str, str] | None = None) -> subprocess.Popen[bytes]:
     """Start the command and leave it running."""
     return subprocess.Popen(
         [*COMMAND, *arguments],
@@ -54,7 +44,7 @@ def start(folder: Path, *arguments: str) -> subprocess.Popen[bytes]:
         stdout=subprocess.PIPE,
         stderr=subprocess.PIPE,
         cwd=folder,
-        env=environment(folder),
+        env=environment(folder, changes),
     )
 
 

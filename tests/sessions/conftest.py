@@ -2,27 +2,26 @@
 
 from __future__ import annotations
 
-import os
 from collections.abc import Iterator
 from pathlib import Path
 from typing import TYPE_CHECKING
 
 import pytest
 
-from devices.firmware_double.board import SimulatedBoard
+from devices.board_simulator.board import SimulatedBoard
 from tests.sessions.here import Here
 
 if TYPE_CHECKING:
-    from devices.firmware_double.on_pty import DoubleOnPty
+    from devices.board_simulator.pty import PtyBoard
     from tests.sessions.learner import Learner
 
 
 @pytest.fixture
-def robot() -> Iterator[DoubleOnPty]:
+def robot() -> Iterator[PtyBoard]:
     """A simulated board at the other end of a line; not every system has such lines."""
-    from devices.firmware_double.on_pty import DoubleOnPty
+    from devices.board_simulator.pty import PtyBoard
 
-    with DoubleOnPty(SimulatedBoard(boot_loader=0.1)) as double:
+    with PtyBoard(SimulatedBoard(boot_loader=0.1)) as double:
         yield double
 
 
@@ -36,8 +35,6 @@ def learner(tmp_path: Path) -> Learner:
 
 @pytest.fixture
 def here(capsys: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch, tmp_path: Path) -> Here:
-    for name in [each for each in os.environ if each.startswith(("DONNIE_", "LC_", "LANG"))]:
-        monkeypatch.delenv(name)
     monkeypatch.setenv("XDG_CONFIG_HOME", str(tmp_path / "config"))
     monkeypatch.chdir(tmp_path)
     return Here(capsys, monkeypatch, tmp_path)

@@ -1,4 +1,4 @@
-"""A folder in which programs are run, recorded and told again, in this process."""
+"""A folder in which programs are run, recorded and replayed in this process."""
 
 from __future__ import annotations
 

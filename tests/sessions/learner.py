@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import os
 import re
 import sys
 import time
@@ -10,6 +9,7 @@ from pathlib import Path
 
 import pexpect
 
+from tests.environment import of_a_process
 from tests.patience import PATIENCE
 
 ESC, UP, DOWN, LEFT, HOME = "\x1b", "\x1b[A", "\x1b[B", "\x1b[D", "\x1b[H"
@@ -22,20 +22,11 @@ class Learner:
     def __init__(
         self, folder: Path, *options: str, speed: str = "max", language: str = "en", **more: str
     ) -> None:
-        environment = {name: value for name, value in os.environ.items() if not name.startswith("DONNIE_")}
-        environment |= {
-            "XDG_STATE_HOME": str(folder / "state"),
-            "XDG_CONFIG_HOME": str(folder / "config"),
-            "LC_ALL": "C.UTF-8",
-            "TERM": "xterm",
-            "DONNIE_TOUR": "off",
-            "DONNIE_PLAIN": "off",  # a screen reader of this machine would change the layout
-        } | more
         quiet = ["--speech", "off", "--sound", "off", "--lang", language, "--speed", speed]
         self.child: pexpect.spawn[bytes] = pexpect.spawn(
             sys.executable,
             ["-m", "donnie_tui", "--linear", *quiet, *options],
-            env=environment,
+            env=of_a_process(folder, **{"TERM": "xterm", **more}),
             cwd=str(folder),
             dimensions=(24, 80),
             timeout=PATIENCE,

@@ -7,9 +7,9 @@ import time
 from collections.abc import Callable
 from pathlib import Path
 
-from devices.firmware_double.on_pty import DoubleOnPty
+from devices.board_simulator.pty import PtyBoard
 from donnie_tui.bootstrap import Donnie, assemble
-from donnie_tui.settings.chosen import Settings
+from donnie_tui.settings.settings import Settings
 from tests.patience import PATIENCE
 
 LONG_WALK = "FW 100\n"
@@ -29,7 +29,7 @@ def program(folder: Path, text: str) -> str:
     return str(file)
 
 
-def serial(robot: DoubleOnPty) -> tuple[str, ...]:
+def serial(robot: PtyBoard) -> tuple[str, ...]:
     return "--robot", f"serial:{robot.path}"
 
 
@@ -38,11 +38,11 @@ def is_suspended(pid: int) -> bool:
     return os.WIFSTOPPED(status)
 
 
-def half_a_frame(robot: DoubleOnPty) -> None:
+def half_a_frame(robot: PtyBoard) -> None:
     """The board takes what is said next for the rest of fifty bytes, the stops as well."""
     robot.disturb(bytes.fromhex("aabb3228"))
 
 
-def assembled(robot: DoubleOnPty) -> Donnie:
+def assembled(robot: PtyBoard) -> Donnie:
     settings = Settings(robot=f"serial:{robot.path}", speech="off", sound=False)
     return assemble(settings, terminal=False)

@@ -1,6 +1,6 @@
 """A real ssh to a real sshd of the test, on this machine: its keys and settings in a folder of their own.
 
-``sshd -i`` at the other end of the client's proxy command: no port, nothing that goes on afterwards. What ssh
+``sshd -i`` at the other end of the client's proxy command: no port, and nothing that keeps running. What ssh
 and sshd do with terminals, signals and a lost line is the same as over a network.
 """
 
@@ -46,7 +46,7 @@ class SshLine:
             "XDG_CONFIG_HOME": str(self.folder / "config"),
             "LC_ALL": "C.UTF-8",
             "DONNIE_TOUR": "off",
-            "DONNIE_PLAIN": "off",
+            "DONNIE_READER": "off",
         }
         given = " ".join(f"{name}={value}" for name, value in variables.items())
         return f"""
@@ -72,13 +72,13 @@ Host robot
 """
 
     def refusal(self) -> str:
-        """Why nobody gets in, if so: the account of whoever runs the tests may be locked."""
+        """The reason of a refused login, if any: the account that runs the tests may be locked."""
         command = ["ssh", "-F", str(self.folder / "ssh_config"), "-T", "robot", "true"]
         done = subprocess.run(command, capture_output=True, stdin=subprocess.DEVNULL, timeout=PATIENCE)
         return done.stderr.decode() if done.returncode else ""
 
     def command(self, *arguments: str, terminal: bool, speech_from: str | None = None) -> list[str]:
-        """``ssh robot donnie ARGUMENTS``. ``speech_from``: the socket at home that is brought along."""
+        """``ssh robot donnie ARGUMENTS``. ``speech_from``: the forwarded socket at home."""
         first, *others = arguments
         donnie = shlex.join([sys.executable, "-m", "donnie_tui", first, *QUIET, *others])
         brought = ["-R", f"{self.folder}/voice:{speech_from}"] if speech_from else []
@@ -93,7 +93,7 @@ Host robot
         return pexpect.spawn(program, rest, env=environment, dimensions=(24, 80), timeout=PATIENCE)
 
     def donnies(self) -> list[int]:
-        """Those that run at the other end of this line."""
+        """The Donnies at the other end of this connection."""
         found = []
         for each in Path("/proc").glob("[0-9]*"):
             try:

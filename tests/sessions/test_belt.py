@@ -1,4 +1,4 @@
-"""The belt at a real line: felt, missing, in words, and never at the robot's port."""
+"""The belt at a real connection: felt, missing, in words, and never at the robot's port."""
 
 from __future__ import annotations
 
@@ -10,26 +10,26 @@ from pathlib import Path
 
 import pytest
 
-from devices.belt.board import BeltBoard
-from devices.firmware_double.on_pty import DoubleOnPty
-from devices.serial_port import PortFault, PortProblem
+from devices.board_simulator.belt import SimulatedBelt
+from devices.board_simulator.pty import PtyBoard
+from devices.serial_ports.port import PortFault, PortProblem
 from donnie_tui.bootstrap import assemble
-from donnie_tui.settings.chosen import Settings
+from donnie_tui.settings.settings import Settings
 from tests.patience import PATIENCE
 from tests.sessions.command import QUIET, donnie, start
 from tests.sessions.real_robot import program, serial, until
 from tests.sessions.test_double import world as near_world
 
 
-def test_a_belt_that_is_missing_is_told_and_the_run_goes_on(tmp_path: Path) -> None:
+def test_a_missing_belt_is_reported_and_the_run_continues(tmp_path: Path) -> None:
     done = donnie(tmp_path, "run", program(tmp_path, "BELT ON\nFW 1\n"), "--belt", "/dev/nothing")
 
-    assert done.stderr.decode() == "No belt at /dev/nothing: No such file or directory. I go on without.\n"
+    assert done.stderr.decode() == "No belt at /dev/nothing: No such file or directory. I continue without.\n"
     assert done.stdout.decode() == "Belt on.\nI walked 1 step forward.\n"
     assert done.returncode == 0
 
 
-def test_the_start_does_not_wait_for_a_belt_at_an_address_and_that_there_is_none_is_told(
+def test_the_start_does_not_wait_for_a_belt_at_an_address_and_reports_a_missing_one(
     monkeypatch: pytest.MonkeyPatch,
 ) -> None:
     answers, told = threading.Event(), list[str]()
@@ -38,13 +38,13 @@ def test_the_start_does_not_wait_for_a_belt_at_an_address_and_that_there_is_none
         assert answers.wait(PATIENCE)
         raise PortProblem(port, PortFault.UNUSABLE, "timed out")
 
-    monkeypatch.setattr("devices.belt.line.open_line", no_answer)
+    monkeypatch.setattr("devices.belt.serial_belt.open_belt_port", no_answer)
     donnie = assemble(Settings(belt="socket://far:1", speech="off", sound=False), terminal=True)
     donnie.session.hub.subscribe(lambda stamped: told.append(getattr(stamped.event, "text", "")))
     answers.set()
     try:
         assert donnie.notices.all == ()
-        assert until(lambda: told == ["No belt at socket://far:1: timed out. I go on without."])
+        assert until(lambda: told == ["No belt at socket://far:1: timed out. I continue without."])
     finally:
         donnie.close()
 
@@ -66,7 +66,7 @@ def test_a_belt_that_is_lost_is_an_event_whether_a_program_runs_or_not() -> None
         donnie.close()
 
 
-def test_robot_and_belt_may_not_have_the_same_port(tmp_path: Path, robot: DoubleOnPty) -> None:
+def test_robot_and_belt_may_not_have_the_same_port(tmp_path: Path, robot: PtyBoard) -> None:
     file = program(tmp_path, "FW 1")
     done = donnie(tmp_path, "run", file, *serial(robot), "--belt", robot.path)
 
@@ -74,7 +74,7 @@ def test_robot_and_belt_may_not_have_the_same_port(tmp_path: Path, robot: Double
     assert done.returncode == 2
 
 
-def test_the_robot_can_not_be_connected_at_the_port_of_the_belt(tmp_path: Path, robot: DoubleOnPty) -> None:
+def test_the_robot_can_not_be_connected_at_the_port_of_the_belt(tmp_path: Path, robot: PtyBoard) -> None:
     donnie = assemble(Settings(belt=robot.path, speech="off", sound=False), terminal=True)
     try:
         told = donnie.connection.connect(f"serial:{robot.path}")
@@ -94,7 +94,7 @@ def test_the_belt_is_felt_during_a_run_and_dark_after_it(tmp_path: Path) -> None
     program(tmp_path, "BELT ON\nWAIT 1\n")
     options = ("--world", near_world(tmp_path), "--belt", os.ttyname(theirs), "--speed", "5", *QUIET)
     process = start(tmp_path, "run", "program.gd", *options)
-    board, felt = BeltBoard(), list[tuple[str, ...]]()
+    board, felt = SimulatedBelt(), list[tuple[str, ...]]()
 
     def is_over() -> bool:
         has_ended = process.poll() is not None
@@ -120,7 +120,9 @@ def test_the_belt_is_felt_during_a_run_and_dark_after_it(tmp_path: Path) -> None
         ("es", "sentir encendido", "Cinturón: frente medio."),
     ],
 )
-def test_who_has_no_belt_is_told_what_it_shows(tmp_path: Path, language: str, typed: str, told: str) -> None:
+def test_a_learner_without_a_belt_gets_its_levels_in_words(
+    tmp_path: Path, language: str, typed: str, told: str
+) -> None:
     options = ("--linear", "--world", near_world(tmp_path), "--lang", language, "--speed", "max", *QUIET)
     done = donnie(tmp_path, *options, typed=f"{typed}\nBELT ON\nFW 1\nRUN\nQUIT\n")
 

@@ -1,4 +1,4 @@
-"""A calibration at a real line: it finds the wheels and the axle, and whatever ends it stops the robot."""
+"""A calibration at a real connection finds the wheels and the axle. Its end always stops the robot."""
 
 from __future__ import annotations
 
@@ -12,16 +12,15 @@ from pathlib import Path
 
 import pytest
 
-from devices.firmware_double.on_pty import DoubleOnPty
-from devices.firmware_double.robot import DoubleRobot
+from devices.board_simulator.pty import PtyBoard
+from devices.board_simulator.robot import SimulatedSerialRobot
 from devices.ports.robot import Pace
-from donnie_tui.cli.arguments import Invocation
-from donnie_tui.cli.calibrating import calibrate
-from donnie_tui.cli.order import Order
-from donnie_tui.cli.output import Output
+from donnie_tui.cli.calibrate import calibrate
+from donnie_tui.cli.options import Invocation, Order
+from donnie_tui.cli.streams import Output
 from donnie_tui.i18n.words import Words
 from donnie_tui.robot.connection import robot_config
-from donnie_tui.settings.chosen import Settings
+from donnie_tui.settings.settings import Settings
 from tests.patience import PATIENCE
 from tests.sessions.command import COMMAND, donnie, environment
 from tests.sessions.real_robot import is_suspended, serial, until
@@ -48,8 +47,8 @@ def test_a_calibration_finds_the_wheels_and_the_axle_that_the_robot_really_has(
     home = {"XDG_CONFIG_HOME": str(tmp_path)}
     order = Order(Invocation("calibrate", {}, Namespace()), settings, Words("en"), Output(), home)
 
-    def made(settings: Settings, _words: Words, pace: Pace, _told: object) -> DoubleRobot:
-        return DoubleRobot(config=robot_config(settings), pace=pace, speed=None)
+    def made(settings: Settings, _words: Words, pace: Pace, _told: object) -> SimulatedSerialRobot:
+        return SimulatedSerialRobot(config=robot_config(settings), pace=pace, speed=None)
 
     assert calibrate(order, made) == 0
     said = capsys.readouterr().out
@@ -61,7 +60,7 @@ def test_a_calibration_finds_the_wheels_and_the_axle_that_the_robot_really_has(
     ]
 
 
-def test_of_a_simulated_board_nothing_is_kept_since_the_settings_are_the_real_robots(tmp_path: Path) -> None:
+def test_a_calibration_of_the_simulated_board_is_not_saved(tmp_path: Path) -> None:
     done = donnie(tmp_path, "calibrate", "--robot", "double", typed=MEASURES, changes=WRONG)
 
     said = done.stdout.decode()
@@ -78,7 +77,7 @@ def test_the_simulator_has_no_wheels(tmp_path: Path) -> None:
     assert done.stderr.decode().startswith("The simulator has no wheels to measure.")
 
 
-def test_a_measure_that_is_far_off_is_asked_again_and_taken_if_it_is_meant(tmp_path: Path) -> None:
+def test_a_far_off_measure_is_asked_again_and_taken_if_confirmed(tmp_path: Path) -> None:
     typed = "\n720\n100\n\n360\n1440\n1440\n"
 
     said = donnie(tmp_path, "calibrate", "--robot", "double", typed=typed).stdout.decode()
@@ -88,7 +87,7 @@ def test_a_measure_that_is_far_off_is_asked_again_and_taken_if_it_is_meant(tmp_p
     assert sizes(said) == (pytest.approx(21, rel=0.01), pytest.approx(34, rel=0.01))
 
 
-def test_a_number_before_the_walk_moves_nothing_and_is_told_to_be_too_early(tmp_path: Path) -> None:
+def test_a_number_before_the_walk_moves_nothing_and_is_reported_as_too_early(tmp_path: Path) -> None:
     said = donnie(tmp_path, "calibrate", "--robot", "double", typed="98\n\n98\n\n\n").stdout.decode()
 
     lines = said.splitlines()
@@ -101,7 +100,7 @@ def test_a_number_before_the_walk_moves_nothing_and_is_told_to_be_too_early(tmp_
 
 
 @pytest.mark.parametrize("typed", ["", "\n\n\n\n", "\nfar\n\n", "\n-3\n0\n\n\n\n"])
-def test_where_nothing_is_measured_nothing_changes(tmp_path: Path, typed: str) -> None:
+def test_a_calibration_without_a_measure_changes_nothing(tmp_path: Path, typed: str) -> None:
     done = donnie(tmp_path, "calibrate", "--robot", "double", typed=typed)
 
     assert done.returncode == 1
@@ -109,7 +108,7 @@ def test_where_nothing_is_measured_nothing_changes(tmp_path: Path, typed: str) -
     assert not list((tmp_path / "config").rglob("*.toml"))
 
 
-def calibration(tmp_path: Path, robot: DoubleOnPty) -> subprocess.Popen[bytes]:
+def calibration(tmp_path: Path, robot: PtyBoard) -> subprocess.Popen[bytes]:
     """In the middle of the walk."""
     process = subprocess.Popen(
         [*COMMAND, "calibrate", *serial(robot)],
@@ -125,7 +124,7 @@ def calibration(tmp_path: Path, robot: DoubleOnPty) -> subprocess.Popen[bytes]:
     return process
 
 
-def test_control_z_in_the_middle_of_a_calibration_stops_the_robot(tmp_path: Path, robot: DoubleOnPty) -> None:
+def test_control_z_in_the_middle_of_a_calibration_stops_the_robot(tmp_path: Path, robot: PtyBoard) -> None:
     process = calibration(tmp_path, robot)
     process.send_signal(signal.SIGTSTP)
     assert is_suspended(process.pid)
@@ -138,7 +137,7 @@ def test_control_z_in_the_middle_of_a_calibration_stops_the_robot(tmp_path: Path
 
 @pytest.mark.parametrize("number", [signal.SIGTERM, signal.SIGQUIT], ids=lambda each: each.name)
 def test_a_signal_in_the_middle_of_a_calibration_stops_the_robot(
-    tmp_path: Path, robot: DoubleOnPty, number: signal.Signals
+    tmp_path: Path, robot: PtyBoard, number: signal.Signals
 ) -> None:
     process = calibration(tmp_path, robot)
     process.send_signal(number)
@@ -147,8 +146,8 @@ def test_a_signal_in_the_middle_of_a_calibration_stops_the_robot(
     assert process.wait(PATIENCE) == 130
 
 
-def test_a_cable_out_in_the_walk_is_told_at_once_and_ends_the_calibration(
-    tmp_path: Path, robot: DoubleOnPty
+def test_a_cable_pulled_during_the_walk_is_reported_at_once_and_ends_the_calibration(
+    tmp_path: Path, robot: PtyBoard
 ) -> None:
     process = calibration(tmp_path, robot)
     robot.unplug()
@@ -161,7 +160,7 @@ def test_a_cable_out_in_the_walk_is_told_at_once_and_ends_the_calibration(
     ]
 
 
-def test_control_c_in_the_walk_halts_the_robot_and_says_so(tmp_path: Path, robot: DoubleOnPty) -> None:
+def test_control_c_in_the_walk_halts_the_robot_and_says_so(tmp_path: Path, robot: PtyBoard) -> None:
     process = calibration(tmp_path, robot)
     process.send_signal(signal.SIGINT)
 

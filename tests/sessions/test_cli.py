@@ -11,10 +11,11 @@ from pathlib import Path
 import pytest
 
 import worlds.words
-from donnie_tui.cli.arguments import TO_COME
 from donnie_tui.cli.main import main
+from donnie_tui.cli.options import TO_COME
 from donnie_tui.i18n.words import Words
 from tests.conftest import ROOT
+from tests.patience import PATIENCE
 from tests.sessions.command import QUIET, donnie
 
 
@@ -33,8 +34,6 @@ class Printed:
 
 @pytest.fixture
 def printed(capsys: pytest.CaptureFixture[str], tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Printed:
-    for name in [each for each in os.environ if each.startswith(("DONNIE_", "LC_", "LANG"))]:
-        monkeypatch.delenv(name)
     monkeypatch.setenv("XDG_CONFIG_HOME", str(tmp_path / "config"))
     monkeypatch.chdir(tmp_path)
     return Printed(capsys)
@@ -44,10 +43,20 @@ def write(name: str, text: str) -> None:
     Path(name).write_text(text, encoding="utf-8")
 
 
+# --- serve
+
+
+@pytest.mark.parametrize("port", ["none", "0", "70000", "-1", "1" * 50])
+def test_an_invalid_port_is_one_sentence(printed: Printed, port: str) -> None:
+    assert printed.by("serve", f"--port={port}") == 2
+    assert "is no port" in printed.err
+    assert printed.err.count("\n") == 1
+
+
 # --- check
 
 
-def test_check_tells_every_mistake_a_line_each(printed: Printed) -> None:
+def test_check_prints_one_line_for_every_mistake(printed: Printed) -> None:
     write("a.gd", "FWD 3\nREPEAT 2\nFW 1\nEND REPEAT\n")
 
     assert printed.by("check", "a.gd") == 1
@@ -58,9 +67,9 @@ def test_check_tells_every_mistake_a_line_each(printed: Printed) -> None:
 
 
 @pytest.mark.parametrize(
-    ("wrong_lines", "told"), [(99, ""), (120, "Only the first 100 mistakes are told.\n")]
+    ("wrong_lines", "told"), [(99, ""), (120, "Only the first 100 mistakes are listed.\n")]
 )
-def test_check_says_when_only_the_first_mistakes_are_told(
+def test_check_says_that_only_the_first_mistakes_are_listed(
     printed: Printed, wrong_lines: int, told: str
 ) -> None:
     write("a.gd", "JUMP\n" * wrong_lines)
@@ -70,11 +79,11 @@ def test_check_says_when_only_the_first_mistakes_are_told(
     assert printed.err == told
 
 
-def test_check_tells_hints_but_they_are_no_failure(printed: Printed) -> None:
+def test_check_prints_hints_which_are_no_failure(printed: Printed) -> None:
     write("a.gd", "DISTANCE F")
 
     assert printed.by("check", "a.gd") == 0
-    assert printed.out == "a.gd:1:1: hint: DISTANCE alone tells nothing. Did you mean SPEAK DISTANCE F?\n"
+    assert printed.out == "a.gd:1:1: hint: DISTANCE alone does nothing. Did you mean SPEAK DISTANCE F?\n"
 
 
 def test_check_prints_nothing_about_a_program_without_mistakes_but_says_so(printed: Printed) -> None:
@@ -161,7 +170,7 @@ def test_worlds_lists_each_with_its_title_and_difficulty(printed: Printed, langu
 
 @pytest.mark.parametrize("name", worlds.names())
 @pytest.mark.parametrize("language", ["en", "pt", "es"])
-def test_a_world_is_told_in_words(printed: Printed, name: str, language: str) -> None:
+def test_a_world_is_described_in_words(printed: Printed, name: str, language: str) -> None:
     assert printed.by("world", name, "--lang", language) == 0
 
     about = worlds.words.about(name, language)
@@ -203,7 +212,7 @@ def test_a_configuration_of_a_real_robot_says_that_it_has_no_world(printed: Prin
         assert printed.err.startswith(sentence)
 
 
-def test_a_report_tells_what_was_ignored(printed: Printed) -> None:
+def test_a_report_lists_ignored_properties(printed: Printed) -> None:
     write("b.world", 'model( name "x" colr "red" )')
 
     assert printed.by("world", "b.world", "--report") == 0
@@ -223,7 +232,7 @@ def test_a_report_tells_what_was_ignored(printed: Printed) -> None:
         (("world", "open_floor", "--brf", "."), ". is a folder."),
         (
             ("world", "open_floor", "--svg", ""),
-            "The option --svg needs a value. The option --help tells more.",
+            "The option --svg needs a value. The option --help says more.",
         ),
         (("run", "no.gd"), "There is no file no.gd."),
         (("run", "."), ". is a folder."),
@@ -235,19 +244,19 @@ def test_a_report_tells_what_was_ignored(printed: Printed) -> None:
         (("run", "a.gd", "--speed", "fast"), "The option --speed can't be fast. It takes 0.1-1000, max."),
         (("run", "a.gd", "--world", "bare.world"), "The world bare.world has no robot with sensors."),
         (("run", "a.gd", "--events", "no/such"), "I can't write no/such: there is no such folder."),
-        (("run", "a.gd", "--foo"), "I do not understand --foo. The option --help tells more."),
+        (("run", "a.gd", "--foo"), "I do not understand --foo. The option --help says more."),
         (("run", "--lang", "pt"), "Falta: FILE. A opção --help diz mais."),
         (
             ("format", "a.gd", "--to", "fr"),
             "The option --to can't be fr. It takes en, pt, es.",
         ),
         (("replay", "a.gd", "--from", "abc"), "The option --from takes a whole number, such as 12."),
-        (("run", "a.gd", "--lang"), "The option --lang needs a value. The option --help tells more."),
+        (("run", "a.gd", "--lang"), "The option --lang needs a value. The option --help says more."),
         (("--linear", "--visual"), "The option --visual contradicts another one."),
         *(((command, "x"), f"The command {command} is not there yet.") for command in TO_COME),
     ],
 )
-def test_what_can_not_be_used_is_one_sentence_and_code_2(
+def test_an_unusable_argument_is_one_sentence_and_exit_code_2(
     printed: Printed, arguments: tuple[str, ...], sentence: str
 ) -> None:
     write("a.gd", "FW 1")
@@ -267,7 +276,7 @@ def test_a_mistake_in_a_world_has_its_place(printed: Printed) -> None:
 # --- settings
 
 
-def test_variables_and_the_file_count_and_what_is_wrong_in_them_is_told(
+def test_variables_and_the_settings_file_count_and_their_mistakes_are_reported(
     printed: Printed, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     (tmp_path / "config/donnie").mkdir(parents=True)
@@ -293,7 +302,7 @@ def test_detail_is_chosen_by_verbosity(printed: Printed) -> None:
 # --- the original's flags, and files that are called like a command
 
 
-def test_the_original_flags_run_a_file_mute_and_log_what_was_told(printed: Printed) -> None:
+def test_the_original_flags_run_a_file_mute_and_log_the_printed_lines(printed: Printed) -> None:
     write("a.gd", "FW 1 SPEAK 5")
 
     assert printed.by("-f", "a.gd", "-m", "-l") == 0
@@ -334,7 +343,7 @@ def test_check_and_help_load_neither_simulator_nor_screen(tmp_path: Path) -> Non
         text=True,
         cwd=tmp_path,
         env={**os.environ, "PYTHONPATH": str(ROOT)},
-        timeout=60,
+        timeout=PATIENCE,
     )
 
     assert done.stdout.strip() == "", done.stderr

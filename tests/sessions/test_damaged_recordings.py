@@ -1,4 +1,4 @@
-"""Recordings that are damaged, cut, foreign or spiteful: the rest is told, nothing is written elsewhere."""
+"""Damaged, cut, foreign or malicious recordings: the rest is replayed, and no other file is written."""
 
 from __future__ import annotations
 
@@ -11,9 +11,9 @@ from pathlib import Path
 import pytest
 
 import worlds
-from donnie_tui.cli.replay_map import ReplayMap
+from donnie_tui.cli.replay import ReplayMap
 from donnie_tui.core.recording import NoRecordingError, Recording
-from donnie_tui.core.retelling import told_back, told_forward
+from donnie_tui.core.replay import redone_in_words, undone_in_words
 from donnie_tui.core.timeline import Timeline
 from donnie_tui.core.transcript import told_lines
 from donnie_tui.i18n.words import Words
@@ -23,21 +23,21 @@ from tests.sessions.command import QUIET, donnie, start
 from tests.sessions.here import Here
 
 
-def test_a_damaged_line_is_told_and_the_rest_is_replayed(here: Here) -> None:
+def test_a_damaged_line_is_reported_and_the_rest_is_replayed(here: Here) -> None:
     here.record("SPEAK 1\nSPEAK 2\nSPEAK 3")
     here.spoil({4: b'{"seq":3,"t":0,"eve\n'})
 
-    assert here.replay(err=["Line 4 is damaged. The rest is told."]) == ["1", "3"]
+    assert here.replay(err=["Line 4 is damaged. The rest is shown."]) == ["1", "3"]
 
 
-def test_a_line_that_is_gone_is_missed(here: Here) -> None:
+def test_a_missing_line_is_reported(here: Here) -> None:
     here.record("SPEAK 1\nSPEAK 2\nSPEAK 3")
     here.spoil({4: None})
 
     assert here.replay(err=["Before line 4, 1 event is missing."]) == ["1", "3"]
 
 
-def test_without_its_beginning_a_recording_is_told_all_the_same(here: Here) -> None:
+def test_a_recording_without_its_beginning_is_replayed_anyway(here: Here) -> None:
     here.record("SPEAK 1")
     here.spoil({1: b"\xff\xfe{nonsense\n"})
     damage = "Line 1, the beginning, is damaged: there is no map."
@@ -46,7 +46,7 @@ def test_without_its_beginning_a_recording_is_told_all_the_same(here: Here) -> N
     here.replay("--check", code=2, err=[damage, "The recording is damaged and can't be run again."])
 
 
-def test_a_recording_cut_anywhere_has_all_that_is_whole(here: Here) -> None:
+def test_a_recording_cut_anywhere_keeps_every_whole_line(here: Here) -> None:
     here.record("SPEAK 1\nSPEAK 2")
     whole = (here.folder / "a.rec").read_bytes()
     first_event = whole.index(b"\n") + 1
@@ -65,7 +65,7 @@ def test_a_recording_cut_anywhere_has_all_that_is_whole(here: Here) -> None:
             assert recording.damages == []
 
 
-def test_a_killed_run_is_told_as_far_as_it_was_recorded_and_that_its_end_is_missing(here: Here) -> None:
+def test_a_killed_run_is_replayed_to_its_last_event_and_its_missing_end_is_reported(here: Here) -> None:
     (here.folder / "a.gd").write_text("FW 3 SPEAK 1 WAIT 1000")
     running = start(here.folder, "run", "a.gd", *QUIET, "--speed", "50", "--record", "a.rec")
     assert running.stdout is not None
@@ -81,7 +81,7 @@ def test_a_killed_run_is_told_as_far_as_it_was_recorded_and_that_its_end_is_miss
     assert here.replay("--check", err=[missing])[0].endswith("where it was stopped.")
 
 
-def test_a_session_in_which_nothing_runs_any_more_lacks_no_end(here: Here) -> None:
+def test_a_session_without_a_running_program_has_no_missing_end(here: Here) -> None:
     typed = "FW 1\n\nRESET\nFW 1\n\nRESET\n"
     donnie(here.folder, "--linear", *QUIET, "--speed", "max", "--record", "a.rec", typed=typed)
     with (here.folder / "a.rec").open("rb") as file:
@@ -93,18 +93,18 @@ def test_a_session_in_which_nothing_runs_any_more_lacks_no_end(here: Here) -> No
     [b"", b"FW 3\n", b"\x00" * 1000, b"{}\n", b"[" * 200_000, b'{"donnie_recording":1}\n', b'{"a":' * 90_000],
     ids=["nothing", "a program", "zeros", "an object", "deep", "a bare header", "deep objects"],
 )
-def test_what_is_no_recording_is_refused(content: bytes) -> None:
+def test_a_file_that_is_no_recording_is_refused(content: bytes) -> None:
     with pytest.raises(NoRecordingError):
         Recording(io.BytesIO(content))
 
 
-def test_what_is_no_recording_is_told_in_one_sentence(here: Here) -> None:
+def test_a_file_that_is_no_recording_is_reported_in_one_sentence(here: Here) -> None:
     (here.folder / "a.rec").write_bytes(b"FW 3\n")
 
     assert here.replay(code=2, err=["a.rec is no recording."]) == []
 
 
-def test_whatever_is_damaged_the_rest_is_told_both_ways_and_drawn(here: Here) -> None:
+def test_the_rest_of_any_damaged_recording_is_replayed_both_ways_and_drawn(here: Here) -> None:
     here.record("FW 20\nTR 90\nFW 2\nSCAN", "--world", "object_field")
     whole = (here.folder / "a.rec").read_bytes()
     first_event = whole.index(b"\n") + 1
@@ -122,14 +122,14 @@ def test_whatever_is_damaged_the_rest_is_told_both_ways_and_drawn(here: Here) ->
             )
         timeline = Timeline(Recording(io.BytesIO(bytes(damaged))).events)
         while step := timeline.step():
-            assert told_forward(step, words) or any(told_lines(each, words) for each in step)
+            assert redone_in_words(step, words) or any(told_lines(each, words) for each in step)
         for robot in timeline.robots:
             floor.lines(timeline, robot)
         while undone := timeline.step_back():
-            assert told_back(undone, timeline, words)
+            assert undone_in_words(undone, timeline, words)
 
 
-def test_what_is_no_ordinary_file_or_has_no_reasonable_size_is_refused(here: Here) -> None:
+def test_a_special_or_huge_file_is_refused(here: Here) -> None:
     os.mkfifo(here.folder / "a.rec")
     here.replay(code=2, err=["a.rec is no ordinary file."])
     (here.folder / "a.rec").unlink()
@@ -138,7 +138,7 @@ def test_what_is_no_ordinary_file_or_has_no_reasonable_size_is_refused(here: Her
     here.replay(code=2, err=["a.rec is too large for a recording."])
 
 
-def test_a_recording_that_an_editor_saved_again_is_whole(here: Here) -> None:
+def test_a_recording_saved_again_by_an_editor_is_whole(here: Here) -> None:
     printed = here.record()
     data = (here.folder / "a.rec").read_bytes()
     (here.folder / "a.rec").write_bytes(b"\xef\xbb\xbf" + data.replace(b"\n", b"\r\n"))

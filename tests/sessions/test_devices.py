@@ -1,4 +1,4 @@
-"""The real command and a real line: a pseudo terminal, the simulated board of a robot at its other end."""
+"""The real command and a real connection: a pseudo terminal with a simulated board at its other end."""
 
 from __future__ import annotations
 
@@ -9,13 +9,13 @@ from pathlib import Path
 
 import pytest
 
-from devices.firmware_double.on_pty import DoubleOnPty
+from devices.board_simulator.pty import PtyBoard
 from devices.ports.robot import Pose
 from donnie_tui.bootstrap import assemble
 from donnie_tui.core.events import Link, Moved, RunEnded, Stamped
+from donnie_tui.robot.choice import Search, Searchable
 from donnie_tui.robot.connection import Connection
-from donnie_tui.robot.search import Search, Searchable
-from donnie_tui.settings.chosen import Settings
+from donnie_tui.settings.settings import Settings
 from tests.patience import PATIENCE
 from tests.sessions.command import QUIET, donnie, start
 from tests.sessions.learner import Learner
@@ -24,7 +24,7 @@ from tests.sessions.real_robot import LONG_WALK, assembled, program, serial, unt
 # --- running
 
 
-def test_a_program_runs_on_the_robot_and_is_told_as_ever(tmp_path: Path, robot: DoubleOnPty) -> None:
+def test_a_program_runs_on_the_robot_and_prints_the_usual_lines(tmp_path: Path, robot: PtyBoard) -> None:
     file = program(tmp_path, "FW 2\nTR 45\nSPEAK DISTANCE F\n")
 
     done = donnie(tmp_path, "run", file, *serial(robot), *QUIET, "--events", "events.jsonl")
@@ -43,7 +43,7 @@ def test_a_program_runs_on_the_robot_and_is_told_as_ever(tmp_path: Path, robot: 
     assert times == sorted(times)
 
 
-def test_a_line_that_is_lost_ends_the_walk_and_nothing_goes_on_by_itself(robot: DoubleOnPty) -> None:
+def test_a_lost_connection_ends_the_walk_and_nothing_continues_by_itself(robot: PtyBoard) -> None:
     donnie, heard = assembled(robot), list[Stamped]()
     donnie.session.hub.subscribe(heard.append)
     run = donnie.session.start("FW 100 FW 1", "test.gd", hooked=False)
@@ -61,8 +61,8 @@ def test_a_line_that_is_lost_ends_the_walk_and_nothing_goes_on_by_itself(robot: 
     donnie.close()
 
 
-def test_a_robot_that_was_named_by_its_device_is_found_again_under_another_one(robot: DoubleOnPty) -> None:
-    """``robot.path`` stays, as a name in by-id does; what it leads to is another one each time."""
+def test_a_robot_that_was_named_by_its_device_is_found_again_under_another_one(robot: PtyBoard) -> None:
+    """``robot.path`` stays, as a name in by-id does. The device that it leads to differs each time."""
     device, names = os.path.realpath(robot.path), list[str]()
     settings = Settings(speech="off", sound=False)
     donnie, heard = assemble(settings, terminal=True), list[Stamped]()
@@ -91,8 +91,8 @@ def test_a_robot_that_was_named_by_its_device_is_found_again_under_another_one(r
         os.close(number)
 
 
-def test_a_program_that_was_run_while_a_robot_was_looked_for_is_stopped_where_there_is_none() -> None:
-    """At the screen one may; the simulator is there again afterwards, and not a robot without a line."""
+def test_a_program_started_during_the_search_for_a_robot_stops_where_there_is_none() -> None:
+    """The full screen allows that. Afterwards the simulator is back, and not a robot without a connection."""
 
     class Meanwhile(Search):
         def connect(self, robot: Searchable) -> None:
@@ -116,7 +116,7 @@ def test_a_program_that_was_run_while_a_robot_was_looked_for_is_stopped_where_th
 # --- several programs, one port
 
 
-def test_a_port_has_one_program_at_a_time(tmp_path: Path, robot: DoubleOnPty) -> None:
+def test_a_port_has_one_program_at_a_time(tmp_path: Path, robot: PtyBoard) -> None:
     first = start(tmp_path, "run", program(tmp_path, LONG_WALK), *serial(robot), *QUIET)
     assert until(lambda: robot.board.is_driving)
 
@@ -135,7 +135,7 @@ def test_a_port_has_one_program_at_a_time(tmp_path: Path, robot: DoubleOnPty) ->
 # --- devices, and a robot that is not there
 
 
-def test_devices_tells_what_answers_and_how_to_use_it(tmp_path: Path, robot: DoubleOnPty) -> None:
+def test_devices_lists_the_answering_devices_and_how_to_use_them(tmp_path: Path, robot: PtyBoard) -> None:
     done = donnie(tmp_path, "devices", robot.path, "/dev/there-is-nothing")
 
     assert done.stdout.decode().splitlines() == [
@@ -155,7 +155,7 @@ def test_devices_tells_what_answers_and_how_to_use_it(tmp_path: Path, robot: Dou
         ("es", "No hay nada conectado en /dev/nothing."),
     ],
 )
-def test_a_robot_that_is_not_there_is_told(tmp_path: Path, language: str, sentence: str) -> None:
+def test_a_missing_robot_is_reported(tmp_path: Path, language: str, sentence: str) -> None:
     file = program(tmp_path, "FW 1")
     done = donnie(tmp_path, "run", file, "--robot", "serial:/dev/nothing", "--lang", language)
 
@@ -163,7 +163,7 @@ def test_a_robot_that_is_not_there_is_told(tmp_path: Path, language: str, senten
     assert done.stderr.decode() == f"{sentence}\n"
 
 
-def test_a_front_end_goes_on_with_the_simulator(tmp_path: Path) -> None:
+def test_a_front_end_continues_with_the_simulator(tmp_path: Path) -> None:
     options = ("--linear", "--robot", "serial:/dev/nothing", *QUIET)
     done = donnie(tmp_path, *options, typed="FW 1\nRUN\nQUIT\n")
 
@@ -186,7 +186,7 @@ def test_the_learner_changes_to_another_robot_and_finds_it_again_the_next_time(t
     assert settings.read_text() == 'robot = "double"\n'
 
 
-def test_the_pose_of_a_real_robot_begins_where_its_world_says(robot: DoubleOnPty) -> None:
+def test_the_pose_of_a_real_robot_begins_where_its_world_says(robot: PtyBoard) -> None:
     settings = Settings(robot=f"serial:{robot.path}", world="living_room", speech="off", sound=False)
     donnie, heard = assemble(settings, terminal=False), list[Stamped]()
     try:
@@ -200,11 +200,11 @@ def test_the_pose_of_a_real_robot_begins_where_its_world_says(robot: DoubleOnPty
     assert ended == [Pose(began.x, began.y, began.heading)]
 
 
-# --- told at once
+# --- reported at once
 
 
-def test_what_happens_to_the_robot_is_told_in_the_middle_of_a_typed_line(
-    tmp_path: Path, robot: DoubleOnPty
+def test_events_of_the_robot_are_printed_in_the_middle_of_a_typed_line(
+    tmp_path: Path, robot: PtyBoard
 ) -> None:
     learner = Learner(tmp_path, *serial(robot))
     learner.sees("Linear mode, from the option.\r\nI look for the robot, some seconds.\r\n")
@@ -225,7 +225,7 @@ def test_what_happens_to_the_robot_is_told_in_the_middle_of_a_typed_line(
     assert learner.leaves() == 0
 
 
-def test_a_robot_that_is_missing_is_told_before_anything_is_typed(tmp_path: Path) -> None:
+def test_a_missing_robot_is_reported_before_any_line_is_typed(tmp_path: Path) -> None:
     learner = Learner(tmp_path, "--robot", "serial:/dev/nothing")
 
     learner.sees("Nothing is plugged in at /dev/nothing.\r\n")

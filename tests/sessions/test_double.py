@@ -2,10 +2,10 @@
 
 What is compared: the events in their order, with what was asked and done of each movement and why it ended,
 what was said, the mistakes, the outcome, the variables. The tolerance: times are the robots' own; a value
-that was read, and a number that was said or kept, may be one off, because wheels count and sonars tell whole
-centimetres. The last place may be off by a quarter of a step and half a percent of the way; the heading by
-one degree and a quarter, five counts of the wheels, however often it turned: a turn makes up for what the
-last one was off, and for what a walk between them was uneven by.
+that was read, and a number that was said or kept, may be one off, because wheels count and sonars measure
+in whole centimetres. The last place may be off by a quarter of a step and half a percent of the way; the
+heading by one degree and a quarter, five counts of the wheels, however often it turned: a turn makes up for
+what the last one was off, and for what a walk between them was uneven by.
 """
 
 from __future__ import annotations
@@ -23,7 +23,7 @@ import pytest
 from donnie_tui.bootstrap import assemble
 from donnie_tui.core.events import Outcome
 from donnie_tui.core.team import Assigned
-from donnie_tui.settings.chosen import Settings
+from donnie_tui.settings.settings import Settings
 from tests.programs.test_conformance import runner  # noqa: F401 -- a fixture
 from tests.sessions import command
 
@@ -78,8 +78,8 @@ def events(text: str, world: str, robot: str, language: str = "en") -> list[dict
     return told[began:]
 
 
-def told_of(event: dict[str, Any]) -> tuple[str, list[float]]:
-    """What must be equal of an event, with its numbers taken out, and these, which may be one off."""
+def parts_of(event: dict[str, Any]) -> tuple[str, list[float]]:
+    """The parts of an event that must be equal, and its numbers, which may be one off."""
     exact = {
         name: value
         for name, value in event.items()
@@ -96,7 +96,7 @@ def told_of(event: dict[str, Any]) -> tuple[str, list[float]]:
 
 
 def differences(simulated: list[dict[str, Any]], double: list[dict[str, Any]]) -> list[str]:
-    ours, theirs = map(told_of, _comparable(simulated)), map(told_of, _comparable(double))
+    ours, theirs = map(parts_of, _comparable(simulated)), map(parts_of, _comparable(double))
     found = [] if len(_comparable(simulated)) == len(_comparable(double)) else ["another number of events"]
     for (one, numbers), (other, others) in zip(ours, theirs, strict=False):
         if one != other or any(abs(a - b) > READING for a, b in zip(numbers, others, strict=True)):
@@ -115,7 +115,7 @@ def _way(told: list[dict[str, Any]]) -> float:
 
 
 def _comparable(told: list[dict[str, Any]]) -> list[dict[str, Any]]:
-    """The belt and its cue follow what the sensors tell a step earlier or later."""
+    """The belt and its cue follow the readings a step earlier or later."""
     return [
         each
         for each in told
@@ -131,10 +131,10 @@ def test_a_program_does_the_same_on_the_simulated_board(program: str, tmp_path: 
 
 
 TELLS_ITS_HEADING = "turns"
-"""One degree off it is told in other words: "facing 179 degrees, near south" in place of "facing south"."""
+"""One degree off it has other words: "facing 179 degrees, near south" in place of "facing south"."""
 
 
-def test_our_own_programs_do_the_same_on_the_simulated_board() -> None:
+def test_donnies_programs_do_the_same_on_the_simulated_board() -> None:
     found, compared = {}, 0
     for program in sorted(OWN.glob("*/*.gd")):
         text, language = program.read_text(encoding="utf-8"), program.parent.name
@@ -152,7 +152,7 @@ def test_our_own_programs_do_the_same_on_the_simulated_board() -> None:
 
 
 @pytest.mark.parametrize("robot", ["sim", "double"])
-def test_whatever_its_world_calls_the_robot_a_program_runs_on_the_simulated_board_too(
+def test_a_program_runs_on_the_simulated_board_under_any_name_of_the_robot(
     robot: str, tmp_path: Path
 ) -> None:
     file = tmp_path / "ana.world"
@@ -171,7 +171,7 @@ def test_whatever_its_world_calls_the_robot_a_program_runs_on_the_simulated_boar
 
 
 def test_the_sensors_of_the_simulated_board_are_those_of_a_board(tmp_path: Path) -> None:
-    """It has no eyes, as COLOR says: what the world's robot would have was told."""
+    """COLOR says that it has no camera. The sensors of the world's robot are reported separately."""
     typed = command.donnie(
         tmp_path, "--linear", "--robot", "double", "--lang", "pt", *command.QUIET, typed="SENSORES\n"
     )
@@ -184,7 +184,7 @@ def test_the_sensors_of_the_simulated_board_are_those_of_a_board(tmp_path: Path)
     ]
 
 
-def test_something_in_the_way_ends_a_walk_alike(tmp_path: Path) -> None:
+def test_an_obstacle_ends_a_walk_on_both_robots_alike(tmp_path: Path) -> None:
     told = events("FW 20", world(tmp_path), "double")
 
     moved = next(each for each in told if each["event"] == "moved")
@@ -201,6 +201,7 @@ MOVING_IN_A_SHARE = 5
 """At the least."""
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("share", range(SHARES))
 def test_the_corpus_moves_the_simulated_board_as_it_moves_the_simulator(
     share: int,
@@ -224,7 +225,7 @@ def test_the_corpus_moves_the_simulated_board_as_it_moves_the_simulator(
     assert found == {}
 
 
-def test_a_program_of_the_corpus_that_walks_what_it_read_walks_as_far_but_does_not_try_the_last_step(
+def test_a_program_that_walks_a_measured_distance_walks_as_far_on_both_robots(
     runner: Any,  # noqa: F811 -- the fixture
     shared: Path,
     tmp_path: Path,

@@ -1,4 +1,4 @@
-"""A closed terminal ends Donnie, also under a reader that gives its own end of it away, as YASR does."""
+"""A closed terminal ends Donnie, also under a reader that passes its end of it on, as YASR does."""
 
 from __future__ import annotations
 
@@ -11,7 +11,7 @@ from pathlib import Path
 
 import pytest
 
-from donnie_tui.process.hanging_up import keeper_of, masters_of
+from donnie_tui.process.disconnection import keeper_of, masters_of
 from tests.conftest import ROOT
 from tests.patience import PATIENCE
 from tests.sessions.command import COMMAND, QUIET, environment
@@ -40,7 +40,7 @@ while data := os.read(master, 4096):
 
 
 @pytest.mark.parametrize("shell", [(), ("/bin/sh", "-c", '"$@"; :', "-")], ids=["alone", "in_a_shell"])
-def test_donnie_ends_with_a_reader_that_gave_its_end_away(shell: tuple[str, ...], tmp_path: Path) -> None:
+def test_donnie_ends_with_a_reader_that_passed_its_end_on(shell: tuple[str, ...], tmp_path: Path) -> None:
     donnie = (sys.executable, "-m", "donnie_tui", "--linear", "--speech", "off", "--sound", "off")
     environment = {
         **os.environ,
@@ -74,7 +74,7 @@ def test_donnie_ends_with_a_reader_that_gave_its_end_away(shell: tuple[str, ...]
 
 
 def donnies(mark: Path) -> list[int]:
-    """The Donnies of this test; one that ended has no command line."""
+    """The Donnies of this test. An ended process has no command line."""
     found = []
     for each in Path("/proc").glob("[0-9]*"):
         with suppress(OSError):
@@ -85,7 +85,7 @@ def donnies(mark: Path) -> list[int]:
     return found
 
 
-def test_the_end_of_another_terminal_is_nothing_of_ours() -> None:
+def test_the_end_of_another_terminal_does_not_end_donnie() -> None:
     ours, terminal = os.openpty()
     other, another = os.openpty()
     try:
@@ -98,7 +98,7 @@ def test_the_end_of_another_terminal_is_nothing_of_ours() -> None:
 @pytest.mark.parametrize(
     "options", [(), ("--speed", "max"), ("--robot", "serial:/dev/nothing")], ids=["alone", "speed", "robot"]
 )
-def test_where_nobody_reads_the_linear_mode_ends_without_a_fault(
+def test_the_linear_mode_ends_without_a_fault_when_its_output_is_closed(
     tmp_path: Path, options: tuple[str, ...]
 ) -> None:
     reading, writing = os.pipe()
@@ -117,8 +117,8 @@ def test_where_nobody_reads_the_linear_mode_ends_without_a_fault(
     assert (done.returncode, done.stderr) == (128 + signal.SIGHUP, b"")
 
 
-def test_a_process_that_can_not_be_looked_at_keeps_no_terminal() -> None:
-    """It has just ended, or is somebody else's where these are hidden."""
+def test_an_unreadable_process_keeps_no_terminal() -> None:
+    """It has just ended, or it is a hidden process of another user."""
     ended = subprocess.Popen([sys.executable, "-c", ""])
     ended.wait(PATIENCE)
 

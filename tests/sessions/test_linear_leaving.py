@@ -1,4 +1,4 @@
-"""At the question whether to save first nothing is lost, whatever is answered, or nothing at all."""
+"""The question whether to save first loses no line, whatever the answer is."""
 
 from __future__ import annotations
 
@@ -22,7 +22,7 @@ def copied(folder: Path) -> list[str]:
 
 @pytest.fixture
 def asked(tmp_path: Path) -> Learner:
-    """Five lines are typed, and somebody wants to leave."""
+    """The learner has typed five lines and wants to leave."""
     learner = Learner(tmp_path)
     learner.enters(*FIVE)
     learner.sees_prompt()
@@ -32,9 +32,7 @@ def asked(tmp_path: Path) -> Learner:
 
 
 @pytest.mark.parametrize("answer", ["n\r", "\r"], ids=["no", "enter"])
-def test_who_does_not_save_has_the_program_again_by_recover(
-    asked: Learner, tmp_path: Path, answer: str
-) -> None:
+def test_recover_restores_a_program_that_was_not_saved(asked: Learner, tmp_path: Path, answer: str) -> None:
     asked.types(answer)
     asked.sees("Not saved. RECOVER brings it back.")
 
@@ -47,9 +45,7 @@ def test_who_does_not_save_has_the_program_again_by_recover(
 
 
 @pytest.mark.parametrize("leaves", ["QUIT\r", CTRL_D])
-def test_a_few_lines_are_left_without_a_question_and_are_there_again_by_recover(
-    tmp_path: Path, leaves: str
-) -> None:
+def test_recover_restores_a_few_lines_that_were_left_without_a_question(tmp_path: Path, leaves: str) -> None:
     learner = Learner(tmp_path)
     learner.enters("FW 1")
     learner.sees_prompt()
@@ -67,7 +63,7 @@ def test_a_few_lines_are_left_without_a_question_and_are_there_again_by_recover(
     once_more.sees("Here it is again, 1 line.\r\n> ")
 
 
-def test_an_empty_program_leaves_nothing(tmp_path: Path) -> None:
+def test_an_empty_program_leaves_no_copy(tmp_path: Path) -> None:
     learner = Learner(tmp_path)
     learner.enters("NEW", "QUIT")
     learner.leaves()
@@ -85,7 +81,7 @@ IN_VAIN = {
 
 
 @pytest.mark.parametrize("answers", IN_VAIN.values(), ids=IN_VAIN)
-def test_who_answers_nothing_or_can_not_save_stays_with_the_program(
+def test_a_missing_answer_or_a_failed_save_keeps_the_program_open(
     asked: Learner, answers: tuple[str, ...]
 ) -> None:
     for keys in answers[:-1]:
@@ -97,7 +93,7 @@ def test_who_answers_nothing_or_can_not_save_stays_with_the_program(
     asked.sees("5: FW 5\r\n> ")
 
 
-def test_who_stayed_saves_and_leaves(asked: Learner, tmp_path: Path) -> None:
+def test_a_program_that_stayed_open_can_be_saved_and_left(asked: Learner, tmp_path: Path) -> None:
     asked.types(CTRL_C)
     asked.sees(STAYS)
     asked.types(CTRL_D)
@@ -141,7 +137,7 @@ def test_the_end_of_the_input_at_the_question_leaves_a_copy(asked: Learner, tmp_
     assert copied(tmp_path) == [TEXT]
 
 
-def test_of_several_robots_no_program_is_lost_and_the_one_talked_to_stays_so(tmp_path: Path) -> None:
+def test_no_program_of_several_robots_is_lost_and_the_selection_stays(tmp_path: Path) -> None:
     learner = Learner(tmp_path, "--world", "two_robots")
     learner.enters("ROBOT alice", *FIVE, "ROBOT bob", *reversed(FIVE))
     learner.sees_prompt()

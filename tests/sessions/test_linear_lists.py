@@ -1,4 +1,4 @@
-"""Long lists in the linear mode: who hears one knows first how long it will be; the manual is a page too."""
+"""Long lists in the linear mode begin with their length. The manual can be a page too."""
 
 from __future__ import annotations
 
@@ -23,17 +23,15 @@ DEEDS = [line for number in range(20) for line in (f"VAR v{number} = {number}", 
         ("LAST", 20, "I turned 0 degrees"),
     ],
 )
-def test_a_list_that_does_not_come_at_once_begins_with_its_number(
-    word: str, count: int, first: str, tmp_path: Path
-) -> None:
-    """L9."""
+def test_a_long_list_begins_with_its_number(word: str, count: int, first: str, tmp_path: Path) -> None:
+    """The number comes first, so that a listener knows the length."""
     told = printed_by(tmp_path, "en", [*DEEDS, "", word, "NEW"])
 
     assert told[22] == f"{count} lines."
     assert told[23].startswith(first)
 
 
-def test_a_list_that_comes_at_once_has_no_number(tmp_path: Path) -> None:
+def test_a_short_list_has_no_number(tmp_path: Path) -> None:
     assert "lines." not in " ".join(
         printed_by(tmp_path, "en", [*DEEDS, "", "TRAIL 18", "TYPED 9", "NEW"])[:-3]
     )
@@ -56,7 +54,7 @@ def test_many_mistakes_begin_with_the_number_of_their_lines(tmp_path: Path) -> N
 def test_the_manual_is_written_as_a_page_with_headings(
     language: str, typed: str, heading: str, tmp_path: Path
 ) -> None:
-    """L28."""
+    """A page has headings that a screen reader finds."""
     printed_by(tmp_path, language, [typed])
     page = (tmp_path / "m.html").read_text("utf-8")
 

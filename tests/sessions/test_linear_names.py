@@ -1,4 +1,4 @@
-"""A name that no file can have ends no conversation: it is answered, and nothing is lost."""
+"""A name that no file can have gets an answer, and the conversation continues."""
 
 from __future__ import annotations
 
@@ -13,9 +13,7 @@ LONG = "x" * 300
 
 
 @pytest.mark.parametrize("word", ["SAVE", "REPORT map", "SAVE LOG", "OPEN"])
-def test_a_file_name_that_is_too_long_is_refused_and_the_conversation_goes_on(
-    tmp_path: Path, word: str
-) -> None:
+def test_a_too_long_file_name_is_refused_and_the_conversation_continues(tmp_path: Path, word: str) -> None:
     learner = Learner(tmp_path)
     learner.enters("FW 1", "WHERE", f"{word} {LONG}.html")
     learner.sees("File name too long.\r\n> ")
@@ -23,7 +21,7 @@ def test_a_file_name_that_is_too_long_is_refused_and_the_conversation_goes_on(
     learner.sees("1: FW 1\r\n> ")
 
 
-def test_a_port_whose_name_is_too_long_is_listed_as_missing(tmp_path: Path) -> None:
+def test_a_port_with_a_too_long_name_is_listed_as_missing(tmp_path: Path) -> None:
     robot = f"serial:/dev/{LONG}"
     done = donnie(tmp_path, "--linear", *QUIET, "--robot", robot, typed="CONNECT\nWHERE\n")
 
@@ -31,7 +29,7 @@ def test_a_port_whose_name_is_too_long_is_listed_as_missing(tmp_path: Path) -> N
     assert "Facing north.\n" in done.stdout.decode()
 
 
-def test_a_world_whose_name_is_too_long_is_unknown(tmp_path: Path) -> None:
+def test_a_world_with_a_too_long_name_is_unknown(tmp_path: Path) -> None:
     done = donnie(tmp_path, "--linear", *QUIET, "--world", LONG)
 
     assert done.returncode == 2

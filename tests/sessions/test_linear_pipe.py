@@ -2,9 +2,7 @@
 
 from __future__ import annotations
 
-import os
 import subprocess
-import sys
 from pathlib import Path
 
 import pytest
@@ -36,7 +34,7 @@ def test_the_output_of_a_pipe_needs_no_terminal(tmp_path: Path) -> None:
     assert (done.returncode, done.stderr) == (0, b"")
 
 
-def test_a_script_that_forgets_run_is_told(tmp_path: Path) -> None:
+def test_a_script_without_run_gets_a_hint(tmp_path: Path) -> None:
     done = _piped(b"FW 3\nFW 4\n", tmp_path)
 
     assert done.stdout.decode().splitlines()[2:] == ["2 lines did not run. RUN was missing.", "Goodbye."]
@@ -56,32 +54,7 @@ def test_garbage_is_answered(garbage: bytes, tmp_path: Path) -> None:
 
 
 def _piped(script: bytes, folder: Path) -> subprocess.CompletedProcess[bytes]:
-    environment = {
-        **os.environ,
-        "XDG_STATE_HOME": str(folder / "state"),
-        "XDG_CONFIG_HOME": str(folder / "config"),
-        "DONNIE_TOUR": "off",
-    }
-    command = [
-        sys.executable,
-        "-m",
-        "donnie_tui",
-        "--linear",
-        "--speech",
-        "off",
-        "--sound",
-        "off",
-        "--lang",
-        "en",
-    ]
-    return subprocess.run(
-        [*command, "--speed", "max"],
-        input=script,
-        capture_output=True,
-        timeout=60,
-        cwd=folder,
-        env=environment,
-    )
+    return donnie(folder, "--linear", *QUIET, "--lang", "en", "--speed", "max", typed=script)
 
 
 @pytest.mark.parametrize(

@@ -1,4 +1,4 @@
-"""Whatever ends a conversation on a terminal, what was typed is there again the next time."""
+"""Typed lines are restored at the next start, however the conversation ended."""
 
 from __future__ import annotations
 
@@ -12,7 +12,7 @@ def copied(folder: Path) -> list[str]:
     return [each.read_text() for each in (folder / "state").rglob("unsaved-*.gd")]
 
 
-def test_a_program_of_thousands_of_lines_is_there_again_after_donnie_was_killed(tmp_path: Path) -> None:
+def test_a_program_of_thousands_of_lines_is_restored_after_donnie_was_killed(tmp_path: Path) -> None:
     many = "FW 1\n" * 6000
     (tmp_path / "long.gd").write_text(many)
     learner = Learner(tmp_path)
@@ -27,7 +27,7 @@ def test_a_program_of_thousands_of_lines_is_there_again_after_donnie_was_killed(
     again.sees("Here long.gd is again, 6001 lines.")
 
 
-def test_that_a_program_was_rescued_is_told_before_the_first_prompt_and_once(tmp_path: Path) -> None:
+def test_a_rescued_program_is_announced_once_before_the_first_prompt(tmp_path: Path) -> None:
     learner = Learner(tmp_path)
     learner.enters("FW 1")
     learner.sees_prompt()
@@ -44,7 +44,7 @@ def test_that_a_program_was_rescued_is_told_before_the_first_prompt_and_once(tmp
     assert sum("rescued" in line for line in again.lines) == 1
 
 
-def test_what_somebody_else_wrote_since_a_program_came_back_is_not_replaced_unasked(tmp_path: Path) -> None:
+def test_a_file_changed_by_another_program_is_not_replaced_without_a_question(tmp_path: Path) -> None:
     file = tmp_path / "a.gd"
     file.write_text("FW 1\n")
     learner = Learner(tmp_path)
@@ -60,7 +60,7 @@ def test_what_somebody_else_wrote_since_a_program_came_back_is_not_replaced_unas
     file.write_text("FW 9\n")
     again.sees_prompt()
     again.types("SAVE\r")
-    again.sees("a.gd was changed by somebody else. Replace it, y or n?")
+    again.sees("a.gd was changed elsewhere. Replace it, y or n?")
     assert file.read_text() == "FW 9\n"
 
 
@@ -72,7 +72,7 @@ def test_a_programs_own_file_is_saved_by_any_of_its_names_without_a_question(
     learner.sees("Saved a.gd, 2 lines.")
 
 
-def test_that_there_is_one_program_more_is_told_with_the_first(tmp_path: Path) -> None:
+def test_recovering_one_program_mentions_a_second_one(tmp_path: Path) -> None:
     folder = tmp_path / "state" / "donnie" / "unsaved"
     folder.mkdir(parents=True)
     for number in (1, 2):

@@ -1,4 +1,4 @@
-"""What was typed is there again after a signal, after a power failure; what was saved leaves no copy."""
+"""Typed lines are restored after a signal or a power failure. A saved program leaves no copy."""
 
 from __future__ import annotations
 
@@ -49,7 +49,7 @@ def copies(folder: Path) -> list[Path]:
     return list((folder / "state").rglob("unsaved-*.gd"))
 
 
-def test_what_was_typed_is_there_again_after_donnie_was_killed_in_mid_line(tmp_path: Path) -> None:
+def test_typed_lines_are_restored_after_donnie_was_killed_in_mid_line(tmp_path: Path) -> None:
     learner = Learner(tmp_path, language="es")
     learner.types("AV 1\rGD 90\rHABL")
     learner.sees("> HABL")

@@ -30,8 +30,8 @@ QUIT
 """
 
 
-def test_a_program_that_tells_nothing_tells_that_it_has_ended(tmp_path: Path) -> None:
-    """L25: after START, which nobody waits for, and after TOGETHER."""
+def test_a_program_without_output_announces_its_end(tmp_path: Path) -> None:
+    """After START, which runs in the background, and after TOGETHER."""
     typed = "VAR q = 2\nSTART\nSTOP ALL\nTOGETHER\n"
     done = donnie(tmp_path, "--linear", *QUIET, "--speed", "max", "--world", "two_robots", typed=typed)
 
@@ -40,7 +40,7 @@ def test_a_program_that_tells_nothing_tells_that_it_has_ended(tmp_path: Path) ->
     assert lines[-1] == "alice: Done."
 
 
-def test_the_learner_chooses_whom_to_talk_to_and_all_run_together(tmp_path: Path) -> None:
+def test_the_learner_selects_a_robot_and_all_run_together(tmp_path: Path) -> None:
     done = donnie(tmp_path, "--linear", *QUIET, "--speed", "max", "--world", "two_robots", typed=TYPED)
 
     assert done.returncode == 0
@@ -67,13 +67,13 @@ def test_the_learner_chooses_whom_to_talk_to_and_all_run_together(tmp_path: Path
     ]
 
 
-def _told(folder: Path, *options: str, typed: str) -> list[str]:
+def _lines(folder: Path, *options: str, typed: str) -> list[str]:
     """The lines of a conversation that ends by itself."""
     return donnie(folder, "--linear", *QUIET, *options, typed=typed).stdout.decode().splitlines()
 
 
 def test_in_a_world_with_one_robot_nothing_is_named(tmp_path: Path) -> None:
-    told = _told(tmp_path, "--speed", "max", typed="ROBOTS\nFW 1\n\nGRIP\nQUIT\n")
+    told = _lines(tmp_path, "--speed", "max", typed="ROBOTS\nFW 1\n\nGRIP\nQUIT\n")
 
     assert told[2:-1] == [
         "There is one robot, donnie.",
@@ -82,9 +82,9 @@ def test_in_a_world_with_one_robot_nothing_is_named(tmp_path: Path) -> None:
     ]
 
 
-def test_what_is_told_of_the_world_says_for_which_robot(tmp_path: Path) -> None:
+def test_answers_about_the_world_name_their_robot(tmp_path: Path) -> None:
     typed = "ROBOT bob\nMAP\nMAP ROW 30\nAROUND\nTRAIL\nQUIT\n"
-    told = _told(tmp_path, "--world", "two_robots", typed=typed)
+    told = _lines(tmp_path, "--world", "two_robots", typed=typed)
 
     assert [line for line in told if line.startswith("bob: ")] == [
         "bob: 33 by 43 steps, walls included.",
@@ -94,9 +94,9 @@ def test_what_is_told_of_the_world_says_for_which_robot(tmp_path: Path) -> None:
     ]
 
 
-def test_what_is_told_of_sensors_mistakes_and_on_the_tour_says_for_which_robot(tmp_path: Path) -> None:
+def test_answers_about_sensors_mistakes_and_the_tour_name_their_robot(tmp_path: Path) -> None:
     typed = "ROBOT bob\nSENSORS\nNEAR\nFWD 1\n\nEXPLAIN\nTOUR\nQUIT\n"
-    told = _told(tmp_path, "--world", "two_robots", typed=typed)
+    told = _lines(tmp_path, "--world", "two_robots", typed=typed)
 
     assert "bob has:" in told
     assert "bob: No things within 10 steps." in told
@@ -106,7 +106,7 @@ def test_what_is_told_of_sensors_mistakes_and_on_the_tour_says_for_which_robot(t
 
 def test_a_program_with_a_mistake_does_not_begin(tmp_path: Path) -> None:
     typed = "FWD 2\nFW 1\nSTART\nDELETE 1\nSTART\nNEW\nQUIT\n"
-    said = _told(tmp_path, "--speed", "max", typed=typed)
+    said = _lines(tmp_path, "--speed", "max", typed=typed)
 
     assert "Error, line 1, column 1: I do not know FWD." in said
     assert said.count("donnie begins.") == 1
@@ -115,38 +115,38 @@ def test_a_program_with_a_mistake_does_not_begin(tmp_path: Path) -> None:
 ENDLESS = "WHILE 1 > 0 DO\nFW 1\nBW 1\nEND WHILE\n"
 
 
-def test_what_was_started_and_still_runs_at_the_end_of_the_lines_is_stopped_and_that_is_told(
+def test_a_program_still_running_at_the_end_of_the_lines_is_stopped_and_reported(
     tmp_path: Path,
 ) -> None:
     typed = f"{ENDLESS}START\nROBOT bob\nFW 2\nRUN\n"
-    told = _told(tmp_path, "--speed", "max", "--world", "two_robots", typed=typed)
+    told = _lines(tmp_path, "--speed", "max", "--world", "two_robots", typed=typed)
 
     assert "bob: I walked 2 steps forward." in told
     assert told[-2:] == ["All stopped.", "Goodbye."]
 
 
 @pytest.mark.parametrize("word", ["START\nWHERE", "TOGETHER"])
-def test_lines_that_were_started_wait_no_more(word: str, tmp_path: Path) -> None:
+def test_started_lines_are_no_longer_pending(word: str, tmp_path: Path) -> None:
     typed = f"WAIT 1\nFW 1\n{word}\nSTOP ALL\nRUN\n"
-    told = _told(tmp_path, "--speed", "max", "--world", "two_robots", typed=typed)
+    told = _lines(tmp_path, "--speed", "max", "--world", "two_robots", typed=typed)
 
     assert told[-2:] == ["Nothing to run.", "Goodbye."]
 
 
 def test_answers_that_a_program_delivers_are_printed_before_the_goodbye_too(tmp_path: Path) -> None:
-    """Who publishes while a program's event is told leaves it to that thread: it came after the end."""
+    """A listener that published during a program's event left it to that thread: it came after the end."""
     for _ in range(5):
-        told = _told(
+        told = _lines(
             tmp_path, "--speed", "max", "--world", "two_robots", typed="WAIT 1\nFW 1\nSTART\nSTOP ALL\nRUN\n"
         )
         assert "alice begins." in told
         assert told[-2:] == ["Nothing to run.", "Goodbye."]
 
 
-def test_ctrl_c_is_the_way_out_for_a_pipe_whose_robot_is_held_up_by_an_endless_program(
+def test_ctrl_c_ends_a_pipe_with_a_robot_held_up_by_an_endless_program(
     tmp_path: Path,
 ) -> None:
-    """The sentence says so; what stands behind in the pipe is read then."""
+    """The sentence says so. The next lines of the pipe are read then."""
     learner = subprocess.Popen(
         [*COMMAND, "--linear", *QUIET, "--speed", "max", "--world", "two_robots"],
         stdin=subprocess.PIPE,
@@ -174,15 +174,15 @@ def test_ctrl_c_is_the_way_out_for_a_pipe_whose_robot_is_held_up_by_an_endless_p
     too_long.cancel()
 
 
-def test_reset_of_a_robot_whose_program_runs_is_refused_with_the_reason(tmp_path: Path) -> None:
+def test_reset_of_a_running_robot_is_refused_with_the_reason(tmp_path: Path) -> None:
     typed = "WHILE 1 == 1 DO\nWAIT 1000\nEND WHILE\nSTART\nRESET\nSTOP ALL\n"
-    said = _told(tmp_path, "--speed", "1", typed=typed)
+    said = _lines(tmp_path, "--speed", "1", typed=typed)
 
-    assert "donnie is busy." in said
+    assert "A program is running. STOP stops it." in said
     assert not any("RESET" in line for line in said)
 
 
-def test_of_robots_that_were_started_together_each_tells_where_it_stopped(tmp_path: Path) -> None:
+def test_each_of_the_robots_started_together_reports_where_it_stopped(tmp_path: Path) -> None:
     learner = Learner(tmp_path, "--world", "two_robots", speed="1")
     learner.enters("WAIT 1000", "ROBOT bob", "FW 1", "WAIT 1000", "TOGETHER")
     learner.sees("bob: I walked 1 step forward.")
@@ -191,12 +191,12 @@ def test_of_robots_that_were_started_together_each_tells_where_it_stopped(tmp_pa
     learner.sees("bob: Stopped at line 2.")
 
 
-def test_after_a_stop_the_next_word_finds_the_robots_idle_and_all_is_told_in_its_order(
+def test_the_next_word_after_a_stop_finds_idle_robots_and_ordered_lines(
     tmp_path: Path,
 ) -> None:
-    """Typed lines of a file come faster than a robot stops."""
+    """Lines of a file arrive faster than a robot stops."""
     typed = "FW 1\nROBOT bob\nFW 2\nSTART\nSTOP ALL\nTOGETHER\nSTART\nSTOP\nAGAIN\nSTART\nSTOP ALL\nRESET\n"
-    told = _told(tmp_path, "--speed", "1", "--world", "two_robots", typed=typed)
+    told = _lines(tmp_path, "--speed", "1", "--world", "two_robots", typed=typed)
     told = [line for line in told if not line.startswith("Still")]
 
     walked, stopped = "bob: I walked 2 steps forward.", "bob: I walked only 0 steps forward. I was stopped."
@@ -218,15 +218,15 @@ def test_after_a_stop_the_next_word_finds_the_robots_idle_and_all_is_told_in_its
     ]
 
 
-def test_that_a_robot_begins_is_told_before_what_it_says(tmp_path: Path) -> None:
-    told = _told(tmp_path, "--speed", "max", typed='SPEAK "hi"\nSTART\nSTOP ALL\n')
+def test_the_start_of_a_robot_is_announced_before_its_first_line(tmp_path: Path) -> None:
+    told = _lines(tmp_path, "--speed", "max", typed='SPEAK "hi"\nSTART\nSTOP ALL\n')
 
     assert told[2:4] == ["donnie begins.", "hi"]
 
 
-def test_what_was_stepped_through_is_not_told_of_a_program_that_is_started_later(tmp_path: Path) -> None:
+def test_steps_of_an_earlier_program_are_not_reported_of_a_later_one(tmp_path: Path) -> None:
     typed = "VAR x = 1\nIF x > 5 THEN\nFW 1\nEND IF\nSTEP\n\n\nSTART\nSTOP ALL\nSTEP BACK\nQUIT\n"
-    told = _told(tmp_path, "--speed", "max", typed=typed)
+    told = _lines(tmp_path, "--speed", "max", typed=typed)
 
     assert told.count("Condition false: 1 less than 5.") == 1
     assert told[-2].startswith("Back: ")

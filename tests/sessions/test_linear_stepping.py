@@ -4,28 +4,30 @@ from __future__ import annotations
 
 from pathlib import Path
 
-from tests.sessions.typed_lines import printed_by, told
+from tests.sessions.typed_lines import answers_to, printed_by
 
 
 def test_a_step_over_a_call_counts_the_round(tmp_path: Path) -> None:
-    """L40."""
+    """The number of the round stays right."""
     program = ("PROCEDURE song: a DO", "TR a", "END PROCEDURE", "REPEAT 3 TIMES", "song [10]", "END REPEAT")
-    lines = told(tmp_path, *program, "STEP", "", "", "OVER", "", "OVER", "", "OVER")
+    lines = answers_to(tmp_path, *program, "STEP", "", "", "OVER", "", "OVER", "", "OVER")
 
     assert [line for line in lines if line.startswith("Round")] == [f"Round {n} of 3." for n in (1, 2, 3)]
 
 
-def test_a_pause_in_a_loop_is_told_without_a_false_round(tmp_path: Path) -> None:
-    """A breakpoint in the loop, as a pause: nobody counted what went before."""
+def test_a_pause_in_a_loop_is_printed_without_a_wrong_round(tmp_path: Path) -> None:
+    """A breakpoint in the loop acts like a pause: earlier rounds were not counted."""
     program = ("FOR VAR k = 0; k < 9; k = k + 1 DO", "FW 1", "SPEAK k", "END FOR")
-    lines = told(tmp_path, *program, "BREAK 2", "RUN", "BREAK 2", "STEP", "", "", "", "STOP")
+    lines = answers_to(tmp_path, *program, "BREAK 2", "RUN", "BREAK 2", "STEP", "", "", "", "STOP")
 
     assert "Next round." not in lines
     assert [line for line in lines if line.startswith("Round")] == []
 
 
 def test_a_program_that_has_run_is_stepped_through_from_the_start(tmp_path: Path) -> None:
-    assert told(tmp_path, "FW 1", "FW 2", "RUN", "STEP", "", "STOP", "RESET", "UNTIL 2", "STOP")[2:8] == [
+    assert answers_to(tmp_path, "FW 1", "FW 2", "RUN", "STEP", "", "STOP", "RESET", "UNTIL 2", "STOP")[
+        2:8
+    ] == [
         "From the start again.",
         "Line 1: FW 1",
         "I walked 1 step forward.",
@@ -35,10 +37,10 @@ def test_a_program_that_has_run_is_stepped_through_from_the_start(tmp_path: Path
     ]
 
 
-def test_steps_are_told_backwards_as_they_were_forwards(tmp_path: Path) -> None:
-    """Issue 4: lines, conditions, rounds, and the variables of then; what was not stepped, event by event."""
+def test_steps_have_the_same_lines_backwards_as_forwards(tmp_path: Path) -> None:
+    """Lines, conditions, rounds and earlier variables. Parts that were not stepped, event by event."""
     program = ("VAR x = 1", "WHILE x < 3 DO", "x = x + 1", "FW x", "END WHILE")
-    lines = told(
+    lines = answers_to(
         tmp_path, *program, "STEP", "", "", "", "", *["STEP BACK"] * 6, "", "CONTINUE", *["STEP BACK"] * 3
     )
 
@@ -59,14 +61,14 @@ def test_steps_are_told_backwards_as_they_were_forwards(tmp_path: Path) -> None:
         "This is the start.",
         "Condition true: 2 less than 3.",
     ]
-    assert lines[26:29] == [
+    assert lines[27:30] == [
         "Back: end of the program. Position 0, 5.",
         "Back: FW x. Position 0, 2.",
         "x is 2.",
     ]
 
 
-def test_a_procedure_that_was_stepped_over_is_taken_back_as_one_step(tmp_path: Path) -> None:
+def test_a_procedure_that_was_stepped_over_is_undone_as_one_step(tmp_path: Path) -> None:
     program = (
         "PROCEDURE song: a DO",
         "REPEAT 9 TIMES",
@@ -76,15 +78,15 @@ def test_a_procedure_that_was_stepped_over_is_taken_back_as_one_step(tmp_path: P
         "song [10]",
         "FW 1",
     )
-    lines = told(tmp_path, *program, "STEP", "", "OVER", "STEP BACK")
+    lines = answers_to(tmp_path, *program, "STEP", "", "OVER", "STEP BACK")
 
     back = lines[lines.index("Line 7: FW 1") + 1 :]
     assert [line.split(".")[0] for line in back[:6]] == [*["Back: TR a"] * 5, "Back: 4 more"]
     assert back[6] == "Line 6: song [10]"
 
 
-def test_a_breakpoint_where_no_command_begins_goes_to_the_next_one(tmp_path: Path) -> None:
-    lines = told(
+def test_a_breakpoint_without_a_command_moves_to_the_next_one(tmp_path: Path) -> None:
+    lines = answers_to(
         tmp_path, "BREAK 1", "REPEAT 2 TIMES", "FW 1", "END REPEAT", "FW 2", "BREAK 3", "RUN", "STOP"
     )
 
@@ -95,39 +97,39 @@ def test_a_breakpoint_where_no_command_begins_goes_to_the_next_one(tmp_path: Pat
     ]
     assert lines[5:7] == ["Line 4: FW 2", "Stopped at line 4."]
     assert (
-        told(tmp_path, "FW 1", "-- end", "BREAK 2")[0]
+        answers_to(tmp_path, "FW 1", "-- end", "BREAK 2")[0]
         == "No command begins on line 2, so nothing holds there."
     )
 
 
-def test_a_line_that_is_not_taken_while_held_is_told(tmp_path: Path) -> None:
-    assert told(tmp_path, "FW 1", "FW 2", "STEP", "FW 9", "STOP")[1:3] == [
+def test_a_line_that_is_refused_while_held_is_reported(tmp_path: Path) -> None:
+    assert answers_to(tmp_path, "FW 1", "FW 2", "STEP", "FW 9", "STOP")[1:3] == [
         "Not now: FW 9",
-        "Enter goes on. RUN runs the rest. STOP ends.",
+        "Enter continues. RUN runs the rest. STOP ends.",
     ]
 
 
-def test_breakpoints_go_with_their_program_and_are_told_when_it_is_opened_again(tmp_path: Path) -> None:
+def test_breakpoints_stay_with_their_program_and_are_announced_when_it_opens(tmp_path: Path) -> None:
     (tmp_path / "walk.gd").write_text("FW 1\nFW 2\n")
     (tmp_path / "other.gd").write_text("TR 90\nTR 90\nTR 90\n")
-    first = told(
+    first = answers_to(
         tmp_path, "OPEN walk.gd", "BREAK 2", "INSERT 1 TR 90", "BREAK", "SAVE", "OPEN other.gd", "BREAK"
     )
-    again = told(tmp_path, "OPEN walk.gd", "BREAK")
+    again = answers_to(tmp_path, "OPEN walk.gd", "BREAK")
 
     assert "Breakpoints: 3." in first
     assert first[-1] == "No breakpoints."
     assert again == ["Opened walk.gd, 3 lines.", "Breakpoints: 3.", "Breakpoints: 3."]
 
 
-def test_going_back_to_the_start_of_what_was_typed_names_no_file(tmp_path: Path) -> None:
+def test_a_step_back_to_the_start_of_a_typed_program_names_no_file(tmp_path: Path) -> None:
     typed = ["PF 2", "EXECUTAR", "PASSO ATRÁS", "PASSO ATRÁS", "PASSO ATRÁS", "NOVO"]
 
     assert "De volta: começo do programa." in printed_by(tmp_path, "pt", typed)
 
 
 def test_only_what_can_be_a_variable_is_watched(tmp_path: Path) -> None:
-    assert told(tmp_path, "WATCH 3", "WATCH x y", "WATCH lado", "WATCH") == [
+    assert answers_to(tmp_path, "WATCH 3", "WATCH x y", "WATCH lado", "WATCH") == [
         "I did not understand. Type WATCH x.",
         "I did not understand. Type WATCH x.",
         "Watching lado.",

@@ -1,4 +1,4 @@
-"""Ctrl+C and words that are typed meanwhile stop a program of the linear mode, whatever it does."""
+"""Ctrl+C and typed words stop any running program of the linear mode."""
 
 from __future__ import annotations
 
@@ -30,7 +30,7 @@ def test_control_c_stops_in_the_middle_of_a_movement(tmp_path: Path) -> None:
 
 @pytest.mark.parametrize("after", [0.1, 0.2, 0.4, 0.8])
 def test_control_c_counts_while_the_session_still_loads(after: float, tmp_path: Path) -> None:
-    """Whether it comes as a key or as a signal, which drops what is typed and not read yet."""
+    """Both as a key and as a signal, which drops unread keys."""
     learner = Learner(tmp_path, speed="5")
     learner.sees_prompt()
     learner.types("WAIT 1000\r\r")
@@ -41,8 +41,8 @@ def test_control_c_counts_while_the_session_still_loads(after: float, tmp_path: 
     learner.sees("Facing north.")  # long before the wait would be over
 
 
-def test_control_c_that_is_typed_with_the_program_keeps_nobody_waiting(tmp_path: Path) -> None:
-    """Until signals are heard it is a key behind the others; then the terminal drops what nobody read yet."""
+def test_control_c_typed_right_after_the_program_stops_it(tmp_path: Path) -> None:
+    """Before signals are handled it is a key after the others. Later the terminal drops unread keys."""
     learner = Learner(tmp_path, speed="5")
     learner.sees_prompt()
     learner.types("WAIT 1000\r\r" + CTRL_C)
@@ -60,8 +60,8 @@ def test_an_endless_program_that_talks_is_stopped(learner: Learner) -> None:
     learner.sees("well\r\n> ")
 
 
-def test_control_c_where_the_terminal_takes_nothing_still_tells_where_it_stopped(tmp_path: Path) -> None:
-    """Ctrl+C arrives in the middle of a write; what then waits is left out, the end of it is told."""
+def test_control_c_at_a_stuck_terminal_still_reports_where_the_robot_stopped(tmp_path: Path) -> None:
+    """Ctrl+C arrives in the middle of a write. Waiting lines are left out, except for their end."""
     (tmp_path / "flood.gd").write_text(f'WHILE 1 == 1 DO\nSPEAK "{"long " * 1000}"\nEND WHILE\n')
     learner = Learner(tmp_path, "flood.gd")
     learner.enters("RUN")
@@ -85,7 +85,7 @@ def test_control_c_where_the_terminal_takes_nothing_still_tells_where_it_stopped
 def test_a_word_counts_at_once_while_a_program_talks_without_end(
     word: str, answer: str, learner: Learner
 ) -> None:
-    """What the program has told before may be hundreds of lines; no more than a few blocks come first."""
+    """The program may have published hundreds of lines. Only a few blocks are printed first."""
     learner.enters("WHILE 1 == 1 DO", 'SPEAK "on and on"', "END WHILE", "RUN")
     learner.sees("on and on\r\non and on")
     learner.types(f"{word}\r")
@@ -98,7 +98,7 @@ def test_a_word_counts_at_once_while_a_program_talks_without_end(
 
 
 def _unread(learner: Learner) -> int:
-    """Bytes that the terminal holds ready and nobody has read."""
+    """Unread bytes in the terminal."""
     (count,) = struct.unpack("i", fcntl.ioctl(learner.child.fileno(), termios.FIONREAD, b"\0" * 4))
     return int(count)
 

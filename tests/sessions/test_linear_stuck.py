@@ -1,4 +1,4 @@
-"""Whoever typed something wrong finds a way on: it is said each time what to type."""
+"""After each wrong line the answer says what to type."""
 
 from __future__ import annotations
 
@@ -7,7 +7,7 @@ from pathlib import Path
 from tests.sessions.learner import Learner
 
 
-def test_lines_that_are_refused_again_can_be_forgotten_by_a_word_that_is_told(tmp_path: Path) -> None:
+def test_the_answer_to_repeatedly_refused_lines_names_the_word_that_forgets_them(tmp_path: Path) -> None:
     learner = Learner(tmp_path, language="pt")
     learner.enters("ola", "PF 2", "EXECUTAR")
     learner.sees("Nada foi executado. MUDAR 1 corrige a linha 1, APAGAR 1 a apaga.\r\n")
@@ -17,7 +17,7 @@ def test_lines_that_are_refused_again_can_be_forgotten_by_a_word_that_is_told(tm
     learner.sees("Andei 3 passos para frente.\r\n")
 
 
-def test_where_quit_can_not_run_what_waits_it_is_told_how_to_leave(tmp_path: Path) -> None:
+def test_quit_with_lines_that_can_not_run_says_how_to_leave(tmp_path: Path) -> None:
     learner = Learner(tmp_path, language="es")
     learner.enters("hola", "AV 2", "SALIR")
     learner.sees("SALIR otra vez sale de Donnie.\r\n")
@@ -26,7 +26,7 @@ def test_where_quit_can_not_run_what_waits_it_is_told_how_to_leave(tmp_path: Pat
     assert learner.leaves() == 0
 
 
-def test_on_the_tour_the_prompt_tells_how_many_blocks_are_open_and_an_empty_line_goes_on(
+def test_the_prompt_of_the_tour_counts_open_blocks_and_an_empty_line_continues(
     tmp_path: Path,
 ) -> None:
     learner = Learner(tmp_path)
@@ -38,8 +38,8 @@ def test_on_the_tour_the_prompt_tells_how_many_blocks_are_open_and_an_empty_line
     learner.sees("Page 2 of 9.")
 
 
-def test_a_head_without_its_last_word_is_mended_where_it_belongs(tmp_path: Path) -> None:
-    """What is told points at the head and not at the first line of the block, where it was noticed."""
+def test_a_head_without_its_last_word_is_fixed_in_the_right_place(tmp_path: Path) -> None:
+    """The answer names the head and not the first line of the block, where the mistake was noticed."""
     learner = Learner(tmp_path, language="pt")
     learner.enters("APRENDER canto: n", "PF n", "FIM APRENDER", "canto [2]", "EXECUTAR")
     learner.sees("FAÇA vai no fim da linha 1.\r\nNada foi executado. CORRIGIR corrige a linha 1,")
@@ -51,7 +51,7 @@ def test_a_head_without_its_last_word_is_mended_where_it_belongs(tmp_path: Path)
     learner.sees("Andei 2 passos para frente.")
 
 
-def test_an_empty_line_in_an_open_block_tells_what_no_further_line_puts_right(tmp_path: Path) -> None:
+def test_an_empty_line_in_an_open_block_reports_an_uncorrectable_mistake(tmp_path: Path) -> None:
     learner = Learner(tmp_path, language="pt")
     learner.enters("REPITA 3 VEZES", "PF 1", "")
     learner.sees("Ainda aberto: REPITA da linha 1.")
@@ -63,14 +63,14 @@ def test_an_empty_line_in_an_open_block_tells_what_no_further_line_puts_right(tm
     learner.sees("Andei 1 passo para frente.")
 
 
-def test_a_word_of_the_terminal_that_counts_later_is_not_unknown_while_a_program_is_held(
+def test_a_word_that_counts_later_is_not_unknown_while_a_program_is_held(
     tmp_path: Path,
 ) -> None:
     learner = Learner(tmp_path, language="pt")
     learner.enters("PF 1", "PF 2", "PASSO")
     learner.sees("Linha 1: PF 1")
     learner.enters("NOVAMENTE")
-    learner.sees("Agora não: NOVAMENTE\r\n")
+    learner.sees("Um programa está sendo executado. PARAR para.\r\n")
 
 
 def test_a_text_that_was_spoken_without_quotes_is_explained_as_one(tmp_path: Path) -> None:
@@ -81,7 +81,7 @@ def test_a_text_that_was_spoken_without_quotes_is_explained_as_one(tmp_path: Pat
     learner.sees('Crie antes: CRIAR x = 5.\r\nOu, se é um texto: FALAR "oi".')
 
 
-def test_steps_below_0_are_told_with_the_way_back(tmp_path: Path) -> None:
+def test_steps_below_0_are_answered_with_the_way_back(tmp_path: Path) -> None:
     learner = Learner(tmp_path, language="pt")
     learner.enters("PF -2", "EXECUTAR")
     learner.sees("Andei 0 passos para frente.\r\nUm número menor que 0 não move nada.\r\n")

@@ -1,4 +1,4 @@
-"""The linear mode on a real terminal: its first lines, what is edited and printed, and how it is left."""
+"""The linear mode on a real terminal: first lines, editing, output and end."""
 
 from __future__ import annotations
 
@@ -20,7 +20,7 @@ from tests.sessions.learner import (
 )
 
 
-def test_it_begins_with_two_lines_and_a_prompt(learner: Learner) -> None:
+def test_the_linear_mode_begins_with_two_lines_and_a_prompt(learner: Learner) -> None:
     learner.sees_prompt()
 
     assert learner.raw == b"Linear mode, from the option.\r\nHELP lists the commands.\r\n> "
@@ -39,14 +39,14 @@ def test_a_rectangle_is_typed_with_enter_and_run_with_escape(learner: Learner) -
     assert said(learner)[2:] == [line for walk in walks for line in (walk, turn)]
 
 
-def test_the_answer_and_the_prompt_come_in_one_piece_after_the_typed_line(learner: Learner) -> None:
+def test_the_answer_and_the_prompt_are_written_in_one_piece(learner: Learner) -> None:
     learner.enters("FW 3", "RUN")
     learner.sees_prompt()
 
     assert learner.raw.endswith(b"> FW 3\r\n> RUN\r\nI walked 3 steps forward.\r\n> ")
 
 
-def test_long_output_comes_in_blocks_with_a_rest_between(learner: Learner) -> None:
+def test_long_output_is_written_in_blocks_with_rests_between(learner: Learner) -> None:
     learner.enters("FOR VAR i = 1; i <= 40; i = i + 1 DO SPEAK i END FOR", "RUN")
     learner.sees("40\r\n> ")
 
@@ -61,7 +61,7 @@ def test_letters_with_accents_and_wide_ones_are_edited_as_one(learner: Learner) 
     learner.sees("cafe\u0301\r\n> ")
 
 
-def test_what_is_typed_ahead_is_not_lost(tmp_path: Path) -> None:
+def test_keys_typed_ahead_are_not_lost(tmp_path: Path) -> None:
     learner = Learner(tmp_path)
     learner.types("FW 1\rFW 2\rRUN\rWHERE\r")
     learner.sees("Position 0, 3. Facing north.")
@@ -82,7 +82,7 @@ def test_the_terminal_is_left_as_it_was_found(learner: Learner) -> None:
     assert after[3] & termios.ICANON
 
 
-def test_control_z_gives_the_terminal_back_until_the_session_goes_on(learner: Learner) -> None:
+def test_control_z_restores_the_terminal_until_the_session_continues(learner: Learner) -> None:
     learner.enters("WHERE")
     learner.sees("Facing north.\r\n> ")
     learner.types("FW 3")
@@ -114,7 +114,7 @@ def test_nothing_but_text_is_printed_outside_of_editing(learner: Learner, tmp_pa
 
 
 @pytest.mark.skipif(not Path("/proc/self/maps").exists(), reason="what a process has loaded is told there")
-def test_behind_the_prompt_it_gets_ready_to_move(learner: Learner) -> None:
+def test_the_robot_gets_ready_to_move_while_the_prompt_waits(learner: Learner) -> None:
     learner.sees_prompt()
 
     until(lambda: "_chipmunk" in Path(f"/proc/{learner.child.pid}/maps").read_text())

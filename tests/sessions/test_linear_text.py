@@ -1,4 +1,4 @@
-"""The program as a whole in the linear mode: mended, searched, replaced, laid out, translated, moved."""
+"""The whole program in the linear mode: fixed, searched, replaced, formatted, translated, moved."""
 
 from __future__ import annotations
 
@@ -10,11 +10,11 @@ import pytest
 
 from tests.patience import PATIENCE
 from tests.sessions.command import COMMAND, QUIET, donnie, environment
-from tests.sessions.typed_lines import told
+from tests.sessions.typed_lines import answers_to
 
 
-def test_what_was_probably_meant_takes_the_place_of_a_mistake(tmp_path: Path) -> None:
-    assert told(tmp_path, "FW 1", "TRR 90", "RUN", "FIX", "LIST", "UNDO", "FIX", "FIX")[4:] == [
+def test_fix_replaces_a_mistake_by_the_probable_meaning(tmp_path: Path) -> None:
+    assert answers_to(tmp_path, "FW 1", "TRR 90", "RUN", "FIX", "LIST", "UNDO", "FIX", "FIX")[4:] == [
         "Line 2: TR 90",
         "1: FW 1",
         "2: TR 90",
@@ -24,40 +24,47 @@ def test_what_was_probably_meant_takes_the_place_of_a_mistake(tmp_path: Path) ->
     ]
 
 
-def test_error_explain_and_fix_speak_of_the_same_mistake_the_first_one(tmp_path: Path) -> None:
-    answers = told(tmp_path, "FWD 1", "TRR 90", "SPEK 1", "RUN", "ERROR", "EXPLAIN", "FIX", "ERROR NEXT")[10:]
+def test_error_explain_and_fix_are_about_the_first_mistake(tmp_path: Path) -> None:
+    answers = answers_to(
+        tmp_path, "FWD 1", "TRR 90", "SPEK 1", "RUN", "ERROR", "EXPLAIN", "FIX", "ERROR NEXT"
+    )[10:]
 
     assert answers[:3] == ["Error, line 1, column 1: I do not know FWD.", "Line 1: FWD 1", "Did you mean FW?"]
     assert answers[6:9] == ["Line 1: FWD 1", "Line 1: FW 1", "Error, line 2, column 1: I do not know TRR."]
 
 
-def test_after_going_on_to_another_mistake_that_one_is_mended(tmp_path: Path) -> None:
-    answers = told(tmp_path, "FWD 1", "TRR 90", "RUN", "ERROR NEXT", "FIX", "LIST")
+def test_fix_is_about_the_mistake_that_was_selected_last(tmp_path: Path) -> None:
+    answers = answers_to(tmp_path, "FWD 1", "TRR 90", "RUN", "ERROR NEXT", "FIX", "LIST")
 
     assert answers[-3:] == ["Line 2: TR 90", "1: FWD 1", "2: TR 90"]
 
 
-def test_a_single_line_that_was_forgotten_because_of_a_mistake_comes_back_mended(tmp_path: Path) -> None:
-    assert told(tmp_path, "FWD 1", "RUN", "FIX", "RUN")[3:] == ["Line 1: FW 1", "I walked 1 step forward."]
-    assert told(tmp_path, "SPEAK", "RUN", "FIX", "CHANGE 1 SPEAK 5", "RUN")[2:] == [
+def test_a_single_line_forgotten_after_a_mistake_is_restored_fixed(tmp_path: Path) -> None:
+    assert answers_to(tmp_path, "FWD 1", "RUN", "FIX", "RUN")[3:] == [
+        "Line 1: FW 1",
+        "I walked 1 step forward.",
+    ]
+    assert answers_to(tmp_path, "SPEAK", "RUN", "FIX", "CHANGE 1 SPEAK 5", "RUN")[2:] == [
         "I don't know what was meant.",
         "Line 1: SPEAK 5",
         "5",
     ]
 
 
-def test_a_pipe_is_no_program_and_holds_no_prompt(tmp_path: Path) -> None:
+def test_a_pipe_is_no_program_and_does_not_block_the_prompt(tmp_path: Path) -> None:
     os.mkfifo(tmp_path / "pipe")
 
     done = donnie(tmp_path, "--linear", *QUIET, "pipe", typed="SPEAK 7\nRUN\n")
     assert done.stdout.decode().splitlines()[1:3] == ["pipe is no text.", "7"]
 
 
-def test_words_are_found_from_the_reading_place_on_and_once_round(tmp_path: Path) -> None:
+def test_a_search_starts_at_the_reading_place_and_wraps_around(tmp_path: Path) -> None:
     program = ("FW 1", "TR 90", "fw 2", "RUN")
     walked = 3
 
-    assert told(tmp_path, *program, "SEARCH FW", "SEARCH AGAIN", "SEARCH AGAIN", "SEARCH xyz")[walked:] == [
+    assert answers_to(tmp_path, *program, "SEARCH FW", "SEARCH AGAIN", "SEARCH AGAIN", "SEARCH xyz")[
+        walked:
+    ] == [
         "Line 1: FW 1",
         "Line 3: fw 2",
         "Line 1: FW 1",
@@ -65,8 +72,8 @@ def test_words_are_found_from_the_reading_place_on_and_once_round(tmp_path: Path
     ]
 
 
-def test_a_word_is_replaced_everywhere_and_that_is_one_change(tmp_path: Path) -> None:
-    assert told(tmp_path, "FW 1", "FW 2", "REPLACE FW", "BW", "LIST", "UNDO", "LIST") == [
+def test_replacing_a_word_everywhere_is_one_change(tmp_path: Path) -> None:
+    assert answers_to(tmp_path, "FW 1", "FW 2", "REPLACE FW", "BW", "LIST", "UNDO", "LIST") == [
         'Instead of FW, everywhere; Enter leaves it, "" deletes it:',
         "2 times replaced.",
         "1: BW 1",
@@ -77,9 +84,9 @@ def test_a_word_is_replaced_everywhere_and_that_is_one_change(tmp_path: Path) ->
     ]
 
 
-def test_a_word_that_nothing_is_typed_for_stays_as_it_is(tmp_path: Path) -> None:
-    """L21: an empty answer, or the end of the input, changes nothing; two quotes delete the word."""
-    empty = told(
+def test_a_word_without_a_replacement_stays(tmp_path: Path) -> None:
+    """An empty answer, or the end of the input, changes nothing. Two quotes delete the word."""
+    empty = answers_to(
         tmp_path, "FW 1 FW 2", "REPLACE FW", "", "LIST", 'REPLACE 1 "', "LIST", "REPLACE FW", '""', "LIST"
     )
     ended = donnie(tmp_path, "--linear", *QUIET, typed="FW 1\nREPLACE FW\n").stdout.decode().splitlines()
@@ -89,27 +96,27 @@ def test_a_word_that_nothing_is_typed_for_stays_as_it_is(tmp_path: Path) -> None
     assert ended[3] == "Nothing was changed."
 
 
-def test_the_only_line_taken_back_leaves_none(tmp_path: Path) -> None:
-    assert told(tmp_path, "FW 1", "UNDO") == ["No lines yet."]
+def test_undoing_the_only_line_leaves_an_empty_program(tmp_path: Path) -> None:
+    assert answers_to(tmp_path, "FW 1", "UNDO") == ["No lines yet."]
 
 
-def test_what_is_out_of_range_tells_the_range(tmp_path: Path) -> None:
-    assert told(tmp_path, "SPEED 999999", "WHERE", "LAST 1000") == [
+def test_a_number_out_of_range_is_answered_with_the_range(tmp_path: Path) -> None:
+    assert answers_to(tmp_path, "SPEED 999999", "WHERE", "LAST 1000") == [
         "A speed is a number from 0.1 to 1000, or max.",
         "Position 0, 0. Facing north.",
         "2 answers so far.",
     ]
 
 
-def test_lines_that_a_mistake_kept_from_running_are_told_so_at_the_end(tmp_path: Path) -> None:
+def test_lines_that_did_not_run_because_of_a_mistake_are_reported_at_the_end(tmp_path: Path) -> None:
     done = donnie(tmp_path, "--linear", *QUIET, typed="FW 1\nTRR 90\nRUN\n")
 
     assert done.stdout.decode().splitlines()[-2] == "2 lines did not run because of the mistake."
 
 
-def test_what_typed_lines_of_a_file_set_counts_for_them_alone(tmp_path: Path) -> None:
-    """As DETAIL and LANGUAGE: nobody at a prompt chose it."""
-    lines = told(
+def test_settings_in_lines_of_a_file_count_only_for_that_file(tmp_path: Path) -> None:
+    """As with DETAIL and LANGUAGE: no learner chose it at a prompt."""
+    lines = answers_to(
         tmp_path, "SET rate 9999", "SET speech own", "SET page off", "SET bump off", "SET cue bump off"
     )
 
@@ -117,8 +124,8 @@ def test_what_typed_lines_of_a_file_set_counts_for_them_alone(tmp_path: Path) ->
     assert not (tmp_path / "config").exists()
 
 
-def test_a_program_is_laid_out_and_its_words_translated(tmp_path: Path) -> None:
-    assert told(tmp_path, "REPEAT 2 TIMES FW 1", "END REPEAT", "FORMAT", "TRANSLATE pt", "LIST") == [
+def test_a_program_is_formatted_and_its_words_translated(tmp_path: Path) -> None:
+    assert answers_to(tmp_path, "REPEAT 2 TIMES FW 1", "END REPEAT", "FORMAT", "TRANSLATE pt", "LIST") == [
         "Laid out anew.",
         "Laid out anew.",
         "1: REPITA 2 VEZES",
@@ -127,18 +134,16 @@ def test_a_program_is_laid_out_and_its_words_translated(tmp_path: Path) -> None:
     ]
 
 
-def test_where_there_are_no_lines_nothing_is_laid_out(tmp_path: Path) -> None:
-    assert told(tmp_path, "FORMAT", "TRANSLATE pt") == ["No lines yet.", "No lines yet."]
+def test_an_empty_program_is_not_formatted(tmp_path: Path) -> None:
+    assert answers_to(tmp_path, "FORMAT", "TRANSLATE pt") == ["No lines yet.", "No lines yet."]
 
 
-def test_a_program_with_a_mistake_is_not_laid_out(tmp_path: Path) -> None:
-    assert told(tmp_path, "FW 1", "FW", "FORMAT")[:1] == [
-        "There is a mistake in line 2; it must be mended first."
-    ]
+def test_a_program_with_a_mistake_is_not_formatted(tmp_path: Path) -> None:
+    assert answers_to(tmp_path, "FW 1", "FW", "FORMAT")[:1] == ["There is a mistake in line 2; fix it first."]
 
 
-def test_lines_are_moved_and_told_at_their_new_place(tmp_path: Path) -> None:
-    assert told(tmp_path, "FW 1", "FW 2", "FW 3", "MOVE 2 3 1", "LIST", "MOVE 9 1") == [
+def test_moved_lines_are_printed_at_their_new_place(tmp_path: Path) -> None:
+    assert answers_to(tmp_path, "FW 1", "FW 2", "FW 3", "MOVE 2 3 1", "LIST", "MOVE 9 1") == [
         "Line 1: FW 2",
         "Line 2: FW 3",
         "1: FW 2",
@@ -151,7 +156,9 @@ def test_lines_are_moved_and_told_at_their_new_place(tmp_path: Path) -> None:
 def test_a_program_of_a_thousand_lines_is_read_and_changed(tmp_path: Path) -> None:
     (tmp_path / "long.gd").write_text("FW 1\n" * 998 + "REPEAT 2 TIMES\nEND REPEAT\n")
 
-    assert told(tmp_path, "OPEN long", "READ 1000", "UP", "CHANGE 500 TR 90", "PLACE", "OUTLINE")[1:] == [
+    assert answers_to(tmp_path, "OPEN long", "READ 1000", "UP", "CHANGE 500 TR 90", "PLACE", "OUTLINE")[
+        1:
+    ] == [
         "Line 1000: END REPEAT, closes line 999.",
         "Line 999: REPEAT 2 TIMES",
         "Line 500: TR 90",
@@ -162,19 +169,19 @@ def test_a_program_of_a_thousand_lines_is_read_and_changed(tmp_path: Path) -> No
 
 
 def test_the_manual_is_read_chapter_by_chapter(tmp_path: Path) -> None:
-    chapters = told(tmp_path, "MANUAL")
-    first = told(tmp_path, "MANUAL 1")
+    chapters = answers_to(tmp_path, "MANUAL")
+    first = answers_to(tmp_path, "MANUAL 1")
 
     assert chapters[0] == f"{len(chapters) - 1} chapters. MANUAL 1 reads the first."
     assert all(first)
     assert len(first) > 3
 
 
-def test_errors_are_walked_through_and_explained(tmp_path: Path) -> None:
-    lines = told(
+def test_errors_are_visited_and_explained(tmp_path: Path) -> None:
+    lines = answers_to(
         tmp_path, "FWD 1", "TR", "RUN", "ERROR", "ERROR NEXT", "ERROR NEXT", "ERROR PREVIOUS", "EXPLAIN"
     )
-    start = lines.index("Nothing ran. FIX mends line 1, CHANGE 1 changes it.") + 1
+    start = lines.index("Nothing ran. FIX corrects line 1, CHANGE 1 changes it.") + 1
 
     assert [line for line in lines[start:] if not line.startswith(("Line", "Did"))] == [
         "Error, line 1, column 1: I do not know FWD.",
@@ -187,10 +194,10 @@ def test_errors_are_walked_through_and_explained(tmp_path: Path) -> None:
     assert lines[-1] == "Line 1: FWD 1"
 
 
-def test_a_slip_in_a_word_of_the_terminal_is_told_at_once_and_is_no_line_of_the_program(
+def test_a_misspelt_command_is_reported_at_once_and_not_added_to_the_program(
     tmp_path: Path,
 ) -> None:
-    assert told(tmp_path, "FW 2", "LISTT", "AJUSTES", "RUN", "LIST", "FW 1", "UNDO", "LIST") == [
+    assert answers_to(tmp_path, "FW 2", "LISTT", "AJUSTES", "RUN", "LIST", "FW 1", "UNDO", "LIST") == [
         "I do not know LISTT. Did you mean LIST?",
         "I do not know AJUSTES. Did you mean AJUSTAR?",
         "I walked 2 steps forward.",
@@ -201,18 +208,22 @@ def test_a_slip_in_a_word_of_the_terminal_is_told_at_once_and_is_no_line_of_the_
 
 
 def test_settings_and_its_synonyms_are_set(tmp_path: Path) -> None:
-    assert told(tmp_path, "SETTINGS") == told(tmp_path, "CONFIGURE") == told(tmp_path, "SET")
+    assert (
+        answers_to(tmp_path, "SETTINGS") == answers_to(tmp_path, "CONFIGURE") == answers_to(tmp_path, "SET")
+    )
 
 
-def test_signs_of_life_are_never_given_rather_than_every_nought_seconds(tmp_path: Path) -> None:
-    assert told(tmp_path, "SET progress 0", "SET progress 1") == [
+def test_an_interval_of_zero_seconds_switches_progress_reports_off(tmp_path: Path) -> None:
+    assert answers_to(tmp_path, "SET progress 0", "SET progress 1") == [
         "Signs of life, progress: never.",
         "Signs of life, progress: 1 second.",
     ]
 
 
 def test_reports_are_written_as_pages_tables_and_text(tmp_path: Path) -> None:
-    lines = told(tmp_path, "FW 3", "RUN", "REPORT map m", "REPORT trail t.csv", "REPORT help h", "SAVE LOG l")
+    lines = answers_to(
+        tmp_path, "FW 3", "RUN", "REPORT map m", "REPORT trail t.csv", "REPORT help h", "SAVE LOG l"
+    )
 
     assert lines[1:] == ["Wrote m.html.", "Wrote t.csv.", "Wrote h.html.", "Wrote l.txt."]
     assert "<h2>The map</h2>" in (tmp_path / "m.html").read_text()
@@ -220,9 +231,9 @@ def test_reports_are_written_as_pages_tables_and_text(tmp_path: Path) -> None:
     assert "I walked 3 steps forward." in (tmp_path / "l.txt").read_text()
 
 
-def test_who_saves_nothing_or_replaces_nothing_is_asked_nothing(tmp_path: Path) -> None:
-    """The line that comes next is one of the program, not a file's name."""
-    assert told(tmp_path, "SAVE", "REPLACE FW", "FW 2", "RUN", "SAVE", "REPLACE TR", "LIST") == [
+def test_saving_or_replacing_nothing_asks_no_question(tmp_path: Path) -> None:
+    """The next line belongs to the program and is no name of a file."""
+    assert answers_to(tmp_path, "SAVE", "REPLACE FW", "FW 2", "RUN", "SAVE", "REPLACE TR", "LIST") == [
         "Nothing to save.",
         "FW is not in the program.",
         "I walked 2 steps forward.",
@@ -232,8 +243,8 @@ def test_who_saves_nothing_or_replaces_nothing_is_asked_nothing(tmp_path: Path) 
     ]
 
 
-def test_a_forgotten_number_is_explained_as_something_missing_with_its_line(tmp_path: Path) -> None:
-    lines = told(tmp_path, "FW", "RUN", "EXPLAIN")
+def test_a_missing_number_is_explained_with_its_line(tmp_path: Path) -> None:
+    lines = answers_to(tmp_path, "FW", "RUN", "EXPLAIN")
 
     assert lines[-4:] == [
         "Something is missing or out of place.",
@@ -243,8 +254,8 @@ def test_a_forgotten_number_is_explained_as_something_missing_with_its_line(tmp_
     ]
 
 
-def test_a_mistake_is_explained_with_its_own_line_though_another_stands_there_now(tmp_path: Path) -> None:
-    lines = told(tmp_path, "FW 2", "END REPEAT", "RUN", 'INSERT 2 SPEAK "a"', "EXPLAIN")
+def test_a_mistake_is_explained_with_its_original_line(tmp_path: Path) -> None:
+    lines = answers_to(tmp_path, "FW 2", "END REPEAT", "RUN", 'INSERT 2 SPEAK "a"', "EXPLAIN")
 
     assert (lines[-4], lines[-1]) == ("This END does not fit what is open.", "Line 2: END REPEAT")
 
@@ -263,9 +274,9 @@ def test_a_closed_input_is_an_empty_one(tmp_path: Path, closed: str) -> None:
     assert (b"Goodbye." in ended.stdout) == (">&-" not in closed.split())
 
 
-def test_whoever_changes_what_has_run_is_told_that_all_of_it_waits_again(tmp_path: Path) -> None:
-    """Else Enter, or QUIT, would let the robot walk by surprise."""
-    lines = told(tmp_path, "FW 1", "TR 90", "RUN", "TRANSLATE es", "RUN", "UNDO")
+def test_changing_lines_that_ran_reports_that_the_whole_program_is_pending(tmp_path: Path) -> None:
+    """Otherwise Enter or QUIT would move the robot by surprise."""
+    lines = answers_to(tmp_path, "FW 1", "TR 90", "RUN", "TRANSLATE es", "RUN", "UNDO")
     asked = [line for line in lines if not line.startswith(("I ", "Line"))]
 
     assert asked == [
@@ -291,7 +302,7 @@ def test_typed_lines_end_as_on_any_system_and_may_be_utf16(tmp_path: Path, typed
     assert done.stdout.decode().splitlines()[2:] == ["I walked 1 step forward.", "7", "Goodbye."]
 
 
-def test_one_huge_line_is_refused_once_and_the_others_are_done(tmp_path: Path) -> None:
+def test_one_huge_line_is_refused_once_and_the_others_run(tmp_path: Path) -> None:
     typed = b"FW 1\n" + b"x" * 3_000_000 + b"\nRUN\n" + b"y" * 1_100_000
     done = donnie(tmp_path, "--linear", *QUIET, "--speed", "max", typed=typed)
     lost = "The program is too long. That line is lost."
@@ -299,8 +310,8 @@ def test_one_huge_line_is_refused_once_and_the_others_are_done(tmp_path: Path) -
     assert done.stdout.decode().splitlines()[2:] == [lost, "I walked 1 step forward.", lost, "Goodbye."]
 
 
-def test_a_change_that_is_taken_back_lets_nothing_run_twice(tmp_path: Path) -> None:
-    assert told(tmp_path, "FW 1", "FW 2", "RUN", "CHANGE 1 FW 5", "UNDO", "FW 3", "RUN") == [
+def test_an_undone_change_runs_no_line_twice(tmp_path: Path) -> None:
+    assert answers_to(tmp_path, "FW 1", "FW 2", "RUN", "CHANGE 1 FW 5", "UNDO", "FW 3", "RUN") == [
         "I walked 1 step forward.",
         "I walked 2 steps forward.",
         "Line 1: FW 5",
@@ -310,8 +321,8 @@ def test_a_change_that_is_taken_back_lets_nothing_run_twice(tmp_path: Path) -> N
     ]
 
 
-def test_a_program_that_cant_run_again_leaves_everything_as_it_is(tmp_path: Path) -> None:
-    assert told(
+def test_a_program_that_can_not_run_again_changes_nothing(tmp_path: Path) -> None:
+    assert answers_to(
         tmp_path, "VAR a = 2", "FW a", "WATCH a", "RUN", "FWD 2", "AGAIN", "DELETE 3", "FW 1", "RUN"
     ) == [
         "Watching a.",
@@ -325,10 +336,10 @@ def test_a_program_that_cant_run_again_leaves_everything_as_it_is(tmp_path: Path
     ]
 
 
-def test_what_is_deleted_is_told_by_its_number_and_what_stands_there_now(tmp_path: Path) -> None:
-    """L39."""
+def test_deleting_a_line_reports_its_number_and_the_line_now_there(tmp_path: Path) -> None:
+    """The answer has the number of the line and the line that has it now."""
     program = ("FW 1", "FW 2", "FW 3", "FW 4", "FW 5", "FW 6")
-    assert told(tmp_path, *program, "DELETE 2", "DELETE 1 2", "DELETE 3", "DELETE") == [
+    assert answers_to(tmp_path, *program, "DELETE 2", "DELETE 1 2", "DELETE 3", "DELETE") == [
         "Line 2 deleted.",
         "Line 2: FW 3",
         "Lines 1 to 2 deleted.",
@@ -338,8 +349,8 @@ def test_what_is_deleted_is_told_by_its_number_and_what_stands_there_now(tmp_pat
     ]
 
 
-def test_what_was_said_is_said_again_found_and_spelled_and_nothing_runs_again(tmp_path: Path) -> None:
-    said = told(
+def test_answers_are_repeated_found_and_spelled_without_running_again(tmp_path: Path) -> None:
+    said = answers_to(
         tmp_path, "FW 3", "TR 90", "RUN", "WHERE", "LAST", "LAST 2", "FIND walked", "LAST WORD", "WHERE"
     )
 
@@ -355,8 +366,8 @@ def test_what_was_said_is_said_again_found_and_spelled_and_nothing_runs_again(tm
     ]
 
 
-def test_at_detail_full_where_tells_the_last_movement_too(tmp_path: Path) -> None:
-    said = told(tmp_path, "FW 3", "RUN", "WHERE", "DETAIL full", "WHERE", "WHERE")
+def test_where_at_detail_full_names_the_last_movement_too(tmp_path: Path) -> None:
+    said = answers_to(tmp_path, "FW 3", "RUN", "WHERE", "DETAIL full", "WHERE", "WHERE")
     place, full = "Position 0, 3. Facing north.", "FW 3: 3 steps, to 0, 3."
 
     assert said[1:] == [place, "Detail: full.", place, full, place, full]

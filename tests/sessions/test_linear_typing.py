@@ -1,4 +1,4 @@
-"""Programs as a learner types them with real keys: mended, run, stepped through, recalled, saved and left."""
+"""Programs typed with real keys: fixed, run, stepped through, recalled, saved and left."""
 
 from __future__ import annotations
 
@@ -16,7 +16,7 @@ from tests.sessions.learner import (
 )
 
 
-def test_a_mistake_is_told_with_its_line_and_what_was_meant(learner: Learner) -> None:
+def test_a_mistake_is_reported_with_its_line_and_the_probable_meaning(learner: Learner) -> None:
     learner.enters("FW 1", "RUN", "FWD 3", "RUN")
     learner.sees_prompt()
 
@@ -27,9 +27,9 @@ def test_a_mistake_is_told_with_its_line_and_what_was_meant(learner: Learner) ->
     ]
 
 
-def test_lines_with_a_mistake_are_kept_and_mended(learner: Learner) -> None:
+def test_lines_with_a_mistake_are_kept_and_fixed(learner: Learner) -> None:
     learner.enters("FW 1", "TRR 90", "RUN")
-    learner.sees("Nothing ran. FIX mends line 2, CHANGE 2 changes it.")
+    learner.sees("Nothing ran. FIX corrects line 2, CHANGE 2 changes it.")
     learner.enters("CHANGE 2")
     learner.sees("Edit line 2, then Enter.\r\n> TRR 90")
     learner.types(HOME + "\x1b[3~" + "\r")
@@ -38,7 +38,7 @@ def test_lines_with_a_mistake_are_kept_and_mended(learner: Learner) -> None:
     learner.sees("I turned 90 degrees to the right.\r\n> ")
 
 
-def test_a_forgotten_line_is_offered_again_mended_or_as_it_was(learner: Learner) -> None:
+def test_a_forgotten_line_is_offered_again_fixed_or_unchanged(learner: Learner) -> None:
     learner.enters("FWD 3", "")
     learner.enters("FIX")
     learner.sees("Edit line 1, then Enter.\r\n> FW 3")
@@ -51,7 +51,7 @@ def test_a_forgotten_line_is_offered_again_mended_or_as_it_was(learner: Learner)
     learner.sees("\n5\r\n> ")
 
 
-def test_a_line_that_is_asked_for_is_given_up_by_escape_and_by_ctrl_c(learner: Learner) -> None:
+def test_escape_and_ctrl_c_cancel_a_requested_line(learner: Learner) -> None:
     learner.enters("FW 1", "TR 90", "INSERT 1")
     for give_up in (ESC, "\x03"):
         learner.sees_prompt()
@@ -70,7 +70,7 @@ def test_a_line_that_is_asked_for_is_given_up_by_escape_and_by_ctrl_c(learner: L
     learner.sees("1: FW 1\r\n")
 
 
-def test_an_empty_line_runs_what_waits_but_not_half_a_block(learner: Learner) -> None:
+def test_an_empty_line_runs_pending_lines_but_not_half_a_block(learner: Learner) -> None:
     learner.enters("REPEAT 2 TIMES", "FW 1", "")
     learner.sees("Still open: REPEAT from line 1.")
     learner.enters("END REPEAT", "")
@@ -88,14 +88,12 @@ def test_run_without_anything_to_run_says_so(learner: Learner) -> None:
     learner.sees("Nothing to run.\r\n> ")
 
 
-def test_a_run_that_tells_nothing_says_that_it_is_done(learner: Learner) -> None:
+def test_a_run_without_output_says_that_it_is_done(learner: Learner) -> None:
     learner.enters("VAR x = 5", "RUN")
     learner.sees("Done.\r\n> ")
 
 
-def test_arrow_up_brings_back_what_was_typed_also_in_the_next_session(
-    learner: Learner, tmp_path: Path
-) -> None:
+def test_arrow_up_restores_typed_lines_also_in_the_next_session(learner: Learner, tmp_path: Path) -> None:
     learner.enters("FW 3", "RUN", "QUIT")
     assert learner.leaves() == 0
 
@@ -122,27 +120,27 @@ def test_a_program_is_saved_and_opened(learner: Learner, tmp_path: Path) -> None
     assert (tmp_path / "corner.gd").read_text() == "FW 3\nTR 90\n"
 
 
-def test_what_somebody_else_wrote_into_the_program_s_file_is_replaced_only_if_wanted(
+def test_a_file_changed_by_another_program_is_replaced_only_if_confirmed(
     learner: Learner, tmp_path: Path
 ) -> None:
     learner.enters("FW 3", "SAVE mine")
     learner.sees("Saved mine.gd, 1 line.")
     (tmp_path / "mine.gd").write_text("BW 1\n")
     learner.enters("FW 4", "SAVE")
-    learner.sees("mine.gd was changed by somebody else. Replace it, y or n? Enter means no.")
+    learner.sees("mine.gd was changed elsewhere. Replace it, y or n? Enter means no.")
     learner.enters("")
     learner.sees("Nothing was changed.")
     assert (tmp_path / "mine.gd").read_text() == "BW 1\n"
 
     learner.enters("SAVE")
-    learner.sees("somebody else")
+    learner.sees("changed elsewhere")
     learner.enters("y")
     learner.sees("Saved mine.gd, 2 lines.")
     learner.enters("SAVE")
     learner.sees("Saved mine.gd, 2 lines.")
 
 
-def test_another_file_is_replaced_only_if_wanted(learner: Learner, tmp_path: Path) -> None:
+def test_another_file_is_replaced_only_if_confirmed(learner: Learner, tmp_path: Path) -> None:
     (tmp_path / "mine.gd").write_text("BW 1\n")
     learner.enters("FW 3", "SAVE mine")
     learner.sees("mine.gd exists. Replace it, y or n? Enter means no.")
@@ -163,7 +161,7 @@ def test_a_program_on_the_command_line_waits_to_be_run(tmp_path: Path) -> None:
 
 
 def _says(learner: Learner, line: str, answer: str) -> None:
-    """The learner says a line to the held program, and is answered."""
+    """The learner types a line for the held program and gets an answer."""
     learner.types(f"{line}\r")
     learner.sees(answer)
 
@@ -185,7 +183,7 @@ def test_the_reading_place_is_the_line_where_a_program_holds(learner: Learner) -
     _says(learner, "READ", "Line 2: TR 90\r\n> ")
 
 
-def test_quit_runs_what_waits_and_leaves(learner: Learner) -> None:
+def test_quit_runs_pending_lines_and_leaves(learner: Learner) -> None:
     learner.enters("FW 3", "QUIT")
 
     assert learner.leaves() == 0
@@ -207,7 +205,7 @@ def test_quit_moves_no_robot_by_a_program_that_was_only_opened(
     assert not [line for line in said(learner) if line.startswith("I ")]
 
 
-def test_quit_runs_what_was_typed_after_the_opened_program_ran(tmp_path: Path) -> None:
+def test_quit_runs_lines_typed_after_the_opened_program_ran(tmp_path: Path) -> None:
     (tmp_path / "walk.gd").write_text("FW 2\n")
     learner = Learner(tmp_path, "walk.gd")
     learner.enters("RUN", "TR 90", "QUIT", "n")
@@ -247,7 +245,7 @@ def test_the_three_languages_are_all_understood_and_one_is_spoken(tmp_path: Path
     assert said(learner)[-2:] == ["Posición 0, 3. Mirando al norte.", "Hasta luego."]
 
 
-def test_tab_goes_on_into_a_folder(learner: Learner, tmp_path: Path) -> None:
+def test_tab_completes_names_inside_a_folder(learner: Learner, tmp_path: Path) -> None:
     (tmp_path / "mine").mkdir()
     (tmp_path / "mine" / "walk.gd").write_text("FW 2\n")
     learner.sees_prompt()

@@ -1,4 +1,4 @@
-"""The voice of the linear mode, heard by a speech-dispatcher that writes down what it is told."""
+"""The voice of the linear mode, recorded by a fake speech-dispatcher."""
 
 from __future__ import annotations
 
@@ -15,8 +15,8 @@ CANCEL = "CANCEL SELF"
 
 @pytest.fixture
 def server(monkeypatch: pytest.MonkeyPatch, tmp_path: Path) -> Iterator[Server]:
-    """It never tells an end: what is said lasts until it is silenced."""
-    made = Server(tmp_path, tells_end=False)
+    """It never reports an end: a sentence lasts until it is silenced."""
+    made = Server(tmp_path, reports_end=False)
     monkeypatch.setenv("SPEECHD_ADDRESS", f"unix_socket:{made.address.path}")
     yield made
     made.close()
@@ -28,7 +28,7 @@ def learner(server: Server, tmp_path: Path) -> Learner:
 
 
 def greeted(server: Server, learner: Learner) -> Learner:
-    """Who has heard enough of the greeting: what the server was told from then on is about the rest."""
+    """The session after its greeting. Later entries of the server are about the rest."""
     learner.sees_prompt()
     assert server.wait_for(texts=1)
     learner.types(f" {BACKSPACE}")
@@ -49,7 +49,7 @@ def greeted(server: Server, learner: Learner) -> Learner:
 def test_the_greeting_is_said(
     monkeypatch: pytest.MonkeyPatch, tmp_path: Path, language: str, mode: str, hint: str
 ) -> None:
-    """V7: who has only the own voice hears that Donnie is there."""
+    """A learner without a screen reader hears from the voice that Donnie is there."""
     server = Server(tmp_path)
     monkeypatch.setenv("SPEECHD_ADDRESS", f"unix_socket:{server.address.path}")
     learner = Learner(tmp_path, "--speech", "ssip", language=language)
@@ -61,7 +61,7 @@ def test_the_greeting_is_said(
 
 
 def test_any_key_ends_what_is_being_said(server: Server, learner: Learner) -> None:
-    """V3: the answer is heard, and a key that means nothing yet ends it."""
+    """The voice says the answer, and any key ends it."""
     learner.types("WHERE\r")
     learner.sees("Facing north.\r\n> ")
     assert server.wait_for(texts=1)
@@ -72,10 +72,10 @@ def test_any_key_ends_what_is_being_said(server: Server, learner: Learner) -> No
     assert server.wait_for(command=CANCEL)
 
 
-def test_quiet_is_answered_in_print_and_last_brings_back_what_it_ended(
+def test_quiet_is_answered_in_print_and_last_repeats_the_silenced_answer(
     server: Server, learner: Learner
 ) -> None:
-    """V3: what waited behind the silenced line is not heard."""
+    """The voice does not say the lines after the silenced one."""
     learner.types("WHERE\r")
     learner.sees("Facing north.\r\n> ")
     assert server.wait_for(texts=1)
@@ -89,7 +89,7 @@ def test_quiet_is_answered_in_print_and_last_brings_back_what_it_ended(
 
 
 def test_control_c_ends_program_and_voice(server: Server, tmp_path: Path) -> None:
-    """L41, S8: what the program says after a key is said all the same; the stop ends it."""
+    """The voice still says the sentences after a key. The stop ends it."""
     learner = greeted(server, Learner(tmp_path, "--speech", "ssip", speed="1"))
     learner.types('SPEAK "one" WAIT 1 SPEAK "two" WAIT 1000\r\r')
     assert server.wait_for(texts=1)
@@ -103,7 +103,7 @@ def test_control_c_ends_program_and_voice(server: Server, tmp_path: Path) -> Non
 
 
 def test_a_key_ends_the_voice_of_a_program_that_talks_without_end(server: Server, tmp_path: Path) -> None:
-    """V3: also while its lines are printed, block by block; and a word reaches it."""
+    """Also while its lines are printed block by block. A typed word reaches the program."""
     learner = greeted(server, Learner(tmp_path, "--speech", "ssip", speed="1"))
     learner.types('WHILE 1 == 1 DO SPEAK "hello" END WHILE\r\r')
     assert server.wait_for(texts=1)

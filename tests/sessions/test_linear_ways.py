@@ -1,4 +1,4 @@
-"""The linear mode as somebody uses it who pauses, steps, reads page by page, completes words."""
+"""The linear mode for a learner who pauses, steps, reads page by page and completes words."""
 
 from __future__ import annotations
 
@@ -14,7 +14,7 @@ TAB, SHIFT_TAB = "\t", "\x1b[Z"
 SQUARE = ("REPEAT 2 TIMES", "FW 2", "TR 90", "END REPEAT")
 
 
-def settled(learner: Learner, *lines: str) -> None:
+def enter_and_wait(learner: Learner, *lines: str) -> None:
     """Enter the lines, then wait for the prompt."""
     learner.enters(*lines)
     learner.sees_prompt()
@@ -23,7 +23,7 @@ def settled(learner: Learner, *lines: str) -> None:
 # --- while a program runs
 
 
-def test_a_running_program_pauses_goes_on_and_stops_by_typed_words(tmp_path: Path) -> None:
+def test_typed_words_pause_resume_and_stop_a_running_program(tmp_path: Path) -> None:
     learner = Learner(tmp_path, speed="1")
     learner.enters("FW 100", "")
     learner.types("PAUSE\r")
@@ -45,7 +45,7 @@ def test_the_speed_of_a_running_program_changes_at_once(tmp_path: Path) -> None:
     learner.sees("I walked 9 steps forward.\r\n> ")
 
 
-def test_what_is_no_word_for_a_running_program_waits_until_it_is_over(tmp_path: Path) -> None:
+def test_a_line_that_is_no_word_for_a_running_program_waits_for_its_end(tmp_path: Path) -> None:
     learner = Learner(tmp_path, speed="20")
     learner.enters("FW 20", "")
     learner.types("WHERE\r")
@@ -55,7 +55,7 @@ def test_what_is_no_word_for_a_running_program_waits_until_it_is_over(tmp_path: 
 # --- stepping
 
 
-def test_steps_tell_levels_rounds_and_what_changed(learner: Learner) -> None:
+def test_steps_print_levels_rounds_and_changes(learner: Learner) -> None:
     learner.enters("VAR x = 1", *SQUARE[:2], "x = x + 1", "END REPEAT", "WATCH x", "STEP")
     learner.sees("Line 1: VAR x = 1\r\n> ")
     learner.types("\r")
@@ -76,7 +76,7 @@ def test_steps_tell_levels_rounds_and_what_changed(learner: Learner) -> None:
 
 def test_a_program_holds_at_its_breakpoints_and_procedures_are_stepped_over(learner: Learner) -> None:
     learner.enters("PROCEDURE P DO", "FW 1", "END PROCEDURE", "P []", "TR 90")
-    settled(learner, "BREAK 4")
+    enter_and_wait(learner, "BREAK 4")
     learner.types("AGAIN\r")
     learner.sees("Line 4: P []\r\n> ")
     learner.types("OVER\r")
@@ -85,7 +85,7 @@ def test_a_program_holds_at_its_breakpoints_and_procedures_are_stepped_over(lear
     learner.sees("Stopped at line 5.\r\n> ")
 
 
-def test_a_condition_tells_what_was_compared(learner: Learner) -> None:
+def test_a_condition_is_printed_with_the_compared_values(learner: Learner) -> None:
     learner.enters("VAR x = 3", "IF x > 2 THEN", "FW 1", "END IF", "STEP")
     learner.sees("Line 1: VAR x = 3\r\n> ")
     learner.types("\r")
@@ -94,8 +94,8 @@ def test_a_condition_tells_what_was_compared(learner: Learner) -> None:
     learner.sees("Condition true: 3 greater than 2.\r\nLine 3, level 1: FW 1\r\n> ")
 
 
-def test_the_last_step_of_a_program_tells_what_ended_it_and_that_it_is_done(learner: Learner) -> None:
-    """Else Enter, pressed for the next step, would be answered by nothing."""
+def test_the_last_step_names_the_reason_and_the_end_of_the_program(learner: Learner) -> None:
+    """Otherwise Enter, pressed for the next step, would get no answer."""
     learner.enters("FOR VAR i = 1; i <= 1; i = i + 1 DO", "FW i", "END FOR", "STEP")
     learner.enters("", "")
     learner.sees("Line 1, level 0: FOR VAR i = 1; i <= 1; i = i + 1 DO\r\n> ")
@@ -135,15 +135,15 @@ def test_tab_inside_a_pasted_line_is_a_blank(learner: Learner) -> None:
     learner.sees("I walked 3 steps forward.\r\n> ")
 
 
-def test_a_line_typed_before_is_done_again_by_its_number(learner: Learner) -> None:
+def test_the_number_of_an_earlier_line_repeats_it(learner: Learner) -> None:
     learner.enters("FW 3", "", "WHERE", "TYPED 2")
     learner.sees("1: FW 3\r\n2: WHERE\r\nType a number to do it again.\r\n> ")
     learner.types("2\r")
     learner.sees("2: WHERE\r\nPosition 0, 3. Facing north.\r\n> ")
 
 
-def test_enter_runs_each_complete_line_where_that_is_wanted(learner: Learner) -> None:
-    settled(learner, "SET enter runs")
+def test_enter_runs_each_complete_line_where_that_is_set(learner: Learner) -> None:
+    enter_and_wait(learner, "SET enter runs")
     learner.types("FW 3\r")
     learner.sees("I walked 3 steps forward.\r\n> ")
     learner.types("REPEAT 2 TIMES\r")
@@ -157,8 +157,8 @@ def test_enter_runs_each_complete_line_where_that_is_wanted(learner: Learner) ->
 # --- what is printed
 
 
-def test_the_last_line_of_an_answer_is_the_prompt_where_that_is_wanted(learner: Learner) -> None:
-    """B2: the cursor of a braille display stays on it."""
+def test_the_last_line_of_an_answer_is_the_prompt_where_that_is_set(learner: Learner) -> None:
+    """The cursor of a braille display stays on it."""
     learner.enters("SET prompt answer")
     learner.sees("Before the line, prompt: answer. ")
     learner.types("FW 3\r")
@@ -170,7 +170,7 @@ def test_the_last_line_of_an_answer_is_the_prompt_where_that_is_wanted(learner: 
 
 
 @pytest.mark.parametrize(("prompt", "shown"), [("none", "\r\n"), ("word", "Donnie> ")])
-def test_the_prompt_can_be_another_one_or_none(tmp_path: Path, prompt: str, shown: str) -> None:
+def test_the_prompt_can_be_changed_or_removed(tmp_path: Path, prompt: str, shown: str) -> None:
     learner = Learner(tmp_path)
     learner.enters(f"SET prompt {prompt}")
     learner.sees(f"prompt: {prompt}.\r\n{shown.strip()}")
@@ -178,9 +178,9 @@ def test_the_prompt_can_be_another_one_or_none(tmp_path: Path, prompt: str, show
     learner.sees("Position 0, 0. Facing north.\r\n")
 
 
-def test_each_line_waits_for_enter_where_that_is_wanted(learner: Learner) -> None:
-    """B3."""
-    settled(learner, "SET hold on")
+def test_each_line_waits_for_enter_where_that_is_set(learner: Learner) -> None:
+    """For a braille display: one line at a time."""
+    enter_and_wait(learner, "SET hold on")
     learner.types("AROUND\r")
     learner.sees("No things within 10 steps. ")
     learner.types("\r")
@@ -189,21 +189,21 @@ def test_each_line_waits_for_enter_where_that_is_wanted(learner: Learner) -> Non
     learner.sees("Position 0, 0. Facing north.\r\n> ")
 
 
-def test_a_long_answer_comes_page_by_page_where_that_is_wanted(learner: Learner) -> None:
-    settled(learner, "SET page ask")
+def test_a_long_answer_is_printed_page_by_page_where_that_is_set(learner: Learner) -> None:
+    enter_and_wait(learner, "SET page ask")
     learner.types("HELP\r")
-    learner.sees("Enter goes on, Q stops. ")
+    learner.sees("Enter continues, Q stops. ")
     assert len([line for line in learner.lines if ": " in line]) > 15
     learner.types("\r")
-    learner.sees("Enter goes on, Q stops. ")
+    learner.sees("Enter continues, Q stops. ")
     learner.types("q\r")
     learner.sees("\r\n> ")
 
 
-def test_ctrl_c_between_two_pages_stops_the_program_and_asks_for_nothing_more(learner: Learner) -> None:
-    settled(learner, "SET page ask")
+def test_ctrl_c_between_two_pages_stops_the_program_and_asks_no_question(learner: Learner) -> None:
+    enter_and_wait(learner, "SET page ask")
     learner.types("REPEAT 100000 TIMES SPEAK 1 END REPEAT\r\r")
-    learner.sees("Enter goes on, Q stops. ")
+    learner.sees("Enter continues, Q stops. ")
     learner.types("\x03")
     learner.sees("were left out.\r\nStopped at line 1.\r\n> ")
 
@@ -228,14 +228,14 @@ def test_language_and_detail_are_kept_for_the_next_session(tmp_path: Path) -> No
     assert sorted(kept.splitlines()) == ['lang = "pt"', 'verbosity = "brief"']
 
 
-def test_what_a_file_of_lines_says_of_language_and_detail_counts_for_it_alone(tmp_path: Path) -> None:
+def test_language_and_detail_in_a_file_of_lines_count_only_for_it(tmp_path: Path) -> None:
     donnie(tmp_path, "--linear", *QUIET, typed="DETAIL brief\nLANGUAGE pt\n")
 
     assert not list((tmp_path / "config").rglob("*.toml"))
 
 
-def test_the_terminal_edits_the_line_where_the_plain_editor_is_wanted(learner: Learner) -> None:
-    settled(learner, "SET editor plain")
+def test_the_terminal_edits_the_line_where_the_plain_editor_is_set(learner: Learner) -> None:
+    enter_and_wait(learner, "SET editor plain")
     learner.types("WHERE\n")
     learner.sees("WHERE\r\nPosition 0, 0. Facing north.\r\n> ")
 
@@ -243,9 +243,9 @@ def test_the_terminal_edits_the_line_where_the_plain_editor_is_wanted(learner: L
 # --- the other mode
 
 
-def test_the_change_of_mode_takes_the_robot_the_variables_and_the_program_along(tmp_path: Path) -> None:
+def test_a_switch_of_the_mode_keeps_the_robot_the_variables_and_the_program(tmp_path: Path) -> None:
     learner = Learner(tmp_path)
-    settled(learner, "VAR x = 5", "FW x", "SPEED 20", "RUN")
+    enter_and_wait(learner, "VAR x = 5", "FW x", "SPEED 20", "RUN")
     learner.types("VISUAL\r")
     learner.sees("Always begin in the full screen, y or n? Enter means no.")
     learner.types("\r")
@@ -276,8 +276,8 @@ def test_the_change_of_mode_takes_the_robot_the_variables_and_the_program_along(
     assert "linear = true" in (tmp_path / "config/donnie/settings.toml").read_text()
 
 
-def test_movements_that_come_too_fast_are_summed_up_and_last_tells_them_all(tmp_path: Path) -> None:
-    """L34."""
+def test_too_fast_movements_are_summed_up_and_last_lists_them_all(tmp_path: Path) -> None:
+    """LAST lists the movements that a sum left out."""
     learner = Learner(tmp_path, speed="50")
     learner.enters("REPEAT 40 TIMES TR 1 END REPEAT", "RUN")
     learner.sees("more turns.")
@@ -294,8 +294,8 @@ def test_movements_that_come_too_fast_are_summed_up_and_last_tells_them_all(tmp_
     assert learner.raw.decode().count("I turned 1 degree") == single + 20
 
 
-def test_a_watched_variable_is_told_while_a_program_runs_and_at_its_end(learner: Learner) -> None:
-    """L40."""
+def test_a_watched_variable_is_printed_during_a_run_and_at_its_end(learner: Learner) -> None:
+    """Each change is printed once."""
     learner.enters("WATCH n", "VAR n = 1", "REPEAT 2 TIMES", "TR 90", "n = n + 1", "END REPEAT", "")
     learner.sees("n is 1.\r\nI turned 90 degrees to the right.\r\nn is 2.\r\n")
     learner.sees("I turned 90 degrees to the right.\r\nn is 3.\r\n> ")
@@ -305,8 +305,8 @@ def test_a_watched_variable_is_told_while_a_program_runs_and_at_its_end(learner:
     learner.sees("n = 3 n = 7\r\n> \r\nn is 7.\r\n> ")
 
 
-def test_a_variable_that_is_watched_after_a_pause_is_told_from_there_on(learner: Learner) -> None:
-    """L40."""
+def test_a_variable_that_is_watched_after_a_pause_is_printed_from_there_on(learner: Learner) -> None:
+    """Each change is printed once."""
     learner.enters("VAR n = 1", "WHILE 1 == 1 DO", "WAIT 1", "n = n + 1", "END WHILE", "RUN")
     learner.sees("Waiting 1 second.")
     learner.types("PAUSE\r")
@@ -319,22 +319,22 @@ def test_a_variable_that_is_watched_after_a_pause_is_told_from_there_on(learner:
     learner.sees("Stopped at line ")
 
 
-def test_words_of_the_full_screen_are_answered_with_those_for_the_same(learner: Learner) -> None:
-    """L4."""
-    settled(learner, "GO TO 3", "theme dark", "SET mouse off", "SET speed", "REGISTRO")
+def test_words_of_the_full_screen_are_answered_with_their_linear_words(learner: Learner) -> None:
+    """The answer names the word of the linear mode."""
+    enter_and_wait(learner, "GO TO 3", "theme dark", "SET mouse off", "SET speed", "REGISTRO")
     answers = [line for line in learner.lines if line and not line.startswith("> ")]
 
     assert answers[2:] == [
         "Here you type READ 3.",
         "Only in the full screen: type VISUAL.",
         "Only in the full screen: type VISUAL.",
-        "Here you type SPEED 5.",
+        "Speed: max.",
         "Here you type SHOW LOG.",
     ]
 
 
-def test_what_a_robot_tells_beside_the_conversation_comes_at_once(tmp_path: Path) -> None:
-    """As long as nothing is typed; else it waits for the end of the line."""
+def test_lines_of_a_robot_in_the_background_are_printed_at_once(tmp_path: Path) -> None:
+    """As long as the line is empty. Otherwise it waits for the end of the line."""
     learner = Learner(tmp_path, speed="2")
     learner.enters("FW 1", "TR 90", "START")
     learner.sees("I walked 1 step forward.\r\n> ")

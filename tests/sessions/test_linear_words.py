@@ -1,4 +1,4 @@
-"""Every word of the linear mode in one session: what is printed is plain text, whatever is asked for."""
+"""Every word of the linear mode in one session prints only plain text."""
 
 from __future__ import annotations
 
@@ -9,9 +9,9 @@ from pathlib import Path
 import pexpect
 import pytest
 
-from donnie_tui.core.use_cases import USE_CASES, typed_form
-from donnie_tui.i18n.catalogue.manual import CHAPTERS
-from donnie_tui.i18n.manual import chapter_lines
+from donnie_tui.commands.declarations import BY_NAME, COMMANDS
+from donnie_tui.commands.lookup import typed_form, word_of
+from donnie_tui.i18n.help import CHAPTERS, chapter_lines
 from donnie_tui.i18n.words import Words
 from tests.patience import PATIENCE
 from tests.sessions.command import end, environment
@@ -26,7 +26,7 @@ PROGRAMS = {
 ELSEWHERE = {"quit", "visual", "connect"}
 """They leave, or look for devices."""
 NOT_ALONE = {"open", "save_as", "save_log", "run_to"}
-"""The linear mode asks or tells what belongs behind them."""
+"""The linear mode asks for their argument or explains it."""
 SETTING = {"en": ["SET page off"], "pt": ["AJUSTAR página nada"], "es": ["AJUSTAR página nada"]}
 DRAWN = {"map_picture"}
 """A picture is asked for, and is not text."""
@@ -35,7 +35,7 @@ DRAWN = {"map_picture"}
 def every_word(language: str, *, without: set[str] = ELSEWHERE) -> list[str]:
     """A program, a run, a mistake, then each word as its help says it, and alone where that means something.
 
-    What it changes is taken back, so that each word has a program to be about.
+    Changes are undone, so that each word has a program.
     """
     words = Words(language)
     command = PROGRAMS[language].split("\n")[-1]
@@ -54,10 +54,10 @@ def every_word(language: str, *, without: set[str] = ELSEWHERE) -> list[str]:
         "tour": ["", words_of("stop", language)],
     }
     lines = [*PROGRAMS[language].split("\n"), "", "FWD 3", ""]
-    for case in (each for each in USE_CASES if each.name not in without):
+    for case in (each for each in COMMANDS if not each.is_visual and each.name not in without):
         lines += [typed_form(case, words), *behind.get(case.name, ())]
         if case.argument and not case.required and case.name not in NOT_ALONE:
-            lines += [case.word(language), *behind.get(case.name, ())]
+            lines += [word_of(case, language), *behind.get(case.name, ())]
     return [*lines, *(f"{words_of('manual', language)} {chapter}" for chapter in range(1, len(CHAPTERS) + 1))]
 
 
@@ -67,12 +67,12 @@ def read_in_manual(language: str) -> list[str]:
 
 
 def words_of(name: str, language: str) -> str:
-    return next(each for each in USE_CASES if each.name == name).word(language)
+    return word_of(BY_NAME[name], language)
 
 
 @pytest.mark.parametrize("language", LANGUAGES)
 def test_every_word_in_a_file_of_typed_lines_answers_in_plain_text(tmp_path: Path, language: str) -> None:
-    """L5, L6, L11, L12: printable, no empty line, no blanks at the ends, nothing typed is printed again."""
+    """Printable, no empty line, no blanks at the ends, nothing typed is printed again."""
     lines = every_word(language, without=ELSEWHERE | DRAWN | {"language"})
     told = printed_by(tmp_path, language, lines)
 
@@ -87,7 +87,7 @@ def test_every_word_in_a_file_of_typed_lines_answers_in_plain_text(tmp_path: Pat
 
 @pytest.mark.parametrize("language", LANGUAGES)
 def test_every_word_is_understood(tmp_path: Path, language: str) -> None:
-    """Each is said as its help says it; none is answered by how it would be said."""
+    """Each is typed as its help says, and none is answered by its form."""
     told = printed_by(tmp_path, language, every_word(language, without=ELSEWHERE | {"language"}))
     not_understood = Words(language)("linear-like-this", example="").split(".")[0]
 
@@ -98,7 +98,7 @@ def test_every_word_is_understood(tmp_path: Path, language: str) -> None:
 def test_at_detail_brief_no_answer_to_a_word_is_wider_than_a_braille_display(
     tmp_path: Path, language: str
 ) -> None:
-    """L8, B1; quoted lines of the learner's own and the author's words about a world apart."""
+    """Except for quoted lines of the learner and an author's words about a world."""
     lines = every_word(language, without=ELSEWHERE | {"language", "detail", "world", "report", "recover"})
     told = printed_by(tmp_path, language, lines, "--verbosity", "brief")
 
@@ -106,7 +106,7 @@ def test_at_detail_brief_no_answer_to_a_word_is_wider_than_a_braille_display(
 
 
 def test_with_the_plain_editor_a_terminal_gets_nothing_but_text(tmp_path: Path) -> None:
-    """L5, L16: no escape, no carriage return but that of the terminal's own line ends, no bell."""
+    """No escape, no carriage return but that of the terminal's own line ends, no bell."""
     command = quiet("en")
     child: pexpect.spawn[bytes] = pexpect.spawn(
         command[0],
@@ -136,7 +136,7 @@ LONG_ANSWERS = ("AROUND", "MAP", "MAP PICTURE", "HELP REPEAT", "LIST", "SENSORS"
 
 
 @pytest.mark.parametrize("columns", [20, 40, 80])
-def test_at_every_width_a_line_that_wraps_is_typed_and_taken_whole(tmp_path: Path, columns: int) -> None:
+def test_a_line_that_wraps_is_read_whole_at_every_width(tmp_path: Path, columns: int) -> None:
     """Nothing is cut, repainted or lost: the terminal wraps what is too long for it."""
     command = quiet("en")
     child: pexpect.spawn[bytes] = pexpect.spawn(

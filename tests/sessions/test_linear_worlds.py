@@ -1,4 +1,4 @@
-"""Going to another world in the linear mode: by a word, with the program and all that was told."""
+"""A change of the world in the linear mode keeps the program and the answers."""
 
 from pathlib import Path
 
@@ -6,10 +6,10 @@ from tests.sessions.command import QUIET, donnie
 from tests.sessions.learner import Learner
 
 
-def told(folder: Path, typed: str, *options: str) -> list[str]:
+def answers_to(folder: Path, typed: str, *options: str) -> list[str]:
     """What the linear mode prints between its first lines and the goodbye.
 
-    But for what is said of a world that takes long: on a busy machine each may.
+    Without the lines about a slow world: on a busy machine each world may be slow.
     """
     done = donnie(folder, "--linear", *QUIET, "--speed", "max", *options, typed=typed)
 
@@ -19,8 +19,8 @@ def told(folder: Path, typed: str, *options: str) -> list[str]:
     return [line for line in lines if not line.startswith(("Loading the world ", "Carregando o mundo "))]
 
 
-def test_worlds_lists_them_and_a_name_goes_there_with_the_program(tmp_path: Path) -> None:
-    lines = told(tmp_path, "FW 2\n\nWORLDS\nWORLDS maze\nLIST\nWHERE\nAGAIN\nLAST 4\n")
+def test_worlds_lists_the_worlds_and_a_name_selects_one_with_the_program(tmp_path: Path) -> None:
+    lines = answers_to(tmp_path, "FW 2\n\nWORLDS\nWORLDS maze\nLIST\nWHERE\nAGAIN\nLAST 4\n")
 
     assert lines[:3] == [
         "I walked 2 steps forward.",
@@ -31,27 +31,28 @@ def test_worlds_lists_them_and_a_name_goes_there_with_the_program(tmp_path: Path
         "I go to maze.",
         "This is the world maze: Maze.",
         "49 by 41 steps, walls included.",
-        "1 thing. WORLD tells more.",
+        "1 thing. WORLD says more.",
         "1 line.",
         "1: FW 2",
         "Position 0, 0. Facing north.",
         "I walked 2 steps forward.",
+        "I go to maze.",
         "This is the world maze: Maze.",
         "49 by 41 steps, walls included.",
-        "1 thing. WORLD tells more.",
+        "1 thing. WORLD says more.",
         "1 line.",
     ]
 
 
-def test_what_was_switched_and_watched_goes_along(tmp_path: Path) -> None:
-    lines = told(tmp_path, "SOUND OFF\n\nWATCH x\nWORLD maze\nVAR x = 3\n\nCUES bump\n")
+def test_switches_and_watched_variables_stay_in_another_world(tmp_path: Path) -> None:
+    lines = answers_to(tmp_path, "SOUND OFF\n\nWATCH x\nWORLD maze\nVAR x = 3\n\nCUES bump\n")
 
     assert "x is 3." in lines
     assert lines.index("Sound off.") < lines.index("This is the world maze: Maze.")
 
 
-def test_a_world_is_meant_by_its_title_in_any_language_too(tmp_path: Path) -> None:
-    lines = told(tmp_path, "MUNDO Labirinto\nWORLD living-room\nworld LivingRoom\n", "--lang", "pt")
+def test_a_world_can_be_named_by_its_title_in_any_language(tmp_path: Path) -> None:
+    lines = answers_to(tmp_path, "MUNDO Labirinto\nWORLD living-room\nworld LivingRoom\n", "--lang", "pt")
 
     assert [line for line in lines if "mundo" in line] == [
         "Este é o mundo maze: Labirinto.",
@@ -60,10 +61,10 @@ def test_a_world_is_meant_by_its_title_in_any_language_too(tmp_path: Path) -> No
     ]
 
 
-def test_a_world_that_is_not_there_is_told_and_nobody_goes(tmp_path: Path) -> None:
+def test_a_missing_world_is_reported_and_the_current_one_stays(tmp_path: Path) -> None:
     (tmp_path / "bad.world").write_text("this is no world {", encoding="utf-8")
 
-    lines = told(
+    lines = answers_to(
         tmp_path, "WORLD nowhere\nWORLD x.world\nWORLD bad.world\nWORLD maze\nWHERE\n", "--world", "maze"
     )
 
@@ -73,22 +74,21 @@ def test_a_world_that_is_not_there_is_told_and_nobody_goes(tmp_path: Path) -> No
     assert lines[-2:] == ["You are in maze already. RESET goes to the start.", "Position 0, 0. Facing north."]
 
 
-def test_a_world_of_ones_own_is_gone_to_by_its_file(tmp_path: Path) -> None:
+def test_a_user_world_is_selected_by_its_file(tmp_path: Path) -> None:
     (tmp_path / "my.world").write_text(
         'include "donnie.inc"\ndonnie( pose [ 0 0 0 90 ] )\n', encoding="utf-8"
     )
 
-    assert told(tmp_path, "WORLD my.world\nFW 1\n\n")[:2] == [
+    assert answers_to(tmp_path, "WORLD my.world\nFW 1\n\n")[:2] == [
         "I go to my.world.",
         "This is the world my.world.",
     ]
 
 
-def test_robots_that_run_are_stopped_first_and_that_is_told(tmp_path: Path) -> None:
-    lines = told(tmp_path, "REPEAT 9999 TIMES\nWAIT 1\nEND REPEAT\nSTART\nWORLD maze\n", "--speed", "1")
+def test_running_robots_are_stopped_first_and_reported(tmp_path: Path) -> None:
+    lines = answers_to(tmp_path, "REPEAT 9999 TIMES\nWAIT 1\nEND REPEAT\nSTART\nWORLD maze\n", "--speed", "1")
 
-    assert "All stopped." in lines
-    assert lines.index("All stopped.") < lines.index("I go to maze.")
+    assert lines[lines.index("I go to maze.") - 1] == "Stopped at line 2."
 
 
 def test_a_program_that_is_held_is_stopped_for_another_world(tmp_path: Path) -> None:
@@ -106,29 +106,29 @@ def test_a_program_that_is_held_is_stopped_for_another_world(tmp_path: Path) -> 
     assert learner.leaves() == 0
 
 
-def test_other_robots_programs_wait_for_them(tmp_path: Path) -> None:
+def test_programs_of_other_robots_wait_for_them(tmp_path: Path) -> None:
     typed = "FW 1\nROBOT bob\nFW 5\nROBOT alice\nWORLD maze\nWORLD two_robots\nLIST\nROBOT bob\nLIST\n"
 
-    lines = told(tmp_path, typed, "--world", "two_robots")
+    lines = answers_to(tmp_path, typed, "--world", "two_robots")
 
     assert [line for line in lines if ": FW" in line] == ["1: FW 1", "1: FW 5"]
 
 
-def test_whoever_records_a_world_stays_in_it(tmp_path: Path) -> None:
-    lines = told(tmp_path, "WORLD maze\nWHERE\n", "--events", "e.jsonl")
+def test_a_recorded_session_stays_in_its_world(tmp_path: Path) -> None:
+    lines = answers_to(tmp_path, "WORLD maze\nWHERE\n", "--events", "e.jsonl")
 
     assert lines[0].startswith("I stay in this world: e.jsonl is being written")
     assert lines[1:] == ["Position 0, 0. Facing north."]
 
 
 def test_a_word_that_takes_nothing_says_so(tmp_path: Path) -> None:
-    assert told(tmp_path, "WHERE 3\nAGAIN x\n") == [
-        "WHERE takes nothing behind it. Type WHERE alone.",
-        "AGAIN takes nothing behind it. Type AGAIN alone.",
+    assert answers_to(tmp_path, "WHERE 3\nAGAIN x\n") == [
+        "WHERE takes nothing after it. Type WHERE alone.",
+        "AGAIN takes nothing after it. Type AGAIN alone.",
     ]
 
 
-def test_lines_typed_before_and_the_chosen_language_go_along(tmp_path: Path) -> None:
+def test_the_history_and_the_language_stay_in_another_world(tmp_path: Path) -> None:
     learner = Learner(tmp_path)
     learner.enters("FW 2", "", "LANGUAGE pt", "WORLD maze")
     learner.sees("Este é o mundo maze: Labirinto.")

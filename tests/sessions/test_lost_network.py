@@ -1,4 +1,4 @@
-"""A network that is gone closes nothing: the kernel's attempts to reach the learner tell of it."""
+"""A lost network closes no connection. The kernel's retransmissions show the loss."""
 
 from __future__ import annotations
 
@@ -7,10 +7,10 @@ from pathlib import Path
 
 import pytest
 
-from devices.firmware_double.on_pty import DoubleOnPty
+from devices.board_simulator.pty import PtyBoard
 from donnie_tui.core.events import Announced, Stamped
-from donnie_tui.process import lost_network
-from donnie_tui.process.lost_network import attempts, ends_of
+from donnie_tui.process import disconnection
+from donnie_tui.process.disconnection import attempts, ssh_connections_of
 from tests.sessions.real_robot import assembled, until
 
 BY_SSH = {"SSH_CONNECTION": "10.77.0.2 42475 10.77.0.1 40223"}
@@ -22,25 +22,25 @@ pytestmark = pytest.mark.skipif(sys.byteorder != "little", reason="the rows are 
 
 
 def table(count: int, here: str = OURS, there: str = THEIRS) -> str:
-    """With another connection before ours that hangs, too."""
+    """A table with another hanging connection before that of the session."""
     other = ROW.format(n=0, here=here, there="0100007F:0016", count=9)
     return HEAD + other + ROW.format(n=1, here=here, there=there, count=count)
 
 
-def test_attempts_are_those_of_our_own_connection() -> None:
-    assert attempts(table(3).splitlines(), ends_of(BY_SSH)) == 3
-    assert attempts(table(3, there="02004D0A:A5EC").splitlines(), ends_of(BY_SSH)) == 0
+def test_attempts_are_those_of_the_connection_of_the_session() -> None:
+    assert attempts(table(3).splitlines(), ssh_connections_of(BY_SSH)) == 3
+    assert attempts(table(3, there="02004D0A:A5EC").splitlines(), ssh_connections_of(BY_SSH)) == 0
 
 
 def test_an_address_of_version_4_is_found_in_the_table_of_version_6() -> None:
     mapped = "0000000000000000FFFF0000"
     rows = table(5, mapped + OURS, mapped + THEIRS).splitlines()
 
-    assert attempts(rows, ends_of(BY_SSH)) == 5
+    assert attempts(rows, ssh_connections_of(BY_SSH)) == 5
 
 
 def test_an_address_of_version_6_is_found() -> None:
-    ends = ends_of({"SSH_CONNECTION": "fe80::2%eth0 42475 fe80::1 40223"})
+    ends = ssh_connections_of({"SSH_CONNECTION": "fe80::2%eth0 42475 fe80::1 40223"})
     here, there = "000080FE000000000000000001000000:9D1F", "000080FE000000000000000002000000:A5EB"
 
     assert attempts(table(6, here, there).splitlines(), ends) == 6
@@ -49,17 +49,17 @@ def test_an_address_of_version_6_is_found() -> None:
 @pytest.mark.parametrize(
     "told", ["", "UNKNOWN 65535 UNKNOWN 65535", "one two", "::1 x ::1 2", "1.2.3.4 1 ::1 2"]
 )
-def test_who_came_by_no_network_has_no_ends(told: str) -> None:
-    assert ends_of({"SSH_CONNECTION": told}) == ()
+def test_a_local_session_has_no_connection(told: str) -> None:
+    assert ssh_connections_of({"SSH_CONNECTION": told}) == ()
 
 
-def test_a_robot_whose_learner_is_out_of_reach_is_stopped_and_that_is_told(
-    tmp_path: Path, robot: DoubleOnPty, monkeypatch: pytest.MonkeyPatch
+def test_a_robot_of_an_unreachable_learner_is_stopped_and_that_is_reported(
+    tmp_path: Path, robot: PtyBoard, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     file = tmp_path / "tcp"
     file.write_text(table(0), encoding="ascii")
-    monkeypatch.setattr(lost_network, "TABLES", (file, tmp_path / "missing"))
-    monkeypatch.setattr(lost_network, "LOOK", 0.01)
+    monkeypatch.setattr(disconnection, "TABLES", (file, tmp_path / "missing"))
+    monkeypatch.setattr(disconnection, "LOOK", 0.01)
     for name in ("TMUX", "STY"):
         monkeypatch.delenv(name, raising=False)
     monkeypatch.setenv("SSH_CONNECTION", BY_SSH["SSH_CONNECTION"])
@@ -78,13 +78,13 @@ def test_a_robot_whose_learner_is_out_of_reach_is_stopped_and_that_is_told(
         donnie.close()
 
 
-def test_a_session_in_tmux_goes_on_without_the_network(
+def test_a_session_in_tmux_continues_without_the_network(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     (tmp_path / "tcp").write_text(table(9), encoding="ascii")
-    monkeypatch.setattr(lost_network, "TABLES", (tmp_path / "tcp",))
+    monkeypatch.setattr(disconnection, "TABLES", (tmp_path / "tcp",))
     in_tmux = {**BY_SSH, "TMUX": "/tmp/tmux-0/donnie,1,0"}
-    watches = [lost_network.NetworkWatch(lambda: None, each) for each in (BY_SSH, in_tmux, {})]
+    watches = [disconnection.NetworkWatch(lambda: None, each) for each in (BY_SSH, in_tmux, {})]
 
     assert [each.is_looking for each in watches] == [True, False, False]
     for each in watches:

@@ -1,4 +1,4 @@
-"""Without a terminal no signal tells that the line is lost: that nobody reads the output counts as one."""
+"""Without a terminal no signal reports a lost connection. Unread output counts as a loss."""
 
 from __future__ import annotations
 
@@ -7,16 +7,14 @@ from pathlib import Path
 
 import pytest
 
-from devices.firmware_double.on_pty import DoubleOnPty
+from devices.board_simulator.pty import PtyBoard
 from tests.patience import PATIENCE
 from tests.sessions.command import COMMAND, QUIET, environment, start
 from tests.sessions.real_robot import LONG_WALK, program, serial, until
 
 
 @pytest.mark.parametrize("lost", ["stdout", "stderr"])
-def test_a_run_that_nobody_reads_any_more_stops_its_robot(
-    tmp_path: Path, robot: DoubleOnPty, lost: str
-) -> None:
+def test_a_run_with_closed_output_stops_its_robot(tmp_path: Path, robot: PtyBoard, lost: str) -> None:
     """In the middle of a walk, before the next line would find out."""
     process = start(tmp_path, "run", program(tmp_path, LONG_WALK), *serial(robot), *QUIET)
     assert until(lambda: robot.board.is_driving)
@@ -27,9 +25,7 @@ def test_a_run_that_nobody_reads_any_more_stops_its_robot(
     assert process.wait(PATIENCE) == 130
 
 
-def test_the_linear_mode_that_nobody_reads_any_more_stops_its_robot(
-    tmp_path: Path, robot: DoubleOnPty
-) -> None:
+def test_the_linear_mode_with_closed_output_stops_its_robot(tmp_path: Path, robot: PtyBoard) -> None:
     process = subprocess.Popen(
         [*COMMAND, "--linear", program(tmp_path, LONG_WALK), *serial(robot), *QUIET],
         stdin=subprocess.PIPE,

@@ -1,4 +1,4 @@
-"""What is written never destroys what is read."""
+"""No output overwrites an input."""
 
 from __future__ import annotations
 
@@ -47,7 +47,7 @@ def _here(monkeypatch: pytest.MonkeyPatch, tmp_path: Path) -> None:
         "--linear --events config/donnie/settings.toml",
     ],
 )
-def test_what_is_read_is_not_overwritten(line: str, capsys: pytest.CaptureFixture[str]) -> None:
+def test_an_input_file_is_not_overwritten(line: str, capsys: pytest.CaptureFixture[str]) -> None:
     assert main([*line.split(), "--speech", "off"]) == 2, line
 
     out, err = capsys.readouterr()
@@ -79,7 +79,7 @@ def test_what_is_read_is_not_overwritten(line: str, capsys: pytest.CaptureFixtur
         "world corridor --svg my.world",
     ],
 )
-def test_what_is_of_another_kind_is_not_replaced(line: str, capsys: pytest.CaptureFixture[str]) -> None:
+def test_a_file_of_another_kind_is_not_replaced(line: str, capsys: pytest.CaptureFixture[str]) -> None:
     assert main(["run", "a.gd", "--record", "b.rec", "--events", "b.jsonl", *QUIET]) == 0
     for name in ("mine.gd", "MINE", "my.world"):
         Path(name).write_text("FW 3\nTR 90\n")
@@ -91,7 +91,7 @@ def test_what_is_of_another_kind_is_not_replaced(line: str, capsys: pytest.Captu
     assert {each: each.read_bytes() for each in kept} == kept
 
 
-def test_what_an_option_wrote_before_it_may_write_again() -> None:
+def test_an_option_may_replace_its_earlier_output() -> None:
     Path("empty.rec").touch()
     run = [
         "run",
@@ -118,11 +118,11 @@ def test_two_outputs_are_two_files(capsys: pytest.CaptureFixture[str]) -> None:
     assert not Path("b").exists()
 
 
-def test_what_is_no_file_of_the_learner_may_take_both() -> None:
+def test_a_device_may_take_two_outputs() -> None:
     assert main(["run", "a.gd", "--record", "/dev/null", "--events", "/dev/null", *QUIET]) == 0
 
 
-def test_a_recording_may_be_made_again_in_a_world_of_ones_own() -> None:
+def test_a_recording_in_a_user_world_may_be_repeated() -> None:
     command = ["run", "a.gd", "--world", "z.world", "--record", "a.rec", *QUIET]
 
     assert (main(command), main(command)) == (0, 0)
@@ -130,7 +130,7 @@ def test_a_recording_may_be_made_again_in_a_world_of_ones_own() -> None:
 
 @pytest.mark.parametrize("word", ["SAVE AS", "SAVE LOG", "REPORT MAP"])
 @pytest.mark.parametrize("name", ["b.rec", "z.world", "own.inc", "z.toml", "b.jsonl"])
-def test_no_word_of_a_session_writes_onto_what_the_session_needs(
+def test_no_word_of_a_session_overwrites_a_file_that_the_session_needs(
     word: str, name: str, tmp_path: Path
 ) -> None:
     outputs = ("--record", "b.rec", "--events", "b.jsonl")
@@ -147,7 +147,7 @@ def test_no_word_of_a_session_writes_onto_what_the_session_needs(
 
 
 @pytest.mark.parametrize("word", ["SAVE LOG", "REPORT LIST"])
-def test_no_page_takes_the_place_of_a_program_that_is_open(word: str, tmp_path: Path) -> None:
+def test_no_page_replaces_an_open_program(word: str, tmp_path: Path) -> None:
     typed = f"{word} a.gd\n{word} ./link.gd\nROBOT bob\n{word} a.gd\n"
 
     done = donnie(tmp_path, "--linear", "a.gd", "--world", "two_robots", *QUIET, typed=typed)
@@ -159,7 +159,7 @@ def test_no_page_takes_the_place_of_a_program_that_is_open(word: str, tmp_path: 
 
 
 @pytest.mark.parametrize("word", ["SAVE AS", "SAVE LOG", "REPORT LIST"])
-def test_typed_lines_of_a_file_replace_nothing_since_nobody_can_be_asked(word: str, tmp_path: Path) -> None:
+def test_lines_of_a_file_replace_no_file_because_no_question_is_possible(word: str, tmp_path: Path) -> None:
     Path("mine.gd").write_text("BW 1\n")
 
     done = donnie(tmp_path, "--linear", "a.gd", *QUIET, typed=f"{word} mine.gd\nREPORT MAP mine.html\n")
@@ -169,7 +169,7 @@ def test_typed_lines_of_a_file_replace_nothing_since_nobody_can_be_asked(word: s
     assert Path("mine.html").exists()
 
 
-def test_the_words_beside_a_world_go_with_a_recording(capsys: pytest.CaptureFixture[str]) -> None:
+def test_the_words_of_a_world_are_part_of_a_recording(capsys: pytest.CaptureFixture[str]) -> None:
     assert main(["run", "a.gd", "--world", "z.world", "--record", "a.rec", *QUIET]) == 0
 
     header = json.loads(Path("a.rec").read_text().splitlines()[0])

@@ -1,4 +1,4 @@
-"""``donnie replay --check``: the same programs give the same events again, or the first to differ is told."""
+"""``donnie replay --check``: the same programs give the same events, or the first difference is reported."""
 
 from __future__ import annotations
 
@@ -56,7 +56,7 @@ def test_a_recording_needs_nothing_but_itself(here: Here) -> None:
     assert here.replay("--check")[0].endswith("events alike.")
 
 
-def test_the_first_event_that_differs_is_told(here: Here) -> None:
+def test_the_first_different_event_is_reported(here: Here) -> None:
     here.record("FW 2\nSPEAK 5")
     lines = (here.folder / "a.rec").read_bytes().splitlines(keepends=True)
     number = next(number for number, line in enumerate(lines, 1) if b'"spoke"' in line)
@@ -69,7 +69,7 @@ def test_the_first_event_that_differs_is_told(here: Here) -> None:
     assert '"text":"5"' in told[2]
 
 
-def test_what_somebody_stopped_is_compared_up_to_there(here: Here) -> None:
+def test_a_stopped_run_is_compared_up_to_the_stop(here: Here) -> None:
     (here.folder / "a.gd").write_text("FW 3 SPEAK 1 FW 1000")
     running = start(here.folder, "run", "a.gd", *QUIET, "--speed", "50", "--record", "a.rec")
     assert running.stdout is not None

@@ -1,4 +1,4 @@
-"""``donnie replay``: a recording tells the run again, both ways, in words and on the map."""
+"""``donnie replay`` prints a recorded run again, both ways, in words and on the map."""
 
 from __future__ import annotations
 
@@ -18,7 +18,7 @@ def test_a_replay_prints_what_the_run_printed(here: Here) -> None:
     assert here.replay() == printed
 
 
-def test_backwards_each_step_is_told_with_the_place_that_it_leads_to(here: Here) -> None:
+def test_each_step_back_names_the_place_that_it_leads_to(here: Here) -> None:
     here.record("FW 2\nTR 90\nFW 3")
 
     assert here.replay("--backwards") == [
@@ -30,7 +30,7 @@ def test_backwards_each_step_is_told_with_the_place_that_it_leads_to(here: Here)
     ]
 
 
-def test_a_mistake_is_told_again_wholly_in_the_language_of_its_run(here: Here) -> None:
+def test_a_mistake_is_repeated_in_the_language_of_its_run(here: Here) -> None:
     here.record("FWD 2", code=1)
     told = here.replay()
 
@@ -45,7 +45,7 @@ def test_a_replay_may_begin_in_the_middle(here: Here) -> None:
     assert here.replay("--from", "3", "--backwards") == ["Back: 2.", "Back: 1.", "Back: start of a.gd."]
 
 
-def test_step_by_step_one_goes_both_ways_by_typed_words(here: Here) -> None:
+def test_typed_words_step_through_a_recording_both_ways(here: Here) -> None:
     here.record("FW 2\nTR 90")
 
     typed = "\nNEXT\nPRÓXIMO\nback\nDÓNDE\nMAP\nnonsense\nGO\nNEXT\nQUIT\n"
@@ -122,7 +122,7 @@ def test_the_map_is_that_of_the_robot_that_moved_with_the_others_where_they_are(
     assert not any("r" in row.lower() for row in last), "neither stands at its start"
 
 
-def test_the_map_of_a_step_is_that_of_the_robot_that_is_told_of(here: Here) -> None:
+def test_the_map_of_a_step_is_that_of_its_robot(here: Here) -> None:
     record_two(here)
 
     told = here.replay("--step", typed="END\nMAP\nSTART\nMAP\n")
@@ -132,7 +132,7 @@ def test_the_map_of_a_step_is_that_of_the_robot_that_is_told_of(here: Here) -> N
 
 
 def test_faster_and_slower_go_to_the_next_speed_from_any(here: Here) -> None:
-    """As the words of the same name do in a session."""
+    """Like the words of the same name in a session."""
     here.record("FW 1")
 
     slower = here.replay("--step", "--speed", "3", typed="SLOWER\nSLOWER\nSLOWER\n")
@@ -143,7 +143,7 @@ def test_faster_and_slower_go_to_the_next_speed_from_any(here: Here) -> None:
 
 
 def test_a_name_in_a_recording_makes_no_line_of_its_own(here: Here) -> None:
-    """Nobody trusts a recording: a name with a line's end could say whatever it likes."""
+    """A recording is not trusted: a name with a line end could imitate any sentence."""
     record_two(here)
     recorded = (here.folder / "a.rec").read_text(encoding="utf-8")
     (here.folder / "a.rec").write_text(recorded.replace('"alice"', '"al\\nice"'), encoding="utf-8")
@@ -178,11 +178,11 @@ def test_a_replay_writes_the_events_of_the_run(here: Here) -> None:
 @pytest.mark.parametrize(
     "option", ["--world=maze", "--robot=double", "--seed=3", "--belt=/dev/null", "--record=b.rec"]
 )
-def test_an_option_that_can_do_nothing_is_refused(here: Here, option: str) -> None:
+def test_an_option_without_effect_is_refused(here: Here, option: str) -> None:
     here.record("SPEAK 1")
 
     name = option.partition("=")[0]
-    sentence = f"A replay tells what has happened: {name} does nothing here."
+    sentence = f"A replay shows what has happened: {name} does nothing here."
     assert here.replay(option, code=2, err=[sentence]) == []
     assert not (here.folder / "b.rec").exists()
 
@@ -201,13 +201,13 @@ def test_an_option_that_can_do_nothing_is_refused(here: Here, option: str) -> No
     ],
     ids=" ".join,
 )
-def test_two_ways_at_once_are_refused(here: Here, options: tuple[str, ...]) -> None:
+def test_two_directions_at_once_are_refused(here: Here, options: tuple[str, ...]) -> None:
     here.record("SPEAK 1")
 
     assert here.replay(*options, code=2, err=[f"{options[1]} and {options[0]} do not go together."]) == []
 
 
-def test_a_replay_never_writes_onto_what_it_reads(here: Here) -> None:
+def test_a_replay_never_overwrites_its_recording(here: Here) -> None:
     here.record("SPEAK 1")
 
     here.replay(
@@ -218,7 +218,7 @@ def test_a_replay_never_writes_onto_what_it_reads(here: Here) -> None:
     )
 
 
-def test_a_recording_of_a_newer_format_is_told_as_far_as_it_is_known(here: Here) -> None:
+def test_a_recording_of_a_newer_format_is_replayed_as_far_as_it_is_known(here: Here) -> None:
     here.record("SPEAK 1")
     first = (here.folder / "a.rec").read_bytes().splitlines(keepends=True)[0]
     here.spoil({1: first.replace(b'"donnie_recording":1', b'"donnie_recording":2')})

@@ -1,4 +1,4 @@
-"""A robot that does not answer is looked for only as long as somebody wants to wait."""
+"""The search for a robot that does not answer can be cancelled."""
 
 from __future__ import annotations
 
@@ -19,7 +19,7 @@ from tests.sessions.learner import Learner
 
 @pytest.fixture
 def mute_port() -> Iterator[str]:
-    """A port at which nobody ever answers: looking for a robot takes seconds there."""
+    """A port without an answer: the search for a robot takes seconds there."""
     ours, theirs = os.openpty()
     tty.setraw(theirs)
     yield os.ttyname(theirs)
@@ -58,7 +58,7 @@ def test_control_c_ends_a_command_that_looks_for_a_robot(
 
 
 @pytest.mark.parametrize("keys", ["\x03", "\x1b[19~"], ids=["ctrl-c", "f8"])
-def test_a_stop_key_gives_up_the_search_of_the_full_screen(tmp_path: Path, mute_port: str, keys: str) -> None:
+def test_a_stop_key_cancels_the_search_of_the_full_screen(tmp_path: Path, mute_port: str, keys: str) -> None:
     front_end = at_terminal(tmp_path, "--visual", *QUIET, "--robot", f"serial:{mute_port}")
     front_end.expect("I look for the robot")
     front_end.expect("I wait for the robot. Ctrl\\+C gives up.")
@@ -72,9 +72,7 @@ def test_a_stop_key_gives_up_the_search_of_the_full_screen(tmp_path: Path, mute_
 
 
 @pytest.mark.parametrize("moment", ["at the start", "by a word"])
-def test_control_c_gives_up_the_search_of_the_linear_mode(
-    tmp_path: Path, mute_port: str, moment: str
-) -> None:
+def test_control_c_cancels_the_search_of_the_linear_mode(tmp_path: Path, mute_port: str, moment: str) -> None:
     learner = Learner(tmp_path, "--robot", f"serial:{mute_port}")
     for _ in range(1 if moment == "at the start" else 2):
         learner.sees("I look for the robot, some seconds.")

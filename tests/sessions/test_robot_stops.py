@@ -1,4 +1,4 @@
-"""Whatever ends the program that drives a robot, the board is told to stop."""
+"""The board gets a stop, whatever ends the program that drives its robot."""
 
 from __future__ import annotations
 
@@ -10,8 +10,8 @@ from pathlib import Path
 import pexpect
 import pytest
 
-from devices.firmware_double.on_pty import DoubleOnPty
-from devices.wire.commands import STOP
+from devices.board_simulator.pty import PtyBoard
+from devices.wire.commands import CONFIGURE, STOP
 from donnie_tui.core.events import CueSounded, Outcome, Stamped
 from tests.patience import PATIENCE
 from tests.sessions.command import COMMAND, QUIET, donnie, environment, start
@@ -22,31 +22,33 @@ ENDING = [signal.SIGINT, signal.SIGTERM, signal.SIGHUP, signal.SIGQUIT]
 
 
 @pytest.mark.parametrize("number", ENDING, ids=lambda each: each.name)
-def test_a_signal_stops_the_robot(tmp_path: Path, robot: DoubleOnPty, number: signal.Signals) -> None:
+def test_a_signal_stops_the_robot(tmp_path: Path, robot: PtyBoard, number: signal.Signals) -> None:
     process = start(tmp_path, "run", program(tmp_path, LONG_WALK), *serial(robot), *QUIET)
     assert until(lambda: robot.board.is_driving)
     process.send_signal(number)
 
     assert until(lambda: not robot.board.is_driving)
     assert process.wait(PATIENCE) == 130
-    assert robot.heard.endswith(STOP)
+    assert robot.received.endswith(STOP)
 
 
 @pytest.mark.parametrize("number", ENDING, ids=lambda each: each.name)
 def test_a_signal_while_connecting_ends_it_with_a_stop(
-    tmp_path: Path, robot: DoubleOnPty, number: signal.Signals
+    tmp_path: Path, robot: PtyBoard, number: signal.Signals
 ) -> None:
+    """After the board had time to answer."""
     robot.board.is_mute = True
-    process = start(tmp_path, "run", program(tmp_path, LONG_WALK), *serial(robot), *QUIET)
-    assert until(lambda: bool(robot.heard))
+    soon = {"DONNIE_ROBOT_TIMEOUTS": "0.2"}
+    process = start(tmp_path, "run", program(tmp_path, LONG_WALK), *serial(robot), *QUIET, changes=soon)
+    assert until(lambda: bool(robot.received))
     process.send_signal(number)
 
     assert process.communicate(timeout=PATIENCE) == (b"", b"")
     assert process.returncode == 130
-    assert until(lambda: robot.heard.endswith(STOP))
+    assert until(lambda: robot.received.endswith(STOP))
 
 
-def test_control_z_stops_the_robot_before_the_run_rests(tmp_path: Path, robot: DoubleOnPty) -> None:
+def test_control_z_stops_the_robot_before_the_run_is_suspended(tmp_path: Path, robot: PtyBoard) -> None:
     process = start(tmp_path, "run", program(tmp_path, LONG_WALK), *serial(robot), *QUIET)
     assert until(lambda: robot.board.is_driving)
     process.send_signal(signal.SIGTSTP)
@@ -59,7 +61,7 @@ def test_control_z_stops_the_robot_before_the_run_rests(tmp_path: Path, robot: D
     assert "You left with Ctrl+Z, so I stopped the robot." in said.decode().splitlines()
 
 
-def test_control_z_stops_the_robot_of_the_linear_mode(tmp_path: Path, robot: DoubleOnPty) -> None:
+def test_control_z_stops_the_robot_of_the_linear_mode(tmp_path: Path, robot: PtyBoard) -> None:
     learner = Learner(tmp_path, *serial(robot), program(tmp_path, LONG_WALK))
     learner.sees("Robot connected.")
     learner.sees_prompt()
@@ -74,24 +76,22 @@ def test_control_z_stops_the_robot_of_the_linear_mode(tmp_path: Path, robot: Dou
 
 
 @pytest.mark.parametrize("number", [signal.SIGINT, signal.SIGTERM], ids=lambda each: each.name)
-def test_a_run_leaves_no_robot_that_half_a_frame_keeps_from_hearing_the_stop(
-    tmp_path: Path, robot: DoubleOnPty, number: signal.Signals
+def test_a_run_stops_a_robot_after_half_a_frame(
+    tmp_path: Path, robot: PtyBoard, number: signal.Signals
 ) -> None:
-    """Nor does an impatient second signal."""
+    """Also after a second signal."""
     process = start(tmp_path, "run", program(tmp_path, LONG_WALK), *serial(robot), *QUIET)
     assert until(lambda: robot.board.is_driving)
     half_a_frame(robot)
     process.send_signal(number)
-    assert until(lambda: STOP + STOP in robot.heard)
+    assert until(lambda: STOP + STOP in robot.received)
     process.send_signal(number)
 
     assert process.wait(PATIENCE) == 130
     assert not robot.board.is_driving
 
 
-def test_a_run_that_rests_leaves_no_robot_that_half_a_frame_keeps_from_hearing_the_stop(
-    tmp_path: Path, robot: DoubleOnPty
-) -> None:
+def test_a_suspended_run_stops_a_robot_after_half_a_frame(tmp_path: Path, robot: PtyBoard) -> None:
     process = start(tmp_path, "run", program(tmp_path, LONG_WALK), *serial(robot), *QUIET)
     assert until(lambda: robot.board.is_driving)
     half_a_frame(robot)
@@ -106,8 +106,8 @@ def test_a_run_that_rests_leaves_no_robot_that_half_a_frame_keeps_from_hearing_t
 @pytest.mark.parametrize(
     "number", [signal.SIGHUP, signal.SIGTERM, signal.SIGTSTP], ids=lambda each: each.name
 )
-def test_the_linear_mode_leaves_no_robot_that_half_a_frame_keeps_from_hearing_the_stop(
-    tmp_path: Path, robot: DoubleOnPty, number: signal.Signals
+def test_the_linear_mode_stops_a_robot_after_half_a_frame(
+    tmp_path: Path, robot: PtyBoard, number: signal.Signals
 ) -> None:
     learner = Learner(tmp_path, *serial(robot), program(tmp_path, LONG_WALK))
     learner.sees("Robot connected.")
@@ -131,7 +131,7 @@ def test_the_linear_mode_leaves_no_robot_that_half_a_frame_keeps_from_hearing_th
 )
 @pytest.mark.parametrize("mode", ["--linear", "--visual"])
 def test_a_signal_to_a_front_end_stops_the_robot(
-    tmp_path: Path, robot: DoubleOnPty, mode: str, number: signal.Signals
+    tmp_path: Path, robot: PtyBoard, mode: str, number: signal.Signals
 ) -> None:
     front_end = pexpect.spawn(
         sys.executable,
@@ -142,7 +142,7 @@ def test_a_signal_to_a_front_end_stops_the_robot(
         timeout=PATIENCE,
     )
     drained = threading.Thread(target=front_end.expect, args=(pexpect.EOF,), daemon=True)
-    assert until(lambda: robot.board.is_configured)
+    assert until(lambda: CONFIGURE in robot.received)
     front_end.expect("onnected")
     front_end.send("\x1b[15~" if mode == "--visual" else "RUN\r")
     drained.start()
@@ -151,10 +151,10 @@ def test_a_signal_to_a_front_end_stops_the_robot(
 
     assert until(lambda: not robot.board.is_driving)
     drained.join(PATIENCE)
-    assert robot.heard.endswith(STOP)
+    assert robot.received.endswith(STOP)
 
 
-def test_a_killed_program_leaves_a_robot_that_donnie_stop_halts(tmp_path: Path, robot: DoubleOnPty) -> None:
+def test_a_killed_program_leaves_a_robot_that_donnie_stop_halts(tmp_path: Path, robot: PtyBoard) -> None:
     process = start(tmp_path, "run", program(tmp_path, LONG_WALK), *serial(robot), *QUIET)
     assert until(lambda: robot.board.is_driving)
     process.kill()
@@ -167,12 +167,12 @@ def test_a_killed_program_leaves_a_robot_that_donnie_stop_halts(tmp_path: Path, 
     assert not robot.board.is_driving
 
 
-def test_a_listener_that_fails_in_the_middle_of_a_walk_stops_the_robot(robot: DoubleOnPty) -> None:
+def test_a_listener_that_fails_in_the_middle_of_a_walk_stops_the_robot(robot: PtyBoard) -> None:
     donnie = assembled(robot)
 
     def fail(stamped: Stamped) -> None:
         if isinstance(stamped.event, CueSounded) and stamped.event.name == "step-forward":
-            raise ZeroDivisionError("a fault of ours")
+            raise ZeroDivisionError("an internal fault")
 
     try:
         donnie.session.hub.subscribe(fail)
@@ -186,11 +186,11 @@ def test_a_listener_that_fails_in_the_middle_of_a_walk_stops_the_robot(robot: Do
         donnie.close()
 
 
-def test_closing_stops_what_runs(robot: DoubleOnPty) -> None:
+def test_closing_a_session_stops_its_run(robot: PtyBoard) -> None:
     donnie = assembled(robot)
     donnie.session.start("FW 100", "test.gd", hooked=False)
     assert until(lambda: robot.board.is_driving)
     donnie.close()
 
     assert until(lambda: not robot.board.is_driving)
-    assert robot.heard.endswith(STOP)
+    assert robot.received.endswith(STOP)

@@ -1,4 +1,4 @@
-"""Where nobody reads what is told of a robot, it is stopped all the same."""
+"""A robot is stopped although its output is not read."""
 
 from __future__ import annotations
 
@@ -14,8 +14,8 @@ from pathlib import Path
 import pexpect
 import pytest
 
-from devices.firmware_double.on_pty import DoubleOnPty
-from devices.wire.commands import STOP
+from devices.board_simulator.pty import PtyBoard
+from devices.wire.commands import CONFIGURE, STOP
 from tests.patience import PATIENCE
 from tests.sessions.command import COMMAND, QUIET, environment
 from tests.sessions.learner import Learner
@@ -24,7 +24,7 @@ from tests.sessions.real_robot import half_a_frame, is_suspended, program, seria
 
 @contextlib.contextmanager
 def terminal_that_takes_nothing(child: pexpect.spawn) -> Iterator[None]:
-    """As after Ctrl+S, or over a network that hangs."""
+    """As after Ctrl+S or over a hanging network."""
     terminal = os.open(Path(f"/proc/{child.pid}/fd/1").readlink(), os.O_RDWR | os.O_NOCTTY)
     termios.tcflow(terminal, termios.TCOOFF)
     try:
@@ -50,10 +50,10 @@ def _place(thread: Path) -> str:
 
 
 @pytest.mark.parametrize("number", [signal.SIGINT, signal.SIGTERM], ids=lambda each: each.name)
-def test_a_run_whose_news_nobody_reads_stops_its_robot_and_ends(
-    tmp_path: Path, robot: DoubleOnPty, number: signal.Signals
+def test_a_run_with_unread_output_stops_its_robot_and_ends(
+    tmp_path: Path, robot: PtyBoard, number: signal.Signals
 ) -> None:
-    """Whoever prints the news hangs, the run as well, and the board is in the middle of half a frame."""
+    """The printing thread and the run hang, and the board waits for the rest of a frame."""
     run = pexpect.spawn(
         sys.executable,
         [*COMMAND[1:], "run", program(tmp_path, "FW 300\n"), *serial(robot), *QUIET],
@@ -73,8 +73,8 @@ def test_a_run_whose_news_nobody_reads_stops_its_robot_and_ends(
     assert run.exitstatus == 130
 
 
-def test_control_z_stops_the_robot_of_the_linear_mode_although_its_terminal_takes_nothing(
-    tmp_path: Path, robot: DoubleOnPty
+def test_control_z_stops_the_robot_of_the_linear_mode_at_a_stuck_terminal(
+    tmp_path: Path, robot: PtyBoard
 ) -> None:
     learner = Learner(tmp_path, *serial(robot), program(tmp_path, "FW 300\n"))
     learner.sees("Robot connected.")
@@ -109,8 +109,8 @@ def is_full(screen: pexpect.spawn) -> Callable[[], bool]:
     return look
 
 
-def unread_screen(folder: Path, robot: DoubleOnPty) -> pexpect.spawn:
-    """The full screen, its robot driving, at a terminal whose output nobody reads from then on."""
+def unread_screen(folder: Path, robot: PtyBoard) -> pexpect.spawn:
+    """The full screen, its robot driving, at a terminal with unread output from then on."""
     screen = pexpect.spawn(
         sys.executable,
         [*COMMAND[1:], "--visual", *serial(robot), *QUIET, program(folder, "FW 1000\n")],
@@ -119,7 +119,7 @@ def unread_screen(folder: Path, robot: DoubleOnPty) -> pexpect.spawn:
         dimensions=(60, 200),
         timeout=PATIENCE,
     )
-    assert until(lambda: robot.board.is_configured)
+    assert until(lambda: CONFIGURE in robot.received)
     screen.expect("onnected")
     screen.send("\x1b[15~")
     assert until(lambda: (read(screen), robot.board.is_driving)[1])
@@ -128,15 +128,15 @@ def unread_screen(folder: Path, robot: DoubleOnPty) -> pexpect.spawn:
 
 
 def read(screen: pexpect.spawn) -> bytes:
-    """What waits to be read."""
+    """The unread output."""
     try:
         return screen.read_nonblocking(65536, timeout=0)
     except pexpect.TIMEOUT:
         return b""
 
 
-def test_a_screen_that_takes_nothing_stops_the_robot_by_itself(tmp_path: Path, robot: DoubleOnPty) -> None:
-    """Although one signal after the other comes."""
+def test_a_stuck_screen_stops_the_robot_by_itself(tmp_path: Path, robot: PtyBoard) -> None:
+    """Although signals keep arriving."""
     screen = unread_screen(tmp_path, robot)
     widths = cycle((200, 199))
 
@@ -148,12 +148,10 @@ def test_a_screen_that_takes_nothing_stops_the_robot_by_itself(tmp_path: Path, r
 @pytest.mark.parametrize(
     "number", [signal.SIGTERM, signal.SIGHUP, signal.SIGQUIT], ids=lambda each: each.name
 )
-def test_a_signal_ends_a_screen_that_takes_nothing(
-    tmp_path: Path, robot: DoubleOnPty, number: signal.Signals
-) -> None:
+def test_a_signal_ends_a_stuck_screen(tmp_path: Path, robot: PtyBoard, number: signal.Signals) -> None:
     screen = unread_screen(tmp_path, robot)
     screen.kill(number)
 
     assert until(lambda: not robot.board.is_driving)
     assert until(lambda: not screen.isalive())
-    assert robot.heard.endswith(STOP)
+    assert robot.received.endswith(STOP)

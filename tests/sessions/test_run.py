@@ -1,4 +1,4 @@
-"""``donnie run``: the same program has the same outcome from wherever it comes, at any speed, every time."""
+"""``donnie run``: a program has the same outcome from any source, at any speed, every time."""
 
 from __future__ import annotations
 
@@ -22,7 +22,7 @@ def records(stream: bytes) -> list[dict[str, Any]]:
 
 
 def nameless(stream: bytes) -> list[dict[str, Any]]:
-    """The events without what the program is called."""
+    """The events without the name of the program."""
     return [{key: value for key, value in each.items() if key != "program"} for each in records(stream)]
 
 
@@ -64,7 +64,7 @@ def test_the_command_writes_the_same_bytes_again(tmp_path: Path) -> None:
 # --- what is printed
 
 
-def test_the_words_are_printed_and_events_may_go_beside_them(tmp_path: Path) -> None:
+def test_a_run_prints_words_and_optionally_events(tmp_path: Path) -> None:
     done = donnie(tmp_path, "run", "-", *QUIET, "--events", "e.jsonl", typed='FW 2 SPEAK "olá"')
 
     assert done.stdout.decode() == "I walked 2 steps forward.\nolá\n"
@@ -81,7 +81,7 @@ def test_the_words_are_printed_and_events_may_go_beside_them(tmp_path: Path) -> 
     ]
 
 
-def test_a_trace_tells_each_statement(tmp_path: Path) -> None:
+def test_a_trace_prints_each_statement(tmp_path: Path) -> None:
     done = donnie(tmp_path, "run", "-", *QUIET, "--events", "-", "--trace", typed="FW 1\nSPEAK 1")
 
     lines = [each["line"] for each in records(done.stdout) if each["event"] == "statement"]
@@ -101,7 +101,7 @@ def test_input_in_the_old_code_page_is_understood(tmp_path: Path) -> None:
     assert done.stdout.decode() == "ação\n"
 
 
-def test_a_name_that_is_no_text_crashes_nothing(tmp_path: Path) -> None:
+def test_a_name_of_invalid_bytes_crashes_nothing(tmp_path: Path) -> None:
     name = "a\udcff.gd"
     (tmp_path / name).write_text("FW 1")
 
@@ -117,7 +117,7 @@ def test_a_name_that_is_no_text_crashes_nothing(tmp_path: Path) -> None:
 @pytest.mark.parametrize(
     ("program", "code"), [("FW 1", 0), ("", 0), ("FWD 1", 1), ("SPEAK q", 1), ("QUIT", 1), ("SPEAK 1/0", 1)]
 )
-def test_the_exit_code_tells_whether_the_program_had_a_mistake(
+def test_the_exit_code_shows_whether_the_program_had_a_mistake(
     tmp_path: Path, program: str, code: int
 ) -> None:
     assert donnie(tmp_path, "run", "-", *QUIET, typed=program).returncode == code
@@ -156,7 +156,7 @@ def test_a_program_that_computes_for_ever_stops_too(tmp_path: Path) -> None:
     assert running.returncode == 130
 
 
-def test_a_reader_that_goes_away_ends_the_run_quietly(tmp_path: Path) -> None:
+def test_a_closed_pipe_ends_the_run_quietly(tmp_path: Path) -> None:
     (tmp_path / "a.gd").write_text("WHILE 1 == 1 DO SPEAK 1 END WHILE")
     running = start(tmp_path, "run", "a.gd", *QUIET)
     assert running.stdout is not None
@@ -170,7 +170,7 @@ def test_a_reader_that_goes_away_ends_the_run_quietly(tmp_path: Path) -> None:
 
 
 @pytest.mark.parametrize("option", [("--events", "/dev/full"), ("--sound", "wav:/dev/full")])
-def test_a_full_disk_is_told(tmp_path: Path, option: tuple[str, str]) -> None:
+def test_a_full_disk_is_reported(tmp_path: Path, option: tuple[str, str]) -> None:
     if not Path("/dev/full").exists():
         pytest.skip("needs a device that is always full")
     (tmp_path / "a.gd").write_text("FW 1 SPEAK 1")
@@ -182,7 +182,7 @@ def test_a_full_disk_is_told(tmp_path: Path, option: tuple[str, str]) -> None:
     assert done.returncode == 2
 
 
-def test_sounds_that_have_no_folder_are_told_in_one_line(tmp_path: Path) -> None:
+def test_a_sound_file_without_a_folder_is_reported_in_one_line(tmp_path: Path) -> None:
     (tmp_path / "a.gd").write_text("FW 1")
 
     done = donnie(tmp_path, "run", "a.gd", *QUIET, "--sound", "wav:none/b.wav")
@@ -191,7 +191,7 @@ def test_sounds_that_have_no_folder_are_told_in_one_line(tmp_path: Path) -> None
     assert (done.stdout, done.returncode) == (b"", 2)
 
 
-def test_a_signal_ends_a_run_that_talks_to_somebody_who_does_not_read(tmp_path: Path) -> None:
+def test_a_signal_ends_a_run_with_unread_output(tmp_path: Path) -> None:
     (tmp_path / "a.gd").write_text(
         'WHILE 1 == 1 DO SPEAK "a line that fills the pipe sooner or later" END WHILE'
     )
@@ -221,7 +221,7 @@ def two(folder: Path, **programs: str) -> tuple[str, ...]:
     return ("--world", "two.world", *QUIET)
 
 
-def test_several_robots_run_each_its_own_program_and_say_who_they_are(tmp_path: Path) -> None:
+def test_several_robots_run_their_programs_and_print_their_names(tmp_path: Path) -> None:
     world = two(tmp_path, alice="FW 2", bob='WAIT 1 SPEAK "olá"')
 
     done = donnie(tmp_path, "run", "alice=alice.gd", "bob=bob.gd", *world)
@@ -275,7 +275,7 @@ def test_a_file_with_a_sign_of_equality_in_its_name_is_a_file(tmp_path: Path) ->
         (("alice=alice.gd", "bob=nowhere.gd"), "There is no file nowhere.gd."),
     ],
 )
-def test_who_runs_what_must_be_clear(tmp_path: Path, arguments: tuple[str, ...], sentence: str) -> None:
+def test_each_program_needs_a_clear_robot(tmp_path: Path, arguments: tuple[str, ...], sentence: str) -> None:
     world = two(tmp_path, alice="FW 1")
 
     done = donnie(tmp_path, "run", *arguments, *world)
@@ -299,8 +299,8 @@ def test_a_signal_stops_every_robot(tmp_path: Path) -> None:
 
 
 @pytest.mark.parametrize("is_read", [True, False])
-def test_a_pipe_of_events_that_nobody_reads_holds_no_program(is_read: bool, tmp_path: Path) -> None:
-    """Who reads it gets every line; 4,000 are more than a pipe holds."""
+def test_an_unread_pipe_of_events_does_not_delay_the_program(is_read: bool, tmp_path: Path) -> None:
+    """A reader gets every line. 4,000 lines are more than a pipe holds."""
     os.mkfifo(tmp_path / "events")
     end = os.open(tmp_path / "events", os.O_RDWR)  # so that it opens at once
     (tmp_path / "a.gd").write_text("REPEAT 4000 TIMES\nSPEAK 1\nEND REPEAT\nSPEAK 2")

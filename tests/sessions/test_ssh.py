@@ -1,4 +1,4 @@
-"""Donnie at the other end of a real ssh: as at a terminal of its own, and safe when the line is lost."""
+"""Donnie at the other end of a real ssh: as at a local terminal, and safe when the connection is lost."""
 
 from __future__ import annotations
 
@@ -13,14 +13,14 @@ from pathlib import Path
 import pexpect
 import pytest
 
-from devices.firmware_double.on_pty import DoubleOnPty
+from devices.board_simulator.pty import PtyBoard
 from devices.wire.commands import STOP
 from tests.patience import PATIENCE
 from tests.sessions.real_robot import LONG_WALK, program, serial, until
 from tests.sessions.ssh_line import MISSING, SshLine
 from tests.unit.ssip.server import Server
 
-pytestmark = pytest.mark.skipif(MISSING is not None, reason=f"needs {MISSING}")
+pytestmark = [pytest.mark.slow, pytest.mark.skipif(MISSING is not None, reason=f"needs {MISSING}")]
 
 
 @pytest.fixture
@@ -64,10 +64,10 @@ def test_typed_lines_are_answered_without_a_terminal(line: SshLine) -> None:
 
 
 @pytest.mark.parametrize("number", [signal.SIGINT, signal.SIGKILL], ids=lambda each: each.name)
-def test_an_ssh_that_ends_stops_the_robot_of_a_run_without_a_terminal(
-    line: SshLine, robot: DoubleOnPty, number: signal.Signals
+def test_the_end_of_ssh_stops_the_robot_of_a_run_without_a_terminal(
+    line: SshLine, robot: PtyBoard, number: signal.Signals
 ) -> None:
-    """Ctrl+C at home reaches nobody else: no signal comes to the robot's side."""
+    """Ctrl+C at home stays there: no signal reaches the robot's side."""
     command = line.command("run", program(line.folder, LONG_WALK), *serial(robot), terminal=False)
     ssh = subprocess.Popen(command, stdin=subprocess.DEVNULL, stdout=subprocess.PIPE, start_new_session=True)
     assert until(lambda: robot.board.is_driving)
@@ -94,7 +94,7 @@ def test_a_program_is_typed_and_run_in_the_linear_mode(line: SshLine) -> None:
     assert learner.exitstatus == 0
 
 
-def test_control_c_goes_through_and_the_exit_code_comes_back(line: SshLine, robot: DoubleOnPty) -> None:
+def test_control_c_goes_through_and_the_exit_code_comes_back(line: SshLine, robot: PtyBoard) -> None:
     learner = line.at_terminal("run", program(line.folder, LONG_WALK), *serial(robot))
     assert until(lambda: robot.board.is_driving)
     learner.send("\x03")
@@ -112,8 +112,8 @@ RUN = {"--linear": "RUN\r", "--visual": "\x1b[15~"}
 
 @pytest.mark.parametrize("lost", ["ssh", "sshd"])
 @pytest.mark.parametrize("mode", ["--linear", "--visual"])
-def test_a_lost_line_stops_the_robot_and_the_typed_program_is_kept(
-    line: SshLine, robot: DoubleOnPty, mode: str, lost: str
+def test_a_lost_connection_stops_the_robot_and_keeps_the_typed_program(
+    line: SshLine, robot: PtyBoard, mode: str, lost: str
 ) -> None:
     learner = line.at_terminal(mode, *serial(robot))
     learner.expect("onnected")
@@ -128,7 +128,7 @@ def test_a_lost_line_stops_the_robot_and_the_typed_program_is_kept(
 
     assert until(lambda: not robot.board.is_driving)
     assert until(lambda: not line.donnies())
-    assert robot.heard.endswith(STOP)
+    assert robot.received.endswith(STOP)
 
     again = line.at_terminal(mode, "--plain", "--speed", "max")
     again.expect("> |Command line")
@@ -139,30 +139,30 @@ def test_a_lost_line_stops_the_robot_and_the_typed_program_is_kept(
 
 
 def server_of(line: SshLine) -> int:
-    """The sshd that has the terminal's other end: whoever started Donnie."""
+    """The sshd that has the terminal's other end: the process that started Donnie."""
     (donnie,) = line.donnies()
     return int(Path(f"/proc/{donnie}/stat").read_text().rpartition(")")[2].split()[1])
 
 
-# --- speech brought home
+# --- speech forwarded home
 
 
 @pytest.mark.parametrize("mode", ["--linear", "--visual"])
-def test_speech_brought_home(line: SshLine, tmp_path: Path, mode: str) -> None:
-    """The speech-dispatcher at home says the answers; if it goes away that is told once, and all goes on."""
+def test_speech_is_forwarded_home(line: SshLine, tmp_path: Path, mode: str) -> None:
+    """The speech-dispatcher at home says the answers. Its loss is reported once and ends nothing."""
     server = Server(tmp_path)
     learner = line.at_terminal(mode, "--plain", "--speech", "ssip", speech_from=server.address.path)
     learner.expect("> |Command line")
     learner.send("WHERE\r")
     learner.expect("Facing north")
     assert until(lambda: "Position 0, 0." in server.texts)
-    server.go_away()
+    server.kill()
 
-    def is_told() -> bool:
+    def is_reported() -> bool:
         learner.send("WHERE\r")
         return learner.expect_exact(["speech-dispatcher is gone. All is in print.", pexpect.TIMEOUT], 1) == 0
 
-    assert any(is_told() for _ in range(PATIENCE))
+    assert any(is_reported() for _ in range(PATIENCE))
     for typed in ("AROUND", "QUIT"):
         learner.send(f"{typed}\r")
     learner.expect(pexpect.EOF)

@@ -47,7 +47,7 @@ def test_the_map_of_every_world_fits_eighty_columns(name: str, capsys: pytest.Ca
     assert robots == {"two_robots": 2, "bigbob_yaws": 4, "empty": 0, "helloworld": 0}.get(name, 1)
 
 
-def test_where_a_letter_is_several_steps_a_line_below_says_so(capsys: pytest.CaptureFixture[str]) -> None:
+def test_a_line_below_the_map_gives_the_steps_of_a_letter(capsys: pytest.CaptureFixture[str]) -> None:
     main(["world", "factory", "--map"])
 
     lines = capsys.readouterr().out.splitlines()
@@ -86,7 +86,7 @@ def test_the_legend_of_a_crowd_is_short(crowd: str, capsys: pytest.CaptureFixtur
     assert len(lines) - lines.index("") < 8
 
 
-def test_nothing_that_a_world_file_says_reaches_the_terminal_as_a_command(
+def test_no_text_of_a_world_file_reaches_the_terminal_as_a_command(
     folder: Path, capsys: pytest.CaptureFixture[str]
 ) -> None:
     evil = "\x1b[31m\x9b2J\x07\u202e"
@@ -135,7 +135,7 @@ def test_a_picture_is_written_and_replaces_the_one_that_was_there(folder: Path) 
     assert root.findtext("{http://www.w3.org/2000/svg}title") == "Mapa de cave"
 
 
-def test_a_world_of_a_thousand_robots_is_told_in_few_lines(
+def test_a_world_of_a_thousand_robots_is_described_in_few_lines(
     crowd: str, folder: Path, capsys: pytest.CaptureFixture[str]
 ) -> None:
     assert main(["world", crowd]) == 0
@@ -156,7 +156,7 @@ def test_a_world_of_a_thousand_robots_fits_on_paper(crowd: str, folder: Path) ->
 
 
 @pytest.mark.parametrize("form", ["--svg", "--brf"])
-def test_a_pipe_is_told_and_left_as_it_is(
+def test_a_pipe_is_reported_and_left_unchanged(
     form: str, folder: Path, capsys: pytest.CaptureFixture[str]
 ) -> None:
     os.mkfifo(folder / "pipe")
@@ -179,7 +179,7 @@ def test_every_world_has_its_place_in_the_documents() -> None:
             assert f": `{name}`\n" in manual
 
 
-def test_every_file_beside_the_worlds_is_used_by_one_of_them() -> None:
+def test_every_file_next_to_the_worlds_is_used_by_one_of_them() -> None:
     for folder in map(Path, (worlds.SCENES, worlds.MANUAL)):
         files = [*folder.glob("*.world"), *folder.glob("*.inc")]
         text = "\n".join(file.read_text(encoding="utf-8") for file in files)

@@ -31,6 +31,6 @@ def printed_by(folder: Path, language: str, lines: list[str], *options: str) -> 
     return done.stdout.decode().split("\n")
 
 
-def told(folder: Path, *lines: str) -> list[str]:
+def answers_to(folder: Path, *lines: str) -> list[str]:
     """The answers, without the first two lines and the last one."""
     return printed_by(folder, "en", [*lines, "NEW"])[2:-3]

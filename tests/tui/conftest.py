@@ -1,11 +1,8 @@
 """A full screen without a terminal, on the real session and simulator at unlimited speed."""
 
-import os
 import sys
 import time
 
-for _name in ("NO_COLOR", "TEXTUAL_THEME", "TEXTUAL_FILTERS", "TEXTUAL_ANIMATIONS"):
-    os.environ.pop(_name, None)  # read when Textual is imported
 sys.setswitchinterval(0.0002)  # as the application has it: a program that computes must not starve the screen
 
 from collections.abc import AsyncIterator, Callable, Iterator  # noqa: E402
@@ -18,10 +15,14 @@ from textual import events  # noqa: E402
 from textual.pilot import Pilot  # noqa: E402
 
 from donnie_tui.bootstrap import assemble  # noqa: E402
-from donnie_tui.settings.chosen import Settings  # noqa: E402
+from donnie_tui.core.run_controller import RunState  # noqa: E402
+from donnie_tui.settings.settings import Settings  # noqa: E402
 from donnie_tui.tui.app import DonnieApp  # noqa: E402
-from donnie_tui.tui.running import Doing  # noqa: E402
 from tests.patience import PATIENCE  # noqa: E402
+
+Pilot._wait_for_screen.__defaults__ = (
+    float(PATIENCE),
+)  # Textual's own thirty seconds are few on a busy machine
 
 WAITING = "WHILE 1 == 1 DO\nWAIT 1000\nEND WHILE"
 """Without end, and idle at speed 1."""
@@ -36,8 +37,8 @@ def burst(desk, *keys: str) -> None:
         desk.app.post_message(events.Key(key, {"space": " "}.get(key, key if len(key) == 1 else None)))
 
 
-class Desk:
-    """An application at work, and somebody at its keys."""
+class ScreenDriver:
+    """Drives a running application by its keys."""
 
     def __init__(self, app: DonnieApp, pilot: Pilot[int]) -> None:
         self.app = app
@@ -53,6 +54,23 @@ class Desk:
                 raise self.app.trouble
             await self.pilot.pause(0.01)
         raise AssertionError(f"never happened: {what or condition}; the log: {self.log}")
+
+    async def painted(self) -> None:
+        """Wait until nothing is left to paint: Textual paints after the message that changed something."""
+        screen = self.app.screen
+        for _ in range(2):
+            await self.pilot.pause()
+            await self.until(
+                lambda: (
+                    not (
+                        screen._layout_required
+                        or screen._repaint_required
+                        or screen._dirty_widgets
+                        or screen._compositor._dirty_regions
+                    )
+                ),
+                "the last of the paint",
+            )
 
     async def press(self, *keys: str) -> None:
         await self.pilot.press(*keys)
@@ -70,21 +88,21 @@ class Desk:
         self.app.screen.query_one("#answer").value = text
         await self.press("enter")
 
-    async def told(self, text: str) -> None:
+    async def shows(self, text: str) -> None:
         """Wait until a line of the log has this text."""
         await self.until(lambda: any(text in line for line in self.log), text)
 
     async def idle(self) -> None:
-        await self.until(lambda: self.app.work.running.doing is Doing.READY, "the end of the run")
+        await self.until(lambda: self.app.work.ctx.runs.state is RunState.READY, "the end of the run")
 
     async def run(self, text: str) -> None:
         """The program, run with F5 to its end."""
         self.app.work.load(text)
         await self.press("f5")
-        await self.told("The program is done.")
+        await self.shows("The program is done.")
 
-    async def doing(self, doing: Doing) -> None:
-        await self.until(lambda: self.app.work.running.doing is doing, str(doing))
+    async def doing(self, doing: RunState) -> None:
+        await self.until(lambda: self.app.work.ctx.runs.state is doing, str(doing))
 
     @property
     def log(self) -> tuple[str, ...]:
@@ -121,7 +139,7 @@ def work(tmp_path: Path):
         plain: bool = False,
         tour: bool = False,
         **others: Any,
-    ) -> AsyncIterator[Desk]:
+    ) -> AsyncIterator[ScreenDriver]:
         settings = Settings(
             world=world,
             speed=speed,
@@ -137,7 +155,7 @@ def work(tmp_path: Path):
         )
         try:
             async with app.run_test(size=size) as pilot:
-                desk = Desk(app, pilot)
+                desk = ScreenDriver(app, pilot)
                 await desk.until(lambda: app.work is not None and not app.is_opening, "the session")
                 await pilot.pause()
                 yield desk

@@ -50,7 +50,7 @@ class Terminal:
         more: dict[str, str] | None = None,
         controls: bool = False,
     ) -> None:
-        """``controls``: the line belongs to the program's session, which hears when it is lost."""
+        """``controls``: the line belongs to the program's session, which notices its loss."""
         self.screen = pyte.Screen(columns, rows)
         self._stream = pyte.ByteStream(self.screen)
         self.raw = b""
@@ -59,22 +59,7 @@ class Terminal:
         self.attributes = termios.tcgetattr(slave)
         self._slave = slave
         self._open = [slave, self._master]
-        environment = {
-            name: value
-            for name, value in os.environ.items()
-            if not name.startswith(
-                ("TEXTUAL", "DONNIE", "NO_COLOR", "COLORTERM", "LC_", "LANG", "COLUMNS", "LINES")
-            )
-        } | {
-            "TERM": "xterm-256color",
-            "HOME": str(state),
-            "LANG": "C.UTF-8",
-            "DONNIE_PLAIN": "off",
-            "DONNIE_TOUR": "off",
-        }
-        environment |= more or {}
-        environment.pop("XDG_STATE_HOME", None)
-        environment.pop("XDG_CONFIG_HOME", None)
+        environment = os.environ | {"HOME": str(state), "DONNIE_TOUR": "off"} | (more or {})
         self.process = subprocess.Popen(
             [sys.executable, "-m", "donnie_tui", *arguments, "--speech", "off", "--sound", "off"],
             stdin=slave,
@@ -127,7 +112,7 @@ class Terminal:
         self.hang_up()
 
     def hang_up(self) -> None:
-        """The line is lost: nobody reads any more, and nothing can be typed."""
+        """The connection is lost: the output is not read any more, and no key arrives."""
         while self._open:
             os.close(self._open.pop())
 
@@ -148,7 +133,7 @@ def left_as_found(terminal: Terminal) -> bool:
 
 
 def falls_silent(donnie: Terminal, seconds: float) -> bool:
-    """Wait until nothing was written for so long. False where something goes on writing."""
+    """Wait until nothing was written for so long. False where the program keeps writing."""
     end = time.monotonic() + PATIENCE
     while donnie.read(seconds):
         if time.monotonic() > end:

@@ -4,15 +4,12 @@ from collections.abc import Callable
 
 import pytest
 
-from donnie_tui import LANGUAGES
-from donnie_tui.core.use_cases import USE_CASES, find
-from donnie_tui.core.view_cases import VIEW_CASES
-from donnie_tui.i18n.catalogue import SENTENCES
-from donnie_tui.tui.actions import ACTIONS, CASES
-from donnie_tui.tui.actions import find as find_action
-from donnie_tui.tui.keys import MENU, key_label
-from language.keywords import canonical
+from donnie_tui.commands.declarations import COMMANDS
+from donnie_tui.commands.keys import MENU, key_label
+from donnie_tui.commands.lookup import find, word_of
+from language.locales import languages
 from tests.tui.conftest import burst
+from tests.unit.i18n.sentences import CODES
 
 ARGUMENTS = {
     "run_to": "2",
@@ -30,7 +27,7 @@ ARGUMENTS = {
     "detail": "full",
     "translate": "pt",
     "manual": "FW",
-    "save_log": "told.txt",
+    "save_log": "log.txt",
     "save": "kept.gd",
     "save_as": "other.gd",
     "open": "kept.gd",
@@ -40,18 +37,18 @@ LEAVING = ("quit", "linear")
 
 
 def looked_at(desk) -> tuple[object, ...]:
-    """Where the focus is, and where on the map: the place is told in words of its own."""
+    """Where the focus is, and where on the map: the place has its own words."""
     pointer = desk.place.map.pointer
     return desk.app.focused, pointer and pointer.here
 
 
 def answers_after(desk) -> Callable[[], bool]:
-    """Whether something was told, opened or gone to since then."""
+    """Whether a line was printed, a screen opened or the focus moved since then."""
     before, place = len(desk.log), looked_at(desk)
 
     def is_answered() -> bool:
-        told = any(not line.startswith(">") for line in desk.log[before:])
-        return told or desk.app.screen is not desk.place or looked_at(desk) != place
+        printed = any(not line.startswith(">") for line in desk.log[before:])
+        return printed or desk.app.screen is not desk.place or looked_at(desk) != place
 
     return is_answered
 
@@ -72,32 +69,24 @@ async def back_to_the_workplace(desk) -> None:
         await desk.pilot.pause()
 
 
-async def test_every_word_is_answered_in_the_log_or_by_a_screen_of_its_own(work):
+async def test_every_word_is_answered_in_the_log_or_by_a_screen(work):
     async with work(PROGRAM, world="living_room") as desk:
-        for action in ACTIONS:
-            if action.name in LEAVING or action.hidden:
+        for action in COMMANDS:
+            if action.name in LEAVING:
                 continue
             desk.app.work.load(PROGRAM)
             await desk.pilot.pause()
             desk.place.command_line.focus()
             await desk.pilot.pause()
             is_answered = answers_after(desk)
-            typed = f"{action.word('en')} {ARGUMENTS.get(action.name, '')}".strip()
+            typed = f"{word_of(action, 'en')} {ARGUMENTS.get(action.name, '')}".strip()
             desk.app.on_command_line_typed(type(desk.place.command_line).Typed(typed))
             await desk.until(is_answered, f"an answer to {action.name}")
             await back_to_the_workplace(desk)
             await desk.idle()
 
 
-@pytest.mark.parametrize("language", LANGUAGES)
-def test_words_of_the_screen_alone_are_nobody_else_s(language):
-    for case in VIEW_CASES:
-        assert canonical(case.word(language)) is None
-        assert find(case.word(language), CASES) == (case, "")
-        assert case.word(language) not in {each.word(language) for each in USE_CASES}
-
-
-LISTED = {each.name: each for each in ACTIONS if not each.hidden}
+LISTED = {each.name: each for each in COMMANDS}
 """Every action once."""
 ASKED = {
     "speed": ("7", "Speed 7."),
@@ -109,7 +98,7 @@ ASKED = {
     "map_row": ("0", "0"),
     "map_column": ("0", "0"),
 }
-"""What needs to know more, what is answered to the question, and something of what is told then."""
+"""What needs to know more, what is answered to the question, and a part of the answer."""
 
 
 @pytest.fixture
@@ -124,11 +113,11 @@ def doing(monkeypatch):
     return instead_of
 
 
-@pytest.mark.parametrize("language", LANGUAGES)
+@pytest.mark.parametrize("language", languages())
 def test_every_action_has_a_purpose_and_is_reached_by_its_word(language):
-    for action in ACTIONS:
-        assert f"action-{action.name}" in SENTENCES
-        found = find_action(action.word(language))
+    for action in COMMANDS:
+        assert f"action-{action.name}" in CODES
+        found = find(word_of(action, language))
         assert found is not None, action
         assert (found[0].name, found[1]) == (action.name, "")
 
@@ -159,7 +148,7 @@ async def test_every_action_is_chosen_from_the_palette_by_its_word(work, doing):
         done = doing(desk)
         for name, action in LISTED.items():
             before = len(done)
-            burst(desk, "ctrl+p", *letters(action.word("en")), "enter")
+            burst(desk, "ctrl+p", *letters(word_of(action, "en")), "enter")
             await desk.until(lambda before=before: len(done) > before, f"{name}, chosen")
 
         assert done == list(LISTED)
@@ -171,39 +160,39 @@ def letters(word: str) -> list[str]:
 
 
 @pytest.mark.parametrize("way", ["palette", "key"])
-async def test_what_an_action_needs_to_know_is_asked(work, way):
-    assert {name for name, action in LISTED.items() if action.needs_asking} == set(ASKED)
+async def test_an_action_asks_for_a_missing_argument(work, way):
+    assert {name for name, action in LISTED.items() if action.asked_by_key} == set(ASKED)
     async with work(PROGRAM) as desk:
-        for name, (answer, told) in ASKED.items():
+        for name, (answer, printed) in ASKED.items():
             before, action = len(desk.log), LISTED[name]
             if way == "palette":
-                burst(desk, "ctrl+p", *letters(action.word("en")), "enter")
+                burst(desk, "ctrl+p", *letters(word_of(action, "en")), "enter")
             else:
                 burst(desk, *(pressed(part) for part in action.keys[0].split()))
             await desk.until(
-                lambda a=action: f"{a.word('en')}, for example" in desk.screen, f"asked of {name}"
+                lambda a=action: f"{word_of(a, 'en')}, for example" in desk.screen, f"asked of {name}"
             )
             await desk.answer(answer)
             await desk.until(
-                lambda b=before, t=told: any(t in line for line in desk.log[b:]), f"{told} of {name}"
+                lambda b=before, t=printed: any(t in line for line in desk.log[b:]), f"{printed} of {name}"
             )
             await back_to_the_workplace(desk)
             desk.app.work.load(PROGRAM)
 
 
 def test_no_key_does_two_things():
-    keys = [key for action in ACTIONS for key in action.keys]
+    keys = [key for action in COMMANDS for key in action.keys]
 
     assert sorted(keys) == sorted(set(keys))
 
 
-def test_keys_are_told_as_they_are_on_the_keyboard():
+def test_keys_have_the_names_on_the_keyboard():
     assert key_label("ctrl+k left_square_bracket", "en") == "Ctrl+K ["
     assert key_label("escape", "en") == "Esc"
     assert key_label("ctrl+s", "en") == "Ctrl+S"
 
 
-async def test_the_menu_key_lists_its_letters_and_esc_goes_back(work):
+async def test_the_menu_key_lists_its_letters_and_esc_closes_the_list(work):
     async with work() as desk:
         await desk.press(MENU)
         await desk.until(lambda: "Ctrl+K" not in desk.screen and "Esc goes back" in desk.screen, "the menu")

@@ -1,4 +1,4 @@
-"""Programs hold at their breakpoints, which go with their lines; one goes back from there."""
+"""Programs hold at their breakpoints, which move with their lines. Steps back start there."""
 
 import pytest
 
@@ -16,33 +16,33 @@ async def test_a_program_holds_at_its_breakpoints(work):
         for line in (2, 4):
             desk.place.editor.go_to(line)
             await desk.press("ctrl+b")
-        await desk.told("Line 4 has a breakpoint.")
+        await desk.shows("Breakpoint at line 4.")
         await desk.press("f5")
-        await desk.told('Line 2: SPEAK "two"')
+        await desk.shows('Line 2: SPEAK "two"')
         assert ">B2" in desk.screen
         await desk.press("f6")
-        await desk.told('Line 4: SPEAK "four"')
+        await desk.shows('Line 4: SPEAK "four"')
         assert not any(line == "four" for line in desk.log)
         desk.place.editor.go_to(4)
         await desk.press("ctrl+b", "f6")
-        await desk.told("The program is done.")
+        await desk.shows("The program is done.")
 
 
-async def test_a_breakpoint_that_is_set_while_the_program_holds_is_heeded(work):
+async def test_a_breakpoint_set_while_the_program_is_held_counts(work):
     async with work('FW 1\nSPEAK "two"\nFW 1\nSPEAK "four"') as desk:
         desk.place.editor.go_to(2)
         await desk.press("ctrl+b", "f5")
-        await desk.told('Line 2: SPEAK "two"')
+        await desk.shows('Line 2: SPEAK "two"')
         desk.place.editor.go_to(4)
         await desk.press("ctrl+b", "f6")
-        await desk.told('Line 4: SPEAK "four"')
+        await desk.shows('Line 4: SPEAK "four"')
         await desk.press("f6")
-        await desk.told("The program is done.")
+        await desk.shows("The program is done.")
 
 
 async def test_a_breakpoint_goes_with_its_line(work):
     async with work("FW 1\nFW 2\nFW 3") as desk:
-        desk.place.editor.set_breakpoints(frozenset({2, 3}))
+        desk.place.editor.breakpoints = frozenset({2, 3})
         desk.place.editor.move_cursor((0, 4))
         await desk.press("enter")
         assert desk.place.editor.breakpoints == {3, 4}
@@ -50,18 +50,18 @@ async def test_a_breakpoint_goes_with_its_line(work):
         assert desk.place.editor.breakpoints <= {1}
 
 
-async def test_stepping_back_shows_where_the_robot_was_and_a_run_goes_on_from_where_it_is(work):
+async def test_a_step_back_shows_the_earlier_place_and_a_run_continues_from_the_current(work):
     async with work("FW 3\nTR 90\nFW 2") as desk:
         await desk.press("f5")
-        await desk.told("The program is done.")
+        await desk.shows("The program is done.")
         assert desk.app.work.display.scene.robot == desk.app.work.display.scene.cell_at(2, 3)
         for _ in range(8):
             await desk.press("ctrl+k", "k")
             await desk.pilot.pause()
-        await desk.told("Back: FW 3.")
+        await desk.shows("Back: FW 3.")
         assert desk.app.work.display.scene.robot == desk.app.work.display.scene.cell_at(0, 0)
         await desk.type_line("FW 1")
-        await desk.told("I walked 1 step forward.")
+        await desk.shows("I walked 1 step forward.")
         await desk.idle()
 
         assert desk.app.work.display.scene.robot == desk.app.work.display.scene.cell_at(3, 3)
@@ -76,21 +76,22 @@ async def test_breakpoints_are_there_again_at_the_next_start(work, tmp_path):
     async with work(file=path) as desk:
         desk.place.editor.go_to(2)
         await desk.press("ctrl+b")
-        await desk.told("Line 2 has a breakpoint.")
+        await desk.shows("Breakpoint at line 2.")
     async with work(file=path) as desk:
-        await desk.told("Breakpoints: 2.")
+        await desk.shows("Breakpoints: 2.")
         assert desk.place.editor.breakpoints == {2}
         await desk.press("f5")
-        await desk.told("Line 2: FW 2")
+        await desk.shows("Line 2: FW 2")
 
 
 async def test_each_open_program_has_its_own_breakpoints(work):
     async with work("FW 1\nFW 2") as desk:
         await desk.press("ctrl+b")
-        await desk.told("Line 1 has a breakpoint.")
-        desk.app.work.files.turn_to(None)
+        await desk.shows("Breakpoint at line 1.")
+        workspace = desk.app.work.workspace
+        workspace.turn_to(workspace.add_document())
         assert desk.place.editor.breakpoints == frozenset()
-        desk.app.work.files.turn_to(0)
+        workspace.turn_to(workspace.documents[0])
         assert desk.place.editor.breakpoints == {1}
 
 
@@ -98,7 +99,7 @@ async def test_a_program_holds_where_its_breakpoint_has_moved_to(work):
     async with work("FW 1\nFW 2") as desk:
         desk.place.editor.go_to(2)
         await desk.press("ctrl+b")
-        await desk.told("Line 2 has a breakpoint.")
+        await desk.shows("Breakpoint at line 2.")
         desk.place.editor.insert("TR 90\n", (0, 0))
         await desk.press("f5")
-        await desk.told("Line 3: FW 2")
+        await desk.shows("Line 3: FW 2")

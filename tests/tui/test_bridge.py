@@ -28,12 +28,12 @@ def bridge() -> tuple[Bridge, list]:
     return Bridge(posted.append, Words(), lambda: HERE), posted
 
 
-def told(listener: Bridge, *events) -> None:
+def publish(listener: Bridge, *events) -> None:
     for number, event in enumerate(events, 1):
         listener(Stamped(number, 0.0, event))
 
 
-def test_what_stopped_one_robot_is_not_the_reason_of_another_ones_line():
+def test_the_stop_of_one_robot_is_not_the_reason_in_the_line_of_another():
     posted: list = []
     listener = Bridge(posted.append, Words(), lambda: HERE, lambda: "alice")
     for robot, reason in (("alice", StoppedBy.OBSTACLE), ("bob", None)):
@@ -47,9 +47,9 @@ def test_what_stopped_one_robot_is_not_the_reason_of_another_ones_line():
     ]
 
 
-def test_what_is_said_waits_in_the_mailbox_and_the_screen_is_woken_once():
+def test_lines_wait_in_the_mailbox_and_the_screen_is_woken_once():
     listener, posted = bridge()
-    told(listener, Spoke("one"), Spoke("two\nthree"), Answered("four"))
+    publish(listener, Spoke("one"), Spoke("two\nthree"), Answered("four"))
 
     assert [type(each) for each in posted] == [Happened]
     assert [line.text for line in listener.take().lines] == ["one", "two", "three", "four"]
@@ -58,16 +58,16 @@ def test_what_is_said_waits_in_the_mailbox_and_the_screen_is_woken_once():
 
 def test_after_a_look_the_screen_is_woken_again():
     listener, posted = bridge()
-    told(listener, Spoke("one"))
+    publish(listener, Spoke("one"))
     listener.take()
-    told(listener, Spoke("two"))
+    publish(listener, Spoke("two"))
 
     assert len(posted) == 2
 
 
-def test_a_movement_that_was_cut_short_is_told_with_its_reason():
+def test_an_interrupted_movement_is_reported_with_its_reason():
     listener, _ = bridge()
-    told(
+    publish(
         listener,
         Moved("FW 3", 3, 1, StoppedBy.OBSTACLE, HERE, True),
         Announced("moved", "I walked only 1 step."),
@@ -81,7 +81,7 @@ def test_a_movement_that_was_cut_short_is_told_with_its_reason():
 def test_a_program_that_talks_without_end_costs_no_memory_and_what_is_lost_is_counted():
     listener, posted = bridge()
     for _ in range(MOST_LINES + 500):
-        told(listener, Spoke("again"))
+        publish(listener, Spoke("again"))
     mail = listener.take()
 
     assert len(mail.lines) == MOST_LINES
@@ -92,7 +92,7 @@ def test_a_program_that_talks_without_end_costs_no_memory_and_what_is_lost_is_co
 def test_poses_come_from_every_thread_and_wake_the_screen_once():
     listener, posted = bridge()
     threads = [
-        threading.Thread(target=told, args=(listener, *[Passing(Pose(i, 0, 0)) for i in range(200)]))
+        threading.Thread(target=publish, args=(listener, *[Passing(Pose(i, 0, 0)) for i in range(200)]))
         for _ in range(4)
     ]
     for thread in threads:
@@ -104,22 +104,22 @@ def test_poses_come_from_every_thread_and_wake_the_screen_once():
     assert len(listener.take().poses) == 800
 
 
-def test_distances_that_are_what_they_were_wake_nobody():
+def test_unchanged_distances_do_not_wake_the_screen():
     listener, posted = bridge()
-    told(listener, Sensed({Bearing.FRONT: 4}))
+    publish(listener, Sensed({Bearing.FRONT: 4}))
     assert listener.take().distances == {Bearing.FRONT: 4}
 
-    told(listener, Sensed({Bearing.FRONT: 4}))
+    publish(listener, Sensed({Bearing.FRONT: 4}))
     assert (listener.take(), len(posted)) == (NO_MAIL, 1)
 
-    told(listener, Sensed({Bearing.FRONT: 3}))
+    publish(listener, Sensed({Bearing.FRONT: 3}))
     assert (listener.take().distances, len(posted)) == ({Bearing.FRONT: 3}, 2)
 
 
-def test_what_happens_in_a_run_waits_until_its_beginning_is_shown():
+def test_events_of_a_run_wait_until_its_beginning_is_shown():
     """Else the way that the robot went would be wiped away with the last one's."""
     listener, posted = bridge()
-    told(listener, Answered("Saved."), RunStarted("p", "w", "d", 0, "0"), Passing(HERE))
+    publish(listener, Answered("Saved."), RunStarted("p", "w", "d", 0, "0"), Passing(HERE))
     assert listener.take() == NO_MAIL
 
     listener.begun()
@@ -132,7 +132,7 @@ def test_what_happens_in_a_run_waits_until_its_beginning_is_shown():
 def test_the_end_of_a_run_brings_its_mistakes():
     listener, posted = bridge()
     mistake = Error("syntax", 2, 5, "What?", None)
-    told(listener, RunStarted("p", "w", "d", 0, "0"), mistake, RunEnded(Outcome.FAILED, HERE, {}, 0.0))
+    publish(listener, RunStarted("p", "w", "d", 0, "0"), mistake, RunEnded(Outcome.FAILED, HERE, {}, 0.0))
 
     assert isinstance(posted[0], Began)
     assert isinstance(posted[-1], Ended)
@@ -141,7 +141,7 @@ def test_the_end_of_a_run_brings_its_mistakes():
     assert listener.take().lines[0] == LogLine("Error, line 2, column 5: What?", "error")
 
 
-def test_the_end_of_another_robots_run_is_not_that_of_ones_own():
+def test_the_end_of_another_robots_run_is_not_the_end_of_this_one():
     posted: list = []
     listener = Bridge(posted.append, Words(), lambda: HERE, lambda: "alice")
     for robot in ("bob", "alice"):
@@ -151,10 +151,10 @@ def test_the_end_of_another_robots_run_is_not_that_of_ones_own():
     assert listener.take().others == (("bob", Pose(1.0, 0.0, 0.0)),)
 
 
-def test_what_did_not_fit_is_told_before_what_did():
+def test_the_number_of_lost_lines_comes_before_the_remaining_lines():
     listener, _ = bridge()
     for _ in range(MOST_LINES + 500):
-        told(listener, Spoke("again"))
+        publish(listener, Spoke("again"))
     written: list[LogLine] = []
     intake = Intake(
         listener, Words(), set_timer=lambda *_: None, receive=lambda _: None, write=written.extend
@@ -166,6 +166,6 @@ def test_what_did_not_fit_is_told_before_what_did():
     assert len(written) == MOST_LINES + 1
 
 
-def test_two_calls_to_look_are_as_good_as_one():
+def test_two_wakeups_are_as_good_as_one():
     assert Happened().can_replace(Happened())
     assert not Happened().can_replace(Began("p", HERE))

@@ -2,6 +2,7 @@
 
 import pytest
 
+from donnie_tui.commands.settings import change
 from tests.tui.kept_settings import kept
 
 
@@ -13,7 +14,7 @@ def own_settings(tmp_path, monkeypatch):
 async def test_the_look_is_chosen_by_word_and_kept(work, tmp_path):
     async with work() as desk:
         await desk.type_line("THEME light")
-        await desk.told("Look: light.")
+        await desk.shows("Look: light.")
 
         assert desk.app.theme == "donnie-light"
         assert kept(tmp_path)["theme"] == "light"
@@ -22,7 +23,7 @@ async def test_the_look_is_chosen_by_word_and_kept(work, tmp_path):
 async def test_the_language_changes_everything_at_once(work):
     async with work() as desk:
         await desk.type_line("LANGUAGE pt")
-        await desk.told("Idioma: português.")
+        await desk.shows("Idioma: português.")
         await desk.until(lambda: "Mapa:" in desk.screen and "Registro" in desk.screen, "the titles")
 
         assert "Executar" in desk.screen
@@ -44,6 +45,6 @@ async def test_the_settings_list_changes_one_and_comes_back(work, tmp_path):
 
 async def test_another_key_works_at_once(work):
     async with work('SPEAK "by another key"') as desk:
-        desk.app.work.prefer("keys", "run f9")
+        change(desk.app.work.ctx, "keys", "run f9")
         await desk.press("f9")
-        await desk.told("by another key")
+        await desk.shows("by another key")

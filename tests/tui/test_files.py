@@ -23,26 +23,26 @@ async def test_a_file_of_the_command_line_is_open_at_the_start(work, program):
         assert ">Program: walk.gd " in desk.screen
 
 
-async def test_a_file_that_is_not_there_is_told(work, tmp_path):
+async def test_a_missing_file_is_reported(work, tmp_path):
     async with work(file=tmp_path / "none.gd") as desk:
-        await desk.told("There is no file")
+        await desk.shows("There is no file")
 
 
-async def test_open_takes_the_name_behind_the_word(work, program):
+async def test_open_takes_the_name_after_the_word(work, program):
     async with work() as desk:
         await desk.type_line(f"OPEN {program}")
-        await desk.told("Opened walk.gd, 2 lines.")
+        await desk.shows("Opened walk.gd, 2 lines.")
 
         assert desk.app.work.text == "FW 1\nTR 90"
 
 
-async def test_open_asks_for_the_name_and_says_at_once_what_is_wrong_with_it(work, program):
+async def test_open_asks_for_the_name_and_rejects_a_wrong_one_at_once(work, program):
     async with work() as desk:
         await desk.press("ctrl+o")
         await desk.answer(str(program.with_name("none.gd")))
         await desk.until(lambda: "There is no file" in desk.screen, "the reason")
         await desk.answer(str(program))
-        await desk.told("Opened walk.gd")
+        await desk.shows("Opened walk.gd")
 
         assert desk.app.screen is desk.place
 
@@ -63,7 +63,7 @@ async def test_save_writes_the_file_and_the_title_says_changed_until_then(work, 
         await desk.press("S", "P", "space")
         await desk.until(lambda: "Program: walk.gd, changed" in desk.screen, "the title")
         await desk.press("ctrl+s")
-        await desk.told("Saved walk.gd")
+        await desk.shows("Saved walk.gd")
 
         assert program.read_text(encoding="utf-8") == "SP FW 1\nTR 90\n"
         await desk.until(lambda: "changed" not in desk.screen, "the title")
@@ -73,7 +73,7 @@ async def test_the_first_save_asks_for_a_name_and_adds_the_suffix(work, tmp_path
     async with work("FW 2") as desk:
         await desk.press("ctrl+s")
         await desk.answer(str(tmp_path / "first"))
-        await desk.told("Saved first.gd")
+        await desk.shows("Saved first.gd")
 
         assert (tmp_path / "first.gd").read_text(encoding="utf-8") == "FW 2\n"
 
@@ -83,25 +83,25 @@ async def test_another_file_is_replaced_only_after_a_yes(work, program, answer, 
     async with work("FW 2") as desk:
         await desk.type_line(f"SAVE {program}")
         await desk.answer("perhaps")
-        await desk.until(lambda: "Replace it?" in desk.screen, "the question again")
+        await desk.until(lambda: "Replace it, y or n?" in desk.screen, "the question again")
         await desk.answer(answer)
-        await desk.told("Saved walk.gd" if answer == "sí" else "Nothing was changed.")
+        await desk.shows("Saved walk.gd" if answer == "sí" else "Nothing was changed.")
 
         assert program.read_text(encoding="utf-8") == text
 
 
 @pytest.mark.parametrize(("answer", "text"), [("yes", "XFW 1\nTR 90\n"), ("no", "BW 1\n")])
 @pytest.mark.parametrize("word", ["SAVE", "SAVE {}"])
-async def test_what_somebody_else_wrote_meanwhile_is_replaced_only_after_a_yes(
+async def test_a_file_changed_by_another_program_is_replaced_only_after_a_yes(
     work, program, answer, text, word
 ):
     async with work(file=program) as desk:
         await desk.press("X")
         program.write_text("BW 1\n", encoding="utf-8")
         await desk.type_line(word.format(program))
-        await desk.until(lambda: "walk.gd was changed by somebody else." in desk.screen, "the question")
+        await desk.until(lambda: "walk.gd was changed elsewhere." in desk.screen, "the question")
         await desk.answer(answer)
-        await desk.told("Saved walk.gd" if answer == "yes" else "Nothing was changed.")
+        await desk.shows("Saved walk.gd" if answer == "yes" else "Nothing was changed.")
 
         assert program.read_text(encoding="utf-8") == text
 
@@ -110,21 +110,21 @@ async def test_a_folder_that_can_t_be_written_is_a_sentence(work, tmp_path):
     async with work("FW 2") as desk:
         await desk.type_line(f"SAVE {tmp_path / 'nowhere' / 'a.gd'}")
 
-        await desk.told("I can't write")
+        await desk.shows("I can't write")
 
 
-async def test_what_is_not_saved_is_asked_about_before_it_goes(work, tmp_path):
+async def test_an_unsaved_program_is_closed_only_after_a_question(work, tmp_path):
     async with work("FW 2") as desk:
         await desk.press("ctrl+n")
         await desk.answer("yes")
         await desk.answer(str(tmp_path / "kept.gd"))
-        await desk.told("A new program.")
+        await desk.shows("A new program.")
 
         assert desk.app.work.text == ""
         assert (tmp_path / "kept.gd").read_text(encoding="utf-8") == "FW 2\n"
 
 
-async def test_going_back_from_the_question_keeps_the_program(work):
+async def test_cancelling_the_question_keeps_the_program(work):
     async with work("FW 2") as desk:
         await desk.press("ctrl+q")
         await desk.until(lambda: desk.app.screen is not desk.place, "the question")
@@ -135,27 +135,27 @@ async def test_going_back_from_the_question_keeps_the_program(work):
         assert desk.app.work.text == "FW 2"
 
 
-async def test_what_was_left_without_saving_is_not_spoken_of_and_comes_back_for_who_asks(work, tmp_path):
+async def test_a_discarded_program_is_not_announced_and_restored_by_recover(work, tmp_path):
     async with work("FW 2") as desk:
         await desk.press("ctrl+q")
         await desk.answer("no")
         await desk.until(lambda: not desk.app.is_running, "the end")
-    assert [each.read_text() for each in (tmp_path / "unsaved").iterdir()] == ["FW 2"]
+    assert [each.read_text() for each in (tmp_path / "unsaved").iterdir()] == ["FW 2\n"]
 
     async with work() as desk:
         await desk.type_line("RECOVER")
-        await desk.told("Here it is again, 1 line.")
+        await desk.shows("Here it is again, 1 line.")
         assert desk.app.work.text == "FW 2"
         assert "A program was rescued. RECOVER opens it." not in desk.log
 
 
 @pytest.mark.parametrize("word", ["NEW", "RECOVER"])
-async def test_what_was_given_up_for_another_program_comes_back_for_who_asks(work, tmp_path, word):
+async def test_a_program_replaced_by_another_one_is_restored_by_recover(work, tmp_path, word):
     (tmp_path / "unsaved").mkdir()
     (tmp_path / "unsaved" / "unsaved-abc.gd").write_text("FW 9", encoding="utf-8")
     async with work() as desk:
         await desk.type_line("RECOVER")
-        await desk.told("Here it is again, 1 line.")
+        await desk.shows("Here it is again, 1 line.")
         desk.app.work.load("FW 8")
         await desk.type_line("NEW")
         await desk.answer("no")
@@ -166,18 +166,19 @@ async def test_what_was_given_up_for_another_program_comes_back_for_who_asks(wor
         await desk.until(lambda: desk.app.work.text in ("", "FW 8"), "another program")
 
     left = [each.read_text() for each in (tmp_path / "unsaved").iterdir()]
-    assert sorted(left) == ["FW 7", "FW 8"]
+    assert sorted(left) == ["FW 7\n", "FW 8\n"]
 
 
-async def test_going_to_the_linear_mode_rescues_the_programs_that_it_does_not_take_along(work, tmp_path):
+async def test_a_switch_to_the_linear_mode_rescues_the_other_programs(work, tmp_path):
     async with work("FW 2") as desk:
-        desk.app.work.files.turn_to(None)
+        workspace = desk.app.work.workspace
+        workspace.turn_to(workspace.add_document())
         desk.app.work.load("FW 3")
         await desk.type_line("LINEAR")
         await desk.until(lambda: not desk.app.is_running, "the end")
 
     assert desk.place.editor.text == "FW 3"
-    assert [each.read_text() for each in (tmp_path / "unsaved").iterdir()] == ["FW 2"]
+    assert [each.read_text() for each in (tmp_path / "unsaved").iterdir()] == ["FW 2\n"]
 
 
 async def test_a_saved_program_is_left_without_a_question(work, program):
@@ -188,41 +189,42 @@ async def test_a_saved_program_is_left_without_a_question(work, program):
         assert desk.app.return_code == 0
 
 
-async def test_what_is_typed_is_written_down_soon(work, tmp_path):
+async def test_typed_lines_are_copied_soon(work, tmp_path):
     async with work() as desk:
         await desk.press("F", "W")
         await desk.until(lambda: any((tmp_path / "unsaved").glob("*.gd")), "a copy")
 
 
-async def test_what_a_crash_left_is_offered_and_comes_back_as_not_saved(work, tmp_path):
+async def test_a_copy_of_a_crash_is_offered_and_restored_as_unsaved(work, tmp_path):
     (tmp_path / "unsaved").mkdir()
     (tmp_path / "unsaved" / "unsaved-abc.gd").write_text("FW 9\nFW 8", encoding="utf-8")
     async with work() as desk:
-        await desk.told("A program was rescued.")
+        await desk.shows("A program was rescued.")
         await desk.type_line("RECOVER")
-        await desk.told("Here it is again, 2 lines.")
+        await desk.shows("Here it is again, 2 lines.")
 
         assert desk.app.work.text == "FW 9\nFW 8"
         assert "changed" in desk.screen
 
 
-async def test_there_may_be_nothing_to_recover(work):
+async def test_recover_without_a_copy_says_so(work):
     async with work() as desk:
         await desk.type_line("RECOVER")
 
-        await desk.told("Nothing to recover.")
+        await desk.shows("Nothing to recover.")
 
 
 def no_copy_is_written() -> bool:
     return all(each.name != "copies" for each in threading.enumerate())
 
 
-async def test_a_state_folder_that_can_t_be_written_is_told_once(work, tmp_path):
+async def test_an_unwritable_state_folder_is_reported_once(work, tmp_path):
     (tmp_path / "unsaved").write_text("a file in its place")
     async with work("FW 1") as desk:
-        desk.app.work.files.programs.keep_copy()
-        await desk.told("What you type can't be kept safe")
-        desk.app.work.files.programs.keep_copy()
+        desk.app.work.workspace.keep_copies()
+        await desk.shows("What you type can't be kept safe")
+        desk.place.editor.insert("FW 2")
+        desk.app.work.workspace.keep_copies()
         await desk.until(no_copy_is_written, "the second try")
 
         assert sum("kept safe" in line for line in desk.log) == 1
@@ -233,7 +235,7 @@ async def test_files_wait_while_a_program_runs(work, program):
         await desk.press("f5")
         await desk.type_line(f"OPEN {program}")
 
-        await desk.told("A program is running.")
+        await desk.shows("A program is running.")
 
 
 async def test_linear_leaves_with_the_text_and_its_file(work, program):
@@ -244,7 +246,7 @@ async def test_linear_leaves_with_the_text_and_its_file(work, program):
 
         assert desk.app.left_for_linear
         assert desk.app.work.text == "XFW 1\nTR 90"
-        assert desk.app.work.files.document.path == program
+        assert desk.app.work.workspace.document.path == program
 
 
 async def test_a_program_from_the_other_mode_keeps_its_file_and_its_changes(work, program):
@@ -256,7 +258,7 @@ async def test_a_program_from_the_other_mode_keeps_its_file_and_its_changes(work
 @pytest.mark.parametrize(
     "data", [b"\xff\xfe\x00\x01", b"\r\n\r\nFW 1\r\n", 'FALAR "olá"'.encode("cp1252"), b""]
 )
-async def test_whatever_a_file_holds_opening_it_is_answered(work, tmp_path, data):
+async def test_opening_any_file_gets_an_answer(work, tmp_path, data):
     path = tmp_path / "odd.gd"
     path.write_bytes(data)
     async with work() as desk:
@@ -269,7 +271,7 @@ async def test_the_log_replaces_a_file_only_after_a_yes(work, program):
     async with work() as desk:
         await desk.type_line(f"SAVE LOG {program}")
         await desk.answer("no")
-        await desk.told("Nothing was changed.")
+        await desk.shows("Nothing was changed.")
         assert program.read_text(encoding="utf-8") == "FW 1\nTR 90\n"
 
         await desk.type_line(f"SAVE LOG {program}")
@@ -278,21 +280,21 @@ async def test_the_log_replaces_a_file_only_after_a_yes(work, program):
 
 
 @pytest.mark.parametrize("word", ["SAVE LOG", "REPORT LIST"])
-async def test_no_page_takes_the_place_of_a_program_that_is_open(work, program, word):
+async def test_no_page_replaces_an_open_program(work, program, word):
     async with work(file=program) as desk:
         await desk.type_line(f"{word} {program}")
-        await desk.told("is an open program. Give another name.")
+        await desk.shows("is an open program. Give another name.")
 
         assert desk.app.screen is desk.place
         assert program.read_text(encoding="utf-8") == "FW 1\nTR 90\n"
 
 
-async def test_nobody_is_asked_to_replace_what_the_session_needs(work, tmp_path):
+async def test_a_file_that_the_session_needs_is_refused_without_a_question(work, tmp_path):
     needed = tmp_path / "run.rec"
     async with work("FW 1", record=str(needed)) as desk:
         recorded = needed.read_text(encoding="utf-8")
         await desk.type_line(f"SAVE AS {needed}")
-        await desk.told("is in use here. Give another name.")
+        await desk.shows("is in use here. Give another name.")
         await desk.type_line(f"REPORT MAP {needed}")
         await desk.until(lambda: sum("is in use here" in line for line in desk.log) == 2, "the second answer")
 
@@ -300,7 +302,7 @@ async def test_nobody_is_asked_to_replace_what_the_session_needs(work, tmp_path)
     assert needed.read_text(encoding="utf-8").startswith(recorded)
 
 
-async def test_all_programs_that_a_crash_left_are_brought_back_one_by_one(work, tmp_path):
+async def test_all_programs_of_a_crash_are_restored_one_by_one(work, tmp_path):
     folder = tmp_path / "unsaved"
     folder.mkdir()
     for name, text, age in (("one", "FW 1\n", 1000), ("two", "FW 2\n", 2000)):
@@ -308,11 +310,11 @@ async def test_all_programs_that_a_crash_left_are_brought_back_one_by_one(work, 
         copy.write_text(text)
         os.utime(copy, (age, age))
     async with work() as desk:
-        await desk.told("A program was rescued. RECOVER opens it.")
+        await desk.shows("A program was rescued. RECOVER opens it.")
         await desk.type_line("RECOVER")
-        await desk.told("Here it is again, 1 line.")
+        await desk.shows("Here it is again, 1 line.")
         assert desk.app.work.text == "FW 2"
-        await desk.told("There is one more. RECOVER opens it.")
+        await desk.shows("There is one more. RECOVER opens it.")
 
         await desk.type_line("RECOVER")
         await desk.answer("no")
@@ -322,7 +324,7 @@ async def test_all_programs_that_a_crash_left_are_brought_back_one_by_one(work, 
         await desk.until(lambda: desk.app.work.text == "FW 2", "what was given up for it")
 
 
-async def test_a_wrong_answer_to_yes_or_no_is_told_and_typed_over(work, tmp_path):
+async def test_a_wrong_answer_to_yes_or_no_is_reported_and_typed_over(work, tmp_path):
     there = tmp_path / "there.gd"
     there.write_text("FW 1")
     async with work("FW 2") as desk:

@@ -1,4 +1,4 @@
-"""What the first frame shows, and what isn't worked out twice on the way to it."""
+"""What the first frame shows, and what is not computed twice before it."""
 
 from pathlib import Path
 
@@ -9,11 +9,11 @@ from textual.pilot import Pilot
 from textual.widget import Widget
 
 from donnie_tui.bootstrap import assemble
-from donnie_tui.i18n import first_screen
-from donnie_tui.settings.chosen import Settings
+from donnie_tui.i18n.first_words import early
+from donnie_tui.settings.settings import Settings
 from donnie_tui.tui import themes
 from donnie_tui.tui.app import DonnieApp
-from donnie_tui.tui.widgets.text_rows import TextRows
+from donnie_tui.tui.widgets.rows import TextRows
 
 
 @pytest.fixture(params=[False, True], ids=["panes", "plain"])
@@ -39,7 +39,7 @@ async def until_work(app: DonnieApp, pilot: Pilot[int]) -> None:
 
 
 async def test_the_first_frame_has_the_greeting(app: DonnieApp, monkeypatch: pytest.MonkeyPatch) -> None:
-    """It was painted empty: what was told before there was a width was cut into letters."""
+    """It was painted empty: lines printed before the width was known were cut into letters."""
     painted: list[list[str]] = []
     render_lines = TextRows.render_lines
 
@@ -53,7 +53,7 @@ async def test_the_first_frame_has_the_greeting(app: DonnieApp, monkeypatch: pyt
 
     await begin(app)
 
-    assert painted[0][0] == first_screen.START[0]
+    assert painted[0][0] == early("screen-start", "en")
 
 
 async def test_only_what_takes_the_focus_gets_its_style_twice_before_the_session(

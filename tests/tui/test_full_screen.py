@@ -5,19 +5,20 @@ import sys
 
 import pytest
 
-from donnie_tui.settings.chosen import Settings
+from donnie_tui.core.run_controller import RunState
+from donnie_tui.settings.settings import Settings
 from donnie_tui.tui import full_screen
-from tests.tui.conftest import Desk
+from tests.tui.conftest import ScreenDriver
 
 WALK = "FW 2\nTR 90\nFW 3"
 
 
 def begin(monkeypatch, work_through, **settings):
-    """The full screen, without a terminal and with somebody at its keys each time that it comes up."""
+    """The full screen without a terminal, and with a driver of its keys each time it starts."""
 
     async def worked_through(app):
         async with app.run_test(size=(80, 24)) as pilot:
-            desk = Desk(app, pilot)
+            desk = ScreenDriver(app, pilot)
             await desk.until(lambda: app.work is not None and not app.is_opening, "the session")
             await work_through(desk)
 
@@ -27,7 +28,7 @@ def begin(monkeypatch, work_through, **settings):
 
 
 def test_a_recording_is_not_lost_to_another_world(monkeypatch, tmp_path):
-    """It is of one world: whoever records is told so, and stays."""
+    """A recording has one world: a switch of the world is refused with that reason."""
     monkeypatch.setenv("XDG_STATE_HOME", str(tmp_path / "state"))
     for kind in ("record", "events"):
         file = tmp_path / f"run.{kind}"
@@ -35,7 +36,7 @@ def test_a_recording_is_not_lost_to_another_world(monkeypatch, tmp_path):
         async def work_through(desk, file=file):
             await desk.run(WALK)
             await desk.type_line("WORLDS")
-            await desk.told(f"I stay in this world: {file} is being written")
+            await desk.shows(f"I stay in this world: {file} is being written")
             assert desk.app.screen is desk.place
 
             desk.app.exit(0)
@@ -61,8 +62,8 @@ def test_another_world_has_the_same_program(monkeypatch, tmp_path):
     assert seen == [("open_floor", ""), ("maze", WALK)]
 
 
-def test_a_typed_name_goes_to_that_world_and_what_was_told_and_typed_stays(monkeypatch, tmp_path):
-    """T4: that it is there is told, with what it has; what runs is stopped first, and told so."""
+def test_a_typed_name_selects_that_world_and_keeps_the_log_and_the_history(monkeypatch, tmp_path):
+    """The new world is announced with its things. A running program is stopped first, and reported."""
     monkeypatch.setenv("XDG_STATE_HOME", str(tmp_path / "state"))
     seen = []
 
@@ -70,15 +71,13 @@ def test_a_typed_name_goes_to_that_world_and_what_was_told_and_typed_stays(monke
         seen.append(desk.app.work.donnie.world.name)
         if len(seen) == 1:
             await desk.type_line('SPEAK "before"')
-            await desk.told("before")
+            await desk.shows("before")
             desk.app.work.load("WHILE 1 == 1 DO\nWAIT 1\nEND WHILE")
             await desk.press("f5")
-            await desk.until(lambda: desk.app.work.running.is_busy, "the run")
+            await desk.until(lambda: desk.app.work.ctx.runs.state is not RunState.READY, "the run")
             await desk.type_line("WORLDS living room")
-            await desk.until(lambda: desk.app.screen is not desk.place, "the question")
-            await desk.answer("no")
         else:
-            await desk.told("5 things. WORLD tells more.")
+            await desk.shows("5 things. WORLD says more.")
             seen.extend(desk.log)
             await desk.press("up", "up")  # the focus is where it was, and no key goes into the program
             assert desk.place.command_line.value == 'SPEAK "before"'
@@ -87,24 +86,25 @@ def test_a_typed_name_goes_to_that_world_and_what_was_told_and_typed_stays(monke
 
     assert begin(monkeypatch, work_through) == 0
     assert seen[:2] == ["open_floor", "living_room"]
-    assert seen.index("before") < seen.index("All stopped.") < seen.index("I go to living_room.")
+    assert seen.index("before") < seen.index("I go to living_room.")
+    assert seen[seen.index("I go to living_room.") - 1].startswith("Stopped at line ")
     assert seen[-3:] == [
         "This is the world living_room: Living room.",
         "42 by 42 steps, walls included.",
-        "5 things. WORLD tells more.",
+        "5 things. WORLD says more.",
     ]
 
 
-def test_a_word_says_what_may_not_stand_behind_it(monkeypatch, tmp_path):
+def test_a_word_says_which_argument_it_does_not_take(monkeypatch, tmp_path):
     monkeypatch.setenv("XDG_STATE_HOME", str(tmp_path / "state"))
 
     async def work_through(desk):
         await desk.type_line("WORLD nowhere")
-        await desk.told("There is no world nowhere. WORLDS lists them.")
+        await desk.shows("There is no world nowhere. WORLDS lists them.")
         await desk.type_line("WHERE 3")
-        await desk.told("WHERE takes nothing behind it. Type WHERE alone.")
+        await desk.shows("WHERE takes nothing after it. Type WHERE alone.")
         await desk.type_line("LEGEND x")
-        await desk.told("LEGEND takes nothing behind it. Type LEGEND alone.")
+        await desk.shows("LEGEND takes nothing after it. Type LEGEND alone.")
         desk.app.exit(0)
 
     assert begin(monkeypatch, work_through) == 0

@@ -1,9 +1,10 @@
-"""The help, what it goes on to, and the lists that are read and chosen from."""
+"""The help, the manual after it, and the lists to read and choose from."""
 
 import pytest
 from textual.geometry import Offset
 
-from donnie_tui.tui.actions import ACTIONS
+from donnie_tui.commands.declarations import COMMANDS
+from donnie_tui.commands.lookup import word_of
 from tests.tui.test_looking import caret
 
 
@@ -12,9 +13,9 @@ async def test_f1_shows_every_key_and_word_and_esc_goes_back(work):
         await desk.press("f1")
         await desk.until(lambda: desk.app.screen is not desk.place, "the help")
         rows = desk.app.screen.rows
-        told = "\n".join(rows.lines)
-        assert all(action.en in told for action in ACTIONS if not action.hidden)
-        assert "FW" in told
+        printed = "\n".join(rows.lines)
+        assert all(word_of(each, "en") in printed for each in COMMANDS)
+        assert "FW" in printed
         assert caret(desk) == rows.content_region.offset
         await desk.press("down", "down")
         assert caret(desk) == rows.content_region.offset + Offset(0, 2)
@@ -28,7 +29,7 @@ MANUALS = {"en": "the manual", "pt": "o manual", "es": "el manual"}
 
 
 @pytest.mark.parametrize("language", MANUALS)
-async def test_f1_again_goes_on_from_the_help_to_the_manual(work, language):
+async def test_f1_in_the_help_opens_the_manual(work, language):
     async with work(language=language) as desk:
         await desk.press("f1")
         await desk.until(lambda: desk.app.screen is not desk.place, "the help")
@@ -43,11 +44,11 @@ async def test_f1_again_goes_on_from_the_help_to_the_manual(work, language):
         await desk.until(lambda: desk.app.screen is desk.place, "the workplace")
 
 
-async def test_help_with_a_word_of_the_screen_tells_its_purpose(work):
+async def test_help_with_a_word_of_the_screen_prints_its_purpose(work):
     async with work() as desk:
         await desk.type_line("HELP stop")
 
-        await desk.told("Stops the program and Donnie.")
+        await desk.shows("Stops the program and Donnie.")
 
 
 async def test_help_with_a_command_of_godonnie_is_godonnie_s(work):
@@ -62,7 +63,7 @@ async def test_the_palette_does_what_is_chosen(work):
         await desk.press("ctrl+p")
         await desk.until(lambda: desk.app.screen is not desk.place, "the palette")
         await desk.press(*"runs the", "enter")
-        await desk.told("chosen")
+        await desk.shows("chosen")
 
 
 async def test_the_cursor_stands_on_the_row_that_enter_would_choose(work):

@@ -6,9 +6,10 @@ from types import SimpleNamespace
 import pytest
 from textual.app import App, ComposeResult
 
+from donnie_tui.commands.settings import change
 from donnie_tui.tui import intake, outside
 from donnie_tui.tui.intake import CALM, FRAME, Intake
-from donnie_tui.tui.widgets.text_rows import MOST_LINES, TextRows
+from donnie_tui.tui.widgets.rows import MOST_LINES, TextRows
 
 LONG = "one two three four five six seven eight nine ten"
 
@@ -60,7 +61,7 @@ async def test_a_search_goes_to_the_next_older_line_and_from_the_oldest_to_the_n
 # --- pace
 
 
-def test_the_mail_is_taken_as_seldom_as_was_asked_for(monkeypatch):
+def test_the_mailbox_is_read_at_the_chosen_interval(monkeypatch):
     now = SimpleNamespace(seconds=100.0)
     monkeypatch.setattr(intake, "time", SimpleNamespace(monotonic=lambda: now.seconds))
     due: list[float] = []
@@ -82,9 +83,9 @@ def test_the_mail_is_taken_as_seldom_as_was_asked_for(monkeypatch):
 async def test_little_motion_is_a_calm_map_at_the_start_and_when_it_is_chosen(work):
     async with work(motion="reduced") as desk:
         assert desk.app.work._intake.frame == CALM
-        desk.app.work.prefer("motion", "full")
+        change(desk.app.work.ctx, "motion", "full")
         assert desk.app.work._intake.frame == FRAME
-        desk.app.work.prefer("motion", "reduced")
+        change(desk.app.work.ctx, "motion", "reduced")
         assert desk.app.work._intake.frame == CALM
 
 
@@ -98,7 +99,7 @@ def test_the_last_twenty_lines_are_left_behind_in_their_order(capsys, monkeypatc
     assert capsys.readouterr().out.splitlines() == [f"line {i}" for i in range(10, 30)]
 
 
-async def test_a_pager_that_can_not_be_run_is_told_in_a_sentence(work, monkeypatch, tmp_path):
+async def test_a_pager_that_can_not_be_run_is_reported_in_a_sentence(work, monkeypatch, tmp_path):
     broken = tmp_path / "pager"
     broken.write_text("no program")
     broken.chmod(0o755)
@@ -106,10 +107,10 @@ async def test_a_pager_that_can_not_be_run_is_told_in_a_sentence(work, monkeypat
     async with work() as desk:
         monkeypatch.setattr(desk.app, "suspend", nullcontext)
         await desk.type_line("LOG")
-        await desk.told("The log can't be shown: Exec format error. SAVE LOG writes it into a file.")
+        await desk.shows("The log can't be shown: Exec format error. SAVE LOG writes it into a file.")
 
 
-async def test_a_question_goes_away_when_something_else_is_done(work):
+async def test_a_question_closes_when_the_program_quits(work):
     """A program that was running says QUIT, and what is not saved is asked about."""
     async with work("FW 1") as desk:
         await desk.type_line("SAVE AS")

@@ -1,9 +1,8 @@
-"""Keys are told as they are printed on the learner's keyboard."""
+"""Keys have the names that are printed on the learner's keyboard."""
 
 import pytest
 
-from donnie_tui.tui.key_table import KeyTable
-from donnie_tui.tui.keys import KEYS, key_label
+from donnie_tui.commands.keys import KEYS, KeyTable, key_label
 
 
 @pytest.mark.parametrize(

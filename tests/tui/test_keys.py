@@ -1,4 +1,4 @@
-"""Which key does what: told where the focus is, changed in the program and in the file, shown everywhere."""
+"""The keys: named for the focused pane, changed by command and in the file, shown everywhere."""
 
 import inspect
 import tomllib
@@ -9,9 +9,10 @@ from textual._ansi_sequences import ANSI_SEQUENCES_KEYS
 from textual.driver import Driver
 from textual.drivers.linux_driver import LinuxDriver
 
-from donnie_tui.tui.actions import ACTIONS
-from donnie_tui.tui.key_table import KeyTable, is_free_to_give, not_understood, with_choice
-from donnie_tui.tui.running import Doing
+from donnie_tui.commands.declarations import COMMANDS
+from donnie_tui.commands.keys import KeyTable, is_free_to_give, not_understood, with_choice
+from donnie_tui.commands.settings import change
+from donnie_tui.core.run_controller import RunState
 from donnie_tui.tui.terminal import use_mouse
 from tests.tui.conftest import WAITING
 
@@ -33,7 +34,7 @@ def test_every_key_is_one_that_terminals_send():
     sent = {
         str(key.value) for keys in ANSI_SEQUENCES_KEYS.values() if isinstance(keys, tuple) for key in keys
     }
-    unsent = {each.name: each.keys for each in ACTIONS if each.keys and not sent & {*firsts(each.keys)}}
+    unsent = {each.name: each.keys for each in COMMANDS if each.keys and not sent & {*firsts(each.keys)}}
 
     assert unsent == {}
 
@@ -54,7 +55,7 @@ def test_a_key_may_be_given_to_another_action():
 
 
 @pytest.mark.parametrize("key", ["f9", "escape", "ctrl+e", "alt+x", "shift+f3", "ctrl+k 9", "ctrl+k enter"])
-def test_a_key_that_nobody_types_with_can_be_given(key):
+def test_a_key_that_types_no_character_can_be_assigned(key):
     assert is_free_to_give(key)
 
 
@@ -66,11 +67,11 @@ def test_a_key_that_is_needed_for_typing_stays(key):
     assert not is_free_to_give(key)
 
 
-def test_what_a_choice_does_not_mean_can_be_told():
+def test_an_invalid_key_setting_is_reported():
     assert not_understood("run f9, step a, dance f6, stop f8 , ,pause") == ("step a", "dance f6", "pause")
 
 
-def test_a_later_choice_takes_the_place_of_an_earlier_one():
+def test_a_later_key_setting_replaces_an_earlier_one():
     chosen = with_choice("run f9, step f6", "run", "f2")
     assert chosen == "step f6, run f2"
     assert with_choice(chosen, "stop", "f6") == "run f2, stop f6"
@@ -102,24 +103,24 @@ async def test_an_action_gets_another_key_that_counts_at_once_and_is_kept(work, 
         await desk.until(lambda: desk.app.screen is desk.place, "the workplace")
 
         await desk.press("ctrl+e")
-        await desk.doing(Doing.RUNNING)
+        await desk.doing(RunState.RUNNING)
 
     assert kept(tmp_path)["keys"] == "run ctrl+e"
 
 
-async def test_a_key_behind_the_menu_key_can_be_chosen_too(work):
+async def test_a_key_after_the_menu_key_can_be_chosen_too(work):
     async with work("SPEAK 7") as desk:
         await open_keys(desk)
         await choose(desk, *"run:")
         await desk.until(lambda: "Press the key for RUN." in desk.screen, "the question")
         await desk.press("ctrl+k")
-        await desk.until(lambda: "Now the key that comes behind Ctrl+K." in desk.screen, "the menu key")
+        await desk.until(lambda: "Now the key that comes after Ctrl+K." in desk.screen, "the menu key")
         await desk.press("4")
         await desk.until(lambda: "RUN: Ctrl+K 4" in desk.screen, "the list again")
         await desk.press("escape")
         await desk.until(lambda: desk.app.screen is desk.place, "the workplace")
         await desk.press("ctrl+k", "4")
-        await desk.told("7")
+        await desk.shows("7")
 
 
 @pytest.mark.parametrize("key", ["a", "left", "enter", "tab"])
@@ -134,37 +135,37 @@ async def test_a_key_for_typing_is_refused_with_the_reason(work, key):
         await desk.until(lambda: "RUN: F5, Esc" in desk.screen, "the list again")
 
 
-async def test_who_loses_a_key_is_told(work):
+async def test_an_action_that_loses_its_key_is_reported(work):
     async with work() as desk:
         await open_keys(desk)
         await choose(desk, *"run:")
         await desk.until(lambda: "Press the key for RUN." in desk.screen, "the question")
         await desk.press("f8")
-        await desk.told("STOP: no key.")
+        await desk.shows("STOP: no key.")
         assert "RUN: F8, F5, Esc." in desk.log
 
 
-async def test_all_keys_can_be_as_they_came(work, tmp_path):
+async def test_all_keys_can_be_reset(work, tmp_path):
     async with work() as desk:
-        desk.app.work.prefer("keys", "run f9")
+        change(desk.app.work.ctx, "keys", "run f9")
         await desk.told("Keys: F9 RUN.")
         await open_keys(desk)
         await choose(desk, *"as they came")
-        await desk.told("Keys: as they came.")
+        await desk.shows("Keys: as they came.")
         assert desk.app.key_table.of("run") == ("f5", "escape")
     assert kept(tmp_path)["keys"] == ""
 
 
-async def test_keys_of_the_file_that_mean_nothing_are_told(work):
+async def test_invalid_keys_of_the_file_are_reported(work):
     async with work(keys="run f9, dance f5") as desk:
         assert "Keys of the settings: dance f5 means nothing." in desk.log
         assert desk.place.keys.words.startswith(" F9 Run")
         assert "F9 runs the program. F1 helps." in desk.log
 
 
-async def test_the_help_and_the_palette_tell_the_chosen_keys(work):
+async def test_the_help_and_the_palette_show_the_chosen_keys(work):
     async with work() as desk:
-        desk.app.work.prefer("keys", "save f5")
+        change(desk.app.work.ctx, "keys", "save f5")
         await desk.press("f1")
         await desk.until(lambda: "Letters write" in desk.screen, "the help")
         assert "F5, Ctrl+S, F2: Saves the program." in desk.screen
@@ -175,11 +176,11 @@ async def test_the_help_and_the_palette_tell_the_chosen_keys(work):
 
 async def test_a_chosen_key_for_stop_stops_at_once(work):
     async with work(WAITING, speed=1.0) as desk:
-        desk.app.work.prefer("keys", "stop f3")
+        change(desk.app.work.ctx, "keys", "stop f3")
         await desk.press("f5")
-        await desk.doing(Doing.RUNNING)
+        await desk.doing(RunState.RUNNING)
         await desk.press("f3")
-        await desk.doing(Doing.READY)
+        await desk.doing(RunState.READY)
 
 
 # --- what can be pressed here
@@ -195,7 +196,7 @@ async def test_a_chosen_key_for_stop_stops_at_once(work):
         ("inspector", "In the variables", "Up and Down, Page Up"),
     ],
 )
-async def test_the_keys_of_the_focused_pane_are_told(work, pane, heading, line):
+async def test_the_keys_of_the_focused_pane_are_shown(work, pane, heading, line):
     async with work(size=(120, 40)) as desk:
         getattr(desk.place, pane).focus()
         await desk.pilot.pause()

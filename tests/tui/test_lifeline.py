@@ -1,4 +1,4 @@
-"""The thread that hears the signals and watches the output, without a screen."""
+"""The thread that waits for signals and watches the output, without a screen."""
 
 import signal
 import threading
@@ -14,8 +14,8 @@ from donnie_tui.tui.lifeline import Lifeline
 from tests.patience import PATIENCE
 
 
-class Told:
-    """Notes what it is called with, and fails each time if it has to."""
+class Recorder:
+    """Records its calls, and fails each time if it has to."""
 
     def __init__(self, failing: bool = False, times: int = 1) -> None:
         self.all: list[int] = []
@@ -45,10 +45,10 @@ def made(
 
 
 @pytest.mark.parametrize("failing", [False, True])
-def test_output_that_stays_stuck_is_told_again_and_again(monkeypatch, failing):
-    """A key may have started a robot since it was told first; the first telling may have failed."""
+def test_stuck_output_is_reported_repeatedly(monkeypatch, failing):
+    """A key may have started a robot since the first report, or the first report may have failed."""
     monkeypatch.setattr(lifeline, "LOOK", 0.001)
-    stuck, waiting = Told(failing, times=2), Queue[str]()
+    stuck, waiting = Recorder(failing, times=2), Queue[str]()
     waiting.put("what the terminal does not take")
     line = made(on_stuck=stuck, writer=lambda: SimpleNamespace(_queue=waiting, is_alive=lambda: True))
     line.begin()
@@ -59,10 +59,14 @@ def test_output_that_stays_stuck_is_told_again_and_again(monkeypatch, failing):
 
 
 @pytest.mark.parametrize("failing", ["halt", "tell", "part"])
-def test_whatever_fails_the_process_is_ended_after_a_signal(monkeypatch, failing):
+def test_a_signal_ends_the_process_whatever_fails(monkeypatch, failing):
     monkeypatch.setattr(lifeline, "LOOK", 0.001)
     monkeypatch.setattr(lifeline, "LEAVE", 0.01)
-    halt, tell, part = Told(failing == "halt"), Told(failing == "tell"), Told(failing == "part", times=2)
+    halt, tell, part = (
+        Recorder(failing == "halt"),
+        Recorder(failing == "tell"),
+        Recorder(failing == "part", times=2),
+    )
     line = made(halt=halt, tell=tell, part=part)
     line.begin()
     try:
@@ -76,10 +80,10 @@ def test_whatever_fails_the_process_is_ended_after_a_signal(monkeypatch, failing
     assert set(part.all) == {signal.SIGTERM}
 
 
-def test_the_robot_is_halted_where_the_screen_can_not_be_told(monkeypatch):
+def test_the_robot_is_halted_where_the_screen_can_not_be_notified(monkeypatch):
     monkeypatch.setattr(lifeline, "ANSWER", 0.0)
-    halt = Told(times=2)
-    line = made(halt=halt, tell=Told(failing=True))
+    halt = Recorder(times=2)
+    line = made(halt=halt, tell=Recorder(failing=True))
     line.begin()
     try:
         signal.raise_signal(signal.SIGINT)
@@ -91,14 +95,14 @@ def test_the_robot_is_halted_where_the_screen_can_not_be_told(monkeypatch):
 
 @pytest.fixture
 def rested() -> Iterator[list[str]]:
-    """What ends in a rest notes it here instead."""
+    """A suspension is recorded here instead."""
     order = list[str]()
     found = signal.signal(signal.SIGTSTP, lambda *_: order.append("rest"))
     yield order
     signal.signal(signal.SIGTSTP, found)
 
 
-def test_control_z_rests_once_the_robot_has_been_stopped(rested):
+def test_control_z_suspends_the_process_after_the_robot_has_stopped(rested):
     line = made(before_rest=lambda: rested.append("stop"))
     line.begin()
     try:
@@ -109,8 +113,8 @@ def test_control_z_rests_once_the_robot_has_been_stopped(rested):
     assert rested == ["stop", "rest"]
 
 
-def test_control_z_rests_although_the_main_thread_holds_what_the_stop_needs(monkeypatch, rested):
-    """The handler interrupts it in the midst of anything."""
+def test_control_z_suspends_although_the_main_thread_holds_the_lock_of_the_stop(monkeypatch, rested):
+    """The handler interrupts the main thread anywhere."""
     monkeypatch.setattr(lifeline, "LONGEST_REST", 0.01)
     held, stopped = threading.Lock(), threading.Event()
 

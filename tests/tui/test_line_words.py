@@ -2,7 +2,7 @@
 
 import pytest
 
-from donnie_tui.tui.running import Doing
+from donnie_tui.core.run_controller import RunState
 
 PROGRAM = "FW 1\nFW 2\nFW 3\nFW 4"
 
@@ -15,7 +15,7 @@ def own_folders(tmp_path, monkeypatch):
 
 
 @pytest.mark.parametrize(
-    ("typed", "told", "text"),
+    ("typed", "printed", "text"),
     [
         ("CHANGE 2 BK 2", "Line 2: BK 2", "FW 1\nBK 2\nFW 3\nFW 4"),
         ("INSERT 1 TR 90", "Line 1: TR 90", "TR 90\nFW 1\nFW 2\nFW 3\nFW 4"),
@@ -33,10 +33,10 @@ def own_folders(tmp_path, monkeypatch):
         ("FIND", "I did not understand. Type FIND wall.", PROGRAM),
     ],
 )
-async def test_a_word_changes_the_lines_and_undo_takes_it_back(work, typed, told, text):
+async def test_a_word_changes_the_lines_and_undo_takes_it_back(work, typed, printed, text):
     async with work(PROGRAM) as desk:
         await desk.type_line(typed)
-        await desk.told(told)
+        await desk.shows(printed)
         assert desk.place.editor.text == text
 
         await desk.type_line("UNDO")
@@ -44,26 +44,26 @@ async def test_a_word_changes_the_lines_and_undo_takes_it_back(work, typed, told
 
 
 @pytest.mark.parametrize(
-    ("typed", "told"),
+    ("typed", "printed"),
     [("CHANGE 2 BK 2", "Line 2: FW 2"), ("INSERT 5 TR 90", "4 lines."), ("REDO", "Nothing was changed.")],
 )
-async def test_undo_tells_the_first_line_that_is_another_one_now(work, typed, told):
+async def test_undo_prints_the_first_changed_line(work, typed, printed):
     async with work(PROGRAM) as desk:
         await desk.type_line(typed)
         await desk.idle()
         await desk.type_line("UNDO")
-        await desk.told(told)
+        await desk.shows(printed)
 
 
 async def test_an_end_of_line_behind_the_last_line_stays(work):
     async with work() as desk:
         desk.app.work.load("FW 1\nFW 2\n")
         await desk.type_line("DELETE 2")
-        await desk.told("Line 2 deleted.")
+        await desk.shows("Line 2 deleted.")
         assert desk.place.editor.text == "FW 1\n"
 
         await desk.type_line("INSERT 2 BK 1")
-        await desk.told("Line 2: BK 1")
+        await desk.shows("Line 2: BK 1")
         assert desk.place.editor.text == "FW 1\nBK 1\n"
 
 
@@ -71,7 +71,7 @@ async def test_a_line_without_its_text_is_offered_for_editing(work):
     async with work(PROGRAM) as desk:
         await desk.type_line("CHANGE 3")
         await desk.answer("FW 9")
-        await desk.told("Line 3: FW 9")
+        await desk.shows("Line 3: FW 9")
 
         assert desk.place.editor.text == "FW 1\nFW 2\nFW 9\nFW 4"
 
@@ -79,7 +79,7 @@ async def test_a_line_without_its_text_is_offered_for_editing(work):
 async def test_breakpoints_go_with_their_lines_when_lines_are_inserted_deleted_and_that_is_undone(work):
     async with work(PROGRAM) as desk:
         await desk.type_line("BREAK 3")
-        await desk.told("Line 3 has a breakpoint.")
+        await desk.shows("Breakpoint at line 3.")
         await desk.type_line("INSERT 1 TR 90")
         await desk.until(lambda: desk.place.editor.breakpoints == {4}, "line 4")
         await desk.type_line("DELETE 2")
@@ -92,52 +92,52 @@ async def test_breakpoints_go_with_their_lines_when_lines_are_inserted_deleted_a
         await desk.until(lambda: desk.place.editor.breakpoints == {4}, "line 4, the line above being gone")
 
 
-async def test_a_watched_variable_is_told_at_each_change_of_a_run(work):
+async def test_a_watched_variable_is_printed_at_each_change(work):
     async with work() as desk:
         await desk.type_line("WATCH a")
-        await desk.told("Watching a.")
+        await desk.shows("Watching a.")
         await desk.run("VAR a = 3\nVAR b = 1\na = a + 1\nFW 1")
 
-        told = [line for line in desk.log if line.startswith(("a is", "b is"))]
-        assert told == ["a is 3.", "a is 4."]
+        printed = [line for line in desk.log if line.startswith(("a is", "b is"))]
+        assert printed == ["a is 3.", "a is 4."]
 
 
-async def test_what_the_last_statement_changed_is_told_at_the_end(work):
+async def test_a_change_by_the_last_statement_is_printed_at_the_end(work):
     async with work() as desk:
         await desk.type_line("WATCH a")
-        await desk.told("Watching a.")
+        await desk.shows("Watching a.")
         await desk.run("VAR a = 3\nFW 1\na = a + 1")
 
         assert [line for line in desk.log if line.startswith("a is")] == ["a is 3.", "a is 4."]
 
 
-async def test_what_is_watched_no_more_is_not_told(work):
+async def test_a_variable_that_is_no_longer_watched_is_not_printed(work):
     async with work() as desk:
         await desk.type_line("WATCH a")
         await desk.type_line("WATCH a")
-        await desk.told("Not watching a now.")
+        await desk.shows("Not watching a now.")
         await desk.run("VAR a = 3")
 
         assert "a is 3." not in desk.log
 
 
-async def test_find_tells_how_many_lines_have_the_word(work):
+async def test_find_counts_the_lines_with_the_word(work):
     async with work() as desk:
         await desk.type_line("SPEAK 71")
-        await desk.told("71")
+        await desk.shows("71")
         await desk.type_line("FIND 71")
-        await desk.told("1 line, the newest last.")
+        await desk.shows("1 line, the newest last.")
 
 
-async def test_where_tells_the_last_move_too_where_more_is_wanted(work):
+async def test_where_at_detail_full_names_the_last_move_too(work):
     async with work(verbosity="full") as desk:
         await desk.type_line("FW 2")
         await desk.idle()
         await desk.type_line("WHERE")
-        await desk.told("FW 2: 2 steps, to 0, 2.")
+        await desk.shows("FW 2: 2 steps, to 0, 2.")
 
 
-async def test_a_line_that_was_typed_is_chosen_and_done_again(work):
+async def test_a_typed_line_is_chosen_and_repeated(work):
     async with work() as desk:
         await desk.type_line("FW 1")
         await desk.idle()
@@ -146,32 +146,32 @@ async def test_a_line_that_was_typed_is_chosen_and_done_again(work):
         await desk.until(lambda: desk.app.screen is not desk.place, "the list")
         await desk.press("down", "enter")
         await desk.until(lambda: desk.log.count("I walked 1 step forward.") == 2, "the second step")
-        await desk.doing(Doing.READY)
+        await desk.doing(RunState.READY)
 
 
 @pytest.mark.parametrize("typed", ["SET theme light", "AJUSTAR Look light"])
 async def test_set_changes_a_setting_by_its_name(work, typed):
     async with work() as desk:
         await desk.type_line(typed)
-        await desk.told("Look: light.")
+        await desk.shows("Look: light.")
 
-        assert desk.app.work.preferences.settings.theme == "light"
+        assert desk.app.work.ctx.preferences.settings.theme == "light"
 
 
 @pytest.mark.parametrize(
-    ("typed", "told"),
+    ("typed", "printed"),
     [
-        ("FEEL sí", "I tell what the belt shows."),
+        ("FEEL sí", "I say what the belt shows."),
         ("SET completion não", "Completion: off."),
-        ("SET wait ligado", "Programs wait for the voice: on."),
+        ("SET wait ligado", "Set wait: on."),
         ("LANGUAGE inglés", "Language: English."),
         ("DETAIL cheio", "Detail: full."),
     ],
 )
-async def test_words_of_any_language_switch_and_choose(work, typed, told):
+async def test_words_of_any_language_switch_and_choose(work, typed, printed):
     async with work() as desk:
         await desk.type_line(typed)
-        await desk.told(told)
+        await desk.shows(printed)
 
 
 @pytest.mark.parametrize(
@@ -191,25 +191,25 @@ async def test_set_understands_the_values_of_voice_and_sound_as_the_linear_mode_
 ):
     async with work() as desk:
         await desk.type_line(typed)
-        await desk.until(lambda: getattr(desk.app.work.preferences.settings, field) == value, value)
+        await desk.until(lambda: getattr(desk.app.work.ctx.preferences.settings, field) == value, value)
 
 
 async def test_set_says_which_name_it_does_not_know(work):
     async with work() as desk:
         await desk.type_line("SET nonsense 3")
-        await desk.told("No setting is called nonsense.")
+        await desk.shows("No setting is called nonsense.")
 
 
 async def test_a_report_is_written_and_another_file_replaced_only_after_a_question(work, tmp_path):
     async with work(PROGRAM) as desk:
         await desk.type_line("REPORT list lines.csv")
-        await desk.told("Wrote lines.csv.")
+        await desk.shows("Wrote lines.csv.")
         written = (tmp_path / "lines.csv").read_text()
         assert written.splitlines()[1:3] == ["1,0,FW 1", "2,0,FW 2"]
 
         await desk.type_line("REPORT map lines.csv")
         await desk.answer("no")
-        await desk.told("Nothing was changed.")
+        await desk.shows("Nothing was changed.")
         assert (tmp_path / "lines.csv").read_text() == written
 
 
@@ -219,8 +219,8 @@ NUMBERED = (
 )
 
 
-async def test_what_is_not_understood_behind_a_word_does_nothing_and_is_told(work):
-    """As in the linear mode: it is not taken for nothing, which DELETE would do to the line of the cursor."""
+async def test_a_wrong_argument_is_reported_and_changes_nothing(work):
+    """As in the linear mode. Otherwise DELETE would delete the line of the cursor."""
     async with work(PROGRAM) as desk:
         for word in (*NUMBERED, "AROUND", "WATCH"):
             before = len(desk.log)
@@ -233,53 +233,53 @@ async def test_what_is_not_understood_behind_a_word_does_nothing_and_is_told(wor
 
 
 @pytest.mark.parametrize("typed", ["BREAK 99", "UNTIL 99", "READ 99", "GO TO 99"])
-async def test_a_line_that_is_not_there_is_told_with_the_last_one(work, typed):
+async def test_a_missing_line_is_reported_with_the_last_one(work, typed):
     async with work(PROGRAM) as desk:
         await desk.type_line(typed)
-        await desk.told("There is no line 99. The last is 4.")
+        await desk.shows("There is no line 99. The last is 4.")
 
 
 @pytest.mark.parametrize(
-    ("typed", "told"),
+    ("typed", "printed"),
     [
         ("listt 2", "I do not know listt. Did you mean LIST?"),
         ("ZOM IN", "I do not know ZOM IN. Did you mean ZOOM IN?"),
     ],
 )
-async def test_a_slip_in_a_word_of_the_screen_is_answered_with_that_word(work, typed, told):
+async def test_a_slip_in_a_word_of_the_screen_is_answered_with_that_word(work, typed, printed):
     async with work(PROGRAM) as desk:
         await desk.type_line(typed)
-        await desk.told(told)
-        assert desk.app.work.running.doing is Doing.READY
+        await desk.shows(printed)
+        assert desk.app.work.ctx.runs.state is RunState.READY
 
 
 async def test_a_slip_in_a_word_of_godonnie_is_answered_by_the_language(work):
     async with work(PROGRAM) as desk:
         await desk.type_line("FWW 2")
-        await desk.told("Error, line 1, column 1: I do not know FWW.")
-        await desk.told("Did you mean FW?")
+        await desk.shows("Error, line 1, column 1: I do not know FWW.")
+        await desk.shows("Did you mean FW?")
 
 
 async def test_a_name_of_the_program_is_no_slip(work):
     async with work("PROCEDURE LISTT DO\nFW 1\nEND PROCEDURE\nLISTT") as desk:
         await desk.type_line("LISTT")
-        await desk.told("Error, line 1, column 1: I do not know LISTT.")
+        await desk.shows("Error, line 1, column 1: I do not know LISTT.")
 
 
-async def test_mistakes_are_gone_through_and_explained_as_in_the_linear_mode(work):
-    """After each run the cursor stands at the first one, whichever somebody was at before."""
+async def test_mistakes_are_visited_and_explained_as_in_the_linear_mode(work):
+    """After each run the cursor stands at the first one, whichever one was selected before."""
     async with work("FWD 1\nTRN 90") as desk:
 
         async def run():
             await desk.press("f5")
-            await desk.until(lambda: desk.place.editor.line == 1 and desk.app.work.following.errors.all)
+            await desk.until(lambda: desk.place.editor.line == 1 and desk.app.work.ctx.errors.all)
             await desk.idle()
 
         await run()
         await desk.type_line("ERROR NEXT")
         await desk.until(lambda: desk.place.editor.line == 2, "the second mistake")
         await desk.type_line("ERROR NEXT")
-        await desk.told("No more errors. That is 2 of 2.")
+        await desk.shows("No more errors. That is 2 of 2.")
         await desk.type_line("EXPLAIN")
         await desk.until(lambda: desk.log[-1] == "Line 2: TRN 90", "the line of the mistake")
 
@@ -293,10 +293,10 @@ async def test_mistakes_are_gone_through_and_explained_as_in_the_linear_mode(wor
 async def test_last_says_the_whole_answer_again_and_the_one_before_it(work):
     async with work() as desk:
         await desk.type_line("FW 1 SPEAK 7")
-        await desk.told("7")
+        await desk.shows("7")
         await desk.idle()
         await desk.type_line("BREAK 99")
-        await desk.told("There is no line 99. The last is 1.")
+        await desk.shows("No lines yet.")
 
         for _ in range(2):
             before = len(desk.log)
@@ -307,9 +307,9 @@ async def test_last_says_the_whole_answer_again_and_the_one_before_it(work):
             )
 
 
-async def test_the_last_word_is_spelled_and_nothing_is_told_to_be_nothing(work):
+async def test_the_last_word_is_spelled_and_a_missing_one_is_reported(work):
     async with work() as desk:
         await desk.type_line("SPELL 9")
-        await desk.told("Nothing was said yet.")
+        await desk.shows("Nothing was said yet.")
         await desk.type_line("LAST WORD")
-        await desk.told("y, e, t.")
+        await desk.shows("y, e, t.")

@@ -5,8 +5,8 @@ import re
 import pytest
 
 from donnie_tui.core.events import Sensed
+from donnie_tui.core.run_controller import RunState
 from donnie_tui.i18n.words import Words
-from donnie_tui.tui.running import Doing
 from donnie_tui.tui.situation import inspector_lines
 
 
@@ -35,12 +35,12 @@ async def test_the_distances_are_there_before_anything_runs(work):
         assert shown(desk) == known(desk)
 
 
-async def test_they_follow_a_robot_that_moves_and_are_right_where_it_stops(work):
+async def test_the_distances_follow_a_moving_robot_and_are_right_where_it_stops(work):
     async with work("FW 30", world="corridor", size=(120, 40), speed=2.0) as desk:
         start = ahead(desk)
         await desk.press("f5")
         await desk.until(lambda: ahead(desk) <= start - 2, "they follow")
-        assert desk.app.work.running.doing is Doing.RUNNING
+        assert desk.app.work.ctx.runs.state is RunState.RUNNING
 
         await desk.press("f8")
         await desk.idle()
@@ -48,43 +48,43 @@ async def test_they_follow_a_robot_that_moves_and_are_right_where_it_stops(work)
         assert shown(desk) == known(desk)
 
 
-async def test_they_are_right_where_a_program_holds_and_where_it_ends(work):
+async def test_the_distances_are_right_where_a_program_holds_and_where_it_ends(work):
     async with work("FW 3\nTR 90\nFW 2", world="living_room", size=(120, 40)) as desk:
         start = shown(desk)
         desk.place.editor.go_to(3)
         await desk.press("f10")
-        await desk.told("Line 3: FW 2")
+        await desk.shows("Line 3: FW 2")
         held = shown(desk)
         assert held == known(desk) != start
 
         await desk.press("f6")
-        await desk.told("The program is done.")
+        await desk.shows("The program is done.")
 
         assert shown(desk) == known(desk) != held
 
 
-async def test_they_are_those_of_the_robot_that_is_talked_to(work):
+async def test_the_distances_are_those_of_the_selected_robot(work):
     async with work(world="two_robots", size=(120, 40)) as desk:
         await desk.type_line("FW 4")
-        await desk.told("alice: I walked 4 steps forward.")
+        await desk.shows("alice: I walked 4 steps forward.")
         await desk.idle()
         of_alice = shown(desk)
         await desk.type_line("ROBOT bob")
-        await desk.told("You talk to bob.")
+        await desk.shows("You talk to bob.")
 
         await desk.until(lambda: shown(desk) == known(desk), "those of bob")
         assert shown(desk) != of_alice
 
 
-async def test_they_change_when_another_robot_comes_near(work):
+async def test_the_distances_change_when_another_robot_approaches(work):
     async with work("REPEAT 9 TIMES FW 1 END REPEAT", world="two_robots", size=(120, 40), speed=5.0) as desk:
         before = ahead(desk)
         await desk.type_line("ROBOT bob")
-        await desk.told("You talk to bob.")
+        await desk.shows("You talk to bob.")
         await desk.press("f5")
-        await desk.doing(Doing.RUNNING)
+        await desk.doing(RunState.RUNNING)
         await desk.type_line("ROBOT alice")
-        await desk.told("You talk to alice.")
+        await desk.shows("You talk to alice.")
 
         await desk.until(lambda: ahead(desk) == before - 9, "bob has come near")
 
@@ -94,7 +94,7 @@ async def test_a_robot_without_rangers_has_no_distances(work):
         assert desk.place.inspector.lines == ("No variables.",)
 
 
-async def test_who_listens_is_not_told_each_distance_that_a_moving_robot_goes_through(work):
+async def test_a_reader_is_not_given_each_distance_of_a_moving_robot(work):
     async with work("FW 30", world="corridor", plain=True, speed=5.0) as desk:
         session = desk.app.work.donnie.session
         heard: list[Sensed] = []

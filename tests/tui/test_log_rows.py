@@ -13,7 +13,7 @@ HEIGHT = 6
 
 
 class Pictured(LogRows):
-    """Keeps what is seen of it, each time that it comes to another page or goes on with one."""
+    """Records the visible rows each time the log turns or continues a page."""
 
     def __init__(self):
         super().__init__(id="log")
@@ -36,7 +36,7 @@ class Pictured(LogRows):
             self.pictures.append(self.seen)
 
 
-class Told(App[None]):
+class LogApp(App[None]):
     """A log of six rows, and something else that can have the focus."""
 
     def compose(self) -> ComposeResult:
@@ -45,7 +45,7 @@ class Told(App[None]):
 
 
 class Seen:
-    """Somebody before it."""
+    """A reader of the log."""
 
     def __init__(self, app, pilot):
         self.app, self.pilot = app, pilot
@@ -60,14 +60,14 @@ class Seen:
             while not condition():
                 await self.pilot.pause(0.01)
 
-    async def tell(self, *lines):
+    async def append(self, *lines):
         self.log.append((line, "spoke") for line in lines)
         await self.until(lambda: lines[-1] in (row.lstrip(">") for row in self.rows))
 
 
 @asynccontextmanager
 async def listening():
-    async with Told().run_test(size=(60, HEIGHT + 3)) as pilot:
+    async with LogApp().run_test(size=(60, HEIGHT + 3)) as pilot:
         seen = Seen(pilot.app, pilot)
         seen.log.styles.height = HEIGHT
         pilot.app.query_one("#elsewhere").focus()
@@ -82,10 +82,10 @@ def rows_that_changed(before, after):
     return [(old, new) for old, new in zip(before, after, strict=True) if old != new]
 
 
-async def test_a_row_that_was_told_stays_where_it_stands_until_its_page_goes():
+async def test_a_row_stays_in_its_place_until_its_page_is_turned():
     async with listening() as seen:
         for number in range(20):
-            await seen.tell(f"Answer {number}.")
+            await seen.append(f"Answer {number}.")
 
         assert len(seen.log.pictures) > 20
         for before, after in pairwise(seen.log.pictures):
@@ -93,10 +93,10 @@ async def test_a_row_that_was_told_stays_where_it_stands_until_its_page_goes():
                 assert not old or not new, (before, after)
 
 
-async def test_a_burst_is_told_page_by_page_each_row_once_with_an_empty_page_between():
+async def test_a_burst_is_shown_page_by_page_with_empty_pages_between():
     async with listening() as seen:
         lines = [f"Row {number}." for number in range(3 * HEIGHT)]
-        await seen.tell(*lines)
+        await seen.append(*lines)
 
         pages = [tuple(lines[at : at + HEIGHT]) for at in range(0, len(lines), HEIGHT)]
         empty = ("",) * HEIGHT
@@ -105,27 +105,27 @@ async def test_a_burst_is_told_page_by_page_each_row_once_with_an_empty_page_bet
 
 async def test_a_command_begins_a_page_where_more_than_half_is_full():
     async with listening() as seen:
-        await seen.tell("One.", "Two.", "Three.")
+        await seen.append("One.", "Two.", "Three.")
         seen.log.begin_answer()
-        await seen.tell("Four.")
+        await seen.append("Four.")
         assert seen.rows[:4] == ("One.", "Two.", "Three.", "Four.")
 
         seen.log.begin_answer()
         assert seen.rows == ("",) * HEIGHT
-        await seen.tell("Five.")
+        await seen.append("Five.")
         assert seen.rows == ("Five.", *("",) * (HEIGHT - 1))
 
 
-async def test_a_flood_is_not_told_row_by_row():
+async def test_a_flood_is_not_shown_row_by_row():
     async with listening() as seen:
         lines = [f"Row {number}." for number in range(5000)]
-        await seen.tell(*lines)
+        await seen.append(*lines)
 
         assert seen.rows == tuple(lines[-HEIGHT:])
         assert len(seen.log.pictures) < 10
 
 
-async def test_a_number_alone_is_a_sentence_for_those_who_listen():
+async def test_a_number_alone_becomes_a_sentence_for_listeners():
     async with listening() as seen:
         seen.log.append([("5", "spoke"), ("12345678901234567890123", "spoke"), ("-5", "spoke")])
         await seen.until(lambda: "-5" in seen.rows)
@@ -136,9 +136,9 @@ async def test_a_number_alone_is_a_sentence_for_those_who_listen():
         assert "5." not in seen.rows
 
 
-async def test_whoever_goes_into_the_log_reads_all_of_it_and_hears_on_after_leaving():
+async def test_the_focused_log_has_all_rows_and_continues_after_the_focus_leaves():
     async with listening() as seen:
-        await seen.tell(*(f"Row {number}." for number in range(HEIGHT + 2)))
+        await seen.append(*(f"Row {number}." for number in range(HEIGHT + 2)))
         seen.log.focus()
         await seen.until(lambda: seen.log.has_focus)
         await seen.pilot.press("home")
@@ -147,18 +147,18 @@ async def test_whoever_goes_into_the_log_reads_all_of_it_and_hears_on_after_leav
         seen.app.query_one("#elsewhere").focus()
         await seen.until(lambda: not seen.log.has_focus)
         assert seen.rows == tuple(f"Row {number}." for number in range(HEIGHT))
-        await seen.tell("News.")
+        await seen.append("News.")
         assert seen.rows == ("News.", *("",) * (HEIGHT - 1))
 
 
-async def test_no_row_moves_for_whoever_only_comes_by():
+async def test_no_row_moves_while_the_focus_only_passes():
     async with listening() as seen:
-        await seen.tell(*(f"Row {number}." for number in range(HEIGHT + 2)))
+        await seen.append(*(f"Row {number}." for number in range(HEIGHT + 2)))
         before = seen.rows
         seen.log.focus()
         await seen.until(lambda: seen.log.has_focus)
         assert [row.lstrip(">") for row in seen.rows] == list(before)
-        await seen.tell("While it is read.")
+        await seen.append("While it is read.")
         seen.app.query_one("#elsewhere").focus()
         await seen.until(lambda: not seen.log.has_focus)
         assert seen.rows == (*before[:2], "While it is read.", *before[3:])
@@ -166,7 +166,7 @@ async def test_no_row_moves_for_whoever_only_comes_by():
 
 async def test_another_size_shows_the_newest_rows():
     async with listening() as seen:
-        await seen.tell(*(f"Row {number}." for number in range(HEIGHT + 1)))
+        await seen.append(*(f"Row {number}." for number in range(HEIGHT + 1)))
         assert seen.rows[0] == f"Row {HEIGHT}."
         await seen.pilot.resize_terminal(50, HEIGHT + 3)
         await seen.until(lambda: seen.rows[-1] == f"Row {HEIGHT}.")

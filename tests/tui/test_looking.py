@@ -74,7 +74,7 @@ def strips_text(desk) -> list[str]:
 async def test_the_cursor_follows_the_robot_while_the_map_has_the_focus(work):
     async with work("FW 4 TR 90 FW 3") as desk:
         await desk.press("tab", "f5")
-        await desk.told("The program is done.")
+        await desk.shows("The program is done.")
         await desk.pilot.pause()
 
         x, y = caret(desk)
@@ -84,7 +84,7 @@ async def test_the_cursor_follows_the_robot_while_the_map_has_the_focus(work):
 async def test_the_map_follows_a_robot_that_leaves_the_picture(work):
     async with work("FW 200\nTR 90\nFW 300") as desk:
         await desk.press("f5")
-        await desk.told("The program is done.")
+        await desk.shows("The program is done.")
         await desk.pilot.pause()
 
         assert "o>" in "\n".join(row[40:] for row in strips_text(desk)[1:14])
@@ -98,11 +98,11 @@ async def test_a_map_that_was_explored_follows_the_robot_again_and_keeps_the_squ
         await desk.press("shift+tab")
         await has_focus(desk, "editor")
         await desk.press("f5")
-        await desk.told("The program is done.")
+        await desk.shows("The program is done.")
         await desk.pilot.pause()
         assert "o>" in "\n".join(row[40:] for row in strips_text(desk)[1:14])
         await desk.type_line("FW 30")
-        await desk.told("I walked 30 steps forward.")
+        await desk.shows("I walked 30 steps forward.")
         await desk.idle()
         await desk.pilot.pause()
         assert "o>" in "\n".join(row[40:] for row in strips_text(desk)[1:14]), "after a typed command too"
@@ -119,7 +119,7 @@ async def test_while_a_square_is_explored_the_map_stays_with_it(work):
         await desk.press("tab", "left")
         await desk.until(lambda: desk.place.map.is_exploring, "exploring")
         await desk.press("f5")
-        await desk.told("The program is done.")
+        await desk.shows("The program is done.")
         await desk.pilot.pause()
 
         x, y = caret(desk)
@@ -168,13 +168,13 @@ async def test_every_size_shows_the_focus_the_command_line_and_the_status(work, 
 async def test_the_size_may_change_while_a_program_is_paused_and_the_focus_stays(work):
     async with work("FW 1\nFW 2\nFW 3") as desk:
         await desk.press("f7")
-        await desk.told("Line 1: FW 1")
+        await desk.shows("Line 1: FW 1")
         for size in (*SIZES, (1, 1), (20, 5), (80, 24)):
             await desk.pilot.resize_terminal(*size)
             await desk.pilot.pause()
             assert desk.place.editor.has_focus
         await desk.press("f7")
-        await desk.told("Line 2: FW 2")
+        await desk.shows("Line 2: FW 2")
 
         assert "> 2  FW 2" in desk.screen
 
@@ -248,7 +248,7 @@ async def test_words_go_to_the_panes(work, typed, focused):
         await desk.until(lambda: desk.app.focused.id == focused, focused)
 
 
-async def test_up_and_down_bring_back_what_was_typed(work):
+async def test_up_and_down_restore_typed_lines(work):
     async with work() as desk:
         await desk.type_line("FW 1")
         await desk.idle()
@@ -269,13 +269,13 @@ async def test_the_log_is_read_by_rows_and_follows_its_end_again(work):
         await desk.pilot.pause()
         assert desk.status.startswith(f" Log, line 1 of {desk.place.log_rows.row_count}.")
         await desk.type_line("SPEAK 99")
-        await desk.told("99")
+        await desk.shows("99")
         assert desk.place.log_rows.row == 0
 
         desk.place.log_rows.focus()
         await desk.press("end")
         await desk.type_line("SPEAK 100")
-        await desk.told("100")
+        await desk.shows("100")
         assert desk.place.log_rows.row_text == "100"
 
 
@@ -283,7 +283,7 @@ async def test_the_log_is_read_by_rows_and_follows_its_end_again(work):
 async def test_the_screen_speaks_the_learner_s_language(work, language):
     async with work('FALAR "oi"' if language == "pt" else 'HABLAR "hola"', language=language) as desk:
         await desk.press("f5")
-        await desk.told("El programa terminó." if language == "es" else "O programa terminou.")
+        await desk.shows("El programa terminó." if language == "es" else "O programa terminou.")
 
         assert ("Mapa:" in desk.screen) and ("Map:" not in desk.screen)
         assert "Registro" in desk.screen
@@ -292,13 +292,13 @@ async def test_the_screen_speaks_the_learner_s_language(work, language):
 async def test_without_colours_the_screen_says_the_same(work, monkeypatch):
     async with work("FW 1") as desk:
         await desk.press("f7")
-        await desk.told("Line 1: FW 1")
+        await desk.shows("Line 1: FW 1")
         await desk.pilot.pause()
         with_colours = desk.screen
     monkeypatch.setenv("NO_COLOR", "1")
     async with work("FW 1") as desk:
         await desk.press("f7")
-        await desk.told("Line 1: FW 1")
+        await desk.shows("Line 1: FW 1")
         await desk.pilot.pause()
 
         assert desk.app.theme == "donnie-terminal"
@@ -326,7 +326,7 @@ async def test_a_thing_that_is_pushed_in_every_run_is_shown_where_it_is(work):
 
 async def test_the_tour_is_offered_at_the_first_start_in_a_sentence_that_is_spoken_too(work):
     async with work(tour=True) as desk:
-        await desk.told("New here? TOUR shows you around.")
+        await desk.shows("New here? TOUR shows you around.")
         assert desk.place.editor.has_focus, "nothing is in the way"
     async with work(tour=True) as desk:
         await desk.pilot.pause()
@@ -337,16 +337,16 @@ async def test_a_file_of_the_command_line_comes_before_the_tour(work, tmp_path):
     path = tmp_path / "walk.gd"
     path.write_text("FW 1\n", encoding="utf-8")
     async with work(file=path, tour=True) as desk:
-        await desk.told("Opened walk.gd")
+        await desk.shows("Opened walk.gd")
         assert "New here? TOUR shows you around." not in desk.log
     async with work(tour=True) as desk:
-        await desk.told("New here? TOUR shows you around.")
+        await desk.shows("New here? TOUR shows you around.")
 
 
 # --- the belt
 
 
-async def test_the_belt_is_beside_the_variables_in_words_and_motor_by_motor_while_it_changes(work):
+async def test_the_belt_is_shown_next_to_the_variables_in_words_and_by_motor(work):
     async with work("BELT ON\nFW 9\nWAIT 1000", size=(120, 40), world="corridor", speed=1000.0) as desk:
         assert "Upper row" not in desk.screen
         await desk.press("f5")
@@ -356,7 +356,7 @@ async def test_the_belt_is_beside_the_variables_in_words_and_motor_by_motor_whil
         assert any(digit in levels[2] for digit in "123")
 
         await desk.type_line("FEEL ROWS")
-        await desk.told("Lower row: ")
+        await desk.shows("Lower row: ")
         await desk.press("f8")
         await desk.idle()
         await desk.until(lambda: "Belt: nothing near." in desk.place.inspector.lines, "the end of the run")

@@ -1,4 +1,4 @@
-"""What a click does: a key of the bottom line is pressed, a square of the map is told."""
+"""What a click does: a key of the bottom line is pressed, a square of the map is described."""
 
 from textual.geometry import Offset
 
@@ -11,11 +11,11 @@ async def test_a_click_on_a_key_of_the_bottom_line_presses_it(work):
 
         await desk.pilot.click(desk.place.keys, offset=Offset(at, 0))
 
-        await desk.told("I walked 2 steps forward.")
+        await desk.shows("I walked 2 steps forward.")
         assert desk.app.focused is before
 
 
-async def test_a_click_beside_the_keys_presses_none(work):
+async def test_a_click_next_to_the_keys_presses_none(work):
     async with work() as desk:
         keys = desk.place.keys
         done = []
@@ -28,7 +28,7 @@ async def test_a_click_beside_the_keys_presses_none(work):
         assert done == []
 
 
-async def test_a_click_on_the_map_tells_what_is_there(work):
+async def test_a_click_on_the_map_describes_the_square(work):
     async with work(world="living_room") as desk:
         shown = desk.place.map
         robot = shown.cursor_screen_offset - shown.content_region.offset
@@ -40,7 +40,7 @@ async def test_a_click_on_the_map_tells_what_is_there(work):
         await desk.until(lambda: desk.status.startswith(" Map, 2, 3: free."), "the words")
 
 
-async def test_a_click_beside_the_floor_explores_nothing(work):
+async def test_a_click_next_to_the_floor_explores_nothing(work):
     async with work(world="living_room") as desk:
         shown = desk.place.map
         shown.set_zoom(-3)

@@ -1,46 +1,35 @@
 """The parts of the full screen, one by one: table of actions, rows, highlighting, copies."""
 
-from pathlib import Path
-
 import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 from textual.app import App, ComposeResult
 from textual.widgets import TextArea
 
-from donnie_tui import LANGUAGES
-from donnie_tui.core.copies import MOST_COPIES, Copies
-from donnie_tui.core.documents import Document, DocumentError, as_lines
-from donnie_tui.core.in_use import FilesInUse
+from donnie_tui.commands.declarations import BY_NAME, COMMANDS
+from donnie_tui.commands.lookup import find, word_of
+from donnie_tui.core.document import ANOTHER_PROGRAM, Document
+from donnie_tui.core.program_files import as_lines
 from donnie_tui.core.speeds import SPEEDS
-from donnie_tui.i18n.catalogue import SENTENCES
-from donnie_tui.tui.actions import ACTIONS, BY_NAME, find
-from donnie_tui.tui.deeds import Deeds
-from donnie_tui.tui.deeds_around import AroundDeeds
-from donnie_tui.tui.deeds_lines import LineDeeds
-from donnie_tui.tui.deeds_map import MapDeeds
-from donnie_tui.tui.deeds_robots import RobotDeeds
-from donnie_tui.tui.deeds_settings import SettingsDeeds
-from donnie_tui.tui.deeds_telling import TellingDeeds
-from donnie_tui.tui.deeds_text import TextDeeds
 from donnie_tui.tui.highlighting import highlights
 from donnie_tui.tui.widgets.editor import Editor
-from donnie_tui.tui.widgets.text_rows import MOST_LINES as MOST_LOGGED
-from donnie_tui.tui.widgets.text_rows import TextRows
+from donnie_tui.tui.widgets.rows import MOST_LINES as MOST_LOGGED
+from donnie_tui.tui.widgets.rows import TextRows
 from language.keywords import canonical
+from language.locales import languages
+from tests.effort import examples
 
 ODD_TEXTS = ("[bold]", "\x1b[31mred", "a\tb", "日本語" * 20, "", "e\u0301" * 50, "\udcff")
 ODD_LETTERS = tuple('FW TR 1"“”-–\n\r\té́ação[]:=<>\u2028\x0c\udcff日')
-DEEDS = (Deeds, AroundDeeds, LineDeeds, MapDeeds, RobotDeeds, SettingsDeeds, TellingDeeds, TextDeeds)
 
 
 # --- actions
 
 
-@pytest.mark.parametrize("language", LANGUAGES)
+@pytest.mark.parametrize("language", languages())
 def test_every_word_finds_its_action_in_every_language(language):
-    for action in ACTIONS:
-        found = find(action.word(language).lower())
+    for action in COMMANDS:
+        found = find(word_of(action, language).lower())
         assert found is not None
         assert found[0].name == action.name
 
@@ -49,16 +38,16 @@ def test_words_of_the_screen_are_not_godonnie_s_but_for_those_that_mean_the_same
     shared = {"run", "help", "quit"}
     taken = [
         (action.name, language)
-        for action in ACTIONS
-        for language in LANGUAGES
-        if action.name not in shared and canonical(action.word(language)) is not None
+        for action in COMMANDS
+        for language in languages()
+        if action.name not in shared and canonical(word_of(action, language)) is not None
     ]
 
     assert taken == []
 
 
 @pytest.mark.parametrize(
-    "typed", ["step = 3", "speed=3", "open [2]", "FW 3", "run fw 3", "HELP FW", "", "  ", "stopped"]
+    "typed", ["step = 3", "speed=3", "open [2]", "FW 3", "run fw 3", "", "  ", "stopped"]
 )
 def test_what_godonnie_may_mean_is_left_to_godonnie(typed):
     assert find(typed) is None
@@ -76,16 +65,10 @@ def test_what_godonnie_may_mean_is_left_to_godonnie(typed):
         ("ATE 4", "run_to", "4"),
     ],
 )
-def test_what_follows_a_word_is_its_argument(typed, name, argument):
+def test_the_text_after_a_word_is_its_argument(typed, name, argument):
     action, rest = find(typed)
 
     assert (action.name, rest) == (name, argument)
-
-
-def test_every_action_is_done_by_something_and_has_its_words():
-    for action in ACTIONS:
-        assert any(callable(getattr(part, action.name, None)) for part in DEEDS), action.name
-        assert f"action-{action.name}" in SENTENCES
 
 
 def test_speeds_go_up():
@@ -208,7 +191,7 @@ def test_a_text_over_several_lines_is_looked_at_line_by_line():
     assert found[1] == [(0, 4, "string"), (5, 7, "command"), (8, 9, "number")]
 
 
-@settings(max_examples=300, deadline=None)
+@settings(max_examples=examples(300))
 @given(st.text(alphabet=st.sampled_from(ODD_LETTERS), max_size=60))
 def test_any_text_has_looks_within_its_lines(text):
     lines = text.splitlines(keepends=True) or [""]
@@ -218,42 +201,96 @@ def test_any_text_has_looks_within_its_lines(text):
             assert 0 <= start <= (end if end is not None else size) <= size
 
 
-# --- documents and copies
+# --- documents in the editor
+
+
+class EditorApp(App[None]):
+    def compose(self) -> ComposeResult:
+        yield Editor(id="editor")
+
+
+@pytest.mark.parametrize("lines", [(), ("FW 1",), ("", "FW 1"), ("FW 1", ""), ("FW 1", "", ""), ("",)])
+async def test_a_document_in_the_editor_keeps_its_lines(lines: tuple[str, ...]):
+    document = Document()
+    document.replace("".join(f"{line}\n" for line in lines), None)
+    app = EditorApp()
+    async with app.run_test():
+        document.attach(app.query_one(Editor))
+        assert (document.lines, document.is_saved) == (lines, True)
+        document.rewrite("FW 9\n\n")
+        assert document.lines == ("FW 9", "")
+        assert document.undo() == 1
+        assert document.lines == lines
+
+
+async def test_undo_goes_from_the_last_key_back_to_the_program_before():
+    app = EditorApp()
+    async with app.run_test() as pilot:
+        editor, document = app.query_one(Editor), Document()
+        document.attach(editor)
+        editor.focus()
+        await pilot.press("F", "W")
+        document.replace("BW 1\n", None)
+        editor.insert("X")
+        assert document.lines == ("XBW 1",)
+
+        assert (document.undo(), document.lines) == (1, ("BW 1",))
+        assert (document.undo(), document.lines) == (ANOTHER_PROGRAM, ("FW",))
+        assert (document.redo(), document.lines) == (ANOTHER_PROGRAM, ("BW 1",))
+        assert [each.text for each in document.replaced] == ["FW\n"]
+
+
+async def test_a_line_that_is_only_ended_is_undone_before_the_program():
+    app = EditorApp()
+    async with app.run_test():
+        editor, document = app.query_one(Editor), Document()
+        document.replace("FW 1\n", None)
+        document.attach(editor)
+        document.replace("BW 1\n", None)
+        editor.insert("\n", editor.document.end)
+        document.undo()
+
+        assert editor.text == "BW 1"
+
+
+async def test_breakpoints_and_the_place_come_back_from_the_editor():
+    app = EditorApp()
+    async with app.run_test():
+        editor, document = app.query_one(Editor), Document()
+        document.replace("FW 1\nFW 2\nFW 3\n", None)
+        document.attach(editor)
+        document.breakpoints = frozenset({3})
+        document.insert(1, "FW 0")
+        document.place = 2
+        document.detach()
+
+        assert (document.breakpoints, document.place) == ({4}, 2)
+        assert document.lines == ("FW 0", "FW 1", "FW 2", "FW 3")
+
+
+@pytest.mark.parametrize(("cursor", "after"), [(3, 3), (6, 7), (8, 7), (11, 9)])
+async def test_the_cursor_stays_at_its_letter_while_a_part_is_replaced(cursor: int, after: int):
+    app = EditorApp()
+    async with app.run_test():
+        editor, document = app.query_one(Editor), Document()
+        document.replace("FW 1 TRRR 90\n", None)
+        document.attach(editor)
+        editor.move_cursor((0, cursor))
+        document.replace_range(5, 9, "TR")
+
+        assert (editor.text, editor.cursor_location) == ("FW 1 TR 90", (0, after))
+
+
+async def test_a_word_that_is_found_is_selected():
+    app = EditorApp()
+    async with app.run_test():
+        editor, document = app.query_one(Editor), Document()
+        document.replace("FW 1\nBW 2\n", None)
+        document.attach(editor)
+
+        assert document.find_next("2") == 2
+        assert (editor.selected_text, document.place) == ("2", 2)
 
 
 def test_lines_end_alike_in_the_editor_however_they_ended_in_the_file():
     assert as_lines("a\r\nb\rc\n") == "a\nb\nc"
-
-
-def test_a_document_overwrites_others_not_itself(tmp_path: Path):
-    document = Document(FilesInUse())
-    own, other = tmp_path / "own.gd", tmp_path / "other.gd"
-    other.write_text("")
-    document.write(own, "FW 1")
-
-    assert document.overwrites(other)
-    assert not document.overwrites(own)
-    assert not document.overwrites(tmp_path / "new.gd")
-
-
-def test_a_copy_of_another_start_is_offered_and_the_own_one_is_not(tmp_path: Path):
-    first, second = Copies(str(tmp_path)), Copies(str(tmp_path))
-    first.keep("FW 1")
-    second.keep("FW 2")
-
-    assert second.take(second.offered()).text == "FW 1"
-    assert second.offered() is None
-
-
-def test_copies_do_not_pile_up(tmp_path: Path):
-    for number in range(MOST_COPIES + 5):
-        Copies(str(tmp_path / "deep" / "folder")).keep(f"FW {number}")
-
-    assert len(list((tmp_path / "deep" / "folder").iterdir())) == MOST_COPIES
-
-
-def test_a_folder_that_can_t_be_made_is_a_document_error(tmp_path: Path):
-    (tmp_path / "file").write_text("")
-
-    with pytest.raises(DocumentError):
-        Copies(str(tmp_path / "file" / "folder")).keep("FW 1")

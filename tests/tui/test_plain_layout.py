@@ -3,10 +3,10 @@
 import pytest
 from textual.app import App
 
+from donnie_tui.core.run_controller import RunState
 from donnie_tui.core.session import Session
-from donnie_tui.tui.running import Doing
 from donnie_tui.tui.screens import workplace
-from donnie_tui.tui.terminal_app import TerminalApp
+from donnie_tui.tui.terminal import TerminalApp
 
 
 @pytest.fixture(autouse=True)
@@ -29,10 +29,10 @@ async def test_the_plain_layout_is_one_column_with_the_command_line_first(work):
 
 
 async def test_the_plain_layout_shows_each_answer_once_and_nothing_else(work):
-    """A reader tells what is written: no kind, no repeated command, no sentence again in the status line."""
+    """A reader says what is written: no kind, no repeated command, no sentence again in the status line."""
     async with work("", plain=True) as desk:
         await desk.type_line("FW 3")
-        await desk.told("I walked 3 steps forward.")
+        await desk.shows("I walked 3 steps forward.")
         await desk.idle()
         await desk.until(lambda: "I walked 3 steps forward." in desk.screen, "the answer")
 
@@ -90,16 +90,16 @@ async def test_a_command_that_takes_longer_goes_before_its_answer(work):
         await desk.until(lambda: "> x" in desk.screen, "what is typed")
 
 
-async def test_the_plain_log_lets_no_row_go_by_unseen(work):
+async def test_the_plain_log_shows_every_row(work):
     async with work("", plain=True) as desk:
         seen = set()
 
-        def all_told():
+        def is_all_seen():
             seen.update(line.strip(" .") for line in desk.screen.splitlines())
             return "20" in seen
 
         await desk.type_line("REPEAT 1 TIMES FOR VAR i = 1; i <= 20; i = i + 1 DO SPEAK i END FOR END REPEAT")
-        await desk.until(all_told, "the last number")
+        await desk.until(is_all_seen, "the last number")
 
         assert {str(number) for number in range(1, 21)} <= seen
 
@@ -129,9 +129,9 @@ async def test_at_the_plain_command_line_the_log_is_seen_from_wherever_one_comes
 async def test_a_look_into_the_past_needs_nothing_to_run(work):
     async with work("WAIT 1000", speed=1.0) as desk:
         await desk.press("f5")
-        await desk.doing(Doing.RUNNING)
+        await desk.doing(RunState.RUNNING)
         await desk.type_line("STEP BACK")
-        await desk.told("A program is running.")
+        await desk.shows("A program is running.")
         assert isinstance(desk.app.work._donnie.session, Session)
         await desk.press("f8")
 
@@ -140,7 +140,7 @@ async def test_in_the_plain_layout_the_marks_have_columns_of_their_own(work):
     async with work("FW 5\nTR 90", plain=True) as desk:
         editor = desk.place.editor
         editor.focus()
-        editor.set_breakpoints(editor.breakpoints ^ {1})
+        editor.breakpoints = editor.breakpoints ^ {1}
         await desk.press("end")
         await desk.pilot.pause()
 

@@ -1,4 +1,4 @@
-"""Keys that come with the key of a question, or right after a question: they are for nobody else."""
+"""Keys that arrive with the key of a question, or right after it, belong to the question."""
 
 from __future__ import annotations
 
@@ -29,7 +29,7 @@ async def test_a_name_that_comes_with_the_key_that_asks_for_it_is_the_answer(wor
         getattr(desk.place, focus).focus()
         await desk.pilot.pause()
         burst(desk, "ctrl+s", *"lesson", "enter")
-        await desk.told("Saved lesson.gd")
+        await desk.shows("Saved lesson.gd")
 
         assert desk.app.work.text == LINES
     assert (tmp_path / "lesson.gd").read_text(encoding="utf-8").splitlines() == LINES.splitlines()
@@ -69,7 +69,7 @@ async def test_a_question_typed_as_a_word_has_the_line_behind_it(work, tmp_path)
         desk.place.command_line.focus()
         await desk.pilot.pause()
         burst(desk, *"SAVE", "space", *"AS", "enter", *"mine", "enter", *"WHERE", "enter")
-        await desk.told("Position 0, 0")
+        await desk.shows("Position 0, 0")
 
         assert [line for line in desk.log if line[0] == ">" or "Saved" in line] == [
             "> SAVE AS",
@@ -93,30 +93,30 @@ async def test_keys_do_not_wait_for_what_takes_long_without_asking(work, monkeyp
         await desk.until(lambda: desk.app.work.text == "FW", "the letters")
 
 
-@pytest.mark.parametrize(("language", "told"), [("en", "RUN"), ("pt", "EXECUTAR"), ("es", "EJECUTAR")])
-async def test_esc_behind_a_question_that_closed_itself_drives_no_robot(work, language, told) -> None:  # type: ignore[no-untyped-def]
+@pytest.mark.parametrize(("language", "printed"), [("en", "RUN"), ("pt", "EXECUTAR"), ("es", "EJECUTAR")])
+async def test_esc_after_a_question_that_closed_itself_moves_no_robot(work, language, printed) -> None:  # type: ignore[no-untyped-def]
     async with work("FW 1", language=language) as desk:
         await desk.press("ctrl+g")
         await desk.answer("99")
         await desk.until(lambda: any("99" in line for line in desk.log), "no such line")
         await until_answered(desk)
         await desk.press("escape")
-        await desk.until(lambda: desk.log[-1].endswith(f": {told}."), "what Esc does")
+        await desk.until(lambda: desk.log[-1].endswith(f": {printed}."), "what Esc does")
         assert desk.app.work.pose.y == 0
         await desk.press("escape")
         await desk.until(lambda: desk.app.work.pose.y == 1, "the run")
 
 
-async def test_a_second_esc_in_one_burst_drives_no_robot(work) -> None:  # type: ignore[no-untyped-def]
+async def test_a_second_esc_in_one_burst_moves_no_robot(work) -> None:  # type: ignore[no-untyped-def]
     async with work("FW 1") as desk:
         burst(desk, "ctrl+g", "escape", "escape", "X")
-        await desk.told("Esc again: RUN.")
+        await desk.shows("Esc again: RUN.")
         await desk.until(lambda: desk.app.work.text == "XFW 1", "the letter")
 
         assert desk.app.work.pose.y == 0
 
 
-async def test_esc_behind_anything_else_runs(work) -> None:  # type: ignore[no-untyped-def]
+async def test_esc_after_any_other_key_runs_the_program(work) -> None:  # type: ignore[no-untyped-def]
     async with work("FW 1") as desk:
         burst(desk, "ctrl+g", "1", "enter", "end", "escape")
         await desk.until(lambda: desk.app.work.pose.y == 1, "the run")
@@ -125,10 +125,10 @@ async def test_esc_behind_anything_else_runs(work) -> None:  # type: ignore[no-u
 
 
 @pytest.mark.parametrize("key", ["7", "ñ", "f8", "tab", "ctrl+q"])
-async def test_a_key_that_means_nothing_behind_the_menu_key_closes_the_list_and_is_told(work, key) -> None:  # type: ignore[no-untyped-def]
+async def test_a_meaningless_key_after_the_menu_key_closes_the_list_and_is_reported(work, key) -> None:  # type: ignore[no-untyped-def]
     async with work("FW 1") as desk:
         burst(desk, "ctrl+k", key, "m", "a")
-        await desk.told("does nothing.")
+        await desk.shows("does nothing.")
         await desk.until(lambda: desk.app.work.text == "maFW 1", "what was typed behind it")
 
         assert desk.app.screen is desk.place

@@ -1,4 +1,4 @@
-"""What stands in the field of a question, and what becomes of it."""
+"""The text in the field of a question, and its fate."""
 
 from __future__ import annotations
 
@@ -14,7 +14,7 @@ async def field(desk, proposed):  # type: ignore[no-untyped-def]
     return found
 
 
-async def test_what_a_question_proposes_is_typed_over_at_the_first_key(work) -> None:  # type: ignore[no-untyped-def]
+async def test_the_first_key_replaces_the_proposed_answer(work) -> None:  # type: ignore[no-untyped-def]
     async with work() as desk:
         await desk.type_line("SAVE LOG")
         answer = await field(desk, "log.txt")
@@ -25,7 +25,7 @@ async def test_what_a_question_proposes_is_typed_over_at_the_first_key(work) -> 
 
 
 @pytest.mark.parametrize(("key", "changed"), [("end", "log.txtx"), ("home", "xlog.txt")])
-async def test_whoever_moves_in_what_is_proposed_changes_it(work, key, changed) -> None:  # type: ignore[no-untyped-def]
+async def test_moving_in_the_proposed_answer_edits_it(work, key, changed) -> None:  # type: ignore[no-untyped-def]
     async with work() as desk:
         await desk.type_line("SAVE LOG")
         answer = await field(desk, "log.txt")
@@ -34,7 +34,7 @@ async def test_whoever_moves_in_what_is_proposed_changes_it(work, key, changed) 
         assert answer.value == changed
 
 
-async def test_an_answer_that_is_wrong_is_typed_over_too(work) -> None:  # type: ignore[no-untyped-def]
+async def test_the_first_key_replaces_a_wrong_answer_too(work) -> None:  # type: ignore[no-untyped-def]
     async with work("FW 1") as desk:
         desk.app.work.load("FW 2")
         await desk.press("x", "ctrl+n")
@@ -51,7 +51,7 @@ async def test_enter_alone_leaves_a_question_as_it_says(work) -> None:  # type: 
         await desk.type_line("REPLACE FW")
         await desk.until(lambda: desk.app.screen is not desk.place, "the question")
         await desk.press("enter")
-        await desk.told("Nothing was changed.")
+        await desk.shows("Nothing was changed.")
 
         assert desk.app.work.text == "FW 1"
         assert desk.app.screen is desk.place
@@ -69,28 +69,28 @@ async def test_enter_alone_is_neither_yes_nor_no(work) -> None:  # type: ignore[
 
 
 @pytest.mark.parametrize("typed", ["SAVE", "SAVE AS", "NEW", "OPEN", "QUIT", "SAVE LOG", "WORLD maze"])
-async def test_what_nobody_goes_on_with_is_told_to_have_changed_nothing(work, typed) -> None:  # type: ignore[no-untyped-def]
+async def test_a_cancelled_question_reports_that_nothing_changed(work, typed) -> None:  # type: ignore[no-untyped-def]
     async with work("FW 1") as desk:
         await desk.type_line(typed)
         await desk.until(lambda: desk.app.screen is not desk.place, "the question")
         await desk.press("escape")
-        await desk.told("Nothing was changed.")
+        await desk.shows("Nothing was changed.")
         await desk.type_line("WHERE")
-        await desk.told("Position 0, 0.")
+        await desk.shows("Position 0, 0.")
 
         assert desk.app.work.text == "FW 1"
         assert desk.log.count("Nothing was changed.") == 1
 
 
-async def test_a_name_that_nobody_gives_for_what_is_to_be_saved_first_is_told_once(work) -> None:  # type: ignore[no-untyped-def]
+async def test_a_missing_name_for_saving_first_is_reported_once(work) -> None:  # type: ignore[no-untyped-def]
     async with work("FW 1") as desk:
         await desk.press("ctrl+n")
         await desk.answer("yes")
         await desk.until(lambda: "Save as:" in desk.screen, "the question for the name")
         await desk.press("enter")
-        await desk.told("Nothing was changed.")
+        await desk.shows("Nothing was changed.")
         await desk.type_line("WHERE")
-        await desk.told("Position 0, 0.")
+        await desk.shows("Position 0, 0.")
 
         assert desk.app.work.text == "FW 1"
         assert desk.log.count("Nothing was changed.") == 1

@@ -1,57 +1,57 @@
-"""Several robots on the screen: keys and typed lines go to the one that was chosen, the others go on."""
+"""Several robots on the screen: keys and typed lines reach the selected one, the others continue."""
 
 from devices.ports.robot import Pose
 from donnie_tui.core.events import Error, Outcome, RunEnded
+from donnie_tui.core.run_controller import RunState
 from donnie_tui.tui.bridge import Ended
-from donnie_tui.tui.running import Doing
 from tests.tui.conftest import WAITING
 
 
 async def test_another_robot_can_be_talked_to_while_the_first_one_runs(work):
     async with work(WAITING, speed=1.0, world="two_robots") as desk:
         await desk.press("f5")
-        await desk.doing(Doing.RUNNING)
+        await desk.doing(RunState.RUNNING)
 
         await desk.type_line("ROBOT bob")
-        await desk.told("You talk to bob.")
-        assert desk.app.work.running.doing is Doing.READY
+        await desk.shows("You talk to bob.")
+        assert desk.app.work.ctx.runs.state is RunState.READY
         assert [each.name for each in desk.app.work.donnie.team.running] == ["alice"]
 
         await desk.type_line("SPEAK 7")
-        await desk.told("bob: 7")
+        await desk.shows("bob: 7")
 
         await desk.type_line("ROBOT alice")
-        await desk.told("You talk to alice.")
-        assert desk.app.work.running.doing is Doing.RUNNING
+        await desk.shows("You talk to alice.")
+        assert desk.app.work.ctx.runs.state is RunState.RUNNING
 
         await desk.type_line("STOP ALL")
-        await desk.doing(Doing.READY)
+        await desk.doing(RunState.READY)
 
 
 async def test_nothing_is_looked_at_again_and_again_for_a_robot_that_stands(work):
     async with work(WAITING, speed=1.0, world="two_robots") as desk:
-        glances = desk.app.work.following.glances
+        polling = desk.app.work.run_view.polling
         await desk.press("f5")
-        await desk.until(lambda: glances.are_on, "alice runs")
+        await desk.until(lambda: polling.is_on, "alice runs")
 
         await desk.type_line("ROBOT bob")
-        await desk.told("You talk to bob.")
-        assert not glances.are_on
+        await desk.shows("You talk to bob.")
+        assert not polling.is_on
 
         await desk.type_line("ROBOT alice")
-        await desk.told("You talk to alice.")
-        assert glances.are_on
+        await desk.shows("You talk to alice.")
+        assert polling.is_on
 
         await desk.type_line("STOP ALL")
-        await desk.doing(Doing.READY)
-        assert not glances.are_on
+        await desk.doing(RunState.READY)
+        assert not polling.is_on
 
 
 async def test_an_end_that_comes_once_another_robot_is_talked_to_is_not_that_ones(work):
     """It was on its way to the screen when the other one was chosen."""
     async with work(world="two_robots") as desk:
         await desk.type_line("ROBOT bob")
-        await desk.told("You talk to bob.")
+        await desk.shows("You talk to bob.")
         rows, mistake = desk.map_rows(), Error("syntax", 2, 5, "What?", None)
         end = RunEnded(Outcome.FAILED, Pose(1.0, 1.0, 0.0), {}, 0.0)
 
@@ -60,36 +60,38 @@ async def test_an_end_that_comes_once_another_robot_is_talked_to_is_not_that_one
         await desk.until(lambda: any(line.startswith("bob: ") for line in desk.log), "where bob is")
 
         assert desk.map_rows() == rows
-        assert desk.app.work.following.errors.now is None
+        assert desk.app.work.ctx.errors.now is None
 
 
 async def test_all_that_were_given_a_program_start_together_and_stop_together(work):
     async with work(WAITING, speed=1.0, world="two_robots") as desk:
         await desk.type_line("ROBOT bob")
-        await desk.told("You talk to bob.")
+        await desk.shows("You talk to bob.")
 
         await desk.type_line("TOGETHER")
         team = desk.app.work.donnie.team
         await desk.until(lambda: len(team.running) == 2, "both run")
-        await desk.until(lambda: desk.app.work.running.doing is Doing.RUNNING, "the chosen one is watched")
+        await desk.until(
+            lambda: desk.app.work.ctx.runs.state is RunState.RUNNING, "the chosen one is watched"
+        )
 
         await desk.type_line("STOP ALL")
         await desk.until(lambda: not team.running, "nobody runs")
-        await desk.doing(Doing.READY)
+        await desk.doing(RunState.READY)
 
 
-async def test_who_has_no_gripper_says_so(work):
+async def test_a_robot_without_a_gripper_says_so(work):
     async with work("") as desk:
         await desk.type_line("GRIP")
 
-        await desk.told("I have no gripper.")
+        await desk.shows("I have no gripper.")
 
 
-async def test_who_is_unknown_changes_nothing(work):
+async def test_an_unknown_robot_changes_nothing(work):
     async with work("", world="two_robots") as desk:
         await desk.type_line("ROBOT carol")
 
-        await desk.told("There is no robot carol here. There are alice and bob.")
+        await desk.shows("There is no robot carol here. There are alice and bob.")
         assert desk.app.work.donnie.session.name == "alice"
 
 
@@ -97,7 +99,7 @@ async def test_ctrl_c_stops_all_robots_the_key_for_stop_the_chosen_one(work):
     async with work(WAITING, speed=1.0, world="two_robots") as desk:
         team = desk.app.work.donnie.team
         await desk.type_line("ROBOT bob")
-        await desk.told("You talk to bob.")
+        await desk.shows("You talk to bob.")
         await desk.type_line("TOGETHER")
         await desk.until(lambda: len(team.running) == 2, "both run")
 
@@ -111,7 +113,7 @@ async def test_ctrl_c_stops_all_robots_the_key_for_stop_the_chosen_one(work):
 async def test_robot_alone_lists_all_robots_with_their_state_and_enter_chooses_one(work):
     async with work(WAITING, speed=1.0, world="two_robots") as desk:
         await desk.press("f5")
-        await desk.doing(Doing.RUNNING)
+        await desk.doing(RunState.RUNNING)
         await desk.type_line("ROBOT")
         await desk.until(lambda: desk.app.screen is not desk.place, "the list")
         await desk.pilot.pause()
@@ -121,7 +123,7 @@ async def test_robot_alone_lists_all_robots_with_their_state_and_enter_chooses_o
         assert "runs" not in rows[1]
 
         await desk.press("down", "enter")
-        await desk.told("You talk to bob.")
+        await desk.shows("You talk to bob.")
         assert desk.app.work.donnie.session.name == "bob"
         await desk.type_line("STOP ALL")
 
@@ -129,9 +131,9 @@ async def test_robot_alone_lists_all_robots_with_their_state_and_enter_chooses_o
 async def test_the_map_is_that_of_the_robot_that_is_talked_to(work):
     async with work("FW 3", world="two_robots") as desk:
         await desk.press("f5")
-        await desk.told("The program is done.")
+        await desk.shows("The program is done.")
         await desk.type_line("ROBOT bob")
-        await desk.told("You talk to bob.")
+        await desk.shows("You talk to bob.")
 
         scene = desk.place.map.scale.scene
         assert [each.name for each in scene.picture.things if each.is_robot] == ["alice"]
@@ -141,16 +143,16 @@ async def test_the_map_is_that_of_the_robot_that_is_talked_to(work):
         assert scene.place(scene.robot) == (round(bob.x), round(bob.y))
 
         await desk.type_line("MAP")
-        await desk.told("Alice, ")
+        await desk.shows("Alice, ")
         assert not any(line.startswith("Bob,") for line in desk.log)
 
 
 async def test_a_robot_that_is_not_talked_to_stays_on_the_map_where_it_went(work):
     async with work("FW 3", world="two_robots") as desk:
         await desk.press("f5")
-        await desk.told("The program is done.")
+        await desk.shows("The program is done.")
         await desk.type_line("ROBOT bob")
-        await desk.told("You talk to bob.")
+        await desk.shows("You talk to bob.")
         await desk.press("f5")
         await desk.until(lambda: sum("program is done" in line for line in desk.log) == 2, "bob is done")
 
@@ -158,29 +160,29 @@ async def test_a_robot_that_is_not_talked_to_stays_on_the_map_where_it_went(work
         assert scene.place(scene.others["alice"]) == (0, 3)
 
 
-async def test_what_is_told_of_a_robot_has_its_name(work):
+async def test_lines_of_a_robot_have_its_name(work):
     async with work(WAITING, speed=1.0, world="two_robots") as desk:
         assert "alice at 0, 0 facing north." in desk.status
         await desk.type_line("ROBOT bob")
-        await desk.told("You talk to bob.")
+        await desk.shows("You talk to bob.")
         await desk.until(lambda: "bob at 0, 30 facing south." in desk.status, "the status line")
         await desk.press("f5")
-        await desk.doing(Doing.RUNNING)
+        await desk.doing(RunState.RUNNING)
         await desk.press("f8")
-        await desk.told("bob: Stopped")
+        await desk.shows("bob: Stopped")
         await desk.type_line("RESET")
-        await desk.told("bob: I am back at the start.")
+        await desk.shows("bob: I am back at the start.")
         await desk.run("FW 1")
-        await desk.told("bob: The program is done.")
+        await desk.shows("bob: The program is done.")
 
 
-async def test_robots_are_told_and_listed_to_choose_from(work):
+async def test_robots_are_described_and_listed_to_choose_from(work):
     async with work(world="two_robots") as desk:
         await desk.type_line("ROBOTS")
         await desk.until(lambda: "Robots of this world" in desk.screen, "the list")
-        await desk.told("bob: 0, 30, facing south.")
+        await desk.shows("bob: 0, 30, facing south.")
         await desk.press("down", "enter")
-        await desk.told("You talk to bob.")
+        await desk.shows("You talk to bob.")
 
 
 async def test_connect_lists_the_robots_with_their_state_and_enter_takes_one(work, tmp_path, monkeypatch):
@@ -199,11 +201,11 @@ async def test_connect_lists_the_robots_with_their_state_and_enter_takes_one(wor
         assert "not plugged in." in desk.screen.replace("\n ", " ")
         assert "3: a simulated board, to try without a robot." in desk.screen
         await desk.press(*"board", "enter")
-        await desk.told("Robot connected.")
+        await desk.shows("Robot connected.")
         assert desk.app.work.donnie.connection.robot == "double"
 
         await desk.type_line("CONNECT 1")
-        await desk.told("I use the simulator.")
+        await desk.shows("I use the simulator.")
 
 
 async def test_a_world_is_listed_with_its_difficulty_what_it_is_and_its_task(work):

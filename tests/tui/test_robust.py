@@ -9,18 +9,17 @@ import pytest
 from textual import events
 from textual.filter import Monochrome, NoColor
 
-from donnie_tui import LANGUAGES
 from donnie_tui.bootstrap import assemble
-from donnie_tui.core.copies import Copies
-from donnie_tui.i18n import first_screen
+from donnie_tui.commands.keys import KeyTable
+from donnie_tui.core.run_controller import RunState
+from donnie_tui.i18n.first_words import early
 from donnie_tui.i18n.words import Words
-from donnie_tui.settings.chosen import Settings
+from donnie_tui.settings.settings import Settings
 from donnie_tui.tui import lifeline
 from donnie_tui.tui.app import DonnieApp
 from donnie_tui.tui.ending import FAULT
-from donnie_tui.tui.key_table import KeyTable
-from donnie_tui.tui.running import Doing
-from donnie_tui.tui.screens.help import help_text
+from donnie_tui.tui.screens.pages import help_text
+from language.locales import languages
 from tests.tui.conftest import WAITING, burst
 
 COLOURED = re.compile(r"\x1b\[[0-9;]*(?:38|48);2;")
@@ -38,7 +37,7 @@ async def test_undo_of_a_paste_of_any_length_gives_the_empty_program_back(work, 
             await desk.pilot.pause()
 
 
-async def test_a_fault_of_ours_is_one_sentence_and_the_text_is_kept(tmp_path: Path):
+async def test_an_internal_fault_is_one_sentence_and_the_text_is_kept(tmp_path: Path):
     settings = Settings(speech="off", sound=False)
     app = DonnieApp(settings, assemble=lambda: assemble(settings, terminal=True), folder=tmp_path)
     left: list[str] = []
@@ -54,19 +53,19 @@ async def test_a_fault_of_ours_is_one_sentence_and_the_text_is_kept(tmp_path: Pa
                 await pilot.pause(0.01)
             app.workplace.editor.load_text("FW 3")
             app.call_later(fail)
-            await pilot.pause(0.1)
+            await app._exception_event.wait()
     app.close_session()
     copies = list((tmp_path / "unsaved").glob("*.gd"))
 
-    assert left == [first_screen.FAULT[0]]
+    assert left == [early("screen-fault", "en")]
     assert app.return_code == 1
-    assert [each.read_text(encoding="utf-8") for each in copies] == ["FW 3"]
+    assert [each.read_text(encoding="utf-8") for each in copies] == ["FW 3\n"]
     assert "RuntimeError" in (tmp_path / "unsaved" / FAULT).read_text(encoding="utf-8")
 
 
-async def test_a_fault_of_ours_halts_the_robot_before_anything_is_kept(work):
+async def test_an_internal_fault_halts_the_robot_before_the_text_is_saved(work):
     """Keeping the text may take its time."""
-    doing: list[Doing] = []
+    doing: list[RunState] = []
 
     def fail() -> None:
         raise RuntimeError
@@ -74,14 +73,14 @@ async def test_a_fault_of_ours_halts_the_robot_before_anything_is_kept(work):
     with pytest.raises(RuntimeError):
         async with work(WAITING, speed=1.0) as desk:
             desk.app._print_error_renderables = lambda: None
-            running, files = desk.app.work.running, desk.app.work.files
+            running, workspace = desk.app.work.ctx.runs, desk.app.work.workspace
             await desk.press("f5")
             await desk.until(lambda: running.frames, "the program is on its way")
-            files.programs.keep_copy_now = lambda: doing.append(running.doing)
+            workspace.write_copies = lambda: doing.append(running.state)
             desk.app.call_later(fail)
             await desk.until(lambda: doing, "the fault")
 
-    assert doing[0] in (Doing.STOPPING, Doing.READY)
+    assert doing[0] in (RunState.STOPPING, RunState.READY)
 
 
 async def test_without_colours_the_terminal_s_own_are_left_alone(work, monkeypatch):
@@ -99,7 +98,7 @@ async def test_without_colours_the_terminal_s_own_are_left_alone(work, monkeypat
 async def test_nothing_that_was_spoken_is_missing_from_the_log(work):
     async with work("REPEAT 12000 TIMES\nSPEAK 7\nEND REPEAT") as desk:
         await desk.press("f5")
-        await desk.told("The program is done.")
+        await desk.shows("The program is done.")
 
         assert desk.log.count("7") == 12000
 
@@ -112,17 +111,17 @@ async def test_nothing_that_was_spoken_is_missing_from_the_log(work):
 async def test_a_program_is_stopped_whatever_is_in_front_of_it(work, key, opened):
     async with work(WAITING, speed=1.0) as desk:
         await desk.press("f5")
-        await desk.doing(Doing.RUNNING)
+        await desk.doing(RunState.RUNNING)
         await desk.press(opened)
         await desk.until(lambda: desk.app.screen is not desk.place, "what is in front")
         await desk.press(key)
-        await desk.told("Stopped at line")
+        await desk.shows("Stopped at line")
 
 
 async def test_f5_runs_what_was_typed_just_before_it_and_not_what_comes_after(work):
     async with work() as desk:
         burst(desk, *"SPEAK", "space", *"12345", "f5", "6")
-        await desk.told("The program is done.")
+        await desk.shows("The program is done.")
 
         assert "12345" in desk.log
         assert desk.place.editor.text == "SPEAK 123456"
@@ -134,7 +133,7 @@ async def test_a_file_is_saved_with_the_last_letters(work, tmp_path):
     async with work(file=file) as desk:
         desk.place.editor.go_to(1, 5)
         burst(desk, *"2345", "ctrl+s")
-        await desk.told("Saved mine.gd")
+        await desk.shows("Saved mine.gd")
 
     assert file.read_text(encoding="utf-8") == "FW 12345\n"
 
@@ -144,7 +143,7 @@ async def test_a_typed_line_is_done_before_the_key_after_it(work):
         desk.place.command_line.focus()
         await desk.pilot.pause()
         burst(desk, *"SPEED", "space", "5", "enter", "f12")
-        await desk.told("Speed 10.")
+        await desk.shows("Speed 10.")
 
         assert desk.log.index("Speed 5.") < desk.log.index("Speed 10.")
 
@@ -184,7 +183,7 @@ async def test_recover_in_the_empty_program_gives_the_copy_back(work):
     async with work() as desk:
         desk.place.editor.load_text("recover")
         await desk.press("enter")
-        await desk.told("Nothing to recover.")
+        await desk.shows("Nothing to recover.")
 
         assert desk.place.editor.text == ""
 
@@ -199,7 +198,7 @@ async def test_linear_in_a_program_is_text(work, tmp_path):
         assert not desk.app.left_for_linear
 
 
-async def test_the_way_to_the_linear_mode_is_the_first_that_is_told(work):
+async def test_the_first_line_names_the_way_to_the_linear_mode(work):
     async with work() as desk:
         assert desk.log[0] == "Screen reader? Type LINEAR and Enter."
 
@@ -246,12 +245,12 @@ async def test_no_control_character_is_painted(work):
 # --- words, keys, copies
 
 
-@pytest.mark.parametrize("language", LANGUAGES)
-@pytest.mark.parametrize("doing", [Doing.READY, Doing.RUNNING, Doing.PAUSED])
+@pytest.mark.parametrize("language", languages())
+@pytest.mark.parametrize("doing", [RunState.READY, RunState.RUNNING, RunState.PAUSED])
 async def test_help_and_quit_are_always_in_the_bottom_line(work, language, doing):
     async with work(WAITING, language=language, speed=1.0) as desk:
-        if doing is not Doing.READY:
-            await desk.press("f7" if doing is Doing.PAUSED else "f5")
+        if doing is not RunState.READY:
+            await desk.press("f7" if doing is RunState.PAUSED else "f5")
             await desk.doing(doing)
             await desk.until(lambda: "F8" in desk.place.keys.words)
 
@@ -278,7 +277,7 @@ async def test_the_palette_speaks_the_language_and_has_no_pictures(work, languag
     assert "🔎" not in seen
 
 
-@pytest.mark.parametrize("language", LANGUAGES)
+@pytest.mark.parametrize("language", languages())
 def test_the_help_lists_each_word_once_and_the_palette(language):
     lines = help_text(Words(language), KeyTable())
     entries = [re.split(r"[:(]", line)[0].strip() for line in lines]
@@ -292,17 +291,7 @@ async def test_an_interrupt_from_elsewhere_stops_as_the_key_does(work, monkeypat
     monkeypatch.setattr(lifeline, "ANSWER", patience)
     async with work(WAITING, speed=1.0) as desk:
         await desk.press("f5")
-        await desk.doing(Doing.RUNNING)
-        await desk.until(lambda: desk.app.work.running.frames)
+        await desk.doing(RunState.RUNNING)
+        await desk.until(lambda: desk.app.work.ctx.runs.frames)
         os.kill(os.getpid(), signal.SIGINT)
-        await desk.told("Stopped at line")
-
-
-def test_a_copy_that_was_taken_is_this_start_s_own(tmp_path: Path):
-    old = tmp_path / "unsaved-abc.gd"
-    old.write_text("FW 1", encoding="utf-8")
-    copies = Copies(str(tmp_path))
-
-    assert copies.take(old).text == "FW 1"
-    assert [each.read_text(encoding="utf-8") for each in tmp_path.iterdir()] == ["FW 1"]
-    assert not old.exists()
+        await desk.shows("Stopped at line")

@@ -2,8 +2,7 @@
 
 import pytest
 
-from donnie_tui.core.told_errors import told_hints
-from donnie_tui.tui.running import Doing
+from donnie_tui.core.run_controller import RunState, hints_for
 from tests.tui.conftest import COMPUTING, WAITING
 
 SQUARE = 'REPEAT 2 TIMES\nFW 2\nTR 90\nEND REPEAT\nSPEAK "done"'
@@ -13,7 +12,7 @@ SQUARE = 'REPEAT 2 TIMES\nFW 2\nTR 90\nEND REPEAT\nSPEAK "done"'
 async def test_f5_and_esc_run_the_program(work, key):
     async with work(SQUARE) as desk:
         await desk.press(key)
-        await desk.told("The program is done.")
+        await desk.shows("The program is done.")
 
         assert [line for line in desk.log if line in ("done", "I walked 2 steps forward.")] == [
             "I walked 2 steps forward.",
@@ -41,10 +40,10 @@ async def test_a_program_begins_at_the_start_with_nothing_remembered(work):
 async def test_a_typed_command_goes_on_where_the_robot_stands_with_the_variables_that_there_are(work):
     async with work() as desk:
         await desk.type_line("VAR a = 3 FW 2")
-        await desk.told("I walked 2 steps forward.")
+        await desk.shows("I walked 2 steps forward.")
         await desk.idle()
         await desk.type_line("FW a")
-        await desk.told("I walked 3 steps forward.")
+        await desk.shows("I walked 3 steps forward.")
 
         assert "> FW a" in desk.log
         assert "Donnie at 0, 5 facing north." in desk.status
@@ -58,19 +57,19 @@ def way(desk):
 async def test_a_program_that_cant_run_leaves_the_robot_its_trail_and_its_variables(work):
     async with work("FWD 2", speed=None) as desk:
         await desk.type_line("VAR a = 3 FW a")
-        await desk.told("I walked 3 steps forward.")
+        await desk.shows("I walked 3 steps forward.")
         await desk.idle()
         way_there = way(desk)
         await desk.type_line("watch a")
         await desk.press("f5")
-        await desk.told("I do not know FWD.")
+        await desk.shows("I do not know FWD.")
         await desk.idle()
 
         assert "Donnie at 0, 3 facing north." in desk.status
         assert way(desk) == way_there
         assert "a is 3." not in desk.log
         await desk.type_line("SPEAK a")
-        await desk.told("3")
+        await desk.shows("3")
 
 
 async def test_esc_in_the_command_line_runs_the_unfinished_line(work):
@@ -78,7 +77,7 @@ async def test_esc_in_the_command_line_runs_the_unfinished_line(work):
         desk.place.command_line.focus()
         desk.place.command_line.value = "FW 2"
         await desk.press("escape")
-        await desk.told("I walked 2 steps forward.")
+        await desk.shows("I walked 2 steps forward.")
 
         assert desk.place.command_line.value == ""
 
@@ -86,10 +85,10 @@ async def test_esc_in_the_command_line_runs_the_unfinished_line(work):
 async def test_f8_stops_a_program_without_end_and_says_where(work):
     async with work(COMPUTING) as desk:
         await desk.press("f5")
-        await desk.doing(Doing.RUNNING)
-        await desk.until(lambda: desk.app.work.running.frames, "a line being run")
+        await desk.doing(RunState.RUNNING)
+        await desk.until(lambda: desk.app.work.ctx.runs.frames, "a line being run")
         await desk.press("f8")
-        await desk.told("Stopped at line ")
+        await desk.shows("Stopped at line ")
 
         await desk.idle()
 
@@ -97,10 +96,10 @@ async def test_f8_stops_a_program_without_end_and_says_where(work):
 async def test_ctrl_c_stops_while_something_runs(work):
     async with work(WAITING, speed=1.0) as desk:
         await desk.press("f5")
-        await desk.doing(Doing.RUNNING)
+        await desk.doing(RunState.RUNNING)
         await desk.press("ctrl+c")
 
-        await desk.told("Stopped")
+        await desk.shows("Stopped")
 
 
 async def test_ctrl_c_copies_while_nothing_runs(work):
@@ -115,57 +114,57 @@ async def test_ctrl_c_copies_while_nothing_runs(work):
 async def test_stop_is_a_typed_word_too(work):
     async with work(WAITING, speed=1.0) as desk:
         await desk.press("f5")
-        await desk.doing(Doing.RUNNING)
+        await desk.doing(RunState.RUNNING)
         await desk.type_line("stop")
 
-        await desk.told("Stopped")
+        await desk.shows("Stopped")
 
 
 async def test_stopping_nothing_is_answered(work):
     async with work() as desk:
         await desk.press("f8")
 
-        await desk.told("Nothing is running.")
+        await desk.shows("Nothing is running.")
 
 
 async def test_an_empty_program_is_answered(work):
     async with work() as desk:
         await desk.press("f5")
 
-        await desk.told("Nothing to run.")
+        await desk.shows("Nothing to run.")
 
 
 async def test_while_a_program_runs_another_one_is_refused(work):
     async with work(WAITING, speed=1.0) as desk:
         await desk.press("f5")
-        await desk.doing(Doing.RUNNING)
+        await desk.doing(RunState.RUNNING)
         await desk.press("f5")
 
-        await desk.told("A program is running. STOP stops it.")
+        await desk.shows("A program is running. STOP stops it.")
 
 
 async def test_pause_holds_the_program_marks_its_line_and_goes_on(work):
     async with work(WAITING, speed=1.0) as desk:
         await desk.press("f5")
-        await desk.doing(Doing.RUNNING)
+        await desk.doing(RunState.RUNNING)
         await desk.press("f6")
-        await desk.doing(Doing.PAUSED)
-        await desk.told("Line ")
-        line = desk.app.work.running.frames[0].line
+        await desk.doing(RunState.PAUSED)
+        await desk.shows("Paused at line ")
+        line = desk.app.work.ctx.runs.frames[0].line
         await desk.until(lambda: f"> {line}  " in desk.screen, "the mark")
         assert "Paused" in desk.status
         assert desk.place.editor.line == line
 
         await desk.press("f6")
-        await desk.doing(Doing.RUNNING)
+        await desk.doing(RunState.RUNNING)
 
 
 @pytest.mark.parametrize("language", ["en", "pt", "es"])
-async def test_a_sensor_that_nobody_reads_is_told_of_a_program_and_of_a_typed_command(work, language):
+async def test_an_unused_sensor_value_is_a_hint_for_a_program_and_a_typed_command(work, language):
     async with work("DISTANCE F", language=language) as desk:
-        hints = told_hints("DISTANCE F", desk.app.work.donnie.session, desk.app.work.words)
+        hints = hints_for("DISTANCE F", desk.app.work.donnie.session, desk.app.work.words)
         await desk.press("f5")
-        await desk.told(desk.app.work.words("screen-done"))
+        await desk.shows(desk.app.work.words("screen-done"))
         assert desk.log[-3:-1] == hints
         await desk.type_line("DISTANCE F")
         await desk.until(lambda: desk.log[-2:] == hints, "the hint")
@@ -175,37 +174,37 @@ async def test_a_sensor_that_nobody_reads_is_told_of_a_program_and_of_a_typed_co
         assert desk.log.count(hints[0]) == 2
 
 
-async def test_speed_goes_up_and_down_and_is_told(work):
+async def test_speed_can_be_changed_and_is_reported(work):
     async with work(speed=5.0) as desk:
         await desk.press("f12")
-        await desk.told("Speed 10.")
+        await desk.shows("Speed 10.")
         await desk.press("f11", "f11")
-        await desk.told("Speed 2.")
+        await desk.shows("Speed 2.")
         await desk.type_line("speed max")
-        await desk.told("Speed max.")
+        await desk.shows("Speed max.")
         await desk.type_line("SPEED fast")
-        await desk.told("A speed is a number from")
+        await desk.shows("A speed is a number from")
 
-        assert desk.app.work.running.speed is None
+        assert desk.app.work.donnie.session.speed is None
 
 
 async def test_reset_puts_the_robot_back_and_forgets_the_variables(work):
     async with work() as desk:
         await desk.type_line("VAR a = 3 FW a")
-        await desk.told("I walked 3 steps forward.")
+        await desk.shows("I walked 3 steps forward.")
         await desk.idle()
         await desk.press("ctrl+r")
-        await desk.told("I am back at the start.")
+        await desk.shows("I am back at the start.")
         await desk.until(lambda: "No variables." in desk.place.inspector.lines, "no variables")
 
         assert "Donnie at 0, 0 facing north." in desk.status
         assert "o" not in "".join(desk.map_rows())
 
 
-async def test_a_mistake_is_told_and_the_cursor_goes_to_its_place(work):
+async def test_a_mistake_is_reported_and_the_cursor_moves_to_its_place(work):
     async with work("FW 1\nTR 90\n  FWD 3") as desk:
         await desk.press("f5")
-        await desk.told("Error, line 3, column 3")
+        await desk.shows("Error, line 3, column 3")
 
         assert desk.place.editor.cursor_location == (2, 2)
         assert "Did you mean FW?" in desk.log
@@ -215,7 +214,7 @@ async def test_a_mistake_is_told_and_the_cursor_goes_to_its_place(work):
 async def test_a_mistake_in_a_typed_command_leaves_the_program_alone(work):
     async with work("FW 1\nFW 2") as desk:
         await desk.type_line("FWD 3")
-        await desk.told("Error, line 1")
+        await desk.shows("Error, line 1")
 
         assert desk.place.editor.cursor_location == (0, 0)
 
@@ -223,36 +222,35 @@ async def test_a_mistake_in_a_typed_command_leaves_the_program_alone(work):
 async def test_quit_in_the_program_is_a_mistake_and_in_the_command_line_leaves(work):
     async with work("QUIT") as desk:
         await desk.press("f5")
-        await desk.told("Error, line 1")
+        await desk.shows("Error, line 1")
         desk.app.work.load("")
-        desk.app.work.files.document.become(None, "")
         await desk.type_line("quit")
         await desk.until(lambda: not desk.app.is_running, "the end")
 
         assert desk.app.return_code == 0
 
 
-async def test_where_tells_the_position_in_the_words_of_the_language(work):
+async def test_where_prints_the_position_in_the_words_of_the_language(work):
     async with work() as desk:
         await desk.type_line("where")
 
-        await desk.told("Position 0, 0. Facing north.")
+        await desk.shows("Position 0, 0. Facing north.")
 
 
 async def test_a_program_that_talks_without_end_leaves_the_keys_alive(work):
     async with work('WHILE 1 == 1 DO\nSPEAK "again and again"\nEND WHILE') as desk:
         await desk.press("f5")
-        await desk.told("again and again")
+        await desk.shows("again and again")
         await desk.press("f8")
 
-        await desk.told("Stopped at line")
+        await desk.shows("Stopped at line")
 
 
 async def test_the_inspector_names_variables_calls_and_readings(work):
     async with work("VAR wide = 7\nVAR d = DISTANCE F\nFW 1", size=(120, 40)) as desk:
         desk.place.editor.go_to(3)
         await desk.press("f10")
-        await desk.told("Line 3: FW 1")
+        await desk.shows("Line 3: FW 1")
         await desk.until(lambda: "distance ahead: 60" in desk.place.inspector.lines, "the reading")
 
         assert "wide is 7" in desk.place.inspector.lines
@@ -271,17 +269,17 @@ async def test_a_look_at_a_program_paints_only_what_is_new(work, monkeypatch):
     """Five times a second: over a slow line each row that is painted in vain is felt."""
     async with work("VAR x = 1\nx = 2\nx = 3\nSPEAK x", size=(120, 40)) as desk:
         await desk.press("f7", "f9", "f9")
-        await desk.told("Line 2")
+        await desk.shows("Line 2")
         await desk.press("f9")
-        await desk.told("Line 3")
-        await desk.pilot.pause()
+        await desk.shows("Line 3")
+        await desk.painted()
         place = desk.place
         text, variables, log = (
             painted(each, monkeypatch) for each in (place.editor, place.inspector, place.log_rows)
         )
 
         desk.app.work.look()
-        await desk.pilot.pause(0.1)
+        await desk.painted()
         assert (text, variables, log) == ([], [], [])
 
         lines = list(place.inspector.lines)

@@ -49,7 +49,7 @@ def looks(*sizes: tuple[int, int]) -> Callable[[F], F]:
 
 
 class InOneFolder:
-    """In the project's folder of screens, not beside the test."""
+    """Keeps the files in the project's folder of screens, not next to the test."""
 
     @classmethod
     def dirname(cls, *, test_location: Any) -> str:
@@ -100,7 +100,7 @@ async def test_a_pause_inside_a_procedure(work, same, theme, size):
         desk.app.theme = theme
         desk.place.editor.go_to(4)
         await desk.press("f10")
-        await desk.told("Line 4, level 2: FW height")
+        await desk.shows("Line 4, level 2: FW height")
         await same(desk)
 
 
@@ -109,7 +109,7 @@ async def test_a_mistake(work, same, theme, size):
     async with work(RECTANGLE.replace("TR", "RIGTH"), world="living_room", size=size) as desk:
         desk.app.theme = theme
         await desk.press("f5")
-        await desk.told("Error, line 3")
+        await desk.shows("Error, line 3")
         await desk.idle()
         await desk.until(lambda: desk.place.editor.mistake, "the marks beside the program")
         await same(desk)
@@ -120,7 +120,7 @@ async def test_the_variables(work, same, theme, size):
     async with work('VAR a = 5 VAR d = DISTANCE F SPEAK "ready"\nFW 1', size=size) as desk:
         desk.app.theme = theme
         await desk.press("f7", "f9", "f9", "f9")
-        await desk.told("Line 2: FW 1")
+        await desk.shows("Line 2: FW 1")
         await desk.press("f4")
         await same(desk)
 
@@ -134,7 +134,7 @@ async def test_other_languages(work, same, language):
     )
     async with work(text, language=language, world="living_room") as desk:
         await desk.press("f5")
-        await desk.told("terminou." if language == "pt" else "terminó.")
+        await desk.shows("terminou." if language == "pt" else "terminó.")
         await same(desk)
 
 
@@ -211,7 +211,7 @@ async def test_the_map_with_names_rays_and_coordinates(work, same, theme, size):
         desk.app.theme = theme
         await desk.run("FW 3 TR 45 SPEAK DISTANCE F")
         await desk.press("ctrl+k", "c", "ctrl+k", "t")
-        await desk.told("Names on the map.")
+        await desk.shows("Names on the map.")
         await desk.press("ctrl+k", "n")
         await desk.until(lambda: "Map," in desk.status, "the finger")
         await same(desk)
@@ -222,7 +222,7 @@ async def test_the_whole_of_a_large_map(work, same, theme, size):
     async with work(world="living_room", size=size) as desk:
         desk.app.theme = theme
         await desk.press("ctrl+k", "a")
-        await desk.told("All of the map")
+        await desk.shows("All of the map")
         await same(desk)
 
 
@@ -231,16 +231,16 @@ async def test_the_plain_layout(work, same, theme, size):
     async with work("FW 3", size=size, world="living_room", plain=True) as desk:
         desk.app.theme = theme
         await desk.press("f5")
-        await desk.told("The program is done.")
+        await desk.shows("The program is done.")
         await same(desk)
 
 
 @looks()
-async def test_mistakes_and_breakpoints_beside_the_program(work, same, theme, size):
+async def test_mistakes_and_breakpoints_next_to_the_program(work, same, theme, size):
     async with work("FW 1\nFWD 3\nREPEAT 2 TIMES\nFW 1\nEND REPEAT", world="living_room", size=size) as desk:
         desk.app.theme = theme
         desk.place.editor.go_to(4)
         await desk.press("ctrl+b")
         await desk.until(lambda: "!2" in desk.screen, "the mark")
-        await desk.told("Line 4 has a breakpoint.")
+        await desk.shows("Breakpoint at line 4.")
         await same(desk)

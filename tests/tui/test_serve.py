@@ -6,7 +6,6 @@ import os
 import shutil
 import socket
 import subprocess
-import sys
 import time
 from collections.abc import AsyncIterator
 from contextlib import asynccontextmanager
@@ -17,12 +16,14 @@ import pyte
 import pytest
 
 from tests.patience import PATIENCE
+from tests.sessions.command import COMMAND, QUIET
 
 aiohttp = pytest.importorskip("aiohttp")
 pytest.importorskip("textual_serve")
 
+pytestmark = pytest.mark.slow
+
 FIRST_WORDS = "F5 runs the program."
-"""They stand there also where a screen reader runs on the machine, as those of other tests do meanwhile."""
 
 ROOT = Path(__file__).resolve().parents[2]
 
@@ -37,12 +38,10 @@ def free_port() -> int:
 def server(tmp_path):
     """The port of one that serves."""
     port = free_port()
-    ours = ("DONNIE", "TEXTUAL")
-    environment = {key: value for key, value in os.environ.items() if not key.startswith(ours)}
     process = subprocess.Popen(
-        [sys.executable, "-m", "donnie_tui", "serve", "--port", str(port), "--speech", "off", "--lang", "en"],
+        [*COMMAND, "serve", "--port", str(port), *QUIET, "--lang", "en"],
         cwd=ROOT,
-        env=environment | {"HOME": str(tmp_path), "DONNIE_TOUR": "off"},
+        env=os.environ | {"HOME": str(tmp_path), "DONNIE_TOUR": "off"},
         stdout=subprocess.DEVNULL,
         stderr=subprocess.DEVNULL,
     )
@@ -93,28 +92,6 @@ async def until_shown(terminal: Any, shown: Shown, text: str) -> None:
             shown.feed(message.data)
 
 
-def run(*arguments: str, **environment: str) -> tuple[int, str]:
-    done = subprocess.run(
-        [sys.executable, "-m", "donnie_tui", *arguments],
-        cwd=ROOT,
-        env=os.environ | environment,
-        capture_output=True,
-        text=True,
-        timeout=PATIENCE,
-        check=False,
-    )
-    return done.returncode, done.stderr
-
-
-@pytest.mark.parametrize("port", ["none", "0", "70000", "-1", "1" * 50])
-def test_a_port_that_is_none_is_one_sentence(port):
-    code, told = run("serve", f"--port={port}", "--lang", "en")
-
-    assert code == 2
-    assert "is no port" in told
-    assert told.count("\n") == 1
-
-
 CHROMIUM = shutil.which("chromium")
 
 
@@ -148,14 +125,14 @@ class Page:
         self._calls += 1
         await self._socket.send_json({"id": self._calls, "method": method, "params": values})
         while True:
-            told = await self._socket.receive_json(timeout=PATIENCE)
-            self._note(told)
-            if told.get("id") == self._calls:
-                return told.get("result", {})
+            reply = await self._socket.receive_json(timeout=PATIENCE)
+            self._note(reply)
+            if reply.get("id") == self._calls:
+                return reply.get("result", {})
 
-    def _note(self, told: dict[str, Any]) -> None:
-        if told.get("method") == "Network.webSocketFrameReceived":
-            frame = told["params"]["response"]
+    def _note(self, reply: dict[str, Any]) -> None:
+        if reply.get("method") == "Network.webSocketFrameReceived":
+            frame = reply["params"]["response"]
             if frame["opcode"] != 1:
                 self._shown.feed(base64.b64decode(frame["payloadData"]))
 

@@ -1,4 +1,4 @@
-"""Whatever takes longer than a second is told in words, while the screen goes on."""
+"""A task that takes longer than a second is reported in words, while the screen stays usable."""
 
 import asyncio
 import signal
@@ -7,11 +7,12 @@ import threading
 import pytest
 
 from donnie_tui.bootstrap import assemble
-from donnie_tui.core import copies, documents
-from donnie_tui.core.copies import Copies
-from donnie_tui.core.documents import Document
-from donnie_tui.settings.chosen import Settings
-from donnie_tui.tui import beginning, deeds_text, patience, saving
+from donnie_tui.commands import edit, files
+from donnie_tui.core import recovery
+from donnie_tui.core.recovery import CopyFolder, UnsavedCopy, read_copy
+from donnie_tui.core.workspace import Workspace
+from donnie_tui.settings.settings import Settings
+from donnie_tui.tui import beginning, patience
 from tests.patience import PATIENCE
 from tests.tui import conftest
 
@@ -35,36 +36,36 @@ def gate():
 @pytest.fixture
 def slow_saving(monkeypatch, gate):
     """Programs are saved once the gate is open."""
-    write = Document.write
+    save = Workspace.save
 
-    def slowly(self, path, text):
+    def slowly(self, document, path, text):
         gate.wait(PATIENCE)
-        write(self, path, text)
+        save(self, document, path, text)
 
-    monkeypatch.setattr(Document, "write", slowly)
+    monkeypatch.setattr(Workspace, "save", slowly)
     return gate
 
 
 async def _begin_saving(desk, path):
-    """Until it is told that it takes a while."""
+    """Saves until the report that it takes a while."""
     await desk.type_line(f"SAVE {path}")
-    await desk.told(f"Saving {path.name}, it takes a while.")
+    await desk.shows(f"Saving {path.name}, it takes a while.")
 
 
-async def test_a_disk_that_takes_its_time_is_told_and_holds_nobody_up(work, tmp_path, slow_saving):
+async def test_a_slow_disk_is_reported_and_blocks_no_key(work, tmp_path, slow_saving):
     path = tmp_path / "walk.gd"
     async with work("FW 1") as desk:
         await _begin_saving(desk, path)
         desk.place.editor.focus()
         await desk.press("x")
         await desk.until(lambda: desk.app.work.text == "xFW 1", "the letter")
-        desk.app.work.files.programs.keep_copy_now()
+        desk.app.work.workspace.write_copies()
         assert not path.exists()
         slow_saving.set()
-        await desk.told("Saved walk.gd, 1 line.")
+        await desk.shows("Saved walk.gd, 1 line.")
         assert path.read_text() == "FW 1\n"
-        assert desk.app.work.files.is_changed, "what was typed meanwhile is not saved"
-        desk.app.work.files.programs.settle_copies()
+        assert not desk.app.work.workspace.document.is_saved, "what was typed meanwhile is not saved"
+        desk.app.work.workspace.write_copies()
         assert _copies_in(tmp_path) == ["xFW 1"], "nor is its copy given up"
 
 
@@ -81,20 +82,18 @@ async def test_leaving_waits_for_what_is_being_saved(work, tmp_path, slow_saving
         assert path.read_text() == "FW 1\n"
 
 
-async def test_the_log_goes_to_a_slow_disk_beside_the_screen_and_its_name_may_be_quoted(
-    work, monkeypatch, tmp_path, gate
-):
+async def test_the_log_is_saved_to_a_slow_disk_in_the_background(work, monkeypatch, tmp_path, gate):
     """What has no suffix is a text, as in the linear mode."""
-    monkeypatch.setattr(saving, "write_program", _once_open(gate, saving.write_program))
+    monkeypatch.setattr(files, "write_program", _once_open(gate, files.write_program))
     path = tmp_path / "my notes.txt"
     async with work("FW 1") as desk:
         await desk.type_line(f'SAVE LOG "{path.with_suffix("")}"')
-        await desk.told("Writing my notes.txt, it takes a while.")
+        await desk.shows("Writing my notes.txt, it takes a while.")
         desk.place.editor.focus()
         await desk.press("x")
         await desk.until(lambda: desk.app.work.text == "xFW 1", "the letter")
         gate.set()
-        await desk.told("Wrote my notes.txt.")
+        await desk.shows("Wrote my notes.txt.")
         assert "> SAVE LOG" in path.read_text(encoding="utf-8")
 
 
@@ -107,7 +106,7 @@ def _once_open(gate, do):
 
 
 def _slow_disk(monkeypatch, gate):
-    """Files are read, and copies written, once the gate is open. Who waited at it, in a list."""
+    """Files are read, and copies written, once the gate is open. The list names the waiting functions."""
     came = []
 
     def slowly(done):
@@ -118,7 +117,7 @@ def _slow_disk(monkeypatch, gate):
 
         return do
 
-    for module, name in ((copies, "write_program"), (copies, "read_program"), (documents, "read_program")):
+    for module, name in ((recovery, "write_program"), (recovery, "read_program"), (files, "read_program")):
         monkeypatch.setattr(module, name, slowly(getattr(module, name)))
     return came
 
@@ -131,17 +130,17 @@ async def test_a_copy_on_a_slow_disk_holds_no_typing_and_has_the_last_letters(
         await desk.press("a")
         await desk.until(lambda: came, "the first copy is being written")
         await desk.press("b", "c")
-        desk.app.work.files.programs.keep_copy()
-        desk.app.work.files.programs.keep_copy()
+        desk.app.work.workspace.keep_copies()
+        desk.app.work.workspace.keep_copies()
         await desk.press("d")
-        desk.app.work.files.programs.keep_copy()
+        desk.app.work.workspace.keep_copies()
         assert desk.app.work.text == "abcdFW 1"
         assert len(came) == 1, "one at a time"
         gate.set()
         await desk.until(lambda: _copies_in(tmp_path) == ["abcdFW 1"], "the last letters")
 
 
-async def test_whoever_is_gone_by_a_lost_line_has_left_the_last_copy(work, monkeypatch, tmp_path, gate):
+async def test_a_lost_connection_leaves_the_last_copy(work, monkeypatch, tmp_path, gate):
     came = _slow_disk(monkeypatch, gate)
     async with work("FW 1") as desk:
         await desk.press("a")
@@ -161,14 +160,12 @@ async def test_a_program_that_was_given_up_while_its_copy_was_written_is_left_fo
         await desk.until(lambda: came, "a copy is being written")
         await desk.press("ctrl+n")
         await desk.answer("no")
-        await desk.told("A new program.")
+        await desk.shows("A new program.")
         gate.set()
     assert _copies_in(tmp_path) == ["aFW 1"]
 
 
-async def test_whoever_leaves_while_a_copy_is_written_leaves_it_for_recover(
-    work, monkeypatch, tmp_path, gate
-):
+async def test_leaving_while_a_copy_is_written_keeps_it_for_recover(work, monkeypatch, tmp_path, gate):
     came = _slow_disk(monkeypatch, gate)
     async with work("FW 1") as desk:
         await desk.press("a")
@@ -180,7 +177,7 @@ async def test_whoever_leaves_while_a_copy_is_written_leaves_it_for_recover(
     assert _copies_in(tmp_path) == ["aFW 1"]
 
 
-async def test_a_file_that_comes_slowly_is_told_and_what_is_typed_meanwhile_is_asked_about(
+async def test_a_slow_file_is_reported_and_typed_text_is_replaced_only_after_a_question(
     work, monkeypatch, tmp_path, gate
 ):
     path = tmp_path / "walk.gd"
@@ -188,34 +185,32 @@ async def test_a_file_that_comes_slowly_is_told_and_what_is_typed_meanwhile_is_a
     _slow_disk(monkeypatch, gate)
     async with work() as desk:
         await desk.type_line(f"OPEN {path}")
-        await desk.told("Opening walk.gd, it takes a while.")
+        await desk.shows("Opening walk.gd, it takes a while.")
         desk.place.editor.focus()
         await desk.press("x")
         await desk.until(lambda: desk.app.work.text == "x", "the letter")
         gate.set()
         await desk.answer("no")
-        await desk.told("Opened walk.gd, 1 line.")
+        await desk.shows("Opened walk.gd, 1 line.")
         assert desk.app.work.text == "FW 1"
 
 
-async def test_opening_is_given_up_by_asking_for_something_else_and_that_is_told(
-    work, monkeypatch, tmp_path, gate
-):
+async def test_another_command_cancels_opening_and_that_is_reported(work, monkeypatch, tmp_path, gate):
     path = tmp_path / "walk.gd"
     path.write_text("FW 1\n")
     _slow_disk(monkeypatch, gate)
-    read, has_read = documents.read_program, threading.Event()
-    monkeypatch.setattr(documents, "read_program", lambda path: (read(path), has_read.set())[0])
+    read, has_read = files.read_program, threading.Event()
+    monkeypatch.setattr(files, "read_program", lambda path: (read(path), has_read.set())[0])
     async with work() as desk:
         await desk.type_line(f"OPEN {path}")
-        await desk.told("Opening walk.gd, it takes a while.")
+        await desk.shows("Opening walk.gd, it takes a while.")
         await desk.type_line("GO TO 1")
-        await desk.told("Nothing was changed.")
+        await desk.shows("Nothing was changed.")
         gate.set()
         await desk.until(has_read.is_set, "the file that nobody wants any more")
         await asyncio.to_thread(has_read.wait)  # what came of it is at the screen before this is
         await desk.type_line("POS")
-        await desk.told("> POS")
+        await desk.shows("> POS")
         assert desk.app.work.text == ""
         assert not any(line.startswith("Opened") for line in desk.log)
 
@@ -227,72 +222,70 @@ async def test_a_file_of_the_command_line_that_comes_slowly_leaves_the_screen_al
     path.write_text("FW 1\n")
     _slow_disk(monkeypatch, gate)
     async with work(file=path) as desk:
-        await desk.told("Opening walk.gd, it takes a while.")
+        await desk.shows("Opening walk.gd, it takes a while.")
         await desk.type_line("POS")
-        await desk.told("> POS")
+        await desk.shows("> POS")
         gate.set()
-        await desk.told("Opened walk.gd, 1 line.")
+        await desk.shows("Opened walk.gd, 1 line.")
 
 
 async def test_a_program_comes_back_with_the_name_of_its_file(work, tmp_path):
     path = tmp_path / "walk.gd"
     path.write_text("FW 1\n")
-    lost = Copies(str(tmp_path / "unsaved"))
-    lost.keep("FW 12", path)
+    lost = UnsavedCopy(CopyFolder(str(tmp_path / "unsaved")))
+    lost.want("FW 12", path)
+    lost.write()
     async with work() as desk:
         await desk.type_line("RECOVER")
-        await desk.told("Here walk.gd is again, 1 line.")
-        assert desk.app.work.files.document.path == path
+        await desk.shows("Here walk.gd is again, 1 line.")
+        assert desk.app.work.workspace.document.path == path
         assert "walk.gd, changed" in desk.screen
         await desk.until(lambda: len(_copies_in(tmp_path)) == 1, "one copy, this start's own")
         await desk.press("ctrl+s")
-        await desk.told("Saved walk.gd")
+        await desk.shows("Saved walk.gd")
         assert path.read_text() == "FW 12\n"
         await desk.until(lambda: not _copies_in(tmp_path), "no copy is needed")
 
 
 def _copies_in(folder):
-    keeper = Copies(str(folder / "unsaved"))
-    return [keeper.read(each).text for each in (folder / "unsaved").glob("*.gd")]
+    return [read_copy(each).text for each in (folder / "unsaved").glob("*.gd")]
 
 
-async def test_a_huge_program_that_is_being_read_is_told(work, monkeypatch):
+async def test_a_huge_program_that_is_being_parsed_is_reported(work, monkeypatch):
     async with work("WAIT 1000", speed=1.0) as desk:
-        monkeypatch.setattr(type(desk.app.work.running), "frames", property(lambda _: ()))
+        monkeypatch.setattr(type(desk.app.work.ctx.runs), "frames", property(lambda _: ()))
         await desk.press("f5")
-        await desk.told("Reading 1 line of program.")
+        await desk.shows("Reading 1 line of program.")
         await desk.press("f8")
         await desk.idle()
 
 
-async def test_a_program_that_changes_while_it_is_laid_out_stays_as_it_is(work, monkeypatch, gate):
-    lay_out = deeds_text.formatted
+async def test_a_program_that_changes_during_formatting_is_not_formatted(work, monkeypatch, gate):
+    lay_out = edit.formatted
 
     def slowly(text, language):
         gate.wait(PATIENCE)
         return lay_out(text, language)
 
-    monkeypatch.setattr(deeds_text, "formatted", slowly)
+    monkeypatch.setattr(edit, "formatted", slowly)
     async with work("fw 1   tr 90") as desk:
         await desk.press("ctrl+k", "m")
-        await desk.told("Laying the program out, it takes a while.")
+        await desk.shows("Laying the program out, it takes a while.")
         await desk.press("home")
         desk.place.editor.insert("-- mine\n", (0, 0))
         gate.set()
-        await desk.told("The program was changed meanwhile")
+        await desk.shows("The program was changed meanwhile")
         assert desk.app.work.text == "-- mine\nfw 1   tr 90"
 
 
-async def test_a_layout_that_another_word_takes_the_place_of_is_answered_all_the_same(
-    work, monkeypatch, gate, tmp_path
-):
-    monkeypatch.setattr(deeds_text, "formatted", lambda *_: gate.wait(PATIENCE))
+async def test_a_formatting_that_another_word_replaces_is_still_answered(work, monkeypatch, gate, tmp_path):
+    monkeypatch.setattr(edit, "formatted", lambda *_: gate.wait(PATIENCE))
     async with work("fw 1   tr 90") as desk:
         await desk.type_line("FORMAT")
-        await desk.told("Laying the program out, it takes a while.")
+        await desk.shows("Laying the program out, it takes a while.")
         await desk.type_line(f"SAVE {tmp_path / 'mine'}")
-        await desk.told("Nothing was changed.")
-        await desk.told("Saved mine.gd, 1 line.")
+        await desk.shows("Nothing was changed.")
+        await desk.shows("Saved mine.gd, 1 line.")
         gate.set()
 
 
@@ -301,20 +294,20 @@ async def test_a_report_is_written_to_its_end_whatever_is_asked_meanwhile(work, 
         gate.wait(PATIENCE)
         path.write_text(text)
 
-    monkeypatch.setattr(saving, "write_program", slowly)
+    monkeypatch.setattr(files, "write_program", slowly)
     async with work("FW 1") as desk:
         await desk.type_line(f"REPORT list {tmp_path / 'list.html'}")
-        await desk.told("list.html, it takes a while.")
+        await desk.shows("list.html, it takes a while.")
         await desk.type_line("SEARCH FW")
-        await desk.told("Line 1: FW 1")
+        await desk.shows("Line 1: FW 1")
         gate.set()
-        await desk.told("Wrote list.html.")
+        await desk.shows("Wrote list.html.")
 
 
-async def test_a_large_world_is_told_while_it_loads_and_when_it_is_there(work, monkeypatch, gate):
+async def test_a_large_world_is_reported_while_it_loads_and_when_it_is_ready(work, monkeypatch, gate):
     tell = beginning.Beginning._tell_early
 
-    def told(self, code, **values):
+    def report_early(self, code, **values):
         tell(self, code, **values)
         gate.set()
 
@@ -322,8 +315,8 @@ async def test_a_large_world_is_told_while_it_loads_and_when_it_is_there(work, m
         gate.wait(PATIENCE)
         return assemble(Settings(world="open_floor", speech="off", sound=False, speed=None), **others)
 
-    monkeypatch.setattr(beginning.Beginning, "_tell_early", told)
+    monkeypatch.setattr(beginning.Beginning, "_tell_early", report_early)
     monkeypatch.setattr(conftest, "assemble", slowly)
     async with work(world="my/large.world") as desk:
         assert "Loading the world large.world, it takes a while." in desk.log
-        await desk.told("The world large.world is there.")
+        await desk.shows("The world large.world is there.")

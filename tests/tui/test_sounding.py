@@ -4,15 +4,15 @@ from __future__ import annotations
 
 import pytest
 
+from donnie_tui.commands.settings import change
 from donnie_tui.core.events import Answered, Chimed, Event, Pointed
 from donnie_tui.core.hub import Hub
 from donnie_tui.outlets.audible import Audible
-from donnie_tui.tui.screens.help import Help
-from donnie_tui.tui.screens.key_menu import KeyMenu
+from donnie_tui.tui.screens.pages import Help, KeyMenu
 
 
 async def test_any_key_ends_what_is_being_said(work) -> None:  # type: ignore[no-untyped-def]
-    """V3."""
+    """A key silences the voice."""
     async with work() as desk:
         before = desk.app.work.donnie.outlets.audible.hushed
         await desk.press("x")
@@ -20,7 +20,7 @@ async def test_any_key_ends_what_is_being_said(work) -> None:  # type: ignore[no
 
 
 async def test_what_the_screen_begins_with_is_said(work, monkeypatch) -> None:  # type: ignore[no-untyped-def]
-    """V7, V1: the greeting that stood there before there was a voice, and what was decided then."""
+    """The greeting that was printed before the voice started, and the decision about the voice."""
     said: list[str] = []
     monkeypatch.setattr(Audible, "say_printed", lambda _, *lines: said.extend(lines))
     publish = Hub.publish
@@ -33,14 +33,14 @@ async def test_what_the_screen_begins_with_is_said(work, monkeypatch) -> None:  
     monkeypatch.setattr(Hub, "publish", listen)
     monkeypatch.setattr("donnie_tui.bootstrap._decided", lambda *_: ("I speak.",))
     async with work() as desk:
-        await desk.told("I speak.")
+        await desk.shows("I speak.")
         assert said == list(desk.log)
         assert len(said) == 3
 
 
 @pytest.fixture
 def pointed(monkeypatch):  # type: ignore[no-untyped-def]
-    """What was said of what somebody looks at, and the cues of the front end, in their order."""
+    """The lines said about the focused item, and the cues of the front end, in their order."""
     heard: list[str] = []
     publish = Hub.publish
 
@@ -100,14 +100,14 @@ async def test_each_row_of_the_help_and_of_the_keys_behind_a_key_is_said(work, p
         assert not any(pointed[0] in line for line in desk.log)
 
 
-async def test_a_row_of_the_log_is_said_to_whoever_goes_there_alone(work, pointed) -> None:  # type: ignore[no-untyped-def]
+async def test_a_row_of_the_log_is_said_only_when_the_focus_reaches_it(work, pointed) -> None:  # type: ignore[no-untyped-def]
     async with work() as desk:
         await desk.type_line('SPEAK "lone wolf"')
-        await desk.told("lone wolf")
+        await desk.shows("lone wolf")
         await desk.type_line("FIND wolf")
         await desk.until(lambda: sum("wolf" in line for line in desk.log) > 1, "what was found")
         await desk.pilot.pause()
-        assert pointed == ["Command line."], "the answer is told already"
+        assert pointed == ["Command line."], "the answer was printed already"
         desk.place.log_rows.focus()
         await desk.press("home")
         await desk.until(lambda: pointed[-1] == desk.log[0], "the oldest row")
@@ -168,26 +168,26 @@ async def test_without_cues_enter_is_silent(work, pointed) -> None:  # type: ign
 async def test_quiet_is_answered_in_the_log(work) -> None:  # type: ignore[no-untyped-def]
     async with work() as desk:
         await desk.type_line("QUIET")
-        await desk.told("Quiet. LAST says it again.")
+        await desk.shows("Quiet. LAST says it again.")
 
 
 async def test_cues_are_named_one_a_line(work) -> None:  # type: ignore[no-untyped-def]
     async with work() as desk:
         await desk.type_line("CUES")
-        await desk.told("Sounds are off here.")
-        await desk.told("forward: A step forward.")
-        await desk.told("close: A block ends.")
+        await desk.shows("Sounds are off here.")
+        await desk.shows("forward: A step forward.")
+        await desk.shows("close: A block ends.")
 
 
 async def test_what_is_chosen_about_the_voice_counts_at_once(work, tmp_path, monkeypatch) -> None:  # type: ignore[no-untyped-def]
-    """V6."""
+    """The next sentence has the new values."""
     monkeypatch.setenv("XDG_CONFIG_HOME", str(tmp_path))
     async with work() as desk:
-        desk.app.work.prefer("rate", "300")
+        change(desk.app.work.ctx, "rate", "300")
         await desk.told("Words a minute: 300.")
         audible: Audible = desk.app.work.donnie.outlets.audible
         assert audible.settings.rate == 300
-        desk.app.work.prefer("wait_for_speech", True)
+        change(desk.app.work.ctx, "wait_for_speech", "on")
         await desk.told("Programs wait for the voice: on.")
         assert audible.settings.wait_for_speech
 
@@ -195,7 +195,7 @@ async def test_what_is_chosen_about_the_voice_counts_at_once(work, tmp_path, mon
 async def test_each_sound_has_a_volume_of_its_own_that_is_chosen_from_a_list(
     work, tmp_path, monkeypatch
 ) -> None:  # type: ignore[no-untyped-def]
-    """C7."""
+    """SET cues lists the cues."""
     monkeypatch.setenv("XDG_CONFIG_HOME", str(tmp_path))
     async with work() as desk:
         audible: Audible = desk.app.work.donnie.outlets.audible
@@ -204,13 +204,13 @@ async def test_each_sound_has_a_volume_of_its_own_that_is_chosen_from_a_list(
         await desk.press(*"bump", "enter")
         await desk.until(lambda: "bump: A collision. Off." in desk.screen, "the volumes")
         await desk.press(*"off", "enter")
-        await desk.told("Sounds, each: bump 0.")
+        await desk.shows("Sounds, each: bump 0.")
         await desk.press("escape")
         await desk.until(lambda: desk.app.screen is desk.place, "the workplace")
         assert audible.settings.cues == {"bump": 0}
 
         await desk.type_line("SET cue open 40")
-        await desk.told("Sounds, each: bump 0, open 40.")
+        await desk.shows("Sounds, each: bump 0, open 40.")
         assert audible.settings.cues == {"bump": 0, "block-opened": 40}
         assert 'cues = "bump 0, block-opened 40"' in (tmp_path / "donnie" / "settings.toml").read_text()
 
@@ -218,7 +218,7 @@ async def test_each_sound_has_a_volume_of_its_own_that_is_chosen_from_a_list(
 async def test_what_is_typed_is_said_by_the_own_voice_where_that_is_chosen(
     work, tmp_path, monkeypatch
 ) -> None:  # type: ignore[no-untyped-def]
-    """V5."""
+    """Keys or words are echoed."""
     monkeypatch.setenv("XDG_CONFIG_HOME", str(tmp_path))
     monkeypatch.setattr(Audible, "echoes", property(lambda _: True))
     heard: list[str] = []
@@ -226,10 +226,10 @@ async def test_what_is_typed_is_said_by_the_own_voice_where_that_is_chosen(
     async with work() as desk:
         await desk.press("a")
         assert heard == []
-        desk.app.work.prefer("key_echo", "characters")
+        change(desk.app.work.ctx, "key_echo", "characters")
         await desk.press("b", "backspace")
         assert heard == ["b.", "b."]
-        desk.app.work.prefer("key_echo", "words")
+        change(desk.app.work.ctx, "key_echo", "words")
         desk.place.command_line.focus()
         await desk.pilot.pause()
         await desk.press(*"FW 1", "enter")

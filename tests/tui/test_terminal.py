@@ -73,7 +73,7 @@ def test_a_signal_halts_keeps_the_text_and_gives_the_terminal_back(terminal, tmp
 
 @pytest.mark.parametrize("controls", [True, False], ids=["heard", "unheard"])
 def test_a_lost_line_halts_and_keeps_the_text(terminal, tmp_path, controls):
-    """As when SSH breaks off: nobody reads, nothing comes; with and without the signal that tells it."""
+    """As when SSH breaks off: no reader and no keys, with and without the hang-up signal."""
     donnie = terminal("--speed", "1", controls=controls)
     donnie.type("FW 1000")
     donnie.shows("1  FW 1000")
@@ -161,10 +161,12 @@ def test_a_lesson_from_typing_to_leaving(terminal):
     donnie.type(F8)
     donnie.shows("I was stopped.")
     donnie.shows("Stopped at line 3.")
-    told = re.search(r"I walked only (\d) steps? forward. I was stopped.", "\n".join(donnie.screen.display))
-    assert told
-    assert 1 <= int(told[1]) < 9
-    assert steps_walked(donnie) == int(told[1])
+    printed = re.search(
+        r"I walked only (\d) steps? forward. I was stopped.", "\n".join(donnie.screen.display)
+    )
+    assert printed
+    assert 1 <= int(printed[1]) < 9
+    assert steps_walked(donnie) == int(printed[1])
     donnie.type(F7)
     donnie.shows("Line 1: PROCEDURE RECTANGLE")
     donnie.type(F7)

@@ -5,9 +5,6 @@ import os
 import signal
 import struct
 import termios
-from statistics import median
-
-import pytest
 
 from tests.tui.terminal import (
     CTRL_Q,
@@ -36,21 +33,6 @@ def test_the_terminal_s_cursor_is_visible_and_stands_at_the_focus(terminal):
 
     donnie.until(lambda: under_the_cursor(donnie) == ("> ", " "), "the cursor in the command line")
     assert not donnie.screen.cursor.hidden
-
-
-@pytest.mark.parametrize(("layout", "most"), [((), 1500), (("--plain",), 2500)], ids=["panes", "plain"])
-def test_going_to_the_next_pane_writes_what_changes(terminal, layout, most):
-    """Titles, the status line and the keys, not the whole screen; in the plain layout another pane."""
-    donnie = terminal(*layout)
-    donnie.type(TAB)  # where Textual paints styles for the first time
-    assert falls_silent(donnie, 1.0)
-    for _ in range(3):
-        before = len(donnie.raw)
-        donnie.type(TAB)
-        donnie.until(lambda before=before: len(donnie.raw) > before, "an answer")
-        assert falls_silent(donnie, 1.0)
-
-        assert len(donnie.raw) - before < most
 
 
 def test_the_size_of_the_terminal_may_change(terminal):
@@ -116,19 +98,3 @@ def test_the_cursor_stands_right_after_what_is_typed(terminal):
     donnie.shows("yes or no:")
     donnie.type("maybe")
     donnie.until(lambda: under_the_cursor(donnie) == ("maybe", " "), "the cursor after the answer")
-
-
-def test_a_typed_key_costs_few_bytes(terminal):
-    donnie = terminal()
-    donnie.type(TAB * 3)
-    donnie.shows(" Command line.")
-    costs = []
-    for letter in "SPEAK 12345":
-        while donnie.read(0.3):
-            pass
-        donnie.type(letter)
-        costs.append(len(donnie.read(5.0)))
-        while donnie.read(0.2):
-            costs[-1] += 1
-
-    assert median(costs) <= 100  # on a busy machine something late may fall into one of them

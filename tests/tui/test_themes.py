@@ -5,7 +5,7 @@ from collections.abc import Iterator
 import pytest
 from rich.segment import Segment
 
-from donnie_tui.settings.keys import THEMES
+from donnie_tui.settings.settings import THEMES
 from donnie_tui.tui import themes
 
 LEAST_TEXT, LEAST_BORDER = 7.0, 4.5
@@ -60,7 +60,7 @@ async def test_every_text_that_is_painted_has_a_contrast_of_seven(work, name):
     async with work(PROGRAM, world="living_room", size=(120, 40)) as desk:
         desk.app.theme = name
         await desk.press("f5")
-        await desk.told("Error, line 6")
+        await desk.shows("Error, line 6")
         await desk.idle()
         faint = too_faint(desk.app)
         for widget in (desk.place.map, desk.place.log_rows, desk.place.inspector, desk.place.command_line):
@@ -75,7 +75,7 @@ async def test_every_text_that_is_painted_has_a_contrast_of_seven(work, name):
         for key, leave in (("f1", "escape"), ("ctrl+p", "escape"), ("ctrl+n", "escape")):
             await desk.press(key)
             await desk.until(lambda: desk.app.screen is not desk.place, key)
-            await desk.pilot.pause(0.1)
+            await desk.painted()
             faint |= too_faint(desk.app)
             await desk.press(leave)
             await desk.until(lambda: desk.app.screen is desk.place, leave)
@@ -149,7 +149,7 @@ def test_every_setting_of_the_look_is_one():
 
 @pytest.mark.parametrize("name", themes.NAMES)
 @pytest.mark.parametrize("keys", [("ctrl+g",), ("down", "end", "ctrl+@")], ids=["question", "words"])
-async def test_what_somebody_asks_about_is_seen_beside_the_question(work, name, keys):
+async def test_the_program_stays_visible_next_to_a_question(work, name, keys):
     """In the terminal's own colours, too, which Textual can't make transparent by a percentage."""
     async with work("FW 1\nREP") as desk:
         desk.app.theme = name

@@ -4,8 +4,8 @@ from __future__ import annotations
 
 import pytest
 
-from donnie_tui.i18n.tour import SCREEN_PAGES
-from donnie_tui.tui.running import Doing
+from donnie_tui.core.run_controller import RunState
+from donnie_tui.i18n.help import SCREEN_TOUR_PAGES
 from tests.tui.conftest import WAITING
 
 
@@ -20,14 +20,14 @@ async def closed(desk) -> None:  # type: ignore[no-untyped-def]
 
 async def turn_to(desk, page: int, key: str = "enter") -> None:  # type: ignore[no-untyped-def]
     await desk.press(key)
-    await desk.until(lambda: f"Tour, page {page} of {SCREEN_PAGES}." in desk.screen, f"page {page}")
+    await desk.until(lambda: f"Tour, page {page} of {SCREEN_TOUR_PAGES}." in desk.screen, f"page {page}")
 
 
 async def test_enter_turns_the_pages_and_closes_behind_the_last_one(work) -> None:  # type: ignore[no-untyped-def]
     async with work() as desk:
         await touring(desk)
         seen = [desk.screen]
-        for page in range(2, SCREEN_PAGES + 1):
+        for page in range(2, SCREEN_TOUR_PAGES + 1):
             await turn_to(desk, page)
             seen.append(desk.screen)
         await desk.press("enter")
@@ -35,7 +35,7 @@ async def test_enter_turns_the_pages_and_closes_behind_the_last_one(work) -> Non
         await touring(desk)
         again = desk.screen
 
-    assert len(set(seen)) == SCREEN_PAGES
+    assert len(set(seen)) == SCREEN_TOUR_PAGES
     assert "Your program drives it." in seen[0]
     assert "Have fun." in seen[-1]
     assert all(len([line for line in page.splitlines() if line.strip()]) <= 6 for page in seen)
@@ -73,7 +73,7 @@ async def test_it_is_in_the_learner_s_language(work, language, first, last) -> N
     async with work(language=language) as desk:
         desk.app.work.do("tour")
         await desk.until(lambda: first in desk.screen, first)
-        await desk.press(*["enter"] * (SCREEN_PAGES - 1))
+        await desk.press(*["enter"] * (SCREEN_TOUR_PAGES - 1))
         await desk.until(lambda: last in desk.screen, last)
 
 
@@ -84,16 +84,16 @@ async def test_a_page_is_said_whole(work, monkeypatch) -> None:  # type: ignore[
         await touring(desk)
         await desk.until(lambda: said, "the first page")
 
-        assert said[0].startswith(f"Tour, page 1 of {SCREEN_PAGES}.")
+        assert said[0].startswith(f"Tour, page 1 of {SCREEN_TOUR_PAGES}.")
         assert "Donnie is a robot" in said[0]
         assert "brings it back." in said[0]
 
 
 async def test_what_it_says_to_do_does_it(work) -> None:  # type: ignore[no-untyped-def]
-    """Pages 2 to 7, as they are told."""
+    """Does what pages 2 to 7 say."""
     async with work(world="living_room") as desk:
         await desk.press(*"FW", "space", "3", "f5")
-        await desk.told("I walked 3 steps")
+        await desk.shows("I walked 3 steps")
         await desk.idle()
         order = []
         for _ in range(4):
@@ -103,13 +103,13 @@ async def test_what_it_says_to_do_does_it(work) -> None:  # type: ignore[no-unty
         await desk.press("tab", "right")
         await desk.until(lambda: "Map, 1, 3: free." in desk.status, "the square")
         await desk.press("f", "n", "w")
-        await desk.told("to -1, 28: 2 left, 25 ahead.")
+        await desk.shows("to -1, 28: 2 left, 25 ahead.")
         await desk.press("home")
         await desk.until(lambda: desk.place.map.pointer.cell is None, "back at the robot")
         desk.place.command_line.focus()
-        for typed, told in (("TR 90", "90 degrees"), ("WHERE", "Position 0, 3."), ("SPEED 3", "Speed 3.")):
+        for typed, shows in (("TR 90", "90 degrees"), ("WHERE", "Position 0, 3."), ("SPEED 3", "Speed 3.")):
             await desk.press(*("space" if each == " " else each for each in typed), "enter")
-            await desk.told(told)
+            await desk.shows(shows)
             await desk.idle()
         await desk.press("up")
         assert desk.place.command_line.value == "SPEED 3"
@@ -125,14 +125,14 @@ async def test_what_it_says_to_do_does_it(work) -> None:  # type: ignore[no-unty
 async def test_its_keys_for_running_step_by_step_do_so(work) -> None:  # type: ignore[no-untyped-def]
     async with work(f"VAR a = 1\nVAR b = 2\n{WAITING}", speed=1.0) as desk:
         await desk.press("f7")
-        await desk.told("Line 1: VAR a = 1")
+        await desk.shows("Line 1: VAR a = 1")
         await desk.press("f7")
-        await desk.told("Line 2: VAR b = 2")
+        await desk.shows("Line 2: VAR b = 2")
         await desk.press("f6")
-        await desk.doing(Doing.RUNNING)
+        await desk.doing(RunState.RUNNING)
         await desk.press("f12")
-        await desk.told("Speed 2.")
+        await desk.shows("Speed 2.")
         await desk.press("f11")
-        await desk.told("Speed 1.")
+        await desk.shows("Speed 1.")
         await desk.press("ctrl+c")
-        await desk.told("Stopped at line")
+        await desk.shows("Stopped at line")

@@ -75,7 +75,7 @@ class Application(Pump):
     def do(self, name: str) -> None:
         self.turns.do(partial(self.done.append, name))
 
-    async def patience_ends(self) -> None:
+    async def time_out(self) -> None:
         for _ in range(LOOKS):
             await self.timers[-1].ring()
 
@@ -85,7 +85,7 @@ class Application(Pump):
             await self.work()
 
 
-async def test_on_a_slow_machine_a_deed_does_not_overtake_the_letters_before_it():
+async def test_a_command_does_not_overtake_earlier_letters_on_a_slow_machine():
     app = Application()
     app.focused.call_later(app.done.append, "letter")
     app.do("run")
@@ -102,23 +102,23 @@ async def test_on_a_slow_machine_a_deed_does_not_overtake_the_letters_before_it(
     assert app.done == ["letter", "run"]
 
 
-async def test_what_waits_behind_a_deed_whose_widget_has_gone_is_done_once_and_all_of_it():
+async def test_keys_after_a_command_of_a_removed_widget_are_all_handled_once():
     app = Application()
     app.do("run")
     app.focused = Pump(app)  # the other one is gone, with its queue
     app.press("a", "b", "c")
-    await app.patience_ends()
+    await app.time_out()
     await app.work()
 
     assert app.done == ["run", "a", "b", "c"]
     assert not app.turns.is_holding
 
 
-async def test_a_deed_that_comes_after_its_patience_is_not_done_again_nor_the_next_one_early():
+async def test_a_command_after_its_timeout_is_not_repeated_nor_the_next_one_early():
     app = Application()
     app.do("run")
     slow, app.focused = app.focused, Pump(app)
-    await app.patience_ends()
+    await app.time_out()
     await app.work()
     app.focused.call_later(app.done.append, "letter")
     app.do("save")
@@ -131,7 +131,7 @@ async def test_a_deed_that_comes_after_its_patience_is_not_done_again_nor_the_ne
     assert app.done == ["run", "letter", "save"]
 
 
-async def test_a_deed_behind_another_one_waits_for_it_and_none_is_lost():
+async def test_a_command_after_another_one_waits_for_it_and_none_is_lost():
     app = Application()
     app.do("run")
     app.do("save")

@@ -6,13 +6,13 @@ import pytest
 
 
 def answers(desk) -> list[str]:  # type: ignore[no-untyped-def]
-    """What was told since the last typed line."""
+    """The lines since the last typed line."""
     typed = max(at for at, line in enumerate(desk.log) if line.startswith("> "))
     return list(desk.log[typed + 1 :])
 
 
-async def type_and_hear(desk, typed: str) -> None:  # type: ignore[no-untyped-def]
-    """To the end of what it does."""
+async def type_and_wait(desk, typed: str) -> None:  # type: ignore[no-untyped-def]
+    """Type a line and wait for the end of its command."""
     before = len(desk.log)
     await desk.type_line(typed)
     await desk.until(lambda: f"> {typed}" in desk.log[before:] and answers(desk), typed)
@@ -21,7 +21,7 @@ async def type_and_hear(desk, typed: str) -> None:  # type: ignore[no-untyped-de
 
 
 @pytest.mark.parametrize(("language", "done"), [("en", "Done."), ("pt", "Feito."), ("es", "Hecho.")])
-async def test_what_tells_nothing_is_answered_with_done(work, language, done) -> None:  # type: ignore[no-untyped-def]
+async def test_a_command_without_output_is_answered_with_done(work, language, done) -> None:  # type: ignore[no-untyped-def]
     async with work(language=language) as desk:
         await desk.type_line("VAR a = 3")
         await desk.until(lambda: answers(desk) == [done], done)
@@ -32,14 +32,14 @@ async def test_what_tells_nothing_is_answered_with_done(work, language, done) ->
         assert desk.status.startswith(f" {done}")
 
 
-async def test_what_tells_something_is_not_answered_with_done_as_well(work) -> None:  # type: ignore[no-untyped-def]
+async def test_a_command_with_output_is_not_answered_with_done(work) -> None:  # type: ignore[no-untyped-def]
     async with work() as desk:
         for typed in ("VAR a = 3", "SPEAK a", "FWD 1", "WATCH a", "a = 4"):
-            await type_and_hear(desk, typed)
+            await type_and_wait(desk, typed)
             assert ("Done." in answers(desk)) is (typed == "VAR a = 3"), typed
 
 
-async def test_a_program_that_tells_nothing_ends_as_programs_do(work) -> None:  # type: ignore[no-untyped-def]
+async def test_a_program_without_output_ends_with_the_usual_line(work) -> None:  # type: ignore[no-untyped-def]
     async with work() as desk:
         await desk.run("VAR a = 3")
 
@@ -56,7 +56,7 @@ async def test_a_program_that_tells_nothing_ends_as_programs_do(work) -> None:  
 )
 async def test_the_status_line_keeps_what_is_wrong_and_not_the_line(work, typed, wrong) -> None:  # type: ignore[no-untyped-def]
     async with work() as desk:
-        await type_and_hear(desk, typed)
+        await type_and_wait(desk, typed)
 
         assert desk.status.startswith(f" {answers(desk)[0]}"), desk.log
         assert wrong in desk.status
@@ -64,14 +64,14 @@ async def test_the_status_line_keeps_what_is_wrong_and_not_the_line(work, typed,
 
 async def test_an_answer_takes_the_place_of_a_mistake(work) -> None:  # type: ignore[no-untyped-def]
     async with work() as desk:
-        await type_and_hear(desk, "xyzzy")
+        await type_and_wait(desk, "xyzzy")
         await desk.type_line("VAR a = 3")
         await desk.until(lambda: desk.status.startswith(" Done."), "the answer")
 
 
 async def test_up_and_down_leave_the_line_that_is_being_typed_where_it_was(work) -> None:  # type: ignore[no-untyped-def]
     async with work() as desk:
-        await type_and_hear(desk, "VAR a = 3")
+        await type_and_wait(desk, "VAR a = 3")
         await desk.press(*"SPEAK", "down")
         assert desk.place.command_line.value == "SPEAK"
 
@@ -84,18 +84,18 @@ async def test_up_and_down_leave_the_line_that_is_being_typed_where_it_was(work)
 async def test_the_key_of_typed_lists_the_line_typed_last_too(work) -> None:  # type: ignore[no-untyped-def]
     async with work() as desk:
         for typed in ("VAR a = 3", "FW 1"):
-            await type_and_hear(desk, typed)
+            await type_and_wait(desk, typed)
         await desk.press("ctrl+k", "Y")
         await desk.until(lambda: desk.app.screen is not desk.place, "the list")
 
         assert desk.app.screen.rows.lines == ("FW 1", "VAR a = 3")
 
 
-async def test_a_block_that_is_begun_at_the_command_line_is_told_where_its_lines_go(work):
+async def test_a_block_begun_at_the_command_line_gets_a_hint(work):
     async with work(language="pt") as desk:
         await desk.type_line("REPITA 2 VEZES")
-        await desk.told("Aqui um bloco é uma linha só, com FIM REPITA. Mais linhas vão no programa.")
+        await desk.shows("Aqui um bloco é uma linha só, com FIM REPITA. Mais linhas vão no programa.")
         await desk.type_line("REPITA 2 VEZES PF 1 FIM REPITA")
-        await desk.told("Andei 1 passo para frente.")
+        await desk.shows("Andei 1 passo para frente.")
 
         assert not any("não tem FIM REPITA" in line for line in desk.log)

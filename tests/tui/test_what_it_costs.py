@@ -10,8 +10,8 @@ from textual.geometry import Region
 from textual.widget import Widget
 from textual.widgets.text_area import Selection
 
-from donnie_tui.tui.glances import SELDOM, SOON, Glances
 from donnie_tui.tui.highlighting import highlights
+from donnie_tui.tui.run_view import SELDOM, SOON, Polling
 from donnie_tui.tui.widgets.map_view import MapView
 
 
@@ -45,14 +45,14 @@ class Timer:
             self.clock.timers.remove(self)
 
 
-def begun() -> tuple[Clock, Glances, list[float]]:
+def begun() -> tuple[Clock, Polling, list[float]]:
     clock, looks = Clock(), list[float]()
-    glances = Glances(lambda: looks.append(clock.now), clock.later)
-    glances.begin()
-    return clock, glances, looks
+    polling = Polling(lambda: looks.append(clock.now), clock.later)
+    polling.begin()
+    return clock, polling, looks
 
 
-def test_a_program_of_which_nothing_is_heard_is_looked_at_once_a_second_and_wakes_nobody_else() -> None:
+def test_a_silent_program_is_polled_once_a_second_and_wakes_nothing_else() -> None:
     clock, _, looks = begun()
     clock.go_on(SOON)
     assert looks == [SOON]
@@ -67,36 +67,36 @@ def test_a_program_of_which_nothing_is_heard_is_looked_at_once_a_second_and_wake
     assert woken == len(looks) - 1
 
 
-def test_a_program_of_which_something_is_heard_is_looked_at_soon_and_at_most_five_times_a_second() -> None:
-    clock, glances, looks = begun()
+def test_a_talking_program_is_polled_soon_and_at_most_five_times_a_second() -> None:
+    clock, polling, looks = begun()
     clock.go_on(10)
     heard_at = clock.now
     looks.clear()
-    glances.heard()
+    polling.on_event()
     clock.go_on(SOON)
     assert looks == [heard_at + SOON]
 
     looks.clear()
     for _ in range(20 * 10):
-        glances.heard()
+        polling.on_event()
         clock.go_on(1 / 20)
     assert 40 <= len(looks) <= 10 / SOON
 
 
 def test_nothing_is_looked_at_after_the_end() -> None:
-    clock, glances, looks = begun()
-    glances.begin()
-    assert glances.are_on
+    clock, polling, looks = begun()
+    polling.begin()
+    assert polling.is_on
     assert len(clock.timers) == 1
-    glances.end()
-    glances.heard()
+    polling.end()
+    polling.on_event()
     clock.go_on(10)
 
     assert not looks
-    assert not glances.are_on
+    assert not polling.is_on
 
 
-async def test_what_only_arranges_others_is_not_painted(work):
+async def test_a_container_is_not_painted(work):
     async with work(size=(120, 40)) as desk:
         painted = desk.place._compositor.visible_widgets
         assert not [each for each in painted if isinstance(each, Horizontal | Vertical)]
@@ -135,7 +135,7 @@ async def test_a_run_that_begins_where_the_robot_stands_paints_no_more_of_the_ma
         assert len(rows) >= 20
         rows.clear()
         await desk.press("f5")
-        await desk.told("The program is done.")
+        await desk.shows("The program is done.")
         await desk.pilot.pause()
 
         assert len({*rows}) <= 1
@@ -166,9 +166,7 @@ async def test_rows_that_are_painted_again_have_the_looks_that_they_had(work, mo
 
 
 @pytest.mark.parametrize(("selected", "most"), [(False, 0), (True, 2)])
-async def test_where_the_selection_is_is_looked_for_once_a_picture_and_not_for_each_row_of_a_long_line(
-    work, monkeypatch, selected, most
-):
+async def test_the_selection_is_located_once_a_frame_and_not_for_each_row(work, monkeypatch, selected, most):
     async with work("FW 1\n" + "x" * 5000) as desk:
         editor = desk.place.editor
         if selected:

@@ -1,8 +1,9 @@
-"""Writing a program: words are offered, mistakes marked and mended, places found and replaced."""
+"""Writing a program: completion, marked and fixed mistakes, search and replace."""
 
 import pytest
 
-from donnie_tui.tui.screens.completions import Completions
+from donnie_tui.commands.settings import change
+from donnie_tui.tui.screens.dialogs import Completions
 from tests.tui.kept_settings import kept
 
 
@@ -67,7 +68,7 @@ async def test_what_is_only_offered_is_underlined(work):
 
 async def test_completion_can_be_switched_off_and_that_is_kept(work, tmp_path):
     async with work() as desk:
-        desk.app.work.prefer("completion", "off")
+        change(desk.app.work.ctx, "completion", "off")
         await desk.press(*"REPE")
         await desk.pilot.pause()
 
@@ -78,7 +79,7 @@ async def test_completion_can_be_switched_off_and_that_is_kept(work, tmp_path):
 # --- mistakes
 
 
-async def test_a_mistake_is_marked_while_somebody_types_with_its_sentence(work):
+async def test_a_mistake_is_marked_with_its_sentence_while_the_learner_types(work):
     async with work(size=(120, 40)) as desk:
         await desk.press(*"FWD 3")
         await desk.until(lambda: "!1  FWD 3  ! I do not know FWD." in desk.screen, "the mark")
@@ -86,10 +87,10 @@ async def test_a_mistake_is_marked_while_somebody_types_with_its_sentence(work):
         assert "Ctrl+T puts FW." in desk.status
 
 
-async def test_one_key_puts_what_was_meant(work):
+async def test_one_key_fixes_a_mistake(work):
     async with work("FW 1\nREPEAT 2 TIMS FW 1 END REPEAT") as desk:
         await desk.press("ctrl+t")
-        await desk.told("Line 2: TIMES now.")
+        await desk.shows("Line 2: REPEAT 2 TIMES FW 1 END REPEAT")
 
         assert desk.app.work.text == "FW 1\nREPEAT 2 TIMES FW 1 END REPEAT"
         assert desk.place.editor.next_mistake is None
@@ -97,33 +98,33 @@ async def test_one_key_puts_what_was_meant(work):
         assert "TIMS" in desk.app.work.text
 
 
-async def test_after_mending_a_word_typing_goes_on_where_it_was(work):
+async def test_typing_continues_at_the_cursor_after_a_fix(work):
     async with work("") as desk:
         await desk.press(*"FW 1 TRR 90")
         await desk.press("ctrl+t")
-        await desk.told("Line 1: TR now.")
+        await desk.shows("Line 1: FW 1 TR 90")
         await desk.press("enter", *"FW 2")
         await desk.until(lambda: desk.app.work.text == "FW 1 TR 90\nFW 2", desk.app.work.text)
 
 
-async def test_ctrl_z_tells_what_it_took_back_and_ctrl_y_makes_it_again(work):
+async def test_ctrl_z_names_the_undone_change_and_ctrl_y_redoes_it(work):
     async with work("FW 1\nFW 2") as desk:
         await desk.type_line("DELETE 1")
-        await desk.told("Line 1 deleted.")
+        await desk.shows("Line 1 deleted.")
         desk.place.editor.focus()
         await desk.press("ctrl+z")
-        await desk.told("Line 1: FW 1")
+        await desk.shows("Line 1: FW 1")
         assert desk.app.work.text == "FW 1\nFW 2"
 
         await desk.press("ctrl+y")
-        await desk.told("Line 1: FW 2")
+        await desk.shows("Line 1: FW 2")
         assert desk.app.work.text == "FW 2"
 
 
-async def test_what_nobody_can_guess_is_told(work):
+async def test_a_mistake_without_a_fix_is_reported(work):
     async with work('SPEAK "x') as desk:
         await desk.press("ctrl+t")
-        await desk.told("I don't know what was meant.")
+        await desk.shows("I don't know what was meant.")
 
 
 # --- the text as a whole
@@ -137,7 +138,7 @@ async def test_search_goes_to_the_next_place_and_round(work):
         await desk.type_line("SEARCH AGAIN")
         await desk.until(lambda: desk.place.editor.line == 1, "the first line")
         await desk.type_line("SEARCH XYZ")
-        await desk.told("XYZ is not in the program.")
+        await desk.shows("XYZ is not in the program.")
 
 
 async def test_the_line_that_was_found_stays_in_the_status_line_until_a_key_moves_on(work):
@@ -145,7 +146,7 @@ async def test_the_line_that_was_found_stays_in_the_status_line_until_a_key_move
         desk.place.editor.move_cursor((0, 1))
         await desk.type_line("SEARCH fw")
         await desk.until(lambda: desk.place.editor.line == 3, "the third line")
-        await desk.told("Line 3: fw 2")
+        await desk.shows("Line 3: fw 2")
         for _ in range(3):
             await desk.pilot.pause()
         assert "Line 3: fw 2." in desk.status
@@ -153,7 +154,7 @@ async def test_the_line_that_was_found_stays_in_the_status_line_until_a_key_move
         await desk.until(lambda: "Line 3: fw 2." not in desk.status, "another line")
 
 
-async def test_without_completion_a_word_is_still_listed_for_who_asks(work, tmp_path):
+async def test_completions_are_listed_on_request_where_completion_is_off(work, tmp_path):
     async with work(completion=False) as desk:
         await desk.press(*"REPE")
         await desk.pilot.pause()
@@ -169,14 +170,14 @@ async def test_a_word_is_found_without_its_accents_and_selected_where_it_stands(
     """Letters that are longer in capitals stand before it, and on its line."""
     async with work('SPEAK "ßßß"\nSPEAK "ß Olá"') as desk:
         await desk.type_line(f"SEARCH {wanted}")
-        await desk.told('Line 2: SPEAK "ß Olá"')
+        await desk.shows('Line 2: SPEAK "ß Olá"')
         assert desk.place.editor.selected_text == "Olá"
 
 
-async def test_what_stands_nowhere_is_not_asked_about(work):
+async def test_a_missing_word_asks_for_no_replacement(work):
     async with work("FW 1") as desk:
         await desk.type_line("REPLACE BK")
-        await desk.told("BK is not in the program.")
+        await desk.shows("BK is not in the program.")
         assert desk.app.screen is desk.place
 
 
@@ -184,7 +185,7 @@ async def test_replace_counts_and_is_one_thing_to_undo(work):
     async with work("FW 1 FW 2") as desk:
         await desk.type_line("REPLACE FW")
         await desk.answer("BW")
-        await desk.told("2 times replaced.")
+        await desk.shows("2 times replaced.")
         assert desk.app.work.text == "BW 1 BW 2"
         await desk.type_line("UNDO")
 
@@ -194,34 +195,42 @@ async def test_replace_counts_and_is_one_thing_to_undo(work):
 async def test_format_and_translate_change_the_text(work):
     async with work("repeat 2 times fw 1 end repeat") as desk:
         await desk.type_line("FORMAT")
-        await desk.told("Laid out anew.")
+        await desk.shows("Laid out anew.")
         assert desk.app.work.text == "REPEAT 2 TIMES\n  FW 1\nEND REPEAT"
         await desk.type_line("TRANSLATE pt")
         await desk.until(lambda: "REPITA" in desk.app.work.text, "the keywords")
         desk.app.work.load("FW FW")
         await desk.type_line("FORMAT")
-        await desk.told("There is a mistake in line 1")
+        await desk.shows("There is a mistake in line 1")
 
 
 async def test_several_programs_keep_their_texts_and_files(work, tmp_path):
     (tmp_path / "one.gd").write_text("FW 1\n")
     async with work(file=tmp_path / "one.gd") as desk:
-        files = desk.app.work.files
-        files.turn_to(None)
+        await desk.type_line("PROGRAMS")
+        await desk.until(lambda: "another, empty program" in desk.screen, "the list")
+        await desk.press("end", "enter")
+        await desk.shows("Now new program.")
+        desk.place.editor.focus()
         await desk.press(*"FW 2")
-        assert [name for name, _ in files.open_programs] == ["one.gd, 1 line", "new program, 1 line, changed"]
-        files.turn_to(0)
+        await desk.type_line("PROGRAMS")
+        await desk.until(lambda: "one.gd, 1 line" in desk.screen, "the list")
+        assert "new program, 1 line, changed" in desk.screen
+        await desk.press("home", "enter")
+        await desk.shows("Now one.gd.")
         assert desk.app.work.text == "FW 1"
-        files.turn_to(1)
 
+        workspace = desk.app.work.workspace
+        workspace.turn_to(workspace.documents[1])
         assert desk.app.work.text == "FW 2"
-        assert files.document.path is None
+        assert workspace.document.path is None
 
 
 async def test_leaving_asks_for_each_program_that_is_not_saved(work):
     async with work() as desk:
         await desk.press(*"FW 1")
-        desk.app.work.files.turn_to(None)
+        workspace = desk.app.work.workspace
+        workspace.turn_to(workspace.add_document())
         await desk.press("ctrl+q")
         await desk.answer("no")
         await desk.until(lambda: not desk.app.is_running or desk.app._exit, "the end")
@@ -231,7 +240,7 @@ async def test_what_was_opened_lately_is_offered(work, tmp_path):
     (tmp_path / "one.gd").write_text("FW 1\n")
     async with work() as desk:
         await desk.type_line(f"OPEN {tmp_path / 'one.gd'}")
-        await desk.told("one.gd")
+        await desk.shows("one.gd")
         await desk.type_line("RECENT")
         await desk.until(lambda: "Recent programs" in desk.screen, "the list")
 

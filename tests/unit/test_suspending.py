@@ -1,4 +1,4 @@
-"""Whether there is anybody who could bring back what rests."""
+"""Whether a suspended process still has a terminal that could resume it."""
 
 import os
 
@@ -15,7 +15,7 @@ def test_a_terminal_that_was_closed_is_gone() -> None:
         os.close(terminal)
 
 
-def test_a_pipe_whose_writer_is_done_is_no_terminal() -> None:
+def test_a_pipe_with_a_closed_writer_is_no_terminal() -> None:
     reading, writing = os.pipe()
     os.close(writing)
     try:

@@ -1,57 +1,55 @@
-"""A line with a simulated board at its end, in virtual time, and what is asked of both in the tests."""
+"""A link with a simulated board at its end, in virtual time."""
 
 from __future__ import annotations
 
-from devices.firmware_double.board import SimulatedBoard
-from devices.firmware_double.faults import BadWire
-from devices.firmware_double.surroundings import Surroundings
-from devices.firmware_double.virtual_line import VirtualLine
-from devices.ports.robot import LinkNews
-from devices.wire.commands import Drive, frame
-from devices.wire.connection import Connection
-from devices.wire.link_config import LinkConfig
-from devices.wire.link_state import LinkState
+from devices.board_simulator.board import NoisyWire, SimulatedBoard
+from devices.board_simulator.floor import Floor
+from devices.board_simulator.robot import VirtualLink
+from devices.ports.robot import LinkNotice
+from devices.wire.commands import MotorDrive, encode_frame
+from devices.wire.connection import BoardConnection
+from devices.wire.link_state import LinkConfig, LinkState
 
 FAR = 1e9
 
 HALF_A_FRAME = bytes.fromhex("aabb3228")
-"""Announces fifty bytes, and swallows whatever comes next as them."""
+"""Announces fifty bytes: the board takes the next ones for its data."""
 
 
 class Bench:
-    """Connected from the beginning, unless it is told not to be."""
+    """Connected from the beginning by default."""
 
     def __init__(
         self,
-        surroundings: Surroundings | None = None,
+        floor: Floor | None = None,
         *,
         connected: bool = True,
         resets_on_open: bool = True,
         noise: float = 0.0,
         cut: float = 0.0,
     ) -> None:
-        self.news: list[LinkNews] = []
+        self.notices: list[LinkNotice] = []
         self.texts: list[str] = []
-        self.board = SimulatedBoard(surroundings, boot_loader=0.5)
-        self.line = VirtualLine(
+        self.board = SimulatedBoard(floor, boot_loader=0.5)
+        self.link = VirtualLink(
             self.board,
-            on_event=lambda news, _: self.news.append(news),
-            wire=BadWire(noise, cut, seed=7),
+            on_notice=lambda notice, _: self.notices.append(notice),
+            wire=NoisyWire(noise, cut, seed=7),
             resets_on_open=resets_on_open,
             on_text=self.texts.append,
         )
         self.written: list[tuple[float, bytes]] = []
-        self.line.written = self.written
+        self.link.written = self.written
         if connected:
-            self.line.connect()
+            self.link.connect()
 
-    def drive(self, seconds: float, drive: Drive = Drive.FORWARD, until: float = FAR) -> bool:
-        """Drive as a robot would, renewing it; False once the permit is void."""
-        permit = self.line.permit()
+    def drive(self, seconds: float, drive: MotorDrive = MotorDrive.FORWARD, until: float = FAR) -> bool:
+        """Drive as a robot would, renewing it. False once the permit is void."""
+        permit = self.link.permit()
         for _ in range(round(seconds / 0.02)):
-            if not self.line.drive(permit, drive, until):
+            if not self.link.drive(permit, drive, until):
                 return False
-            self.line.advance(0.02)
+            self.link.advance(0.02)
         return True
 
     def sent_since(self, at: float) -> list[bytes]:
@@ -59,10 +57,10 @@ class Bench:
 
     @property
     def is_up(self) -> bool:
-        return self.line.state is LinkState.STREAMING
+        return self.link.state is LinkState.STREAMING
 
 
-def board_that_drives_on(half_a_frame: bytes = b"") -> SimulatedBoard:
+def abandoned_board(half_a_frame: bytes = b"") -> SimulatedBoard:
     """Configured and driving, its host gone, perhaps in the middle of a frame."""
     board = SimulatedBoard(boot_loader=0.0)
     board.advance(1.5)
@@ -73,14 +71,14 @@ def board_that_drives_on(half_a_frame: bytes = b"") -> SimulatedBoard:
     return board
 
 
-def streaming() -> Connection:
-    """As a Connection is once a board has answered, at second 1."""
-    connection = Connection(LinkConfig())
+def streaming() -> BoardConnection:
+    """A connection whose board has answered, at second 1."""
+    connection = BoardConnection(LinkConfig())
     connection.open(0.0)
     connection.opened(0.0)
-    connection.received(frame(0xC7, b"\x2b"), 0.1)
+    connection.received(encode_frame(0xC7, b"\x2b"), 0.1)
     for now in (0.1, 0.2, 0.3):
         connection.actions(now)
-    connection.received(frame(0x81, bytes(8)), 1.0)
+    connection.received(encode_frame(0x81, bytes(8)), 1.0)
     assert connection.state is LinkState.STREAMING
     return connection

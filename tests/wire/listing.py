@@ -1,12 +1,13 @@
-"""Another reading of what a board said, which shares nothing with the driver: to hold the driver to.
+"""An independent decoder of what a board sent, which shares nothing with the driver, to compare the driver
+with.
 
-It looks at the whole recording at once, at each place for the longest frame's worth of bytes, and computes
-the checksum bit by bit from its definition (CRC-8/MAXIM: x^8 + x^5 + x^4 + 1, least significant bit first).
+It searches the whole recording at once, at each position for the longest frame, and computes the checksum bit
+by bit from its definition (CRC-8/MAXIM: x^8 + x^5 + x^4 + 1, least significant bit first).
 """
 
 from __future__ import annotations
 
-Told = tuple[str, tuple[int, ...] | bytes]
+ListedFrame = tuple[str, tuple[int, ...] | bytes]
 """A kind, and its values."""
 
 
@@ -21,27 +22,27 @@ def crc(data: bytes) -> int:
     return sum(bit << place for place, bit in enumerate(register))
 
 
-def listed(said: bytes) -> list[Told]:
-    """The frames that are in it, as kinds and values. A frame whose data are none is passed over."""
-    found: list[Told] = []
+def listed(said: bytes) -> list[ListedFrame]:
+    """The frames in it, as kinds and values. A frame whose data don't fit its kind is skipped."""
+    found: list[ListedFrame] = []
     at = 0
     while at < len(said):
         size = _whole(said[at : at + 54])
-        if size and (told := _told(said[at + 3], said[at + 4 : at + size - 1])):
-            found.append(told)
+        if size and (values := _values(said[at + 3], said[at + 4 : at + size - 1])):
+            found.append(values)
         at += size or 1
     return found
 
 
 def _whole(piece: bytes) -> int:
-    """How long the frame is that begins there; 0 for none."""
+    """The length of the frame that begins there; 0 for none."""
     if len(piece) < 5 or piece[0] != 0xAA or piece[1] != 0xBB or not 1 <= piece[2] <= 50:
         return 0
     size = piece[2] + 4
     return size if len(piece) >= size and crc(piece[3 : size - 1]) == piece[size - 1] else 0
 
 
-def _told(kind: int, data: bytes) -> Told | None:
+def _values(kind: int, data: bytes) -> ListedFrame | None:
     size, first = len(data), data[0] if data else -1
     if kind == 0x81 and size == 8:
         return "encoders", (_signed(data[0], data[1]), _signed(data[2], data[3]))

@@ -1,4 +1,5 @@
-"""Recordings of the real firmware, which lie beside the project: what was said, by whom, and when."""
+"""Recordings of the real firmware: what was sent, in which direction, and when. They are not in the
+repository."""
 
 from __future__ import annotations
 
@@ -20,15 +21,18 @@ ROBOT_TRACES = (
 
 
 @dataclass(frozen=True)
-class Line:
+class RecordedRow:
     at: float
-    who: str
+    direction: str
     """``rx`` board to host, ``tx`` host to board, ``ctl`` what was done to the board."""
     data: bytes
-    done: str
+    action: str
 
 
-def recording(shared: Path, name: str) -> list[Line]:
+def recording(shared: Path, name: str) -> list[RecordedRow]:
     text = (shared / "devices" / "traces" / f"{name}.jsonl").read_text(encoding="utf-8")
     rows = [json.loads(row) for row in text.splitlines()]
-    return [Line(row["t"], row["dir"], bytes.fromhex(row.get("hex", "")), row.get("cmd", "")) for row in rows]
+    return [
+        RecordedRow(row["t"], row["dir"], bytes.fromhex(row.get("hex", "")), row.get("cmd", ""))
+        for row in rows
+    ]

@@ -1,11 +1,11 @@
-"""The simulated board, given the host's side of each recording, answers as the real firmware did.
+"""Given the host's side of each recording, the simulated board answers as the real firmware did, timing
+aside.
 
-Timing aside: the recordings were made on another clock, in chunks of 20 milliseconds. So per part of a
-recording, from one thing that was done to the next, the text is the same to the byte, but for a frame that a
-reset cut off; battery, bumpers, beeps and outputs tell the same values; the sonars end at the same centimetre
-(one is allowed, as the recordings have it among themselves), the wheels at the same count (4 of a hundred and
-14 are allowed), and each type of frame comes as often (15 of a hundred are allowed, and what fits into one
-chunk).
+The recordings were made on another clock, in chunks of 20 milliseconds. A recording is divided into parts,
+from one action on the board to the next. In each part the text is the same to the byte, except for a frame
+that a reset cut off. Battery, bumpers, beeps and outputs have the same values. The sonars end at the same
+centimetre (with a tolerance of one, as between the recordings), the wheels at the same count (with a
+tolerance of 4 % and 14), and each type of frame comes as often (with a tolerance of 15 % and one chunk).
 """
 
 from __future__ import annotations
@@ -15,47 +15,49 @@ from pathlib import Path
 
 import pytest
 
-from devices.firmware_double.board import SimulatedBoard
-from devices.firmware_double.chassis import Chassis
-from devices.firmware_double.faults import BadWire
-from devices.firmware_double.surroundings import Place, Switch
-from devices.wire.decoder import Decoder
-from devices.wire.reports import Bumpers, Encoders, Message, Outputs, Power, Ranges, Report
-from tests.wire.recordings import ROBOT_TRACES, Line, recording
+from devices.board_simulator.board import NoisyWire, SimulatedBoard
+from devices.board_simulator.floor import AxlePose, BumperSwitch, Chassis
+from devices.wire.reports import Bumpers, Decoder, Encoders, Message, Outputs, Power, Ranges, Report
+from tests.wire.recordings import ROBOT_TRACES, RecordedRow, recording
 
 RECORDED = Chassis(walking=(340.5, 326.6), walking_back=(340.5, 340.5), turning=(170.5, 162.0))
-"""The wheels of the recordings turn as fast as their PWM says: 120 and 115, 120 and 120, 60 and 57 of 255."""
+"""The recorded wheels turn in proportion to their PWM: 120 and 115, 120 and 120, 60 and 57 of 255."""
 
 
 class Bench:
-    """What was put around the board when it was recorded."""
+    """What surrounded the board when it was recorded."""
 
     def __init__(self) -> None:
         self.far: list[float | None] = [100.0] * 7
-        self.pressed: set[Switch] = set()
+        self.pressed: set[BumperSwitch] = set()
 
-    def centimetres(self, place: Place, sonar: int, head: int) -> float | None:
+    def centimetres(self, place: AxlePose, sonar: int, head: int) -> float | None:
         return self.far[sonar]
 
-    def touched(self, place: Place) -> frozenset[Switch]:
+    def touched(self, place: AxlePose) -> frozenset[BumperSwitch]:
         return frozenset(self.pressed)
 
-    def is_free(self, place: Place) -> bool:
+    def is_free(self, place: AxlePose) -> bool:
         return True
 
-    def press_as(self, told: Bumpers) -> None:
-        """As the recording has it where nobody said what was pressed: pins that float."""
-        ne, n, nw, se, s, sw = told.pressed
-        which = {Switch.NE: ne or n, Switch.NW: nw or n, Switch.SE: se or s, Switch.SW: sw or s}
+    def press_as(self, report: Bumpers) -> None:
+        """As recorded, where no action set the bumpers: their pins float."""
+        ne, n, nw, se, s, sw = report.pressed
+        which = {
+            BumperSwitch.NE: ne or n,
+            BumperSwitch.NW: nw or n,
+            BumperSwitch.SE: se or s,
+            BumperSwitch.SW: sw or s,
+        }
         self.pressed = {switch for switch, is_pressed in which.items() if is_pressed}
 
-    def do(self, done: str, board: SimulatedBoard, wire: BadWire) -> None:
-        match done.split():
+    def do(self, action: str, board: SimulatedBoard, wire: NoisyWire) -> None:
+        match action.split():
             case ["range", which, far]:
                 for sonar in range(7) if which == "all" else (int(which),):
                     self.far[sonar] = None if far == "none" else float(far)
             case ["bumper", which, on]:
-                named = set(Switch) if which == "all" else {Switch[which]}
+                named = set(BumperSwitch) if which == "all" else {BumperSwitch[which]}
                 self.pressed = self.pressed | named if on == "1" else self.pressed - named
             case ["battery", volts]:
                 board.millivolts = round(float(volts) * 1000)
@@ -69,10 +71,10 @@ class Bench:
 
 @dataclass
 class Part:
-    """What the board said from one thing that was done to it to the next."""
+    """What the board sent from one action on it to the next."""
 
     seconds: float = 0.0
-    said: bytes = b""
+    sent: bytes = b""
     text: list[str] = field(default_factory=list)
     reports: list[Report] = field(default_factory=list)
 
@@ -80,58 +82,58 @@ class Part:
         return [report for report in self.reports if isinstance(report, kind)]
 
     def changes(self, kind: type[Report]) -> list[Report]:
-        told = self.of(kind)
-        return [b for a, b in zip([None, *told], told, strict=False) if a != b]
+        reports = self.of(kind)
+        return [b for a, b in zip([None, *reports], reports, strict=False) if a != b]
 
 
-def parts(said: list[tuple[float, bytes | None]]) -> list[Part]:
-    """``None`` parts them."""
+def parts(sent: list[tuple[float, bytes | None]]) -> list[Part]:
+    """``None`` begins a new part."""
     found, began = [Part()], 0.0
-    decoder = Decoder(lambda line: found[-1].text.append(line))
-    for at, data in said:
+    decoder = Decoder(lambda text: found[-1].text.append(text))
+    for at, data in sent:
         if data is None:
             found[-1].seconds, began = at - began, at
             found.append(Part())
         else:
-            found[-1].said += data
+            found[-1].sent += data
             found[-1].reports += decoder.feed(data)
-    found[-1].seconds = said[-1][0] - began
+    found[-1].seconds = sent[-1][0] - began
     return found
 
 
-def as_recorded(lines: list[Line]) -> list[Part]:
-    return parts([(line.at, line.data if line.who == "rx" else None) for line in lines])
+def as_recorded(rows: list[RecordedRow]) -> list[Part]:
+    return parts([(row.at, row.data if row.direction == "rx" else None) for row in rows])
 
 
-def as_simulated(lines: list[Line]) -> list[Part]:
-    """The same things done to our board, at the same times."""
-    bench, wire = Bench(), BadWire(seed=1)
-    first = next(line.at for line in lines if line.who == "rx")
+def as_simulated(rows: list[RecordedRow]) -> list[Part]:
+    """The same actions on the simulated board, at the same times."""
+    bench, wire = Bench(), NoisyWire(seed=1)
+    first = next(row.at for row in rows if row.direction == "rx")
     board = SimulatedBoard(bench, RECORDED, boot_loader=first - 1.001)
-    touched = [part.of(Bumpers) for part in as_recorded(lines)]
-    said: list[tuple[float, bytes | None]] = []
+    touched = [part.of(Bumpers) for part in as_recorded(rows)]
+    sent: list[tuple[float, bytes | None]] = []
     now, part = 0.0, 0
-    for line in lines:
-        said.append((line.at, wire.to_host(board.advance(line.at - now))))
-        now = line.at
-        if line.who == "rx":
+    for row in rows:
+        sent.append((row.at, wire.to_host(board.advance(row.at - now))))
+        now = row.at
+        if row.direction == "rx":
             continue
-        said.append((now, None))
+        sent.append((now, None))
         part += 1
-        if line.who == "tx":
-            board.receive(line.data)
+        if row.direction == "tx":
+            board.receive(row.data)
         else:
-            bench.do(line.done, board, wire)
-        if (not line.done.startswith("bumper") and part <= 2) or line.done == "reset":
+            bench.do(row.action, board, wire)
+        if (not row.action.startswith("bumper") and part <= 2) or row.action == "reset":
             later = [each for some in touched[part:] for each in some]
             bench.press_as(later[0]) if later else None
-    return parts(said)
+    return parts(sent)
 
 
 @pytest.fixture(params=ROBOT_TRACES, scope="module")
 def both(request: pytest.FixtureRequest, shared: Path) -> list[tuple[Part, Part]]:
-    lines = recording(shared, request.param)
-    pairs = list(zip(as_recorded(lines), as_simulated(lines), strict=True))
+    rows = recording(shared, request.param)
+    pairs = list(zip(as_recorded(rows), as_simulated(rows), strict=True))
     if request.param == "robot_corrupted_line":
         pairs = [(a, b) for a, b in pairs if a.seconds > 0.2]
         for a, b in pairs:
@@ -146,14 +148,14 @@ def test_it_prints_the_same_text(both: list[tuple[Part, Part]]) -> None:
 
 
 @pytest.mark.parametrize("kind", [Power, Message])
-def test_it_tells_the_same_battery_and_beeps(both: list[tuple[Part, Part]], kind: type[Report]) -> None:
+def test_it_reports_the_same_battery_and_beeps(both: list[tuple[Part, Part]], kind: type[Report]) -> None:
     theirs = Part(reports=[each for part, _ in both for each in part.of(kind)])
     ours = Part(reports=[each for _, part in both for each in part.of(kind)])
 
     assert ours.changes(kind) == theirs.changes(kind)
 
 
-def test_it_tells_the_same_bumpers(both: list[tuple[Part, Part]]) -> None:
+def test_it_reports_the_same_bumpers(both: list[tuple[Part, Part]]) -> None:
     long = [(theirs, ours) for theirs, ours in both if theirs.seconds > 0.06]
 
     assert [ours.changes(Bumpers)[-1:] for _, ours in long] == [
@@ -188,7 +190,7 @@ def test_its_sonars_end_at_the_same_centimetre(both: list[tuple[Part, Part]]) ->
                 assert b.centimetres == pytest.approx(a.centimetres, abs=1)
 
 
-def test_it_says_each_thing_as_often(both: list[tuple[Part, Part]]) -> None:
+def test_it_sends_each_type_of_frame_as_often(both: list[tuple[Part, Part]]) -> None:
     for theirs, ours in both:
         often = {kind: len(theirs.of(kind)) for kind in map(type, theirs.reports + ours.reports)}
         for kind, count in often.items():

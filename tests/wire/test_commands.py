@@ -1,10 +1,9 @@
-"""The frames to the board are the bytes that were recorded and documented."""
+"""The frames to the board are the recorded and documented bytes."""
 
 import pytest
 
 from devices.wire import commands
-from devices.wire.checksum import checksum
-from devices.wire.commands import Drive
+from devices.wire.commands import MotorDrive, checksum
 
 
 def test_the_checksum_is_the_dallas_one() -> None:
@@ -14,15 +13,15 @@ def test_the_checksum_is_the_dallas_one() -> None:
 @pytest.mark.parametrize(
     ("drive", "frame"),
     [
-        (Drive.FORWARD, "AA BB 05 28 0F 7F F0 7F CC"),
-        (Drive.BACKWARD, "AA BB 05 28 F0 7F 0F 7F A6"),
-        (Drive.LEFT, "AA BB 05 28 0F 66 0F 66 88"),
-        (Drive.RIGHT, "AA BB 05 28 F0 66 F0 66 E2"),
-        (Drive.STOP, "AA BB 05 28 00 00 00 00 C6"),
+        (MotorDrive.FORWARD, "AA BB 05 28 0F 7F F0 7F CC"),
+        (MotorDrive.BACKWARD, "AA BB 05 28 F0 7F 0F 7F A6"),
+        (MotorDrive.LEFT, "AA BB 05 28 0F 66 0F 66 88"),
+        (MotorDrive.RIGHT, "AA BB 05 28 F0 66 F0 66 E2"),
+        (MotorDrive.STOP, "AA BB 05 28 00 00 00 00 C6"),
     ],
 )
-def test_each_drive_is_its_recorded_frame(drive: Drive, frame: str) -> None:
-    assert commands.motors(drive) == bytes.fromhex(frame)
+def test_each_drive_is_its_recorded_frame(drive: MotorDrive, frame: str) -> None:
+    assert commands.drive_frame(drive) == bytes.fromhex(frame)
 
 
 @pytest.mark.parametrize(
@@ -30,13 +29,13 @@ def test_each_drive_is_its_recorded_frame(drive: Drive, frame: str) -> None:
     [
         (commands.CONFIGURE, "aabb13c03f800000000000000000000040a0000003fdef"),
         (commands.PING, "aabb02412b5c"),
-        (commands.head(90), "aabb0330105a97"),
-        (commands.head(0), "aabb0330100032"),
-        (commands.outputs(buzzer=True), "aabb02150472"),
-        (commands.outputs(vibrate_left=True), "aabb021508d1"),
-        (commands.outputs(vibrate_right=True), "aabb0215108e"),
-        (commands.outputs(), "aabb02150013"),
-        (commands.beep(440, 300), "aabb071701b80000012c4a"),
+        (commands.head_frame(90), "aabb0330105a97"),
+        (commands.head_frame(0), "aabb0330100032"),
+        (commands.outputs_frame(buzzer=True), "aabb02150472"),
+        (commands.outputs_frame(vibrate_left=True), "aabb021508d1"),
+        (commands.outputs_frame(vibrate_right=True), "aabb0215108e"),
+        (commands.outputs_frame(), "aabb02150013"),
+        (commands.beep_frame(440, 300), "aabb071701b80000012c4a"),
     ],
     ids=["config", "ping", "head-90", "head-0", "buzzer", "vib-l", "vib-r", "outputs-off", "beep"],
 )
@@ -45,16 +44,16 @@ def test_each_command_is_its_recorded_frame(made: bytes, frame: str) -> None:
 
 
 @pytest.mark.parametrize("angle", [-1, 181])
-def test_the_head_is_not_told_what_would_wrap(angle: int) -> None:
+def test_a_head_angle_that_would_wrap_is_refused(angle: int) -> None:
     with pytest.raises(ValueError, match="0 to 180"):
-        commands.head(angle)
+        commands.head_frame(angle)
 
 
-def test_a_frame_that_the_board_could_not_take_is_not_made() -> None:
+def test_a_frame_that_is_too_long_for_the_board_is_refused() -> None:
     with pytest.raises(ValueError, match="too long"):
-        commands.frame(0x15, bytes(50))
+        commands.encode_frame(0x15, bytes(50))
 
 
-def test_a_beep_that_does_not_fit_its_bytes_is_not_made() -> None:
+def test_a_beep_that_does_not_fit_its_bytes_is_refused() -> None:
     with pytest.raises(ValueError, match="no such beep"):
-        commands.beep(70_000, 1)
+        commands.beep_frame(70_000, 1)

@@ -1,4 +1,4 @@
-"""Bytes in, reports out: any chunking gives the same, nothing raises, nothing piles up."""
+"""Bytes in, reports out: any chunking gives the same, no input raises, and nothing accumulates."""
 
 from itertools import accumulate, cycle, islice, pairwise
 from pathlib import Path
@@ -7,11 +7,11 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from devices.wire.commands import HEADER, frame
-from devices.wire.decoder import Decoder
+from devices.wire.commands import HEADER, encode_frame
 from devices.wire.reports import (
     Bumpers,
     ConfigWanted,
+    Decoder,
     Encoders,
     Message,
     Outputs,
@@ -20,24 +20,32 @@ from devices.wire.reports import (
     Ranges,
     Report,
 )
-from tests.wire.listing import Told, crc, listed
+from tests.effort import examples
+from tests.wire.listing import ListedFrame, crc, listed
 from tests.wire.recordings import ROBOT_TRACES, recording
 
-WHOLE = frame(0x81, bytes.fromhex("00c800c000780078"))
+WHOLE = encode_frame(0x81, bytes.fromhex("00c800c000780078"))
 PIECES = st.one_of(
     st.sampled_from(
-        [WHOLE, frame(0x42, bytes((6, 0, 1, 0, 0, 0, 0))), b"\nChecksum Error!", HEADER, b"\xaa", bytes(52)]
+        [
+            WHOLE,
+            encode_frame(0x42, bytes((6, 0, 1, 0, 0, 0, 0))),
+            b"\nChecksum Error!",
+            HEADER,
+            b"\xaa",
+            bytes(52),
+        ]
     ),
     st.binary(max_size=70),
-    st.binary(max_size=20).map(lambda data: frame(0x73, data)),
+    st.binary(max_size=20).map(lambda data: encode_frame(0x73, data)),
 )
 
 
 def read(chunks: list[bytes]) -> tuple[list[Report], list[str], int]:
-    told: list[str] = []
-    decoder = Decoder(told.append)
+    texts: list[str] = []
+    decoder = Decoder(texts.append)
     reports = [report for chunk in chunks for report in decoder.feed(chunk)]
-    return reports, told, decoder.bad_frames
+    return reports, texts, decoder.bad_frames
 
 
 def cut(data: bytes, at: list[int]) -> list[bytes]:
@@ -60,27 +68,17 @@ def test_no_bytes_raise_and_never_more_than_a_frame_and_a_line_is_held(chunks: l
         assert decoder.held <= 54 + 200
 
 
-def test_an_endless_line_of_text_is_told_in_parts_and_not_kept() -> None:
-    told: list[str] = []
-    decoder = Decoder(told.append)
+def test_an_endless_line_of_text_is_split_and_not_kept() -> None:
+    texts: list[str] = []
+    decoder = Decoder(texts.append)
 
     decoder.feed(b"x" * 100_000)
 
-    assert (len(told), decoder.held) == (500, 0)
+    assert (len(texts), decoder.held) == (500, 0)
 
 
-@pytest.mark.parametrize("name", ROBOT_TRACES)
-def test_a_recording_gives_its_frames_in_every_chunking(shared: Path, name: str) -> None:
-    data = b"".join(line.data for line in recording(shared, name) if line.who == "rx")
-    at_once = read([data])
-
-    assert [
-        read([data[i : i + size] for i in range(0, len(data), size)]) for size in (1, 2, 7, 64, 1000)
-    ] == [at_once] * 5
-
-
-def told(report: Report) -> Told:
-    """As the other reading has it."""
+def as_listed(report: Report) -> ListedFrame:
+    """The report, as the independent decoder writes it."""
     match report:
         case Encoders(right=right, left=left):
             return "encoders", (right, left)
@@ -100,78 +98,62 @@ def told(report: Report) -> Told:
             return "config", ()
 
 
-def test_the_other_reading_has_the_checksum_of_the_standard() -> None:
+def test_the_independent_decoder_has_the_checksum_of_the_standard() -> None:
     assert crc(b"123456789") == 0xA1
 
 
-SAID: dict[str, tuple[bytes, list[Told]]] = {}
-"""Of each recording what the board said, and the frames that are in it by the other reading."""
+RECORDED: dict[str, tuple[bytes, list[ListedFrame]]] = {}
+"""Of each recording the bytes of the board, and the frames that the independent decoder finds in them."""
 
 
-@settings(max_examples=15, deadline=None)
+@settings(max_examples=examples(15))
 @given(name=st.sampled_from(ROBOT_TRACES), sizes=st.lists(st.integers(1, 400), min_size=1, max_size=40))
-def test_the_frames_of_a_recording_are_those_of_another_reading_in_every_chunking(
+def test_in_every_chunking_a_recording_has_the_frames_of_the_independent_decoder(
     shared: Path, name: str, sizes: list[int]
 ) -> None:
-    """The sizes are repeated to the end: bytes, pieces of frames, dozens of frames, and each next to each."""
-    if name not in SAID:
-        said = b"".join(line.data for line in recording(shared, name) if line.who == "rx")
-        SAID[name] = said, listed(said)
-    said, frames = SAID[name]
-    ends = [0, *accumulate(islice(cycle(sizes), len(said)))]
-    chunks = [said[a:b] for a, b in pairwise(ends) if a < len(said)]
+    """The sizes repeat to the end: bytes, pieces of frames, dozens of frames, in any combination."""
+    if name not in RECORDED:
+        sent = b"".join(row.data for row in recording(shared, name) if row.direction == "rx")
+        RECORDED[name] = sent, listed(sent)
+    sent, frames = RECORDED[name]
+    ends = [0, *accumulate(islice(cycle(sizes), len(sent)))]
+    chunks = [sent[a:b] for a, b in pairwise(ends) if a < len(sent)]
 
-    assert b"".join(chunks) == said
-    assert [told(each) for each in read(chunks)[0]] == frames
+    assert b"".join(chunks) == sent
+    assert [as_listed(each) for each in read(chunks)[0]] == frames
 
 
-def test_the_other_reading_finds_what_is_known_to_be_in_the_recordings(shared: Path) -> None:
+def test_the_independent_decoder_finds_the_known_numbers_of_frames(shared: Path) -> None:
     counts = {
-        name: len(listed(b"".join(line.data for line in recording(shared, name) if line.who == "rx")))
+        name: len(listed(b"".join(row.data for row in recording(shared, name) if row.direction == "rx")))
         for name in ROBOT_TRACES
     }
     assert counts["robot_boot_unanswered"] == 4
     assert min(count for name, count in counts.items() if name != "robot_boot_unanswered") > 500
 
 
-@settings(max_examples=20, deadline=None)
-@given(st.lists(st.integers(0, 40_000), max_size=30))
-def test_a_recording_of_moves_gives_its_frames_wherever_it_is_cut(at: list[int]) -> None:
-    data = MOVES
-
-    assert read(cut(data, at)) == AT_ONCE
-
-
-MOVES = b"".join(
-    frame(0x81, n.to_bytes(2, "big") * 2 + b"\0\x78\0\x78") + (b"\nFOUND S0" if n % 9 == 0 else b"")
-    for n in range(2500)
-)
-AT_ONCE = read([MOVES])
-
-
-def test_what_the_board_says_is_read_as_values() -> None:
-    told = "aabb02c72bd9 aabb0366401f33 aabb084206000001000000"
-    reports, _, _ = read([bytes.fromhex(told.split()[0] + told.split()[1])])
+def test_frames_are_decoded_to_values() -> None:
+    reports, _, _ = read([bytes.fromhex("aabb02c72bd9 aabb0366401f33")])
 
     assert reports == [ConfigWanted(), Power(8000)]
 
 
-def test_counts_are_signed_and_the_speeds_beside_them_are_not_read() -> None:
-    assert read([frame(0x81, bytes.fromhex("fffe0003007b0078"))])[0] == [Encoders(-2, 3)]
+def test_counts_are_signed_and_the_speeds_after_them_are_ignored() -> None:
+    assert read([encode_frame(0x81, bytes.fromhex("fffe0003007b0078"))])[0] == [Encoders(-2, 3)]
 
 
-def test_power_can_be_below_nothing() -> None:
-    assert read([frame(0x66, b"\x9c\xff")])[0] == [Power(-100)]
+def test_power_can_be_negative() -> None:
+    assert read([encode_frame(0x66, b"\x9c\xff")])[0] == [Power(-100)]
 
 
 def test_a_header_inside_the_data_does_not_begin_a_frame() -> None:
-    inside = frame(0x73, b"\xaa\xbb\x02\x41")
+    inside = encode_frame(0x73, b"\xaa\xbb\x02\x41")
 
     assert read([inside + WHOLE])[0] == [Message(b"\xaa\xbb\x02\x41"), Encoders(200, 192)]
 
 
 def test_after_a_bad_checksum_one_byte_is_dropped_and_the_next_frame_is_found() -> None:
-    """The bad frame's LEN would have swallowed the good one."""
+    """The bad frame's LEN would have included the good one."""
     bad = HEADER + bytes((20, 0x81))
 
     reports, _, bad_frames = read([bad + WHOLE + WHOLE])
@@ -182,13 +164,13 @@ def test_after_a_bad_checksum_one_byte_is_dropped_and_the_next_frame_is_found() 
 def test_text_between_frames_goes_to_the_log_a_line_at_a_time() -> None:
     text = b"\nFOUND S0\nFOUND S1\nPayload reveived"
 
-    _, told, bad = read([text, WHOLE, b"\nChecksum Error!", WHOLE])
+    _, texts, bad = read([text, WHOLE, b"\nChecksum Error!", WHOLE])
 
-    assert (told, bad) == (["FOUND S0", "FOUND S1", "Payload reveived", "Checksum Error!"], 0)
+    assert (texts, bad) == (["FOUND S0", "FOUND S1", "Payload reveived", "Checksum Error!"], 0)
 
 
 @pytest.mark.parametrize("length", [0, 51, 255])
-def test_a_length_that_is_none_is_no_frame(length: int) -> None:
+def test_an_invalid_length_begins_no_frame(length: int) -> None:
     assert read([HEADER + bytes((length,)) + bytes(60) + WHOLE])[0] == [Encoders(200, 192)]
 
 
@@ -220,11 +202,14 @@ def test_a_length_that_is_none_is_no_frame(length: int) -> None:
     ],
 )
 def test_a_good_checksum_over_data_that_do_not_fit_their_type_is_counted_and_ignored(body: bytes) -> None:
-    assert read([frame(body[0], body[1:]) + frame(0x41, b"\x42")]) == ([Pinged()], [], 1)
+    assert read([encode_frame(body[0], body[1:]) + encode_frame(0x41, b"\x42")]) == ([Pinged()], [], 1)
 
 
 def test_bumpers_and_ranges_keep_the_boards_order() -> None:
-    bumpers, ranges = frame(0x42, bytes((6, 0, 1, 0, 0, 0, 1))), frame(0x68, bytes((7, 1, 2, 3, 4, 5, 6, 7)))
+    bumpers, ranges = (
+        encode_frame(0x42, bytes((6, 0, 1, 0, 0, 0, 1))),
+        encode_frame(0x68, bytes((7, 1, 2, 3, 4, 5, 6, 7))),
+    )
 
     assert read([bumpers + ranges])[0] == [
         Bumpers((False, True, False, False, False, True)),

@@ -6,13 +6,12 @@ from collections.abc import Callable
 
 import pytest
 
-from devices.wire.commands import Drive
-from devices.wire.connection import Connection
-from devices.wire.link_config import LinkConfig
-from devices.wire.link_state import TRANSITIONS, Happening, LinkState, following
+from devices.wire.commands import MotorDrive
+from devices.wire.connection import BoardConnection
+from devices.wire.link_state import TRANSITIONS, LinkConfig, LinkState, LinkTrigger, next_state
 from tests.wire.bench import FAR
 
-S, H = LinkState, Happening
+S, H = LinkState, LinkTrigger
 
 
 @pytest.mark.parametrize(
@@ -28,13 +27,13 @@ S, H = LinkState, Happening
         (S.STREAMING, H.SILENCE, S.LOST),
         (S.STREAMING, H.FAILED, S.LOST),
         (S.LOST, H.OPEN, S.OPENING),
-        (S.LOST, H.HEARD, S.WAITING),
+        (S.LOST, H.FRAME_RECEIVED, S.WAITING),
         (S.LOST, H.RESTARTED, S.WAITING),
         *((state, H.CLOSE, S.CLOSED) for state in S),
     ],
 )
-def test_each_happening_leads_where_the_table_says(state: S, happening: H, leads_to: S) -> None:
-    assert following(state, happening) is leads_to
+def test_each_trigger_leads_to_its_state(state: S, happening: H, leads_to: S) -> None:
+    assert next_state(state, happening) is leads_to
 
 
 def test_nothing_leads_from_lost_to_streaming_but_a_greeting() -> None:
@@ -42,9 +41,11 @@ def test_nothing_leads_from_lost_to_streaming_but_a_greeting() -> None:
     assert {state for (state, _), to in TRANSITIONS.items() if to is S.STREAMING} == {S.WAITING}
 
 
-@pytest.mark.parametrize("act", [lambda c: c.drive(0, Drive.FORWARD, FAR, 1.0), lambda c: c.stop(1.0)])
-def test_a_closed_line_drives_nothing_and_needs_nothing(act: Callable[[Connection], object]) -> None:
-    connection = Connection(LinkConfig())
+@pytest.mark.parametrize("act", [lambda c: c.drive(0, MotorDrive.FORWARD, FAR, 1.0), lambda c: c.stop(1.0)])
+def test_a_closed_connection_drives_nothing_and_has_no_actions(
+    act: Callable[[BoardConnection], object],
+) -> None:
+    connection = BoardConnection(LinkConfig())
     act(connection)
 
     assert (connection.driving_since, connection.actions(1.0)) == (None, [])

@@ -1,4 +1,4 @@
-"""The line begins and ends with a robot that stands, whatever the board was in the midst of.
+"""A link begins and ends with a robot that stands, whatever the board was doing.
 
 Each test is named after its row of the table of weaknesses in docs/wire-protocol.md. Time is virtual.
 """
@@ -7,46 +7,44 @@ from __future__ import annotations
 
 import pytest
 
-from devices.firmware_double.board import SimulatedBoard
-from devices.firmware_double.faults import BadWire
-from devices.firmware_double.virtual_line import VirtualLine
-from devices.ports.robot import LinkNews, RobotProblem
-from devices.wire.commands import CONFIGURE, FILLER, STOP, Drive, frame, motors
-from devices.wire.connection import Connection
-from devices.wire.link_config import LinkConfig
-from devices.wire.link_state import LinkState
-from tests.wire.bench import HALF_A_FRAME, Bench, board_that_drives_on
+from devices.board_simulator.board import NoisyWire, SimulatedBoard
+from devices.board_simulator.robot import VirtualLink
+from devices.ports.robot import LinkNotice, RobotProblem
+from devices.wire.commands import CONFIGURE, FILLER, STOP, MotorDrive, drive_frame, encode_frame
+from devices.wire.connection import BoardConnection
+from devices.wire.link_state import LinkConfig, LinkState
+from tests.wire.bench import HALF_A_FRAME, Bench, abandoned_board
 
 
-def adopt(board: SimulatedBoard) -> tuple[VirtualLine, list[tuple[float, bytes]]]:
-    """A line to a board that streams already and is not reset by the port's opening."""
-    line = VirtualLine(board, resets_on_open=False)
-    line.written = written = []
-    line.connect()
-    return line, written
+def adopt(board: SimulatedBoard) -> tuple[VirtualLink, list[tuple[float, bytes]]]:
+    """A link to a board that streams already and is not reset when the port is opened."""
+    link = VirtualLink(board, resets_on_open=False)
+    link.written = written = []
+    link.connect()
+    return link, written
 
 
 # --- open
 
 
-def test_open_a_board_that_was_reset_is_configured_and_told_to_stop() -> None:
+def test_open_a_board_that_was_reset_is_configured_and_stopped() -> None:
     bench = Bench()
 
     assert [data for _, data in bench.written][:3] == [CONFIGURE, STOP, STOP]
-    assert (bench.is_up, bench.news) == (True, [LinkNews.CONNECTED])
+    assert (bench.is_up, bench.notices) == (True, [LinkNotice.CONNECTED])
 
 
 def test_open_a_board_that_streams_already_gets_zeros_a_pause_configuration_and_stop() -> None:
-    line, written = adopt(board_that_drives_on(HALF_A_FRAME))
+    link, written = adopt(abandoned_board(HALF_A_FRAME))
 
     assert [data for _, data in written][:3] == [FILLER, CONFIGURE, STOP]
     assert len(FILLER) == 52
     assert written[1][0] - written[0][0] >= 0.1
-    assert line.state is LinkState.STREAMING
+    assert link.state is LinkState.STREAMING
 
 
-def test_open_stops_a_robot_whose_program_is_gone_even_in_the_middle_of_a_frame() -> None:
-    board = board_that_drives_on(HALF_A_FRAME)
+def test_open_stops_an_abandoned_robot_even_in_the_middle_of_a_frame() -> None:
+    board = abandoned_board(HALF_A_FRAME)
     assert board.is_driving
 
     adopt(board)
@@ -54,22 +52,22 @@ def test_open_stops_a_robot_whose_program_is_gone_even_in_the_middle_of_a_frame(
     assert not board.is_driving
 
 
-def test_open_without_an_answer_fails_after_six_seconds_and_lets_go_of_the_port() -> None:
+def test_open_without_an_answer_fails_after_six_seconds_and_closes_the_port() -> None:
     bench = Bench(connected=False)
     bench.board.is_mute = True
 
-    with pytest.raises(RobotProblem) as told:
-        bench.line.connect()
+    with pytest.raises(RobotProblem) as caught:
+        bench.link.connect()
 
-    assert (told.value.code, bench.line.state) == ("no-answer", LinkState.CLOSED)
-    assert bench.line.now() == pytest.approx(6.0, abs=0.2)
+    assert (caught.value.code, bench.link.state) == ("no-answer", LinkState.CLOSED)
+    assert bench.link.now() == pytest.approx(6.0, abs=0.2)
 
 
 def test_open_old_bytes_from_before_the_reset_are_not_taken_for_an_answer() -> None:
-    connection = Connection(LinkConfig())
+    connection = BoardConnection(LinkConfig())
     connection.open(0.0)
     connection.opened(0.0)
-    connection.received(frame(0x81, bytes(8)) * 50, 0.0)
+    connection.received(encode_frame(0x81, bytes(8)) * 50, 0.0)
     for now in (0.0, 0.1, 0.2, 0.3, 0.4, 0.5):
         connection.actions(now)
 
@@ -79,34 +77,34 @@ def test_open_old_bytes_from_before_the_reset_are_not_taken_for_an_answer() -> N
 # --- shutdown
 
 
-def test_shutdown_stops_twice_and_gives_it_a_tenth_of_a_second() -> None:
+def test_shutdown_sends_two_stops_and_waits_a_tenth_of_a_second() -> None:
     bench = Bench()
     bench.drive(0.5)
-    asked = bench.line.now()
+    asked = bench.link.now()
 
-    bench.line.close()
+    bench.link.close()
 
     assert bench.sent_since(asked)[:2] == [STOP, STOP]
-    assert bench.line.now() - asked >= 0.1 - 1e-9
-    assert (bench.board.is_driving, bench.line.state) == (False, LinkState.CLOSED)
+    assert bench.link.now() - asked >= 0.1 - 1e-9
+    assert (bench.board.is_driving, bench.link.state) == (False, LinkState.CLOSED)
 
 
-# --- a full buffer, of the system's
+# --- a full buffer of the system
 
 
-def test_a_port_that_takes_nothing_is_lost_and_greeted_with_zeros_and_a_stop_when_it_does() -> None:
+def test_a_port_that_accepts_nothing_is_lost_and_later_gets_zeros_and_a_stop() -> None:
     bench = Bench(resets_on_open=False)
     bench.drive(0.3)
-    bench.line.is_blocked = True
-    bench.board.receive(motors(Drive.FORWARD)[:4])
+    bench.link.is_blocked = True
+    bench.board.receive(drive_frame(MotorDrive.FORWARD)[:4])
     assert bench.drive(0.5) is False
-    bench.line.is_blocked = False
-    asked = bench.line.now()
+    bench.link.is_blocked = False
+    asked = bench.link.now()
 
-    bench.line.advance(2.0)
+    bench.link.advance(2.0)
 
     assert bench.sent_since(asked)[:3] == [FILLER, CONFIGURE, STOP]
-    assert bench.news == [LinkNews.CONNECTED, LinkNews.LOST, LinkNews.RESTORED]
+    assert bench.notices == [LinkNotice.CONNECTED, LinkNotice.LOST, LinkNotice.RESTORED]
     assert not bench.board.is_driving
 
 
@@ -117,29 +115,29 @@ def test_shutdown_waits_until_a_board_in_the_middle_of_half_a_frame_stands() -> 
     bench = Bench()
     bench.drive(0.5)
     bench.board.receive(HALF_A_FRAME)
-    began = bench.line.now()
+    began = bench.link.now()
 
-    bench.line.close()
+    bench.link.close()
 
     assert not bench.board.is_driving
-    assert bench.line.now() - began < 1.3
+    assert bench.link.now() - began < 1.3
 
 
 def test_shutdown_of_a_robot_that_stands_takes_as_long_as_two_stops() -> None:
     bench = Bench()
-    bench.line.advance(0.5)
-    began = bench.line.now()
+    bench.link.advance(0.5)
+    began = bench.link.now()
 
-    bench.line.close()
+    bench.link.close()
 
     assert bench.sent_since(began) == [STOP, STOP]
-    assert bench.line.now() - began < 0.1
+    assert bench.link.now() - began < 0.1
 
 
-def test_shutdown_of_a_board_that_hears_nothing_any_more_ends() -> None:
+def test_shutdown_of_a_board_that_receives_nothing_ends() -> None:
     bench = Bench()
     bench.drive(0.5)
-    bench.line.wire = BadWire(cut=1.0, seed=1)
-    bench.line.close()
+    bench.link.wire = NoisyWire(cut=1.0, seed=1)
+    bench.link.close()
 
-    assert bench.line.state is LinkState.CLOSED
+    assert bench.link.state is LinkState.CLOSED

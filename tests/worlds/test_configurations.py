@@ -1,12 +1,12 @@
-"""Configuration files: which world, which robots under which address, or which real robot."""
+"""Configuration files choose the world, the robots with their addresses, or a real robot."""
 
 from pathlib import Path
 
 import pytest
 
-from sim.notes import NoteKind
+from sim.scene import NoteKind
 from sim.worldfile import Address, Code, Configuration, Offer, WorldError, load_configuration
-from sim.worldfile.addresses import address
+from sim.worldfile.configuration import address
 
 WORLD = """
 define bob position ( ranger ( sensor ( ) ) )
@@ -43,11 +43,13 @@ def robots(it: Configuration) -> list[str]:
         ("", None),
     ],
 )
-def test_an_address_is_host_robot_interface_index_from_the_right(text: str, expected: Address | None) -> None:
+def test_an_address_is_read_from_the_right_as_host_robot_interface_index(
+    text: str, expected: Address | None
+) -> None:
     assert address(text) == expected
 
 
-def test_without_offers_every_robot_of_the_world_can_be_programmed(tmp_path: Path) -> None:
+def test_every_robot_can_be_programmed_where_the_file_offers_none(tmp_path: Path) -> None:
     it = load(tmp_path, STAGE)
 
     assert robots(it) == ["ann", "bea", "cid"]
@@ -65,21 +67,21 @@ def test_the_offered_robots_can_be_programmed_in_the_order_of_their_ports(tmp_pa
     assert [(offer.model, offer.port) for offer in it.offers] == [("ann", 6666), ("cid", 6665)]
 
 
-def test_a_model_that_is_offered_without_wheels_is_no_robot(tmp_path: Path) -> None:
+def test_an_offered_model_without_wheels_is_not_a_robot(tmp_path: Path) -> None:
     it = load(tmp_path, STAGE + 'driver ( name "stage" provides [ "ranger:0" ] model "bea" )')
 
     assert robots(it) == ["ann", "bea", "cid"]
     assert not it.offers[0].drives
 
 
-def test_a_robot_without_any_sense_is_one_where_it_is_offered(tmp_path: Path) -> None:
+def test_an_offered_model_without_sensors_is_a_robot(tmp_path: Path) -> None:
     world = WORLD + 'position ( name "blind" pose [ 8 0 0 0 ] )'
     it = load(tmp_path, STAGE + 'driver ( name "stage" provides [ "position2d:0" ] model "blind" )', world)
 
     assert robots(it) == ["blind"]
 
 
-def test_an_offer_of_what_is_not_there_is_told_with_the_nearest_name(tmp_path: Path) -> None:
+def test_an_offer_of_a_missing_model_is_reported_with_the_nearest_name(tmp_path: Path) -> None:
     it = load(tmp_path, STAGE + 'driver ( name "stage" provides [ "position2d:0" ] model "be" )')
 
     assert it.scene is not None
@@ -89,7 +91,7 @@ def test_an_offer_of_what_is_not_there_is_told_with_the_nearest_name(tmp_path: P
     assert robots(it) == ["ann", "bea", "cid"]
 
 
-def test_other_drivers_are_told_and_left_out(tmp_path: Path) -> None:
+def test_other_drivers_are_reported_and_ignored(tmp_path: Path) -> None:
     it = load(tmp_path, STAGE + 'driver ( name "rangertolaser" provides ["laser:0"] requires ["ranger:1"] )')
 
     assert it.scene is not None
@@ -105,7 +107,7 @@ def test_a_driver_with_a_serial_port_asks_for_the_real_robot(tmp_path: Path, por
     assert (it.physical_port, it.scene, it.world) == (port, None, None)
 
 
-def test_of_several_serial_ports_that_of_the_wheels_counts(tmp_path: Path) -> None:
+def test_the_serial_port_of_the_wheels_wins(tmp_path: Path) -> None:
     laser = 'driver ( name "sicklms200" provides [ "ranger:0" ] port "/dev/ttyS1" )'
     it = load(
         tmp_path, STAGE + laser + 'driver ( name "p2os" provides [ "position2d:0" ] port "/dev/ttyS0" )'
@@ -131,7 +133,7 @@ def test_of_several_serial_ports_that_of_the_wheels_counts(tmp_path: Path) -> No
         ('include "w.cfg"', Code.INCLUDE_CYCLE, 1, 9),
     ],
 )
-def test_mistakes_have_a_place(tmp_path: Path, text: str, code: Code, line: int, column: int) -> None:
+def test_a_mistake_has_a_place(tmp_path: Path, text: str, code: Code, line: int, column: int) -> None:
     with pytest.raises(WorldError) as error:
         load(tmp_path, text)
 

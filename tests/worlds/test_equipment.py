@@ -1,10 +1,11 @@
-"""What is mounted on models: every property that counts, with its unit, its default and its mistakes."""
+"""Equipment of models: each property that counts, with its unit, its default and its mistakes."""
 
 from pathlib import Path
 
 import pytest
 
-from sim.fittings import (
+from sim.geometry import Placement
+from sim.scene import (
     Bumper,
     Camera,
     Drive,
@@ -12,12 +13,11 @@ from sim.fittings import (
     Gripper,
     Limits,
     Localization,
+    Model,
     OdometryError,
     RangeNoise,
     Wheels,
 )
-from sim.placement import Placement
-from sim.scene import Model
 from sim.worldfile import WorldError, load_text
 
 
@@ -32,7 +32,7 @@ def mistake(text: str) -> tuple[str, int]:
     return error.value.code.value, error.value.column
 
 
-def test_a_position_drives_as_stage_does_unless_told_otherwise() -> None:
+def test_a_position_has_the_defaults_of_stage() -> None:
     wheels = model("position ( )").wheels
 
     assert wheels == Wheels(
@@ -57,14 +57,14 @@ def test_wheels_are_read_with_their_units() -> None:
     assert wheels.acceleration_bounds == Limits((-0.05, 0.06), (0, 0), (0, 0))
 
 
-def test_the_manuals_odometry_error_has_three_numbers() -> None:
+def test_the_odometry_error_of_the_manual_has_three_numbers() -> None:
     wheels = model("position ( odom_error [ 0.1 0.2 0.3 ] )").wheels
 
     assert wheels is not None
     assert wheels.odom_error == OdometryError(0.1, 0.2, 0.3)
 
 
-def test_a_gripper_is_stages_unless_told_otherwise() -> None:
+def test_a_gripper_has_the_defaults_of_stage() -> None:
     usual = model("gripper ( )")
     other = model('gripper ( paddle_size [ 0.5 0.2 0.3 ] paddle_state [ "closed" "up" ] autosnatch 1 )')
 
@@ -77,14 +77,14 @@ def test_a_gripper_is_stages_unless_told_otherwise() -> None:
     assert max(y for _, y in right.points) == pytest.approx(min(y for _, y in left.points))  # they meet
 
 
-def test_a_fiducial_finder_is_stages_unless_told_otherwise() -> None:
+def test_a_fiducial_finder_has_the_defaults_of_stage() -> None:
     finder = model("fiducial ( range_min 1 range_max 6 range_max_id 4 fov 90 fiducial_key 3 )")
 
     assert model("fiducial ( )").fiducial_finder == FiducialFinder(0, 8, 5, 180)
     assert (finder.fiducial_finder, finder.fiducial_key) == (FiducialFinder(1, 6, 4, 90), 3)
 
 
-def test_bumpers_have_a_length_in_common_or_each_its_own() -> None:
+def test_bumpers_share_one_length_or_have_one_each() -> None:
     text = "bumper ( bcount 3 blength 0.3 bpose[0] [ 1 2 0 90 ] bpose[2] [ 3 4 0.5 0 ] blength[2] 0.2 )"
 
     assert model(text).bumpers == (
@@ -104,13 +104,13 @@ def test_a_blobfinder_may_look_to_the_side() -> None:
     assert [colour.name for colour in eyes.colours] == ["red"]
 
 
-def test_a_camera_is_kept_in_degrees_whatever_the_unit() -> None:
+def test_the_angles_of_a_camera_are_stored_in_degrees() -> None:
     text = 'unit_angle "radians" camera ( range [ 0.1 9 ] fov [ 60 30 ] pantilt [ 20 10 ] )'
 
     assert model(text).camera == Camera(0.1, 9, (60, 30), 20, 10)
 
 
-def test_a_sensor_has_its_noise_and_its_height() -> None:
+def test_a_sensor_has_a_noise_and_a_height() -> None:
     text = (
         "ranger ( sensor ( size [ 0.01 0.05 0.03 ] range_noise 0.1 range_noise_const 0.02 angle_noise 3 ) )"
     )
@@ -119,7 +119,7 @@ def test_a_sensor_has_its_noise_and_its_height() -> None:
     assert (sensor.thickness, sensor.noise) == (0.03, RangeNoise(0.02, 0.1, 3))
 
 
-def test_things_may_be_pushed_gripped_weighed_and_seen_at_their_height_only() -> None:
+def test_a_thing_is_pushed_gripped_and_weighed_only_where_its_file_says_so() -> None:
     usual, thing = model("model ( )"), model("model ( pushable 1 gripper_return 1 mass 2 ignore_zloc 0 )")
 
     assert (usual.pushable, usual.grippable, usual.mass, usual.ignore_zloc) == (False, False, 0, True)
@@ -151,11 +151,11 @@ def test_things_may_be_pushed_gripped_weighed_and_seen_at_their_height_only() ->
         ('ignore_zloc "no"', ("wrong-type", 13)),
     ],
 )
-def test_a_wrong_value_is_a_mistake_at_its_place(text: str, expected: tuple[str, int]) -> None:
+def test_a_wrong_value_is_a_mistake_with_its_place(text: str, expected: tuple[str, int]) -> None:
     assert mistake(text) == expected
 
 
-def test_a_word_that_is_nearly_right_is_offered() -> None:
+def test_a_misspelt_word_is_reported_with_the_nearest_right_one() -> None:
     with pytest.raises(WorldError) as error:
         load_text('position ( drive "omini" )', Path("t.world"))
 

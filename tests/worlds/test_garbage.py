@@ -1,4 +1,6 @@
-"""Ten thousand damaged world files: each loads, or is a mistake with a place, in bounded time and memory."""
+"""Each of ten thousand damaged world files loads or raises a mistake with a place.
+
+Time and memory stay bounded."""
 
 import random
 import re
@@ -8,8 +10,9 @@ import pytest
 
 import worlds
 from sim.worldfile import WorldError, load_configuration, load_text
+from tests.effort import examples
 
-MUTATIONS = 10_000
+MUTATIONS = examples(10_000)
 PIECES = (
     *("", "(", ")", "[", "]", '"', "#", "\0", "é", "\n", "0", "1e9", "-", "\\", "'", "$", "include", "model"),
     *("define a a ( )", "define b model ( b ( ) )", 'include "garbage.world"', 'include "map.inc"', "point["),
@@ -47,7 +50,7 @@ driver ( name "donnie" provides [ "position2d:1" ] port "/dev/ttyUSB0" )
 
 
 def sources() -> list[str]:
-    """The short worlds of the manual, so that ten thousand are soon read, and Donnie now and then."""
+    """The short worlds of the manual, which are read fast, and sometimes a world of Donnie."""
     texts = [Path(worlds.path(name)).read_text(encoding="utf-8") for name in worlds.names()]
     short = [text for text in texts if len(text) < 800 and not re.search("donnie|bitmap", text)]
     assert len(short) > 3
@@ -56,7 +59,7 @@ def sources() -> list[str]:
 
 
 def damaged(text: str, chance: random.Random) -> str:
-    """The text with one to three of the things that happen to files."""
+    """The text with one to three typical damages."""
     for _ in range(chance.choice((1, 1, 2, 3))):
         at = chance.randrange(len(text) + 1)
         length = chance.choice((0, 1, 3, 20, 200))
@@ -73,7 +76,8 @@ def damaged(text: str, chance: random.Random) -> str:
     return text
 
 
-def test_a_damaged_world_loads_or_is_a_mistake_with_its_place() -> None:
+@pytest.mark.hypothesis  # random, though seeded: the slow check tries more
+def test_a_damaged_world_loads_or_raises_a_mistake_with_a_place() -> None:
     chance, texts = random.Random(1), sources()
     loaded = 0
 
@@ -95,7 +99,7 @@ def test_a_damaged_world_loads_or_is_a_mistake_with_its_place() -> None:
     assert 0 < loaded < MUTATIONS
 
 
-def test_a_damaged_configuration_loads_or_is_a_mistake_with_its_place(tmp_path: Path) -> None:
+def test_a_damaged_configuration_loads_or_raises_a_mistake_with_a_place(tmp_path: Path) -> None:
     (tmp_path / "w.world").write_text("position ( ranger ( ) )", encoding="utf-8")
     chance, loaded, file = random.Random(0), 0, tmp_path / "w.cfg"
 
@@ -146,15 +150,15 @@ def wide_macro() -> str:
     ],
     ids=lambda value: value if len(value) < 30 else "",
 )
-def test_what_would_grow_without_end_is_refused(text: str, code: str) -> None:
+def test_a_file_that_expands_without_limit_is_refused(text: str, code: str) -> None:
     with pytest.raises(WorldError) as mistake:
         load_text(text, Path("bomb.world"))
 
     assert mistake.value.code.value == code
 
 
-def test_files_that_include_each_other_over_and_over_are_refused(tmp_path: Path) -> None:
-    """Twenty files, each including the next one twice: a million without a limit."""
+def test_twenty_files_that_include_the_next_one_twice_are_refused(tmp_path: Path) -> None:
+    """Without a limit they would be a million files."""
     for i in range(20):
         (tmp_path / f"{i}.inc").write_text(f'include "{i + 1}.inc"\n' * 2, encoding="utf-8")
     (tmp_path / "20.inc").write_text("model ( )", encoding="utf-8")

@@ -1,4 +1,4 @@
-"""The manual's chapter on world files, step by step as printed: each step loads and is what it is told."""
+"""The manual's chapter on world files, step by step: each step loads and is what the manual says."""
 
 from functools import cache
 from pathlib import Path
@@ -44,7 +44,7 @@ def driven(name: str) -> SimulatedRobot:
 
 
 @pytest.mark.parametrize("name", STEPS)
-def test_every_step_of_the_chapter_loads_and_what_stage_fails_on_is_a_remark(name: str) -> None:
+def test_every_step_of_the_chapter_loads_with_remarks_where_stage_fails(name: str) -> None:
     remarks = [note.code for note in scene(name).report.notes]
 
     if name in ("empty", "helloworld"):
@@ -55,7 +55,7 @@ def test_every_step_of_the_chapter_loads_and_what_stage_fails_on_is_a_remark(nam
         assert remarks == []
 
 
-def test_the_empty_world_is_a_cave_with_a_chamber_in_each_corner_and_rock_in_the_middle() -> None:
+def test_the_empty_world_is_a_cave_with_four_chambers_and_rock_in_the_middle() -> None:
     it = seen("empty")
 
     assert (it.left, it.bottom, it.width, it.height) == (-150, -150, 301, 301)
@@ -112,7 +112,7 @@ def test_a_body_without_sensors_can_be_driven(name: str) -> None:
 
 
 @pytest.mark.parametrize("name", CAVE)
-def test_in_the_cave_bigbob_stands_free_looks_north_east_and_sees_its_walls(name: str) -> None:
+def test_bigbob_stands_free_in_the_cave_looks_north_east_and_sees_the_walls(name: str) -> None:
     """In Stage its sonars, a metre above the floor, look over the walls of half a metre."""
     it = driven(name)
 
@@ -122,7 +122,7 @@ def test_in_the_cave_bigbob_stands_free_looks_north_east_and_sees_its_walls(name
     assert 0 < it.distance(Bearing.FRONT) < 40
 
 
-def test_bigbob_has_the_senses_that_the_manual_gives_it_step_by_step() -> None:
+def test_bigbob_has_the_sensors_of_each_step_of_the_manual() -> None:
     sensors = {
         name: [(s.maximum, s.samples) for model in scene(name).models for s in model.sensors] for name in CAVE
     }
@@ -133,7 +133,7 @@ def test_bigbob_has_the_senses_that_the_manual_gives_it_step_by_step() -> None:
     assert driven("bigbob5").colours == driven("bigbob7").colours == {"orange", "blue"}
 
 
-def test_oranges_and_cartons_lie_where_they_are_told() -> None:
+def test_oranges_and_cartons_lie_where_the_manual_puts_them() -> None:
     few = {each.name: (each.x, each.y, each.colour) for each in seen("bigbob_oranges").things}
     many = {each.name: (each.x, each.y) for each in seen("bigbob7").things}
 

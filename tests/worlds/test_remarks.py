@@ -1,4 +1,4 @@
-"""Slips in a world file of one's own are told when it is loaded, a robot in a thing in so many words."""
+"""Loading a user's world reports its slips, for example a robot that stands in a thing."""
 
 from pathlib import Path
 
@@ -7,9 +7,8 @@ import pytest
 import worlds.words
 from donnie_tui.bootstrap import assemble
 from donnie_tui.i18n.words import Words
-from donnie_tui.settings.chosen import Settings
-from donnie_tui.world.choice import choose_world
-from donnie_tui.world.remarks import remarks
+from donnie_tui.settings.settings import Settings
+from donnie_tui.world.choice import choose_world, remarks
 from tests.sessions import command
 
 HEAD = 'include "donnie.inc"\ninclude "things.inc"\n'
@@ -36,7 +35,7 @@ def remarks_on(folder: Path, text: str, language: str = "en") -> tuple[str, ...]
         ('donnie( name "Bob" pose [ 0.05 0 0 0 ] )', "donnie Bob"),
     ],
 )
-def test_a_robot_that_begins_inside_of_something_is_told(tmp_path: Path, text: str, thing: str) -> None:
+def test_a_robot_that_starts_inside_a_thing_is_reported(tmp_path: Path, text: str, thing: str) -> None:
     told = f"Robot Ana begins inside {thing}. One of them needs another pose."
     assert remarks_on(tmp_path, ANA + text) == (told,)
 
@@ -50,22 +49,22 @@ def test_a_robot_that_begins_inside_of_something_is_told(tmp_path: Path, text: s
         'donnie( name "Bob" pose [ 0.2 0 0 0 ] )',
     ],
 )
-def test_what_only_surrounds_a_robot_or_stands_beside_it_is_not(tmp_path: Path, text: str) -> None:
+def test_a_thing_around_a_robot_or_next_to_it_is_not_reported(tmp_path: Path, text: str) -> None:
     assert remarks_on(tmp_path, ANA + text) == ()
 
 
 @pytest.mark.parametrize("name", worlds.names())
-def test_in_the_worlds_that_ship_no_robot_begins_inside_of_anything(name: str) -> None:
+def test_no_robot_of_a_shipped_world_starts_inside_a_thing(name: str) -> None:
     report = choose_world(worlds.path(name), Words()).scene.report
 
     assert "starts-inside" not in {note.code for note in report.notes}
 
 
-def test_a_colour_that_is_not_known_is_told_where_the_world_is_loaded(tmp_path: Path) -> None:
+def test_an_unknown_colour_is_reported_when_the_world_is_loaded(tmp_path: Path) -> None:
     box = "box( pose [ 1 0 0 0 ] {} )"
 
     assert remarks_on(tmp_path, ANA + box.format('color "amarelo"')) == (
-        "1 slip in the world. donnie world my.world --report tells it.",
+        "1 slip in the world. donnie world my.world --report lists it.",
     )
     assert remarks_on(tmp_path, ANA + box.format('colour "red" color "golden"'), "pt") == (
         "2 deslizes no mundo. donnie world my.world --report os diz.",
@@ -73,14 +72,14 @@ def test_a_colour_that_is_not_known_is_told_where_the_world_is_loaded(tmp_path: 
     assert remarks_on(tmp_path, ANA + box.format('color "random"')) == ()
 
 
-def test_very_many_robots_inside_of_things_are_counted(tmp_path: Path) -> None:
+def test_many_robots_inside_things_are_counted(tmp_path: Path) -> None:
     *told, last = remarks_on(tmp_path, "".join(ANA.replace("Ana", f"r{each}") for each in range(6)))
 
     assert len(told) == 3
-    assert last == "12 slips in the world. donnie world my.world --report tells them."
+    assert last == "12 slips in the world. donnie world my.world --report lists them."
 
 
-def test_both_front_ends_and_a_run_have_it_among_what_is_told_at_the_start(tmp_path: Path) -> None:
+def test_both_front_ends_and_a_run_report_it_at_the_start(tmp_path: Path) -> None:
     remarks_on(tmp_path, ANA + "box( )")
     donnie = assemble(
         Settings(world=str(tmp_path / "my.world"), speech="off", sound=False), terminal=True, is_linear=False
@@ -105,7 +104,7 @@ task = "Ve hasta ella."
 
 
 @pytest.mark.parametrize(("language", "title"), [("en", "The gym"), ("es", "El gimnasio"), ("pt", "The gym")])
-def test_a_file_beside_a_world_of_ones_own_gives_its_words(tmp_path: Path, language: str, title: str) -> None:
+def test_a_file_next_to_a_user_world_gives_its_words(tmp_path: Path, language: str, title: str) -> None:
     (tmp_path / "my.toml").write_text(WORDS, encoding="utf-8")
 
     assert remarks_on(tmp_path, ANA) == ()
@@ -134,16 +133,14 @@ def test_a_file_beside_a_world_of_ones_own_gives_its_words(tmp_path: Path, langu
     ],
     ids=range(9),
 )
-def test_words_that_can_not_be_read_are_told_and_the_world_is_there(
-    tmp_path: Path, words: str, remark: str
-) -> None:
+def test_unreadable_words_are_reported_and_the_world_loads(tmp_path: Path, words: str, remark: str) -> None:
     (tmp_path / "my.toml").write_bytes(words.encode(errors="surrogateescape"))
 
     assert remarks_on(tmp_path, ANA) == (f"{remark}, so the world has no words.",)
     assert choose_world(str(tmp_path / "my.world"), Words()).about("en") is None
 
 
-def test_words_in_one_language_that_tell_no_difficulty_are_words(tmp_path: Path) -> None:
+def test_words_in_one_language_without_a_difficulty_are_enough(tmp_path: Path) -> None:
     (tmp_path / "my.toml").write_text(
         '[pt]\ntitle = "A sala"\ndescription = "Há uma caixa."\ntask = "Ache."\n'
     )
@@ -153,7 +150,7 @@ def test_words_in_one_language_that_tell_no_difficulty_are_words(tmp_path: Path)
     assert told[:2] == ["my.world: A sala.", "Há uma caixa."]
 
 
-def test_the_copy_of_a_world_that_ships_keeps_its_words(tmp_path: Path) -> None:
+def test_a_copy_of_a_shipped_world_keeps_its_words(tmp_path: Path) -> None:
     for suffix in (".world", ".toml"):
         file = Path(worlds.path("living_room")).with_suffix(suffix)
         (tmp_path / f"room{suffix}").write_bytes(file.read_bytes())

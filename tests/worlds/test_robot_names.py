@@ -1,4 +1,4 @@
-"""Every robot of a world has a name of its own that can be said and typed, whatever its file calls it."""
+"""Every robot of a world has a unique name that can be spoken and typed."""
 
 from pathlib import Path
 from typing import Literal
@@ -9,11 +9,11 @@ import pytest
 from donnie_tui.bootstrap import make_team
 from donnie_tui.cli.main import main
 from donnie_tui.i18n.words import Words
-from donnie_tui.settings.chosen import Settings
+from donnie_tui.settings.settings import Settings
 from donnie_tui.world.choice import ChosenWorld
 from sim.picture import picture
 from sim.scene import Scene
-from sim.worldfile import load_text, robot_names
+from sim.worldfile import load, load_text
 
 SENSOR = "ranger( sensor( range [ 0 2 ] fov 20 ) )"
 ROBOT = "position( {name} size [ 0.1 0.1 0.2 ] {more} pose [ {x} 0 0 90 ] " + SENSOR + " )\n"
@@ -34,11 +34,11 @@ def test_a_robot_without_a_name_is_called_by_its_kind() -> None:
     assert load_text(text, Path("foreign.world")).robot_names == ("pioneer1",)
 
 
-def test_the_second_robot_of_a_name_gets_another_one() -> None:
+def test_the_second_robot_of_a_name_gets_another_name() -> None:
     assert scene('name "bob"', 'name "bob"', 'name "bob2"').robot_names == ("bob", "bob3", "bob2")
 
 
-def test_names_that_differ_in_case_or_accents_only_are_told_apart() -> None:
+def test_names_that_differ_only_in_case_or_accents_become_different_names() -> None:
     assert scene('name "zé"', 'name "ZE"').robot_names == ("zé", "ZE2")
 
 
@@ -46,19 +46,19 @@ def test_a_name_that_can_not_be_typed_is_replaced() -> None:
     assert scene('name "a=b"', 'name "c:0"', 'name "  "').robot_names == ("robot1", "robot2", "robot3")
 
 
-def test_many_robots_of_one_name_are_numbered_without_counting_anew(monkeypatch: pytest.MonkeyPatch) -> None:
+def test_numbering_many_robots_of_one_name_takes_linear_time(monkeypatch: pytest.MonkeyPatch) -> None:
     looked_at: list[str] = []
 
     def normalized(form: Literal["NFKD"], text: str) -> str:
         looked_at.append(text)
         return normalize(form, text)
 
-    monkeypatch.setattr(robot_names, "normalize", normalized)
+    monkeypatch.setattr(load, "normalize", normalized)
     assert scene(*['name "r"'] * 300).robot_names[-1] == "r300"
     assert len(looked_at) <= 4 * 300
 
 
-def test_each_robot_is_found_by_the_name_that_it_is_called() -> None:
+def test_each_robot_is_found_by_its_name() -> None:
     world = scene('name "bob"', 'name "bob"')
 
     assert [world.robot(name).index for name in world.robot_names] == list(world.robots)
@@ -74,14 +74,14 @@ def test_every_robot_can_be_talked_to_and_is_on_the_map_by_its_name() -> None:
     assert [each.name for each in picture(world.scene, "robot1").things] == ["robot2", "r", "r2"]
 
 
-def test_a_robot_is_where_its_pose_is_and_not_where_its_shape_has_its_middle() -> None:
+def test_the_place_of_a_robot_is_its_pose_and_not_the_middle_of_its_shape() -> None:
     world = scene('name "a"', 'name "b"', more="origin [ 0.2 0 0 0 ]")
 
     (other,) = picture(world, "a").things
     assert (other.x, other.y) == (20.0, 0.0)
 
 
-def test_the_report_tells_the_names_and_how_one_is_run(tmp_path: Path, capsys) -> None:  # type: ignore[no-untyped-def]
+def test_the_report_lists_the_names_and_how_to_run_one(tmp_path: Path, capsys) -> None:  # type: ignore[no-untyped-def]
     file = tmp_path / "foreign.world"
     file.write_text("".join(ROBOT.format(name=name, x=i, more="") for i, name in enumerate(("", 'name "r"'))))
 
@@ -92,7 +92,7 @@ def test_the_report_tells_the_names_and_how_one_is_run(tmp_path: Path, capsys) -
     assert "Repaired: A robot without a usable name is called robot1." in told
 
 
-def test_places_say_from_which_robot_they_are_counted(tmp_path: Path, capsys) -> None:  # type: ignore[no-untyped-def]
+def test_a_place_names_the_robot_that_it_is_counted_from(tmp_path: Path, capsys) -> None:  # type: ignore[no-untyped-def]
     file = tmp_path / "foreign.world"
     thing = 'model( name "puck" size [ 0.1 0.1 0.1 ] pose [ 0.5 0.5 0 0 ] )'
     file.write_text(

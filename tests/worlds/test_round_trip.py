@@ -1,19 +1,20 @@
-"""Worlds drawn at random: what is written is what is loaded, and loaded again from what was loaded."""
+"""Random worlds: a written world loads as it was, and so does a loaded world that is written again."""
 
 from __future__ import annotations
 
 from collections.abc import Iterator
-from dataclasses import dataclass, fields, is_dataclass
-from enum import Enum
+from dataclasses import dataclass
 from math import cos, radians, sin
 from pathlib import Path
 from random import Random
 
 from hypothesis import given, settings
 from hypothesis import strategies as st
+from msgspec import Struct
 
 from sim.scene import Scene
 from sim.worldfile import load_text
+from tests.effort import examples
 from tests.worlds.writer import numbers, written
 
 TYPES = ("model", "position", "ranger", "blobfinder", "fiducial", "bumper", "gripper")
@@ -25,7 +26,7 @@ RETURNS = ("obstacle_return", "ranger_return", "blob_return", "fiducial_return",
 
 @dataclass(frozen=True)
 class Drawn:
-    """A model as it was thought of, before it was written."""
+    """A random model before it is written to a file."""
 
     type: str
     pose: tuple[float, float, float, float]
@@ -39,7 +40,7 @@ class Drawn:
 
 
 class Lots:
-    """What is drawn by lot, to a thousandth, so that decimals of what is written are few."""
+    """Random numbers, rounded to a thousandth: the file has few decimals."""
 
     def __init__(self, seed: int) -> None:
         self.chance = Random(seed)
@@ -157,13 +158,13 @@ def outside(
 
 
 def comparable(value: object, decimals: int = 6) -> object:
-    """A value with its floats rounded, for comparing; without what only tells how it was written."""
+    """A value with rounded floats, for comparing, without the fields that only say how it was written."""
     if isinstance(value, float):
         return round(value, decimals) + 0.0
     if isinstance(value, tuple):
         return tuple(comparable(item, decimals) for item in value)
-    if is_dataclass(value) and not isinstance(value, Enum | type):
-        names = [field.name for field in fields(value) if field.name not in ("kind", "name", "alias")]
+    if isinstance(value, Struct):
+        names = [name for name in value.__struct_fields__ if name not in ("kind", "name", "alias")]
         return {name: _turned(name, getattr(value, name), decimals) for name in names}
     return value
 
@@ -179,9 +180,9 @@ def models_of(scene: Scene) -> list[object]:
     return [comparable(model) for model in scene.models]
 
 
-@settings(max_examples=100, deadline=None)
+@settings(max_examples=examples(100))
 @given(st.integers(0, 2**32))
-def test_what_is_written_is_what_is_loaded(seed: int) -> None:
+def test_a_written_world_loads_as_it_was(seed: int) -> None:
     models = Lots(seed).world()
     scene = load_text(text_of(models), Path("drawn.world"))
 
@@ -210,9 +211,9 @@ def _fills(polygons: object, model: Drawn) -> None:
         assert round(high + low, 6) == 0
 
 
-@settings(max_examples=100, deadline=None)
+@settings(max_examples=examples(100))
 @given(st.integers(0, 2**32))
-def test_what_is_loaded_and_written_again_is_loaded_the_same(seed: int) -> None:
+def test_a_loaded_world_that_is_written_again_loads_the_same(seed: int) -> None:
     models = Lots(seed).world()
     scene = load_text(text_of(models), Path("drawn.world"))
 

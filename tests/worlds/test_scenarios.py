@@ -1,4 +1,4 @@
-"""The scenarios are as they are told: every number and every place of a description is measured."""
+"""The scenarios match their descriptions: each number and each place of a description is measured."""
 
 import re
 from collections.abc import Iterator
@@ -151,7 +151,7 @@ def factory() -> Iterator[float]:
 
 
 def way_through_the_maze() -> tuple[tuple[int, int], ...]:
-    """The fields from the start to the goal; the test below holds that there is one way only."""
+    """The fields from the start to the goal. The test below shows that there is only one way."""
     ways: dict[tuple[int, int], tuple[tuple[int, int], ...]] = {(0, 0): ((0, 0),)}
     reached = [(0, 0)]
     for field in reached:
@@ -210,7 +210,7 @@ def test_every_colour_of_a_thing_is_in_the_description(name: str) -> None:
     assert there <= told
 
 
-def test_the_living_room_has_its_things_where_they_are_told() -> None:
+def test_the_living_room_has_its_things_where_the_description_says() -> None:
     it = {each.name: each for each in seen("living_room").things}
 
     assert it["small sofa"].x - it["small sofa"].width / 2 == pytest.approx(-3.5, abs=0.1)
@@ -293,7 +293,7 @@ def test_the_belts_of_the_factory_lie_north_of_the_oranges_and_round_the_cartons
     assert scene("factory").models[scene("factory").robots[0]].kind == "bigbob"
 
 
-def test_there_is_one_way_only_through_the_maze() -> None:
+def test_there_is_only_one_way_through_the_maze() -> None:
     fields = [(x, y) for x in range(6) for y in range(5)]
     passages = sum(len(list(neighbours(field))) for field in fields) / 2
 

@@ -1,4 +1,4 @@
-"""The worlds that come with Donnie: they load, are told in three languages, and Stage could read them."""
+"""The worlds that come with Donnie load, are described in three languages, and Stage can read them."""
 
 import re
 from pathlib import Path
@@ -38,7 +38,7 @@ def test_an_unknown_world_is_a_key_error() -> None:
 
 @pytest.mark.parametrize("name", worlds.names())
 @pytest.mark.parametrize("language", ["en", "pt", "es"])
-def test_every_world_is_told_in_every_language(name: str, language: str) -> None:
+def test_every_world_is_described_in_every_language(name: str, language: str) -> None:
     about = worlds.words.about(name, language)
 
     assert all(len(words) > 3 for words in (about.title, about.description, about.task))
@@ -61,7 +61,7 @@ def test_every_scenario_loads_without_a_remark_and_starts_at_the_origin_facing_n
     assert robot.name == {"two_robots": "alice", "factory": "bob"}.get(name, "donnie")
 
 
-def test_donnie_tells_seven_colours_apart() -> None:
+def test_donnie_distinguishes_seven_colours() -> None:
     assert donnie("open_floor").colours == {"red", "green", "blue", "yellow", "orange", "pink", "gray"}
 
 
@@ -75,7 +75,7 @@ STAGE_LINE = re.compile(
 @pytest.mark.parametrize(
     "file", sorted(Path(worlds.SCENES).glob("*.world")) + sorted(Path(worlds.SCENES).glob("*.inc"))
 )
-def test_every_file_keeps_to_what_stage_can_read(file: Path) -> None:
+def test_every_file_uses_only_what_stage_can_read(file: Path) -> None:
     """A blank before ``[``, tuples on one line without comments, no exponents, no three-number poses."""
     for line in file.read_text(encoding="utf-8").splitlines():
         code = line.split("#")[0].rstrip()

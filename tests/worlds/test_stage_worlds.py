@@ -1,4 +1,4 @@
-"""Worlds that others wrote for Stage: the same models in the same places as Stage itself built them."""
+"""Worlds that others wrote for Stage have the same models in the same places as in Stage."""
 
 import json
 from pathlib import Path
@@ -20,7 +20,7 @@ WORLDS = (
 
 
 @pytest.mark.parametrize("world", WORLDS)
-def test_a_world_becomes_what_stage_makes_of_it(shared: Path, world: str) -> None:
+def test_a_world_has_the_models_that_stage_builds(shared: Path, world: str) -> None:
     truth = json.loads((shared / "stage" / "truth.json").read_text(encoding="utf-8"))[world]
 
     scene = load_world(shared / "stage" / world)

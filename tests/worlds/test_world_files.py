@@ -1,12 +1,11 @@
-"""World files that load: what each piece of the language means."""
+"""World files that load, and what each piece of the language means."""
 
 from pathlib import Path
 
 import pytest
 
 from sim.colours import FAMILIES
-from sim.notes import NoteKind
-from sim.scene import Model, Scene
+from sim.scene import Model, NoteKind, Scene
 from sim.worldfile import load_text, load_world
 
 
@@ -108,7 +107,7 @@ def test_a_boundary_is_four_thin_walls_inside_the_box() -> None:
     assert {round(y, 9) for wall in model.walls for _, y in wall.points} == {-1, -0.99, 0.99, 1}
 
 
-def test_a_boundary_holds_beside_blocks_too() -> None:
+def test_a_boundary_next_to_blocks_holds_too() -> None:
     model = only("model ( boundary 1 block ( points 3 point[0] [ 0 0 ] point[1] [ 1 0 ] point[2] [ 0 1 ] ) )")
 
     assert (len(model.polygons), len(model.walls)) == (1, 4)
@@ -131,11 +130,11 @@ def test_an_unknown_colour_is_red_and_a_warning_with_the_nearest_name() -> None:
 
 
 @pytest.mark.parametrize(("typed", "meant"), [("rde", "red"), ("bleu", "blue"), ("xyz", "")])
-def test_a_slip_in_a_short_colour_is_known_too(typed: str, meant: str) -> None:
+def test_a_misspelt_short_colour_is_reported_with_the_nearest_name_too(typed: str, meant: str) -> None:
     assert load(f'model ( color "{typed}" )').report.notes[0].details["nearest"] == meant
 
 
-def test_a_random_colour_is_one_of_the_languages_the_same_each_time_and_told_once() -> None:
+def test_a_random_colour_is_one_of_the_language_is_stable_and_reported_once() -> None:
     text = 'define ball model ( color "random" )\n' + "ball ( ) " * 60 + 'model ( color "Random" )'
     scene, again = load(text), load(text)
 
@@ -207,11 +206,11 @@ def test_robots_are_the_positions_that_sense_distances_or_colours() -> None:
     assert [scene.models[robot].name for robot in scene.robots] == ["position:1", "position:2", "position:3"]
 
 
-def test_where_no_position_has_these_any_sense_makes_a_robot() -> None:
+def test_any_sensor_makes_a_robot_where_no_position_has_these() -> None:
     assert load("position ( ) position ( bumper ( ) )").robots == (1,)
 
 
-def test_an_unknown_property_is_kept_out_and_told_with_the_nearest_name() -> None:
+def test_an_unknown_property_is_ignored_and_reported_with_the_nearest_name() -> None:
     scene = load("model ( obstacle_retrun 0 )")
 
     note = scene.report.notes[0]
@@ -219,7 +218,7 @@ def test_an_unknown_property_is_kept_out_and_told_with_the_nearest_name() -> Non
     assert note.details == {"name": "obstacle_retrun", "nearest": "obstacle_return"}
 
 
-def test_what_is_not_simulated_is_told_once_for_a_macro_however_often_it_stands() -> None:
+def test_an_unsimulated_property_of_a_macro_is_reported_once() -> None:
     scene = load("define f actuator ( axis [ 1 0 0 ] )\n" + "model ( f ( ) )\n" * 50)
 
     codes = [note.code for note in scene.report.notes]
@@ -234,7 +233,7 @@ def test_walls_that_robots_could_drive_through_are_made_solid() -> None:
     assert "walls-made-solid" in [note.code for note in scene.report.notes]
 
 
-def test_includes_are_looked_for_beside_the_file_then_beside_the_world(tmp_path: Path) -> None:
+def test_includes_are_looked_for_next_to_the_file_then_next_to_the_world(tmp_path: Path) -> None:
     (tmp_path / "parts").mkdir()
     (tmp_path / "parts" / "a.inc").write_text('include "near.inc" include "far.inc"')
     (tmp_path / "parts" / "near.inc").write_text('model ( name "near, in parts" )')
@@ -254,7 +253,7 @@ def test_a_file_may_be_included_twice(tmp_path: Path) -> None:
     assert len(load_text('include "a.inc" include "a.inc"', tmp_path / "t.world").models) == 2
 
 
-def test_a_file_in_an_old_encoding_loads_and_is_told(tmp_path: Path) -> None:
+def test_a_file_in_an_old_encoding_loads_and_is_reported(tmp_path: Path) -> None:
     (tmp_path / "old.world").write_bytes('model ( name "ch\xe3o" ) # \xe9'.encode("latin-1"))
 
     scene = load_world(tmp_path / "old.world")
@@ -263,7 +262,7 @@ def test_a_file_in_an_old_encoding_loads_and_is_told(tmp_path: Path) -> None:
     assert scene.report.notes[0].code == "not-utf8"
 
 
-def test_a_byte_order_mark_is_no_character(tmp_path: Path) -> None:
+def test_a_byte_order_mark_is_ignored(tmp_path: Path) -> None:
     (tmp_path / "marked.world").write_bytes(b"\xef\xbb\xbfmodel ( )")
 
     assert len(load_world(tmp_path / "marked.world").models) == 1

@@ -1,4 +1,4 @@
-"""World files that can't be used: every mistake has its code, its line and column, and what was expected."""
+"""World files that can't be used: each mistake has a code, a line, a column and what was expected."""
 
 from pathlib import Path
 
@@ -70,7 +70,7 @@ BROKEN = [
 
 
 @pytest.mark.parametrize(("text", "code", "line", "column", "expected"), BROKEN)
-def test_a_mistake_is_told_where_it_is(
+def test_a_mistake_is_reported_at_its_place(
     text: str, code: Code, line: int, column: int, expected: tuple[str, ...]
 ) -> None:
     with pytest.raises(WorldError) as caught:
@@ -94,7 +94,7 @@ def test_a_thing_may_stand_on_one_of_its_kind() -> None:
     assert len(scene.models) == 5
 
 
-def test_a_mistake_in_an_included_file_is_told_there(tmp_path: Path) -> None:
+def test_a_mistake_in_an_included_file_names_that_file(tmp_path: Path) -> None:
     (tmp_path / "parts.inc").write_text("define chair model (\n  size 3\n)\n")
     (tmp_path / "top.world").write_text('include "parts.inc"\nchair ( )\n')
 
@@ -105,7 +105,7 @@ def test_a_mistake_in_an_included_file_is_told_there(tmp_path: Path) -> None:
     assert (caught.value.line, caught.value.column) == (2, 8)
 
 
-def test_a_missing_world_is_told() -> None:
+def test_a_missing_world_is_reported() -> None:
     with pytest.raises(WorldError) as caught:
         load_world(Path("there/is/none.world"))
 
@@ -119,7 +119,7 @@ def test_a_folder_is_no_world(tmp_path: Path) -> None:
     assert caught.value.code is Code.IS_FOLDER
 
 
-def test_files_that_include_each_other_are_told_at_the_second_include(tmp_path: Path) -> None:
+def test_files_that_include_each_other_are_reported_at_the_second_include(tmp_path: Path) -> None:
     (tmp_path / "a.inc").write_text('include "b.inc"')
     (tmp_path / "b.inc").write_text('\n include "a.inc"')
 
@@ -183,7 +183,7 @@ def test_an_include_bomb_is_refused_soon(tmp_path: Path) -> None:
     assert caught.value.code is Code.INCLUDE_TOO_DEEP
 
 
-def test_what_is_no_picture_is_told(tmp_path: Path) -> None:
+def test_a_file_that_is_no_picture_is_reported(tmp_path: Path) -> None:
     (tmp_path / "plan.png").write_bytes(b"\x89PNG\r\n\x1a\n but not really")
 
     with pytest.raises(WorldError) as caught:

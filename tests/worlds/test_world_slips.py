@@ -1,15 +1,15 @@
-"""Slips of those who write their first world: what was meant is told with the mistake."""
+"""Slips of beginners in world files: the message offers what was probably meant."""
 
 from pathlib import Path
 
 import pytest
 
+from donnie_tui.i18n.mistakes import world_note
 from donnie_tui.i18n.words import Unusable, Words
-from donnie_tui.i18n.world_mistakes import world_note
 from donnie_tui.world.choice import choose_world
 
 DONNIE = 'include "donnie.inc"\ndonnie( )\n'
-TOLD = {
+REPORTS = {
     'include "donie.inc"': "There is no file donie.inc. Did you mean donnie.inc?",
     'include "pupils.inc"': "There is no file pupils.inc. Did you mean pupil.inc?",
     'include "qwerty.inc"': "There is no file qwerty.inc.",
@@ -24,42 +24,44 @@ TOLD = {
 }
 
 
-def told(path: Path) -> str:
+def report(path: Path) -> str:
     with pytest.raises(Unusable) as caught:
         choose_world(str(path), Words())
     return caught.value.sentence
 
 
-@pytest.mark.parametrize("text", TOLD, ids=range(len(TOLD)))
-def test_a_slip_is_told_with_what_was_meant(tmp_path: Path, text: str) -> None:
+@pytest.mark.parametrize("text", REPORTS, ids=range(len(REPORTS)))
+def test_a_slip_is_reported_with_what_was_meant(tmp_path: Path, text: str) -> None:
     (tmp_path / "pupil.inc").write_text("define desk model ( )")
     (tmp_path / "folder.inc").mkdir()
     world = tmp_path / "my.world"
     world.write_text(text)
 
-    assert told(world).split(": ", 1)[1] == TOLD[text]
+    assert report(world).split(": ", 1)[1] == REPORTS[text]
 
 
-def test_a_folder_is_no_world_but_may_have_one(tmp_path: Path) -> None:
-    assert told(tmp_path) == f"{tmp_path} is a folder and no world file."
+def test_a_folder_is_not_a_world_but_may_contain_one(tmp_path: Path) -> None:
+    assert report(tmp_path) == f"{tmp_path} is a folder and no world file."
     (tmp_path / "b.world").write_text(DONNIE)
     (tmp_path / "a.world").write_text(DONNIE)
 
-    assert told(tmp_path) == f"{tmp_path} is a folder and no world file. Did you mean {tmp_path / 'a.world'}?"
+    assert (
+        report(tmp_path) == f"{tmp_path} is a folder and no world file. Did you mean {tmp_path / 'a.world'}?"
+    )
 
 
-def test_a_name_that_is_almost_a_file_is_told_with_the_file(
+def test_a_misspelt_file_name_is_reported_with_the_nearest_file(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     (tmp_path / "sala.world").write_text(DONNIE)
     monkeypatch.chdir(tmp_path)
 
-    assert told(Path("sala")) == "There is no world sala. Did you mean sala.world?"
-    assert told(Path("salla.world")) == "There is no file salla.world. Did you mean sala.world?"
-    assert told(tmp_path / "Sala.wrld").endswith(f"Did you mean {tmp_path / 'sala.world'}?")
+    assert report(Path("sala")) == "There is no world sala. Did you mean sala.world?"
+    assert report(Path("salla.world")) == "There is no file salla.world. Did you mean sala.world?"
+    assert report(tmp_path / "Sala.wrld").endswith(f"Did you mean {tmp_path / 'sala.world'}?")
 
 
-def test_a_colour_in_another_language_is_told_with_the_word_that_a_world_file_takes(tmp_path: Path) -> None:
+def test_a_colour_in_another_language_is_reported_with_the_word_to_write(tmp_path: Path) -> None:
     world = tmp_path / "my.world"
     world.write_text(DONNIE + 'include "things.inc"\nbox( pose [ 1 1 0 0 ] color "amarelo" )\n')
     notes = choose_world(str(world), Words()).scene.report.notes

@@ -1,13 +1,11 @@
-"""Scenes written out as world files, for tests: what is loaded again must be the same."""
+"""Writes scenes as world files, for tests: the loaded file must equal the scene."""
 
 from __future__ import annotations
 
 from collections.abc import Iterable, Iterator
 
-from sim.fittings import Limits, RangeSensor, Wheels
-from sim.geometry import normal, seen_from
-from sim.placement import Placement
-from sim.scene import Model, Polygon, Scene
+from sim.geometry import Placement, normal, seen_from
+from sim.scene import Limits, Model, Polygon, RangeSensor, Scene, Wheels
 
 
 def written(scene: Scene) -> str:

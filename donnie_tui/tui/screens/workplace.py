@@ -20,13 +20,11 @@ from textual.screen import Screen
 from textual.widget import Widget
 from textual.widgets import Static
 
-from donnie_tui.tui.widgets.command_line import CommandLine
+from donnie_tui.tui.widgets.command_line import CommandLine, Pane
 from donnie_tui.tui.widgets.editor import Editor
-from donnie_tui.tui.widgets.lines import FixedLine, KeyLine
 from donnie_tui.tui.widgets.log_rows import LogRows
 from donnie_tui.tui.widgets.map_view import MapView
-from donnie_tui.tui.widgets.pane import Pane
-from donnie_tui.tui.widgets.text_rows import TextRows
+from donnie_tui.tui.widgets.rows import FixedLine, KeyLine, TextRows
 
 if TYPE_CHECKING:
     from donnie_tui.core.map_scene import MapScene

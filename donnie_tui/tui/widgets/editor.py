@@ -22,14 +22,14 @@ from textual.geometry import Offset, Region
 from textual.message import Message
 from textual.strip import Strip
 from textual.widgets import TextArea
-from textual.widgets.text_area import TextAreaTheme
+from textual.widgets.text_area import Selection, TextAreaTheme
 
-from donnie_tui.core.breakpoints import alike, followed, shifted
+from donnie_tui.core.breakpoints import common_lines, followed, shifted
 from donnie_tui.tui import themes
 
 if TYPE_CHECKING:
     from donnie_tui.core.completion import Completion
-    from donnie_tui.core.mistakes import Mistake
+    from donnie_tui.core.program_text import Mistake
 
 HERE, CALLER, BREAK, MISTAKE, HINT = ">", "*", "B", "!", "?"
 MARKS = 2
@@ -73,8 +73,7 @@ class Editor(TextArea):
         """Where the selection is, while rows are painted."""
         self._marks: dict[int, str] = {}
         self._notes: dict[int, Mistake] = {}
-        self.breakpoints: frozenset[int] = frozenset()
-        """Lines, from 1; they go with the text."""
+        self._breakpoints: frozenset[int] = frozenset()
         self.complete: Callable[[str, int], Completion] | None = None
         """What may stand at an offset of the text; None where nothing is to be offered."""
 
@@ -103,12 +102,12 @@ class Editor(TextArea):
     def _first_word(self) -> str | None:
         if not self.is_nobodys or len(self.text) >= 20:
             return None
-        from donnie_tui.tui.actions import FIRST_WORDS  # not for the first frame
+        from donnie_tui.commands.lookup import FIRST_WORDS  # not for the first frame
 
         return FIRST_WORDS.get(self.text.strip().casefold())
 
     async def _on_paste(self, event: events.Paste) -> None:
-        from donnie_tui.core.harmless import cleaned  # not for the first frame
+        from donnie_tui.core.safe_text import cleaned  # not for the first frame
 
         event.prevent_default()
         await super()._on_paste(events.Paste(cleaned(event.text)))
@@ -143,11 +142,22 @@ class Editor(TextArea):
         after = [line for line in sorted(self._notes) if line >= self.line] or sorted(self._notes)
         return self._notes[after[0]] if after else None
 
-    def set_breakpoints(self, lines: frozenset[int]) -> None:
-        """These, and no others."""
-        if lines != self.breakpoints:
-            self.breakpoints = lines
+    @property
+    def breakpoints(self) -> frozenset[int]:
+        """Lines, from 1; they move with the text."""
+        return self._breakpoints
+
+    @breakpoints.setter
+    def breakpoints(self, lines: frozenset[int]) -> None:
+        if lines != self._breakpoints:
+            self._breakpoints = lines
             self.refresh()
+
+    def show(self, text: str, breakpoints: frozenset[int]) -> None:
+        """Another program, from its first line; the history begins again."""
+        self.load_text(text)
+        self.breakpoints = breakpoints
+        self.move_cursor((0, 0))
 
     def edit(self, edit: Edit) -> EditResult:
         """Breakpoints go with their lines."""
@@ -173,21 +183,37 @@ class Editor(TextArea):
     def _follow(self, before: Sequence[str]) -> None:
         """The text was ``before`` and is another one now: what differs is all that is known."""
         if before:
-            self.set_breakpoints(followed(self.breakpoints, before, self.document.lines))
+            self.breakpoints = followed(self.breakpoints, before, self.document.lines)
 
     def _shift_breakpoints(self, first: int, last: int, added: int) -> None:
         """Lines behind ``last`` have moved; what is behind ``first`` up to there is gone."""
         if added and self.breakpoints:
-            self.set_breakpoints(shifted(self.breakpoints, first, last, added))
+            self.breakpoints = shifted(self.breakpoints, first, last, added)
 
-    def become(self, lines: Sequence[str]) -> None:
-        """These lines from now on, as one edit of no more than what differs."""
+    def change_lines(self, lines: Sequence[str]) -> None:
+        """Change the text into these lines, as one edit of no more than what differs."""
         before = self.document.lines
         ends_open = len(before) > 1 and not before[-1]
-        after = [*lines, ""] if ends_open or not lines else list(lines)
-        top, end = alike(before, after)
+        after = [*lines, ""] if ends_open or not lines or not lines[-1] else list(lines)
+        top, end = common_lines(before, after)
         if before != after:
             self._replace_lines(top, len(before) - end, after[top : len(after) - end])
+
+    def select(self, row: int, start: int, end: int) -> None:
+        """Select the columns of a row, with the cursor at their end."""
+        self.selection = Selection((row, start), (row, end))
+
+    def replace_range(self, start: int, end: int, text: str) -> None:
+        """Replace the characters between two offsets. The cursor stays at its letter.
+
+        Where it was in what is replaced, or in another line, it comes after the new text.
+        """
+        here, new_end = self.offset_of_cursor, start + len(text)
+        first, last = self.location_of(start), self.location_of(end)
+        is_near = first[0] <= self.cursor_location[0] <= last[0] and not start < here < end
+        self.replace(text, first, last)
+        cursor = new_end if not is_near else here if here <= start else here + new_end - end
+        self.move_cursor(self.location_of(cursor))
 
     def _replace_lines(self, first: int, end: int, lines: Sequence[str]) -> None:
         """Rows ``first`` up to ``end`` become ``lines``; what is gone takes its end of line with it."""

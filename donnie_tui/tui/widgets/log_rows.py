@@ -12,7 +12,7 @@ from collections.abc import Callable
 
 from textual.timer import Timer
 
-from donnie_tui.tui.widgets.text_rows import TextRows
+from donnie_tui.tui.widgets.rows import TextRows
 
 REST = 0.3
 """Seconds that a full page stays: a reader tells what stands there when it looks."""

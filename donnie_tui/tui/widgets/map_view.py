@@ -20,12 +20,11 @@ from textual.message import Message
 from textual.strip import Strip
 
 from donnie_tui.tui.themes import COLOURS
-from donnie_tui.tui.widgets.painted_rows import PaintedRows
+from donnie_tui.tui.widgets.rows import PaintedRows
 
 if TYPE_CHECKING:
     from donnie_tui.core.map_grid import Bounds, Cell, MapGrid
-    from donnie_tui.core.map_scale import MapScale
-    from donnie_tui.core.map_scene import MapScene
+    from donnie_tui.core.map_scene import MapScale, MapScene
     from donnie_tui.core.pointing import Pointer
 
 _MARGIN = 3
@@ -78,7 +77,7 @@ class MapView(PaintedRows, can_focus=True):
 
     def show(self, scene: MapScene) -> None:
         """Another floor."""
-        from donnie_tui.core.map_scale import MapScale
+        from donnie_tui.core.map_scene import MapScale
         from donnie_tui.core.pointing import Pointer
 
         self.scale, self.pointer = MapScale(scene), Pointer(scene)
@@ -172,7 +171,7 @@ class MapView(PaintedRows, can_focus=True):
         self.refresh()
 
     def _choose_factor(self, room: Size) -> None:
-        from donnie_tui.core.map_scale import factor_for
+        from donnie_tui.core.map_scene import factor_for
 
         assert self.scale is not None
         if self.shows_all:

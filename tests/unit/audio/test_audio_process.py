@@ -1,4 +1,4 @@
-"""The audio worker ends with its parent, writes to no terminal, and is ours wherever the learner is."""
+"""The audio worker ends with its parent, writes to no terminal, and is always the installed one."""
 
 from __future__ import annotations
 
@@ -22,23 +22,21 @@ pytestmark = pytest.mark.skipif(sys.platform != "linux", reason="looks into /pro
 
 PARENT = """
 import sys
-from devices.audio_worker.lifetime import State
-from devices.audio_worker.factory import AudioSettings, make_audio
-audio = make_audio(AudioSettings(device={device!r}), lambda notice: None)
+from devices.audio.service import AudioService, AudioSettings
+audio = AudioService(AudioSettings(device={device!r}), lambda notice: None)
 audio.warm_up()
-with audio._changed:
-    audio._changed.wait_for(lambda: audio.state not in (State.IDLE, State.STARTING), 20)
+audio.wait_until_ready({timeout})
 {then}
 """
 
 
-TELL_AND_WAIT = "print(audio.worker_pid, flush=True); sys.stdin.read()"
+PRINT_AND_WAIT = "print(audio.worker_pid, flush=True); sys.stdin.read()"
 
 
 @contextmanager
 def parent_process(then: str) -> Iterator[tuple[subprocess.Popen[bytes], int]]:
     """Another Python that has a worker, and that worker's process id."""
-    command = (sys.executable, "-c", PARENT.format(device="null", then=then))
+    command = (sys.executable, "-c", PARENT.format(device="null", timeout=PATIENCE, then=then))
     with subprocess.Popen(command, cwd=ROOT, stdin=subprocess.PIPE, stdout=subprocess.PIPE) as parent:
         assert parent.stdout is not None
         try:
@@ -49,7 +47,7 @@ def parent_process(then: str) -> Iterator[tuple[subprocess.Popen[bytes], int]]:
 
 @pytest.mark.parametrize("freeze", [False, True], ids=["busy", "frozen"])
 def test_a_worker_dies_with_a_parent_that_is_killed(freeze: bool) -> None:
-    with parent_process(TELL_AND_WAIT) as (parent, pid):
+    with parent_process(PRINT_AND_WAIT) as (parent, pid):
         if freeze:
             os.kill(pid, signal.SIGSTOP)
         assert group_of(pid)
@@ -99,13 +97,15 @@ audio.wait_until_quiet(5)
 audio.close()
 """
 
-    assert output_on_a_terminal(PARENT.format(device=device, then=say_and_close)) == b""
+    assert output_on_a_terminal(PARENT.format(device=device, timeout=PATIENCE, then=say_and_close)) == b""
 
 
-def test_the_worker_is_ours_wherever_the_learner_is(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
-    package = tmp_path / "devices" / "audio_worker"
+def test_a_folder_called_devices_in_the_working_directory_is_not_imported(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    package = tmp_path / "devices" / "audio"
     package.mkdir(parents=True)
-    for file in (package.parent / "__init__.py", package / "__init__.py", package / "__main__.py"):
+    for file in (package.parent / "__init__.py", package / "__init__.py", package / "worker.py"):
         file.write_text("raise SystemExit(1)\n")
     monkeypatch.chdir(tmp_path)
     with audio() as (service, notices):
@@ -114,7 +114,7 @@ def test_the_worker_is_ours_wherever_the_learner_is(tmp_path: Path, monkeypatch:
         assert notices == []
 
 
-def test_complaints_of_the_libraries_go_to_the_log(tmp_path: Path) -> None:
+def test_messages_of_the_libraries_go_to_the_log(tmp_path: Path) -> None:
     log = tmp_path / "audio.log"
     with audio(log=log) as (service, _):
         warm(service)

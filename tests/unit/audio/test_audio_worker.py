@@ -1,4 +1,4 @@
-"""The audio worker as a process: it speaks, is silenced, dies, freezes, and leaves nothing behind.
+"""The audio worker as a process: it speaks, is silenced, dies, freezes, and leaves nothing running.
 
 The device is miniaudio's null device, which takes the sound at the right pace and throws it away.
 """
@@ -18,18 +18,23 @@ from pathlib import Path
 
 import pytest
 
-from devices.audio_worker import process, worker
-from devices.audio_worker.factory import make_audio, make_cue_player, make_speaker
-from devices.audio_worker.lifetime import State
-from devices.audio_worker.messages import Answer, Hush, Hushed, Say, Started, to_line
-from devices.audio_worker.notices import AudioNotice, NoticeCode
-from devices.audio_worker.service import AudioService, AudioSettings
-from devices.audio_worker.worker import AudioWorker
-from devices.ports.audio import Cue, Urgency, Utterance
-from devices.sound.silent import SilentCuePlayer
-from devices.sound.tones import CUE_NAMES
-from devices.speech.silent import SilentSpeaker
-from devices.speech.voices import VoiceSettings
+from devices.audio import process, worker
+from devices.audio.cues import CUE_NAMES
+from devices.audio.messages import AudioResponse, Say, Silence, Silenced, SpeechStarted, to_line
+from devices.audio.service import AudioService, AudioSettings, make_cue_player, make_speaker
+from devices.audio.worker import AudioWorker
+from devices.audio.worker_state import WorkerState
+from devices.ports.audio import (
+    AudioNotice,
+    Cue,
+    NoticeCode,
+    SilentCuePlayer,
+    SilentSpeaker,
+    Urgency,
+    Utterance,
+    VoiceSettings,
+)
+from donnie_tui.outlets.spoken_languages import spoken_languages
 from tests.conftest import ROOT
 from tests.patience import PATIENCE
 
@@ -65,7 +70,8 @@ def in_group(number: int, group: int) -> bool:
 def audio(device: str = "null", **settings: object) -> Iterator[tuple[AudioService, list[AudioNotice]]]:
     """A service whose worker is gone afterwards."""
     notices: list[AudioNotice] = []
-    service = make_audio(AudioSettings(voice=FAST, device=device, **settings), notices.append)  # type: ignore[arg-type]
+    made = AudioSettings(voice=FAST, device=device, languages=spoken_languages(), **settings)  # type: ignore[arg-type]
+    service = AudioService(made, notices.append)
     try:
         yield service, notices
     finally:
@@ -75,7 +81,7 @@ def audio(device: str = "null", **settings: object) -> Iterator[tuple[AudioServi
 def warm(service: AudioService) -> int:
     """Wait until the worker is ready. Its process id."""
     service.warm_up()
-    assert eventually(lambda: service.state is State.READY)
+    assert eventually(lambda: service.state is WorkerState.READY)
     assert service.worker_pid is not None
     return service.worker_pid
 
@@ -90,10 +96,10 @@ def test_three_sentences_in_three_languages_are_spoken_to_their_end() -> None:
             say(service, text, language)
 
         assert service.wait_until_quiet(PATIENCE)
-        assert (service.state, notices) == (State.READY, [])
+        assert (service.state, notices) == (WorkerState.READY, [])
 
 
-def test_every_cue_is_taken_and_an_unknown_one_harms_nothing() -> None:
+def test_every_cue_is_accepted_and_an_unknown_one_is_ignored() -> None:
     with audio() as (service, notices):
         pid = warm(service)
         player = make_cue_player(service)
@@ -106,7 +112,7 @@ def test_every_cue_is_taken_and_an_unknown_one_harms_nothing() -> None:
         assert (service.worker_pid, notices) == (pid, [])
 
 
-def test_silence_forgets_all_that_was_said_and_keeps_the_worker_ready() -> None:
+def test_silence_drops_all_sentences_and_keeps_the_worker_ready() -> None:
     with audio() as (service, _):
         warm(service)
         for number in range(1000):
@@ -118,18 +124,18 @@ def test_silence_forgets_all_that_was_said_and_keeps_the_worker_ready() -> None:
         assert service.wait_until_quiet(PATIENCE)
 
 
-def test_a_killed_worker_is_replaced_and_what_it_was_to_say_is_said() -> None:
+def test_a_killed_worker_is_replaced_and_its_sentence_is_said() -> None:
     with audio() as (service, notices):
         pid = warm(service)
-        say(service, "This is heard after all.")
+        say(service, "This is said after all.")
         os.killpg(pid, signal.SIGKILL)
 
         assert eventually(lambda: service.worker_pid not in (None, pid))
         assert service.wait_until_quiet(PATIENCE)
-        assert (service.state, notices) == (State.READY, [])
+        assert (service.state, notices) == (WorkerState.READY, [])
 
 
-def test_a_frozen_worker_holds_nobody_and_is_replaced() -> None:
+def test_a_frozen_worker_blocks_no_caller_and_is_replaced() -> None:
     with audio() as (service, _):
         pid = warm(service)
         os.kill(pid, signal.SIGSTOP)
@@ -141,7 +147,7 @@ def test_a_frozen_worker_holds_nobody_and_is_replaced() -> None:
         assert group_of(pid) == set()
 
 
-def test_a_frozen_worker_that_should_be_silent_is_ended() -> None:
+def test_a_frozen_worker_that_should_be_silent_is_killed() -> None:
     with audio() as (service, _):
         pid = warm(service)
         say(service, "A sentence that takes a while to say.")
@@ -153,7 +159,7 @@ def test_a_frozen_worker_that_should_be_silent_is_ended() -> None:
         assert group_of(pid) == set()
 
 
-def test_a_worker_that_dies_three_times_is_given_up_and_told() -> None:
+def test_a_worker_that_dies_three_times_is_given_up_and_reported() -> None:
     with audio() as (service, notices):
         service.warm_up()
         killed: set[int] = set()
@@ -163,7 +169,7 @@ def test_a_worker_that_dies_three_times_is_given_up_and_told() -> None:
             if pid is not None and pid not in killed:
                 killed.add(pid)
                 os.killpg(pid, signal.SIGKILL)
-            return service.state is State.GIVEN_UP
+            return service.state is WorkerState.GIVEN_UP
 
         assert eventually(kill_the_present_one)
         assert eventually(lambda: notices == [AudioNotice(NoticeCode.AUDIO_GAVE_UP)])
@@ -172,7 +178,7 @@ def test_a_worker_that_dies_three_times_is_given_up_and_told() -> None:
         assert service.is_quiet
 
 
-def test_a_worker_that_can_not_be_started_is_given_up_and_told(monkeypatch: pytest.MonkeyPatch) -> None:
+def test_a_worker_that_can_not_be_started_is_given_up_and_reported(monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr(sys, "executable", "/nowhere/python")
     with audio() as (service, notices):
         say(service, "Hello.")
@@ -181,7 +187,7 @@ def test_a_worker_that_can_not_be_started_is_given_up_and_told(monkeypatch: pyte
         assert eventually(lambda: notices == [AudioNotice(NoticeCode.AUDIO_GAVE_UP)])
 
 
-def test_without_a_device_it_is_told_once_and_no_process_stays() -> None:
+def test_a_missing_device_is_reported_once_and_no_process_stays() -> None:
     with audio(device="none") as (service, notices):
         say(service, "Hello.")
 
@@ -190,7 +196,7 @@ def test_without_a_device_it_is_told_once_and_no_process_stays() -> None:
         assert notices == [AudioNotice(NoticeCode.NO_SOUND_DEVICE)]
 
 
-def test_after_closing_nothing_runs_and_everything_may_still_be_called() -> None:
+def test_after_closing_nothing_runs_and_every_method_may_still_be_called() -> None:
     with audio() as (service, notices):
         pid = warm(service)
         say(service, "A sentence that takes a while to say.")
@@ -206,25 +212,25 @@ def test_after_closing_nothing_runs_and_everything_may_still_be_called() -> None
         assert (service.worker_pid, service.is_quiet, notices) == (None, True, [])
 
 
-def test_closing_before_anything_was_heard_starts_nothing() -> None:
+def test_closing_before_anything_was_played_starts_nothing() -> None:
     with audio() as (service, _):
         service.close()
 
         assert service.worker_pid is None
 
 
-def test_where_there_is_no_worker_speaker_and_cues_are_silent() -> None:
+def test_without_a_worker_speaker_and_cue_player_are_silent() -> None:
     assert isinstance(make_speaker(None), SilentSpeaker)
     assert isinstance(make_cue_player(None), SilentCuePlayer)
 
 
 RENDER = """
 import json, sys
-from devices.sound.tones import SAMPLE_RATE
-from devices.speech.renderer import NoVoice, Renderer
-from devices.speech.voices import VoiceSettings
+from devices.audio.cues import SAMPLE_RATE
+from devices.audio.renderer import NoVoice, Renderer
+from devices.ports.audio import VoiceSettings
 try:
-    renderer = Renderer({bundled})
+    renderer = Renderer(dict(en=("en", "en-gb"), pt=("pt-br",), es=("es",)), {bundled})
 except NoVoice:
     sys.exit("no voice")
 def seconds(text, language, words_per_minute=180):
@@ -252,13 +258,13 @@ print("facts", json.dumps(facts))
 
 @pytest.mark.parametrize("bundled", [False, True], ids=["the system's", "the bundled"])
 def test_a_sentence_is_rendered_to_sound_by_the_voice_of_its_language(bundled: bool) -> None:
-    """In a process of its own: pyttsx3 is never loaded into Donnie's."""
+    """In a process of its own: pyttsx3 is never loaded into Donnie."""
     done = subprocess.run(
         (sys.executable, "-c", RENDER.format(bundled=bundled)),
         cwd=ROOT,
         capture_output=True,
         text=True,
-        timeout=60,
+        timeout=PATIENCE,
     )
     if "no voice" in done.stderr:
         pytest.skip("needs espeak-ng")
@@ -274,8 +280,8 @@ def test_a_sentence_is_rendered_to_sound_by_the_voice_of_its_language(bundled: b
     assert min(facts["changing"][0::2]) > 1.5 * max(facts["changing"][1::2])
 
 
-def test_whatever_happens_to_the_worker_nobody_waits_and_it_is_heard_again() -> None:
-    """S1, S4, S6: killed, stopped, flooded with a thousand sentences and silenced a hundred times."""
+def test_after_every_kind_of_trouble_the_worker_speaks_again() -> None:
+    """Flooded with a thousand sentences, silenced a hundred times, killed and stopped."""
     with audio() as (service, notices):
         pid = warm(service)
         for number in range(1000):
@@ -293,19 +299,19 @@ def test_whatever_happens_to_the_worker_nobody_waits_and_it_is_heard_again() -> 
 
         say(service, "Heard.")
         assert service.wait_until_quiet(PATIENCE)
-        assert (service.state, notices) == (State.READY, [])
+        assert (service.state, notices) == (WorkerState.READY, [])
         assert group_of(pid) == group_of(frozen) == set()
 
 
 GROWTH = """
 import os, sys
 from pathlib import Path
-from devices.speech.renderer import NoVoice, Renderer
-from devices.speech.voices import VoiceSettings
+from devices.audio.renderer import NoVoice, Renderer
+from devices.ports.audio import VoiceSettings
 def resident():
     return int(Path("/proc/self/statm").read_text().split()[1]) * os.sysconf("SC_PAGE_SIZE")
 try:
-    renderer = Renderer(False)
+    renderer = Renderer(dict(en=("en", "en-gb")))
 except NoVoice:
     sys.exit("no voice")
 fast = VoiceSettings(450)
@@ -318,9 +324,9 @@ print(render(range(300)), resident() - before)
 
 
 def test_speaking_makes_the_worker_grow_by_less_than_ten_megabytes_a_thousand_sentences() -> None:
-    """S4, by three hundred of them; ``benchmarks/sound.py`` has the thousand."""
+    """Tested with three hundred; ``benchmarks/sound.py`` has the thousand."""
     done = subprocess.run(
-        (sys.executable, "-c", GROWTH), cwd=ROOT, capture_output=True, text=True, timeout=100
+        (sys.executable, "-c", GROWTH), cwd=ROOT, capture_output=True, text=True, timeout=PATIENCE
     )
     if "no voice" in done.stderr:
         pytest.skip("needs espeak-ng")
@@ -330,9 +336,9 @@ def test_speaking_makes_the_worker_grow_by_less_than_ten_megabytes_a_thousand_se
     assert grown < 3 * 1024 * 1024
 
 
-def test_a_worker_is_ended_with_the_player_that_it_started(monkeypatch: pytest.MonkeyPatch) -> None:
+def test_a_worker_is_killed_with_the_player_that_it_started(monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr(process, "_MODULE", "tests.unit.audio.worker_with_a_player")
-    started = process.WorkerProcess("null", False, None, None, lambda _: None, lambda: None)
+    started = process.WorkerProcess("null", False, None, None, {}, lambda _: None, lambda: None)
     try:
         assert eventually(lambda: len(group_of(started.pid)) == 2)
         started.kill()
@@ -343,7 +349,7 @@ def test_a_worker_is_ended_with_the_player_that_it_started(monkeypatch: pytest.M
 
 
 class SilentPlayer:
-    """Takes a sentence and keeps it."""
+    """Counts the sentences."""
 
     def __init__(self) -> None:
         self.spoken = 0
@@ -351,23 +357,23 @@ class SilentPlayer:
     def speak(self, mono: array[int], on_end: Callable[[], None]) -> None:
         self.spoken += 1
 
-    def hush(self, speech: bool, cues: bool) -> None: ...
+    def silence(self, speech: bool, cues: bool) -> None: ...
 
 
 @pytest.mark.parametrize("is_silenced", [True, False])
-def test_what_is_silenced_while_it_is_rendered_does_not_sound(
+def test_a_sentence_that_is_silenced_while_it_is_rendered_does_not_sound(
     monkeypatch: pytest.MonkeyPatch, is_silenced: bool
 ) -> None:
     def rendered(*_: object) -> array[int]:
         if is_silenced:
-            made._obey(to_line(Hush(7, True, False)))
+            made._obey(to_line(Silence(7, True, False)))
         return array("h", [0] * 22_050)
 
-    answers: list[Answer] = []
-    made, player = AudioWorker(answers.append, "null", False, {}), SilentPlayer()
+    answers: list[AudioResponse] = []
+    made, player = AudioWorker(answers.append, "null", False, {}, {}), SilentPlayer()
     made._player = player  # type: ignore[assignment] # as far as it is asked
     monkeypatch.setattr(worker, "_rendered", rendered)
     made._speak(None, 0, Say(1, "Hello.", "en", 180, 50, 1.0))
 
-    assert answers == ([Hushed(7)] if is_silenced else [Started(1, 1.0)])
+    assert answers == ([Silenced(7)] if is_silenced else [SpeechStarted(1, 1.0)])
     assert player.spoken == (not is_silenced)

@@ -10,8 +10,8 @@ from pathlib import Path
 
 import pytest
 
-from devices.sound.command_player import CommandPlayer, find_command_player
-from devices.sound.tones import SAMPLE_RATE
+from devices.audio.cues import SAMPLE_RATE
+from devices.audio.players import CommandPlayer, find_command_player
 from tests.patience import PATIENCE
 
 pytestmark = pytest.mark.skipif(sys.platform == "win32", reason="the commands exist on Unix only")
@@ -24,7 +24,7 @@ PLAY_THE_TRIAL_THEN_HANG = f'[ -e "$HOME/tried" ] || {{ : > "$HOME/tried"; exit 
 
 @pytest.fixture
 def commands(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
-    """A folder that is searched before the system's own, which holds no player then."""
+    """A folder that is searched before the system's own; its players all fail at first."""
     folder = tmp_path / "bin"
     folder.mkdir()
     for name in ("pw-play", "paplay", "aplay"):
@@ -53,7 +53,7 @@ def played(path: Path) -> tuple[int, int, array[int]]:
 
 
 @pytest.mark.usefixtures("commands")
-def test_commands_that_all_complain_are_no_player() -> None:
+def test_commands_that_all_fail_are_no_player() -> None:
     assert find_command_player() is None
 
 
@@ -64,7 +64,9 @@ def test_the_command_that_works_is_chosen(commands: Path, name: str) -> None:
     assert found().name == name
 
 
-def test_a_sentence_reaches_the_command_as_wav_and_its_end_is_told(commands: Path, tmp_path: Path) -> None:
+def test_a_sentence_reaches_the_command_as_wav_and_its_end_is_reported(
+    commands: Path, tmp_path: Path
+) -> None:
     provide(commands, "aplay", KEEP)
     ended = threading.Event()
     found().speak(array("h", [1, -2, 3]), on_end=ended.set)
@@ -73,14 +75,14 @@ def test_a_sentence_reaches_the_command_as_wav_and_its_end_is_told(commands: Pat
     assert played(tmp_path / "aplay.wav") == (2, SAMPLE_RATE, array("h", [1, 1, -2, -2, 3, 3]))
 
 
-def test_a_hushed_command_is_ended(commands: Path) -> None:
+def test_a_silenced_command_is_killed(commands: Path) -> None:
     provide(commands, "paplay", PLAY_THE_TRIAL_THEN_HANG)
     player = found()
     ended = threading.Event()
     player.speak(array("h", [1]), on_end=ended.set)
     player.cue("bump", array("h", [1, 1]), delay=0.0)
     processes = [sound.process for sound in player._sounds]
-    player.hush(speech=True, cues=True)
+    player.silence(speech=True, cues=True)
 
     assert [process.wait(PATIENCE) for process in processes] == [-9, -9]
     assert not player.is_playing
@@ -119,7 +121,7 @@ def test_a_cue_that_waits_is_preceded_by_silence(commands: Path, tmp_path: Path)
     assert played(tmp_path / "pw-play.wav")[2] == array("h", [0, 0, 0, 0, 7, 7])
 
 
-def test_a_command_that_fails_tells_no_end_so_that_it_is_noticed(commands: Path) -> None:
+def test_a_command_that_fails_reports_no_end(commands: Path) -> None:
     provide(commands, "paplay", '[ -e "$HOME/tried" ] && exit 1; : > "$HOME/tried"')
     ended = threading.Event()
     player = found()

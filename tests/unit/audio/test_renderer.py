@@ -1,4 +1,4 @@
-"""The renderer, with an engine of the tests' own: what it was set to is looked at, not trusted (S10)."""
+"""The renderer with a fake engine: it reads back what it has set."""
 
 from __future__ import annotations
 
@@ -7,14 +7,16 @@ from types import SimpleNamespace
 
 import pytest
 
-from devices.sound.tones import SAMPLE_RATE
-from devices.speech import renderer
-from devices.speech.renderer import NoVoice, Renderer
-from devices.speech.voices import VoiceSettings
+from devices.audio import renderer
+from devices.audio.cues import SAMPLE_RATE
+from devices.audio.renderer import NoVoice, Renderer
+from devices.ports.audio import VoiceSettings
+
+VOICES = {"en": ("en",), "pt": ("pt-br",), "es": ("es",)}
 
 
 class Engine:
-    """As pyttsx3: what it doesn't know it takes without a word, and keeps the voice before."""
+    """As pyttsx3: it accepts unknown voices silently, and keeps the previous one."""
 
     driver_name = "tests"
 
@@ -51,17 +53,17 @@ def engine(monkeypatch: pytest.MonkeyPatch) -> Engine:
     return made
 
 
-def test_a_voice_that_is_offered_and_not_taken_is_none(engine: Engine) -> None:
+def test_a_voice_that_is_listed_but_not_accepted_is_not_used(engine: Engine) -> None:
     del engine
-    made = Renderer()
+    made = Renderer(VOICES)
 
     assert made.languages == ("en", "pt")
     with pytest.raises(NoVoice):
         made.render("Hola.", "es", VoiceSettings())
 
 
-def test_a_voice_that_is_lost_later_is_not_replaced_by_the_one_before(engine: Engine) -> None:
-    made = Renderer()
+def test_a_voice_that_is_lost_later_is_not_replaced_by_the_previous_one(engine: Engine) -> None:
+    made = Renderer(VOICES)
     assert made.render("Olá.", "pt", VoiceSettings())
     assert engine.read_by[-1] == "pt-br"
     made.render("Hello.", "en", VoiceSettings())

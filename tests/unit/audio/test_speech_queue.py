@@ -1,16 +1,16 @@
-"""What is said next, as facts about the queue alone."""
+"""What is said next: the queue alone."""
 
 import pytest
 
-from devices.ports.audio import Urgency, Utterance
-from devices.speech.policy import (
+from devices.audio.speech_queue import (
     REPEAT_WINDOW,
     SENTENCE_LIMIT,
-    Offer,
+    QueueResult,
     SpeechQueue,
-    cuts,
     first_sentence,
+    interrupts,
 )
+from devices.ports.audio import Urgency, Utterance
 
 
 def utterance(text: str, urgency: Urgency = Urgency.PROGRAM, language: str = "en") -> Utterance:
@@ -70,7 +70,7 @@ def drained(queue: SpeechQueue) -> list[str]:
         pytest.param([("", Urgency.PROGRAM), (" \n ", Urgency.ALERT)], [], id="nothing is said for nothing"),
     ],
 )
-def test_who_goes_first(offers: list[tuple[str, Urgency]], said: list[str]) -> None:
+def test_the_order_of_utterances(offers: list[tuple[str, Urgency]], said: list[str]) -> None:
     assert said_after(*offers) == said
 
 
@@ -78,15 +78,15 @@ def test_the_same_text_is_said_again_after_half_a_second() -> None:
     queue = SpeechQueue()
     queue.offer(utterance("Wall.", Urgency.ALERT), now=0.0)
 
-    assert queue.offer(utterance("Wall.", Urgency.ALERT), now=REPEAT_WINDOW - 0.01) is Offer.REPEATED
-    assert queue.offer(utterance("Wall.", Urgency.ALERT), now=REPEAT_WINDOW) is Offer.QUEUED
+    assert queue.offer(utterance("Wall.", Urgency.ALERT), now=REPEAT_WINDOW - 0.01) is QueueResult.REPEATED
+    assert queue.offer(utterance("Wall.", Urgency.ALERT), now=REPEAT_WINDOW) is QueueResult.QUEUED
 
 
 def test_the_same_words_in_another_language_are_another_text() -> None:
     queue = SpeechQueue()
     queue.offer(utterance("No.", Urgency.ANSWER, "en"), now=0.0)
 
-    assert queue.offer(utterance("No.", Urgency.ANSWER, "es"), now=0.0) is Offer.QUEUED
+    assert queue.offer(utterance("No.", Urgency.ANSWER, "es"), now=0.0) is QueueResult.QUEUED
 
 
 def test_what_was_silenced_may_be_said_again_at_once() -> None:
@@ -95,7 +95,7 @@ def test_what_was_silenced_may_be_said_again_at_once() -> None:
     queue.clear()
 
     assert drained(queue) == []
-    assert queue.offer(utterance("Wall.", Urgency.ALERT), now=0.1) is Offer.QUEUED
+    assert queue.offer(utterance("Wall.", Urgency.ALERT), now=0.1) is QueueResult.QUEUED
 
 
 def test_an_alert_waits_for_one_sentence_of_a_long_answer() -> None:
@@ -108,7 +108,7 @@ def test_an_alert_waits_for_one_sentence_of_a_long_answer() -> None:
     assert drained(queue) == ["Stopped.", "Two boxes.", "One wall."]
 
 
-def test_a_sentence_that_is_put_back_comes_before_what_waits() -> None:
+def test_a_sentence_that_is_put_back_precedes_those_that_wait() -> None:
     queue = SpeechQueue()
     for text in ("one", "two"):
         queue.offer(utterance(text), now=0.0)
@@ -123,20 +123,20 @@ def test_a_thousand_times_speak_are_a_thousand_sentences_in_order() -> None:
     queue = SpeechQueue()
     texts = [f"number {number}" for number in range(1000)]
     for text in texts:
-        assert queue.offer(utterance(text), now=0.0) is Offer.QUEUED
+        assert queue.offer(utterance(text), now=0.0) is QueueResult.QUEUED
 
     assert drained(queue) == texts
 
 
-def test_a_program_that_speaks_for_ever_is_refused_in_the_end_and_loses_nothing_older() -> None:
+def test_a_program_that_speaks_for_ever_is_refused_in_the_end_and_loses_no_earlier_sentence() -> None:
     queue = SpeechQueue()
     accepted = 0
-    while accepted < 100_000 and queue.offer(utterance(str(accepted)), now=0.0) is Offer.QUEUED:
+    while accepted < 100_000 and queue.offer(utterance(str(accepted)), now=0.0) is QueueResult.QUEUED:
         accepted += 1
 
     assert accepted < 100_000
     assert drained(queue) == [str(number) for number in range(accepted)]
-    assert queue.offer(utterance("again"), now=0.0) is Offer.QUEUED
+    assert queue.offer(utterance("again"), now=0.0) is QueueResult.QUEUED
 
 
 def test_huge_texts_are_refused_before_they_fill_the_memory() -> None:
@@ -144,16 +144,16 @@ def test_huge_texts_are_refused_before_they_fill_the_memory() -> None:
     huge = "a" * 1_500_000
     offers = [queue.offer(utterance(huge), now=0.0) for _ in range(3)]
 
-    assert offers == [Offer.QUEUED, Offer.QUEUED, Offer.REFUSED]
+    assert offers == [QueueResult.QUEUED, QueueResult.QUEUED, QueueResult.REFUSED]
     assert max(len(sentence) for sentence in drained(queue)) <= SENTENCE_LIMIT
 
 
 def test_an_alert_is_accepted_when_the_program_has_filled_the_queue() -> None:
     queue = SpeechQueue()
-    while queue.offer(utterance("blah"), now=0.0) is Offer.QUEUED:
+    while queue.offer(utterance("blah"), now=0.0) is QueueResult.QUEUED:
         pass
 
-    assert queue.offer(utterance("Stopped.", Urgency.ALERT), now=0.0) is Offer.QUEUED
+    assert queue.offer(utterance("Stopped.", Urgency.ALERT), now=0.0) is QueueResult.QUEUED
     assert queue.next() == utterance("Stopped.", Urgency.ALERT)
 
 
@@ -195,7 +195,9 @@ def test_nothing_is_lost_when_a_text_is_cut() -> None:
 
 @pytest.mark.parametrize("incoming", Urgency)
 @pytest.mark.parametrize("speaking", Urgency)
-def test_only_an_alert_cuts_and_only_progress_and_hints_are_cut(incoming: Urgency, speaking: Urgency) -> None:
+def test_only_an_alert_interrupts_and_only_progress_and_hints_are_interrupted(
+    incoming: Urgency, speaking: Urgency
+) -> None:
     expected = incoming is Urgency.ALERT and speaking in {Urgency.PROGRESS, Urgency.HINT}
 
-    assert cuts(incoming, speaking) is expected
+    assert interrupts(incoming, speaking) is expected

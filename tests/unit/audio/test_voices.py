@@ -1,18 +1,20 @@
-"""Which voice reads which language, and how it sounds at most."""
+"""Which voice reads which language, and the ranges of its settings."""
 
 import math
 
 import pytest
 
-from devices.speech.voices import Voice, VoiceSettings, base_language, choose_voice
+from devices.audio.renderer import InstalledVoice, choose_voice
+from devices.ports.audio import VoiceSettings, base_language
+from donnie_tui.outlets.spoken_languages import spoken_languages
 
-BRITISH = Voice("gmw/en", ("en-gb",))
-AMERICAN = Voice("gmw/en-us", ("en-us",))
-BRAZIL = Voice("roa/pt-br", ("pt-br",))
-PORTUGAL = Voice("roa/pt", ("pt",))
-SPAIN = Voice("roa/es", ("es",))
-MBROLA = Voice("mb/mb-br1", ("pt-br",))
-SAPI = Voice("HKEY_LOCAL_MACHINE/SPEECH/MARIA", ("pt_BR",))
+BRITISH = InstalledVoice("gmw/en", ("en-gb",))
+AMERICAN = InstalledVoice("gmw/en-us", ("en-us",))
+BRAZIL = InstalledVoice("roa/pt-br", ("pt-br",))
+PORTUGAL = InstalledVoice("roa/pt", ("pt",))
+SPAIN = InstalledVoice("roa/es", ("es",))
+MBROLA = InstalledVoice("mb/mb-br1", ("pt-br",))
+SAPI = InstalledVoice("HKEY_LOCAL_MACHINE/SPEECH/MARIA", ("pt_BR",))
 
 
 @pytest.mark.parametrize(
@@ -31,9 +33,12 @@ SAPI = Voice("HKEY_LOCAL_MACHINE/SPEECH/MARIA", ("pt_BR",))
     ],
 )
 def test_a_language_is_read_by_its_own_voice_or_by_none(
-    language: str, voices: tuple[Voice, ...], chosen: Voice | None
+    language: str, voices: tuple[InstalledVoice, ...], chosen: InstalledVoice | None
 ) -> None:
-    assert choose_voice(language, voices) == chosen
+    known = spoken_languages().get(base_language(language))
+    preferred = known.voices if known is not None else (language,)
+
+    assert choose_voice(preferred, voices) == chosen
 
 
 @pytest.mark.parametrize(

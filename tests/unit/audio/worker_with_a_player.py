@@ -1,4 +1,4 @@
-"""In the place of an audio worker: one that started a player, and then hears nothing any more."""
+"""Replaces an audio worker: it starts a player, and then reads nothing any more."""
 
 import signal
 import subprocess

@@ -1,4 +1,4 @@
-"""A whole Donnie whose voice and cues are written down instead of heard."""
+"""A whole Donnie whose voice and cues are recorded instead of played."""
 
 from __future__ import annotations
 
@@ -7,22 +7,21 @@ from contextlib import contextmanager
 
 import pytest
 
-from devices.ports.audio import Cue, Utterance
-from devices.speech.choose import Facts
-from devices.speech.voices import VoiceSettings
+from devices.ports.audio import Cue, Utterance, VoiceSettings
 from donnie_tui.bootstrap import Donnie, assemble
 from donnie_tui.core.events import Stamped
 from donnie_tui.core.transcript import told_lines
 from donnie_tui.outlets import audible
-from donnie_tui.settings.chosen import Settings
+from donnie_tui.settings.settings import Settings
+from tests.unit.audio.known_environment import KnownEnvironment
 
-HOME = Facts(
+HOME = KnownEnvironment(
     stdout_is_terminal=True, over_ssh=False, screen_reader=None, has_voice=True, has_sound_device=True
 )
 
 
-class Ear:
-    """Takes the place of the audio worker."""
+class RecordingAudio:
+    """Replaces the audio worker."""
 
     def __init__(self) -> None:
         self.heard: list[str] = []
@@ -60,10 +59,10 @@ class Ear:
 
 
 class Listening:
-    """Donnie, what is printed, and what is heard."""
+    """Donnie, the printed lines, and the recorded sounds."""
 
-    def __init__(self, donnie: Donnie, ear: Ear) -> None:
-        self.donnie, self.ear = donnie, ear
+    def __init__(self, donnie: Donnie, audio: RecordingAudio) -> None:
+        self.donnie, self.audio = donnie, audio
         self.printed: list[str] = []
         donnie.session.hub.subscribe(self._print)
 
@@ -73,19 +72,19 @@ class Listening:
 
 @contextmanager
 def listening(
-    monkeypatch: pytest.MonkeyPatch, around: Facts = HOME, settings: Settings | None = None
+    monkeypatch: pytest.MonkeyPatch, around: KnownEnvironment = HOME, settings: Settings | None = None
 ) -> Iterator[Listening]:
-    """Somebody at home with a voice and a sound device."""
-    ear = Ear()
+    """A learner at home with a voice and a sound device."""
+    audio = RecordingAudio()
 
-    def opened(*_: object) -> Ear:
-        ear.opened += 1
-        return ear
+    def opened(*_: object) -> RecordingAudio:
+        audio.opened += 1
+        return audio
 
-    monkeypatch.setattr(audible, "look_around", lambda **_: around)
-    monkeypatch.setattr("devices.audio_worker.factory.make_audio", opened)
+    monkeypatch.setattr(audible, "DetectedEnvironment", lambda **_: around)
+    monkeypatch.setattr("devices.audio.service.AudioService", opened)
     donnie = assemble(settings or Settings(speech="tts", speed=None), terminal=True)
     try:
-        yield Listening(donnie, ear)
+        yield Listening(donnie, audio)
     finally:
         donnie.close()

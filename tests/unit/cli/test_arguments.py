@@ -1,14 +1,12 @@
-"""Options stand before or behind the command; the first word that is neither is the command or the file."""
+"""Options stand before or after the command. The first other word is the command or the file."""
+
+import re
 
 import pytest
-from hypothesis import given
-from hypothesis import strategies as st
 
-from donnie_tui.cli.arguments import COMMANDS, TO_COME, WrongUsage
-from donnie_tui.cli.parsers import parser_of
-from donnie_tui.cli.understanding import plainly, understand
+from donnie_tui.cli.options import COMMANDS, TO_COME, WrongUsage, understand
 from donnie_tui.i18n.words import Words
-from donnie_tui.settings.chosen import BadOption
+from donnie_tui.settings.settings import BadOption
 
 
 @pytest.mark.parametrize(
@@ -54,19 +52,19 @@ def test_a_reserved_command_is_known_whatever_follows_it(command: str) -> None:
 
 
 @pytest.mark.parametrize("line", ["run", "check", "format", "--foo", "run x --foo", "a.gd b.gd", "--lang"])
-def test_what_can_not_be_understood_is_wrong_usage(line: str) -> None:
+def test_a_line_that_can_not_be_understood_is_wrong_usage(line: str) -> None:
     with pytest.raises(WrongUsage):
         understand(line.split(), Words())
 
 
-def test_what_is_no_number_is_told_with_its_option() -> None:
+def test_a_value_that_is_no_number_is_reported_with_its_option() -> None:
     with pytest.raises(WrongUsage) as wrong:
         understand(["replay", "a.rec", "--from", "x"], Words())
 
     assert (wrong.value.code, wrong.value.what) == ("usage-no-number", "--from")
 
 
-def test_what_is_no_choice_is_told_with_its_option_and_what_can_be_chosen() -> None:
+def test_an_unknown_value_is_reported_with_its_option_and_the_possible_values() -> None:
     with pytest.raises(BadOption) as bad:
         understand(["format", "a.gd", "--to", "fr"], Words())
 
@@ -74,9 +72,7 @@ def test_what_is_no_choice_is_told_with_its_option_and_what_can_be_chosen() -> N
 
 
 @pytest.mark.parametrize("language", ["en", "pt", "es"])
-def test_help_names_every_command_with_what_it_is_for(
-    language: str, capsys: pytest.CaptureFixture[str]
-) -> None:
+def test_help_names_every_command_with_its_purpose(language: str, capsys: pytest.CaptureFixture[str]) -> None:
     words = Words(language)
     with pytest.raises(SystemExit):
         understand(["--help"], words)
@@ -100,7 +96,7 @@ def test_help_is_there_for_every_command_in_every_language(
 
 
 @pytest.mark.parametrize("line", ["-h", "-H", "-th", "--linear -mH"])
-def test_help_is_told_where_its_letter_stands_among_others(
+def test_help_is_printed_where_its_letter_stands_among_others(
     line: str, capsys: pytest.CaptureFixture[str]
 ) -> None:
     with pytest.raises(SystemExit):
@@ -109,24 +105,37 @@ def test_help_is_told_where_its_letter_stands_among_others(
     assert Words()("option-speech") in capsys.readouterr().out
 
 
-_PIECES = (
-    *("--linear", "-t", "-T", "--visual", "--plain", "-m", "-M", "-l", "-L", "-ml", "-f", "--", "-", "-1"),
-    *("--world", "--world=", "--world=maze", "--speed", "max", "--lang", "--lan", "--events", "=", "a=b"),
-    *("walk.gd", "run", "maze", "", "two words", "--odd", "--odd=1", "--=1", "--sound", "on"),
-)
+@pytest.mark.parametrize("language", ["pt", "es"])
+@pytest.mark.parametrize("command", ["", *(each for each in COMMANDS if each not in TO_COME)])
+def test_no_line_of_a_translated_help_is_english(
+    command: str, language: str, capsys: pytest.CaptureFixture[str]
+) -> None:
+    with pytest.raises(SystemExit):
+        understand([*command.split(), "--help"], Words("en"))
+    english = sentences_in(capsys.readouterr().out)
+    with pytest.raises(SystemExit):
+        understand([*command.split(), "--help"], Words(language))
+
+    assert not english & sentences_in(capsys.readouterr().out)
 
 
-@given(st.lists(st.sampled_from(_PIECES), max_size=6))
-def test_what_is_understood_without_argparse_is_what_argparse_understands(line: list[str]) -> None:
-    plain = plainly(line)
-
-    if plain is not None:
-        assert vars(plain) == vars(parser_of("", lambda _code: "").parse_args(line))
+def sentences_in(text: str) -> set[str]:
+    """The lines of a help with words of a language: at least two of four letters, and no form of a value."""
+    lines = (" ".join(line.split()) for line in text.splitlines())
+    return {line for line in lines if len(re.findall(r"\b[^\W\d_A-Z]{4,}\b", line)) > 1 and "|" not in line}
 
 
-@pytest.mark.parametrize(
-    "line",
-    ["", "walk.gd", "--linear --speech off --sound=on --world maze a.gd", "-t -m -l", "--visual --plain"],
-)
-def test_what_is_plain_needs_no_argparse(line: str) -> None:
-    assert plainly(line.split()) is not None
+@pytest.mark.parametrize("language", ["pt", "es"])
+@pytest.mark.parametrize("command", [each for each in COMMANDS if each not in TO_COME])
+def test_the_frame_of_a_translated_help_is_translated(
+    command: str, language: str, capsys: pytest.CaptureFixture[str]
+) -> None:
+    """The words around the sentences, which argparse would print in English."""
+    with pytest.raises(SystemExit):
+        understand([command, "--help"], Words(language))
+    first, *others = capsys.readouterr().out.splitlines()
+
+    assert first.startswith(f"{Words(language)('usage-prefix')} donnie")
+    assert f"{Words(language)('usage-options')}:" in others
+    frame = [Words("en")(code) for code in ("usage-prefix", "usage-options", "usage-arguments")]
+    assert [line for line in (first, *others) if line.startswith(tuple(frame))] == []

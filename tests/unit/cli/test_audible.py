@@ -1,39 +1,38 @@
-"""Voice and cues as the settings and the surroundings allow; what is not possible is told in one sentence."""
+"""Voice and cues follow the settings and the environment. What is impossible is reported in one sentence."""
 
 import re
 from contextlib import ExitStack
-from dataclasses import replace
 from functools import partial
 from pathlib import Path
 from types import SimpleNamespace
 
 import pytest
+from msgspec.structs import replace
 
-from devices.audio_worker.service import AudioSettings
-from devices.ports.audio import Utterance
-from devices.speech.choose import Facts
-from devices.speech.silent import SilentSpeaker
-from donnie_tui import LANGUAGES
+from devices.audio.service import AudioSettings
+from devices.ports.audio import SilentSpeaker, Utterance
+from donnie_tui.commands.preferences import find_preference, value_typed
 from donnie_tui.core.events import Announced, Chimed, SoundSwitched, Spoke
-from donnie_tui.core.outlets import Hears, Voice
+from donnie_tui.core.outlets import Voice, VoiceScope
 from donnie_tui.core.transcript import told_lines
 from donnie_tui.i18n.words import Words
 from donnie_tui.outlets import audible
 from donnie_tui.outlets.audible import make_audible, wants_cues
-from donnie_tui.settings.chosen import Settings, Source
-from donnie_tui.words.sound_words import find_setting, read_setting
+from donnie_tui.settings.settings import Settings, Source
+from language.locales import languages
 from tests.floor import Floor
 from tests.sessions.learner import until
+from tests.unit.audio.known_environment import KnownEnvironment
 from tests.unit.ssip.server import Server
 
-HOME = Facts(
+HOME = KnownEnvironment(
     stdout_is_terminal=True, over_ssh=False, screen_reader=None, has_voice=True, has_sound_device=True
 )
 ASKED = {"sound": Source.OPTION}
 
 
 class Noting(SilentSpeaker):
-    """Notes what it is to say, and how often it is silenced."""
+    """Records what it is to say, and how often it is silenced."""
 
     def __init__(self) -> None:
         self.said: list[str] = []
@@ -46,7 +45,7 @@ class Noting(SilentSpeaker):
         self.silenced += 1
 
 
-def facts(**changes: object) -> Facts:
+def facts(**changes: object) -> KnownEnvironment:
     return replace(HOME, **changes)  # type: ignore[arg-type]
 
 
@@ -62,8 +61,8 @@ def facts(**changes: object) -> Facts:
         (Settings(sources=ASKED), facts(stdout_is_terminal=False), True),
     ],
 )
-def test_cues_are_for_who_hears_them_or_asked_for_them(
-    settings: Settings, around: Facts, wanted: bool
+def test_cues_are_on_where_they_are_audible_or_asked_for(
+    settings: Settings, around: KnownEnvironment, wanted: bool
 ) -> None:
     assert wants_cues(settings, around) is wanted
 
@@ -80,10 +79,10 @@ def test_cues_are_for_who_hears_them_or_asked_for_them(
         ("auto", facts(has_sound_device=False), ("No sound device. Everything is in print.",)),
     ],
 )
-def test_what_is_missing_is_told_once(
-    monkeypatch: pytest.MonkeyPatch, speech: str, around: Facts, notices: tuple[str, ...]
+def test_a_missing_device_is_reported_once(
+    monkeypatch: pytest.MonkeyPatch, speech: str, around: KnownEnvironment, notices: tuple[str, ...]
 ) -> None:
-    monkeypatch.setattr(audible, "look_around", lambda **_: around)
+    monkeypatch.setattr(audible, "DetectedEnvironment", lambda **_: around)
     with ExitStack() as closing:
         made = make_audible(Settings(speech=speech, sound=False), Floor().session, Words(), closing)
 
@@ -104,11 +103,11 @@ def test_what_is_missing_is_told_once(
         ("auto", facts(stdout_is_terminal=False), None),
     ],
 )
-def test_what_is_decided_unasked_has_a_sentence_with_the_word_that_changes_it(
-    monkeypatch: pytest.MonkeyPatch, speech: str, around: Facts, told: str | None
+def test_a_default_voice_is_announced_with_the_word_that_changes_it(
+    monkeypatch: pytest.MonkeyPatch, speech: str, around: KnownEnvironment, told: str | None
 ) -> None:
-    """V1."""
-    monkeypatch.setattr(audible, "look_around", lambda **_: around)
+    """The greeting says which voice was chosen without a question."""
+    monkeypatch.setattr(audible, "DetectedEnvironment", lambda **_: around)
     monkeypatch.setattr(audible._Maker, "make", lambda *_: SimpleNamespace())
     with ExitStack() as closing:
         decided = make_audible(
@@ -119,7 +118,7 @@ def test_what_is_decided_unasked_has_a_sentence_with_the_word_that_changes_it(
     assert decided is None or "SET speech " in Words()(decided)
 
 
-def test_what_is_told_goes_to_a_speech_dispatcher_that_is_there(
+def test_announcements_are_sent_to_a_running_speech_dispatcher(
     monkeypatch: pytest.MonkeyPatch, tmp_path: Path
 ) -> None:
     server = Server(tmp_path)
@@ -139,10 +138,10 @@ def test_what_is_told_goes_to_a_speech_dispatcher_that_is_there(
     server.close()
 
 
-def test_a_speech_dispatcher_keeps_of_its_voice_what_nobody_chose(
+def test_a_speech_dispatcher_keeps_the_voice_settings_that_were_not_chosen(
     monkeypatch: pytest.MonkeyPatch, tmp_path: Path
 ) -> None:
-    """Whoever has a screen reader has set it there, and hears all else as fast."""
+    """A learner with a screen reader has set the voice there, and everything else speaks as fast."""
     server = Server(tmp_path)
     monkeypatch.setenv("SPEECHD_ADDRESS", f"unix_socket:{server.address.path}")
     floor = Floor()
@@ -158,22 +157,22 @@ def test_a_speech_dispatcher_keeps_of_its_voice_what_nobody_chose(
 
 
 class TwoVoices:
-    """A speech-dispatcher and a voice of our own, in the place of real ones."""
+    """A speech-dispatcher and a built-in voice that replace real ones."""
 
     def __init__(self, monkeypatch: pytest.MonkeyPatch) -> None:
         self.server, self.own = Noting(), Noting()
-        monkeypatch.setattr(audible, "look_around", lambda **_: facts(has_ssip=True))
+        monkeypatch.setattr(audible, "DetectedEnvironment", lambda **_: facts(has_ssip=True))
         monkeypatch.setattr(audible, "ssip_address", lambda _: "somewhere")
-        monkeypatch.setattr("devices.ssip.speaker.SsipSpeaker", lambda *_: self.server)
-        monkeypatch.setattr("devices.audio_worker.factory.make_audio", lambda *_: Noting())
-        monkeypatch.setattr("devices.audio_worker.factory.make_speaker", lambda _: self.own)
+        monkeypatch.setattr("devices.audio.speech_dispatcher.SsipSpeaker", lambda *_: self.server)
+        monkeypatch.setattr("devices.audio.service.AudioService", lambda *_: Noting())
+        monkeypatch.setattr("devices.audio.service.make_speaker", lambda _: self.own)
 
 
 @pytest.mark.parametrize(
     ("speak", "at_server", "own"),
     [("here", ["Moved.", "Hi."], []), ("robot", ["Moved."], ["Hi."]), ("both", ["Moved.", "Hi."], ["Hi."])],
 )
-def test_each_voice_says_its_part_and_every_voice_is_silenced(
+def test_each_voice_says_its_part_and_silence_reaches_both(
     monkeypatch: pytest.MonkeyPatch, speak: str, at_server: list[str], own: list[str]
 ) -> None:
     voices, floor = TwoVoices(monkeypatch), Floor()
@@ -189,29 +188,29 @@ def test_each_voice_says_its_part_and_every_voice_is_silenced(
     assert voices.own.silenced == bool(own)
 
 
-@pytest.mark.parametrize("language", LANGUAGES)
-def test_who_lost_the_dispatcher_is_told_what_brings_it_back(
+@pytest.mark.parametrize("language", languages())
+def test_a_lost_dispatcher_is_reported_once_with_a_remedy_that_works(
     monkeypatch: pytest.MonkeyPatch, tmp_path: Path, language: str
 ) -> None:
-    """S6: said once, with the remedy, and that helps."""
+    """The sentence is said once, with the remedy, and the remedy helps."""
     server = Server(tmp_path)
     monkeypatch.setenv("SPEECHD_ADDRESS", f"unix_socket:{server.address.path}")
     floor, words, told = Floor(), Words(language), list[str]()
     floor.session.hub.subscribe(lambda stamped: told.extend(told_lines(stamped, words)))
     with ExitStack() as closing:
         made = make_audible(Settings(speech="ssip", sound=False), floor.session, words, closing)
-        server.go_away()
+        server.kill()
         Path(server.address.path).unlink()
         until(lambda: says(floor, "Hi.") and words("ssip-lost") in told)
         assert told.count(words("ssip-lost")) == 1
 
         server = Server(tmp_path)
-        monkeypatch.setattr("devices.speech.probe._stdout_is_terminal", lambda: True)
-        monkeypatch.setattr("devices.speech.probe.find_screen_reader", lambda *_: None)
+        monkeypatch.setattr("devices.audio.channel.DetectedEnvironment.stdout_is_terminal", True)
+        monkeypatch.setattr("devices.audio.channel.find_screen_reader", lambda *_: None)
         _, field, value = words("ssip-lost").split(". ")[-1].split()[:3]
-        setting = find_setting(field)
+        setting = find_preference(field, words)
         assert setting is not None
-        made.adjust(**{setting: read_setting(setting, value)})
+        made.adjust(**{setting.key: value_typed(setting, value, words)})
         says(floor, "Ho.")
         assert server.wait_for(texts=1)
         assert server.texts == ["Ho."]
@@ -223,10 +222,10 @@ def says(floor: Floor, sentence: str) -> bool:
     return True
 
 
-def test_where_no_device_works_the_cues_say_so(monkeypatch: pytest.MonkeyPatch) -> None:
-    """Q4: one may be there that can't be opened, which only its worker finds out."""
-    monkeypatch.setattr(audible, "look_around", lambda **_: HOME)
-    monkeypatch.setattr("devices.audio_worker.service.AudioSettings", partial(AudioSettings, device="none"))
+def test_the_cues_report_that_no_device_works(monkeypatch: pytest.MonkeyPatch) -> None:
+    """A device may exist and not open, which only the worker finds out."""
+    monkeypatch.setattr(audible, "DetectedEnvironment", lambda **_: HOME)
+    monkeypatch.setattr("devices.audio.service.AudioSettings", partial(AudioSettings, device="none"))
     floor, told = Floor(), list[str]()
     floor.session.hub.subscribe(lambda stamped: told.extend(told_lines(stamped, Words())))
     with ExitStack() as closing:
@@ -242,7 +241,7 @@ def test_where_no_device_works_the_cues_say_so(monkeypatch: pytest.MonkeyPatch) 
 @pytest.mark.parametrize(
     ("speech", "is_on", "said"), [("ssip", True, ["Hi.", "Ho."]), ("ssip", False, []), ("robot", True, [])]
 )
-def test_what_stood_printed_before_is_said_by_who_says_the_answers(
+def test_lines_printed_earlier_are_said_by_the_voice_of_the_answers(
     monkeypatch: pytest.MonkeyPatch, speech: str, is_on: bool, said: list[str]
 ) -> None:
     voices, floor = TwoVoices(monkeypatch), Floor()
@@ -256,12 +255,12 @@ def test_what_stood_printed_before_is_said_by_who_says_the_answers(
 
 
 @pytest.mark.parametrize(
-    ("hears", "heard"),
-    [(Hears.ALL, ["Moved.", "Hi."]), (Hears.ANSWERS, ["Moved."]), (Hears.PROGRAM, ["Hi."])],
+    ("scope", "heard"),
+    [(VoiceScope.ALL, ["Moved.", "Hi."]), (VoiceScope.ANSWERS, ["Moved."]), (VoiceScope.PROGRAM, ["Hi."])],
 )
-def test_the_words_of_speak_can_be_heard_elsewhere(hears: Hears, heard: list[str]) -> None:
+def test_the_words_of_speak_can_have_another_voice(scope: VoiceScope, heard: list[str]) -> None:
     noting, floor = Noting(), Floor()
-    floor.session.hub.subscribe(Voice(noting, Words(), hears))
+    floor.session.hub.subscribe(Voice(noting, Words(), scope))
     floor.session.hub.publish(Announced("moved", "Moved."))
     floor.session.hub.publish(Spoke("Hi."))
     assert noting.said == heard

@@ -1,4 +1,4 @@
-"""Garbage is looked for after a start and among what came later; elsewhere nothing is changed."""
+"""The garbage collector skips what was loaded at the start. Without that start it keeps its thresholds."""
 
 import gc
 from collections.abc import Iterator
@@ -16,7 +16,7 @@ def _as_before() -> Iterator[None]:
     gc.set_threshold(*before)
 
 
-def test_what_was_loaded_is_not_looked_at_again() -> None:
+def test_loaded_objects_are_not_collected_again() -> None:
     load_undisturbed()
     assert gc.get_threshold()[0] == WHILE_LOADING
 
@@ -26,7 +26,7 @@ def test_what_was_loaded_is_not_looked_at_again() -> None:
     assert gc.get_threshold()[0] == AFTERWARDS
 
 
-def test_who_only_makes_a_session_keeps_the_own_thresholds() -> None:
+def test_a_session_without_a_start_keeps_the_thresholds_of_python() -> None:
     before = gc.get_threshold(), gc.get_freeze_count()
 
     loaded()

@@ -1,4 +1,4 @@
-"""donnie devices and donnie stop with made-up ports; which robot is meant; how settings write one down."""
+"""``donnie devices`` and ``donnie stop`` with invented ports; the meant robot; its form in settings."""
 
 from __future__ import annotations
 
@@ -10,22 +10,19 @@ from pathlib import Path
 
 import pytest
 
-from devices.port_listing import FoundPort
-from devices.port_talk.asking import Answer, Found
-from devices.port_talk.halting import Halted
+from devices.port_exchange import DeviceKind, HaltOutcome, IdentifiedDevice
 from devices.ports.robot import Bearing
-from devices.reset_line import GpioReset
-from devices.serial_port import PortFault, PortProblem
-from donnie_tui.cli.arguments import Invocation
-from donnie_tui.cli.devices import list_devices
-from donnie_tui.cli.order import Order
-from donnie_tui.cli.output import Output
-from donnie_tui.cli.stopping import stop
+from devices.serial_ports.listing import FoundPort
+from devices.serial_ports.port import PortFault, PortProblem
+from devices.serial_ports.reset import GpioReset
+from donnie_tui.cli.devices import list_devices, stop
+from donnie_tui.cli.options import Invocation, Order
+from donnie_tui.cli.streams import Output
 from donnie_tui.i18n.words import Unusable, Words
-from donnie_tui.outlets.tangible import belt_settings, refuse_shared_port
+from donnie_tui.outlets.belt import belt_settings, refuse_shared_port
 from donnie_tui.robot.choice import choices, find_port
 from donnie_tui.robot.connection import robot_config
-from donnie_tui.settings.chosen import BadOption, Settings, resolve
+from donnie_tui.settings.settings import BadOption, Settings, resolve
 
 ROBOT = FoundPort("/dev/ttyACM0", "/dev/serial/by-id/robot", is_board=True)
 BELT = FoundPort("/dev/ttyACM1", "/dev/serial/by-id/belt", is_board=True)
@@ -39,18 +36,18 @@ def order(port: object, settings: Settings | None = None, language: str = "en") 
     return made, out
 
 
-def answers(port: str, **_how: object) -> Found:
+def answers(port: str, **_how: object) -> IdentifiedDevice:
     match port:
         case ROBOT.stable:
-            return Found(Answer.ROBOT, 8000)
+            return IdentifiedDevice(DeviceKind.ROBOT, 8000)
         case BELT.stable:
-            return Found(Answer.BELT)
+            return IdentifiedDevice(DeviceKind.BELT)
         case "low":
-            return Found(Answer.ROBOT, 7000)
+            return IdentifiedDevice(DeviceKind.ROBOT, 7000)
         case "new":
-            return Found(Answer.ROBOT, None)
+            return IdentifiedDevice(DeviceKind.ROBOT, None)
         case "mute":
-            return Found(Answer.NOTHING)
+            return IdentifiedDevice(DeviceKind.NOTHING)
         case "forbidden":
             raise PortProblem(port, PortFault.FORBIDDEN, "Permission denied")
         case "busy":
@@ -87,7 +84,7 @@ def test_boards_are_asked_and_other_ports_are_only_named() -> None:
         ("mute", ["mute: nothing answers."]),
     ],
 )
-def test_what_answers_is_told(port: str, lines: list[str]) -> None:
+def test_each_answer_of_a_board_has_a_sentence(port: str, lines: list[str]) -> None:
     made, out = order([port])
 
     assert list_devices(made, tuple, answers) == 0
@@ -108,14 +105,14 @@ def test_what_answers_is_told(port: str, lines: list[str]) -> None:
         ("file", ["I can't use file: Inappropriate ioctl for device."]),
     ],
 )
-def test_a_port_that_can_not_be_used_is_told_with_its_remedy(port: str, lines: list[str]) -> None:
+def test_an_unusable_port_is_reported_with_its_remedy(port: str, lines: list[str]) -> None:
     made, out = order([port])
 
     assert list_devices(made, tuple, answers) == 2
     assert out.getvalue().splitlines()[1:] == lines
 
 
-def test_a_plugged_port_that_can_not_be_used_is_no_failure_of_the_list() -> None:
+def test_an_unusable_plugged_port_does_not_fail_the_list() -> None:
     made, _ = order([])
 
     assert list_devices(made, lambda: (FoundPort("x", "busy", is_board=True),), answers) == 0
@@ -142,32 +139,34 @@ def test_no_devices_is_a_sentence(language: str, sentence: str) -> None:
 @pytest.mark.parametrize(
     ("halted", "code", "sentence"),
     [
-        (Halted.STANDS, 0, "The robot stands. Port here."),
+        (HaltOutcome.STANDS, 0, "The robot stands. Port here."),
         (
-            Halted.UNCONFIRMED,
+            HaltOutcome.UNCONFIRMED,
             1,
             "I said stop, but nothing answers at here. Switch the robot off if it drives.",
         ),
         (
-            Halted.IN_USE,
+            HaltOutcome.IN_USE,
             1,
-            "I said stop, but another program has here and may go on. Stop it there.",
+            "I said stop, but another program has here and may continue. Stop it there.",
         ),
     ],
 )
-def test_only_a_robot_that_is_known_to_stand_is_a_success(halted: Halted, code: int, sentence: str) -> None:
+def test_only_a_robot_that_is_known_to_stand_is_a_success(
+    halted: HaltOutcome, code: int, sentence: str
+) -> None:
     made, out = order("here")
 
     assert stop(made, lambda _, **__: halted) == code
     assert out.getvalue() == f"{sentence}\n"
 
 
-def test_stopping_may_pull_the_pin_where_the_robot_has_one(monkeypatch: pytest.MonkeyPatch) -> None:
+def test_a_stop_uses_the_restart_pin_where_the_robot_has_one(monkeypatch: pytest.MonkeyPatch) -> None:
     pulled: list[int] = []
     monkeypatch.setattr(GpioReset, "pull", lambda self, *_: not pulled.append(self.pin))
 
-    def halted(_port: str, by_force: Callable[[], bool]) -> Halted:
-        return Halted.STANDS if by_force() else Halted.UNCONFIRMED
+    def halted(_port: str, by_force: Callable[[], bool]) -> HaltOutcome:
+        return HaltOutcome.STANDS if by_force() else HaltOutcome.UNCONFIRMED
 
     outcomes = [
         stop(order("here", Settings(reset_line=line))[0], halted) for line in ("gpio:17", "dtr", "none")
@@ -178,22 +177,22 @@ def test_stopping_may_pull_the_pin_where_the_robot_has_one(monkeypatch: pytest.M
 def test_without_a_port_the_robot_of_the_settings_is_stopped() -> None:
     made, out = order(None, Settings(robot="serial:/dev/mine"))
 
-    assert stop(made, lambda _, **__: Halted.STANDS) == 0
+    assert stop(made, lambda _, **__: HaltOutcome.STANDS) == 0
     assert out.getvalue() == "The robot stands. Port /dev/mine.\n"
 
 
-def test_without_a_board_nobody_who_wants_to_stop_one_is_sent_to_the_simulator(
+def test_a_stop_without_a_board_does_not_suggest_the_simulator(
     monkeypatch: pytest.MonkeyPatch,
 ) -> None:
-    monkeypatch.setattr("donnie_tui.cli.stopping.find_port", partial(find_port, found=lambda: ()))
+    monkeypatch.setattr("donnie_tui.cli.devices.find_port", partial(find_port, found=lambda: ()))
     made, _ = order(None)
 
     with pytest.raises(Unusable) as told:
-        stop(made, lambda _, **__: Halted.STANDS)
+        stop(made, lambda _, **__: HaltOutcome.STANDS)
     assert told.value.sentence == "I find no robot. Is it plugged in? If a robot drives, switch it off."
 
 
-def test_a_port_that_can_not_be_used_can_not_be_stopped() -> None:
+def test_a_robot_at_an_unusable_port_can_not_be_stopped() -> None:
     made, _ = order("gone")
 
     with pytest.raises(Unusable, match="I can't use gone"):
@@ -209,14 +208,14 @@ def test_the_one_board_that_is_no_belt_is_the_robot() -> None:
     assert find_port(settings, Words(), lambda: (ROBOT, BELT, OTHER)) == ROBOT.stable
 
 
-def test_no_board_and_several_boards_are_told() -> None:
+def test_no_board_and_several_boards_are_reported() -> None:
     with pytest.raises(Unusable, match="I find no robot"):
         find_port(Settings(robot="serial"), Words(), lambda: (OTHER,))
-    with pytest.raises(Unusable, match=r"several: .*robot, .*belt\. Choose one\. donnie devices tells which"):
+    with pytest.raises(Unusable, match=r"several: .*robot, .*belt\. Choose one\. donnie devices says which"):
         find_port(Settings(robot="serial"), Words(), lambda: (ROBOT, BELT))
 
 
-def test_the_choices_are_the_simulator_the_boards_and_the_port_of_the_settings() -> None:
+def test_offered_robots_are_the_simulator_the_boards_and_the_port_of_the_settings() -> None:
     offered = choices(Settings(robot="serial:/dev/rfcomm0"), Words(), lambda: (ROBOT, OTHER))
 
     assert [each.robot for each in offered] == [
@@ -227,7 +226,7 @@ def test_the_choices_are_the_simulator_the_boards_and_the_port_of_the_settings()
     ]
 
 
-def test_of_two_boards_only_the_one_that_was_chosen_before_is_called_a_robot() -> None:
+def test_only_the_board_that_was_chosen_before_is_called_a_robot() -> None:
     def offered(settings: Settings, language: str = "en") -> list[str]:
         made = choices(settings, Words(language), lambda: (ROBOT, BELT, OTHER))
         return [each.sentence for each in made if each.robot.startswith("serial")]
@@ -240,7 +239,7 @@ def test_of_two_boards_only_the_one_that_was_chosen_before_is_called_a_robot() -
     assert offered(Settings(), "es")[0] == f"robot o cinturón en {robot}"
 
 
-def test_robot_and_belt_at_one_device_are_refused_by_whatever_names(tmp_path: Path) -> None:
+def test_robot_and_belt_at_one_device_are_refused_under_any_names(tmp_path: Path) -> None:
     link = tmp_path / "robot"
     link.symlink_to("/dev/null")
 
@@ -253,7 +252,7 @@ def test_robot_and_belt_at_one_device_are_refused_by_whatever_names(tmp_path: Pa
 # --- settings
 
 
-def test_a_robot_and_a_belt_can_be_written_down() -> None:
+def test_settings_describe_a_robot_and_a_belt() -> None:
     settings, notices = resolve(
         {"belt": "/dev/belt", "robot": "SERIAL:/dev/Robot"},
         {"DONNIE_WHEEL_RADIUS": "0,0205"},
@@ -302,7 +301,7 @@ def test_a_robot_and_a_belt_can_be_written_down() -> None:
         ("reset_line", "rts"),
     ],
 )
-def test_what_can_not_be_understood_is_an_error_or_a_notice(key: str, value: str) -> None:
+def test_a_text_that_can_not_be_understood_is_an_error_or_a_notice(key: str, value: str) -> None:
     with pytest.raises(BadOption):
         resolve({key: value}, {}, {})
 

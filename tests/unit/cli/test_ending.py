@@ -1,4 +1,4 @@
-"""A signal interrupts the main thread in the midst of anything: what it asks for never waits for that."""
+"""A signal interrupts the main thread anywhere. What the signal asks for never waits for that code."""
 
 from __future__ import annotations
 
@@ -9,8 +9,8 @@ from collections.abc import Callable
 
 import pytest
 
-from donnie_tui.cli import ending
-from donnie_tui.cli.ending import stopped_by_signals, stopped_by_suspension
+from donnie_tui.cli import streams
+from donnie_tui.cli.streams import stopped_by_signals, stopped_by_suspension
 from donnie_tui.linear.console import Console
 from tests.patience import PATIENCE
 
@@ -44,7 +44,7 @@ def test_a_stop_gets_the_lock_that_the_interrupted_code_held() -> None:
     assert held.got == [True, True, True], "all is done when it is left"
 
 
-def test_a_stop_that_fails_is_not_the_last_one(caplog: pytest.LogCaptureFixture) -> None:
+def test_a_failed_stop_does_not_prevent_the_next_one(caplog: pytest.LogCaptureFixture) -> None:
     done: list[str] = []
 
     def stop() -> None:
@@ -61,10 +61,12 @@ def test_a_stop_that_fails_is_not_the_last_one(caplog: pytest.LogCaptureFixture)
 
 
 @pytest.mark.skipif(not hasattr(signal, "SIGTSTP"), reason="no Ctrl+Z here")
-def test_a_rest_begins_behind_the_stop_that_needed_what_was_held(monkeypatch: pytest.MonkeyPatch) -> None:
+def test_a_suspension_begins_after_the_stop_that_needed_the_held_lock(
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
     held, rests = Held(), list[list[bool]]()
-    monkeypatch.setattr(ending, "suspend", lambda **_: rests.append(list(held.got)))
-    monkeypatch.setattr(ending, "_LONGEST_REST", 0.01)
+    monkeypatch.setattr(streams, "suspend", lambda **_: rests.append(list(held.got)))
+    monkeypatch.setattr(streams, "_LONGEST_REST", 0.01)
     with stopped_by_suspension(held.stop) as rested:
         held.interrupted_by(signal.SIGTSTP)
 
@@ -72,7 +74,7 @@ def test_a_rest_begins_behind_the_stop_that_needed_what_was_held(monkeypatch: py
     assert rested.is_set()
 
 
-def test_a_terminal_that_takes_nothing_lets_a_stop_have_what_the_writer_holds(
+def test_a_stop_gets_the_lock_of_a_writer_that_a_full_terminal_blocks(
     monkeypatch: pytest.MonkeyPatch,
 ) -> None:
     held, console = Held(), Console(None)

@@ -1,9 +1,9 @@
-"""L1: linear or full screen, and why."""
+"""Linear mode or full screen, and why."""
 
 import pytest
 
 from donnie_tui.cli.front_ends import Surroundings, cause_of_linear
-from donnie_tui.i18n.first_words import CAUSES
+from tests.unit.i18n.sentences import CODES
 
 TTY, PIPE = True, False
 
@@ -25,7 +25,7 @@ CASES = [
     (None, {"TERM": "dumb"}, None, TTY, TTY, "simple-terminal"),
     (None, {"TERM": "xterm"}, None, PIPE, TTY, "no-terminal"),
     (None, {"TERM": "xterm"}, None, TTY, PIPE, "no-terminal"),
-    # beyond the table: nobody can have a full screen without a terminal
+    # beyond the table: there is no full screen without a terminal
     (False, {"TERM": "xterm"}, None, TTY, PIPE, "no-terminal"),
     (True, {"TERM": "xterm"}, None, PIPE, PIPE, "option"),
     (None, {"TERM": "xterm", "DONNIE_LINEAR": "perhaps", "ACCESSIBLE": ""}, None, TTY, TTY, None),
@@ -46,11 +46,11 @@ def test_the_mode_is_decided_in_order(
 
 
 @pytest.mark.parametrize("option", [None, False])
-def test_a_screen_whose_errors_go_to_a_file_has_no_terminal_to_be_painted_on(option: bool | None) -> None:
+def test_the_full_screen_needs_a_terminal_for_the_errors_too(option: bool | None) -> None:
     around = Surroundings(TTY, TTY, {"TERM": "xterm"}, stderr_is_terminal=PIPE)
 
     assert cause_of_linear(option, None, around) == "no-terminal"
 
 
-def test_every_cause_has_its_first_line() -> None:
-    assert {cause for *_, cause in CASES if cause} <= set(CAUSES)
+def test_every_reason_has_its_first_line() -> None:
+    assert {f"linear-cause-{cause}" for *_, cause in CASES if cause} <= set(CODES)

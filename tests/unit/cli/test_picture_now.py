@@ -1,13 +1,13 @@
-"""The world as the robot that is talked to finds it now."""
+"""The world as the selected robot finds it now."""
 
 from __future__ import annotations
 
 from donnie_tui.bootstrap import assemble
-from donnie_tui.settings.chosen import Settings
+from donnie_tui.settings.settings import Settings
 from tests.patience import PATIENCE
 
 
-def test_the_other_robot_is_where_it_went_and_oneself_is_no_thing() -> None:
+def test_the_other_robot_is_at_its_current_place_and_the_robot_itself_is_no_thing() -> None:
     donnie = assemble(Settings(world="two_robots", speech="off", sound=False, speed=None), terminal=True)
     try:
         assert donnie.session.start("FW 2", "a.gd").wait(PATIENCE)
@@ -20,7 +20,7 @@ def test_the_other_robot_is_where_it_went_and_oneself_is_no_thing() -> None:
     assert (round(x), round(y)) == (0, 2)
 
 
-def test_a_real_start_is_the_picture_of_the_file() -> None:
+def test_the_picture_at_the_start_is_that_of_the_file() -> None:
     donnie = assemble(Settings(world="living_room", speech="off", sound=False), terminal=True)
     try:
         assert donnie.picture_now() == donnie.picture()

@@ -1,4 +1,4 @@
-"""Command line, variables, file, defaults: the strongest sound value wins; its origin is known."""
+"""Command line, variables, file, defaults: the strongest valid value wins, and its source is known."""
 
 import os
 import tomllib
@@ -6,12 +6,11 @@ from pathlib import Path
 
 import pytest
 
-from donnie_tui.core.documents import DocumentError
+from donnie_tui.core.program_files import DocumentError
 from donnie_tui.i18n.words import Words
-from donnie_tui.settings.chosen import BadOption, Settings, Source, language_of, resolve
 from donnie_tui.settings.file import read_settings, remember, with_setting
 from donnie_tui.settings.folders import settings_file, state_folder
-from donnie_tui.settings.keys import KEYS
+from donnie_tui.settings.settings import KEYS, BadOption, Settings, Source, language_of, resolve
 
 
 def test_without_any_source_the_defaults_count() -> None:
@@ -21,8 +20,8 @@ def test_without_any_source_the_defaults_count() -> None:
     assert notices == ()
 
 
-def test_speech_on_is_the_own_voice() -> None:
-    """V1: ``speech = auto / on / off``."""
+def test_speech_on_is_the_built_in_voice() -> None:
+    """``speech = auto / on / off``."""
     assert resolve({}, {}, {"speech": "on"})[0].speech == "tts"
     assert resolve({"speech": "ON"}, {}, {})[0].speech == "tts"
     assert resolve({}, {}, {"speech": "off"})[0].speech == "off"
@@ -39,7 +38,7 @@ def test_speech_on_is_the_own_voice() -> None:
         ({}, {"DONNIE_SPEED": "fast"}, {"speed": []}, 5.0, Source.DEFAULT),
     ],
 )
-def test_the_strongest_sound_source_wins(
+def test_the_strongest_valid_source_wins(
     options: dict[str, str],
     variables: dict[str, str],
     file: dict[str, object],
@@ -115,7 +114,7 @@ def test_the_language_follows_the_locale(environment: dict[str, str], language: 
     assert language_of(environment) == language
 
 
-def test_an_unknown_word_in_the_file_is_told() -> None:
+def test_an_unknown_word_in_the_file_is_reported() -> None:
     _, notices = resolve({}, {}, {"spede": 3})
 
     assert [(notice.code, notice.values["name"]) for notice in notices] == [("setting-unknown", "spede")]
@@ -136,7 +135,7 @@ def write(environment: dict[str, str], data: bytes) -> Path:
     return path
 
 
-def test_a_file_that_is_not_there_is_no_trouble(environment: dict[str, str]) -> None:
+def test_a_missing_file_is_no_problem(environment: dict[str, str]) -> None:
     assert read_settings(environment) == ({}, ())
 
 
@@ -156,7 +155,7 @@ def test_the_file_is_toml(environment: dict[str, str]) -> None:
         (b"#" * 200_000, "settings-file-unreadable"),
     ],
 )
-def test_a_damaged_file_is_told_and_not_used(environment: dict[str, str], data: bytes, code: str) -> None:
+def test_a_damaged_file_is_reported_and_not_used(environment: dict[str, str], data: bytes, code: str) -> None:
     write(environment, data)
 
     settings, notices = read_settings(environment)
@@ -165,13 +164,13 @@ def test_a_damaged_file_is_told_and_not_used(environment: dict[str, str], data: 
     assert [notice.code for notice in notices] == [code]
 
 
-def test_a_folder_in_its_place_is_told(environment: dict[str, str]) -> None:
+def test_a_folder_in_its_place_is_reported(environment: dict[str, str]) -> None:
     Path(settings_file(environment)).mkdir(parents=True)
 
     assert [notice.code for notice in read_settings(environment)[1]] == ["settings-file-unreadable"]
 
 
-def test_what_is_remembered_is_read_again_and_the_rest_stays(environment: dict[str, str]) -> None:
+def test_a_saved_setting_is_read_again_and_the_rest_of_the_file_stays(environment: dict[str, str]) -> None:
     path = write(environment, b'# mine\nlang = "es"\nspeed = 2\n')
 
     remember("lang", "pt", environment)
@@ -181,7 +180,7 @@ def test_what_is_remembered_is_read_again_and_the_rest_stays(environment: dict[s
     assert read_settings(environment)[0] == {"lang": "pt", "speed": 2, "linear": True}
 
 
-def test_what_can_not_be_remembered_is_told(environment: dict[str, str]) -> None:
+def test_a_setting_that_can_not_be_saved_is_reported(environment: dict[str, str]) -> None:
     Path(environment["XDG_CONFIG_HOME"], "donnie").write_text("a file, not a folder")
 
     with pytest.raises(DocumentError):
@@ -190,7 +189,7 @@ def test_what_can_not_be_remembered_is_told(environment: dict[str, str]) -> None
 
 @pytest.mark.parametrize("text", ["", "a = 1", "a = 1\n", "[table]\nb = 2\n", "lang='x' # y\n[t]\n"])
 @pytest.mark.parametrize("value", ['C:\\worlds\\"mine".world', "open_floor", "a\n\tb\x1b\x7f é 🤖"])
-def test_a_setting_put_into_any_file_keeps_it_sound(text: str, value: str) -> None:
+def test_a_saved_setting_keeps_any_file_valid(text: str, value: str) -> None:
     changed = tomllib.loads(with_setting(text, "world", value))
 
     assert changed["world"] == value
@@ -215,7 +214,7 @@ def test_state_has_a_folder_of_its_own() -> None:
     assert state_folder({"HOME": "/h"}, "linux") == Path("/h/.local/state/donnie")
 
 
-def test_the_folders_of_worlds_are_those_of_stage_unless_others_are_named() -> None:
+def test_the_folders_of_worlds_default_to_those_of_stage() -> None:
     stage = {"STAGEPATH": os.pathsep.join(("/opt/stage", "", "~/worlds"))}
 
     def folders(variables: dict[str, str], file: dict[str, object]) -> tuple[str, ...]:
@@ -239,9 +238,7 @@ def test_the_folders_of_worlds_are_those_of_stage_unless_others_are_named() -> N
         ("belt_steps", "For example: 5 10 20."),
     ],
 )
-def test_a_variable_says_whether_it_takes_one_of_some_words_or_what_it_may_look_like(
-    key: str, ending: str
-) -> None:
+def test_a_wrong_variable_is_reported_with_its_words_or_its_form(key: str, ending: str) -> None:
     _, (notice,) = resolve({}, {f"DONNIE_{key.upper()}": "bogus"}, {})
 
     assert Words()(notice.code, **notice.values).endswith(ending)

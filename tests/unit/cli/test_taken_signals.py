@@ -1,4 +1,4 @@
-"""Signals are taken for a while, wake whoever waits for them, and are given back as they were found."""
+"""Signals are handled for a while, wake the waiting thread, and are then restored."""
 
 from __future__ import annotations
 
@@ -18,7 +18,7 @@ def handled() -> list[object]:
 
 
 @pytest.mark.parametrize("kind", [TakenSignals, WakingSignals])
-def test_each_signal_is_given_back_as_it_was_found(kind: type[TakenSignals]) -> None:
+def test_each_signal_handler_is_restored(kind: type[TakenSignals]) -> None:
     before, heard = handled(), list[int]()
     signal.signal(signal.SIGHUP, signal.SIG_IGN)
     with kind(dict.fromkeys(NUMBERS, lambda number, _: heard.append(number))) as taken:
@@ -34,7 +34,7 @@ def test_each_signal_is_given_back_as_it_was_found(kind: type[TakenSignals]) -> 
     assert handled() == before
 
 
-def test_signals_and_nudges_wake_whoever_waits_and_the_wakeup_is_given_back_too() -> None:
+def test_signals_and_nudges_wake_the_waiting_thread_and_the_wakeup_is_restored() -> None:
     outer = WakingSignals({})
     inner = WakingSignals({signal.SIGTERM: lambda *_: None})
     signal.raise_signal(signal.SIGTERM)
@@ -42,16 +42,16 @@ def test_signals_and_nudges_wake_whoever_waits_and_the_wakeup_is_given_back_too(
 
     assert select.select([inner], [], [], 20)[0] == [inner]
     assert inner.numbers() == bytes([signal.SIGTERM, 0])
-    assert inner.numbers() == b"", "and nobody waits for more"
+    assert inner.numbers() == b"", "and no thread waits for more"
     for each in (inner, outer):
         each.give_back()
     signal.raise_signal(signal.SIGCONT)
-    assert outer.numbers() == b"", "whoever gave back is not woken"
+    assert outer.numbers() == b"", "a handler that was given back is not woken"
     for each in (inner, outer):
         each.close()
 
 
-def test_another_thread_takes_none() -> None:
+def test_another_thread_handles_no_signal() -> None:
     refused: list[ValueError] = []
 
     def take() -> None:

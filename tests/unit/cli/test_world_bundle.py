@@ -1,4 +1,4 @@
-"""A world goes into a recording with all that it reads, and comes out equal, wherever its files lay."""
+"""A recording holds a world with all files that it reads. The world loads from there unchanged."""
 
 import json
 from pathlib import Path
@@ -8,11 +8,10 @@ import pytest
 import worlds
 from donnie_tui.core.recording import Header
 from donnie_tui.i18n.words import Words
-from donnie_tui.outlets.written import bundle_of
-from donnie_tui.settings.chosen import Settings
-from donnie_tui.world.bundle import BundleError, WorldBundle, from_record, pack, unpack
+from donnie_tui.outlets.files import bundle_of
+from donnie_tui.settings.settings import Settings
 from donnie_tui.world.choice import choose_world
-from donnie_tui.world.recorded import unpacked
+from donnie_tui.world.recorded import BundleError, WorldBundle, from_record, pack, unpack, unpacked
 
 ROBOT = "position( pose [ 0 0 0 90 ] ranger( sensor() ) )\n"
 
@@ -26,14 +25,14 @@ def again(name: str, folders: tuple[str, ...] = ()) -> bool:
 
 
 @pytest.mark.parametrize("name", worlds.names())
-def test_every_world_that_ships_comes_out_equal(name: str) -> None:
+def test_every_shipped_world_comes_out_equal(name: str) -> None:
     if not choose_world(name, Words()).scene.robots:
-        pytest.skip("nobody is there whose run could be recorded")
+        pytest.skip("the world has no robot to record")
 
     assert again(name)
 
 
-def test_an_own_world_comes_out_equal_with_its_includes_from_everywhere(
+def test_a_user_world_comes_out_equal_with_its_includes_from_everywhere(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     (tmp_path / "lib" / "deep").mkdir(parents=True)
@@ -61,7 +60,7 @@ def test_a_world_may_lie_above_the_folders_that_it_includes_from(
     assert again("x.world", (str(tmp_path / "lib"),))
 
 
-def test_what_is_no_text_is_kept_byte_by_byte(tmp_path: Path) -> None:
+def test_a_binary_file_is_kept_byte_by_byte(tmp_path: Path) -> None:
     data = bytes(range(256))
     (tmp_path / "x.world").write_bytes(data)
     bundle = pack("x", tmp_path / "x.world", (), (), ("donnie",))
@@ -85,7 +84,7 @@ def test_what_is_no_text_is_kept_byte_by_byte(tmp_path: Path) -> None:
     ],
     ids=range(7),
 )
-def test_what_is_no_bundle_is_refused(record: object) -> None:
+def test_a_value_that_is_no_bundle_is_refused(record: object) -> None:
     with pytest.raises(BundleError):
         from_record(record)
 

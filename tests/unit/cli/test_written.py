@@ -9,13 +9,13 @@ from pathlib import Path
 
 import pytest
 
-from donnie_tui.core import told_log
+from donnie_tui.core import answer_log
 from donnie_tui.core.events import Spoke
 from donnie_tui.core.hub import Hub
 from donnie_tui.core.transcript import told_lines
 from donnie_tui.i18n.words import Unusable, Words
-from donnie_tui.outlets.written import Written
-from donnie_tui.settings.chosen import Settings
+from donnie_tui.outlets.files import Written
+from donnie_tui.settings.settings import Settings
 from tests.floor import Floor
 from tests.patience import PATIENCE
 
@@ -23,11 +23,11 @@ FULL = Path("/dev/full")
 
 
 @pytest.mark.skipif(not FULL.exists(), reason="needs a device that is always full")
-def test_a_log_that_takes_no_more_is_told_once_and_counts_as_lost(
+def test_a_full_log_is_reported_once_and_counts_as_lost(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     monkeypatch.chdir(tmp_path)
-    monkeypatch.setattr(told_log, "next_log", lambda folder: FULL)
+    monkeypatch.setattr(answer_log, "next_log", lambda folder: FULL)
     hub, words, told = Hub(lambda: 0.0), Words(), list[str]()
     hub.subscribe(lambda stamped: told.extend(told_lines(stamped, words)))
     with ExitStack() as closing:
@@ -41,13 +41,13 @@ def test_a_log_that_takes_no_more_is_told_once_and_counts_as_lost(
 
 
 @pytest.mark.parametrize("files", [{"record": "a"}, {"events": "a"}, {"sound": "a"}])
-def test_a_file_of_this_session_would_be_begun_anew_by_another(files: dict[str, str]) -> None:
+def test_another_session_would_overwrite_a_file_of_this_session(files: dict[str, str]) -> None:
     with ExitStack() as closing:
         assert Written(Settings(**files), Hub(lambda: 0.0), Words(), closing).of_this_session == "a"
 
 
 def test_cues_of_a_run_are_written_into_a_file_the_same_every_time(tmp_path: Path) -> None:
-    """C7."""
+    """The file has the same bytes after each run."""
 
     def bytes_of(name: str) -> bytes:
         floor, path = Floor(), tmp_path / name
@@ -61,7 +61,7 @@ def test_cues_of_a_run_are_written_into_a_file_the_same_every_time(tmp_path: Pat
     assert len(first) > 4 * 22_050 * 5  # three steps and a right angle: five seconds, in stereo
 
 
-def test_sounds_that_can_not_be_written_keep_everything_from_starting(tmp_path: Path) -> None:
+def test_a_sound_file_that_can_not_be_written_prevents_the_start(tmp_path: Path) -> None:
     wrong = str(tmp_path / "none" / "a.wav")
     with ExitStack() as closing, pytest.raises(Unusable):
         Written(Settings(sound=wrong), Floor().session.hub, Words(), closing).sounds()
@@ -75,7 +75,7 @@ def loud_seconds(path: Path) -> list[float]:
     return [number / 10 for number, chunk in enumerate(chunks) if max(chunk) > 1_000]
 
 
-def test_a_second_run_sounds_behind_the_first_and_what_sound_off_silences_is_not_written(
+def test_a_second_run_sounds_after_the_first_and_sound_off_writes_nothing(
     tmp_path: Path,
 ) -> None:
     floor, path = Floor(), tmp_path / "a.wav"

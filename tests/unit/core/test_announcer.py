@@ -1,8 +1,7 @@
-"""What is told about each thing that the robot does, and with which sound."""
-
-from dataclasses import replace
+"""What is announced about each thing that the robot does, and with which sound."""
 
 import pytest
+from msgspec.structs import replace
 
 from devices.ports.robot import Met, Motion, StoppedBy
 from donnie_tui.core.announcer import Announcer
@@ -21,7 +20,7 @@ from donnie_tui.core.events import (
     Turned,
 )
 from donnie_tui.core.hub import Hub
-from donnie_tui.core.telling import Teller
+from donnie_tui.core.transcript import SentencePublisher
 from donnie_tui.i18n.words import Words
 from tests.floor import Floor
 from tests.unit.core.values import HERE
@@ -32,7 +31,7 @@ OBSTACLE, COLLISION, USER = StoppedBy.OBSTACLE, StoppedBy.COLLISION, StoppedBy.U
 def answers_to(event: Event, language: str = "en", detail: str = "normal") -> list[Event]:
     """What the announcer publishes because of an event."""
     hub, words, heard = Hub(lambda: 0.0), Words(language, detail), list[Event]()
-    Announcer(hub, Teller(hub, words), words)
+    Announcer(hub, SentencePublisher(hub, words), words)
     hub.subscribe(lambda stamped: heard.append(stamped.event))
     hub.publish(event)
     return heard[1:]
@@ -68,8 +67,8 @@ MOVEMENTS = [
 
 
 @pytest.mark.parametrize(("event", "code", "sentence"), MOVEMENTS, ids=[each[2] for each in MOVEMENTS])
-def test_a_movement_is_told_in_one_sentence(event: Event, code: str, sentence: str) -> None:
-    """L14: the manual's own words."""
+def test_a_movement_is_announced_in_one_sentence(event: Event, code: str, sentence: str) -> None:
+    """The sentences are those of the manual."""
     assert [each for each in answers_to(event) if isinstance(each, Announced)] == [Announced(code, sentence)]
 
 
@@ -89,11 +88,11 @@ def test_a_cue_starts_before_its_sentence_and_comes_from_where_it_happened(
     assert answers_to(event)[0] == cue
 
 
-def test_a_movement_that_went_well_has_no_cue_of_its_own() -> None:
+def test_a_successful_movement_has_no_cue_at_its_end() -> None:
     assert [each for each in answers_to(walked(3, 3)) if isinstance(each, CueSounded)] == []
 
 
-def test_what_is_seen_is_told_and_sounded_from_left_to_right() -> None:
+def test_seen_things_are_announced_and_sounded_from_left_to_right() -> None:
     scanned = Scanned((SeenGroup("left", 30, 17, ("green", "red")), SeenGroup("ahead", 0, 1, ("blue",))))
 
     assert answers_to(scanned) == [
@@ -105,7 +104,7 @@ def test_what_is_seen_is_told_and_sounded_from_left_to_right() -> None:
     ]
 
 
-def test_colours_are_told_in_the_learners_language() -> None:
+def test_colours_are_announced_in_the_learners_language() -> None:
     scanned = Scanned((SeenGroup("right", 90, 4, ("red",)),))
 
     assert answers_to(scanned, "es")[-1] == Announced(
@@ -113,7 +112,7 @@ def test_colours_are_told_in_the_learners_language() -> None:
     )
 
 
-def test_seeing_nothing_is_told_too() -> None:
+def test_an_empty_scan_is_announced_too() -> None:
     assert answers_to(Scanned(()))[-1] == Announced("scan", "I see no objects.")
 
 
@@ -126,7 +125,7 @@ def test_a_run_that_ends_well_has_its_cue_before_its_last_event() -> None:
 
 
 @pytest.mark.parametrize("program", ["FWD", "SPEAK q", "QUIT"])
-def test_a_run_that_ends_otherwise_has_none(program: str) -> None:
+def test_any_other_end_of_a_run_has_no_cue_of_success(program: str) -> None:
     floor = Floor(terminal=True)
     floor.run(program)
 
@@ -145,11 +144,11 @@ def test_a_run_that_ends_otherwise_has_none(program: str) -> None:
         (Link("restored", ""), "Robot is back."),
     ],
 )
-def test_a_switch_and_the_line_to_a_robot_are_told(event: Event, sentence: str) -> None:
+def test_switches_and_the_connection_to_a_robot_are_announced(event: Event, sentence: str) -> None:
     assert [each.text for each in answers_to(event) if isinstance(each, Announced)] == [sentence]
 
 
-def test_at_detail_brief_the_result_comes_alone() -> None:
+def test_detail_brief_announces_only_the_result() -> None:
     assert answers_to(walked(5, 2, OBSTACLE), detail="brief")[-1] == Announced(
         "moved", "Only 2 steps. I found an obstacle."
     )
@@ -161,8 +160,8 @@ def test_every_motion_has_a_cue() -> None:
     assert set(_CUE_OF) == set(Motion)
 
 
-def test_at_full_a_movement_tells_where_it_led_and_none_where_nothing_changed() -> None:
-    """L33."""
+def test_detail_full_adds_the_new_place_where_it_changed() -> None:
+    """At detail full the place follows the sentence of the movement."""
     place = "Position 1, 2. Facing east."
     told = [
         [each.text for each in answers_to(event, detail="full") if isinstance(each, Announced)]
@@ -179,9 +178,9 @@ def test_at_full_a_movement_tells_where_it_led_and_none_where_nothing_changed() 
 def met_in_words(
     event: Event, language: str = "en", detail: str = "normal", *, typed: bool = True
 ) -> list[str]:
-    """What is told of a movement after its own sentence."""
+    """What is announced after the sentence of a movement."""
     hub, words, heard = Hub(lambda: 0.0), Words(language, detail), list[Event]()
-    Announcer(hub, Teller(hub, words), words)
+    Announcer(hub, SentencePublisher(hub, words), words)
     hub.publish(RunStarted("typed", "w", "r", 0, "0", HowStarted("", 1, False, typed, False, HERE)))
     hub.subscribe(lambda stamped: heard.append(stamped.event))
     hub.publish(event)
@@ -210,8 +209,8 @@ def bumped(kind: str, degrees: float, name: str = "") -> Moved:
     ],
     ids=lambda value: value if isinstance(value, str) else "",
 )
-def test_with_what_and_on_which_side(event: Event, language: str, told: str) -> None:
-    """L33: after the manual's sentence."""
+def test_a_collision_names_the_thing_and_the_side(event: Event, language: str, told: str) -> None:
+    """The sentence follows the one of the manual."""
     assert met_in_words(event, language) == [told]
 
 
@@ -219,7 +218,7 @@ def test_a_collision_with_nothing_known_has_no_second_sentence() -> None:
     assert met_in_words(walked(5, 2, COLLISION)) == []
 
 
-def test_a_script_hears_the_manual_s_sentence_and_at_full_what_was_met() -> None:
+def test_a_script_prints_the_manuals_sentence_and_at_full_what_was_met() -> None:
     event = bumped("wall", 0.0)
 
     assert met_in_words(event, typed=False) == []

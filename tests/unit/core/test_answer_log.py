@@ -1,9 +1,9 @@
-"""What was said can be said again, searched, spelled and saved; the memory of it is bounded."""
+"""Answers can be repeated, searched, spelled and saved. Their memory is bounded."""
 
 import pytest
 
 from donnie_tui.core.answer_log import KEPT, LONGEST_ANSWER, MOST_FOUND, AnswerLog, spelled
-from donnie_tui.i18n.catalogue.signs import SPELLED_OF
+from donnie_tui.i18n.messages import SPELLING_OF_SIGN
 from donnie_tui.i18n.words import Words
 
 
@@ -20,18 +20,18 @@ def test_the_last_answer_is_number_one() -> None:
     assert [made.last(), made.last(2), made.last(3), made.last(0)] == [("b", "c"), ("a",), (), ()]
 
 
-def test_an_empty_answer_is_none() -> None:
+def test_an_empty_answer_is_not_remembered() -> None:
     assert len(log((), ("a",), ())) == 1
 
 
-def test_of_very_many_and_very_long_answers_the_newest_lines_are_kept() -> None:
+def test_the_newest_lines_are_kept_of_many_and_long_answers() -> None:
     made = log(*((str(number),) for number in range(KEPT + 5)), tuple(map(str, range(LONGEST_ANSWER + 3))))
 
     assert len(made) == KEPT == 1000
     assert made.last()[0] == "3"
 
 
-def test_words_are_found_in_any_case_and_without_accents_the_newest_last() -> None:
+def test_a_search_ignores_case_and_accents_and_lists_the_newest_last() -> None:
     made = log(("O Robô andou.",), ("nada",), ("robo parado",))
 
     assert made.found("ROBÔ") == ("O Robô andou.", "robo parado")
@@ -39,7 +39,7 @@ def test_words_are_found_in_any_case_and_without_accents_the_newest_last() -> No
     assert len(log(*((f"wall {n}",) for n in range(99))).found("wall")) == MOST_FOUND
 
 
-def test_lines_that_come_one_by_one_are_one_answer_until_it_ends() -> None:
+def test_lines_that_arrive_one_by_one_are_one_answer_until_it_ends() -> None:
     made = log(("before",))
     for line in ("a", "b"):
         made.add_line(line)
@@ -49,7 +49,16 @@ def test_lines_that_come_one_by_one_are_one_answer_until_it_ends() -> None:
     assert [made.last(), made.last(2), made.last(3)] == [("c",), ("a", "b"), ("before",)]
 
 
-def test_what_is_told_again_is_not_remembered_twice() -> None:
+def test_an_answer_that_is_printed_in_pieces_is_one_answer() -> None:
+    made = log()
+    for piece in (["a"], [], ["b", "c"]):
+        made.add_lines(piece)
+    made.end_answer()
+
+    assert [made.last(), made.last(2)] == [("a", "b", "c"), ()]
+
+
+def test_a_repeated_answer_is_not_remembered_twice() -> None:
     made = log(("a", "b"), ("c",))
     for line in (*made.again(2), "d"):
         made.add_line(line)
@@ -57,7 +66,7 @@ def test_what_is_told_again_is_not_remembered_twice() -> None:
     assert [made.last(), made.last(2), made.last(3)] == [("d",), ("c",), ("a", "b")]
 
 
-def test_all_of_it_as_text_is_a_line_each() -> None:
+def test_the_whole_log_as_text_has_one_line_per_entry() -> None:
     assert log(("a", "b"), ("c",)).text() == "a\nb\nc\n"
 
 
@@ -72,11 +81,11 @@ def test_all_of_it_as_text_is_a_line_each() -> None:
     ],
 )
 def test_spelling_names_capitals_blanks_and_signs(language: str, text: str, told: str) -> None:
-    assert spelled(text, SPELLED_OF, Words(language)) == (told,)
+    assert spelled(text, SPELLING_OF_SIGN, Words(language)) == (told,)
 
 
 def test_a_long_word_is_spelled_in_lines_for_a_braille_display() -> None:
-    lines = spelled("abcdefghij" * 5, SPELLED_OF, Words())
+    lines = spelled("abcdefghij" * 5, SPELLING_OF_SIGN, Words())
 
     assert max(map(len, lines)) <= 40
     assert "".join(each for line in lines for each in line if each.isalpha()) == "abcdefghij" * 5

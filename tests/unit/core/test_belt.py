@@ -1,4 +1,4 @@
-"""The belt follows the robot: from the same events with any robot, for fingers, ears and eyes."""
+"""The belt follows the events of any robot, and is felt, audible and visible."""
 
 from __future__ import annotations
 
@@ -7,7 +7,6 @@ import pytest
 from devices.ports.robot import Bearing, Pose
 from donnie_tui.core import belt
 from donnie_tui.core.belt import OFF, BeltSettings, bump, felt, in_words, presence, pulse, rows
-from donnie_tui.core.belt_telling import BeltTelling, ChosenBelt
 from donnie_tui.core.events import (
     Answered,
     BeltShown,
@@ -21,6 +20,7 @@ from donnie_tui.core.events import (
 )
 from donnie_tui.core.team import Team
 from donnie_tui.i18n.words import Words
+from donnie_tui.outlets.belt import BeltTelling, ChosenBelt
 from tests.floor import Floor
 
 FRONT_ROW = (0, 0, 0, 3, 0, 0, 0)
@@ -37,7 +37,7 @@ def shown(floor: Floor) -> list[tuple[int, ...]]:
 @pytest.mark.parametrize(
     ("steps", "level"), [(0, 3), (5, 3), (6, 2), (10, 2), (11, 1), (20, 1), (21, 0), (60, 0)]
 )
-def test_the_nearer_the_stronger(steps: int, level: int) -> None:
+def test_a_nearer_thing_vibrates_more_strongly(steps: int, level: int) -> None:
     assert BeltSettings().level(steps) == level
 
 
@@ -48,7 +48,7 @@ def test_the_directions_go_round_the_body_from_the_back_over_the_left() -> None:
     assert pulse(Bearing.BACK) == (3, 0, 0, 0, 0, 0, 3) * 2
 
 
-def test_directions_that_share_a_column_show_the_stronger() -> None:
+def test_directions_that_share_a_column_show_the_stronger_level() -> None:
     settings = BeltSettings(columns=dict.fromkeys(Bearing, (3,)))
 
     assert presence({Bearing.FRONT: 1, Bearing.BACK: 2}, settings) == (0, 0, 0, 2, 0, 0, 0) * 2
@@ -67,7 +67,7 @@ def test_a_bump_is_wide() -> None:
         ("es", "Cinturón: frente fuerte, frente derecha débil."),
     ],
 )
-def test_what_is_felt_is_told_in_words(language: str, sentence: str) -> None:
+def test_felt_directions_are_described_in_words(language: str, sentence: str) -> None:
     levels = (0, 0, 0, 3, 3, 0, 0, 0, 0, 0, 3, 1, 0, 0)
 
     assert in_words(levels, Words(language)) == sentence
@@ -75,12 +75,12 @@ def test_what_is_felt_is_told_in_words(language: str, sentence: str) -> None:
     assert rows(levels) == ((0, 0, 0, 3, 3, 0, 0), (0, 0, 0, 3, 1, 0, 0))
 
 
-def test_nothing_near_is_told_too() -> None:
+def test_an_empty_belt_is_described_too() -> None:
     assert in_words(OFF, Words()) == "Belt: nothing near."
 
 
 def test_the_belt_follows_the_robot_towards_a_thing() -> None:
-    """What comes a level nearer strikes the upper row, while the lower one says how near it is."""
+    """A thing that is a level nearer strikes the upper row. The lower row shows how near it is."""
     floor = Floor(("red", 0, 23))
     floor.run("BELT ON FW 19")
 
@@ -95,7 +95,7 @@ def test_the_belt_follows_the_robot_towards_a_thing() -> None:
     ]
 
 
-def test_what_comes_nearer_is_sounded_where_it_is() -> None:
+def test_an_approaching_thing_is_sounded_on_its_side() -> None:
     floor = Floor(("red", 0, 23))
     floor.run("BELT ON FW 5")
 
@@ -104,7 +104,7 @@ def test_what_comes_nearer_is_sounded_where_it_is() -> None:
     ]
 
 
-def test_turning_moves_what_is_felt_round_the_body() -> None:
+def test_a_turn_moves_the_felt_directions_round_the_body() -> None:
     floor = Floor(("red", 0, 4))
     floor.run("BELT ON TR 45")
 
@@ -126,15 +126,15 @@ def test_belt_off_is_off_at_once() -> None:
     assert shown(floor) == [FRONT_ROW * 2, OFF]
 
 
-def test_a_pulse_comes_and_what_was_felt_is_felt_again() -> None:
+def test_after_a_pulse_the_belt_shows_the_directions_again() -> None:
     floor = Floor(("red", 0, 4))
     floor.run("BELT ON VIBRATE BL")
 
     assert shown(floor) == [FRONT_ROW * 2, pulse(Bearing.BACK_LEFT), FRONT_ROW * 2, OFF]
 
 
-def test_what_a_program_reads_in_a_noisy_world_is_the_same_with_and_without_the_belt() -> None:
-    """What the belt feels draws nothing of the noise that the program's readings are to have."""
+def test_the_belt_does_not_change_the_noisy_readings_of_a_program() -> None:
+    """The belt takes nothing from the random source of the program's readings."""
 
     def happened(switched: str) -> list[Event]:
         floor = Floor(("red", 0, 30), ("blue", 25, 9), noise=0.5, seed=7)
@@ -149,7 +149,7 @@ def test_what_a_program_reads_in_a_noisy_world_is_the_same_with_and_without_the_
     assert happened("ON") == happened("OFF")
 
 
-def test_a_stop_in_the_midst_of_a_walk_counts_with_the_belt_on() -> None:
+def test_a_stop_during_a_walk_counts_with_the_belt_on() -> None:
     floor = Floor(("red", 0, 900))
     floor.session.hub.subscribe(
         lambda it: floor.session.stop() if it.event == CueSounded("step-forward", 0.0, None) else None
@@ -160,7 +160,7 @@ def test_a_stop_in_the_midst_of_a_walk_counts_with_the_belt_on() -> None:
 
 
 @pytest.mark.parametrize("program", ["BELT ON FW 1", "BELT ON SPEAK q", "BELT ON QUIT", "BELT ON FW 1 / 0"])
-def test_the_motors_are_off_before_a_run_is_told_to_be_over(program: str) -> None:
+def test_the_motors_are_off_before_the_end_of_a_run_is_published(program: str) -> None:
     floor = Floor(("red", 0, 4), terminal=True)
     floor.run(program)
 
@@ -179,12 +179,12 @@ def test_the_belt_stays_switched_on_for_the_next_lines_of_a_terminal() -> None:
     )
 
 
-def test_whoever_wants_it_is_told_what_changes_in_words() -> None:
+def test_changes_of_the_belt_are_announced_in_words_on_request() -> None:
     floor = Floor(("red", 0, 22))
     BeltTelling(team_of(floor), floor.words).is_on = True
     floor.run("BELT ON FW 3 FW 2")
 
-    assert [line for line in floor.told if line.startswith("Belt:")] == [
+    assert [line for line in floor.printed if line.startswith("Belt:")] == [
         "Belt: front weak.",
         "Belt: nothing near.",
     ]
@@ -196,7 +196,7 @@ def test_the_words_follow_the_columns_of_the_settings() -> None:
     assert in_words(presence({Bearing.BACK: 2}, settings), Words(), settings) == "Belt: back medium."
 
 
-def test_what_is_felt_now_can_be_asked_for_without_being_told_all_the_time() -> None:
+def test_one_question_describes_the_belt_without_announcing_each_change() -> None:
     floor = Floor(("red", 0, 4))
     telling = BeltTelling(team_of(floor), floor.words)
     during = list[str]()
@@ -207,10 +207,10 @@ def test_what_is_felt_now_can_be_asked_for_without_being_told_all_the_time() -> 
 
     assert during == ["Belt: front strong."]
     assert telling.now() == "Belt: nothing near."
-    assert not [line for line in floor.told if line.startswith("Belt:")]
+    assert not [line for line in floor.printed if line.startswith("Belt:")]
 
 
-def test_of_several_robots_only_the_chosen_one_is_felt() -> None:
+def test_the_belt_follows_only_the_selected_robot() -> None:
     chosen, felt = ["alice"], list[tuple[int, ...]]()
     watching = ChosenBelt(lambda: chosen[0], felt.append)
     strong, weak = pulse(Bearing.FRONT), (1,) * 14
@@ -237,7 +237,7 @@ def test_of_several_robots_only_the_chosen_one_is_felt() -> None:
         ),
     ],
 )
-def test_each_motor_of_both_rows_can_be_told(language: str, told: tuple[str, ...]) -> None:
+def test_each_motor_of_both_rows_can_be_described(language: str, told: tuple[str, ...]) -> None:
     floor = Floor()
     telling = BeltTelling(team_of(floor), Words(language))
     floor.session.hub.publish(BeltShown(FRONT_ROW + FRONT_ROW))

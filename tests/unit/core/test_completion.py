@@ -1,4 +1,4 @@
-"""Which words may stand where somebody types."""
+"""The words that may stand at the cursor."""
 
 import pytest
 from hypothesis import given
@@ -8,7 +8,7 @@ from donnie_tui.core.completion import completion
 
 
 def words(text: str, language: str = "en", colours: tuple[str, ...] | None = None) -> tuple[str, ...]:
-    """For the place of the bar in the text, or its end."""
+    """The words for the place of the bar in the text, or for its end."""
     at = text.find("|")
     return completion(text.replace("|", ""), at if at >= 0 else len(text), language, colours).words
 
@@ -32,7 +32,7 @@ def test_the_likely_word_comes_first(text: str, language: str, first: str) -> No
     assert words(text, language)[0] == first
 
 
-def test_behind_a_keyword_only_what_it_takes_is_offered() -> None:
+def test_only_possible_arguments_are_offered_after_a_keyword() -> None:
     assert set(words("BELT ")) == {"ON", "OFF"}
     assert "FW" not in words("SPEAK DISTANCE ")
 
@@ -46,12 +46,12 @@ def test_nothing_is_offered_inside_texts_and_comments(text: str) -> None:
     assert words(text) == ()
 
 
-def test_the_word_that_stands_there_already_is_not_offered() -> None:
+def test_the_word_at_the_cursor_is_not_offered() -> None:
     assert "FW" not in words("FW")
 
 
 @given(st.text(alphabet='FW rep"\n-[]:=é1', max_size=60), st.integers(0, 60))
-def test_any_text_has_an_answer(text: str, at: int) -> None:
+def test_completion_accepts_any_text(text: str, at: int) -> None:
     found = completion(text, min(at, len(text)), "en")
 
     assert all(isinstance(each, str) and each for each in found.words)

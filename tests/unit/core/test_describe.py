@@ -1,4 +1,4 @@
-"""A world in words: places are told from the robot, in steps, the nearest thing first."""
+"""A world in words: places are relative to the robot, in steps, the nearest thing first."""
 
 import pytest
 
@@ -24,7 +24,7 @@ from worlds.words import About, Difficulty
         (0.2, -0.3, 0, "here"),
     ],
 )
-def test_a_place_is_told_as_it_is_seen_from_the_robot(x: float, y: float, heading: float, place: str) -> None:
+def test_a_place_is_described_as_seen_from_the_robot(x: float, y: float, heading: float, place: str) -> None:
     assert place_of(x, y, Pose(0.0, 0.0, heading), Words()) == place
 
 
@@ -33,7 +33,7 @@ def test_a_place_is_told_as_it_is_seen_from_the_robot(x: float, y: float, headin
     [(0, 5, "5 north"), (-2, 5, "2 west, 5 north"), (3, -1, "3 east, 1 south"), (0.2, -0.3, "here")],
 )
 @pytest.mark.parametrize("heading", [0, 45, 270])
-def test_by_the_compass_a_place_is_the_same_whichever_way_the_robot_looks(
+def test_a_place_by_the_compass_does_not_depend_on_the_heading(
     x: float, y: float, place: str, heading: float
 ) -> None:
     assert compass_place_of(x + 7, y - 4, Pose(7.0, -4.0, heading), Words()) == place
@@ -57,7 +57,7 @@ def test_an_empty_floor_is_described_in_each_language() -> None:
     assert said == {"There are no things.", "Não há objetos.", "No hay objetos."}
 
 
-def test_what_an_author_says_stands_between_the_difficulty_and_the_task() -> None:
+def test_the_text_of_the_author_stands_between_the_difficulty_and_the_task() -> None:
     about = About("A title", "One thing.\nAnother.", "Do it.", Difficulty.HARD)
 
     assert describe(picture(floor()), Pose(0.0, 0.0, 0.0), Words(), robot="bob", about=about) == (
@@ -71,7 +71,7 @@ def test_what_an_author_says_stands_between_the_difficulty_and_the_task() -> Non
 
 
 def test_a_world_without_a_robot_says_so() -> None:
-    assert "There is no robot. Places are told from the middle." in describe(
+    assert "There is no robot. Places are given from the middle." in describe(
         picture(floor()), Pose(0.0, 0.0, 0.0), Words()
     )
 
@@ -88,7 +88,7 @@ def large(thing_count: int, robot_count: int) -> Picture:
     return Picture(0, 0, 400, 400, 5, ("." * 400,) * 400, things + robots, has_walls=False)
 
 
-def test_of_very_many_things_the_nearest_are_told_and_the_others_counted() -> None:
+def test_the_nearest_of_many_things_are_described_and_the_others_counted() -> None:
     told = describe(large(1000, 0), Pose(0.0, 0.0, 0.0), Words(), robot="donnie")
 
     assert told[2:4] == ("1000 things, in steps from donnie, the nearest first.", "Ball, red: 10 east.")
@@ -100,7 +100,7 @@ def test_of_very_many_things_the_nearest_are_told_and_the_others_counted() -> No
     assert len(told) == 3 + MOST_THINGS + 3
 
 
-def test_of_very_many_robots_the_nearest_are_named() -> None:
+def test_the_nearest_of_many_robots_are_named() -> None:
     told = describe(large(0, 999), Pose(0.0, 0.0, 0.0), Words(), robot="me")
 
     assert told[1] == "1000 robots: me, r0, r1, r2, r3, r4, r5, r6, r7, r8 and 990 more."
@@ -108,7 +108,7 @@ def test_of_very_many_robots_the_nearest_are_named() -> None:
     assert len(told) == 13
 
 
-def test_two_robots_are_told_by_name() -> None:
+def test_two_robots_are_described_by_name() -> None:
     told = describe(large(0, 1), Pose(0.0, 0.0, 0.0), Words("pt"), robot="me")
 
     assert told[1:4] == (
@@ -118,7 +118,7 @@ def test_two_robots_are_told_by_name() -> None:
     )
 
 
-def test_a_large_thing_is_told_with_its_size() -> None:
+def test_a_large_thing_is_described_with_its_size() -> None:
     wide = Thing("", "table", "t", "red", 0.0, 20.0, 5.0, 10.0)
     seen = Picture(0, 0, 9, 9, 1, ("." * 9,) * 9, (wide,), has_walls=True)
 

@@ -7,7 +7,6 @@ from collections.abc import Mapping
 import pytest
 
 from devices.ports.robot import Pose, StoppedBy
-from donnie_tui.core.event_stream import JsonLines, as_line
 from donnie_tui.core.events import (
     Announced,
     Answered,
@@ -15,6 +14,7 @@ from donnie_tui.core.events import (
     CueSounded,
     Error,
     Event,
+    JsonLines,
     Link,
     Moved,
     Outcome,
@@ -30,6 +30,7 @@ from donnie_tui.core.events import (
     Statement,
     Turned,
     Waited,
+    as_line,
     as_record,
 )
 from tests.unit.core.values import HERE
@@ -106,7 +107,7 @@ def test_the_robot_is_named_where_a_world_has_several() -> None:
     assert list(as_record(Stamped(1, 0.0, Spoke("a"), "bob")))[:4] == ["seq", "t", "event", "robot"]
 
 
-def test_a_line_is_json_and_keeps_letters_and_huge_numbers_as_they_are() -> None:
+def test_a_line_is_json_and_keeps_letters_and_huge_numbers() -> None:
     ended = RunEnded(Outcome.COMPLETED, Pose(0.1 + 0.2, -0.0, 0.0), {"n": 10**300}, 0.0)
 
     line = as_line(Stamped(1, 0.0, ended))
@@ -123,7 +124,7 @@ def test_a_text_with_line_ends_stays_one_line() -> None:
     assert json.loads(line)["text"] == "a\nb\r\u2028ç"
 
 
-def test_what_is_transient_is_not_written() -> None:
+def test_transient_events_are_not_written() -> None:
     out = io.StringIO()
 
     for event in (Passing(HERE), Answered("Saved."), Spoke("a")):
@@ -137,7 +138,7 @@ class _Full(io.StringIO):
         raise OSError(28, "No space left on device")
 
 
-def test_a_full_disk_is_told_once_and_ends_the_writing() -> None:
+def test_a_full_disk_is_reported_once_and_ends_the_writing() -> None:
     troubles: list[OSError] = []
     listener = JsonLines(_Full(), troubles.append)
 

@@ -1,10 +1,10 @@
-"""Things that robots grip and push: told, and where they are now."""
+"""Things that robots grip and push: their announcements and their current places."""
 
 from functools import partial
 from pathlib import Path
 
+from donnie_tui.core.actions import Deed
 from donnie_tui.core.events import TRANSIENT, GripperUsed, Reset, RunEnded, RunStarted, Stamped, ThingsMoved
-from donnie_tui.core.handling import Deed
 from donnie_tui.core.session import Busy, Session
 from donnie_tui.core.timeline import Timeline
 from donnie_tui.core.transcript import told_lines
@@ -56,37 +56,37 @@ class Room:
         assert self.session.start(text, "a.gd", fresh=fresh).wait(PATIENCE)
 
     @property
-    def told(self) -> list[str]:
+    def printed(self) -> list[str]:
         return [line for each in self.heard for line in told_lines(each, self.words)]
 
     @property
     def places(self) -> list[tuple[float, float]]:
-        """Where the box was told to be, each time."""
+        """The published places of the box, in their order."""
         events = [each.event for each in self.heard if isinstance(each.event, ThingsMoved)]
         return [(round(each.pose.x, 1), round(each.pose.y, 1)) for event in events for each in event.places]
 
 
-def test_without_a_gripper_that_is_told_and_nothing_is_an_event_of_it() -> None:
+def test_a_missing_gripper_is_reported_and_publishes_no_grip() -> None:
     floor = Floor()
 
     assert floor.session.use_gripper(Deed.GRIP).wait(PATIENCE)
 
-    assert floor.told == ["I have no gripper."]
+    assert floor.printed == ["I have no gripper."]
     assert isinstance(floor.events[0], RunStarted)
     assert isinstance(floor.events[-1], RunEnded)
 
 
-def test_where_nothing_is_in_reach_nothing_is_held() -> None:
+def test_a_grip_without_a_thing_in_reach_holds_nothing() -> None:
     room = Room()
 
     room.run("TR 180")
     room.use(Deed.GRIP)
     room.use(Deed.RELEASE)
 
-    assert room.told[-2:] == ["There is nothing to grip.", "I hold nothing."]
+    assert room.printed[-2:] == ["There is nothing to grip.", "I hold nothing."]
 
 
-def test_what_is_held_moves_along_and_where_it_is_is_told() -> None:
+def test_a_held_thing_moves_along_and_its_place_is_published() -> None:
     room = Room()
 
     room.run("FW 1")
@@ -95,8 +95,8 @@ def test_what_is_held_moves_along_and_where_it_is_is_told() -> None:
     room.use(Deed.RELEASE)
     room.run("BW 1")
 
-    assert "I hold the red box." in room.told
-    assert "I let go of the red box." in room.told
+    assert "I hold the red box." in room.printed
+    assert "I let go of the red box." in room.printed
     assert [each.event.outcome.value for each in room.heard if isinstance(each.event, GripperUsed)] == [
         "gripped",
         "released",
@@ -133,7 +133,7 @@ def test_a_fresh_run_puts_everything_back_and_a_timeline_knows_it() -> None:
     assert room.timeline.things == ()
 
 
-def test_a_thing_that_is_pushed_to_the_same_place_again_is_told_again() -> None:
+def test_a_thing_that_is_pushed_to_the_same_place_again_is_published_again() -> None:
     room = Room(PUSHED)
     for _ in range(3):
         room.run("FW 10", fresh=True)
@@ -143,7 +143,7 @@ def test_a_thing_that_is_pushed_to_the_same_place_again_is_told_again() -> None:
     assert len(set(room.places)) == 1
 
 
-def test_a_reset_tells_that_things_are_back() -> None:
+def test_a_reset_publishes_the_returned_things() -> None:
     room = Room(PUSHED)
     room.run("FW 10")
 
@@ -159,7 +159,7 @@ def test_a_reset_tells_that_things_are_back() -> None:
     assert isinstance(room.heard[-1].event, Reset)
 
 
-def test_going_back_puts_things_to_where_they_were_before() -> None:
+def test_a_step_back_in_the_timeline_moves_things_to_their_earlier_places() -> None:
     room = Room(PUSHED)
     room.run("FW 10")
     room.run("FW 3")

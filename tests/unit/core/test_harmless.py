@@ -1,4 +1,4 @@
-"""The same signs are harmless wherever text is shown, printed, read or quoted."""
+"""Control characters are removed wherever text is shown, printed, read or quoted."""
 
 from __future__ import annotations
 
@@ -8,15 +8,15 @@ import pytest
 from rich.segment import Segment
 from textual.color import Color
 
-from donnie_tui.core.documents import decode
+from donnie_tui.core.document import Document
 from donnie_tui.core.events import Spoke
-from donnie_tui.core.harmless import printable
+from donnie_tui.core.program_files import decode
+from donnie_tui.core.safe_text import printable
 from donnie_tui.core.transcript import lines_of
-from donnie_tui.core.typed_program import TypedProgram
 from donnie_tui.i18n.words import Words
-from donnie_tui.linear.told import Told
+from donnie_tui.linear.output import Told
 from donnie_tui.tui.printable import Printable
-from language.diagnostics import Diagnostic, Kind, Span
+from language.diagnostics import Diagnostic, MistakeKind, Span
 
 HARMFUL = (
     *map(chr, (*range(0x20), *range(0x7F, 0xA0), 0x2028, 0x2029, *range(0x202A, 0x202F))),
@@ -45,25 +45,25 @@ def from_a_file(text: str) -> str:
 
 
 def typed(text: str) -> str:
-    program = TypedProgram()
+    program = Document()
     program.add(text)
     return program.text
 
 
 def in_a_mistake(text: str) -> str:
-    return Words().mistake(Diagnostic(Kind.UNKNOWN_COMMAND, Span(0, 1, 1, 1), found=text))
+    return Words().mistake(Diagnostic(MistakeKind.UNKNOWN_COMMAND, Span(0, 1, 1, 1), found=text))
 
 
 EVERYWHERE = (printable, on_the_screen, in_the_log, in_the_linear_mode, from_a_file, typed, in_a_mistake)
 
 
 @pytest.mark.parametrize("way", EVERYWHERE)
-def test_what_could_do_harm_comes_out_nowhere(way: Callable[[str], str]) -> None:
+def test_no_output_has_a_control_character(way: Callable[[str], str]) -> None:
     kept = "\t\r\n" if way in (from_a_file, typed) else ""
     assert [each for each in HARMFUL if each in way(f"a{each}b") and each not in kept] == []
 
 
 @pytest.mark.parametrize("way", EVERYWHERE)
-def test_all_other_text_comes_out_whole(way: Callable[[str], str]) -> None:
+def test_all_other_text_stays_whole(way: Callable[[str], str]) -> None:
     wanted = " ".join(WHOLE.split()) if way is in_a_mistake else WHOLE
     assert wanted in way(WHOLE)

@@ -1,4 +1,4 @@
-"""Every listener hears every event once, in one order, whoever publishes and from wherever."""
+"""Every listener gets every event once and in one order, whichever thread publishes it."""
 
 import threading
 from collections.abc import Callable
@@ -25,7 +25,7 @@ def test_events_are_numbered_from_one_and_carry_the_robots_time() -> None:
     assert heard == [Stamped(1, 1.5, Spoke("a")), Stamped(2, 1.5, Spoke("b"))]
 
 
-def test_an_answer_to_an_event_comes_after_it_for_every_listener() -> None:
+def test_every_listener_gets_an_answer_after_its_event() -> None:
     hub = new_hub()
     first, second = list[Event](), list[Event]()
 
@@ -41,7 +41,7 @@ def test_an_answer_to_an_event_comes_after_it_for_every_listener() -> None:
     assert first == second == [Spoke("a"), CueSounded("done", 0.0, None)]
 
 
-def test_what_is_transient_has_no_number() -> None:
+def test_a_transient_event_has_no_number() -> None:
     hub, heard = new_hub(), list[Stamped]()
     hub.subscribe(heard.append)
 
@@ -52,7 +52,7 @@ def test_what_is_transient_has_no_number() -> None:
     assert [each.seq for each in heard] == [0, 0, 1]
 
 
-def test_a_listener_that_left_hears_nothing_more() -> None:
+def test_an_unsubscribed_listener_gets_no_more_events() -> None:
     hub, heard = new_hub(), list[Stamped]()
     leave = hub.subscribe(heard.append)
 
@@ -63,7 +63,7 @@ def test_a_listener_that_left_hears_nothing_more() -> None:
     assert [each.event for each in heard] == [Spoke("a")]
 
 
-def test_many_threads_are_heard_in_one_order_without_gaps() -> None:
+def test_events_of_many_threads_have_one_order_without_gaps() -> None:
     hub = new_hub()
     first, second = list[int](), list[int]()
     hub.subscribe(lambda stamped: first.append(stamped.seq))
@@ -99,7 +99,7 @@ def test_a_listener_that_fails_does_not_silence_the_stream() -> None:
     assert heard[-1].event == Spoke("b")
 
 
-def test_robots_share_one_numbering_and_each_event_says_whose_it_is() -> None:
+def test_robots_share_one_numbering_and_each_event_names_its_robot() -> None:
     stream, heard = Stream(), list[Stamped]()
     alice = Hub(lambda: 1.0, "alice", stream)
     bob = Hub(lambda: 2.0, "bob", stream)
@@ -111,7 +111,7 @@ def test_robots_share_one_numbering_and_each_event_says_whose_it_is() -> None:
     assert heard == [Stamped(1, 1.0, Spoke("a"), "alice"), Stamped(2, 2.0, Spoke("b"), "bob")]
 
 
-def test_who_listens_to_one_robot_hears_it_first_and_no_other() -> None:
+def test_a_listener_of_one_robot_gets_its_events_first_and_no_others() -> None:
     stream, order = Stream(), list[str]()
     alice = Hub(lambda: 0.0, "alice", stream)
     bob = Hub(lambda: 0.0, "bob", stream)
@@ -126,7 +126,7 @@ def test_who_listens_to_one_robot_hears_it_first_and_no_other() -> None:
     assert order == ["alice's", "everybody", "everybody", "everybody"]
 
 
-def test_what_a_front_end_answers_is_no_robots() -> None:
+def test_an_answer_of_a_front_end_belongs_to_no_robot() -> None:
     hub, heard = Hub(lambda: 0.0, "alice"), list[Stamped]()
     hub.subscribe(heard.append)
 
@@ -175,8 +175,8 @@ def test_a_listener_that_hangs_holds_no_other_robot() -> None:
     assert blocked.heard == list(range(1, 302))
 
 
-def test_nobody_delivers_what_others_tell_without_end() -> None:
-    """What another robot told meanwhile is delivered by a thread of the stream."""
+def test_no_thread_delivers_the_events_of_others_without_end() -> None:
+    """A thread of the stream delivers what another robot publishes meanwhile."""
     stream, blocked, deliverers = Stream(), Blocked(), list[int]()
     alice, bob = Hub(lambda: 0.0, "alice", stream), Hub(lambda: 0.0, "bob", stream)
     stream.subscribe(lambda _: deliverers.append(threading.get_ident()))
@@ -195,7 +195,7 @@ def test_nobody_delivers_what_others_tell_without_end() -> None:
 
 
 class TwoAtOnce(Stream):
-    """Its thread ``a`` has delivered its own and stands still until ``b`` finds that others have to go on."""
+    """Thread ``a`` has delivered its events and waits until ``b`` hands over the remaining ones."""
 
     def __init__(self) -> None:
         super().__init__()
@@ -221,8 +221,8 @@ class TwoAtOnce(Stream):
         super()._deliver_rest()
 
 
-def test_only_one_thread_goes_on_delivering() -> None:
-    """Who has nothing left to deliver takes another one's hand-over for none of its own."""
+def test_only_one_thread_continues_to_deliver() -> None:
+    """A thread with nothing left to deliver ignores the hand-over of another thread."""
     stream, heard = TwoAtOnce(), list[Event]()
     hub = Hub(lambda: 0.0, None, stream)
 
@@ -246,7 +246,7 @@ def test_only_one_thread_goes_on_delivering() -> None:
     assert heard == [Spoke("a"), Spoke("b"), Spoke("c")]
 
 
-def test_a_program_that_tells_too_much_waits_behind_its_event_and_holds_nobody() -> None:
+def test_a_program_that_publishes_too_much_waits_after_its_event_and_delays_no_other() -> None:
     stream, heard = Stream(), list[Event]()
     waits, may_go_on = threading.Event(), threading.Event()
     alice, bob = Hub(lambda: 0.0, "alice", stream), Hub(lambda: 0.0, "bob", stream)
@@ -275,10 +275,10 @@ def test_a_program_that_tells_too_much_waits_behind_its_event_and_holds_nobody()
     assert heard[-1] == Spoke("more")
 
 
-def test_what_is_answered_to_a_program_comes_before_what_it_tells_next_whoever_else_told(
+def test_an_answer_to_a_program_comes_before_its_next_event(
     monkeypatch: pytest.MonkeyPatch,
 ) -> None:
-    """Else a recording would depend on when somebody pressed a key."""
+    """Otherwise a recording would depend on the moment of a key press."""
     monkeypatch.setattr("donnie_tui.core.hub.LONGEST_TURN", 20.0, raising=False)
     hub, blocked, heard = new_hub(), Blocked(), list[Event]()
     hub.subscribe(blocked)
@@ -303,7 +303,7 @@ def test_what_is_answered_to_a_program_comes_before_what_it_tells_next_whoever_e
     assert heard == [Answered("Speed 2."), Spoke("first"), Spoke("answer"), Spoke("next")]
 
 
-def test_a_listener_that_hangs_for_ever_slows_a_program_but_does_not_hold_it() -> None:
+def test_a_listener_that_hangs_forever_slows_a_program_but_does_not_stop_it() -> None:
     stream, blocked = Stream(), Blocked()
     alice, bob = Hub(lambda: 0.0, "alice", stream), Hub(lambda: 0.0, "bob", stream)
     stream.subscribe(blocked)

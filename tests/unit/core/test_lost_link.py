@@ -1,8 +1,8 @@
-"""A program whose robot loses its line has failed, whatever stands behind that movement."""
+"""A program fails when the connection to its robot is lost, even in the last statement."""
 
 import pytest
 
-from devices.firmware_double.robot import DoubleRobot
+from devices.board_simulator.robot import SimulatedSerialRobot
 from devices.ports.robot import Pace, StoppedBy, Watcher
 from donnie_tui.core.events import CueSounded, Error, Moved, Outcome, Stamped, Turned
 from tests.floor import Floor
@@ -17,17 +17,17 @@ class Unplugged:
         self.robot.connect()
         self.floor.session.hub.subscribe(self._unplug)
 
-    def _make(self, pace: Pace, watcher: Watcher) -> DoubleRobot:
-        self.robot = DoubleRobot(pace=pace, watcher=watcher, speed=None)
+    def _make(self, pace: Pace, watcher: Watcher) -> SimulatedSerialRobot:
+        self.robot = SimulatedSerialRobot(pace=pace, watcher=watcher, speed=None)
         return self.robot
 
     def _unplug(self, stamped: Stamped) -> None:
         if isinstance(stamped.event, CueSounded) and stamped.event.name in ("step-forward", "turn-right"):
-            self.robot.line.is_plugged = False
+            self.robot.link.is_plugged = False
 
 
 @pytest.mark.parametrize("program", ["FW 9", "TR 90", "FW 9 SPEAK 1"])
-def test_a_lost_line_in_any_movement_is_told_with_it_and_fails_the_program(program: str) -> None:
+def test_a_lost_connection_is_reported_with_its_movement_and_fails_the_program(program: str) -> None:
     there = Unplugged()
 
     outcome = there.floor.run(program)
@@ -37,5 +37,5 @@ def test_a_lost_line_in_any_movement_is_told_with_it_and_fails_the_program(progr
     assert outcome is Outcome.FAILED
     assert [each.stopped_by for each in done] == [StoppedBy.LINK]
     assert len(mistakes) == 1
-    assert any("The line to the robot is lost." in line for line in there.floor.told)
+    assert any("The line to the robot is lost." in line for line in there.floor.printed)
     there.robot.close()

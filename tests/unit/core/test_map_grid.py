@@ -13,7 +13,7 @@ from donnie_tui.core.map_grid import LONGEST_TRAIL, Cell, Kind, MapGrid, arrow_o
 
 @dataclass(frozen=True)
 class Floor:
-    """As the simulator draws one."""
+    """A floor as the simulator draws it."""
 
     rows: tuple[str, ...]
     left: int = -2
@@ -45,7 +45,7 @@ def grid(x: float = 0.0, y: float = 0.0, heading: float = 0.0, floor: Floor = RO
     return MapGrid(floor, Pose(x, y, heading))
 
 
-def test_the_robot_stands_in_the_cell_whose_middle_is_its_place():
+def test_the_robot_stands_in_the_cell_with_its_place_in_the_middle():
     assert grid().rows() == ("#######", "#..t..#", "#.....#", "#.^...#", "#######")
 
 
@@ -58,7 +58,7 @@ def test_a_walk_leaves_a_trail_from_the_start():
     assert drawn.rows() == ("#######", "#.oo>.#", "#.o...#", "#.A...#", "#######")
 
 
-def test_a_move_answers_the_cells_that_look_different_and_no_others():
+def test_a_move_returns_exactly_the_cells_that_look_different():
     drawn = grid()
     before = drawn.rows()
     changed = drawn.move(Pose(2, 0, 90))
@@ -92,11 +92,11 @@ def test_a_new_run_forgets_the_trail():
         (20, "^"),
     ],
 )
-def test_the_arrow_looks_where_the_robot_looks(heading, arrow):
+def test_the_arrow_points_where_the_robot_looks(heading, arrow):
     assert arrow_of(heading) == arrow
 
 
-def test_beyond_the_picture_the_floor_is_free_and_the_map_grows():
+def test_the_floor_beyond_the_picture_is_free_and_the_map_grows():
     drawn = grid()
     drawn.move(Pose(0, -3, 180))
 
@@ -115,7 +115,7 @@ def test_a_walk_of_a_thousand_million_steps_costs_a_bounded_trail():
     assert drawn.letter(Cell(2, 10**9)) in "^."
 
 
-def test_the_oldest_trail_is_forgotten_first_and_told_as_changed():
+def test_the_oldest_trail_is_forgotten_first_and_its_cells_are_returned():
     drawn = grid()
     drawn.move(Pose(0, LONGEST_TRAIL, 0))
     changed = drawn.move(Pose(10, LONGEST_TRAIL, 90))
@@ -124,7 +124,7 @@ def test_the_oldest_trail_is_forgotten_first_and_told_as_changed():
     assert Cell(2, 2) in changed
 
 
-def test_a_cell_tells_what_it_shows():
+def test_a_cell_describes_what_it_shows():
     drawn = grid()
     drawn.move(Pose(1, 0, 90))
 
@@ -137,7 +137,7 @@ def test_a_cell_tells_what_it_shows():
     assert drawn.place(Cell(2, 1)) == (0, 0)
 
 
-def test_the_size_of_a_floor_is_told_without_its_walls():
+def test_the_size_of_a_floor_is_described_without_its_walls():
     assert floor_size(ROOM) == (5, 3)
     assert floor_size(Floor(("...", "..."))) == (3, 2)
 

@@ -1,15 +1,12 @@
 """The map with everything on it: rays, robots, moved things, large squares, names, a finger."""
 
-import dataclasses
-
+import msgspec
 import pytest
 
 from devices.ports.robot import Pose
 from donnie_tui.core.events import PlacedThing, Read, Scanned, SeenGroup
 from donnie_tui.core.map_grid import Bounds, Cell, Kind
-from donnie_tui.core.map_labels import labels
-from donnie_tui.core.map_scale import MapScale, factor_for
-from donnie_tui.core.map_scene import RAY, MapScene
+from donnie_tui.core.map_scene import RAY, MapScale, MapScene, factor_for, labels
 from donnie_tui.core.pointing import Pointer, legend
 from donnie_tui.i18n.words import Words
 from sim.picture import Picture, Thing
@@ -43,7 +40,7 @@ def shown(it: MapScene) -> list[str]:
     ]
 
 
-def test_a_distance_is_a_ray_to_what_was_found_and_gone_when_the_robot_moves() -> None:
+def test_a_distance_is_a_ray_to_the_found_thing_until_the_robot_moves() -> None:
     it = scene()
     changed = it.look_along(Read("distance", "front", 4))
 
@@ -67,7 +64,7 @@ def test_a_position_or_a_colour_is_no_ray() -> None:
     assert it.look_along(Read("position", "x", 5)) == frozenset()
 
 
-def test_a_pushed_thing_is_shown_where_it_is_and_its_old_place_is_free() -> None:
+def test_a_pushed_thing_is_shown_at_its_current_place_and_the_old_one_is_free() -> None:
     it = scene()
     changed = it.place_things((PlacedThing("chair3", Pose(4, 3, 0), 3),))
 
@@ -82,7 +79,7 @@ def test_a_pushed_thing_is_shown_where_it_is_and_its_old_place_is_free() -> None
     assert shown(it)[3] == "#..cc....#"
 
 
-def test_a_new_run_answers_the_cells_that_look_different() -> None:
+def test_a_new_run_returns_the_cells_that_look_different() -> None:
     it = scene()
     assert it.begin(Pose(0, 1, 0)) == {Cell(1, 1)}
     it.move(Pose(0, 4, 90))
@@ -132,7 +129,7 @@ def test_a_large_square_shows_what_matters_most_in_it() -> None:
     assert scale.squares_of([Cell(4, 4), Cell(5, 5)]) == {Cell(0, 0), Cell(1, 1)}
 
 
-def test_a_name_is_written_beside_its_thing_on_free_floor_only() -> None:
+def test_a_name_is_written_next_to_its_thing_on_free_floor_only() -> None:
     written = labels(MapScale(scene()), 1, Words("en"))
     wide = labels(MapScale(scene()), 2, Words("en"))
 
@@ -147,14 +144,14 @@ def test_a_name_is_written_beside_its_thing_on_free_floor_only() -> None:
         ("pt", "2, 6: cadeira vermelha. 2 à direita, 5 à frente."),
     ],
 )
-def test_the_finger_tells_what_is_there_and_where_that_is_from_the_robot(language: str, words: str) -> None:
+def test_the_finger_describes_the_thing_and_its_place_from_the_robot(language: str, words: str) -> None:
     pointer = Pointer(scene())
     assert pointer.to_next_thing(True)
 
     assert pointer.words(Words(language)) == words
 
 
-def test_the_finger_stays_on_the_floor_and_goes_back_to_the_robot() -> None:
+def test_the_finger_stays_on_the_floor_and_returns_to_the_robot() -> None:
     pointer = Pointer(scene())
     pointer.move(-50, 50)
     assert pointer.here == Cell(0, 9)
@@ -163,7 +160,7 @@ def test_the_finger_stays_on_the_floor_and_goes_back_to_the_robot() -> None:
     assert pointer.here == Cell(1, 1)
 
 
-def test_from_here_to_there_is_told_in_words() -> None:
+def test_the_way_between_two_squares_is_described_in_words() -> None:
     pointer = Pointer(scene())
     pointer.move(1, 0)
     pointer.mark()
@@ -172,16 +169,16 @@ def test_from_here_to_there_is_told_in_words() -> None:
     assert pointer.way(Words("en")) == "From 1, 1 to 3, 4: 2 right, 3 ahead."
 
 
-def test_things_of_one_letter_are_told_apart_by_their_colours_in_words() -> None:
-    """Where the whole name has no room the colour may have."""
+def test_things_of_one_letter_are_distinguished_by_their_colours_in_words() -> None:
+    """The colour may have room where the whole name has none."""
     rows = (
         "######################",
         "#..cc................#",
         "#######cc......#######",
         "#....................#",
     )
-    blue = dataclasses.replace(CHAIR, colour="blue", x=6, y=1, index=1)
-    red = dataclasses.replace(CHAIR, y=2)
+    blue = msgspec.structs.replace(CHAIR, colour="blue", x=6, y=1, index=1)
+    red = msgspec.structs.replace(CHAIR, y=2)
     picture = Picture(-1, 0, 22, 4, 1, rows, (red, blue), has_walls=True)
     it = MapScene(picture, Pose(0, 0, 0))
     written = labels(MapScale(it), 1, Words("en"))
@@ -193,7 +190,7 @@ def test_things_of_one_letter_are_told_apart_by_their_colours_in_words() -> None
     assert legend(it, Words("en"))[-1] == "c is chair: red, blue."
 
 
-def test_the_legend_tells_every_letter_of_the_floor() -> None:
+def test_the_legend_explains_every_letter_of_the_floor() -> None:
     lines = legend(scene(), Words("en"))
 
     assert lines[-1] == "c is chair, red."

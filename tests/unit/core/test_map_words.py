@@ -1,20 +1,22 @@
-"""The map in words has all that the grid has; what is around is named once; no two letters mean the same."""
+"""The map in words has all of the grid, names each thing once, and gives each letter one meaning."""
 
 import re
-from dataclasses import replace
 from math import hypot
 from pathlib import Path
 
 import pytest
 from hypothesis import given
 from hypothesis import strategies as st
+from msgspec.structs import replace
 
 import worlds
 from devices.ports.robot import Bearing, Pose
-from donnie_tui.core.around import RANGE, around_in_words, compass_point
 from donnie_tui.core.map_grid import FREE, MapGrid
 from donnie_tui.core.map_words import (
+    RANGE,
+    around_in_words,
     column_in_words,
+    compass_point,
     names_of_letters,
     picture_in_letters,
     row_in_words,
@@ -163,7 +165,7 @@ def test_around_begins_with_the_point_that_is_named() -> None:
     assert sorted(by_east) == sorted(by_north)
 
 
-def test_a_wide_thing_is_where_the_robot_would_meet_it_and_not_where_its_middle_is() -> None:
+def test_a_wide_thing_is_in_the_direction_where_the_robot_would_meet_it() -> None:
     sofa = Thing("", "sofa", "S", "blue", 9, 4, 13, 2, outlines=(((2.5, 3), (15.5, 3), (15.5, 5), (2.5, 5)),))
     pose = Pose(3, 0, 0)
 
@@ -176,7 +178,7 @@ def test_a_wide_thing_is_where_the_robot_would_meet_it_and_not_where_its_middle_
     )
 
 
-def test_a_direction_is_as_free_as_what_is_told_elsewhere_leaves_it() -> None:
+def test_a_direction_is_free_up_to_the_next_described_thing() -> None:
     long = thing("t", 0, 0)
     long = replace(long, outlines=(((-2.5, 5), (0.2, 5), (0.2, 5.2), (-2, 5.2), (-2, -1), (-2.5, -1)),))
     pose = Pose(0, 0, 0)
@@ -191,8 +193,8 @@ def test_a_direction_is_as_free_as_what_is_told_elsewhere_leaves_it() -> None:
     ("right", "ahead"), [(0, "small sofa, blue"), (11, "large sofa, blue"), (30, "chair, green")]
 )
 @pytest.mark.parametrize("steps", [2, 40])
-def test_around_and_the_sensors_measure_alike(right: int, ahead: str, steps: int) -> None:
-    """From the robot's edge to that of what stands there, in whole steps."""
+def test_around_and_the_sensors_agree(right: int, ahead: str, steps: int) -> None:
+    """From the edge of the robot to the edge of the thing, in whole steps."""
     scene = load_world(Path(worlds.path("living_room")))
     robot = World(scene).robot(pace=Unpaced())
     robot.turn(90)
@@ -225,7 +227,7 @@ def test_around_on_a_clock_face_names_the_hours() -> None:
     assert any(line.startswith("1 hora: ") for line in in_portuguese)
 
 
-def test_a_free_direction_is_told_to_be_free() -> None:
+def test_a_free_direction_is_described_as_free() -> None:
     picture = Picture(-30, -30, 61, 61, 1, ("." * 61,) * 61, (), False)
     pose = Pose(0, 0, 0)
 
@@ -238,14 +240,14 @@ def test_a_free_direction_is_told_to_be_free() -> None:
     )
 
 
-def test_a_square_is_told_with_its_place_from_the_robot() -> None:
+def test_a_square_is_described_with_its_place_from_the_robot() -> None:
     pose = Pose(1, 1, 0)
 
     assert square_in_words(MapGrid(ROOM, pose), 3, 3, pose, Words()) == "3, 3: chair. 2 right, 2 ahead."
     assert square_in_words(MapGrid(ROOM, pose), 1, 1, pose, Words("es")) == "1, 1: Donnie. aquí."
 
 
-def test_behind_the_walls_nothing_is_called_free() -> None:
+def test_no_square_behind_the_walls_is_called_free() -> None:
     pose = Pose(1, 1, 0)
     endless = replace(ROOM, has_walls=False)
 
@@ -258,7 +260,7 @@ def test_behind_the_walls_nothing_is_called_free() -> None:
     assert square_in_words(MapGrid(endless, pose), 2, 1, pose, Words()) == "2, 1: free. 1 right."
 
 
-def test_a_row_that_is_not_there_is_told_with_those_that_are() -> None:
+def test_a_missing_row_is_reported_with_the_existing_rows() -> None:
     assert row_in_words(MapGrid(ROOM, Pose(1, 1, 0)), 9, Words()) == ("No row 9. Rows go from 0 to 4.",)
     assert column_in_words(MapGrid(ROOM, Pose(1, 1, 0)), -1, Words()) == (
         "No column -1. They go from 0 to 6.",
@@ -266,7 +268,7 @@ def test_a_row_that_is_not_there_is_told_with_those_that_are() -> None:
 
 
 @pytest.mark.parametrize("free", [FREE, "f"])
-def test_the_picture_has_its_legend_first_and_a_letter_a_square(free: str) -> None:
+def test_the_picture_begins_with_its_legend_and_has_one_letter_per_square(free: str) -> None:
     told = picture_in_letters(MapGrid(ROOM, Pose(1, 1, 0)), Words(), free)
 
     assert told[:4] == ("Picture, 7 by 5. The robot is ^", "Wall: #", f"Free: {free}", "Chair: c")
@@ -275,14 +277,14 @@ def test_the_picture_has_its_legend_first_and_a_letter_a_square(free: str) -> No
     )
 
 
-def test_a_picture_of_a_part_tells_which_part_it_is() -> None:
+def test_a_picture_of_a_part_names_the_part() -> None:
     rows = ("." * 50,) * 30
     picture = Picture(0, 0, 50, 30, 1, rows, (), True)
     told = picture_in_letters(MapGrid(picture, Pose(10, 10, 0)), Words())
 
     assert told[1:3] == (
         "Only a part: x 0 to 39, y 1 to 18.",
-        "The whole: x 0 to 49, y 0 to 29. MAP ROW tells the rest.",
+        "The whole: x 0 to 49, y 0 to 29. MAP ROW says the rest.",
     )
 
 
@@ -293,7 +295,7 @@ def test_two_letters_never_have_the_same_words() -> None:
 
 
 def test_letters_of_the_picture_are_distinct_without_capitals() -> None:
-    """B4: in six dots a capital letter looks like a small one."""
+    """In six dots a capital letter looks like a small one."""
     picture = Picture(0, 0, 3, 1, 1, ("cC.",), (thing("c", 0, 0), thing("C", 1, 0)), False)
     told = picture_in_letters(MapGrid(picture, Pose(2, 0, 0)), Words())
 

@@ -1,4 +1,4 @@
-"""What its author calls a thing is told, where that says more than what can be told anyway."""
+"""The author's name of a thing is printed where it says more than kind and colour."""
 
 from __future__ import annotations
 
@@ -7,7 +7,7 @@ from pathlib import Path
 import pytest
 
 import worlds
-from donnie_tui.core.naming import coloured, own_name, the_coloured
+from donnie_tui.core.wording import coloured, own_name, the_coloured
 from donnie_tui.i18n.words import Words
 from sim.worldfile import load_text
 from tests.sessions.command import QUIET, donnie
@@ -30,7 +30,7 @@ box( pose [ -0.5 0 0 0 ] color "red" )
         ("es", "gold, caja amarilla", "gold, la caja amarilla"),
     ],
 )
-def test_a_name_comes_before_what_the_thing_is(language: str, listed: str, the: str) -> None:
+def test_a_name_comes_before_the_kind_of_the_thing(language: str, listed: str, the: str) -> None:
     words = Words(language)
 
     assert coloured("box", "gold", "yellow", words) == listed
@@ -42,12 +42,12 @@ def test_a_name_of_kind_colour_and_number_says_nothing_more(name: str) -> None:
     assert own_name("box", name, Words("pt")) == ""
 
 
-def test_what_is_of_a_foreign_kind_has_its_name_once() -> None:
+def test_a_thing_of_a_foreign_kind_has_its_name_once() -> None:
     assert coloured("puck", "gold", "yellow", Words("en")) == "gold, yellow"
 
 
 @pytest.mark.parametrize("language", ["en", "pt", "es"])
-def test_no_thing_of_a_world_that_ships_has_an_english_name_to_be_told(language: str) -> None:
+def test_no_thing_of_a_shipped_world_has_an_english_name_that_is_printed(language: str) -> None:
     files = sorted(Path(worlds.__file__).parent.glob("*/*.world"))
     models = [each for file in files for each in load_text(file.read_text(encoding="utf-8"), file).models]
     names = [(each.kind, each.spoken_name) for each in models if ":" not in each.spoken_name]

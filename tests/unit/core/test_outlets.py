@@ -1,4 +1,4 @@
-"""What SOUND OFF means: voice and cues are silent at once and stay so; the printed line is another's."""
+"""SOUND OFF silences voice and cues at once and keeps them silent. It does not affect printed lines."""
 
 from __future__ import annotations
 
@@ -9,7 +9,7 @@ from donnie_tui.core.outlets import Cues, Voice
 from donnie_tui.i18n.words import Words
 
 
-class Ear:
+class RecordingAudio:
     """A voice and a player of cues."""
 
     def __init__(self) -> None:
@@ -27,23 +27,23 @@ class Ear:
     def close(self) -> None: ...
 
 
-def test_sound_off_ends_the_voice_and_what_is_told_then_is_print_alone() -> None:
-    """S11, Q3."""
-    ear, hub = Ear(), Hub(lambda: 0.0)
-    hub.subscribe(Voice(ear, Words()))
+def test_sound_off_ends_the_voice_and_later_announcements_are_only_printed() -> None:
+    """SOUND ON restores the voice."""
+    audio, hub = RecordingAudio(), Hub(lambda: 0.0)
+    hub.subscribe(Voice(audio, Words()))
     for event in (Spoke("one"), SoundSwitched(False), Spoke("two"), SoundSwitched(True), Spoke("three")):
         hub.publish(event)
 
-    assert ear.heard == ["one", "(hush)", "three"]
+    assert audio.heard == ["one", "(hush)", "three"]
 
 
 def test_sound_off_ends_the_cues_and_none_is_played_then() -> None:
-    """Q3."""
-    ear, hub = Ear(), Hub(lambda: 0.0)
-    hub.subscribe(Cues(ear))
+    """SOUND ON restores the cues."""
+    audio, hub = RecordingAudio(), Hub(lambda: 0.0)
+    hub.subscribe(Cues(audio))
     for on in (True, False, True):
         hub.publish(SoundSwitched(on))
         hub.publish(CueSounded("bump", 0.0, None))
         hub.publish(Chimed("block-opened"))
 
-    assert ear.heard == ["bump", "block-opened", "(hush)", "bump", "block-opened"]
+    assert audio.heard == ["bump", "block-opened", "(hush)", "bump", "block-opened"]

@@ -1,4 +1,4 @@
-"""A world on paper: letters with one meaning each, braille pages of 40 by 25, a picture whose lines rise."""
+"""A world on paper: letters with one meaning each, braille pages of 40 by 25, and swell paper."""
 
 import re
 from functools import cache
@@ -9,8 +9,7 @@ import pytest
 
 import worlds
 from devices.ports.robot import STEP, Pose
-from donnie_tui.core.braille import ASCII, braille, dots
-from donnie_tui.core.braille_page import braille_pages
+from donnie_tui.core.braille import ASCII, braille, braille_pages, dots
 from donnie_tui.core.chart import Chart, Robot, chart, shrunk
 from donnie_tui.core.raised_picture import A4, LINE, raised_picture
 from donnie_tui.i18n.words import Words
@@ -79,7 +78,7 @@ def test_each_robot_has_a_letter_of_its_own() -> None:
     assert sum(row.count("a") for row in it.rows) == 1
 
 
-def test_robots_that_are_too_many_share_a_letter() -> None:
+def test_too_many_robots_share_a_letter() -> None:
     others = tuple(
         Thing(f"r{each}", "donnie", "d", "red", each, 0, 1, 1, is_robot=True) for each in range(1, 30)
     )
@@ -179,7 +178,7 @@ def test_everything_in_the_legend_is_on_the_map(name: str) -> None:
         assert cells.get(letter, letter.upper()) in text
 
 
-def test_a_maze_on_a_braille_page_can_still_be_gone_through() -> None:
+def test_a_maze_on_a_braille_page_still_has_its_way() -> None:
     (page,) = pages("maze")
     rows = page[2:16]
     reached = {next((x, y) for y, row in enumerate(rows) for x, cell in enumerate(row) if cell == "D")}
@@ -213,7 +212,7 @@ def test_a_picture_is_a_sheet_of_a4_and_everything_black_is_on_it(name: str, lan
 
 
 @pytest.mark.parametrize("name", ["living_room", "cave", "factory", "two_robots"])
-def test_no_line_is_thinner_than_what_rises_and_only_walls_and_dots_are_filled_black(name: str) -> None:
+def test_every_line_is_thick_enough_to_swell_and_only_walls_and_dots_are_black(name: str) -> None:
     root = sheet(name)
 
     widths = {float(each.get("stroke-width") or LINE) for each in root.iter()}
@@ -223,14 +222,14 @@ def test_no_line_is_thinner_than_what_rises_and_only_walls_and_dots_are_filled_b
     assert len(black) == {"living_room": 1, "cave": 0, "factory": 4, "two_robots": 4}[name]
 
 
-def test_a_picture_tells_in_text_what_it_shows() -> None:
+def test_a_picture_describes_itself_in_text() -> None:
     root = sheet("living_room", "pt")
 
     assert root.findtext(f"{SVG}title") == "Mapa de living_room"
     assert "c: cadeira, verde" in (root.findtext(f"{SVG}desc") or "")
 
 
-def test_names_that_xml_may_not_hold_are_no_harm() -> None:
+def test_names_with_characters_that_xml_forbids_are_safe() -> None:
     bad = Thing("<\x1b&>", "<\x00>", "b", "red", 0, 0, 3, 3)
     floor = Picture(-5, -5, 10, 10, 1, ("." * 10,) * 10, (bad,), has_walls=False)
     square = ((-1.0, -1.0), (1.0, -1.0), (1.0, 1.0), (-1.0, 1.0))

@@ -1,13 +1,13 @@
-"""The lines typed before, and a file that may be anything."""
+"""The history of typed lines, and a history file that may contain anything."""
 
 from pathlib import Path
 
 import pytest
 
-from donnie_tui.core.recall import KEPT, LARGEST_FILE, Past, Recall
+from donnie_tui.core.line_history import KEPT, LARGEST_FILE, Past, Recall
 
 
-def test_what_was_typed_is_there_in_the_next_session(tmp_path: Path) -> None:
+def test_typed_lines_are_in_the_history_of_the_next_session(tmp_path: Path) -> None:
     file = tmp_path / "new" / "history"
     past = Past(str(file))
     for line in ("FW 3", "FW 3", "  ", "TR 90 "):
@@ -52,7 +52,7 @@ def test_the_file_does_not_grow_without_end(tmp_path: Path) -> None:
     )
 
 
-def test_a_shortened_file_is_still_for_the_learners_eyes_only(tmp_path: Path) -> None:
+def test_a_shortened_file_is_still_readable_only_by_the_learner(tmp_path: Path) -> None:
     file = tmp_path / "history"
     Past(str(file)).remember("FW 1")
     with file.open("a") as out:
@@ -63,7 +63,7 @@ def test_a_shortened_file_is_still_for_the_learners_eyes_only(tmp_path: Path) ->
     assert file.stat().st_mode & 0o077 == 0
 
 
-def test_the_way_back_leads_to_what_was_being_typed() -> None:
+def test_the_end_of_the_history_is_the_line_being_typed() -> None:
     past = Past()
     past.remember("one")
     past.remember("two")

@@ -1,4 +1,4 @@
-"""What was recorded is run again and compared as far as it can be; a replay keeps the times of the run."""
+"""A recording is run again and compared as far as possible. A replay keeps the times of the run."""
 
 import threading
 
@@ -23,10 +23,10 @@ def run(hall: Hall, robot: str, text: str, *, fresh: bool = False) -> None:
     assert hall.team.session(robot).start(text, f"{robot}.gd", fresh=fresh).wait(PATIENCE)
 
 
-def test_runs_one_after_the_other_resets_and_questions_are_the_same_again() -> None:
+def test_consecutive_runs_resets_and_questions_give_the_same_again() -> None:
     hall = Hall()
     run(hall, "alice", "VAR a = 2 FW a")
-    hall.team.session("alice").teller.position(hall.team.session("alice").pose)
+    hall.team.session("alice").sentences.position(hall.team.session("alice").pose)
     run(hall, "alice", "SPEAK a FW a")
     hall.team.session("alice").reset()
     run(hall, "Bob", "SPEAK DISTANCE F FWD 3")
@@ -38,7 +38,7 @@ def test_runs_one_after_the_other_resets_and_questions_are_the_same_again() -> N
     assert (verdict.result, verdict.index) == (Result.SAME, len(events))
 
 
-def test_what_was_refused_and_put_nothing_back_is_the_same_again() -> None:
+def test_a_refused_program_gives_the_same_again() -> None:
     hall = Hall()
     run(hall, "alice", "VAR a = 2 FW a")
     run(hall, "alice", "FW 1 FWD 2", fresh=True)
@@ -49,7 +49,7 @@ def test_what_was_refused_and_put_nothing_back_is_the_same_again() -> None:
     assert hall.team.session("alice").pose.y == 4.0
 
 
-def test_the_first_event_that_differs_is_found_and_nothing_goes_on_running() -> None:
+def test_the_first_different_event_is_found_and_every_run_is_stopped() -> None:
     hall = Hall()
     run(hall, "alice", "FW 2 SPEAK 1 FW 3")
     events = recorded(hall)
@@ -65,7 +65,7 @@ def test_the_first_event_that_differs_is_found_and_nothing_goes_on_running() -> 
     assert again.team.running == ()
 
 
-def test_a_recording_that_says_more_than_happens_now_differs() -> None:
+def test_a_recording_with_more_events_than_happen_now_differs() -> None:
     hall = Hall()
     run(hall, "alice", "SPEAK 1")
     events = recorded(hall)
@@ -74,7 +74,7 @@ def test_a_recording_that_says_more_than_happens_now_differs() -> None:
     assert recheck(events, Hall().team, Words()).result is Result.DIFFERENT
 
 
-def test_robots_that_were_started_by_hand_beside_each_other_are_compared_up_to_there() -> None:
+def test_robots_started_by_hand_at_the_same_time_are_compared_up_to_there() -> None:
     hall, begun = Hall(speed=50.0), threading.Event()
     hall.team.stream.subscribe(lambda each: begun.set() if isinstance(each.event, Spoke) else None)
     alice = hall.team.session("alice").start("SPEAK 1 WAIT 1000", "a.gd")
@@ -108,7 +108,7 @@ ENDLESS = "VAR a = 1 WHILE a > 0 DO a = a + 1 END WHILE"
     "other", ["FW 3", 'SPEAK "x" WAIT 3', "FW", ENDLESS], ids=["moves", "speaks", "wrong", "endless"]
 )
 @pytest.mark.parametrize("before", ["", "SPEAK 1 ", "FW 1 "], ids=["silent", "speaks", "moves"])
-def test_a_program_that_gave_nobody_a_turn_is_stopped_where_it_was(before: str, other: str) -> None:
+def test_a_program_that_kept_its_turn_is_stopped_where_it_was(before: str, other: str) -> None:
     hall = Hall()
     programs = {"alice": Assigned(before + ENDLESS, "a.gd"), "Bob": Assigned(other, "b.gd")}
     count, computes = (len(before.split()) and 1) + 1, threading.Event()
@@ -129,7 +129,7 @@ def test_a_program_that_gave_nobody_a_turn_is_stopped_where_it_was(before: str, 
     assert verdicts[0].index >= 1
 
 
-def test_a_recording_that_ends_before_all_of_them_began_can_not_be_run_again() -> None:
+def test_a_recording_that_ends_before_all_robots_began_can_not_be_run_again() -> None:
     hall = Hall()
     hall.run("SPEAK 1", "SPEAK 2")
 
@@ -138,7 +138,7 @@ def test_a_recording_that_ends_before_all_of_them_began_can_not_be_run_again() -
     assert (verdict.result, verdict.index) == (Result.STOPPED, 0)
 
 
-def test_the_moments_of_runs_follow_each_other_and_those_of_several_robots_lie_beside_each_other() -> None:
+def test_the_times_of_runs_follow_each_other_and_those_of_robots_overlap() -> None:
     hall = Hall()
     run(hall, "alice", "WAIT 2")
     hall.run("WAIT 3", "WAIT 5")
@@ -150,7 +150,7 @@ def test_the_moments_of_runs_follow_each_other_and_those_of_several_robots_lie_b
     assert moments[-1] == pytest.approx(7.0)
 
 
-def test_a_replay_tells_all_in_order_and_waits_no_longer_than_anybody_would() -> None:
+def test_a_replay_prints_all_in_order_and_shortens_long_waits() -> None:
     waits: list[float] = []
 
     class Patient(ExecutionControl):
@@ -174,7 +174,7 @@ def test_a_replay_tells_all_in_order_and_waits_no_longer_than_anybody_would() ->
     assert any(isinstance(each.event, Moved) for step in back for each in step)
 
 
-def test_a_replay_that_is_stopped_stays_where_it_is() -> None:
+def test_a_stopped_replay_stays_where_it_is() -> None:
     hall = Hall()
     run(hall, "alice", "FW 5")
     timeline = Timeline(recorded(hall))

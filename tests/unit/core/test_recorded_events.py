@@ -1,4 +1,4 @@
-"""Every event can be made again from its line, and no line that is none of ours becomes an event."""
+"""Every event can be rebuilt from its line, and no foreign line becomes an event."""
 
 import json
 from typing import get_args
@@ -8,7 +8,6 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from devices.ports.robot import Grip, Met, StoppedBy
-from donnie_tui.core.event_stream import as_line
 from donnie_tui.core.events import (
     TRANSIENT,
     Announced,
@@ -35,8 +34,9 @@ from donnie_tui.core.events import (
     ThingsMoved,
     Turned,
     Waited,
+    as_line,
 )
-from donnie_tui.core.recorded_events import DamagedLineError, event_of, parse_line
+from donnie_tui.core.recording import DamagedLineError, event_of, parse_line
 from tests.unit.core.values import HERE
 
 HOW = HowStarted("FW 1\n", 1, True, False, False, HERE, "pt", "brief", True, ("alice", "bob"), "")
@@ -69,7 +69,7 @@ def again(stamped: Stamped) -> Stamped:
 
 @pytest.mark.parametrize("event", EVENTS, ids=lambda event: type(event).__name__)
 @pytest.mark.parametrize("robot", [None, "alice"])
-def test_an_event_is_made_again_from_its_line(event: Event, robot: str | None) -> None:
+def test_an_event_is_rebuilt_from_its_line(event: Event, robot: str | None) -> None:
     if isinstance(event, RunStarted) and robot is None:
         event = RunStarted("a.gd", "one", "donnie", 3, "0.1", None)
     stamped = Stamped(7, 1.5, event, robot)
@@ -77,7 +77,7 @@ def test_an_event_is_made_again_from_its_line(event: Event, robot: str | None) -
     assert again(stamped) == stamped
 
 
-def test_no_kind_of_event_is_forgotten_here() -> None:
+def test_the_table_has_every_kind_of_event() -> None:
     assert {type(each) for each in EVENTS} == set(get_args(Event)) - set(TRANSIENT)
 
 
@@ -107,12 +107,12 @@ def test_no_kind_of_event_is_forgotten_here() -> None:
     ],
     ids=range(20),
 )
-def test_a_line_that_makes_no_sense_is_none_of_ours(line: str) -> None:
+def test_a_meaningless_line_is_no_event(line: str) -> None:
     with pytest.raises(DamagedLineError):
         event_of(parse_line(line))
 
 
-def test_brackets_in_a_text_are_no_depth() -> None:
+def test_brackets_in_a_text_do_not_count_as_nesting() -> None:
     stamped = Stamped(1, 0.0, Spoke("[{" * 1000 + '\\"'))
 
     assert again(stamped) == stamped
@@ -123,7 +123,7 @@ def test_brackets_in_a_text_are_no_depth() -> None:
     lambda inner: st.lists(inner, max_size=3) | st.dictionaries(st.text(max_size=5), inner, max_size=3),
     max_leaves=8,
 ), st.sampled_from(EVENTS), st.data())  # fmt: skip
-def test_whatever_stands_in_a_field_it_is_refused_or_an_event(
+def test_a_line_with_any_value_in_a_field_is_refused_or_an_event(
     value: object, event: Event, data: st.DataObject
 ) -> None:
     record = json.loads(as_line(Stamped(1, 0.0, event), whole=True))

@@ -1,4 +1,4 @@
-"""Reports as files: a page whose headings and tables a reader finds, and a table for a spreadsheet."""
+"""Reports as files: a page with headings and tables for screen readers, and a spreadsheet."""
 
 import csv
 from html.parser import HTMLParser
@@ -33,7 +33,7 @@ def test_a_page_has_its_language_headings_and_column_headings() -> None:
     assert tags.texts[1:] == ["Donnie", "The <map>", "Two & two.", "name", "x", "a, b", "-3"]
 
 
-def test_a_table_is_read_back_by_whatever_reads_tables() -> None:
+def test_a_table_is_valid_csv() -> None:
     assert list(csv.reader(as_csv([TABLE]).splitlines())) == [["name", "x"], ["a, b", "-3"]]
 
 

@@ -1,4 +1,4 @@
-"""Distances that are told because somebody looks: nothing else happens for it."""
+"""Distances that are published for a display. Publishing them has no other effect."""
 
 from __future__ import annotations
 
@@ -15,40 +15,40 @@ from tests.floor import Floor
 STEP_CUE = CueSounded("step-forward", 0.0, None)
 
 
-def told(floor: Floor) -> list[Sensed]:
+def sensed(floor: Floor) -> list[Sensed]:
     return [each for each in floor.events if isinstance(each, Sensed)]
 
 
-def looked_at(floor: Floor) -> Floor:
-    """Somebody looks at every step."""
+def with_published_distances(floor: Floor) -> Floor:
+    """The distances are published at every step."""
     floor.session.hub.subscribe(lambda it: floor.session.tell_distances() if it.event == STEP_CUE else None)
     return floor
 
 
-def test_what_is_known_of_the_distances_is_told_without_noise() -> None:
+def test_known_distances_are_published_without_noise() -> None:
     floor = Floor(("red", 0, 30), noise=0.5, seed=7)
     for _ in range(3):
         floor.session.tell_distances()
 
     exactly = {bearing: 30 if bearing is Bearing.FRONT else 60 for bearing in Bearing}
-    assert told(floor) == [Sensed(exactly)] * 3
+    assert sensed(floor) == [Sensed(exactly)] * 3
 
 
-def test_in_the_midst_of_a_walk_it_is_what_is_known_there() -> None:
-    floor = looked_at(Floor(("red", 0, 30)))
+def test_distances_during_a_walk_are_those_of_the_current_place() -> None:
+    floor = with_published_distances(Floor(("red", 0, 30)))
     floor.run("FW 4")
 
-    assert [each.distances[Bearing.FRONT] for each in told(floor)] == [29, 28, 27, 26]
+    assert [each.distances[Bearing.FRONT] for each in sensed(floor)] == [29, 28, 27, 26]
 
 
-def test_a_run_is_the_same_to_the_last_byte_whoever_looks() -> None:
+def test_publishing_distances_changes_no_byte_of_a_run() -> None:
     program = "REPEAT 4 TIMES FW 2 TR 30 SPEAK DISTANCE F SPEAK DISTANCE FR END REPEAT"
     floors = [Floor(("red", 0, 30), ("blue", 25, 9), noise=0.5, seed=7) for _ in range(2)]
-    looked_at(floors[0])
+    with_published_distances(floors[0])
     for floor in floors:
         floor.run(program)
 
-    assert told(floors[0])
+    assert sensed(floors[0])
     assert floors[0].json == floors[1].json
 
 
@@ -62,29 +62,29 @@ def quick_to_switch() -> Iterator[None]:
 
 
 @pytest.mark.usefixtures("quick_to_switch")
-def test_a_run_is_the_same_whenever_somebody_looks(monkeypatch: pytest.MonkeyPatch) -> None:
+def test_publishing_distances_from_a_thread_changes_no_byte_of_a_run(monkeypatch: pytest.MonkeyPatch) -> None:
     """From another thread, as a screen does."""
     monkeypatch.setattr("donnie_tui.core.hub.LONGEST_TURN", 20.0, raising=False)
     program = "REPEAT 60 TIMES FW 1 TR 30 SPEAK 1 END REPEAT"
-    quiet, looked_at = Floor(("red", 0, 30)), Floor(("red", 0, 30))
+    quiet, with_published_distances = Floor(("red", 0, 30)), Floor(("red", 0, 30))
     quiet.run(program)
     is_over = threading.Event()
 
     def look() -> None:
-        while not is_over.wait(0.001):  # who looks without a pause leaves the program no turn at its locks
-            looked_at.session.tell_distances()
+        while not is_over.wait(0.001):  # looks without a pause would leave the program no turn at its locks
+            with_published_distances.session.tell_distances()
 
     looking = threading.Thread(target=look)
     looking.start()
-    looked_at.run(program)
+    with_published_distances.run(program)
     is_over.set()
     looking.join()
 
-    assert told(looked_at)
-    assert looked_at.json == quiet.json
+    assert sensed(with_published_distances)
+    assert with_published_distances.json == quiet.json
 
 
-def test_who_looks_takes_no_stop_back() -> None:
+def test_publishing_distances_does_not_cancel_a_stop() -> None:
     floor = Floor(("red", 0, 900))
 
     def stop_and_look() -> None:

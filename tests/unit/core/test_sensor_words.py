@@ -3,12 +3,12 @@
 import pytest
 
 from devices.ports.robot import Pose
+from donnie_tui.core.describe import MOST, sensors_in_words
 from donnie_tui.core.map_grid import Cell, Kind
 from donnie_tui.core.map_scene import MapScene
-from donnie_tui.core.sensor_words import MOST, sensors_in_words
 from donnie_tui.i18n.words import Words
-from sim.mounted import Device, Mounted, mounted
 from sim.picture import picture
+from sim.sensors import Device, Mounted, mounted
 from tests.unit.sim.floors import scene
 
 ROBOT = """
@@ -19,7 +19,7 @@ define it position ( size [ 0.2 0.2 0.1 ] ranger( sensor( range [ 0 3 ] fov 15 p
 """
 
 
-def test_each_device_is_told_with_its_view() -> None:
+def test_each_device_is_described_with_its_view() -> None:
     devices = mounted(scene(f'{ROBOT} it( name "al" pose [ 1 2 0 90 ] )'), "al")
 
     assert sensors_in_words(devices, "al", Words("en", "normal")) == (
@@ -31,13 +31,13 @@ def test_each_device_is_told_with_its_view() -> None:
     )
 
 
-def test_a_robot_without_any_says_so() -> None:
+def test_a_robot_without_sensors_says_so() -> None:
     it = scene('define it position( size [ 0.1 0.1 0.1 ] bumper( bcount 0 ) ) it( name "al" )')
 
     assert sensors_in_words(mounted(it, "al"), "al", Words("en", "normal")) == ("al has no sensors.",)
 
 
-def test_a_thousand_sensors_are_told_with_an_end() -> None:
+def test_the_description_of_a_thousand_sensors_is_cut() -> None:
     devices = [Mounted(Device.BUMPER, degrees) for degrees in range(1, 101)]
 
     told = sensors_in_words(devices, "al", Words("pt", "normal"))

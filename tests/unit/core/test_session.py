@@ -1,4 +1,4 @@
-"""A session runs one program at a time, from its first event to its last, whatever happens between them."""
+"""A session runs one program at a time, from its first event to its last."""
 
 import threading
 
@@ -41,7 +41,7 @@ def test_a_run_begins_and_ends_with_its_events() -> None:
     assert of(RunEnded, floor) == [RunEnded(Outcome.COMPLETED, Pose(0.0, 2.0, 0.0), {"a": 2}, 2.0)]
 
 
-def test_after_a_mistake_of_form_nothing_has_happened_but_all_mistakes_are_told() -> None:
+def test_a_program_with_mistakes_of_form_does_nothing_and_reports_all_of_them() -> None:
     floor = Floor()
 
     outcome = floor.run("FW 1\nFWD 2\nTR $ 90")
@@ -54,23 +54,23 @@ def test_after_a_mistake_of_form_nothing_has_happened_but_all_mistakes_are_told(
     assert floor.session.pose == Pose(0.0, 0.0, 0.0)
 
 
-def test_where_only_the_first_mistakes_are_told_the_last_sentence_says_so() -> None:
+def test_the_last_sentence_says_that_only_the_first_mistakes_are_reported() -> None:
     floor = Floor()
 
     floor.run("JUMP\n" * 101)
 
     assert len(of(Error, floor)) == 100
-    assert floor.told[-1] == "Only the first 100 mistakes are told."
+    assert floor.printed[-1] == "Only the first 100 mistakes are listed."
 
 
-def test_after_a_mistake_of_meaning_what_was_done_stays_done() -> None:
+def test_a_mistake_of_meaning_undoes_nothing() -> None:
     floor = Floor()
 
     floor.run('SPEAK "a"\nFW 2\nSPEAK q\nFW 9')
 
     assert of(Spoke, floor) == [Spoke("a")]
     assert floor.session.pose.y == 2.0
-    assert floor.told[-3:] == [
+    assert floor.printed[-3:] == [
         "Error, line 3, column 7: There is no variable q.",
         "Line 3: SPEAK q",
         "Write VAR q first.",
@@ -82,10 +82,10 @@ def test_at_detail_full_a_mistake_names_the_calls_that_led_there() -> None:
 
     floor.run("PROCEDURE A: n DO\nSPEAK 1 / n\nEND PROCEDURE\nPROCEDURE B DO\nA [0]\nEND PROCEDURE\nB []")
 
-    assert floor.told[-2:] == ["Called from line 5.", "Called from line 7."]
+    assert floor.printed[-2:] == ["Called from line 5.", "Called from line 7."]
 
 
-def test_pose_and_variables_live_on_unless_the_run_is_fresh() -> None:
+def test_pose_and_variables_stay_unless_the_run_is_fresh() -> None:
     floor = Floor(terminal=True)
 
     floor.run("VAR a = 2 FW a")
@@ -98,7 +98,7 @@ def test_pose_and_variables_live_on_unless_the_run_is_fresh() -> None:
     assert floor.session.variables == {}
 
 
-def test_what_cant_run_puts_nothing_back() -> None:
+def test_a_program_that_can_not_run_resets_nothing() -> None:
     floor = Floor(terminal=True)
     floor.run("VAR a = 2 FW a TR 90")
     floor.run("FW 1\nFWD 2", fresh=True)
@@ -109,17 +109,17 @@ def test_what_cant_run_puts_nothing_back() -> None:
     assert floor.session.variables == {"a": 2}
     assert len(timeline.trail()) > 2
     floor.run("HISTORY")
-    assert floor.told[-1] != "There is no movement so far."
+    assert floor.printed[-1] != "There is no movement so far."
 
 
-def test_a_name_that_is_declared_again_in_a_terminal_is_new_and_that_is_told() -> None:
+def test_a_name_declared_again_in_a_terminal_is_new_and_that_is_reported() -> None:
     floor = Floor(terminal=True)
 
     floor.run("VAR a = 2")
     outcome = floor.run("VAR a = 3")
 
     assert outcome is Outcome.COMPLETED
-    assert floor.told == ["a existed already. It is new now."]
+    assert floor.printed == ["a existed already. It is new now."]
 
 
 def test_time_begins_anew_with_each_run() -> None:
@@ -151,7 +151,7 @@ def test_one_program_runs_at_a_time() -> None:
     assert run.outcome is Outcome.STOPPED
 
 
-def test_a_run_that_could_not_begin_keeps_no_other_from_running() -> None:
+def test_a_run_that_could_not_begin_blocks_no_other_run() -> None:
     floor = Floor()
 
     def fail(_: object) -> None:
@@ -177,7 +177,7 @@ def test_a_stop_in_the_middle_of_a_movement_halts_the_robot_and_ends_the_run(hoo
 
     assert run.wait(PATIENCE)
     assert run.outcome is Outcome.STOPPED
-    assert "I was stopped." in floor.told[-1]
+    assert "I was stopped." in floor.printed[-1]
     assert floor.session.pose.y < 1000
 
 
@@ -202,7 +202,7 @@ def test_without_trace_there_are_no_statements() -> None:
     assert of(Statement, floor) == []
 
 
-def test_a_wait_tells_its_seconds_and_a_negative_one_waits_for_nothing() -> None:
+def test_a_wait_publishes_its_seconds_and_a_negative_one_takes_no_time() -> None:
     floor = Floor()
     floor.run("WAIT 3 WAIT -3")
 
@@ -210,7 +210,7 @@ def test_a_wait_tells_its_seconds_and_a_negative_one_waits_for_nothing() -> None
 
 
 @pytest.mark.parametrize("command", ["FW 2000000000", "TR -2000000000", "WAIT 2000000000"])
-def test_what_no_robot_can_do_is_refused(command: str) -> None:
+def test_a_command_that_no_robot_can_execute_is_refused(command: str) -> None:
     floor = Floor()
 
     assert floor.run(command) is Outcome.FAILED
@@ -221,10 +221,10 @@ def test_a_belt_that_is_off_gives_no_pulse() -> None:
     floor = Floor()
 
     assert floor.run("VIBRATE F") is Outcome.FAILED
-    assert floor.told[-1] == "BELT ON switches it on."
+    assert floor.printed[-1] == "BELT ON switches it on."
 
 
-def test_what_a_sensor_reads_is_told_to_the_stream() -> None:
+def test_the_reading_of_a_sensor_is_published() -> None:
     floor = Floor(("red", 0, 5))
     floor.run("SPEAK DISTANCE F SPEAK COLOR RED SPEAK POS y")
 
@@ -239,7 +239,7 @@ def test_state_quotes_the_last_movement_as_it_was_typed() -> None:
     floor = Floor(("red", 0, 4))
     floor.run("STATE fw   2 STATE FORWARD 9 STATE")
 
-    assert floor.told == [
+    assert floor.printed == [
         "No command executed, position [0,0,0].",
         "I walked 2 steps forward.",
         "Command 1 was fw 2, walked 2, didn't crash, position [0,2,0].",
@@ -248,11 +248,11 @@ def test_state_quotes_the_last_movement_as_it_was_typed() -> None:
     ]
 
 
-def test_history_tells_every_movement() -> None:
+def test_history_lists_every_movement() -> None:
     floor = Floor()
     floor.run("FW 2 TR 90 HISTORY")
 
-    assert floor.told[2:] == [
+    assert floor.printed[2:] == [
         "Command 1 was FW 2, walked 2, didn't crash, position [0,2,0].",
         "Command 2 was TR 90, turned 90, didn't crash, position [0,2,90].",
     ]
@@ -263,10 +263,10 @@ def test_a_fresh_run_has_no_history() -> None:
     floor.run("FW 2")
     floor.run("HISTORY", fresh=True)
 
-    assert floor.told[-1] == "No command executed, position [0,0,0]."
+    assert floor.printed[-1] == "No command executed, position [0,0,0]."
 
 
-def test_closing_stops_what_runs() -> None:
+def test_closing_a_session_stops_its_run() -> None:
     floor = Floor(speed=1.0)
     run = floor.session.start(ENDLESS, "test.gd")
 
@@ -276,29 +276,29 @@ def test_closing_stops_what_runs() -> None:
     assert run.outcome is Outcome.STOPPED
 
 
-def test_a_fault_of_ours_is_told_and_ends_the_run(caplog: pytest.LogCaptureFixture) -> None:
+def test_an_internal_fault_is_reported_and_ends_the_run(caplog: pytest.LogCaptureFixture) -> None:
     floor = Floor()
 
     def fail(stamped: Stamped) -> None:
         if isinstance(stamped.event, Spoke):
-            raise RuntimeError("a listener of ours")
+            raise RuntimeError("a listener of Donnie")
 
     floor.session.hub.subscribe(fail)
     outcome = floor.run("FW 1\nSPEAK 1")
 
     assert outcome is Outcome.FAILED
-    assert "Something went wrong inside Donnie." in "".join(floor.told)
-    assert "a listener of ours" in caplog.text
+    assert "Something went wrong inside Donnie." in "".join(floor.printed)
+    assert "a listener of Donnie" in caplog.text
 
 
-def test_a_mistake_quotes_its_own_line_whatever_strange_signs_come_before() -> None:
+def test_a_mistake_quotes_its_line_after_any_strange_characters() -> None:
     floor = Floor()
     floor.run('SPEAK "a\x0cb\u2028c"\r\nSPEAK q')
 
-    assert floor.told[-2] == "Line 2: SPEAK q"
+    assert floor.printed[-2] == "Line 2: SPEAK q"
 
 
-def test_check_tells_mistakes_or_else_hints() -> None:
+def test_check_reports_mistakes_or_otherwise_hints() -> None:
     session = Floor().session
 
     assert [each.kind.value for each in session.check("FWD 1")] == ["unknown-command"]
@@ -306,7 +306,7 @@ def test_check_tells_mistakes_or_else_hints() -> None:
     assert session.check("FW 1") == ()
 
 
-def test_a_stop_while_the_program_is_being_read_keeps_it_from_running() -> None:
+def test_a_program_that_is_stopped_while_it_is_parsed_does_not_run() -> None:
     floor = Floor()
 
     run = floor.session.start("SPEAK 1", "a.gd", prepare=lambda control: control.stop())
@@ -316,7 +316,7 @@ def test_a_stop_while_the_program_is_being_read_keeps_it_from_running() -> None:
     assert of(Spoke, floor) == []
 
 
-def test_a_history_that_is_being_told_ends_with_a_stop() -> None:
+def test_a_stop_ends_a_history_that_is_being_printed() -> None:
     floor = Floor()
     floor.session.hub.subscribe(
         lambda stamped: floor.session.stop() if getattr(stamped.event, "code", "") == "history" else None

@@ -2,9 +2,9 @@
 
 from itertools import pairwise
 
-from donnie_tui import LANGUAGES
 from donnie_tui.core.speeds import SPEEDS, faster, slower, speed_words
 from donnie_tui.i18n.words import Words
+from language.locales import languages
 
 
 def test_faster_and_slower_undo_each_other() -> None:
@@ -13,7 +13,7 @@ def test_faster_and_slower_undo_each_other() -> None:
         assert slower(other) == one
 
 
-def test_there_is_nothing_beyond_the_ends() -> None:
+def test_there_is_no_speed_beyond_the_first_and_the_last() -> None:
     assert faster(None) is None
     assert slower(SPEEDS[0]) == SPEEDS[0]
     assert slower(0.3) == 0.3
@@ -24,5 +24,5 @@ def test_the_fastest_has_a_word() -> None:
     assert [speed_words(each, Words()) for each in (0.5, 5.0, None)] == ["0.5", "5", "max"]
 
 
-def test_a_speed_is_told_with_the_languages_decimal_sign() -> None:
-    assert [speed_words(0.5, Words(language)) for language in LANGUAGES] == ["0.5", "0,5", "0,5"]
+def test_a_speed_has_the_decimal_sign_of_the_language() -> None:
+    assert [speed_words(0.5, Words(language)) for language in languages()] == ["0.5", "0,5", "0,5"]

@@ -1,4 +1,4 @@
-"""Every step and every ten degrees are a cue, at any speed of the simulation (C5)."""
+"""Every step and every ten degrees are a cue, at any speed of the simulation."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""The robots of one world share a stream, act in a fixed order, and one of them is talked to."""
+"""The robots of one world share a stream and act in a fixed order. One of them is selected."""
 
 from collections.abc import Callable
 from functools import partial
@@ -6,10 +6,9 @@ from pathlib import Path
 
 import pytest
 
-from devices.firmware_double.robot import DoubleRobot
+from devices.board_simulator.robot import SimulatedSerialRobot
 from devices.ports.robot import Pace, Watcher
-from donnie_tui.core.event_stream import as_line
-from donnie_tui.core.events import TRANSIENT, Moved, Outcome, RunEnded, RunStarted, Stamped
+from donnie_tui.core.events import TRANSIENT, Moved, Outcome, RunEnded, RunStarted, Stamped, as_line
 from donnie_tui.core.hub import Stream
 from donnie_tui.core.runner import Run
 from donnie_tui.core.session import Busy, Session
@@ -66,7 +65,7 @@ class Hall:
         return "".join(as_line(each) for each in self.heard if not isinstance(each.event, TRANSIENT))
 
     @property
-    def told(self) -> list[str]:
+    def printed(self) -> list[str]:
         return [line for each in self.heard for line in told_lines(each, self.words)]
 
 
@@ -80,16 +79,16 @@ def test_robots_that_start_together_write_the_same_bytes_every_time_at_any_speed
     assert len(streams) == 1
 
 
-def test_the_one_with_less_time_behind_it_acts_first_and_of_equals_the_first_of_the_world() -> None:
+def test_the_robot_with_the_least_time_acts_first_and_of_equals_the_first_one() -> None:
     hall = Hall()
 
     hall.run('SPEAK "a" FW 2 SPEAK "c"', 'SPEAK "b" WAIT 3 SPEAK "d"')
 
-    spoken = [line for line in hall.told if line.endswith(("a", "b", "c", "d")) and len(line) < 10]
+    spoken = [line for line in hall.printed if line.endswith(("a", "b", "c", "d")) and len(line) < 10]
     assert spoken == ["alice: a", "Bob: b", "alice: c", "Bob: d"]
 
 
-def test_where_one_can_not_begin_the_others_that_did_are_stopped(monkeypatch: pytest.MonkeyPatch) -> None:
+def test_the_others_are_stopped_where_one_robot_can_not_begin(monkeypatch: pytest.MonkeyPatch) -> None:
     hall, begun = Hall(), list[Run]()
     begin = Run.start
 
@@ -110,7 +109,7 @@ def test_where_one_can_not_begin_the_others_that_did_are_stopped(monkeypatch: py
     assert hall.run("FW 1", "FW 1") == [Outcome.COMPLETED, Outcome.COMPLETED]
 
 
-def test_every_event_and_sentence_says_whose_it_is() -> None:
+def test_every_event_and_sentence_names_its_robot() -> None:
     hall = Hall()
 
     hall.run("FW 3", "SPEAK x")
@@ -119,17 +118,17 @@ def test_every_event_and_sentence_says_whose_it_is() -> None:
     assert [each.seq for each in hall.heard if not isinstance(each.event, TRANSIENT)] == list(
         range(1, hall.heard[-1].seq + 1)
     )
-    assert "alice: I walked 3 steps forward." in hall.told
-    assert "Bob: Error, line 1, column 7: There is no variable x." in hall.told
+    assert "alice: I walked 3 steps forward." in hall.printed
+    assert "Bob: Error, line 1, column 7: There is no variable x." in hall.printed
 
 
-def test_a_robot_in_the_place_of_another_keeps_its_name_and_nobody_waits_for_its_turns() -> None:
+def test_a_replacing_robot_keeps_the_name_and_no_other_waits_for_its_turns() -> None:
     hall = Hall()
 
-    robots: list[DoubleRobot] = []
+    robots: list[SimulatedSerialRobot] = []
 
-    def make(pace: Pace, watcher: Watcher) -> DoubleRobot:
-        robots.append(DoubleRobot(pace=pace, watcher=watcher, speed=None))
+    def make(pace: Pace, watcher: Watcher) -> SimulatedSerialRobot:
+        robots.append(SimulatedSerialRobot(pace=pace, watcher=watcher, speed=None))
         return robots[0]
 
     hall.team.chosen.change_robot(make)
@@ -141,13 +140,13 @@ def test_a_robot_in_the_place_of_another_keeps_its_name_and_nobody_waits_for_its
     robots[0].close()
 
 
-def test_help_is_no_robots() -> None:
+def test_help_belongs_to_no_robot() -> None:
     hall = Hall()
 
     hall.run("HELP FW", "")
 
-    assert hall.told
-    assert not any(line.startswith("alice") for line in hall.told)
+    assert hall.printed
+    assert not any(line.startswith("alice") for line in hall.printed)
 
 
 def test_robots_see_each_other_and_do_not_pass_through_each_other() -> None:
@@ -174,7 +173,7 @@ def test_a_stop_of_the_team_stops_all() -> None:
     assert hall.team.running == ()
 
 
-def test_one_robot_stops_and_the_other_goes_on() -> None:
+def test_one_robot_stops_and_the_other_continues() -> None:
     hall = Hall()
     endless = "WHILE 1 == 1 DO WAIT 1 END WHILE"
     alice, bob = hall.team.start_together(
@@ -188,7 +187,7 @@ def test_one_robot_stops_and_the_other_goes_on() -> None:
     assert (alice.outcome, bob.outcome) == (Outcome.STOPPED, Outcome.COMPLETED)
 
 
-def test_a_program_that_computes_for_ever_lets_the_others_be_stopped() -> None:
+def test_the_others_can_be_stopped_while_a_program_computes_without_end() -> None:
     hall = Hall()
     runs = hall.team.start_together(
         {"alice": Assigned("WHILE 1 == 1 DO END WHILE", "a"), "Bob": Assigned("FW 1", "b")}
@@ -201,7 +200,7 @@ def test_a_program_that_computes_for_ever_lets_the_others_be_stopped() -> None:
     assert runs[0].wait(PATIENCE)
 
 
-def test_who_is_busy_keeps_all_from_starting() -> None:
+def test_one_busy_robot_prevents_the_start_of_all() -> None:
     hall = Hall(speed=50.0)
     run = hall.team.session("Bob").start("WAIT 1000", "b")
 
@@ -215,7 +214,7 @@ def test_who_is_busy_keeps_all_from_starting() -> None:
     assert hall.run("FW 1", "FW 1") == [Outcome.COMPLETED, Outcome.COMPLETED]
 
 
-def test_the_first_robot_is_talked_to_until_another_one_is_chosen() -> None:
+def test_the_first_robot_is_selected_until_another_one_is_chosen() -> None:
     team = Hall().team
 
     assert team.chosen.name == "alice"
@@ -226,7 +225,7 @@ def test_the_first_robot_is_talked_to_until_another_one_is_chosen() -> None:
         team.choose("carol")
 
 
-def test_a_session_is_made_when_somebody_asks_for_it() -> None:
+def test_a_session_is_created_when_it_is_first_used() -> None:
     team = Hall().team
 
     assert [each.name for each in team.sessions] == []
@@ -243,7 +242,7 @@ def test_each_run_has_its_first_and_its_last_event() -> None:
     assert sum(isinstance(each.event, RunEnded) for each in hall.heard) == 2
 
 
-def test_the_speed_that_was_chosen_is_that_of_all_who_are_talked_to_or_start_together() -> None:
+def test_a_chosen_speed_counts_for_each_selected_or_started_robot() -> None:
     hall = Hall(speed=5.0)
     hall.team.session("alice").speed = 500.0
 

@@ -1,9 +1,8 @@
-"""Going back through what happened leads to the states that there were, step by step and event by event."""
+"""Steps back through the events restore the earlier states, step by step and event by event."""
 
 import pytest
 
 from devices.ports.robot import Pose
-from donnie_tui.core.chronicle import Chronicle
 from donnie_tui.core.events import (
     TRANSIENT,
     Announced,
@@ -20,8 +19,8 @@ from donnie_tui.core.events import (
     Statement,
     ThingsMoved,
 )
-from donnie_tui.core.retelling import told_back
-from donnie_tui.core.timeline import Timeline
+from donnie_tui.core.replay import undone_in_words
+from donnie_tui.core.timeline import Chronicle, Timeline
 from donnie_tui.i18n.words import Words
 from tests.floor import Floor
 from tests.unit.core.values import HERE
@@ -46,7 +45,7 @@ def test_forwards_and_backwards_give_the_same_events() -> None:
     assert there == back[::-1] == list(timeline.events)
 
 
-def test_at_every_position_the_robot_is_where_it_was_whichever_way_one_came() -> None:
+def test_the_place_at_a_position_does_not_depend_on_the_direction_of_the_steps() -> None:
     _, timeline = happened()
 
     poses = []
@@ -60,7 +59,7 @@ def test_at_every_position_the_robot_is_where_it_was_whichever_way_one_came() ->
     assert timeline.trail() == ()
 
 
-def test_a_step_is_what_a_command_did_with_all_that_was_told_of_it() -> None:
+def test_a_step_is_a_command_with_all_its_events() -> None:
     floor, timeline = happened()
 
     steps = list(iter(timeline.step, ()))
@@ -74,11 +73,11 @@ def test_a_step_is_what_a_command_did_with_all_that_was_told_of_it() -> None:
     assert [each for step in steps for each in step] == list(timeline.events)
     back = list(iter(timeline.step_back, ()))
     assert back[::-1] == steps
-    assert floor.told[0] == "I walked 2 steps forward."
+    assert floor.printed[0] == "I walked 2 steps forward."
 
 
-def test_the_cue_that_a_program_is_done_belongs_to_its_end_and_not_to_its_last_command() -> None:
-    """What happened up to the hold behind the last command is then where a step ends."""
+def test_the_cue_of_success_belongs_to_the_end_and_not_to_the_last_command() -> None:
+    """A step ends at the hold after the last command."""
     _, timeline = happened("FW 2")
 
     steps = list(iter(timeline.step, ()))
@@ -87,7 +86,7 @@ def test_the_cue_that_a_program_is_done_belongs_to_its_end_and_not_to_its_last_c
     assert isinstance(steps[-2][-1].event, Announced)
 
 
-def test_the_end_of_a_huge_jump_is_the_end() -> None:
+def test_a_huge_jump_ends_at_the_last_event() -> None:
     _, timeline = happened()
 
     timeline.go_to(10**9)
@@ -96,13 +95,13 @@ def test_the_end_of_a_huge_jump_is_the_end() -> None:
     assert timeline.at == 0
 
 
-def test_going_back_is_told_with_the_place_that_it_leads_to() -> None:
+def test_a_step_back_names_the_place_that_it_leads_to() -> None:
     floor, timeline = happened('FW 2\nTR 90\nSPEAK "hello"\nWAIT 1\nFW 3\nSCAN')
     timeline.go_to(len(timeline))
 
     told = []
     while timeline.at:
-        told.append(told_back(timeline.step_back(), timeline, floor.words))
+        told.append(undone_in_words(timeline.step_back(), timeline, floor.words))
 
     assert told == [
         "Back: end of the program. Position 3, 2.",
@@ -114,7 +113,7 @@ def test_going_back_is_told_with_the_place_that_it_leads_to() -> None:
         "Back: FW 2. Position 0, 0.",
         "Back: start of test.gd.",
     ]
-    assert told_back((), timeline, floor.words) == "This is the start."
+    assert undone_in_words((), timeline, floor.words) == "This is the start."
 
 
 @pytest.mark.parametrize(
@@ -129,13 +128,13 @@ def test_going_back_is_told_with_the_place_that_it_leads_to() -> None:
         (ThingsMoved(()), "De volta: objetos movidos."),
     ],
 )
-def test_what_a_program_had_only_begun_is_told_by_its_name(event: Event, told: str) -> None:
+def test_an_unfinished_command_is_described_by_its_name(event: Event, told: str) -> None:
     here = Moved("PF 1", 1, 1, None, Pose(0, 1, 0), True)
     timeline = Timeline([Stamped(1, 0.0, here), Stamped(2, 0.0, event)])
     timeline.go_to(2)
     timeline.back()
 
-    assert told_back((timeline.events[1],), timeline, Words("pt")) == told
+    assert undone_in_words((timeline.events[1],), timeline, Words("pt")) == told
 
 
 def test_a_trail_begins_anew_with_a_reset() -> None:
@@ -153,7 +152,7 @@ def test_a_trail_begins_anew_with_a_reset() -> None:
     assert timeline.trail() == (Pose(0, 1, 0),)
 
 
-def test_things_go_back_to_where_they_were() -> None:
+def test_things_return_to_their_earlier_places() -> None:
     first, second = (PlacedThing("box", Pose(x, 0, 0)) for x in (1, 2))
     stamped = [Stamped(1, 0.0, ThingsMoved((first,))), Stamped(2, 0.0, ThingsMoved((second,)))]
     timeline = Timeline(stamped)
@@ -179,7 +178,7 @@ def test_each_robot_has_its_own_place_and_is_named() -> None:
     assert timeline.robots == ("alice", "bob")
 
     floor = Floor()
-    assert told_back(timeline.step_back(), timeline, floor.words) == "bob: Back: FW 5."
+    assert undone_in_words(timeline.step_back(), timeline, floor.words) == "bob: Back: FW 5."
     assert timeline.pose("bob") is None
 
 

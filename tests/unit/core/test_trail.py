@@ -17,7 +17,7 @@ def trail(*events: object) -> Trail:
     return made
 
 
-def test_moves_are_told_oldest_first_with_where_they_led() -> None:
+def test_moves_are_listed_oldest_first_with_their_final_places() -> None:
     assert trail(WALK, TURN, BLOCKED).in_words(5, Words()) == (
         "FW 3: 3 steps, to 0, 3.",
         "TR 90: now facing east.",
@@ -32,11 +32,11 @@ def test_a_move_that_was_stopped_is_not_called_blocked() -> None:
     assert trail(stopped).in_words(1, Words()) == ("FW 9: stopped after 2, at 0, 2.",)
 
 
-def test_without_moves_it_says_so() -> None:
+def test_a_trail_without_moves_says_so() -> None:
     assert trail().in_words(5, Words("es")) == ("Aún no me moví.",)
 
 
-def test_the_table_has_a_row_a_move() -> None:
+def test_the_table_has_one_row_per_move() -> None:
     assert trail(WALK, TURN, BLOCKED).rows() == (
         ("FW 3", 3, 0, 3, 0, False),
         ("TR 90", 90, 0, 3, 90, False),
@@ -44,7 +44,7 @@ def test_the_table_has_a_row_a_move() -> None:
     )
 
 
-def test_where_it_last_stood_is_known_also_without_a_move() -> None:
+def test_the_last_place_is_known_without_a_move_too() -> None:
     ended = RunEnded(Outcome.COMPLETED, Pose(7, 7, 0), {}, 1.0)
 
     assert trail(WALK, ended).last_pose == Pose(7, 7, 0)

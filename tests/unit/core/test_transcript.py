@@ -6,6 +6,7 @@ from pathlib import Path
 import pytest
 
 from devices.ports.audio import Cue, Urgency, Utterance
+from donnie_tui.core.answer_log import TranscriptLog, next_log
 from donnie_tui.core.events import (
     Announced,
     Answered,
@@ -18,7 +19,6 @@ from donnie_tui.core.events import (
     Waited,
 )
 from donnie_tui.core.outlets import Cues, Voice
-from donnie_tui.core.told_log import ToldLog, next_log
 from donnie_tui.core.transcript import LONGEST_SOURCE, lines_of
 from donnie_tui.i18n.words import Words
 
@@ -38,11 +38,11 @@ from donnie_tui.i18n.words import Words
         (CueSounded("done", 0.0, None), ()),
     ],
 )
-def test_an_event_is_told_in_printable_lines(event: Event, lines: tuple[str, ...]) -> None:
+def test_an_event_has_printable_lines(event: Event, lines: tuple[str, ...]) -> None:
     assert lines_of(event, Words()) == lines
 
 
-def test_of_a_long_source_line_the_part_with_the_mistake_is_quoted() -> None:
+def test_a_mistake_quotes_the_relevant_part_of_a_long_line() -> None:
     source = "FW 1 " * 100 + "SPEAK q" + " FW 1" * 100
 
     lines = lines_of(Error("undeclared-variable", 1, 507, "There is no variable q.", None, source), Words())
@@ -55,7 +55,7 @@ def test_of_a_long_source_line_the_part_with_the_mistake_is_quoted() -> None:
 
 
 class Diary:
-    """A speaker and a cue player that note what they are asked."""
+    """A speaker and a cue player that record their calls."""
 
     def __init__(self) -> None:
         self.said: list[Utterance] = []
@@ -108,9 +108,9 @@ def test_sound_off_silences_voice_and_cues_at_once_until_sound_on() -> None:
     assert diary.played == [Cue("bump", 90.0, 0.0)]
 
 
-def test_the_log_has_every_line_that_was_told() -> None:
+def test_the_log_has_every_printed_line() -> None:
     out = io.StringIO()
-    log = ToldLog(out, Words())
+    log = TranscriptLog(out, Words())
 
     for event in (Spoke("a\nb"), Waited(1), Announced("moved", "I walked.")):
         log(Stamped(1, 0.0, event))
@@ -118,7 +118,7 @@ def test_the_log_has_every_line_that_was_told() -> None:
     assert out.getvalue() == "a\nb\nI walked.\n"
 
 
-def test_logs_are_numbered_behind_the_highest(tmp_path: Path) -> None:
+def test_a_new_log_gets_the_next_number(tmp_path: Path) -> None:
     assert next_log(tmp_path).name == "log_001.txt"
 
     for name in ("log_001.txt", "log_041.txt", "log_x.txt", "other.txt"):

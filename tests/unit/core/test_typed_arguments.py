@@ -1,4 +1,4 @@
-"""What is typed behind a word is numbers, or it is not understood."""
+"""Arguments of a word are numbers, or they are not understood."""
 
 import pytest
 
@@ -24,12 +24,12 @@ from donnie_tui.core.typed_words import count_in, number_and_text, number_in, nu
         ("9" * 5000, None),
     ],
 )
-def test_numbers_are_whole_and_anything_else_is_none(typed, found):
+def test_only_whole_numbers_are_understood(typed, found):
     assert numbers_in(typed, most=2) == found
 
 
 @pytest.mark.parametrize(("typed", "found"), [("", 7), ("3", 3), ("0", 0), ("abc", None), ("1 2", None)])
-def test_without_a_number_the_default_counts_and_rubbish_is_not_that(typed, found):
+def test_a_missing_number_is_the_default_and_rubbish_is_an_error(typed, found):
     assert number_in(typed, 7) == found
     assert count_in(typed, 7) == (found or None)
 

@@ -2,9 +2,11 @@
 
 import pytest
 
-from donnie_tui.core.typed_words import SWITCH, answered, detail_named, language_named, switched
-from donnie_tui.linear import habits
-from donnie_tui.words import sound_words
+from donnie_tui.commands.preferences import BY_NAME, value_typed
+from donnie_tui.commands.sound import cue_volume_typed
+from donnie_tui.core.typed_words import answered, detail_named, language_named, spelled, switched
+from donnie_tui.i18n.words import Words
+from language.locales import languages
 
 ON = ("on", "ON", "yes", "ligado", "ligar", "sim", "encendido", "encender", "sí", "si\u0301", "si")
 OFF = ("off", "no", "desligado", "desligar", "não", "nao", "apagado", "apagar")
@@ -15,11 +17,10 @@ OFF = ("off", "no", "desligado", "desligar", "não", "nao", "apagado", "apagar")
 )
 def test_a_word_that_switches_one_thing_switches_every_thing(typed, is_on):
     assert switched(typed) is is_on
-    assert habits.read("hold", typed) is is_on
-    assert habits.read("clock", typed) is is_on
-    assert sound_words.read_setting("wait_for_speech", typed) is is_on
-    assert sound_words.read_setting("speech", typed) == ("tts" if is_on else "off")
-    assert sound_words.read_cue_volume(typed) == (100 if is_on else 0)
+    for key in ("hold", "clock", "wait_for_speech"):
+        assert value_typed(BY_NAME[key], typed, Words("en")) == ("on" if is_on else "off")
+    assert value_typed(BY_NAME["speech"], typed, Words("en")) == ("tts" if is_on else "off")
+    assert cue_volume_typed(typed) == (100 if is_on else 0)
 
 
 @pytest.mark.parametrize("typed", ["y", "YES", "s", "sim", "sí", "si"])
@@ -38,11 +39,10 @@ def test_anything_else_is_neither(typed):
     assert switched(typed) is None
 
 
-def test_what_is_offered_is_understood():
-    assert {value: {switched(each) for each in words} for value, words in SWITCH.items()} == {
-        False: {False},
-        True: {True},
-    }
+@pytest.mark.parametrize("language", languages())
+def test_offered_words_are_understood(language):
+    assert switched(spelled("on", language, "switch")) is True
+    assert switched(spelled("off", language, "switch")) is False
 
 
 @pytest.mark.parametrize(

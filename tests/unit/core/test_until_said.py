@@ -1,15 +1,15 @@
-"""A program can wait until what it says was heard."""
+"""A program can wait until the voice has said its sentence."""
 
 from __future__ import annotations
 
 from donnie_tui.core.outlets import LONGEST, SLICE, UntilSaid
 
 
-def test_without_a_voice_nobody_waits() -> None:
+def test_a_program_without_a_voice_does_not_wait() -> None:
     UntilSaid().wait(lambda: True)
 
 
-def test_it_waits_until_all_is_said() -> None:
+def test_a_program_waits_until_all_is_said() -> None:
     looks = iter((False, False, True))
     until_said = UntilSaid()
     until_said.is_quiet_within = lambda _: next(looks)
@@ -25,7 +25,7 @@ def test_a_stop_ends_the_wait_at_the_next_look() -> None:
     assert asked == [SLICE]
 
 
-def test_a_voice_that_hangs_holds_nobody_for_ever() -> None:
+def test_a_hanging_voice_does_not_hold_a_program_forever() -> None:
     asked: list[float] = []
     until_said = UntilSaid()
     until_said.is_quiet_within = lambda seconds: asked.append(seconds) is not None

@@ -1,13 +1,12 @@
-"""Where the walls of a world are, where its author says nothing of them: all around, or on which sides."""
+"""The walls of a world without an author's text: all around, or on which sides."""
 
 from pathlib import Path
 
 import pytest
 
 from devices.ports.robot import Pose
-from donnie_tui.core.describe import describe
+from donnie_tui.core.describe import describe, walls_in_words
 from donnie_tui.core.map_words import map_in_words
-from donnie_tui.core.wall_words import walls_in_words
 from donnie_tui.i18n.words import Words
 from sim.picture import Picture, picture
 from sim.worldfile import load_text
@@ -28,7 +27,7 @@ TOLD = {
 
 
 @pytest.mark.parametrize("walls", TOLD, ids=range(len(TOLD)))
-def test_walls_are_told_by_the_side_or_all_around(walls: str) -> None:
+def test_walls_are_described_by_their_sides_or_as_all_around(walls: str) -> None:
     seen = picture(load_text(WALL + DONNIE + walls, Path("my.world")))
 
     assert walls_in_words(seen, Pose(0, 0, 0), Words()) == TOLD[walls]
@@ -38,7 +37,7 @@ def test_walls_are_told_by_the_side_or_all_around(walls: str) -> None:
 
 
 @pytest.mark.parametrize("heading", [0, 90, 215])
-def test_whichever_way_the_robot_looks_the_sides_are_those_of_the_compass(heading: int) -> None:
+def test_the_sides_are_those_of_the_compass_at_any_heading(heading: int) -> None:
     seen = picture(load_text(WALL + DONNIE + NORTH, Path("my.world")))
 
     (told,) = walls_in_words(seen, Pose(0, 0, heading), Words("es"))
@@ -46,7 +45,7 @@ def test_whichever_way_the_robot_looks_the_sides_are_those_of_the_compass(headin
     assert told.endswith(": 18 al norte.")
 
 
-def test_a_way_out_is_found_wherever_it_winds_and_a_closed_room_has_none() -> None:
+def test_a_winding_way_out_is_found_and_a_closed_room_has_none() -> None:
     rows = ("#######", "#...#..", "#.#.#.#", "#.#...#", "#.#####", "#.#...#", "#######")
     closed = (*rows[:1], "#...#.#", *rows[2:])
     for floor, pose, told in (

@@ -1,8 +1,9 @@
-"""A robot without a camera: what it meets has no colour, and COLOR says what is missing."""
+"""A robot without a camera: things have no colour, and COLOR names the missing camera."""
 
 from __future__ import annotations
 
-from devices.firmware_double.robot import DoubleRobot
+from devices.board_simulator.board import SimulatedBoard
+from devices.board_simulator.robot import SimulatedSerialRobot
 from devices.ports.robot import Pace, Watcher
 from donnie_tui.core.events import Announced, Error, Stamped
 from donnie_tui.core.session import Session
@@ -11,27 +12,28 @@ from tests.patience import PATIENCE
 from tests.unit.devices.robots import wall_ahead
 
 
-def told(program: str) -> list[str]:
-    def make(pace: Pace, watcher: Watcher) -> DoubleRobot:
-        return DoubleRobot(wall_ahead(6), pace=pace, watcher=watcher, speed=None)
+def announcements(program: str) -> list[str]:
+    def make(pace: Pace, watcher: Watcher) -> SimulatedSerialRobot:
+        board = SimulatedBoard(wall_ahead(6), boot_loader=0.0)
+        return SimulatedSerialRobot(board, pace=pace, watcher=watcher, speed=None)
 
     session = Session(make, Words("en", "normal"), world="w", seed=0, terminal=False)
     heard: list[str] = []
 
-    def hear(stamped: Stamped) -> None:
+    def remember(stamped: Stamped) -> None:
         match stamped.event:
             case Announced(text=text) | Error(message=text):
                 heard.append(text)
 
-    session.hub.subscribe(hear)
+    session.hub.subscribe(remember)
     session.start(program, "p").wait(PATIENCE)
     session.close()
     return heard
 
 
-def test_a_scan_tells_what_the_head_meets_and_that_its_colour_is_unknown() -> None:
-    assert "1 object of color unknown at 6 steps." in "\n".join(told("SCAN"))
+def test_a_scan_reports_things_with_an_unknown_colour() -> None:
+    assert "1 object of color unknown at 6 steps." in "\n".join(announcements("SCAN"))
 
 
-def test_colour_says_that_there_is_no_camera_and_invents_no_number() -> None:
-    assert told("SPEAK COLOR RED") == ["I have no camera: I see no colors."]
+def test_color_names_the_missing_camera_and_invents_no_number() -> None:
+    assert announcements("SPEAK COLOR RED") == ["I have no camera: I see no colors."]

@@ -1,4 +1,4 @@
-"""Values that several tests of the core need."""
+"""Values that several tests of the core use."""
 
 from devices.ports.robot import Pose
 

@@ -1,41 +1,42 @@
-"""Real robots for tests: the driver, and a simulated board in virtual time at the end of its line."""
+"""Real robots for tests: the driver, with a simulated board in virtual time at the end of its link."""
 
 from __future__ import annotations
 
 from collections.abc import Callable, Iterable
 
-from devices.firmware_double.robot import DoubleRobot
-from devices.firmware_double.surroundings import OpenFloor, Place, Surroundings, Switch, Walls
-from devices.ports.robot import STEP, LinkNews, Motion, Pose
+from devices.board_simulator.board import SimulatedBoard
+from devices.board_simulator.floor import AxlePose, BumperSwitch, EmptyFloor, Floor, WalledFloor
+from devices.board_simulator.robot import SimulatedSerialRobot
+from devices.ports.robot import STEP, LinkNotice, Motion, Pose
 from devices.serial_robot.config import RobotConfig
 
 NEAR = 0.1
 """Steps by which the board's true place may differ from what was asked, after a walk."""
 
-Happening = tuple[float, Callable[[], None]]
-"""Seconds of waiting after which something is done."""
+TimedAction = tuple[float, Callable[[], None]]
+"""Seconds of robot time, and what is done then."""
 
 
 class ScriptedPace:
-    """Never waits in earnest; does things at their times, and says stop from ``stops_at`` seconds on."""
+    """Doesn't wait in real time. Runs timed actions, and says stop from ``stops_at`` seconds on."""
 
     def __init__(self, stops_at: float = float("inf")) -> None:
         self.stops_at = stops_at
-        self.robot: DoubleRobot | None = None
-        self.due: list[Happening] = []
+        self.robot: SimulatedSerialRobot | None = None
+        self.due: list[TimedAction] = []
 
     def sleep(self, seconds: float) -> bool:
         if self.robot is None:
             return True
         now = self.robot.time()
-        for happening in [each for each in self.due if each[0] <= now]:
-            self.due.remove(happening)
-            happening[1]()
+        for timed in [each for each in self.due if each[0] <= now]:
+            self.due.remove(timed)
+            timed[1]()
         return now < self.stops_at
 
 
-class Diary:
-    """A watcher that writes everything down."""
+class RecordingWatcher:
+    """A watcher that records what it receives."""
 
     def __init__(self) -> None:
         self.progress: list[Motion] = []
@@ -48,56 +49,55 @@ class Diary:
         self.passed.append(pose)
 
 
-class Sonars(OpenFloor):
-    """Sonars that tell what they are told to, and bumpers likewise; nothing is ever in the way."""
+class Sonars(EmptyFloor):
+    """A floor whose sonar distances and bumpers a test sets; nothing ever blocks the robot."""
 
     def __init__(self, far: float | None = None) -> None:
-        self.far: dict[int, Callable[[Place], float | None]] = {}
+        self.far: dict[int, Callable[[AxlePose], float | None]] = {}
         self.otherwise = far
-        self.pressed: frozenset[Switch] = frozenset()
+        self.pressed: frozenset[BumperSwitch] = frozenset()
 
-    def centimetres(self, place: Place, sonar: int, head: int) -> float | None:
+    def centimetres(self, place: AxlePose, sonar: int, head: int) -> float | None:
         return self.far[sonar](place) if sonar in self.far else self.otherwise
 
-    def touched(self, place: Place) -> frozenset[Switch]:
+    def touched(self, place: AxlePose) -> frozenset[BumperSwitch]:
         return self.pressed
 
 
 class Real:
-    """A robot with everything that a test asks about it. ``at`` does things, seconds after the start."""
+    """A robot with its board, link, pace and watcher. ``at``: actions, seconds after the start."""
 
     def __init__(
         self,
-        surroundings: Surroundings | None = None,
+        floor: Floor | None = None,
         config: RobotConfig | None = None,
         *,
-        at: Iterable[Happening] = (),
+        at: Iterable[TimedAction] = (),
         stops_at: float = float("inf"),
         passes: int = 250,
     ) -> None:
-        self.news: list[LinkNews] = []
-        self.diary = Diary()
+        self.notices: list[LinkNotice] = []
+        self.watcher = RecordingWatcher()
         self.pace = ScriptedPace(stops_at)
-        self.robot = DoubleRobot(
-            surroundings,
+        self.robot = SimulatedSerialRobot(
+            SimulatedBoard(floor, boot_loader=0.0, passes=passes),
             config,
             pace=self.pace,
-            watcher=self.diary,
+            watcher=self.watcher,
             speed=None,
-            on_event=lambda news, _: self.news.append(news),
-            passes=passes,
+            on_notice=lambda notice, _: self.notices.append(notice),
         )
-        self.board, self.line = self.robot.board, self.robot.line
+        self.board, self.link = self.robot.board, self.robot.link
         self.pace.robot = self.robot
         self.pace.due = list(at)
 
     @property
     def stands(self) -> bool:
-        """Whether its motors are off, once what was sent has arrived."""
-        self.line.advance(0.2)
+        """Whether its motors are off, once the sent frames have arrived."""
+        self.link.advance(0.2)
         return not self.board.is_driving
 
 
-def wall_ahead(steps: float) -> Walls:
-    """Across the robot's way, so many steps north of where it begins."""
-    return Walls([(-9, steps * STEP, 9, steps * STEP)])
+def wall_ahead(steps: float) -> WalledFloor:
+    """A wall across the robot's way, so many steps north of its start."""
+    return WalledFloor([(-9, steps * STEP, 9, steps * STEP)])

@@ -1,4 +1,4 @@
-"""The simulated belt board does what the real firmware was recorded to do."""
+"""The simulated belt's board does what the real firmware was recorded to do."""
 
 from __future__ import annotations
 
@@ -7,17 +7,17 @@ from pathlib import Path
 
 import pytest
 
-from devices.belt.board import BeltBoard
-from devices.belt.frame import frame
+from devices.belt.protocol import encode_frame
+from devices.board_simulator.belt import SimulatedBelt
 
-ONE = frame((0, 0, 0, 3) + (0,) * 10)
-ALL = frame((3,) * 14)
+ONE = encode_frame((0, 0, 0, 3) + (0,) * 10)
+ALL = encode_frame((3,) * 14)
 
 
 def test_the_recording_of_a_real_board_is_answered_byte_for_byte(shared: Path) -> None:
-    lines = (shared / "devices" / "traces" / "belt.jsonl").read_text(encoding="utf-8").splitlines()
-    recorded = [json.loads(line) for line in lines]
-    board = BeltBoard()
+    rows = (shared / "devices" / "traces" / "belt.jsonl").read_text(encoding="utf-8").splitlines()
+    recorded = [json.loads(row) for row in rows]
+    board = SimulatedBelt()
     said = b"".join(
         board.feed(bytes.fromhex(each["hex"]), each["t"]) for each in recorded if each["dir"] == "tx"
     )
@@ -26,12 +26,12 @@ def test_the_recording_of_a_real_board_is_answered_byte_for_byte(shared: Path) -
     assert board.frames == 4
 
 
-def test_every_byte_outside_a_frame_is_complained_about() -> None:
-    assert BeltBoard().feed(b"xy", 0.0) == b"E1\r\nE1\r\n"
+def test_every_byte_outside_a_frame_causes_a_complaint() -> None:
+    assert SimulatedBelt().feed(b"xy", 0.0) == b"E1\r\nE1\r\n"
 
 
-def test_a_frame_may_come_in_any_pieces() -> None:
-    board = BeltBoard()
+def test_a_frame_may_come_in_any_chunks() -> None:
+    board = SimulatedBelt()
     answers = [board.feed(bytes([each]), 0.0) for each in ALL]
 
     assert b"".join(answers) == b""
@@ -40,7 +40,7 @@ def test_a_frame_may_come_in_any_pieces() -> None:
 
 @pytest.mark.parametrize(("shown", "seconds"), [(ONE, 0.025), (ALL, 0.0744)], ids=["one", "all"])
 def test_without_frames_the_motors_go_off_by_themselves(shown: bytes, seconds: float) -> None:
-    board = BeltBoard()
+    board = SimulatedBelt()
     board.feed(shown, 0.0)
 
     assert "A" in board.motors(seconds - 0.001)

@@ -1,4 +1,4 @@
-"""Ports are found by what they tell the USB, and called by names that stay."""
+"""Ports are recognised by their USB numbers, and get names that stay."""
 
 from __future__ import annotations
 
@@ -7,7 +7,7 @@ from pathlib import Path
 
 import pytest
 
-from devices.port_listing import FoundPort, list_ports, stable_name
+from devices.serial_ports.listing import FoundPort, list_ports, stable_name
 
 
 @dataclass
@@ -19,7 +19,7 @@ class Plugged:
     location: str | None = None
 
 
-def test_boards_come_first_and_are_known_by_vendor_and_product(tmp_path: Path) -> None:
+def test_boards_come_first_and_are_recognised_by_vendor_and_product(tmp_path: Path) -> None:
     plugged = [
         Plugged("/dev/ttyS0"),
         Plugged("/dev/ttyUSB0", 0x0403, 0x6001),
@@ -38,7 +38,7 @@ def test_boards_come_first_and_are_known_by_vendor_and_product(tmp_path: Path) -
     ]
 
 
-def test_a_port_is_called_by_its_make_and_number_where_it_has_one(tmp_path: Path) -> None:
+def test_a_stable_name_has_the_make_and_serial_number(tmp_path: Path) -> None:
     device, link = tmp_path / "ttyACM0", tmp_path / "by-id" / "usb-Arduino_7543"
     device.touch()
     link.parent.mkdir()
@@ -48,7 +48,7 @@ def test_a_port_is_called_by_its_make_and_number_where_it_has_one(tmp_path: Path
     assert found == (FoundPort(str(device), str(link), is_board=True),)
 
 
-def test_a_port_that_was_named_by_hand_has_a_name_that_stays(tmp_path: Path) -> None:
+def test_a_port_that_was_named_by_hand_has_a_stable_name(tmp_path: Path) -> None:
     device, link = tmp_path / "ttyACM0", tmp_path / "by-id" / "usb-Arduino_7543"
     device.touch()
     link.parent.mkdir()
@@ -64,7 +64,7 @@ def test_a_port_that_was_named_by_hand_has_a_name_that_stays(tmp_path: Path) -> 
     assert stable_name(str(device), tmp_path / "none") == str(device)
 
 
-def test_the_machines_own_ports_are_those_that_pyserial_finds(monkeypatch: pytest.MonkeyPatch) -> None:
+def test_the_ports_of_this_machine_are_those_that_pyserial_finds(monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr(
         "serial.tools.list_ports.comports", lambda: [Plugged("/dev/no-such-port", 0x2341, 0x42)]
     )

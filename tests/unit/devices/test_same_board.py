@@ -1,4 +1,4 @@
-"""A board that is plugged in again is found under another name too, and no other is taken for it."""
+"""A board that is plugged in again is found under another name, too, and no other board is taken for it."""
 
 from __future__ import annotations
 
@@ -9,14 +9,13 @@ from collections.abc import Iterator
 
 import pytest
 
-from devices.firmware_double.board import SimulatedBoard
-from devices.firmware_double.on_pty import DoubleOnPty
-from devices.ports.robot import LinkNews
-from devices.same_board import SameBoard
-from devices.serial_link import SerialLink
-from devices.serial_link.port import OpenPort
-from devices.serial_port import PortFault, PortProblem
-from devices.wire.link_config import LinkConfig
+from devices.board_simulator.board import SimulatedBoard
+from devices.board_simulator.pty import PtyBoard
+from devices.ports.robot import LinkNotice
+from devices.serial_ports.listing import SameBoard
+from devices.serial_ports.port import PortFault, PortProblem
+from devices.serial_robot.link import SerialLink, open_board_port
+from devices.wire.link_state import LinkConfig
 from tests.patience import PATIENCE
 from tests.unit.devices.test_port_listing import Plugged
 
@@ -24,38 +23,29 @@ MEGA = (0x2341, 0x0042)
 CLONE = (0x1A86, 0x7523)
 
 
-class Port(OpenPort):
-    """Opens nothing, and knows what it would have opened."""
-
-    def __init__(self, url: str) -> None:
-        self.url = url
-
-
-def opened_again(before: list[Plugged], after: list[Plugged], port: str = "/dev/ttyACM0") -> str:
-    """The robot is at the first of ``before``; what is opened once ``after`` is plugged in."""
-    now = [before, after]
-    same = SameBoard(Port, lambda: now[0])
-    assert same(port).url == port
-    now.pop(0)
-    again = same(port)
-    assert isinstance(again, Port)
-    return again.url
+def reopened(before: list[Plugged], after: list[Plugged], port: str = "/dev/ttyACM0") -> str:
+    """What is opened once ``after`` is plugged in, by one that opened ``port`` while ``before`` was."""
+    plugged = [before, after]
+    same = SameBoard(str, lambda: plugged[0])
+    assert same(port) == port
+    plugged.pop(0)
+    return same(port)
 
 
 ROBOT = Plugged("/dev/ttyACM0", *MEGA, "7543", "1-1")
 BELT = Plugged("/dev/ttyACM1", *MEGA, "9999", "1-2")
 
 
-def test_a_board_is_known_by_its_number_in_any_socket() -> None:
+def test_a_board_is_recognised_by_its_serial_number_in_any_socket() -> None:
     moved = Plugged("/dev/ttyACM2", *MEGA, "7543", "1-7")
-    assert opened_again([ROBOT, BELT], [BELT, moved]) == "/dev/ttyACM2"
+    assert reopened([ROBOT, BELT], [BELT, moved]) == "/dev/ttyACM2"
 
 
-def test_a_board_without_a_number_is_known_by_its_socket() -> None:
+def test_a_board_without_a_serial_number_is_recognised_by_its_socket() -> None:
     before = Plugged("/dev/ttyUSB0", *CLONE, None, "1-1")
     after = Plugged("/dev/ttyUSB3", *CLONE, None, "1-1")
     twin = Plugged("/dev/ttyUSB1", *CLONE, None, "1-2")
-    assert opened_again([before, twin], [twin, after], "/dev/ttyUSB0") == "/dev/ttyUSB3"
+    assert reopened([before, twin], [twin, after], "/dev/ttyUSB0") == "/dev/ttyUSB3"
 
 
 @pytest.mark.parametrize(
@@ -70,57 +60,66 @@ def test_a_board_without_a_number_is_known_by_its_socket() -> None:
     ids=["nothing", "another number", "no number", "another make", "two alike"],
 )
 def test_no_other_board_is_taken_for_it(after: list[Plugged]) -> None:
-    assert opened_again([ROBOT], after) == "/dev/ttyACM0"
+    assert reopened([ROBOT], after) == "/dev/ttyACM0"
 
 
 def test_another_board_that_has_the_name_now_is_not_opened() -> None:
-    with pytest.raises(PortProblem) as told:
-        opened_again([ROBOT, BELT], [Plugged("/dev/ttyACM0", *MEGA, "9999", "1-2")])
+    with pytest.raises(PortProblem) as caught:
+        reopened([ROBOT, BELT], [Plugged("/dev/ttyACM0", *MEGA, "9999", "1-2")])
 
-    assert told.value.fault is PortFault.ABSENT
-    assert told.value.reason == os.strerror(errno.ENOENT)
+    assert caught.value.fault is PortFault.ABSENT
+    assert caught.value.reason == os.strerror(errno.ENOENT)
 
 
 @pytest.mark.parametrize("port", ["socket://there:2000", "/dev/ttyS0"], ids=["network", "pins"])
-def test_what_hangs_on_no_usb_is_opened_as_it_was_named(port: str) -> None:
-    assert opened_again([ROBOT, Plugged("/dev/ttyS0")], [BELT], port) == port
+def test_a_port_that_is_not_on_usb_is_reopened_by_its_name(port: str) -> None:
+    assert reopened([ROBOT, Plugged("/dev/ttyS0")], [BELT], port) == port
 
 
-def test_a_list_that_cannot_be_read_changes_nothing() -> None:
+def test_a_failing_list_of_ports_changes_nothing() -> None:
     def fails() -> list[Plugged]:
         raise OSError
 
-    same = SameBoard(Port, fails)
-    assert [same("/dev/ttyACM0").url for _ in range(2)] == ["/dev/ttyACM0"] * 2  # type: ignore[attr-defined]
+    same = SameBoard(str, fails)
+    assert [same("/dev/ttyACM0") for _ in range(2)] == ["/dev/ttyACM0"] * 2
 
 
 @pytest.fixture
-def double() -> Iterator[DoubleOnPty]:
-    with DoubleOnPty(SimulatedBoard(boot_loader=-0.9)) as it:
+def pty_board() -> Iterator[PtyBoard]:
+    with PtyBoard(SimulatedBoard(boot_loader=-0.9)) as it:
         yield it
 
 
-def test_a_link_is_restored_under_the_new_name_of_its_device(double: DoubleOnPty) -> None:
-    told, restored = list[LinkNews](), threading.Event()
+def test_a_link_is_restored_under_the_new_name_of_its_device(pty_board: PtyBoard) -> None:
+    restored = threading.Event()
 
-    def hear(news: LinkNews, _reason: str) -> None:
-        told.append(news)
-        if news is LinkNews.RESTORED:
+    def listen(notice: LinkNotice, _reason: str) -> None:
+        if notice is LinkNotice.RESTORED:
             restored.set()
 
     def plugged() -> list[Plugged]:
-        device = os.path.realpath(double.path)
-        return [Plugged(device, *MEGA, "7543")] if device != double.path else []
+        device = os.path.realpath(pty_board.path)
+        return [Plugged(device, *MEGA, "7543")] if device != pty_board.path else []
 
-    device = os.path.realpath(double.path)
-    link = SerialLink(device, LinkConfig(reopen=0.1), hear, open_port=SameBoard(OpenPort, plugged))
+    device = os.path.realpath(pty_board.path)
+    link = SerialLink(device, LinkConfig(reopen=0.1), listen, open_port=SameBoard(open_board_port, plugged))
     link.connect()
-    double.unplug()
-    master, slave = os.openpty()  # somebody else takes the name
-    double.plug()
+    pty_board.unplug()
+    taken = name_taken_by_another(device)
+    pty_board.plug()
 
     assert restored.wait(PATIENCE)
-    assert os.path.realpath(double.path) != device
+    assert os.path.realpath(pty_board.path) != device
     link.close()
-    os.close(master)
-    os.close(slave)
+    for descriptor in taken:
+        os.close(descriptor)
+
+
+def name_taken_by_another(device: str) -> list[int]:
+    """Opens terminals until one has that name, or as many as other processes may have freed meanwhile."""
+    taken = list[int]()
+    for _ in range(32):
+        taken += os.openpty()
+        if os.ttyname(taken[-1]) == device:
+            break
+    return taken

@@ -1,7 +1,7 @@
-"""The line on a real device path: a pseudo-terminal with a simulated board behind it, in real time.
+"""The link on a real device path: a pseudo-terminal with a simulated board behind it, in real time.
 
-Few tests, for each takes a second; what is decided is tested in virtual time. Nothing here measures how fast
-this machine is: limits are generous, and a hang is a failure.
+Few tests, because each takes a second; decisions are tested in virtual time. Nothing here measures how fast
+the machine is: limits are generous, and a hang is a failure.
 """
 
 from __future__ import annotations
@@ -12,50 +12,53 @@ from collections.abc import Callable, Iterator
 
 import pytest
 
-from devices.firmware_double.board import SimulatedBoard
-from devices.firmware_double.on_pty import DoubleOnPty
-from devices.ports.robot import LinkNews, RobotProblem, StoppedBy
-from devices.reset_line import DTR_PULSE
-from devices.serial_link import SerialLink
-from devices.serial_link.port import OpenPort
+from devices.board_simulator.board import SimulatedBoard
+from devices.board_simulator.pty import PtyBoard
+from devices.ports.robot import LinkNotice, RobotProblem, StoppedBy
+from devices.serial_ports.port import SerialPort
+from devices.serial_ports.reset import Pause
 from devices.serial_robot.config import RobotConfig
+from devices.serial_robot.link import SerialLink, open_board_port
 from devices.serial_robot.robot import SerialRobot
-from devices.wire.commands import PING, STOP, Drive, head
-from devices.wire.link_config import LinkConfig
-from devices.wire.link_state import LinkState
+from devices.wire.commands import BAUD, PING, STOP, MotorDrive, head_frame
+from devices.wire.link_state import LinkConfig, LinkState
 from tests.patience import PATIENCE
 
 FAR = 1e9
 HALF_A_FRAME = bytes.fromhex("aabb3228")
 """A header that announces fifty bytes."""
 
+SLOW_MACHINE = LinkConfig(silence=10.0, lease=5.0, runaway=10.0, reopen=0.1)
+"""No loss, expired drive or reset because the machine is busy."""
+
 
 def started() -> SimulatedBoard:
-    """A board whose sketch began nine tenths of a second ago, so that it asks for its configuration soon."""
+    """A board whose sketch started nine tenths of a second ago, so it asks for its configuration soon."""
     return SimulatedBoard(boot_loader=-0.9)
 
 
 @pytest.fixture
-def double() -> Iterator[DoubleOnPty]:
-    with DoubleOnPty(started()) as it:
+def pty_board() -> Iterator[PtyBoard]:
+    with PtyBoard(started()) as it:
         yield it
 
 
-class News:
-    """What a link told, to be waited for."""
+class Notices:
+    """The notices of a link, to be waited for."""
 
     def __init__(self) -> None:
-        self.told: list[LinkNews] = []
+        self.received: list[LinkNotice] = []
         self._more = threading.Condition()
 
-    def __call__(self, news: LinkNews, reason: str) -> None:
+    def __call__(self, notice: LinkNotice, reason: str) -> None:
         with self._more:
-            self.told.append(news)
+            self.received.append(notice)
             self._more.notify_all()
 
-    def wait_for(self, news: LinkNews) -> bool:
+    def wait_for(self, *wanted: LinkNotice) -> bool:
+        """Wait for one of them."""
         with self._more:
-            return self._more.wait_for(lambda: news in self.told, PATIENCE)
+            return self._more.wait_for(lambda: not {*wanted}.isdisjoint(self.received), PATIENCE)
 
 
 class RealPace:
@@ -66,23 +69,27 @@ class RealPace:
         return not self._never.wait(seconds)
 
 
-def until(happened: Callable[[], bool]) -> bool:
-    """Wait for it. False if it doesn't happen."""
+def until(is_so: Callable[[], bool]) -> bool:
+    """Wait for it. False if it doesn't become true."""
     never = threading.Event()
-    return any(happened() or never.wait(0.01) for _ in range(round(PATIENCE / 0.01)))
+    return any(is_so() or never.wait(0.01) for _ in range(round(PATIENCE / 0.01)))
+
+
+def has_driven(pty_board: PtyBoard) -> bool:
+    """Wait until its wheels have turned; a drive may be over again by then."""
+    return until(lambda: pty_board.board.wheels.right != 0.0)
 
 
 @pytest.fixture
-def link(double: DoubleOnPty) -> Iterator[SerialLink]:
-    it = SerialLink(double.path)
+def link(pty_board: PtyBoard) -> Iterator[SerialLink]:
+    it = SerialLink(pty_board.path)
     it.connect()
     yield it
     it.close()
 
 
-def test_a_robot_on_a_port_walks_a_step(double: DoubleOnPty) -> None:
-    patient = LinkConfig(silence=10.0, lease=5.0, runaway=10.0)
-    robot = SerialRobot(SerialLink(double.path, patient), RobotConfig(stall=10.0), pace=RealPace())
+def test_a_robot_on_a_port_walks_a_step(pty_board: PtyBoard) -> None:
+    robot = SerialRobot(SerialLink(pty_board.path, SLOW_MACHINE), RobotConfig(stall=10.0), pace=RealPace())
     robot.connect()
 
     moved = robot.forward(1)
@@ -90,78 +97,78 @@ def test_a_robot_on_a_port_walks_a_step(double: DoubleOnPty) -> None:
 
     assert (moved.walked, moved.stopped_by) == (1, None)
     assert moved.pose.y == pytest.approx(1, abs=0.3)
-    assert until(lambda: not double.board.is_driving)
+    assert until(lambda: not pty_board.board.is_driving)
 
 
-def test_open_a_second_program_cannot_have_the_port(double: DoubleOnPty, link: SerialLink) -> None:
-    with pytest.raises(RobotProblem) as told:
-        SerialLink(double.path).connect()
+def test_open_a_second_program_can_not_have_the_port(pty_board: PtyBoard, link: SerialLink) -> None:
+    with pytest.raises(RobotProblem) as caught:
+        SerialLink(pty_board.path).connect()
 
-    assert (told.value.code, told.value.values["port"]) == ("port-busy", double.path)
+    assert (caught.value.code, caught.value.values["port"]) == ("port-busy", pty_board.path)
 
 
-def test_a_port_that_is_not_there_is_told_by_its_name() -> None:
-    with pytest.raises(RobotProblem) as told:
+def test_the_problem_of_a_missing_port_names_it() -> None:
+    with pytest.raises(RobotProblem) as caught:
         SerialLink("/dev/no-such-robot").connect()
 
-    assert (told.value.code, told.value.values["port"]) == ("no-port", "/dev/no-such-robot")
+    assert (caught.value.code, caught.value.values["port"]) == ("no-port", "/dev/no-such-robot")
 
 
-def test_a_port_where_nobody_answers_is_let_go_of() -> None:
-    """A loop answers with what it was told, which are no frames of a board."""
+def test_a_port_without_an_answer_is_closed_again() -> None:
+    """A loop sends back the bytes that it gets, which are no frames of a board."""
     link = SerialLink("loop://", LinkConfig(first_answer=0.2))
-    with pytest.raises(RobotProblem) as told:
+    with pytest.raises(RobotProblem) as caught:
         link.connect()
 
-    assert (told.value.code, link.state) == ("no-answer", LinkState.CLOSED)
+    assert (caught.value.code, link.state) == ("no-answer", LinkState.CLOSED)
 
 
 @pytest.mark.parametrize("moment", ["before", "meanwhile"])
-def test_connecting_can_be_given_up_and_tried_again(double: DoubleOnPty, moment: str) -> None:
-    """A loop never answers as a board does: without that it would take a thousand seconds."""
-    link = SerialLink("loop://", LinkConfig(first_answer=1000.0))
+def test_connecting_can_be_given_up_and_tried_again(pty_board: PtyBoard, moment: str) -> None:
+    """A loop never answers as a board does: otherwise connecting would take a thousand seconds."""
+    link = SerialLink("loop://", LinkConfig(first_answer=1000.0, silence=10.0))
     for _ in range(2):
         if moment == "before":
             link.give_up()
         else:
             threading.Timer(0.1, link.give_up).start()
-        with pytest.raises(RobotProblem) as told:
+        with pytest.raises(RobotProblem) as caught:
             link.connect()
 
-        assert (told.value.code, link.state) == ("given-up", LinkState.CLOSED)
-    link.name = double.path
+        assert (caught.value.code, link.state) == ("given-up", LinkState.CLOSED)
+    link.name = pty_board.path
     link.connect()
     assert link.state is LinkState.STREAMING
     link.close()
 
 
 @pytest.mark.parametrize("where", ["opening", "answer"])
-def test_connecting_that_takes_longer_than_a_second_is_told_once_where_it_is_waited(where: str) -> None:
-    """Whoever is told gives it up: without that it would take a thousand seconds."""
-    told, may_open = list[threading.Thread](), threading.Event()
+def test_slow_connecting_is_reported_once_in_the_thread_that_connects(where: str) -> None:
+    """The listener gives it up: otherwise connecting would take a thousand seconds."""
+    reported, may_open = list[threading.Thread](), threading.Event()
 
-    def tell() -> None:
-        told.append(threading.current_thread())
+    def on_slow() -> None:
+        reported.append(threading.current_thread())
         link.give_up()
 
-    def open_slowly(url: str) -> OpenPort:
+    def open_slowly(address: str) -> SerialPort:
         assert where == "answer" or may_open.wait(PATIENCE)
-        return OpenPort(url)
+        return open_board_port(address)
 
-    link = SerialLink("loop://", LinkConfig(first_answer=1000.0), open_port=open_slowly, on_slow=tell)
+    link = SerialLink("loop://", LinkConfig(first_answer=1000.0), open_port=open_slowly, on_slow=on_slow)
     with pytest.raises(RobotProblem):
         link.connect()
 
     may_open.set()
-    assert told == [threading.current_thread()]
+    assert reported == [threading.current_thread()]
 
 
-class SlowPort(OpenPort):
-    """One that opens when it is let, as a network's does after some seconds."""
+class SlowPort(SerialPort):
+    """Opens when a test allows it, as a network address does after some seconds."""
 
-    def __init__(self, url: str, may_open: threading.Event) -> None:
+    def __init__(self, address: str, may_open: threading.Event) -> None:
         assert may_open.wait(PATIENCE)
-        super().__init__(url)
+        super().__init__(address, BAUD)
         self.last = b""
         self.is_closed = threading.Event()
 
@@ -173,47 +180,50 @@ class SlowPort(OpenPort):
         self.is_closed.set()
 
 
-def test_a_port_that_takes_long_to_open_can_be_given_up_and_is_stopped_once_it_is_open() -> None:
+def test_a_port_that_opens_after_it_was_given_up_gets_a_stop_and_is_closed() -> None:
     may_open, opened = threading.Event(), list[SlowPort]()
 
-    def open_slowly(url: str) -> SlowPort:
-        opened.append(SlowPort(url, may_open))
+    def open_slowly(address: str) -> SlowPort:
+        opened.append(SlowPort(address, may_open))
         return opened[-1]
 
     link = SerialLink("loop://", open_port=open_slowly)
     threading.Timer(0.1, link.give_up).start()
-    with pytest.raises(RobotProblem) as told:
+    with pytest.raises(RobotProblem) as caught:
         link.connect()
 
-    assert (told.value.code, opened) == ("given-up", [])
+    assert (caught.value.code, opened) == ("given-up", [])
     may_open.set()
     assert until(lambda: bool(opened))
     assert opened[0].is_closed.wait(PATIENCE)
     assert opened[0].last == STOP
 
 
-def test_unplug_is_told_and_found_again_where_its_name_leads(double: DoubleOnPty) -> None:
-    news = News()
-    link = SerialLink(double.path, LinkConfig(reopen=0.1), news)
+def test_unplug_is_reported_and_the_port_is_found_again_where_its_name_leads(pty_board: PtyBoard) -> None:
+    notices = Notices()
+    link = SerialLink(pty_board.path, SLOW_MACHINE, notices)
     link.connect()
-    link.drive(link.permit(), Drive.FORWARD, FAR)
+    link.drive(link.permit(), MotorDrive.FORWARD, FAR)
     permit = link.permit()
 
-    double.unplug()
-    assert news.wait_for(LinkNews.LOST)
-    assert link.drive(permit, Drive.FORWARD, FAR) is False
-    double.plug()
+    pty_board.unplug()
+    assert notices.wait_for(LinkNotice.LOST)
+    assert link.drive(permit, MotorDrive.FORWARD, FAR) is False
+    pty_board.plug()
 
-    assert news.wait_for(LinkNews.RESTORED)
-    assert news.told == [LinkNews.CONNECTED, LinkNews.LOST, LinkNews.RESTORED]
-    assert not double.board.is_driving
+    assert notices.wait_for(LinkNotice.RESTORED)
+    assert notices.received == [LinkNotice.CONNECTED, LinkNotice.LOST, LinkNotice.RESTORED]
+    assert not pty_board.board.is_driving
     link.close()
 
 
-class FailsOnce(OpenPort):
-    """A port whose driver raises what nobody expects, when it is told to."""
+class FailsOnce(SerialPort):
+    """A port whose driver raises an unexpected error when a test sets one."""
 
     fault: Exception | None = None
+
+    def __init__(self, address: str) -> None:
+        super().__init__(address, BAUD)
 
     def read(self) -> bytes:
         if fault := self.fault:
@@ -223,128 +233,135 @@ class FailsOnce(OpenPort):
 
 
 @pytest.mark.parametrize("fault", [termios.error(5, "gone"), KeyError("a driver")], ids=["terminal", "any"])
-def test_whatever_a_port_raises_the_line_is_lost_and_found_again(
-    double: DoubleOnPty, fault: Exception
+def test_any_error_of_the_port_loses_the_link_which_is_found_again(
+    pty_board: PtyBoard, fault: Exception
 ) -> None:
-    news = News()
-    link = SerialLink(double.path, LinkConfig(reopen=0.1), news, open_port=FailsOnce)
+    notices = Notices()
+    link = SerialLink(pty_board.path, SLOW_MACHINE, notices, open_port=FailsOnce)
     link.connect()
     FailsOnce.fault = fault
 
-    assert news.wait_for(LinkNews.LOST)
-    assert news.wait_for(LinkNews.RESTORED) or news.wait_for(LinkNews.RESTARTED)
+    assert notices.wait_for(LinkNotice.LOST)
+    assert notices.wait_for(LinkNotice.RESTORED, LinkNotice.RESTARTED)
     link.close()
 
 
-def test_a_walk_ends_when_the_robot_is_unplugged(double: DoubleOnPty) -> None:
-    news = News()
-    robot = SerialRobot(SerialLink(double.path, None, news), pace=RealPace())
+def test_a_walk_ends_when_the_robot_is_unplugged(pty_board: PtyBoard) -> None:
+    robot = SerialRobot(SerialLink(pty_board.path, SLOW_MACHINE), RobotConfig(stall=10.0), pace=RealPace())
     robot.connect()
-    unplugging = threading.Timer(0.3, double.unplug)
-    unplugging.start()
+    threading.Timer(0.3, pty_board.unplug).start()
 
     assert robot.forward(100).stopped_by is StoppedBy.LINK
     robot.close()
 
 
-def test_a_listener_that_fails_does_not_take_the_line_with_it(double: DoubleOnPty) -> None:
-    def fail(news: LinkNews, reason: str) -> None:
+def test_a_listener_that_fails_does_not_break_the_link(pty_board: PtyBoard) -> None:
+    def fail(notice: LinkNotice, reason: str) -> None:
         raise KeyError("a listener's own mistake")
 
-    link = SerialLink(double.path, None, fail)
+    link = SerialLink(pty_board.path, None, fail)
     link.connect()
 
-    assert link.drive(link.permit(), Drive.FORWARD, FAR) is True
-    assert until(lambda: double.board.is_driving)
+    assert link.drive(link.permit(), MotorDrive.FORWARD, FAR) is True
+    assert has_driven(pty_board)
     link.close()
-    assert until(lambda: not double.board.is_driving)
+    assert until(lambda: not pty_board.board.is_driving)
 
 
-def test_a_listener_that_hangs_does_not_hold_the_line(double: DoubleOnPty) -> None:
-    """As one that prints on a terminal that takes nothing: the robot is stopped all the same."""
-    is_read = threading.Event()
-    link = SerialLink(double.path, None, lambda news, reason: is_read.wait() and None)
+def test_a_listener_that_hangs_does_not_hold_up_the_link(pty_board: PtyBoard) -> None:
+    """As one that prints on a terminal that takes no output: the robot is stopped all the same."""
+    may_return = threading.Event()
+    link = SerialLink(pty_board.path, None, lambda notice, reason: may_return.wait() and None)
     link.connect()
-    link.drive(link.permit(), Drive.FORWARD, FAR)
-    assert until(lambda: double.board.is_driving)
+    link.drive(link.permit(), MotorDrive.FORWARD, FAR)
+    assert has_driven(pty_board)
 
-    assert until(lambda: not double.board.is_driving)  # nobody renewed it
+    assert until(lambda: not pty_board.board.is_driving)  # the drive was not renewed
     link.close()
     assert link.state is LinkState.CLOSED
-    is_read.set()
+    may_return.set()
 
 
-def test_a_stop_from_any_thread_reaches_the_wire(double: DoubleOnPty, link: SerialLink) -> None:
-    link.drive(link.permit(), Drive.FORWARD, FAR)
-    assert until(lambda: double.board.is_driving)
+def test_a_stop_from_any_thread_reaches_the_wire(pty_board: PtyBoard, link: SerialLink) -> None:
+    link.drive(link.permit(), MotorDrive.FORWARD, FAR)
+    assert has_driven(pty_board)
     threading.Thread(target=link.stop).start()
 
-    assert until(lambda: not double.board.is_driving)
+    assert until(lambda: not pty_board.board.is_driving)
 
 
-class HeldPort(OpenPort):
-    """A port that can be held behind a certain frame. ``did``: what was written, and each reading."""
+class PausingPort(SerialPort):
+    """A port that pauses after a certain frame. ``calls``: each written frame, and None for a read."""
 
-    def __init__(self, url: str) -> None:
-        super().__init__(url)
-        self.did: list[bytes | None] = []
-        self.holds_behind: bytes | None = None
-        self.is_held, self.goes_on = threading.Event(), threading.Event()
+    def __init__(self, address: str) -> None:
+        super().__init__(address, BAUD)
+        self.calls: list[bytes | None] = []
+        self.pauses_after: bytes | None = None
+        self.is_paused, self.may_continue = threading.Event(), threading.Event()
 
     def read(self) -> bytes:
-        self.did.append(None)
+        self.calls.append(None)
         return super().read()
 
     def write(self, data: bytes) -> None:
         super().write(data)
-        self.did.append(data)
-        if data == self.holds_behind:
-            self.is_held.set()
-            assert self.goes_on.wait(PATIENCE)
+        self.calls.append(data)
+        if data == self.pauses_after:
+            self.is_paused.set()
+            assert self.may_continue.wait(PATIENCE)
 
 
-def test_a_stop_in_the_midst_of_a_burst_of_commands_is_the_next_frame_before_anything_is_read(
-    double: DoubleOnPty,
+def test_a_stop_during_a_burst_of_commands_is_the_next_frame_before_anything_is_read(
+    pty_board: PtyBoard,
 ) -> None:
-    ports: list[HeldPort] = []
+    ports: list[PausingPort] = []
 
-    def open_port(url: str) -> HeldPort:
-        ports.append(HeldPort(url))
+    def open_port(address: str) -> PausingPort:
+        ports.append(PausingPort(address))
         return ports[-1]
 
-    link = SerialLink(double.path, open_port=open_port)
+    link = SerialLink(pty_board.path, SLOW_MACHINE, open_port=open_port)
     link.connect()
     port = ports[0]
-    port.holds_behind = head(10)
-    link.put(head(10))
-    assert port.is_held.wait(PATIENCE)
-    for frame in (head(20), PING):
+    port.pauses_after = head_frame(10)
+    link.put(head_frame(10))
+    assert port.is_paused.wait(PATIENCE)
+    for frame in (head_frame(20), PING):
         link.put(frame)
     link.stop()
-    before = len(port.did)
-    port.goes_on.set()
+    before = len(port.calls)
+    port.may_continue.set()
 
-    assert until(lambda: STOP in port.did[before:])
-    assert port.did[before] == STOP
+    assert until(lambda: STOP in port.calls[before:])
+    assert port.calls[before] == STOP
     link.close()
 
 
-def test_dtr_a_port_without_that_line_tolerates_its_being_pulled(double: DoubleOnPty) -> None:
-    port = OpenPort(double.path)
-    port.pull_reset(lambda seconds: None)
+def test_a_board_that_ignores_stops_is_reset_through_its_port(pty_board: PtyBoard) -> None:
+    pulled = list[SerialPort | None]()
 
-    assert port.read() is not None
-    port.close()
+    class Reset:
+        def pull(self, port: SerialPort | None, pause: Pause) -> bool:
+            pulled.append(port)
+            pty_board.board.reset()
+            return True
 
+    class Deaf(SerialPort):
+        is_deaf = False
 
-def test_dtr_falls_and_rises_again_with_a_pause_after_each(monkeypatch: pytest.MonkeyPatch) -> None:
-    seen: list[object] = []
+        def write(self, data: bytes) -> None:
+            if not self.is_deaf:
+                super().write(data)
 
-    class Wire:
-        def __setattr__(self, name: str, level: object) -> None:
-            seen.append((name, level))
+    port = Deaf(pty_board.path, BAUD)
+    link = SerialLink(pty_board.path, open_port=lambda _: port, reset=Reset())
+    link.connect()
+    link.drive(link.permit(), MotorDrive.FORWARD, FAR)
+    assert has_driven(pty_board)
+    port.is_deaf = True
+    link.stop()
 
-    monkeypatch.setattr("devices.serial_link.port.open_port", lambda *_: Wire())
-    OpenPort("port").pull_reset(seen.append)
-
-    assert seen == [("dtr", False), DTR_PULSE, ("dtr", True), DTR_PULSE]
+    assert until(lambda: bool(pulled))
+    assert pulled[0] is port
+    port.is_deaf = False
+    link.close()

@@ -1,4 +1,4 @@
-"""A port that is gone is told in a word of ours, wherever that is noticed; a stuck line is given up."""
+"""Serial ports: what is wrong with one is a fault and the system's reason, wherever it is noticed."""
 
 from __future__ import annotations
 
@@ -6,62 +6,111 @@ import os
 import termios
 import threading
 from contextlib import suppress
+from pathlib import Path
+from types import SimpleNamespace
 
 import pytest
 
-from devices.port_talk.asking import ask
-from devices.serial_port import GONE, PortFault, PortProblem, open_port
+from devices.port_exchange import identify
+from devices.serial_ports.port import GONE, PortFault, PortProblem, SerialPort, group_of, is_same_port
 from donnie_tui.i18n.words import Words
 from tests.patience import PATIENCE
-from tests.unit.devices.board_line import BoardLine, opening
+from tests.unit.devices.board_ports import BoardPort, opener
 
 
-def test_a_port_that_goes_away_while_its_speed_is_set_is_a_problem_with_the_systems_word() -> None:
-    class Stuck(BoardLine):
-        def set_speed(self, baud: int) -> None:
+def test_a_port_that_disappears_while_its_speed_is_set_is_a_problem_with_the_systems_reason() -> None:
+    class Stuck(BoardPort):
+        def set_baud(self, baud: int) -> None:
             raise termios.error(5, "whatever")
 
-    line = Stuck(None)
+    port = Stuck(None)
     with pytest.raises(PortProblem) as caught:
-        ask("port", opening(line))
+        identify("port", opener(port), now=port.now)
     assert (caught.value.fault, caught.value.reason) == (PortFault.ABSENT, "Input/output error")
-    assert line.is_closed
+    assert port.is_closed
 
 
 def test_a_terminals_error_while_opening_is_a_problem(monkeypatch: pytest.MonkeyPatch) -> None:
-    def fail(*_url: object, **_how: object) -> None:
+    def fail(*_url: object, **_options: object) -> None:
         raise termios.error(5, "whatever")
 
     monkeypatch.setattr("serial.serial_for_url", fail)
     with pytest.raises(PortProblem) as caught:
-        open_port("port", 9600)
+        SerialPort("port", 9600)
     assert (caught.value.fault, caught.value.reason) == (PortFault.UNUSABLE, "Input/output error")
 
 
 @pytest.mark.parametrize(
     "address", ["hwgrep://[", "loop://?logging=loud", "socket://robot", "rfc2217://robot"]
 )
-def test_an_address_that_is_not_understood_is_a_problem_in_a_word_of_ours(address: str) -> None:
+def test_an_address_that_can_not_be_parsed_is_a_problem_with_a_translated_sentence(address: str) -> None:
     with pytest.raises(PortProblem) as caught:
-        open_port(address, 9600)
+        SerialPort(address, 9600)
     assert (caught.value.fault, caught.value.reason) == (PortFault.UNUSABLE, "Invalid argument")
-    told = Words("pt")("problem-port-failed", port=address, reason=caught.value.reason)
-    assert told.endswith("não se entende.")
+    sentence = Words("pt")("problem-port-failed", port=address, reason=caught.value.reason)
+    assert sentence.endswith("não se entende.")
 
 
-def test_a_line_that_takes_no_bytes_is_given_up() -> None:
-    """Nobody reads at its other end."""
+def test_a_file_is_not_a_port(tmp_path: Path) -> None:
+    file = tmp_path / "file"
+    file.touch()
+
+    with pytest.raises(PortProblem) as caught:
+        SerialPort(str(file), 9600)
+    assert caught.value.fault is PortFault.UNUSABLE
+
+
+def test_one_program_has_a_port_at_a_time() -> None:
     ours, theirs = os.openpty()
-    port = open_port(os.ttyname(theirs), 9600)
-    given_up = threading.Event()
+    first = SerialPort(os.ttyname(theirs), 9600)
+    with pytest.raises(PortProblem) as caught:
+        SerialPort(os.ttyname(theirs), 9600)
+    first.close()
+    SerialPort(os.ttyname(theirs), 9600).close()
+
+    assert caught.value.fault is PortFault.BUSY
+    os.close(ours)
+    os.close(theirs)
+
+
+def test_a_write_to_a_device_that_reads_nothing_times_out() -> None:
+    ours, theirs = os.openpty()
+    port = SerialPort(os.ttyname(theirs), 9600)
+    timed_out = threading.Event()
 
     def write() -> None:
         with suppress(*GONE):
             port.write(bytes(1_000_000))
-        given_up.set()
+        timed_out.set()
 
     threading.Thread(target=write, daemon=True).start()
-    assert given_up.wait(PATIENCE)
+    assert timed_out.wait(PATIENCE)
     port.close()
     os.close(theirs)
     os.close(ours)
+
+
+@pytest.mark.parametrize(
+    ("driver", "unsent"),
+    [(SimpleNamespace(out_waiting=36), 36), (SimpleNamespace(), 0)],
+    ids=["known", "unknown"],
+)
+def test_the_bytes_that_still_wait_in_the_system_are_counted_where_the_driver_can(
+    monkeypatch: pytest.MonkeyPatch, driver: SimpleNamespace, unsent: int
+) -> None:
+    monkeypatch.setattr("serial.serial_for_url", lambda *_url, **_options: driver)
+
+    assert SerialPort("port", 9600).unsent == unsent
+
+
+def test_two_names_of_one_device_are_the_same_port(tmp_path: Path) -> None:
+    link = tmp_path / "by-id"
+    link.symlink_to("/dev/null")
+
+    assert is_same_port(str(link), "/dev/null")
+    assert not is_same_port(str(link), "/dev/zero")
+
+
+def test_the_group_that_may_use_a_port_is_named() -> None:
+    assert group_of("/dev/there-is-no-such-robot") == "dialout"
+    assert group_of("/dev/null") is None  # root's own group is never advised

@@ -1,7 +1,5 @@
-"""The real robot walks and turns by its encoders, on a simulated board; where it is, and what a reset does.
-
-Time is virtual.
-"""
+"""The real robot walks and turns by its encoders, on a simulated board in virtual time; its pose and its
+reset."""
 
 from __future__ import annotations
 
@@ -9,8 +7,7 @@ from math import degrees
 
 import pytest
 
-from devices.firmware_double.chassis import Chassis
-from devices.firmware_double.surroundings import Place, Walls
+from devices.board_simulator.floor import AxlePose, Chassis, WalledFloor
 from devices.ports.robot import STEP, Motion, StoppedBy
 from devices.serial_robot.config import RobotConfig
 from tests.unit.devices.robots import NEAR, Real
@@ -24,26 +21,19 @@ def test_the_documented_constants_make_341_counts_a_step_and_4_a_degree() -> Non
 # --- walking and turning
 
 
-@pytest.mark.parametrize("steps", [1, 2, 7])
+@pytest.mark.parametrize("steps", [1, 2, 7, -3])
 def test_a_walk_is_counted_by_the_encoders_and_ends_where_it_should(steps: int) -> None:
     real = Real()
 
-    moved = real.robot.forward(steps)
+    moved = real.robot.forward(steps) if steps > 0 else real.robot.backward(-steps)
 
-    assert (moved.asked, moved.walked, moved.stopped_by) == (steps, steps, None)
+    assert (moved.asked, moved.walked, moved.stopped_by) == (abs(steps), abs(steps), None)
     assert real.board.wheels.place.y / STEP == pytest.approx(steps, abs=NEAR)
     assert moved.pose.y == pytest.approx(steps, abs=NEAR)
     assert real.stands
 
 
-def test_backward_goes_the_other_way() -> None:
-    real = Real()
-
-    assert real.robot.backward(3).pose.y == pytest.approx(-3, abs=NEAR)
-    assert real.board.wheels.place.y / STEP == pytest.approx(-3, abs=NEAR)
-
-
-def test_a_hundred_and_fifty_steps_go_by_the_place_where_the_counters_wrap() -> None:
+def test_a_hundred_and_fifty_steps_are_counted_although_the_counters_wrap() -> None:
     real = Real()
 
     moved = real.robot.forward(150)
@@ -65,13 +55,13 @@ def test_a_turn_is_counted_by_the_encoders(asked: int) -> None:
     assert real.stands
 
 
-def test_what_one_movement_goes_too_far_the_next_one_makes_up_for() -> None:
+def test_the_next_movement_corrects_the_overshoot_of_one() -> None:
     real = Real()
     for _ in range(30):
         real.robot.forward(1)
         real.robot.turn(12)
 
-    assert real.board.wheels.place.yaw == pytest.approx(Place().yaw - 2 * 3.14159, abs=0.05)
+    assert real.board.wheels.place.yaw == pytest.approx(AxlePose().yaw - 2 * 3.14159, abs=0.05)
     assert (real.robot.pose().heading + 180) % 360 == pytest.approx(180, abs=3)
 
 
@@ -80,19 +70,19 @@ UNEVEN = Chassis(walking=(340.5, 326.6), turning=(170.5, 162.0))
 
 
 ASTRAY = 1.25
-"""Degrees that the heading may be off, behind a turn, after whatever way: five counts."""
+"""Degrees of tolerance for the heading after a turn, whatever preceded it: five counts."""
 
 
 def astray(real: Real, wanted: float) -> float:
-    """Degrees by which the robot looks elsewhere."""
+    """Degrees between the robot's heading and the wanted one."""
     return (real.robot.pose().heading - wanted + 180) % 360 - 180
 
 
 @pytest.mark.parametrize("turn", [10, -10])
-def test_a_turn_makes_up_for_what_the_walks_before_it_were_uneven_by(turn: int) -> None:
-    """Each step of these wheels leads 1.7 degrees aside."""
+def test_a_turn_corrects_the_drift_of_uneven_wheels(turn: int) -> None:
+    """Each step of these wheels turns the robot by 1.7 degrees."""
     real = Real()
-    real.board.wheels._chassis = UNEVEN
+    real.board.wheels.chassis = UNEVEN
 
     for number in range(1, 37):
         real.robot.forward(1)
@@ -102,11 +92,11 @@ def test_a_turn_makes_up_for_what_the_walks_before_it_were_uneven_by(turn: int) 
     assert 90 - degrees(real.board.wheels.place.yaw) == pytest.approx(36 * turn, abs=ASTRAY)
 
 
-def test_where_a_hand_turned_the_robot_a_turn_begins() -> None:
+def test_a_turn_begins_at_the_heading_to_which_a_hand_turned_the_robot() -> None:
     real = Real()
     real.robot.forward(1)
     real.board.wheels.left += 60 * 4.048
-    real.line.advance(0.2)
+    real.link.advance(0.2)
 
     turned = real.robot.turn(90)
 
@@ -114,7 +104,7 @@ def test_where_a_hand_turned_the_robot_a_turn_begins() -> None:
     assert astray(real, 30 + 90) == pytest.approx(0, abs=ASTRAY)
 
 
-def test_where_a_stuck_wheel_turned_the_robot_a_turn_begins() -> None:
+def test_a_turn_begins_at_the_heading_to_which_a_stuck_wheel_turned_the_robot() -> None:
     real = Real(at=[(2.0, lambda: setattr(real.board.wheels, "is_right_stuck", True))])
     assert real.robot.forward(9).stopped_by is StoppedBy.STALL
     real.board.wheels.is_right_stuck = False
@@ -127,10 +117,10 @@ def test_where_a_stuck_wheel_turned_the_robot_a_turn_begins() -> None:
 
 
 @pytest.mark.parametrize("back", [True, False])
-def test_after_a_walk_that_a_lost_stop_made_too_long_the_next_one_is_whole(back: bool) -> None:
-    """The way back was once waited for without end, the way on was once shorter by what was too far."""
+def test_after_a_walk_that_a_lost_stop_made_too_long_the_next_one_is_exact(back: bool) -> None:
+    """A regression: walking back never ended, and walking on was too short by the overshoot."""
     real = Real()
-    wire = real.line.wire
+    wire = real.link.wire
     real.pace.due = [(0.9, lambda: setattr(wire, "cut", 1.0)), (1.6, lambda: setattr(wire, "cut", 0.0))]
     real.robot.forward(1)
     before = real.board.wheels.place.y / STEP
@@ -142,38 +132,24 @@ def test_after_a_walk_that_a_lost_stop_made_too_long_the_next_one_is_whole(back:
     assert abs(real.board.wheels.place.y / STEP - before) == pytest.approx(2, abs=NEAR)
 
 
-def test_nothing_is_driven_for_nothing() -> None:
-    real = Real()
-    before = real.robot.time()
-
-    moved, turned = real.robot.forward(0), real.robot.turn(0)
-
-    assert (moved.walked, turned.turned, real.robot.time()) == (0, 0, before)
-
-
-def test_a_negative_walk_is_the_callers_mistake() -> None:
-    with pytest.raises(ValueError, match="negative"):
-        Real().robot.forward(-1)
-
-
-def test_each_step_is_told_once_and_each_ten_degrees_and_the_rest() -> None:
+def test_each_step_is_reported_once_and_each_ten_degrees_and_the_rest() -> None:
     real = Real()
     real.robot.forward(4)
     real.robot.turn(-25)
 
-    assert real.diary.progress == [Motion.FORWARD] * 4 + [Motion.LEFT] * 3
-    assert len(real.diary.passed) > 20
+    assert real.watcher.progress == [Motion.FORWARD] * 4 + [Motion.LEFT] * 3
+    assert len(real.watcher.passed) > 20
 
 
-def test_a_walk_goes_on_between_its_steps_without_a_stop() -> None:
-    """One step a second, as the original walks; stopping at each would take longer."""
+def test_a_walk_does_not_stop_between_its_steps() -> None:
+    """One step a second, as the original walks; stopping after each step would take longer."""
     real = Real()
     real.robot.forward(10)
 
     assert real.robot.time() == pytest.approx(10.2, abs=0.4)
 
 
-def test_another_wheel_makes_another_step() -> None:
+def test_a_step_depends_on_the_configured_wheel() -> None:
     real = Real(config=RobotConfig(wheel_radius=0.042))
     real.robot.forward(4)
 
@@ -183,8 +159,8 @@ def test_another_wheel_makes_another_step() -> None:
 # --- place and time
 
 
-def test_a_reset_makes_here_the_start() -> None:
-    real = Real(Walls([]))
+def test_a_reset_makes_the_present_place_the_start() -> None:
+    real = Real(WalledFloor([]))
     real.robot.forward(2)
     real.robot.turn(90)
 

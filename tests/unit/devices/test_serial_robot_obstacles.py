@@ -1,10 +1,10 @@
-"""The real robot stops at what is in its way, at what it bumps into, and where its wheels don't turn."""
+"""The real robot stops at obstacles, at collisions, and where its wheels don't turn."""
 
 from __future__ import annotations
 
 import pytest
 
-from devices.firmware_double.surroundings import Switch
+from devices.board_simulator.floor import BumperSwitch
 from devices.ports.robot import STEP, Met, StoppedBy
 from devices.serial_robot.config import RobotConfig
 from tests.unit.devices.robots import NEAR, Real, Sonars, wall_ahead
@@ -24,14 +24,14 @@ def test_a_step_that_would_leave_less_than_one_free_is_not_begun(away: float, wa
     assert real.stands
 
 
-def test_the_back_sensor_stops_the_way_back() -> None:
+def test_the_back_sensor_stops_a_backward_walk() -> None:
     real = Real(wall_ahead(-4))
 
     assert (real.robot.backward(9).walked, real.robot.forward(1).stopped_by) == (3, None)
 
 
-def test_ranges_an_echo_that_is_there_once_and_not_twice_is_no_obstacle() -> None:
-    """What is 2.6 metres away looks near, once in a while."""
+def test_ranges_a_single_near_echo_is_no_obstacle() -> None:
+    """A thing 2.6 metres away looks near once in a while."""
     sonars = Sonars(far=150.0)
     real = Real(sonars)
     glimpses = iter(range(10_000))
@@ -42,22 +42,22 @@ def test_ranges_an_echo_that_is_there_once_and_not_twice_is_no_obstacle() -> Non
     assert (moved.walked, moved.stopped_by) == (6, None)
 
 
-def test_ranges_a_false_echo_before_the_first_step_is_waited_for_and_not_believed() -> None:
+def test_ranges_a_false_echo_before_the_first_step_delays_it_and_does_not_prevent_it() -> None:
     sonars = Sonars(far=150.0)
     real = Real(sonars)
     real.robot.wait(1.0)
     echoes = iter([4.0])
     sonars.far[1] = lambda place: next(echoes, 150.0)
-    while real.line.telemetry.ranges[-1].centimetres[1] != 4:
-        real.line.advance(0.02)
+    while real.link.telemetry.ranges[-1].centimetres[1] != 4:
+        real.link.advance(0.02)
 
     assert real.robot.forward(2).stopped_by is None
 
 
-def test_ranges_what_nothing_is_known_about_is_no_obstacle() -> None:
+def test_ranges_an_unknown_distance_is_no_obstacle() -> None:
     real = Real(Sonars(far=256.0))
 
-    assert real.line.telemetry.ranges[-1].centimetres[1] == 0
+    assert real.link.telemetry.ranges[-1].centimetres[1] == 0
     assert real.robot.forward(2).stopped_by is None
 
 
@@ -72,8 +72,8 @@ def test_after_an_obstacle_the_robot_turns_and_leaves() -> None:
 # --- bumpers and stalls
 
 
-@pytest.mark.parametrize(("switch", "side"), [(Switch.NE, 45.0), (Switch.NW, -45.0)])
-def test_a_front_bumper_ends_a_walk_forward_and_tells_its_side(switch: Switch, side: float) -> None:
+@pytest.mark.parametrize(("switch", "side"), [(BumperSwitch.NE, 45.0), (BumperSwitch.NW, -45.0)])
+def test_a_front_bumper_ends_a_walk_forward_and_reports_its_side(switch: BumperSwitch, side: float) -> None:
     sonars = Sonars()
     real = Real(sonars, at=[(2.5, lambda: setattr(sonars, "pressed", frozenset({switch})))])
 
@@ -85,10 +85,10 @@ def test_a_front_bumper_ends_a_walk_forward_and_tells_its_side(switch: Switch, s
     assert real.stands
 
 
-def test_a_back_bumper_ends_a_walk_back_and_hinders_none_forward() -> None:
+def test_a_back_bumper_ends_a_walk_back_but_not_one_forward() -> None:
     sonars = Sonars()
     real = Real(sonars)
-    sonars.pressed = frozenset({Switch.SW})
+    sonars.pressed = frozenset({BumperSwitch.SW})
     real.robot.wait(0.1)
 
     assert (real.robot.backward(1).stopped_by, real.robot.forward(1).stopped_by) == (
@@ -97,19 +97,19 @@ def test_a_back_bumper_ends_a_walk_back_and_hinders_none_forward() -> None:
     )
 
 
-def test_a_bumper_that_is_pressed_meanwhile_ends_a_turn_and_one_that_was_before_does_not() -> None:
+def test_a_bumper_that_is_pressed_during_a_turn_ends_it_and_one_pressed_before_does_not() -> None:
     sonars = Sonars()
-    real = Real(sonars, at=[(1.0, lambda: setattr(sonars, "pressed", frozenset({Switch.NE})))])
+    real = Real(sonars, at=[(1.0, lambda: setattr(sonars, "pressed", frozenset({BumperSwitch.NE})))])
 
     turned = real.robot.turn(90)
     assert (turned.stopped_by, turned.met) == (StoppedBy.COLLISION, Met("something", "", 45.0))
     assert real.robot.turn(-30).stopped_by is None
 
 
-def test_bumpers_are_where_the_configuration_says() -> None:
+def test_the_configuration_places_the_bumpers() -> None:
     sonars = Sonars()
     real = Real(sonars, RobotConfig(front_bumpers=frozenset({3}), back_bumpers=frozenset({0})))
-    sonars.pressed = frozenset({Switch.SE})
+    sonars.pressed = frozenset({BumperSwitch.SE})
     real.robot.wait(0.1)
 
     assert real.robot.forward(1).stopped_by is StoppedBy.COLLISION
@@ -127,7 +127,7 @@ def test_host_watchdog_wheels_that_do_not_turn_are_a_stall(is_walk: bool) -> Non
     assert real.stands
 
 
-def test_wheels_that_get_stuck_on_the_way_are_a_stall_and_what_was_walked_counts() -> None:
+def test_wheels_that_get_stuck_on_the_way_are_a_stall_and_the_finished_steps_count() -> None:
     real = Real()
     real.pace.due = [(3.5, lambda: setattr(real.board.wheels, "is_stuck", True))]
 

@@ -1,4 +1,4 @@
-"""The real robot waits and senses: sonars, the head, and what is not fitted."""
+"""The real robot waits and senses: sonars, the head, and sensors that are not fitted."""
 
 from __future__ import annotations
 
@@ -6,7 +6,7 @@ import pytest
 
 from devices.ports.robot import Bearing, RobotProblem
 from devices.serial_robot.config import RobotConfig
-from devices.serial_robot.scanning import angles, sightings
+from devices.serial_robot.senses import scan_angles, sightings
 from tests.unit.devices.robots import Real, Sonars, wall_ahead
 
 
@@ -30,7 +30,7 @@ def test_waiting_takes_the_robots_time_and_can_be_cut_short() -> None:
         (Bearing.BACK_RIGHT, 5),
     ],
 )
-def test_each_sensor_is_the_boards_sonar_of_the_documented_order(bearing: Bearing, sonar: int) -> None:
+def test_each_bearing_has_the_sonar_of_the_documented_order(bearing: Bearing, sonar: int) -> None:
     sonars = Sonars(far=100.0)
     sonars.far[sonar] = lambda place: 32.0
     real = Real(sonars)
@@ -39,7 +39,7 @@ def test_each_sensor_is_the_boards_sonar_of_the_documented_order(bearing: Bearin
     assert real.robot.distance(bearing) == 6
 
 
-def test_the_order_of_the_sonars_is_configuration() -> None:
+def test_the_configuration_orders_the_sonars() -> None:
     sonars = Sonars(far=100.0)
     sonars.far[3] = lambda place: 32.0
     order = list(RobotConfig().sonars)
@@ -51,7 +51,7 @@ def test_the_order_of_the_sonars_is_configuration() -> None:
 
 
 @pytest.mark.parametrize("far", [None, 201.0, 255.0, 256.0])
-def test_ranges_what_is_far_or_gives_no_echo_or_is_unknown_is_as_far_as_sensors_tell(
+def test_ranges_a_far_missing_or_unknown_echo_is_the_maximum_distance(
     far: float | None,
 ) -> None:
     real = Real(Sonars(far))
@@ -63,38 +63,38 @@ def test_right_after_the_start_a_distance_waits_for_the_first_measurement() -> N
     assert Real(wall_ahead(7)).robot.distance(Bearing.FRONT) == 7
 
 
-def test_a_sensor_that_is_not_fitted_is_told_to_be_missing() -> None:
+def test_a_sensor_that_is_not_fitted_is_reported_as_missing() -> None:
     real = Real(config=RobotConfig(sonars=(None, Bearing.FRONT, None, None, None, None)))
 
-    with pytest.raises(RobotProblem) as told:
+    with pytest.raises(RobotProblem) as caught:
         real.robot.distance(Bearing.BACK)
-    assert (told.value.code, told.value.values) == ("no-sensor", {"bearing": "back"})
+    assert (caught.value.code, caught.value.values) == ("no-sensor", {"bearing": "back"})
 
 
-def test_what_is_known_of_the_distances_costs_no_time_and_sends_nothing() -> None:
-    """A sonar that has told nothing yet, or isn't fitted, is missing."""
+def test_asking_for_the_known_distances_takes_no_time_and_sends_nothing() -> None:
+    """A sonar that has not measured yet, or isn't fitted, is missing."""
     sonars = Sonars(far=32.0)
     sonars.far[4] = lambda place: 0.0
     real = Real(sonars, RobotConfig(sonars=(None, Bearing.FRONT, None, None, Bearing.BACK, None)))
     real.robot.wait(0.5)
-    before, real.line.written = real.robot.time(), []
+    before, real.link.written = real.robot.time(), []
 
     assert real.robot.known_distances() == {Bearing.FRONT: 6}
-    assert (real.robot.time(), real.line.written) == (before, [])
+    assert (real.robot.time(), real.link.written) == (before, [])
 
 
-def test_of_a_line_that_is_lost_no_distance_is_known() -> None:
+def test_after_a_lost_link_no_distance_is_known() -> None:
     real = Real(wall_ahead(7))
     real.robot.wait(0.5)
     assert real.robot.known_distances()[Bearing.FRONT] == 7
 
-    real.line.is_plugged = False
-    real.line.advance(0.1)
+    real.link.is_plugged = False
+    real.link.advance(0.1)
 
     assert real.robot.known_distances() == {}
 
 
-def test_a_scan_tells_what_the_sonar_on_the_head_meets_and_no_colour() -> None:
+def test_a_scan_reports_what_the_sonar_on_the_head_meets_without_a_colour() -> None:
     sonars = Sonars()
     real = Real(sonars)
     sonars.far[6] = lambda place: {60: 50.0, 75: 52.0, 150: 30.0}.get(real.board.head)
@@ -105,18 +105,18 @@ def test_a_scan_tells_what_the_sonar_on_the_head_meets_and_no_colour() -> None:
         (-22.5, 10.0, "", ""),
         (60.0, 6.0, "", ""),
     ]
-    real.line.advance(0.5)
+    real.link.advance(0.5)
     assert real.board.head == 90
 
 
-def test_a_robot_without_a_camera_tells_no_colours() -> None:
+def test_a_robot_without_a_camera_distinguishes_no_colours() -> None:
     assert Real().robot.colours == frozenset()
 
 
-def test_a_scan_without_a_head_says_what_is_missing() -> None:
-    with pytest.raises(RobotProblem) as told:
+def test_a_scan_without_a_head_reports_the_missing_camera() -> None:
+    with pytest.raises(RobotProblem) as caught:
         Real(config=RobotConfig(head_sonar=None)).robot.scan()
-    assert told.value.code == "no-camera"
+    assert caught.value.code == "no-camera"
 
 
 def test_a_stop_ends_a_scan() -> None:
@@ -130,4 +130,4 @@ def test_neighbours_equally_far_are_one_thing() -> None:
     met = [(-15, None), (0, 40.0), (15, 44.0), (30, 60.0), (45, float("inf")), (60, 61.0)]
 
     assert [(each.degrees, each.steps) for each in sightings(met)] == [(7.5, 8.0), (30, 12.0), (60, 12.2)]
-    assert list(angles(45)) == [-90, -45, 0, 45, 90]
+    assert list(scan_angles(45)) == [-90, -45, 0, 45, 90]

@@ -4,13 +4,13 @@ import re
 
 import pytest
 
-from donnie_tui import LANGUAGES
 from donnie_tui.core.events import INTERNAL, Error
-from donnie_tui.i18n.catalogue.explain import SENTENCES
 from donnie_tui.i18n.words import Words
 from language import keywords
-from language.diagnostics import Kind
+from language.diagnostics import MistakeKind
+from language.locales import languages
 from language.parser import parse
+from tests.unit.i18n.sentences import CODES, codes_of, text
 
 WORD = re.compile(r"\b[A-ZÁÂÃÇÉÊÍÓÔÕÚÑ]{2,}(?: [A-ZÁÂÃÇÉÊÍÓÔÕÚÑ]{2,})*\b")
 NAMES = {"RECT", "RET", "ON", "LIGADO", "ENCENDIDO"}
@@ -19,16 +19,16 @@ HELP_OF_REPEAT = Words("pt").help("REPITA")[1:]
 HELP_OF_PROCEDURE = Words("pt").help("APRENDER")[2]
 
 
-@pytest.mark.parametrize("kind", [*(each.value for each in Kind), INTERNAL])
-def test_every_kind_of_mistake_is_explained_and_mended_and_so_is_a_fault_of_ours(kind: str) -> None:
-    assert {f"explain-{kind}", f"mend-{kind}"} <= set(SENTENCES)
+@pytest.mark.parametrize("kind", [*(each.value for each in MistakeKind), INTERNAL])
+def test_every_kind_of_mistake_and_a_fault_of_donnie_have_an_explanation_and_advice(kind: str) -> None:
+    assert {f"explain-{kind}", f"advice-{kind}"} <= set(CODES)
 
 
-@pytest.mark.parametrize("language", LANGUAGES)
+@pytest.mark.parametrize("language", languages())
 def test_the_words_of_the_examples_are_words_of_that_language(language: str) -> None:
     known = {*keywords.all_words(language), *NAMES, "HELP", "END", "FIM", "FIN"}
-    texts = [sentence.text(language) for sentence in SENTENCES.values()]
-    used = {word for text in texts for phrase in WORD.findall(text) for word in split(phrase, known)}
+    texts = [text(code, language) for code in codes_of("explain")]
+    used = {word for each in texts for phrase in WORD.findall(each) for word in split(phrase, known)}
 
     assert used - known == set()
 
@@ -37,29 +37,29 @@ def split(phrase: str, known: set[str]) -> list[str]:
     return [phrase] if phrase in known else phrase.split()
 
 
-def explained(text: str, language: str = "en") -> tuple[str, ...]:
+def explained(source: str, language: str = "en") -> tuple[str, ...]:
     """What EXPLAIN says of the first mistake of a program, found before it runs."""
-    words, each = Words(language), parse(text).diagnostics[0]
+    words, each = Words(language), parse(source).diagnostics[0]
     line, column = each.span.line, each.span.column
-    source = text.split("\n")[line - 1]
-    topic = keywords.topic_at(source, column)
+    source_line = source.split("\n")[line - 1]
+    topic = keywords.topic_at(source_line, column)
     error = Error(
         *(each.kind.value, line, column, words.mistake(each), words.hint(each)),
-        *(source, (), each.code, each.meant, topic),
+        *(source_line, (), each.code, each.meant, topic),
     )
     return words.explanation(error)
 
 
-@pytest.mark.parametrize("text", ["PF 2,5", "PF 2.5", "FALAR 2,5", "REPITA 2,5 VEZES PF 1 FIM REPITA"])
-def test_a_number_that_is_not_whole_is_no_matter_of_a_sign_to_take_out(text: str) -> None:
-    assert explained(text, "pt") == (
+@pytest.mark.parametrize("source", ["PF 2,5", "PF 2.5", "FALAR 2,5", "REPITA 2,5 VEZES PF 1 FIM REPITA"])
+def test_a_number_that_is_not_whole_is_explained_as_a_number(source: str) -> None:
+    assert explained(source, "pt") == (
         "Números são inteiros: sem vírgula.",
         "Use um inteiro: PF 2, ou PF 3.",
     )
 
 
 @pytest.mark.parametrize(
-    ("text", "told"),
+    ("source", "lines"),
     [
         ("REPITA 4 veses PF 2 FIM REPITA", ("Você quis dizer VEZES?", *HELP_OF_REPEAT)),
         ("PF", ("Forma: PF valor, ou PARA FRENTE valor.", "Exemplo: PF 5.")),
@@ -71,10 +71,10 @@ def test_a_number_that_is_not_whole_is_no_matter_of_a_sign_to_take_out(text: str
     ],
     ids=["meant", "end", "open", "assigned", "unknown", "near", "called"],
 )
-def test_what_is_known_of_the_mistake_is_told_with_an_example_of_the_word_at_hand(
-    text: str, told: tuple[str, ...]
+def test_an_explanation_has_the_details_of_the_mistake_and_an_example(
+    source: str, lines: tuple[str, ...]
 ) -> None:
-    assert explained(text, "pt")[1:] == told
+    assert explained(source, "pt")[1:] == lines
 
 
 @pytest.mark.parametrize(

@@ -2,10 +2,10 @@
 
 import pytest
 
-from donnie_tui import LANGUAGES
 from donnie_tui.i18n.help import ENTRIES, example
 from donnie_tui.i18n.words import Words
 from language import keywords
+from language.locales import languages
 from language.parser import parse
 
 
@@ -15,7 +15,7 @@ def test_every_command_word_of_every_language_has_help() -> None:
     assert topics == set(ENTRIES)
 
 
-@pytest.mark.parametrize("language", LANGUAGES)
+@pytest.mark.parametrize("language", languages())
 def test_the_list_gives_its_length_and_then_a_command_a_line(language: str) -> None:
     first, *rest = Words(language).help(None)
 
@@ -24,7 +24,7 @@ def test_the_list_gives_its_length_and_then_a_command_a_line(language: str) -> N
     assert all(len(line) <= 60 and ": " in line and line.endswith(".") for line in rest)
 
 
-@pytest.mark.parametrize("language", LANGUAGES)
+@pytest.mark.parametrize("language", languages())
 @pytest.mark.parametrize("topic", ENTRIES)
 def test_an_example_is_a_program_without_mistakes(topic: str, language: str) -> None:
     parsed = parse(example(topic, Words(language)))
@@ -33,13 +33,13 @@ def test_an_example_is_a_program_without_mistakes(topic: str, language: str) -> 
     assert parsed.program is not None
 
 
-@pytest.mark.parametrize("language", LANGUAGES)
+@pytest.mark.parametrize("language", languages())
 @pytest.mark.parametrize("topic", ENTRIES)
 def test_an_example_shows_its_command_in_the_learners_words(topic: str, language: str) -> None:
     assert keywords.spelling(topic, language) in example(topic, Words(language))
 
 
-def test_help_for_a_word_tells_purpose_form_and_one_example() -> None:
+def test_help_for_a_word_has_its_purpose_its_form_and_one_example() -> None:
     assert Words("en").help("forward") == (
         "FW: walks forward, in steps.",
         "Form: FW value, or FORWARD value.",
@@ -60,7 +60,7 @@ def test_a_misspelt_topic_gets_the_nearest_word() -> None:
 
 
 @pytest.mark.parametrize("topic", ["", "zzz", "x" * 10_000, "{0}", "\x1b"])
-def test_an_unknown_topic_is_told_in_one_short_line(topic: str) -> None:
+def test_the_answer_to_an_unknown_topic_is_one_short_line(topic: str) -> None:
     (line,) = Words("en").help(topic)
 
     assert line.startswith("I do not know")

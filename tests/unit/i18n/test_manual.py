@@ -1,10 +1,8 @@
-"""The chapters of the manual as the linear mode tells them: a fact a line, none too wide for braille."""
+"""The chapters of the manual as the linear mode prints them: a fact a line, none too wide for braille."""
 
 import pytest
 
-from donnie_tui.i18n.catalogue.manual import CHAPTERS
-from donnie_tui.i18n.help import ENTRIES
-from donnie_tui.i18n.manual import chapter_lines, sections
+from donnie_tui.i18n.help import CHAPTERS, ENTRIES, chapter_lines, sections
 from donnie_tui.i18n.words import Words
 
 LANGUAGES = ("en", "pt", "es")
@@ -17,21 +15,19 @@ def all_lines(language: str, detail: str) -> list[str]:
 
 @pytest.mark.parametrize("language", LANGUAGES)
 def test_a_line_is_one_sentence_or_one_line_of_a_program(language: str) -> None:
-    """L8."""
-    told = all_lines(language, "normal")
+    found = all_lines(language, "normal")
 
-    assert len(told) > len(CHAPTERS) * 3
-    assert [line for line in told if ". " in line or len(line) > 80] == []
-    assert [line for line in told if line != line.strip()] == []
+    assert len(found) > len(CHAPTERS) * 3
+    assert [line for line in found if ". " in line or len(line) > 80] == []
+    assert [line for line in found if line != line.strip()] == []
 
 
 @pytest.mark.parametrize("language", LANGUAGES)
-def test_at_detail_brief_a_line_fits_forty_cells_and_no_word_is_lost(language: str) -> None:
-    """L8, B1."""
-    told = all_lines(language, "brief")
+def test_a_line_at_detail_brief_fits_forty_cells_and_keeps_every_word(language: str) -> None:
+    found = all_lines(language, "brief")
 
-    assert [line for line in told if len(line) > 40] == []
-    assert " ".join(told) == " ".join(all_lines(language, "normal"))
+    assert [line for line in found if len(line) > 40] == []
+    assert " ".join(found) == " ".join(all_lines(language, "normal"))
 
 
 @pytest.mark.parametrize("language", LANGUAGES)
@@ -43,11 +39,10 @@ def test_a_line_of_a_program_stays_whole(language: str) -> None:
 
 
 @pytest.mark.parametrize("language", LANGUAGES)
-def test_as_a_page_it_has_a_heading_for_each_chapter_and_an_example_of_each_command(language: str) -> None:
-    """L28."""
+def test_the_manual_as_a_page_has_a_heading_for_each_chapter_and_all_examples(language: str) -> None:
     words = Words(language)
-    told = sections(words)
+    found = sections(words)
 
-    assert [each.heading for each in told[:-1]] == [words(f"manual-{chapter}") for chapter in CHAPTERS]
-    assert all(each.lines for each in told)
-    assert [words.help(entry)[-1] for entry in ENTRIES if words.help(entry)[-1] not in told[-1].lines] == []
+    assert [each.heading for each in found[:-1]] == [words(f"manual-{chapter}") for chapter in CHAPTERS]
+    assert all(each.lines for each in found)
+    assert [words.help(entry)[-1] for entry in ENTRIES if words.help(entry)[-1] not in found[-1].lines] == []

@@ -1,4 +1,4 @@
-"""Every mistake is told in one sentence that names what was typed, with a way to put it right."""
+"""Every mistake has one sentence that names what was typed, and a hint that corrects it."""
 
 import re
 
@@ -9,7 +9,7 @@ from donnie_tui.core.transcript import lines_of
 from donnie_tui.i18n.mistakes import remark
 from donnie_tui.i18n.words import Words
 from language.checker import check
-from language.diagnostics import Diagnostic, Kind
+from language.diagnostics import Diagnostic, MistakeKind
 from language.parser import parse
 from language.syntax import Span
 
@@ -51,7 +51,7 @@ def first_mistake(source: str) -> Diagnostic:
 
 
 @pytest.mark.parametrize(("source", "message", "hint"), TOLD, ids=[each[0][:24] for each in TOLD])
-def test_a_mistake_of_form_is_told(source: str, message: str, hint: str | None) -> None:
+def test_a_mistake_of_form_has_a_sentence_and_a_hint(source: str, message: str, hint: str | None) -> None:
     words, found = Words("en"), first_mistake(source)
 
     assert (words.mistake(found), words.hint(found)) == (message, hint)
@@ -70,66 +70,72 @@ def test_words_of_godonnie_are_in_the_learners_language(language: str, message: 
     assert (words.mistake(found), words.hint(found)) == (message, hint)
 
 
-def test_what_was_expected_is_in_the_learners_language() -> None:
+def test_the_expected_words_are_in_the_learners_language() -> None:
     assert Words("es").mistake(first_mistake("WHILE 1 < 2 FW 1 END WHILE")) == "Esperaba HACER, no FW."
 
 
-def meaning(kind: Kind, found: str, **details: str | int) -> Diagnostic:
+def meaning(kind: MistakeKind, found: str, **details: str | int) -> Diagnostic:
     return Diagnostic(kind, Span(0, 1, 3, 5), found=found, details=details)
 
 
 MEANT = [
-    (meaning(Kind.UNDECLARED_VARIABLE, "q"), "There is no variable q.", "Write VAR q first."),
+    (meaning(MistakeKind.UNDECLARED_VARIABLE, "q"), "There is no variable q.", "Write VAR q first."),
     (
-        meaning(Kind.UNDECLARED_VARIABLE, "q", in_procedure="P"),
+        meaning(MistakeKind.UNDECLARED_VARIABLE, "q", in_procedure="P"),
         "q is not known in P.",
         "A procedure sees only its own variables.",
     ),
     (
-        meaning(Kind.UNDECLARED_PROCEDURE, "P"),
+        meaning(MistakeKind.UNDECLARED_PROCEDURE, "P"),
         "There is no procedure P yet.",
         "Its PROCEDURE must come before the call.",
     ),
     (
-        meaning(Kind.ALREADY_DECLARED, "a", what="variable", first_line=1),
+        meaning(MistakeKind.ALREADY_DECLARED, "a", what="variable", first_line=1),
         "a exists already, from line 1.",
         "To change it, leave out VAR.",
     ),
-    (meaning(Kind.ALREADY_DECLARED, "a", what="parameter"), "a exists already.", None),
+    (meaning(MistakeKind.ALREADY_DECLARED, "a", what="parameter"), "a exists already.", None),
     (
-        meaning(Kind.WRONG_ARGUMENT_COUNT, "P", name="P", wanted=1, given=3),
+        meaning(MistakeKind.WRONG_ARGUMENT_COUNT, "P", name="P", wanted=1, given=3),
         "P takes 1 value, not 3.",
         None,
     ),
-    (meaning(Kind.DIVISION_BY_ZERO, "1/0"), "I can't divide by zero.", None),
+    (meaning(MistakeKind.DIVISION_BY_ZERO, "1/0"), "I can't divide by zero.", None),
     (
-        meaning(Kind.RECURSION_LIMIT, "P", limit=20000),
+        meaning(MistakeKind.RECURSION_LIMIT, "P", limit=20000),
         "P calls itself too often.",
         "At most 20000 calls in each other.",
     ),
-    (meaning(Kind.NUMBER_TOO_LARGE, "FW a", limit=10**9), "This number is too large.", "At most 1000000000."),
     (
-        meaning(Kind.TERMINAL_ONLY, "QUIT"),
+        meaning(MistakeKind.NUMBER_TOO_LARGE, "FW a", limit=10**9),
+        "This number is too large.",
+        "At most 1000000000.",
+    ),
+    (
+        meaning(MistakeKind.TERMINAL_ONLY, "QUIT"),
         "QUIT works in the terminal only.",
         "A file ends by itself.",
     ),
-    (meaning(Kind.BELT_OFF, "VIBRATE F"), "The belt is off.", "BELT ON switches it on."),
-    (meaning(Kind.ROBOT, "FW 1"), "The robot can't do that.", None),
+    (meaning(MistakeKind.BELT_OFF, "VIBRATE F"), "The belt is off.", "BELT ON switches it on."),
+    (meaning(MistakeKind.ROBOT, "FW 1"), "The robot can't do that.", None),
 ]
 
 
 @pytest.mark.parametrize(
     ("found", "message", "hint"), MEANT, ids=[f"{each[0].kind.value}-{each[1][:12]}" for each in MEANT]
 )
-def test_a_mistake_of_meaning_is_told(found: Diagnostic, message: str, hint: str | None) -> None:
+def test_a_mistake_of_meaning_has_a_sentence_and_a_hint(
+    found: Diagnostic, message: str, hint: str | None
+) -> None:
     words = Words("en")
 
     assert (words.mistake(found), words.hint(found)) == (message, hint)
 
 
-@pytest.mark.parametrize("kind", Kind, ids=lambda kind: kind.value)
+@pytest.mark.parametrize("kind", MistakeKind, ids=lambda kind: kind.value)
 @pytest.mark.parametrize("language", ["en", "pt", "es"])
-def test_any_kind_can_be_told_whatever_little_is_known_of_it(kind: Kind, language: str) -> None:
+def test_a_mistake_without_details_has_a_sentence(kind: MistakeKind, language: str) -> None:
     words, bare = Words(language), Diagnostic(kind, Span(0, 0, 1, 1), details={"wanted": 0})
 
     assert words.mistake(bare).endswith(".")
@@ -137,27 +143,28 @@ def test_any_kind_can_be_told_whatever_little_is_known_of_it(kind: Kind, languag
 
 
 @pytest.mark.parametrize("found", ["\x1b[2J", "a\tb\nc", "x" * 5000, "\udcff", "\u202e", "{0}{name}", ""])
-@pytest.mark.parametrize("kind", [Kind.SYNTAX, Kind.UNKNOWN_COMMAND, Kind.UNKNOWN_CHARACTER])
-def test_what_was_typed_can_do_no_harm(found: str, kind: Kind) -> None:
-    told = Words("en").mistake(Diagnostic(kind, Span(0, 1, 1, 1), found=found))
+@pytest.mark.parametrize(
+    "kind", [MistakeKind.SYNTAX, MistakeKind.UNKNOWN_COMMAND, MistakeKind.UNKNOWN_CHARACTER]
+)
+def test_control_characters_of_typed_text_are_removed(found: str, kind: MistakeKind) -> None:
+    texts = Words("en").mistake(Diagnostic(kind, Span(0, 1, 1, 1), found=found))
 
-    assert told.isprintable()
-    assert len(told) <= 80
+    assert texts.isprintable()
+    assert len(texts) <= 80
 
 
 def test_a_hint_of_the_checker_is_one_line() -> None:
     program = parse("DISTANCE F").program
     assert program is not None
 
-    told = remark(check(program)[0], Words("en"))
+    texts = remark(check(program)[0], Words("en"))
 
-    assert told == "DISTANCE alone tells nothing. Did you mean SPEAK DISTANCE F?"
+    assert texts == "DISTANCE alone does nothing. Did you mean SPEAK DISTANCE F?"
 
 
 @pytest.mark.parametrize("language", ["en", "pt", "es"])
 @pytest.mark.parametrize("source", [each[0] for each in TOLD], ids=[each[0][:24] for each in TOLD])
 def test_an_error_has_three_lines_at_most_and_no_caret(source: str, language: str) -> None:
-    """L22."""
     words, found = Words(language), first_mistake(source)
     line = source.splitlines()[found.span.line - 1]
     error = Error(

@@ -1,4 +1,4 @@
-"""What espeak-ng makes of the sentences: words of their language, and no sign that is spelled out."""
+"""How espeak-ng reads the sentences: as words of their language, without spelling out a sign."""
 
 from __future__ import annotations
 
@@ -8,26 +8,33 @@ import subprocess
 
 import pytest
 
-from devices.speech.ear import for_the_ear
-from donnie_tui import LANGUAGES
-from tests.unit.i18n.test_catalogue import all_texts, with_samples
+from devices.audio.pronunciation import sign_words, speakable_text
+from donnie_tui.outlets.spoken_languages import spoken_languages
+from language.locales import languages
+from tests.patience import PATIENCE
+from tests.unit.i18n.sentences import all_texts
+from tests.unit.i18n.test_sentences import with_samples
 
-pytestmark = pytest.mark.skipif(shutil.which("espeak-ng") is None, reason="needs espeak-ng")
+pytestmark = [
+    pytest.mark.slow,
+    pytest.mark.skipif(shutil.which("espeak-ng") is None, reason="needs espeak-ng"),
+]
 
 VOICES = {"en": "en", "pt": "pt-br", "es": "es"}
-BESIDE_WORDS = ".,:;?!¿¡\"'()“”[]"
+AROUND_WORDS = ".,:;?!¿¡\"'()“”[]"
 """Signs that end or enclose words: never said."""
 TO_BE_TYPED = re.compile(r"--?\w|[/\\$#^_=]|\w\.\w|\w:\w|\w,\w|^[-/]+$|\d")
 """Options, files, addresses, numbers, and signs that a sentence is about: there every sign counts."""
 SWITCH = re.compile(r"\([a-z]{2,3}(-[a-z]+)?\)")
-"""How espeak-ng writes that another language's voice goes on."""
+"""How espeak-ng writes that the voice of another language continues."""
 STRESS = re.compile(r"[\s',_|:-]")
 
 
-def heard(language: str) -> list[str]:
+def spoken_lines(language: str) -> list[str]:
     """Every sentence in that language, as the voice is given it."""
+    words = sign_words(language, spoken_languages())
     ours = (text for where, text in all_texts() if where.endswith(f" {language}"))
-    return sorted({for_the_ear(with_samples(text), language) for text in ours})
+    return sorted({speakable_text(with_samples(text), words) for text in ours})
 
 
 def phonemes(lines: list[str], language: str) -> str:
@@ -37,7 +44,7 @@ def phonemes(lines: list[str], language: str) -> str:
         capture_output=True,
         text=True,
         check=True,
-        timeout=60,
+        timeout=PATIENCE,
     )
     return done.stdout
 
@@ -46,29 +53,29 @@ def sounds(text: str, language: str) -> str:
     return STRESS.sub("", phonemes([text], language))
 
 
-@pytest.mark.parametrize("language", LANGUAGES)
+@pytest.mark.parametrize("language", languages())
 def test_every_sentence_is_read_by_the_voice_of_its_language(language: str) -> None:
-    said = phonemes(heard(language), language)
+    said = phonemes(spoken_lines(language), language)
 
     assert SWITCH.findall(said) == []
     assert len(said.split()) > 5_000
 
 
 @pytest.mark.parametrize("language", ["pt", "es"])
-def test_letters_that_the_voice_does_not_have_would_be_noticed(language: str) -> None:
+def test_letters_that_the_voice_does_not_have_are_found(language: str) -> None:
     assert SWITCH.search(phonemes(["привет"], language))
 
 
-@pytest.mark.parametrize("language", LANGUAGES)
-def test_signs_beside_words_are_not_spelled_out(language: str) -> None:
+@pytest.mark.parametrize("language", languages())
+def test_signs_around_words_are_not_spelled_out(language: str) -> None:
     plain = sounds("FW", language)
 
-    assert [sign for sign in BESIDE_WORDS if sounds(f"FW{sign}", language) != plain] == []
+    assert [sign for sign in AROUND_WORDS if sounds(f"FW{sign}", language) != plain] == []
 
 
-@pytest.mark.parametrize("language", LANGUAGES)
-def test_signs_inside_words_are_not_spelled_out_but_in_what_is_typed(language: str) -> None:
-    words = {word.strip(BESIDE_WORDS) for text in heard(language) for word in text.split()}
+@pytest.mark.parametrize("language", languages())
+def test_signs_inside_words_are_spelled_out_only_in_typed_text(language: str) -> None:
+    words = {word.strip(AROUND_WORDS) for text in spoken_lines(language) for word in text.split()}
     with_signs = sorted(word for word in words if re.search(r"\W", word) and not TO_BE_TYPED.search(word))
     spelled = [
         word
@@ -80,6 +87,6 @@ def test_signs_inside_words_are_not_spelled_out_but_in_what_is_typed(language: s
     assert spelled == []
 
 
-@pytest.mark.parametrize("language", LANGUAGES)
-def test_a_sign_that_is_left_to_the_voice_would_be_noticed(language: str) -> None:
+@pytest.mark.parametrize("language", languages())
+def test_a_sign_that_is_left_to_the_voice_is_found(language: str) -> None:
     assert sounds("FW @ 3", language) != sounds("FW 3", language)

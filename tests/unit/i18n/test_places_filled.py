@@ -1,4 +1,4 @@
-"""Where a sentence is told by its code, everything that it has a place for is given there."""
+"""A call with the code of a sentence gives a value for each of its places."""
 
 import ast
 from collections.abc import Iterator
@@ -8,11 +8,12 @@ from string import Formatter
 import pytest
 
 import donnie_tui
-from donnie_tui import DETAILS, LANGUAGES
-from donnie_tui.i18n.catalogue import SENTENCES
+from donnie_tui import DETAILS
+from language.locales import languages
+from tests.unit.i18n.sentences import CODES, text
 
 ROOT = Path(donnie_tui.__file__).parent
-TELLERS = {
+SPEAKERS = {
     *("words", "_words", "wording", "_wording", "say", "_say", "answer", "_answer", "answer_of_robot"),
     *("ask_yes", "Answer", "Notice", "BundleError", "well", "amiss"),
 }
@@ -20,14 +21,14 @@ TELLERS = {
 
 
 def places(code: str) -> set[str]:
-    texts = {SENTENCES[code].text(language, detail) for language in LANGUAGES for detail in DETAILS}
+    texts = {text(code, language, detail) for language in languages() for detail in DETAILS}
     return {name for text in texts for _, name, _, _ in Formatter().parse(text) if name}
 
 
-def tellings(source: str) -> Iterator[tuple[int, str, set[str]]]:
+def calls_in(source: str) -> Iterator[tuple[int, str, set[str]]]:
     """Line, code and names of the values of each; where they are not all written there, none."""
     for call in ast.walk(ast.parse(source)):
-        if isinstance(call, ast.Call) and called(call) in TELLERS:
+        if isinstance(call, ast.Call) and called(call) in SPEAKERS:
             given = values(call)
             for code in codes(call) if given is not None else ():
                 yield call.lineno, code, given
@@ -40,7 +41,7 @@ def called(call: ast.Call) -> str:
 def codes(call: ast.Call) -> Iterator[str]:
     for given in call.args:
         for each in (given.body, given.orelse) if isinstance(given, ast.IfExp) else (given,):
-            if isinstance(each, ast.Constant) and each.value in SENTENCES:
+            if isinstance(each, ast.Constant) and each.value in CODES:
                 yield each.value
 
 
@@ -56,12 +57,11 @@ def values(call: ast.Call) -> set[str] | None:
     return names
 
 
-def test_nothing_is_missing_where_a_code_is_told() -> None:
+def test_no_value_is_missing_where_a_code_is_used() -> None:
     wanting = [
         f"{path.relative_to(ROOT)}:{line} {code} lacks {sorted(places(code) - given)}"
         for path in sorted(ROOT.rglob("*.py"))
-        if path.parent.name != "catalogue"
-        for line, code, given in tellings(path.read_text(encoding="utf-8"))
+        for line, code, given in calls_in(path.read_text(encoding="utf-8"))
         if places(code) - given
     ]
 
@@ -76,5 +76,5 @@ def test_nothing_is_missing_where_a_code_is_told() -> None:
         'x.answer("answer-lines" if y else "answer-no-line", line=3)',
     ],
 )
-def test_a_value_that_is_missing_is_seen(source: str) -> None:
-    assert [places(code) - given for _, code, given in tellings(source)] == [{"last"}]
+def test_a_missing_value_is_found(source: str) -> None:
+    assert [places(code) - given for _, code, given in calls_in(source)] == [{"last"}]

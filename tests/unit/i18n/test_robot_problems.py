@@ -5,14 +5,14 @@ import re
 import pytest
 
 from devices.ports.robot import Bearing
-from donnie_tui.i18n.catalogue import SENTENCES
 from donnie_tui.i18n.words import Words
-from language.diagnostics import Diagnostic, Kind
+from language.diagnostics import Diagnostic, MistakeKind
 from language.syntax import Span
 from tests.conftest import ROOT
+from tests.unit.i18n.sentences import CODES
 
 RAISED = re.compile(r'RobotProblem\(\s*"([a-z-]+)"')
-CODES = sorted(
+RAISED_CODES = sorted(
     {
         code
         for folder in ("sim", "devices", "donnie_tui")
@@ -22,20 +22,20 @@ CODES = sorted(
 )
 
 
-def told(language: str = "en", **details: str | int) -> str:
+def sentence_of(language: str = "en", **details: str | int) -> str:
     span = Span(0, 0, 1, 1)
-    return Words(language).mistake(Diagnostic(Kind.ROBOT, span, details=details))
+    return Words(language).mistake(Diagnostic(MistakeKind.ROBOT, span, details=details))
 
 
-@pytest.mark.parametrize("code", CODES)
+@pytest.mark.parametrize("code", RAISED_CODES)
 def test_a_problem_has_a_sentence(code: str) -> None:
-    assert f"problem-{code}" in SENTENCES
+    assert f"problem-{code}" in CODES
 
 
 @pytest.mark.parametrize("bearing", Bearing, ids=lambda each: each.name.lower())
 def test_a_missing_sensor_is_named_by_its_direction(bearing: Bearing) -> None:
     sentences = {
-        told(language, problem="no-sensor", bearing=bearing.name.lower().replace("_", " "))
+        sentence_of(language, problem="no-sensor", bearing=bearing.name.lower().replace("_", " "))
         for language in ("en", "pt", "es")
     }
 
@@ -43,5 +43,5 @@ def test_a_missing_sensor_is_named_by_its_direction(bearing: Bearing) -> None:
     assert not any("_" in sentence or "{" in sentence for sentence in sentences)
 
 
-def test_a_problem_that_nobody_knows_is_told_in_general_words() -> None:
-    assert told(problem="unheard-of") == "The robot can't do that."
+def test_an_unknown_problem_has_a_general_sentence() -> None:
+    assert sentence_of(problem="unheard-of") == "The robot can't do that."

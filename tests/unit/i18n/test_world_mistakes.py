@@ -1,29 +1,29 @@
-"""A world file that can't be used is told with its place; so is what was odd in one that can."""
+"""The sentences about world files, with the place: why a file can't be used, and remarks."""
 
 from pathlib import Path
 
 import pytest
 
-from donnie_tui import LANGUAGES
+from donnie_tui.i18n.mistakes import world_mistake, world_note
 from donnie_tui.i18n.words import Words
-from donnie_tui.i18n.world_mistakes import world_mistake, world_note
-from sim.notes import Note, NoteKind
+from language.locales import languages
+from sim.scene import Note, NoteKind
 from sim.worldfile import WorldError, load_text, load_world
 from sim.worldfile.mistakes import Code
 
 
-def told(text: str, language: str = "en") -> str:
+def sentence_of(text: str, language: str = "en") -> str:
     with pytest.raises(WorldError) as caught:
         load_text(text, Path("maze.world"))
     return world_mistake(caught.value, Words(language))
 
 
 def test_a_mistake_has_its_file_line_and_column() -> None:
-    assert told('model( size "big" )').startswith("Error, maze.world, line 1, column ")
+    assert sentence_of('model( size "big" )').startswith("Error, maze.world, line 1, column ")
 
 
 def test_a_misspelt_model_gets_the_nearest_name() -> None:
-    assert told("modle()").endswith("I do not know the model modle. Did you mean model?")
+    assert sentence_of("modle()").endswith("I do not know the model modle. Did you mean model?")
 
 
 EXPECTED = {
@@ -39,15 +39,15 @@ EXPECTED = {
 
 @pytest.mark.parametrize("text", EXPECTED)
 def test_a_mistake_says_what_was_expected(text: str) -> None:
-    assert told(text).split(": ", 1)[1] == EXPECTED[text]
+    assert sentence_of(text).split(": ", 1)[1] == EXPECTED[text]
 
 
-@pytest.mark.parametrize("language", LANGUAGES)
-def test_the_words_that_a_setting_takes_are_told_in_each_language(language: str) -> None:
-    assert "diff, omni " in told('position( drive "tank" )', language)
+@pytest.mark.parametrize("language", languages())
+def test_the_words_that_a_setting_takes_are_listed_in_each_language(language: str) -> None:
+    assert "diff, omni " in sentence_of('position( drive "tank" )', language)
 
 
-def test_what_is_no_picture_is_told_with_the_kinds_that_are(tmp_path: Path) -> None:
+def test_the_message_about_a_wrong_picture_lists_the_possible_kinds(tmp_path: Path) -> None:
     (tmp_path / "plan.png").write_text("no picture")
     with pytest.raises(WorldError) as caught:
         load_text('model ( bitmap "plan.png" )', tmp_path / "top.world")
@@ -55,10 +55,10 @@ def test_what_is_no_picture_is_told_with_the_kinds_that_are(tmp_path: Path) -> N
     assert "PNG, JPEG, " in world_mistake(caught.value, Words("en"))
 
 
-def test_a_mistake_is_told_in_each_language() -> None:
-    sentences = {told("model(", language) for language in LANGUAGES}
+def test_a_mistake_has_a_sentence_in_each_language() -> None:
+    sentences = {sentence_of("model(", language) for language in languages()}
 
-    assert len(sentences) == len(LANGUAGES)
+    assert len(sentences) == len(languages())
 
 
 def test_a_file_that_does_not_exist_has_no_place(tmp_path: Path) -> None:
@@ -69,8 +69,8 @@ def test_a_file_that_does_not_exist_has_no_place(tmp_path: Path) -> None:
 
 
 @pytest.mark.parametrize("code", Code, ids=lambda code: code.value)
-@pytest.mark.parametrize("language", LANGUAGES)
-def test_any_mistake_can_be_told_whatever_little_is_known_of_it(code: Code, language: str) -> None:
+@pytest.mark.parametrize("language", languages())
+def test_a_mistake_without_details_has_a_sentence(code: Code, language: str) -> None:
     assert world_mistake(WorldError(code, "a.world"), Words(language))
 
 
@@ -91,7 +91,7 @@ NOTES = {
 
 
 @pytest.mark.parametrize("code", NOTES)
-@pytest.mark.parametrize("language", LANGUAGES)
+@pytest.mark.parametrize("language", languages())
 def test_every_remark_of_a_load_report_has_a_sentence(code: str, language: str) -> None:
     note = Note(NoteKind.WARNING, code, "folder/a.world", 3, 1, NOTES[code])
 

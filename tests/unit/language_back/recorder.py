@@ -1,4 +1,4 @@
-"""Actions that only note what they were asked, and ways to run a text on them."""
+"""Actions that only record their calls, and functions that run a text on them."""
 
 from __future__ import annotations
 
@@ -6,20 +6,20 @@ from collections.abc import Callable
 from dataclasses import dataclass, field
 
 from devices.ports.robot import Bearing
-from language.compiler import Runnable, compile_program
+from language.compiler import compile_program
 from language.control import ExecutionControl
-from language.diagnostics import Diagnostic, Kind, LanguageError, ProgramError, Refused
+from language.diagnostics import ActionRefused, Diagnostic, LanguageError, MistakeKind, ProgramError
 from language.parser import parse
-from language.plain import plain_program
-from language.runtime import Memory
+from language.runtime import Memory, Runnable
 from language.syntax import Axis, Program
+from tests.unit.language_back.interpreter import interpreted_program
 
 SENSED = {Bearing.FRONT: 12, Bearing.BACK: 60}
 
 
 @dataclass
 class Recorder:
-    """Notes each command. The robot stands at (3, -4), heading 90; the belt is off at first."""
+    """Records each command. The robot is at (3, -4), heading 90; the belt is off at first."""
 
     done: list[tuple[object, ...]] = field(default_factory=list)
     before: Callable[[str], None] = lambda name: None
@@ -61,8 +61,8 @@ class Recorder:
     def history(self) -> None:
         self._note("history")
 
-    def tell_position(self) -> None:
-        self._note("tell_position")
+    def announce_pose(self) -> None:
+        self._note("announce_pose")
 
     def wait(self, seconds: int) -> None:
         self._note("wait", seconds)
@@ -74,7 +74,7 @@ class Recorder:
     def vibrate(self, bearing: Bearing) -> None:
         self._note("vibrate", bearing)
         if not self.belt_is_on:
-            raise Refused(Kind.BELT_OFF)
+            raise ActionRefused(MistakeKind.BELT_OFF)
 
     def help(self, topic: str | None) -> None:
         self._note("help", topic)
@@ -107,12 +107,12 @@ def hooked(program: Program, *, terminal: bool = False) -> Runnable:
     return compile_program(program, terminal=terminal, hooked=True)
 
 
-BACK_ENDS: dict[str, Make] = {"fast": fast, "hooked": hooked, "plain": plain_program}
+BACK_ENDS: dict[str, Make] = {"fast": fast, "hooked": hooked, "interpreted": interpreted_program}
 
 
 @dataclass
 class Outcome:
-    """What a program did."""
+    """The result of a run."""
 
     actions: Recorder
     variables: dict[str, int]
@@ -149,7 +149,7 @@ def run(
     control: ExecutionControl | None = None,
     first_line: int = 1,
 ) -> Outcome:
-    """Run a text to its end, however it ends; what is no mistake of the language passes."""
+    """Run a text to its end, in any way; other exceptions than those of the language pass."""
     actions, memory = actions or Recorder(), Memory() if memory is None else memory
     error = None
     try:

@@ -1,4 +1,4 @@
-"""The switch between a program and the people who watch it."""
+"""The control of a running program: pauses, steps, stops and sleeps."""
 
 from __future__ import annotations
 
@@ -13,7 +13,7 @@ from tests.patience import PATIENCE
 
 
 class Clock:
-    """Shows what it is told to show."""
+    """A clock that the test sets."""
 
     def __init__(self) -> None:
         self.now = 0.0
@@ -41,13 +41,13 @@ class Sleeper:
 
 
 def when_in(control: ExecutionControl, state: ControlState) -> threading.Event:
-    """Set as soon as the control becomes that state, PAUSED or what follows it."""
+    """An event that is set once the control becomes PAUSED, or leaves that state for this one."""
     reached = threading.Event()
     control.observe(lambda new: reached.set() if new is state else None)
     return reached
 
 
-def test_a_sleep_that_is_over_says_that_the_program_goes_on() -> None:
+def test_a_sleep_that_ends_in_time_returns_true() -> None:
     control = ExecutionControl()
 
     assert control.sleep(0)
@@ -65,7 +65,7 @@ def test_a_stop_ends_a_sleep() -> None:
     assert sleeper.slept == [False]
 
 
-def test_after_a_stop_nothing_sleeps_and_nothing_goes_on() -> None:
+def test_after_a_stop_no_sleep_and_no_statement_begins() -> None:
     control = ExecutionControl()
     control.stop()
     control.resume()
@@ -93,14 +93,14 @@ def test_a_pause_holds_a_sleep_and_a_stop_ends_the_pause() -> None:
 def test_the_time_of_a_pause_does_not_count() -> None:
     clock = Clock()
     control = ExecutionControl(clock)
-    paused, going = when_in(control, ControlState.PAUSED), when_in(control, ControlState.RUNNING)
+    paused, resumed = when_in(control, ControlState.PAUSED), when_in(control, ControlState.RUNNING)
     sleeper = Sleeper(control, 100.0)
     control.pause()
     assert paused.wait(PATIENCE)
 
     clock.now += 1_000_000
     control.resume()
-    assert going.wait(PATIENCE)
+    assert resumed.wait(PATIENCE)
     control.stop()
 
     assert sleeper.is_over()
@@ -129,16 +129,16 @@ def test_a_step_lets_a_held_sleep_end() -> None:
 def held_at(
     control: ExecutionControl, then: Callable[[], None], *places: tuple[int, int]
 ) -> list[tuple[int, int]]:
-    """The places, of those that a program reaches, at which it is held; ``then`` is asked each time."""
+    """The places at which a program is held, among those that it reaches; calls ``then`` each time."""
     held: list[tuple[int, int]] = []
     current = places[0]
 
-    def told(state: ControlState) -> None:
+    def on_state(state: ControlState) -> None:
         if state is ControlState.PAUSED:
             held.append(current)
             then()
 
-    end = control.observe(told)
+    end = control.observe(on_state)
     for current in places:
         control.reached(*current)
     end()
@@ -194,7 +194,7 @@ def test_a_resumed_program_is_not_held() -> None:
     assert held_at(control, control.resume, (1, 0), (2, 0), (3, 0)) == [(1, 0)]
 
 
-def test_a_pause_that_is_taken_back_in_time_holds_nothing() -> None:
+def test_a_pause_that_is_cancelled_in_time_holds_nothing() -> None:
     control = ExecutionControl()
     control.pause()
     control.resume()
@@ -202,10 +202,10 @@ def test_a_pause_that_is_taken_back_in_time_holds_nothing() -> None:
     assert held_at(control, control.resume, (1, 0)) == []
 
 
-def test_observers_hear_of_pauses_only_and_no_longer_than_they_want() -> None:
+def test_observers_are_notified_of_pauses_only_until_they_end_it() -> None:
     control = ExecutionControl()
-    heard: list[ControlState] = []
-    end = control.observe(heard.append)
+    observed: list[ControlState] = []
+    end = control.observe(observed.append)
     control.observe(lambda state: control.resume() if state is ControlState.PAUSED else None)
     control.pause()
     control.reached(1, 0)
@@ -214,10 +214,10 @@ def test_observers_hear_of_pauses_only_and_no_longer_than_they_want() -> None:
     control.reached(2, 0)
     control.stop()
 
-    assert heard == [ControlState.PAUSED, ControlState.RUNNING]
+    assert observed == [ControlState.PAUSED, ControlState.RUNNING]
 
 
-def test_an_observer_may_ask_for_anything() -> None:
+def test_an_observer_may_make_any_request() -> None:
     control = ExecutionControl()
     control.observe(lambda state: control.stop())
     control.pause()
@@ -229,15 +229,15 @@ def test_an_observer_may_ask_for_anything() -> None:
 def test_an_ended_control_does_nothing_any_more() -> None:
     control = ExecutionControl()
     control.ended()
-    for ask in (control.pause, control.step, control.stop, control.resume):
-        ask()
+    for request in (control.pause, control.step, control.stop, control.resume):
+        request()
 
     assert control.state is ControlState.ENDED
     assert not control.sleep(1000)
 
 
-class TakenAway(ExecutionControl):
-    """What is to be called before each statement is gone as soon as somebody has looked for it."""
+class OneLook(ExecutionControl):
+    """Its look disappears when it is first read, as if another thread removed it."""
 
     _kept: Callable[[], None] | None = None
 
@@ -252,7 +252,7 @@ class TakenAway(ExecutionControl):
 
 
 def test_another_thread_may_end_the_looks_at_any_time() -> None:
-    control, looks = TakenAway(), list[None]()
+    control, looks = OneLook(), list[None]()
     control.look_before_each(lambda: looks.append(None))
 
     control.reached(1, 0)

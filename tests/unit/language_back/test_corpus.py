@@ -1,4 +1,4 @@
-"""Every back end gives the corpus its meaning, as far as no object is on the floor."""
+"""Every back end runs the corpus as expected, except the programs with objects on the floor."""
 
 from __future__ import annotations
 
@@ -101,13 +101,13 @@ def wrong_error(outcome: Outcome, expected: str) -> list[object]:
         return [] if outcome.error is None or isinstance(outcome.error, QuitRequested) else [outcome.error]
     kind, line, column = outcome.place
     wanted = dict(zip(*[iter(expected.split()[1:])] * 2, strict=True))
-    told = {"line": str(line), "column": str(column)}
-    right = kind == expected.split()[0] and wanted.items() <= told.items()
+    place_found = {"line": str(line), "column": str(column)}
+    right = kind == expected.split()[0] and wanted.items() <= place_found.items()
     return [] if right else [outcome.place]
 
 
 @pytest.mark.parametrize("make", BACK_ENDS.values(), ids=BACK_ENDS.keys())
-def test_the_corpus_means_what_it_says(shared: Path, make: Make) -> None:
+def test_the_corpus_has_its_expected_outcomes(shared: Path, make: Make) -> None:
     wrong: dict[str, list[object]] = {}
     for name, source, expected in programs(shared):
         x, y, heading = (expected.one("start") or "0 0 0").split()

@@ -1,4 +1,4 @@
-"""What exists where: variables, parameters, procedures, and what a FOR makes."""
+"""Which names exist at which place: variables, parameters, procedures, variables of FOR."""
 
 from __future__ import annotations
 
@@ -71,7 +71,7 @@ def test_a_mistake_has_its_kind_and_its_place(make: Make, source: str, place: tu
         ("DISTANCE F POS x COLOR red SPEAK 1", [1]),
     ],
 )
-def test_names_live_as_long_as_the_rules_say(make: Make, source: str, said: list[int]) -> None:
+def test_names_exist_as_long_as_the_rules_say(make: Make, source: str, said: list[int]) -> None:
     outcome = run(source, make)
 
     assert outcome.error is None
@@ -102,7 +102,7 @@ def test_the_variable_of_a_for_header_ends_with_the_loop_however_it_ends(make: M
 
 
 @back_ends
-def test_a_name_of_the_program_is_told_as_such_in_a_procedure(make: Make) -> None:
+def test_a_variable_of_the_program_is_named_as_such_in_a_procedure(make: Make) -> None:
     outcome = run("VAR total PROCEDURE Sum DO\nSPEAK total END PROCEDURE Sum []", make)
 
     assert outcome.diagnostic.details == {"name": "total", "in_procedure": "Sum"}
@@ -118,7 +118,7 @@ def test_a_near_name_is_offered_as_it_was_typed(make: Make) -> None:
 
 
 @back_ends
-def test_a_clash_tells_what_it_is_with_and_where_that_began(make: Make) -> None:
+def test_a_clash_has_the_kind_and_the_first_line_of_the_other_name(make: Make) -> None:
     variable = run("\nVAR a\nVAR A", make).diagnostic.details
     procedure = run("PROCEDURE P DO END PROCEDURE\n\nPROCEDURE p DO END PROCEDURE", make).diagnostic.details
     parameter = run("PROCEDURE P: a DO VAR a END PROCEDURE P [1]", make).diagnostic.details
@@ -129,7 +129,7 @@ def test_a_clash_tells_what_it_is_with_and_where_that_began(make: Make) -> None:
 
 
 @back_ends
-def test_a_wrong_count_tells_both_counts(make: Make) -> None:
+def test_a_wrong_count_has_both_counts(make: Make) -> None:
     outcome = run("PROCEDURE Square: a DO END PROCEDURE square [1, 2, 3]", make)
 
     assert outcome.diagnostic.details == {"name": "Square", "wanted": 1, "given": 3}
@@ -148,8 +148,8 @@ def test_a_mistake_carries_the_open_calls_innermost_first(make: Make) -> None:
 
 
 @back_ends
-def test_a_mistake_in_a_program_that_ran_a_while_is_still_told_at_its_name(make: Make) -> None:
-    """CPython runs frequent instructions in pairs then, and tells the place of the first."""
+def test_a_mistake_after_many_iterations_is_still_found_at_its_name(make: Make) -> None:
+    """CPython then runs frequent instructions in pairs and reports the place of the first."""
     source = (
         "VAR a = 1 VAR b\nREPEAT 100 TIMES\nFOR VAR c = 0; c < 1; c = c + 1 DO\nb = a + c\nEND FOR\n"
         "IF b > 50 THEN\n FOR VAR d = 0; d < 1; d = d + 1 DO END FOR\nEND IF\n"

@@ -1,4 +1,4 @@
-"""Numbers are exact and have an end, division cuts, and every mistake is told at its place."""
+"""Numbers are exact and limited, division truncates, and every mistake is found at its place."""
 
 from __future__ import annotations
 
@@ -34,7 +34,7 @@ back_ends = pytest.mark.parametrize("make", BACK_ENDS.values(), ids=BACK_ENDS.ke
         (f"{NINES} / {NINES}", 1),
     ],
 )
-def test_expressions_have_the_value_that_paper_gives(make: Make, expression: str, value: int) -> None:
+def test_expressions_have_the_value_of_arithmetic(make: Make, expression: str, value: int) -> None:
     outcome = run(f"VAR a = 1 VAR b = 2 SPEAK {expression}", make)
 
     assert outcome.actions.said == [value]
@@ -124,7 +124,7 @@ def test_a_count_larger_than_any_machine_number_is_counted(make: Make) -> None:
 
 @back_ends
 @pytest.mark.parametrize("times", ["0", "-1", f"-{NINES}"])
-def test_less_than_one_turn_is_none(make: Make, times: str) -> None:
+def test_fewer_than_one_iteration_is_none(make: Make, times: str) -> None:
     assert run(f"REPEAT {times} TIMES SPEAK 1 END REPEAT", make).actions.said == []
 
 
@@ -144,7 +144,7 @@ def test_a_mistake_in_a_long_expression_is_found_at_its_name(make: Make) -> None
 
 
 @back_ends
-def test_what_stands_before_a_long_expression_is_read_before_it(make: Make) -> None:
+def test_operands_before_a_long_expression_are_read_before_it(make: Make) -> None:
     chain = "+ 1 * (2 - a) " * 90
     outcome = run(f"VAR a = 2 SPEAK DISTANCE F * a - (COLOR red {chain}) + POS x - (POS y {chain})", make)
 

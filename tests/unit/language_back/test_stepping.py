@@ -1,4 +1,4 @@
-"""Pausing, stepping and tracing a program, and looking into it while it runs."""
+"""Pausing, stepping and tracing a program, and reading its frames while it runs."""
 
 from __future__ import annotations
 
@@ -7,15 +7,15 @@ from collections.abc import Callable
 
 import pytest
 
-from language.compiler import Runnable, compile_program
+from language.compiler import compile_program
 from language.control import ControlState, ExecutionControl
 from language.diagnostics import Stopped
-from language.plain import plain_program
-from language.runtime import Frame, Memory
+from language.runtime import Frame, Memory, Runnable
 from tests.patience import PATIENCE
+from tests.unit.language_back.interpreter import interpreted_program
 from tests.unit.language_back.recorder import Make, Recorder, fast, hooked, read
 
-steppable = pytest.mark.parametrize("make", [hooked, plain_program], ids=["hooked", "plain"])
+steppable = pytest.mark.parametrize("make", [hooked, interpreted_program], ids=["hooked", "interpreted"])
 
 PROGRAM = """VAR a = 1
 PROCEDURE P: n DO
@@ -32,15 +32,15 @@ SPEAK a"""
 def frames_while(
     program: Runnable, first: Callable[[ExecutionControl], None], then: Callable[[ExecutionControl], None]
 ) -> list[tuple[Frame, ...]]:
-    """The frames at each pause of a run; ``then`` is asked at each."""
+    """The frames at each pause of a run; calls ``then`` at each."""
     control, seen = ExecutionControl(), []
 
-    def told(state: ControlState) -> None:
+    def on_state(state: ControlState) -> None:
         if state is ControlState.PAUSED:
             seen.append(program.frames())
             then(control)
 
-    control.observe(told)
+    control.observe(on_state)
     first(control)
     program.run(Recorder(), control, Memory())
     return seen
@@ -51,7 +51,7 @@ def lines(seen: list[tuple[Frame, ...]]) -> list[int]:
 
 
 @steppable
-def test_each_step_is_a_statement_or_a_turn(make: Make) -> None:
+def test_each_step_is_a_statement_or_an_iteration(make: Make) -> None:
     seen = frames_while(make(read(PROGRAM)), ExecutionControl.step, ExecutionControl.step)
 
     assert lines(seen) == [1, 2, 6, 7, 3, 4, 8, 6, 7, 3, 4, 8, 6, 10]
@@ -83,7 +83,7 @@ def test_a_paused_program_shows_its_calls_and_variables(make: Make) -> None:
 
 
 @steppable
-def test_the_frames_of_deep_loops_are_one_level(make: Make) -> None:
+def test_the_frames_of_deep_loops_are_one_frame(make: Make) -> None:
     loops = "".join(f"FOR VAR i{n} = 0; i{n} < 1; i{n} = i{n} + 1 DO\n" for n in range(40))
     source = f"VAR a\n{loops} a = 5\nSPEAK a {'END FOR ' * 40}"
 
@@ -96,8 +96,8 @@ def test_the_frames_of_deep_loops_are_one_level(make: Make) -> None:
     assert dict(frames[0].variables) == {"a": 5, **{f"i{n}": 0 for n in range(40)}}
 
 
-@pytest.mark.parametrize("make", [hooked, plain_program, fast])
-def test_of_a_deep_recursion_the_innermost_frames_and_the_program_are_told(make: Make) -> None:
+@pytest.mark.parametrize("make", [hooked, interpreted_program, fast])
+def test_a_deep_recursion_shows_the_innermost_frames_and_the_program(make: Make) -> None:
     program = make(
         read("PROCEDURE P: n DO\nIF n == 0 THEN\nSPEAK n\nELSE\nP [n - 1]\nEND IF\nEND PROCEDURE\nP [500]")
     )
@@ -111,7 +111,7 @@ def test_of_a_deep_recursion_the_innermost_frames_and_the_program_are_told(make:
     assert seen[0][99] == Frame("", 8, ())
 
 
-@pytest.mark.parametrize("make", [hooked, plain_program, fast])
+@pytest.mark.parametrize("make", [hooked, interpreted_program, fast])
 def test_a_program_that_does_not_run_has_no_frames(make: Make) -> None:
     program = make(read("SPEAK 1"))
     before = program.frames()
@@ -121,31 +121,31 @@ def test_a_program_that_does_not_run_has_no_frames(make: Make) -> None:
 
 
 @steppable
-def test_a_trace_is_told_every_statement_with_its_place_and_depth(make: Make) -> None:
-    told: list[tuple[int, int, int]] = []
+def test_a_trace_receives_every_statement_with_its_place_and_depth(make: Make) -> None:
+    traced: list[tuple[int, int, int]] = []
     make(read("VAR a\nPROCEDURE P DO SPEAK 1 END PROCEDURE\n  P [] REPEAT 1 TIMES END REPEAT")).run(
-        Recorder(), ExecutionControl(), Memory(), trace=lambda *place: told.append(place)
+        Recorder(), ExecutionControl(), Memory(), trace=lambda *place: traced.append(place)
     )
 
-    assert told == [(1, 1, 0), (2, 1, 0), (3, 3, 0), (2, 16, 1), (3, 8, 0), (3, 8, 0)]
+    assert traced == [(1, 1, 0), (2, 1, 0), (3, 3, 0), (2, 16, 1), (3, 8, 0), (3, 8, 0)]
 
 
 @steppable
 def test_a_traced_program_can_be_stepped(make: Make) -> None:
     control = ExecutionControl()
-    told: list[int] = []
+    traced: list[int] = []
     paused: list[int] = []
 
     def step(state: ControlState) -> None:
         if state is ControlState.PAUSED:
-            paused.append(len(told))
+            paused.append(len(traced))
             control.step_over()
 
     control.observe(step)
     control.step()
-    make(read(PROGRAM)).run(Recorder(), control, Memory(), trace=lambda line, *_: told.append(line))
+    make(read(PROGRAM)).run(Recorder(), control, Memory(), trace=lambda line, *_: traced.append(line))
 
-    assert told == [1, 2, 6, 7, 3, 4, 8, 6, 7, 3, 4, 8, 6, 10]
+    assert traced == [1, 2, 6, 7, 3, 4, 8, 6, 7, 3, 4, 8, 6, 10]
     assert paused == [0, 1, 2, 3, 6, 7, 8, 11, 12, 13]
 
 
@@ -174,8 +174,8 @@ def test_a_stop_while_paused_stops(make: Make) -> None:
     assert memory.variables == {"a": 2}
 
 
-@pytest.mark.parametrize("make", [hooked, plain_program, fast])
-def test_another_thread_can_look_into_a_program_that_runs(make: Make) -> None:
+@pytest.mark.parametrize("make", [hooked, interpreted_program, fast])
+def test_another_thread_can_read_the_frames_of_a_running_program(make: Make) -> None:
     begun = threading.Event()
     program = make(
         read(
@@ -185,11 +185,11 @@ def test_another_thread_can_look_into_a_program_that_runs(make: Make) -> None:
     )
     control = ExecutionControl()
 
-    def go() -> None:
+    def run() -> None:
         with pytest.raises(Stopped):
             program.run(Recorder(before=lambda name: begun.set()), control, Memory())
 
-    thread = threading.Thread(target=go)
+    thread = threading.Thread(target=run)
     thread.start()
     assert begun.wait(PATIENCE)
     looks = [program.frames() for _ in range(50)]
@@ -211,7 +211,7 @@ def test_a_running_program_holds_at_each_of_its_breakpoints(make: Make) -> None:
 
 
 @steppable
-def test_breakpoints_count_besides_a_line_to_run_to_and_in_a_procedure_stepped_over(make: Make) -> None:
+def test_breakpoints_also_hold_on_the_way_to_a_line_and_in_a_step_over(make: Make) -> None:
     def begin(control: ExecutionControl) -> None:
         control.break_at(frozenset({4}))
         control.run_to(7)
@@ -221,31 +221,31 @@ def test_breakpoints_count_besides_a_line_to_run_to_and_in_a_procedure_stepped_o
     ]
 
 
-def test_on_the_way_to_a_line_nothing_is_asked_before_the_others() -> None:
-    """So it runs as fast as if nothing were wanted."""
-    control = Asked()
+def test_on_the_way_to_a_line_the_control_is_called_at_that_line_only() -> None:
+    """So it runs as fast as without a request."""
+    control = CountingControl()
     control.run_to(10)
     control.observe(lambda state: control.resume() if state is ControlState.PAUSED else None)
 
     hooked(read(PROGRAM)).run(Recorder(), control, Memory())
 
-    assert set(control.asked) == {10}
+    assert set(control.lines) == {10}
 
 
-class Asked(ExecutionControl):
-    """Keeps the lines before which it was asked."""
+class CountingControl(ExecutionControl):
+    """Keeps the lines at which it was called."""
 
     def __init__(self) -> None:
         super().__init__()
-        self.asked: list[int] = []
+        self.lines: list[int] = []
 
     def reached(self, line: int, depth: int, column: int = 0) -> None:
-        self.asked.append(line)
+        self.lines.append(line)
         super().reached(line, depth, column)
 
 
 @steppable
-def test_where_a_program_is_held_is_known_to_the_column(make: Make) -> None:
+def test_the_place_of_a_hold_has_its_column(make: Make) -> None:
     held = []
 
     def note(control: ExecutionControl) -> None:
@@ -258,8 +258,8 @@ def test_where_a_program_is_held_is_known_to_the_column(make: Make) -> None:
 
 
 @steppable
-def test_whoever_begins_to_look_while_it_is_held_sees_each_statement_from_there(make: Make) -> None:
-    """And none any more once the looking ends."""
+def test_a_look_that_begins_in_a_pause_is_called_before_each_statement_from_there(make: Make) -> None:
+    """And not after its end."""
     program, looks = make(read("SPEAK 1\nSPEAK 2\nSPEAK 3\nSPEAK 4\nSPEAK 5")), list[int]()
     control = ExecutionControl()
 
@@ -268,12 +268,12 @@ def test_whoever_begins_to_look_while_it_is_held_sees_each_statement_from_there(
         if looks[-1] == 4:
             control.look_before_each(None)
 
-    def told(state: ControlState) -> None:
+    def on_state(state: ControlState) -> None:
         if state is ControlState.PAUSED:
             control.look_before_each(look)
             control.resume()
 
-    control.observe(told)
+    control.observe(on_state)
     control.run_to(2)
     program.run(Recorder(), control, Memory())
 

@@ -1,4 +1,4 @@
-"""A stop takes hold wherever the program is; what was done stays done."""
+"""A stop ends the program at any place; its effects stay."""
 
 from __future__ import annotations
 
@@ -8,9 +8,9 @@ from types import TracebackType
 
 import pytest
 
+from language.call_stack import Activation, StackReader
 from language.control import ControlState, ExecutionControl
 from language.diagnostics import LanguageError, Stopped
-from language.levels import Level, Levels
 from language.runtime import Memory
 from tests.patience import PATIENCE
 from tests.unit.language_back.recorder import BACK_ENDS, Make, Recorder, fast, hooked, read, run
@@ -33,18 +33,18 @@ ENDLESS = {
 
 @back_ends
 @pytest.mark.parametrize("endless", ENDLESS.values(), ids=ENDLESS.keys())
-def test_a_stop_ends_what_would_never_end(make: Make, endless: str) -> None:
+def test_a_stop_ends_an_endless_program(make: Make, endless: str) -> None:
     begun, control, memory = threading.Event(), ExecutionControl(), Memory()
     program = make(read(f"VAR kept = 3 SPEAK 1 {endless}"))
     errors: list[type[LanguageError]] = []
 
-    def go() -> None:
+    def run_program() -> None:
         try:
             program.run(Recorder(before=lambda name: begun.set()), control, memory)
         except LanguageError as error:
             errors.append(type(error))
 
-    thread = threading.Thread(target=go, daemon=True)
+    thread = threading.Thread(target=run_program, daemon=True)
     thread.start()
     assert begun.wait(PATIENCE)
     control.stop()
@@ -64,17 +64,17 @@ DEEP_LOOPS = (
 
 @pytest.mark.parametrize("source", [DEEP, DEEP_LOOPS], ids=["calls", "loops"])
 @pytest.mark.parametrize("make", [fast, hooked], ids=["fast", "hooked"])
-def test_a_stop_leaves_open_calls_without_an_exception_through_each(
+def test_a_stop_leaves_open_calls_without_an_exception_in_each(
     make: Make, source: str, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    """Which would take many times as long."""
+    """That would take many times as long."""
     seen: list[int] = []
 
-    def outermost(levels: Levels, raised: TracebackType | None) -> list[Level]:
+    def outermost(reader: StackReader, raised: TracebackType | None) -> list[Activation]:
         seen.append(len(list(traceback.walk_tb(raised))))
-        return levels.of_traceback(raised)
+        return reader.of_traceback(raised)
 
-    monkeypatch.setattr(Levels, "outermost", outermost)
+    monkeypatch.setattr(StackReader, "outermost", outermost)
     control = ExecutionControl()
     recorder = Recorder(before=lambda _: control.stop())
 
@@ -88,7 +88,7 @@ def test_a_stop_leaves_open_calls_without_an_exception_through_each(
 @back_ends
 @pytest.mark.parametrize("command", ["FW 5", "BW 5", "TR 5", "TL 5", "WAIT 5", "SPEAK 5", "SCAN"])
 @pytest.mark.parametrize("after", ["", " SPEAK 2"])
-def test_after_a_command_that_was_cut_short_nothing_more_runs(make: Make, command: str, after: str) -> None:
+def test_after_an_interrupted_command_no_other_runs(make: Make, command: str, after: str) -> None:
     control = ExecutionControl()
     actions = Recorder(before=lambda name: control.stop())
     outcome = run(f"VAR a = 1 {command}{after}", make, actions=actions, control=control)
@@ -122,7 +122,7 @@ def test_the_control_is_ended_however_the_program_ends(make: Make, source: str) 
     "error", [KeyError, NameError, ZeroDivisionError, IndexError, RecursionError, MemoryError]
 )
 @pytest.mark.parametrize("source", ["SPEAK 1", "b = DISTANCE F", "PROCEDURE P DO FW 1 END PROCEDURE P []"])
-def test_what_an_action_raises_passes_unchanged(make: Make, error: type[Exception], source: str) -> None:
+def test_the_exception_of_an_action_passes_unchanged(make: Make, error: type[Exception], source: str) -> None:
     raised = error("the robot's own")
     control, memory = ExecutionControl(), Memory()
 
@@ -138,8 +138,8 @@ def test_what_an_action_raises_passes_unchanged(make: Make, error: type[Exceptio
 
 
 @back_ends
-def test_the_memory_is_true_before_anybody_hears_of_the_end(make: Make) -> None:
-    """The variables are replaced as a whole, so that another thread never sees half of them."""
+def test_the_memory_is_updated_before_the_end_is_reported(make: Make) -> None:
+    """The variables are a new dict, so that another thread never sees half of them."""
     memory = Memory(variables={"old": 1})
     before = memory.variables
     run("VAR a = 1 a = a / 0", make, terminal=True, memory=memory)

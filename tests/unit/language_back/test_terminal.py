@@ -21,7 +21,7 @@ def type_in(make: Make, *batches: str) -> list[Outcome]:
 
 
 @back_ends
-def test_variables_live_on(make: Make) -> None:
+def test_variables_remain_for_later_batches(make: Make) -> None:
     outcomes = type_in(make, "VAR a = 2 VAR b = 3", "a = a + 1 SPEAK a", "SPEAK a * b")
 
     assert [each.actions.said for each in outcomes] == [[], [3], [9]]
@@ -29,7 +29,7 @@ def test_variables_live_on(make: Make) -> None:
 
 
 @back_ends
-def test_a_name_that_is_declared_again_is_overwritten_and_that_is_told(make: Make) -> None:
+def test_a_name_that_is_declared_again_is_overwritten_and_reported(make: Make) -> None:
     outcomes = type_in(make, "VAR Total = 2", "SPEAK total VAR TOTAL = total + 5 SPEAK total VAR other")
 
     assert outcomes[1].actions.done == [("speak", 2), ("overwritten", "TOTAL"), ("speak", 7)]
@@ -45,7 +45,7 @@ def test_twice_in_one_batch_is_a_mistake(make: Make) -> None:
 
 
 @back_ends
-def test_the_same_var_in_a_loop_is_told_once(make: Make) -> None:
+def test_the_same_var_in_a_loop_is_reported_once(make: Make) -> None:
     outcomes = type_in(make, "VAR a", "REPEAT 3 TIMES VAR a = 1 END REPEAT")
 
     assert outcomes[1].actions.done == [("overwritten", "a")]
@@ -62,7 +62,7 @@ def test_a_for_takes_over_a_name_and_ends_it(make: Make) -> None:
 
 
 @back_ends
-def test_procedures_live_on_and_call_what_comes_later(make: Make) -> None:
+def test_procedures_remain_and_call_later_ones(make: Make) -> None:
     outcomes = type_in(
         make,
         "PROCEDURE P: n DO SPEAK n Q [n] END PROCEDURE",
@@ -99,7 +99,7 @@ def test_a_procedure_of_an_earlier_batch_can_declare_another(make: Make) -> None
 
 
 @back_ends
-def test_a_procedure_does_not_see_what_earlier_batches_declared(make: Make) -> None:
+def test_a_procedure_does_not_see_variables_of_earlier_batches(make: Make) -> None:
     outcomes = type_in(make, "VAR a = 1 PROCEDURE P DO SPEAK a END PROCEDURE", "P []")
 
     assert outcomes[1].diagnostic.details == {"name": "a", "in_procedure": "P"}
@@ -117,7 +117,7 @@ def test_a_number_of_an_earlier_batch_is_still_checked(make: Make) -> None:
 
 
 @back_ends
-def test_quit_leaves_and_run_goes_on(make: Make) -> None:
+def test_quit_ends_the_batch_and_run_does_nothing(make: Make) -> None:
     outcome = type_in(make, "VAR a = 1 RUN SPEAK a QUIT SPEAK 2")[0]
 
     assert isinstance(outcome.error, QuitRequested)
@@ -126,7 +126,7 @@ def test_quit_leaves_and_run_goes_on(make: Make) -> None:
 
 
 @back_ends
-def test_a_batch_that_failed_leaves_what_it_had_done(make: Make) -> None:
+def test_the_effects_of_a_failed_batch_stay(make: Make) -> None:
     outcomes = type_in(make, "VAR a = 1 PROCEDURE P DO SPEAK 4 END PROCEDURE SPEAK 1 / 0", "SPEAK a P []")
 
     assert outcomes[1].actions.said == [1, 4]

@@ -27,7 +27,7 @@ def hints(source: str, *, whole: bool = True) -> list[tuple[str, int, int]]:
         ("TR -90 BW - 5", "FW 5"),
     ],
 )
-def test_what_does_nothing_is_told_with_what_was_meant(source: str, meant: str) -> None:
+def test_a_command_that_does_nothing_has_a_hint_with_a_suggestion(source: str, meant: str) -> None:
     program = parse(source).program
     assert program is not None
 
@@ -68,7 +68,7 @@ def test_names_that_are_surely_missing(source: str, expected: list[tuple[str, in
         "VAR é SPEAK E\u0301",
     ],
 )
-def test_what_may_work_is_not_hinted_at(source: str) -> None:
+def test_what_may_work_has_no_hint(source: str) -> None:
     assert hints(source) == []
 
 
@@ -98,7 +98,7 @@ def test_a_near_name_is_offered() -> None:
         ("PROCEDURE Dança DO END PROCEDURE Dancas []", "Dancas", "Dança"),
     ],
 )
-def test_a_name_is_told_as_it_was_typed(source: str, name: str, meant: str) -> None:
+def test_a_name_is_quoted_as_it_was_typed(source: str, name: str, meant: str) -> None:
     program = parse(source).program
     assert program is not None
 

@@ -1,26 +1,26 @@
-"""The conformance corpus, as far as form goes: what is wrong is told there, what is right is read."""
+"""The form of the conformance corpus: wrong programs have their mistake, right ones a tree."""
 
 import re
 from pathlib import Path
 
 import pytest
 
-from language.diagnostics import Kind
-from language.formatter import format_source
+from language.diagnostics import MistakeKind
 from language.parser import parse
+from tests.formatting import format_source
 
 FORM = {
     each.value
     for each in (
-        Kind.SYNTAX,
-        Kind.UNKNOWN_COMMAND,
-        Kind.UNKNOWN_CHARACTER,
-        Kind.UNTERMINATED_STRING,
-        Kind.INVALID_NAME,
-        Kind.RESERVED_WORD,
-        Kind.BAD_ARGUMENT,
-        Kind.MISSING_END,
-        Kind.WRONG_END,
+        MistakeKind.SYNTAX,
+        MistakeKind.UNKNOWN_COMMAND,
+        MistakeKind.UNKNOWN_CHARACTER,
+        MistakeKind.UNTERMINATED_STRING,
+        MistakeKind.INVALID_NAME,
+        MistakeKind.RESERVED_WORD,
+        MistakeKind.BAD_ARGUMENT,
+        MistakeKind.MISSING_END,
+        MistakeKind.WRONG_END,
     )
 }
 ERROR = re.compile(r"^error: (\S+)(?: line (\d+))?(?: column (\d+))?", re.M)
@@ -37,17 +37,17 @@ def test_every_program_has_the_mistake_of_form_that_it_must_have(shared: Path) -
     assert len(programs) > 200
     for program in programs:
         parsed = parse(program.read_bytes().decode("utf-8"), colours=SEEN)
-        told = [(each.kind.value, str(each.span.line), str(each.span.column)) for each in parsed.diagnostics]
+        found = [(each.kind.value, str(each.span.line), str(each.span.column)) for each in parsed.diagnostics]
         wanted = expected_mistake(program)
         if wanted is None:
-            assert (parsed.program is not None, told) == (True, []), program.name
+            assert (parsed.program is not None, found) == (True, []), program.name
         else:
-            assert len(told) == 1, program.name
-            assert all(want in (None, got) for want, got in zip(wanted, told[0], strict=True)), program.name
+            assert len(found) == 1, program.name
+            assert all(want in (None, got) for want, got in zip(wanted, found[0], strict=True)), program.name
 
 
 @pytest.mark.parametrize("language", [None, "en", "pt", "es"])
-def test_every_program_is_formatted_to_one_that_is_formatted_already(
+def test_a_formatted_program_does_not_change_when_it_is_formatted_again(
     shared: Path, language: str | None
 ) -> None:
     for program in sorted((shared / "corpus").glob("*.gd")):

@@ -1,8 +1,9 @@
-"""Canonical text, as examples. What holds for all programs is in the property tests."""
+"""Examples of canonical text. The property tests have the rules for all programs."""
 
 import pytest
 
-from language.formatter import NotFormatted, format_source, formatted
+from language.formatter import formatted
+from tests.formatting import format_source
 
 PAIRS = [
     ("fw 1;bw 2 ;; tr 3", "FW 1\nBW 2\nTR 3\n"),
@@ -88,11 +89,8 @@ def test_a_program_with_mistakes_is_left_alone() -> None:
 
     assert result.text is None
     assert [each.kind.value for each in result.diagnostics] == ["unknown-command"]
-    with pytest.raises(NotFormatted) as caught:
-        format_source("FW 1\nJUMP")
-    assert caught.value.diagnostics == result.diagnostics
 
 
-def test_there_are_three_languages() -> None:
+def test_an_unknown_language_raises_an_error() -> None:
     with pytest.raises(KeyError):
-        format_source("FW 1", "de")
+        formatted("FW 1", "de")

@@ -1,12 +1,13 @@
-"""The one table of words."""
+"""The table of words."""
 
 from itertools import combinations
 
 import pytest
 
 from language import keywords
-from language.keywords import ARGUMENTS, LANGUAGES, WORDS
+from language.keywords import ARGUMENTS, WORDS
 from language.lexer import KIND
+from language.locales import languages
 from language.source import fold_name
 
 
@@ -17,7 +18,7 @@ def test_no_spelling_stands_for_two_terminals() -> None:
         assert not shared or first.terminal == second.terminal
 
 
-def test_no_word_behind_a_keyword_is_a_keyword() -> None:
+def test_no_argument_word_is_a_keyword() -> None:
     for each in ARGUMENTS:
         for spellings in each.spellings.values():
             assert not any(keywords.is_reserved(one) for one in spellings)
@@ -30,7 +31,7 @@ def test_every_word_is_of_a_terminal_of_the_grammar_and_of_a_topic_that_is_a_com
         assert word.topic in canonical
 
 
-@pytest.mark.parametrize("language", LANGUAGES)
+@pytest.mark.parametrize("language", languages())
 def test_every_word_is_found_by_every_spelling(language: str) -> None:
     for word in WORDS:
         found = keywords.word(keywords.spelling(word.canonical, language).lower())
@@ -85,7 +86,7 @@ def test_a_word_belongs_to_a_topic_of_help(word: str, topic: str) -> None:
     assert keywords.topic(word) == topic
 
 
-def test_what_is_no_word_has_no_topic() -> None:
+def test_an_unknown_word_has_no_topic() -> None:
     assert keywords.topic("jump") is None
 
 
@@ -117,7 +118,7 @@ def test_purple_is_no_colour() -> None:
 
 def test_an_argument_is_spelled_in_every_language_and_read_again() -> None:
     for each in ARGUMENTS:
-        for language in LANGUAGES:
+        for language in languages():
             spelled = keywords.argument_spelling(each.value, language)
             found = keywords.argument(each.terminal, spelled)
             assert found is not None

@@ -22,6 +22,7 @@ def kinds(source: str) -> str:
         ("PARA FRENTE 2", "FW NUMBER"),
         ("PARA f = 0", "FOR NAME ASSIGN NUMBER"),
         ("PARA frente = 0", "FOR NAME ASSIGN NUMBER"),
+        ("PARA frente -- i\n= 0", "FOR NAME ASSIGN NUMBER"),
         ("PARA frente == 0", "FW COMPARATOR NUMBER"),
         ("FIM PARA FRENTE", "END_FOR NAME"),
         ("GIRAR\nDIREITA 90", "TR NUMBER"),
@@ -52,7 +53,7 @@ def test_words_of_two_parts_are_split_by_any_blank_and_by_comments(source: str, 
         ("x y a f b t d red on", "NAME NAME NAME NAME NAME NAME NAME NAME NAME"),
     ],
 )
-def test_letters_and_colours_are_words_only_behind_their_keyword(source: str, expected: str) -> None:
+def test_letters_and_colours_are_words_only_after_their_keyword(source: str, expected: str) -> None:
     assert kinds(source) == expected
 
 
@@ -97,21 +98,21 @@ def test_names_are_folded_and_places_are_those_of_the_text() -> None:
     assert [(token[5], token[3], token[4]) for token in tokens] == [("acao", 1, 2), ("=", 1, 8), ("n", 2, 2)]
 
 
-def test_a_string_over_lines_moves_the_lines_behind_it() -> None:
+def test_a_string_over_lines_moves_the_lines_after_it() -> None:
     assert [token[3:5] for token in lex('"a\r\nb\rc" x').tokens] == [(1, 1), (3, 4)]
 
 
-def test_comments_know_the_token_that_they_stand_before() -> None:
+def test_comments_know_the_next_token() -> None:
     comments = lex("-- a\nFW -- b\n1 -- c").comments
 
     assert [(each.line, each.before) for each in comments] == [(1, 0), (2, 1), (3, 2)]
 
 
-def test_a_long_number_is_read_whatever_limit_python_has_for_texts() -> None:
+def test_leading_zeros_do_not_count_for_the_limit_of_digits() -> None:
     lexed = lex("0" * 5000 + "7" * 4300)
     assert lexed.mistakes == []
     assert lex("7" * 4301).mistakes[0].kind.value == "number-too-large"
 
 
-def test_characters_that_cannot_be_read_are_one_mistake_in_a_row() -> None:
+def test_adjacent_unreadable_characters_are_one_mistake() -> None:
     assert [each.found for each in lex("$$ # %").mistakes] == ["$$", "#", "%"]

@@ -1,17 +1,16 @@
-"""Stated limits end in a mistake, and long texts in an answer."""
+"""A program beyond a limit has a mistake, and long texts have a result."""
 
 import tracemalloc
 
 import pytest
 
 from language.checker import check
-from language.depth import MOST_BLOCKS, MOST_PARENTHESES
-from language.diagnostics import Kind
-from language.formatter import format_source
+from language.diagnostics import MistakeKind
 from language.outline import block_depth, outline
-from language.parser import parse
+from language.parser import MOST_BLOCKS, MOST_PARENTHESES, parse
 from language.syntax import walk
-from language.tree import MOST_LEVELS
+from language.tree_builder import MOST_LEVELS
+from tests.formatting import format_source
 
 REPEAT, END = "REPEAT 2 TIMES ", " END REPEAT"
 
@@ -58,11 +57,11 @@ def test_up_to_the_limit_everything_works(source: str) -> None:
         ("SPEAK " + "1+(" * 150 + "1" + "+1" * 60 + ")" * 150, "expression", None),
     ],
 )
-def test_what_is_too_deep_is_told_once_and_with_its_limit(source: str, code: str, column: int | None) -> None:
+def test_too_deep_nesting_is_one_mistake_with_its_limit(source: str, code: str, column: int | None) -> None:
     parsed = parse(source)
 
     assert parsed.program is None
-    assert [(each.kind, each.code) for each in parsed.diagnostics] == [(Kind.TOO_DEEP, code)]
+    assert [(each.kind, each.code) for each in parsed.diagnostics] == [(MistakeKind.TOO_DEEP, code)]
     assert parsed.diagnostics[0].details["limit"] == 200
     assert column is None or parsed.diagnostics[0].span.column == column
 
@@ -89,7 +88,7 @@ def test_what_is_too_deep_is_told_once_and_with_its_limit(source: str, code: str
     ],
     ids=lambda source: f"{source[:8]!r}",
 )
-def test_a_long_text_is_answered_in_memory_linear_in_its_length(source: str) -> None:
+def test_a_long_text_needs_memory_linear_in_its_length(source: str) -> None:
     tracemalloc.start()
     parsed = parse(source)
     _, most = tracemalloc.get_traced_memory()

@@ -1,26 +1,26 @@
-"""Each kind of mistake of form, and where it is told. One mistake gives one diagnostic."""
+"""Each kind of mistake of form, and its place. One mistake gives one diagnostic."""
 
 import pytest
 
-from language.diagnostics import Diagnostic, Kind
+from language.diagnostics import Diagnostic, MistakeKind
 from language.parser import parse
 
 
-def told(source: str) -> tuple[Diagnostic, ...]:
+def mistakes_in(source: str) -> tuple[Diagnostic, ...]:
     parsed = parse(source)
     assert parsed.program is None
     return parsed.diagnostics
 
 
 def the_mistake(source: str) -> Diagnostic:
-    (only,) = told(source)
+    (only,) = mistakes_in(source)
     return only
 
 
 @pytest.mark.parametrize(
     ("source", "kind", "line", "column"),
     [
-        # a word or sign that can't stand there
+        # a word or sign in a wrong place
         ("FW 1 10", "syntax", 1, 6),
         ("FW 2,5", "syntax", 1, 5),
         ('FW "five"', "syntax", 1, 4),
@@ -71,7 +71,7 @@ def the_mistake(source: str) -> Diagnostic:
         ("PROCEDURE P: a\nSPEAK a\nEND PROCEDURE", "syntax", 2, 1),
         ("EXIT 5", "syntax", 1, 6),
         ("HELP FW 5", "syntax", 1, 9),
-        # words that are none
+        # unknown words
         ("JUMP 3", "unknown-command", 1, 1),
         ("FORWRAD 5", "unknown-command", 1, 1),
         ("SPEAK hello world", "unknown-command", 1, 13),
@@ -122,7 +122,7 @@ def the_mistake(source: str) -> Diagnostic:
         ("PROCEDURE fw: a DO FW a END PROCEDURE", "reserved-word", 1, 11),
         ("PROCEDURE P: if, b DO FW b END PROCEDURE", "reserved-word", 1, 14),
         ("FOR VAR do = 1; 1 < 2; a = 1 DO END FOR", "reserved-word", 1, 9),
-        # words behind words
+        # arguments
         ("SPEAK DISTANCE Z", "bad-argument", 1, 16),
         ("DISTANCE Z", "bad-argument", 1, 10),
         ("IF DISTANCE Z > 3 THEN FW 1 END IF", "bad-argument", 1, 13),
@@ -194,7 +194,7 @@ def test_the_kind_and_the_place_of_a_mistake(source: str, kind: str, line: int, 
         ("REPEAT 2 TIMES FW 1 10 END REPEAT", ("command", "END REPEAT")),
     ],
 )
-def test_what_was_expected_is_what_could_stand_there(source: str, expected: tuple[str, ...]) -> None:
+def test_expected_are_the_words_that_fit_the_place(source: str, expected: tuple[str, ...]) -> None:
     assert the_mistake(source).expected == expected
 
 
@@ -209,7 +209,7 @@ def test_what_was_expected_is_what_could_stand_there(source: str, expected: tupl
         ("FW 1 $$", "$$"),
     ],
 )
-def test_what_was_found_is_quoted_as_it_was_typed(source: str, found: str) -> None:
+def test_the_found_text_is_quoted_as_it_was_typed(source: str, found: str) -> None:
     assert the_mistake(source).found == found
 
 
@@ -317,7 +317,7 @@ def test_some_mistakes_have_a_sentence_of_their_own(source: str, code: str) -> N
 )
 def test_an_else_in_two_words_is_one_mistake(source: str, typed: str, meant: str) -> None:
     mistake = the_mistake(source)
-    assert (mistake.kind, mistake.found, mistake.meant) == (Kind.UNKNOWN_COMMAND, typed, meant)
+    assert (mistake.kind, mistake.found, mistake.meant) == (MistakeKind.UNKNOWN_COMMAND, typed, meant)
 
 
 def test_a_variable_that_is_called_no_is_none() -> None:
@@ -341,10 +341,8 @@ PROCEDURES = "PROCEDURE AB: x DO FW x END PROCEDURE PROCEDURE Cd DO FW 1 END PRO
         ("AB 2\nFW 3", "AB [2]", "AB [x]"),
     ],
 )
-def test_a_procedure_without_its_brackets_is_told_with_the_way_to_call_it(
-    call: str, meant: str, called: str
-) -> None:
+def test_a_call_without_brackets_shows_the_right_call(call: str, meant: str, called: str) -> None:
     mistake = the_mistake(PROCEDURES + call)
 
-    assert (mistake.kind, mistake.code, mistake.meant) == (Kind.UNKNOWN_COMMAND, "procedure", meant)
+    assert (mistake.kind, mistake.code, mistake.meant) == (MistakeKind.UNKNOWN_COMMAND, "procedure", meant)
     assert mistake.details["call"] == called

@@ -42,7 +42,7 @@ def test_the_outline_has_every_block_with_its_lines() -> None:
     )
 
 
-def test_an_end_closes_what_is_open_inside() -> None:
+def test_an_end_closes_the_open_blocks_inside() -> None:
     assert outline("IF 1 == 1 THEN\nWHILE 1 < 2 DO\nEND IF", first_line=10) == (
         OutlineItem("IF", "", 10, 12, 0, True),
         OutlineItem("WHILE", "", 11, 12, 1, False),
@@ -54,7 +54,7 @@ def test_a_procedure_without_a_name_has_none() -> None:
 
 
 def test_an_else_in_two_words_opens_no_block() -> None:
-    """The learner who ends the IF behind it is not asked for one more end."""
+    """So one END IF after it is enough."""
     assert block_depth("si 3 > 2 entonces\nhablar 1\nsi no") == 1
     assert block_depth("si 3 > 2 entonces\nhablar 1\nsi no\nhablar 2\nfin si") == 0
     assert block_depth("si 3 > 2 entonces hablar 1 si no hablar 2 fin si") == 0

@@ -11,30 +11,30 @@ from language.syntax import (
     Axis,
     Binary,
     Call,
-    Colour,
+    ColourSensor,
     Condition,
     Declare,
     Direction,
-    Distance,
+    DistanceSensor,
     For,
-    Help,
+    HelpCommand,
     If,
     Name,
     Negative,
-    Number,
-    Position,
+    NumberLiteral,
+    PoseCommand,
+    PositionSensor,
     Procedure,
     Program,
-    Quit,
+    QuitCommand,
     Repeat,
     Span,
-    Speak,
+    SpeakCommand,
     Statement,
-    TellPosition,
-    Text,
-    Turn,
-    Unused,
-    Walk,
+    TextLiteral,
+    TurnCommand,
+    UnusedSensor,
+    WalkCommand,
 )
 
 
@@ -51,7 +51,7 @@ def first(source: str) -> Statement:
 def shown(source: str) -> str:
     """An expression with all its parentheses."""
     statement = first(f"SPEAK {source}")
-    assert isinstance(statement, Speak)
+    assert isinstance(statement, SpeakCommand)
     return _shown(statement.what)
 
 
@@ -61,7 +61,7 @@ def _shown(node: object) -> str:
             return f"({_shown(left)}{operator}{_shown(right)})"
         case Negative(operand=operand):
             return f"(-{_shown(operand)})"
-        case Number(value=value):
+        case NumberLiteral(value=value):
             return str(value)
         case Name(name=name):
             return name
@@ -89,12 +89,12 @@ def test_operators_bind_as_in_arithmetic(source: str, expected: str) -> None:
     assert shown(source) == expected
 
 
-def test_spans_are_what_was_written() -> None:
+def test_spans_are_those_of_the_typed_text() -> None:
     source = "  FW (a + 1) * 2 -- why\nTR +x"
     program = read(source)
     walk, turn = program.body
-    assert isinstance(walk, Walk)
-    assert isinstance(turn, Turn)
+    assert isinstance(walk, WalkCommand)
+    assert isinstance(turn, TurnCommand)
 
     assert walk.span == Span(2, 16, 1, 3)
     assert program.typed(walk.steps.span) == "(a + 1) * 2"
@@ -107,28 +107,28 @@ def test_spans_are_what_was_written() -> None:
 @pytest.mark.parametrize(
     ("source", "value"),
     [
-        ("DISTANCE FL", Distance(Span(6, 17, 1, 7), Bearing.FRONT_LEFT)),
-        ("DISTANCE", Distance(Span(6, 14, 1, 7), Bearing.FRONT)),
-        ("DISTANCE te", Distance(Span(6, 17, 1, 7), Bearing.BACK_LEFT)),
-        ("DISTANCE ti", Distance(Span(6, 17, 1, 7), Bearing.BACK_LEFT)),
-        ("POSICIÓN A", Position(Span(6, 16, 1, 7), Axis.ANGLE)),
-        ("COLOR cinza", Colour(Span(6, 17, 1, 7), "gray")),
-        ("COR grey", Colour(Span(6, 14, 1, 7), "gray")),
-        ('"Não É"', Text(Span(6, 13, 1, 7), "Não É")),
+        ("DISTANCE FL", DistanceSensor(Span(6, 17, 1, 7), Bearing.FRONT_LEFT)),
+        ("DISTANCE", DistanceSensor(Span(6, 14, 1, 7), Bearing.FRONT)),
+        ("DISTANCE te", DistanceSensor(Span(6, 17, 1, 7), Bearing.BACK_LEFT)),
+        ("DISTANCE ti", DistanceSensor(Span(6, 17, 1, 7), Bearing.BACK_LEFT)),
+        ("POSICIÓN A", PositionSensor(Span(6, 16, 1, 7), Axis.ANGLE)),
+        ("COLOR cinza", ColourSensor(Span(6, 17, 1, 7), "gray")),
+        ("COR grey", ColourSensor(Span(6, 14, 1, 7), "gray")),
+        ('"Não É"', TextLiteral(Span(6, 13, 1, 7), "Não É")),
     ],
 )
 def test_sensors_and_texts(source: str, value: object) -> None:
     statement = first(f"SPEAK {source}")
 
-    assert isinstance(statement, Speak)
+    assert isinstance(statement, SpeakCommand)
     assert statement.what == value
 
 
-def test_a_sensor_alone_is_read_by_nobody_and_pos_alone_tells_the_pose() -> None:
-    assert isinstance(first("DISTANCE F"), Unused)
-    assert isinstance(first("COLOR red"), Unused)
-    assert isinstance(first("POS x"), Unused)
-    assert isinstance(first("POS FW 1"), TellPosition)
+def test_a_sensor_alone_is_unused_and_pos_alone_is_the_pose() -> None:
+    assert isinstance(first("DISTANCE F"), UnusedSensor)
+    assert isinstance(first("COLOR red"), UnusedSensor)
+    assert isinstance(first("POS x"), UnusedSensor)
+    assert isinstance(first("POS FW 1"), PoseCommand)
 
 
 def test_blocks_have_their_parts() -> None:
@@ -137,9 +137,9 @@ def test_blocks_have_their_parts() -> None:
 
     assert isinstance(block, If)
     assert block.condition == Condition(
-        Span(3, 8, 1, 4), "<", Number(Span(3, 4, 1, 4), 1), Number(Span(7, 8, 1, 8), 2)
+        Span(3, 8, 1, 4), "<", NumberLiteral(Span(3, 4, 1, 4), 1), NumberLiteral(Span(7, 8, 1, 8), 2)
     )
-    assert [type(each) for each in block.then] == [Walk]
+    assert [type(each) for each in block.then] == [WalkCommand]
     assert block.otherwise == ()
     assert block.span == Span(0, len(source), 1, 1)
 
@@ -164,7 +164,7 @@ def test_a_for_has_a_start_a_condition_and_a_step() -> None:
     assert len(given.body) == 1
 
 
-def test_do_behind_times_is_optional() -> None:
+def test_do_after_times_is_optional() -> None:
     for source in ("REPEAT 2 TIMES FW 1 END REPEAT", "REPEAT 2 TIMES DO FW 1 END REPEAT"):
         block = first(source)
         assert isinstance(block, Repeat)
@@ -186,17 +186,17 @@ def test_procedures_and_calls() -> None:
 
 
 def test_help_keeps_its_word_as_typed() -> None:
-    assert first("HELP  Fim   Se") == Help(Span(0, 14, 1, 1), "Fim Se")
-    assert first("AJUDA") == Help(Span(0, 5, 1, 1), None)
+    assert first("HELP  Fim   Se") == HelpCommand(Span(0, 14, 1, 1), "Fim Se")
+    assert first("AJUDA") == HelpCommand(Span(0, 5, 1, 1), None)
 
 
 @pytest.mark.parametrize("word", ["QUIT", "exit", "SAIR", "salir"])
 def test_the_program_ends_in_all_languages(word: str) -> None:
-    assert isinstance(first(word), Quit)
+    assert isinstance(first(word), QuitCommand)
 
 
 @pytest.mark.parametrize("source", ["", "\n\n", "-- only this", "\ufeff", ";;;", " ; -- a\n;"])
-def test_nothing_is_a_program(source: str) -> None:
+def test_an_empty_text_is_a_program(source: str) -> None:
     assert read(source).body == ()
 
 
@@ -211,7 +211,7 @@ def test_lines_count_from_the_first_line_given() -> None:
 
 
 def test_directions_of_movement() -> None:
-    walks = [each for each in read("RE 1 PT 1 BW 1 AV 1").body if isinstance(each, Walk)]
+    walks = [each for each in read("RE 1 PT 1 BW 1 AV 1").body if isinstance(each, WalkCommand)]
     assert [each.direction for each in walks] == [Direction.BACKWARD] * 3 + [Direction.FORWARD]
 
 
@@ -224,8 +224,8 @@ def test_long_numbers_are_read_whatever_limit_python_has_for_texts() -> None:
     finally:
         sys.set_int_max_str_digits(before)
 
-    assert isinstance(walk, Walk)
-    assert walk.steps == Number(Span(3, 4303, 1, 4), 10**4299)
+    assert isinstance(walk, WalkCommand)
+    assert walk.steps == NumberLiteral(Span(3, 4303, 1, 4), 10**4299)
 
 
 def test_the_colours_of_the_robot_are_the_only_ones() -> None:

@@ -1,12 +1,13 @@
-"""Independent mistakes are all told, in the order of the text; what follows from one is not."""
+"""All independent mistakes are reported, in the order of the text, and none of their consequences."""
 
 import pytest
 
-from language.diagnostics import MOST_MISTAKES
+from language.diagnostics import MOST_MISTAKES, MistakeKind
 from language.parser import parse
+from tests.unit.language_front.test_mistakes import the_mistake
 
 
-def told(source: str) -> list[tuple[str, int]]:
+def mistakes_in(source: str) -> list[tuple[str, int]]:
     return [(each.kind.value, each.span.line) for each in parse(source).diagnostics]
 
 
@@ -40,12 +41,12 @@ WRONG_LINES = {
 def test_two_wrong_lines_are_two_mistakes(first: str) -> None:
     for second, kind in WRONG_LINES.items():
         source = f"FW 1\n{first}\nSPEAK 1\n{second}\nFW 2"
-        assert told(source) == [(WRONG_LINES[first], 2), (kind, 4)], second
+        assert mistakes_in(source) == [(WRONG_LINES[first], 2), (kind, 4)], second
 
 
 @pytest.mark.parametrize("line", WRONG_LINES)
-def test_two_wrong_lines_one_behind_the_other_are_two_mistakes(line: str) -> None:
-    assert told(f"{line}\nJUMP 3") == [(WRONG_LINES[line], 1), ("unknown-command", 2)]
+def test_two_wrong_lines_one_after_the_other_are_two_mistakes(line: str) -> None:
+    assert mistakes_in(f"{line}\nJUMP 3") == [(WRONG_LINES[line], 1), ("unknown-command", 2)]
 
 
 @pytest.mark.parametrize("line", [line for line in WRONG_LINES if line not in ("END IF", "ELSE")])
@@ -59,7 +60,7 @@ def test_two_wrong_lines_one_behind_the_other_are_two_mistakes(line: str) -> Non
     ],
 )
 def test_a_wrong_line_in_a_block_leaves_the_block_whole(line: str, head: str, end: str) -> None:
-    assert told(f"{head}\n{line}\n{end}\nFW 1") == [(WRONG_LINES[line], 2)]
+    assert mistakes_in(f"{head}\n{line}\n{end}\nFW 1") == [(WRONG_LINES[line], 2)]
 
 
 @pytest.mark.parametrize(
@@ -79,7 +80,7 @@ def test_a_wrong_line_in_a_block_leaves_the_block_whole(line: str, head: str, en
     ],
 )
 def test_a_mistake_in_a_head_still_opens_the_block(head: str) -> None:
-    assert [line for _, line in told(f"{head}\nFW 1\nELSE\nFW 2\nEND IF\nFW 3")] in ([1], [2])
+    assert [line for _, line in mistakes_in(f"{head}\nFW 1\nELSE\nFW 2\nEND IF\nFW 3")] in ([1], [2])
 
 
 @pytest.mark.parametrize(
@@ -87,45 +88,112 @@ def test_a_mistake_in_a_head_still_opens_the_block(head: str) -> None:
 )
 def test_a_wrong_end_still_closes_the_block(typed: str) -> None:
     source = f"REPEAT 2 TIMES\nFW 1\n{typed}\nFW 2\nJUMP"
-    assert [line for _, line in told(source)] == [3, 5]
+    assert [line for _, line in mistakes_in(source)] == [3, 5]
 
 
-def test_a_missing_inner_end_is_told_once_at_the_end_that_does_not_fit() -> None:
+def test_a_missing_inner_end_is_reported_once_at_the_end_that_does_not_fit() -> None:
     source = "REPEAT 2 TIMES\nIF 1 == 1 THEN\nFW 1\nEND REPEAT\nFW 2"
-    assert told(source) == [("wrong-end", 4)]
+    assert mistakes_in(source) == [("wrong-end", 4)]
 
 
 def test_exchanged_ends_are_one_mistake() -> None:
     source = "REPEAT 2 TIMES\nIF 1 == 1 THEN\nWHILE 1 < 2 DO\nEND IF\nEND WHILE\nEND REPEAT"
-    assert told(source) == [("wrong-end", 4)]
+    assert mistakes_in(source) == [("wrong-end", 4)]
 
 
-def test_a_block_without_end_before_else_is_told_at_else_only() -> None:
+def test_a_block_without_end_before_else_is_reported_at_else_only() -> None:
     source = "IF 1 == 1 THEN\nREPEAT 2 TIMES\nFW 1\nELSE\nFW 2\nEND IF"
-    assert told(source) == [("syntax", 4)]
+    assert mistakes_in(source) == [("syntax", 4)]
 
 
-def test_every_open_block_is_told_outermost_first() -> None:
+def test_every_open_block_is_reported_outermost_first() -> None:
     source = "IF 1 == 1 THEN\nREPEAT 2 TIMES\nFW 1"
-    assert told(source) == [("missing-end", 1), ("missing-end", 2)]
+    assert mistakes_in(source) == [("missing-end", 1), ("missing-end", 2)]
 
 
-def test_an_unfinished_head_has_no_missing_end_besides() -> None:
-    assert told("FW 1\nIF 1 ==") == [("syntax", 2)]
+def test_an_unfinished_head_has_no_missing_end_as_well() -> None:
+    assert mistakes_in("FW 1\nIF 1 ==") == [("syntax", 2)]
 
 
-def test_what_cannot_be_read_is_told_once_whatever_it_stands_in() -> None:
-    assert told("VAR a$b = 3 % 2\nIF a & b THEN\nFW 1\nEND IF") == [
+def test_an_unreadable_character_is_reported_once_in_any_command() -> None:
+    assert mistakes_in("VAR a$b = 3 % 2\nIF a & b THEN\nFW 1\nEND IF") == [
         ("unknown-character", 1),
         ("unknown-character", 1),
         ("unknown-character", 2),
     ]
 
 
-def test_not_more_mistakes_are_told_than_anybody_listens_to() -> None:
-    assert len(told("JUMP\n" * 1000)) == MOST_MISTAKES
+def test_the_number_of_reported_mistakes_is_limited() -> None:
+    assert len(mistakes_in("JUMP\n" * 1000)) == MOST_MISTAKES
 
 
-def test_colours_that_the_robot_cannot_see_are_told_among_the_others_in_order() -> None:
+def test_colours_that_the_robot_cannot_see_are_reported_in_order() -> None:
     parsed = parse("JUMP\nSPEAK COLOR pink\nFW 1 10", colours=frozenset({"red"}))
     assert [each.span.line for each in parsed.diagnostics] == [1, 2, 3]
+
+
+@pytest.mark.parametrize(
+    ("source", "meant", "replaced"),
+    [
+        ("REPEAT 2 TIMES\nFW 1\nEND", "END REPEAT", "END"),
+        ("REPEAT 2 TIMES\nFW 1\nEND\nFW 2", "END REPEAT", "END"),
+        ("REPITA 2 VEZES\nPF 1\nFIM LAÇO", "FIM REPITA", "FIM LAÇO"),
+        ("PROCEDIMIENTO P HACER\nAV 1\nFIN APRENDIZAJE\nP []", "FIN PROCEDIMIENTO", "FIN APRENDIZAJE"),
+        ("REPEAT 2 TIMES\nFW 1\nEND FW 2", "END REPEAT", "END"),
+        ("REPEAT 2 TIMES\nFW 1\nENDD REPEAT\nFW 2", "END REPEAT", "ENDD REPEAT"),
+        ("REPITA 2 VEZES\nPF 1\nFI REPITA", "FIM REPITA", "FI REPITA"),
+        ("SI 1 == 1 ENTONCES\nAV 1\nFINN SI", "FIN SI", "FINN SI"),
+    ],
+)
+def test_an_end_without_its_word_means_the_end_of_the_open_block(
+    source: str, meant: str, replaced: str
+) -> None:
+    mistake = the_mistake(source)
+    end = mistake.span.end if mistake.meant_end is None else mistake.meant_end
+
+    assert (mistake.meant, source[mistake.span.start : end]) == (meant, replaced)
+
+
+@pytest.mark.parametrize(
+    ("source", "meant"),
+    [
+        ("REPEAT 2 TIMES\nFW 1\nEND\nREPEAT 3 TIMES\nFW 1\nEND REPEAT", "END REPEAT"),
+        ("IF 1 < 2 THEN\nFW 1\nEND -- of it\n\n  IF DISTANCE F > 1 THEN FW 1 END IF", "END IF"),
+        ("SE 1 < 2 ENTÃO\nPF 1\nFIM\nSE 1 < 2 ENTAO\nPF 1\nFIM SE", "FIM SE"),
+        ("SI 1 < 2 ENTONCES\nAV 1\nFIN\nIF 1 < 2 THEN\nAV 1\nFIN SI", "FIN SI"),
+    ],
+)
+def test_an_end_alone_is_not_the_end_of_the_block_that_begins_on_the_next_line(
+    source: str, meant: str
+) -> None:
+    """The second word of an END may be on the next line, unless the head of a block follows it."""
+    mistake = the_mistake(source)
+
+    assert (mistake.kind, mistake.span.line, mistake.found) == (MistakeKind.WRONG_END, 3, meant.split()[0])
+    assert mistake.meant == meant
+
+
+def test_an_unreadable_character_after_an_end_alone_has_its_own_place() -> None:
+    mistakes = parse("REPEAT 2 TIMES\nEND\nREPEAT 3 TIMES\nFW $\nEND REPEAT\nFW 2\nJUMP").diagnostics
+
+    assert [(each.kind, each.span.line) for each in mistakes] == [
+        (MistakeKind.WRONG_END, 2),
+        (MistakeKind.UNKNOWN_CHARACTER, 4),
+        (MistakeKind.UNKNOWN_COMMAND, 7),
+    ]
+
+
+def test_a_word_before_the_head_of_a_loop_is_no_end() -> None:
+    mistakes = parse("REPEAT 2 TIMES\nEN REPEAT 3 TIMES\nFW 1\nEND REPEAT\nEND REPEAT").diagnostics
+
+    assert [(each.kind, each.found) for each in mistakes] == [(MistakeKind.UNKNOWN_COMMAND, "EN")]
+
+
+def test_a_missing_end_names_the_block_and_its_line() -> None:
+    mistake = the_mistake("FW 1\nrepita 2 vezes\nFW 1")
+    assert dict(mistake.details) == {"opener": "REPEAT", "opener_line": 2}
+
+
+def test_a_wrong_end_names_the_open_block() -> None:
+    mistake = the_mistake("IF 1 == 1 THEN\nREPEAT 2 TIMES\nFW 1\nEND IF")
+    assert dict(mistake.details) == {"opener": "REPEAT", "opener_line": 2}

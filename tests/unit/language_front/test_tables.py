@@ -1,4 +1,4 @@
-"""The shipped tables are what lark makes of the grammar."""
+"""The shipped tables are those that lark makes of the grammar."""
 
 import subprocess
 import sys
@@ -7,17 +7,17 @@ from pathlib import Path
 from language import make_tables, tables
 from language.lexer import NAME
 from language.parser import parse
-from language.tree import Reductions
+from language.tree_builder import TreeBuilder
 
 FOLDER = Path(make_tables.__file__).parent
 
 
 def test_the_shipped_tables_are_those_of_the_grammar() -> None:
-    assert (FOLDER / "tables.py").read_text(encoding="utf-8") == make_tables.made()
+    assert (FOLDER / "tables.py").read_text(encoding="utf-8") == make_tables.make_tables()
 
 
 def test_the_tables_do_not_depend_on_the_order_of_sets() -> None:
-    code = "from language.make_tables import made; import zlib; print(zlib.crc32(made().encode()))"
+    code = "from language import make_tables as m; import zlib; print(zlib.crc32(m.make_tables().encode()))"
     made = {
         subprocess.run(
             [sys.executable, "-c", code],
@@ -31,15 +31,12 @@ def test_the_tables_do_not_depend_on_the_order_of_sets() -> None:
     assert len(made) == 1
 
 
-def test_every_alternative_of_the_grammar_has_its_function() -> None:
-    names = [rule[2] for rule in tables.RULES]
-    functions = Reductions("").functions(names)
-
-    assert all((function is None) == (name == "") for name, function in zip(names, functions, strict=True))
+def test_every_alternative_of_the_grammar_has_its_method() -> None:
+    assert all(hasattr(TreeBuilder, rule[2]) for rule in tables.RULES if rule[2])
     assert all(rule[1] == 1 for rule in tables.RULES if rule[2] == "")
 
 
-def test_a_name_is_the_first_terminal_behind_the_end() -> None:
+def test_a_name_is_the_first_terminal_after_the_end() -> None:
     assert tables.TERMINALS[0] == "$END"
     assert tables.TERMINALS[NAME] == "NAME"
 

@@ -5,8 +5,8 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from donnie_tui.linear.edit_line import LONGEST, EditLine, clusters, places, width
-from donnie_tui.linear.keys import Act
+from donnie_tui.linear.line_editor import LONGEST, Act, EditLine, clusters, places, width
+from tests.effort import examples
 
 COLUMNS, ROWS = 20, 12
 PROMPT = "> "
@@ -81,7 +81,7 @@ def test_what_a_key_writes_at_the_end_of_a_line(act: Act, written: str) -> None:
     assert edited("FW 3").do(act) == written
 
 
-def test_going_right_says_the_character_that_is_passed() -> None:
+def test_moving_right_says_the_passed_character() -> None:
     assert edited("FW 3", Act.HOME).do(Act.RIGHT) == "F"
 
 
@@ -100,7 +100,7 @@ def _typing(letters: str) -> st.SearchStrategy[tuple[list[object], str]]:
     return st.tuples(st.lists(st.one_of(act, text.filter(bool), st.tuples(text)), max_size=12), text)
 
 
-@settings(deadline=None, max_examples=200)
+@settings(max_examples=examples(200))
 @given(st.one_of(_typing("ab 12ç"), _typing("漢字")))
 def test_the_terminal_shows_the_line_and_the_cursor_after_every_key(typing: tuple[list[object], str]) -> None:
     """Wide and narrow ones not mixed: the emulation does not wrap a wide one that meets the margin."""
@@ -131,7 +131,7 @@ def test_what_the_line_leaves_behind_wraps_to_where_the_next_line_may_begin() ->
 
 
 @pytest.mark.parametrize(("character", "cells"), [("a", 1), ("ç", 1), ("漢", 2), ("\u0301", 0), ("👩‍💻", 2)])
-def test_how_wide_a_character_is(character: str, cells: int) -> None:
+def test_each_character_has_its_width(character: str, cells: int) -> None:
     assert width(character) == cells
 
 

@@ -7,7 +7,7 @@ from pathlib import Path
 import pytest
 
 from donnie_tui.linear import greeting
-from donnie_tui.settings.readers import SPEECH
+from donnie_tui.settings.parsing import SPEECH
 
 
 @pytest.fixture
@@ -30,7 +30,7 @@ def printed(monkeypatch: pytest.MonkeyPatch) -> list[bytes]:
         (["--linear"], {"LANG": "de_DE"}, b"Linear mode, from the option.\n"),
     ],
 )
-def test_it_greets_where_the_command_line_is_plain(
+def test_a_plain_command_line_is_greeted_early(
     arguments: list[str], environment: dict[str, str], first: bytes, printed: list[bytes]
 ) -> None:
     assert greeting.begin(arguments, environment)
@@ -53,7 +53,7 @@ def test_it_greets_where_the_command_line_is_plain(
         ["-t"],
     ],
 )
-def test_it_leaves_everything_else_to_the_command_line(arguments: list[str], printed: list[bytes]) -> None:
+def test_any_other_command_line_is_not_greeted_early(arguments: list[str], printed: list[bytes]) -> None:
     assert not greeting.begin(arguments, {})
     assert printed == []
 
@@ -73,7 +73,7 @@ def test_what_options_take_is_what_the_settings_say() -> None:
     assert set(greeting.PLAIN_VALUES["--speech"]) == set(SPEECH)
 
 
-def test_it_greets_once(printed: list[bytes]) -> None:
+def test_the_greeting_is_printed_once(printed: list[bytes]) -> None:
     greeted = greeting.begin(["--linear"], {})
     assert greeted
     greeted.greet("en", "option", {})
@@ -82,7 +82,7 @@ def test_it_greets_once(printed: list[bytes]) -> None:
 
 
 def test_greeting_loads_next_to_nothing() -> None:
-    """What is loaded beside what Python itself loads at its start."""
+    """The modules that are loaded besides those of Python's own start."""
     code = (
         "import os, sys; before = set(sys.modules); from donnie_tui.linear.greeting import begin;"
         "begin(['--linear'], os.environ); print(*sorted(set(sys.modules) - before))"
@@ -90,4 +90,5 @@ def test_greeting_loads_next_to_nothing() -> None:
     done = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, check=True)
     loaded = done.stdout.splitlines()[-1].split()
 
-    assert {name for name in loaded if not name.startswith("donnie_tui")} <= {"__future__", "termios"}
+    others = {name for name in loaded if not name.startswith("donnie_tui")}
+    assert others <= {"__future__", "termios", "language", "language.locales"}

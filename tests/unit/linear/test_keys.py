@@ -4,7 +4,7 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from donnie_tui.linear.keys import Act, Key, KeyDecoder
+from donnie_tui.linear.line_editor import Act, Key, KeyDecoder
 
 
 def decoded(*pieces: bytes) -> list[Key]:

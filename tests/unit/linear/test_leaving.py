@@ -1,4 +1,4 @@
-"""A signal ends the conversation: the robots first, then the text, and nobody is asked."""
+"""A signal ends the conversation without a question: it stops the robots, then saves the text."""
 
 from __future__ import annotations
 
@@ -8,11 +8,11 @@ from typing import Any
 from donnie_tui.linear.leaving import Leaving
 
 
-def desk_of(done: list[str], leaving: int | None = None) -> Any:
-    """Notes what is asked of it; it can ask nobody."""
+def session_of(done: list[str], leaving: int | None = None) -> Any:
+    """Records its calls, and can ask no question."""
     return SimpleNamespace(
         donnie=SimpleNamespace(team=SimpleNamespace(stop=lambda: done.append("stop"))),
-        programs=SimpleNamespace(keep_for_later=lambda: done.append("keep"), all=tuple),
+        workspace=SimpleNamespace(write_copies=lambda: done.append("keep"), current_first=()),
         console=SimpleNamespace(leaving=leaving),
         leaving=None,
     )
@@ -20,15 +20,15 @@ def desk_of(done: list[str], leaving: int | None = None) -> Any:
 
 def test_a_signal_stops_all_robots_and_then_keeps_the_programs() -> None:
     done: list[str] = []
-    desk = desk_of(done)
+    desk = session_of(done)
     Leaving(desk).leave_by_signal(15)
 
     assert (done, desk.leaving) == (["stop", "keep"], 128 + 15)
 
 
-def test_a_signal_that_came_while_somebody_was_leaving_counts() -> None:
+def test_a_signal_during_leaving_counts() -> None:
     done: list[str] = []
-    desk = desk_of(done, leaving=1)
+    desk = session_of(done, leaving=1)
     Leaving(desk).leave(0)
 
     assert (done, desk.leaving) == (["stop", "keep"], 128 + 1)

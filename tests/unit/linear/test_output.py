@@ -1,4 +1,4 @@
-"""Blocks, rests, and the new line that is held back; on paper with a clock that only moves when one waits."""
+"""Blocks, rests, and the new line that is held back; with a clock that only moves during waits."""
 
 from donnie_tui.linear.output import AFTER_STOP, REST, Output
 
@@ -67,7 +67,7 @@ def test_a_long_answer_comes_in_blocks_of_eighteen_with_a_rest_between() -> None
     assert paper.texts[-1].endswith("line 40\n> ")
 
 
-def test_what_is_told_at_a_stop_needs_no_rest_and_fits_on_the_screen_with_the_block_before() -> None:
+def test_lines_at_a_stop_need_no_rest_and_fit_on_the_screen_with_the_last_block() -> None:
     paper = Paper()
     output = Output(paper, paced=True)
     output.show(numbered(18))
@@ -155,7 +155,7 @@ def test_control_c_ends_a_long_answer() -> None:
     assert len(paper.texts) == 1
 
 
-def test_the_end_of_a_stopped_program_is_told_whatever_is_pressed() -> None:
+def test_the_end_of_a_stopped_program_is_printed_after_any_key() -> None:
     paper = Paper(interrupt_at=0.1)
     left_out = Output(paper, paced=True).show(numbered(40), "> ", to_the_end=True)
 

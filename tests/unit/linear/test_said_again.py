@@ -1,4 +1,4 @@
-"""An answer that stands on the screen and is said again is heard by a reader that compares before and after.
+"""A reader that compares the screen before and after also says a repeated answer.
 
 Fenrir does that: it says the lines that ``difflib.Differ`` finds to be new.
 """
@@ -28,7 +28,7 @@ class Screen:
         lines = self._text.split("\n")[-self._rows :]
         return lines + [""] * (self._rows - len(lines))
 
-    def hear(self, text: str) -> list[str]:
+    def read_after(self, text: str) -> list[str]:
         """Print it at once; what is said then, without what was typed."""
         before = self.lines
         self._text += text
@@ -36,15 +36,15 @@ class Screen:
         return [line for line in found if line not in (f"> {TYPED}", "> ", "")]
 
 
-def heard(paper: Paper, screen: Screen) -> list[str]:
+def spoken_lines(paper: Paper, screen: Screen) -> list[str]:
     """What is said of all that was written; one look at the screen for what came at one time."""
     at_once = groupby(paper.written, key=lambda each: each[0])
-    return [line for _, writes in at_once for line in screen.hear("".join(text for _, text in writes))]
+    return [line for _, writes in at_once for line in screen.read_after("".join(text for _, text in writes))]
 
 
 @pytest.mark.parametrize("is_cleared", [True, False])
 @pytest.mark.parametrize("rows", [12, 24, 30, 50])
-def test_an_answer_is_heard_each_time_that_it_is_said(rows: int, is_cleared: bool) -> None:
+def test_a_reader_says_an_answer_each_time_it_is_printed(rows: int, is_cleared: bool) -> None:
     for count in range(1, 61):
         paper, screen = Paper(rows), Screen(rows, is_cleared=is_cleared)
         output = Output(paper, paced=True)
@@ -52,10 +52,10 @@ def test_an_answer_is_heard_each_time_that_it_is_said(rows: int, is_cleared: boo
         for _ in range(3):
             paper.wait(10)
             paper.written.clear()
-            screen.hear(TYPED)
+            screen.read_after(TYPED)
             output.hold_newline()
             output.show(answer, "> ")
-            assert heard(paper, screen) == answer, count
+            assert spoken_lines(paper, screen) == answer, count
 
 
 def test_what_was_never_printed_comes_in_blocks_of_eighteen_all_the_same() -> None:

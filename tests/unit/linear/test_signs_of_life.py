@@ -1,4 +1,4 @@
-"""L7: what a run that tells nothing says of itself, and when; by a clock that only moves when one waits."""
+"""The progress reports of a silent run, by a clock that only moves during waits."""
 
 from __future__ import annotations
 
@@ -8,15 +8,12 @@ from typing import Any
 import pytest
 
 from donnie_tui.core.events import Outcome
-from donnie_tui.core.watching import Watch
-from donnie_tui.i18n.words import Words
-from donnie_tui.linear import progress
-from donnie_tui.linear.runs import Runs
-from donnie_tui.linear.told import Told
+from donnie_tui.linear.output import Told
+from donnie_tui.linear.run_loop import RunLoop
 
 
 class Console:
-    """Time passes when somebody waits."""
+    """Time passes during waits."""
 
     def __init__(self) -> None:
         self.time = 0.0
@@ -34,7 +31,7 @@ class Console:
 
 
 class Run:
-    """Tells nothing, and is over after so many seconds."""
+    """Prints nothing, and ends after so many seconds."""
 
     outcome = Outcome.COMPLETED
 
@@ -49,21 +46,21 @@ class Run:
 def signs(seconds: float, interval: float, monkeypatch: pytest.MonkeyPatch) -> list[float]:
     """When a run of so many seconds says that it is still there."""
     console, told_at = Console(), list[float]()
-    hub = SimpleNamespace(robot=None, subscribe=lambda _: _nothing, add_gate=lambda _: _nothing)
+    hub = SimpleNamespace(add_gate=lambda _: _nothing)
+    runs = SimpleNamespace(has_ended=lambda _: False, is_held=False, sum_up=lambda _: None)
     desk: Any = SimpleNamespace(
         console=console,
         session=SimpleNamespace(hub=hub),
         donnie=SimpleNamespace(team=SimpleNamespace(settle=_nothing), stop_real_robot=bool),
-        ends=SimpleNamespace(habits=SimpleNamespace(progress=interval), can_edit=True, hears_live=False),
-        watch=Watch(Words()),
-        say=None,
+        ends=SimpleNamespace(options=SimpleNamespace(progress=interval), can_edit=True, hears_live=False),
+        ctx=SimpleNamespace(runs=runs),
         beside=SimpleNamespace(is_watching=False),
         showing=SimpleNamespace(show_told=_nothing),
     )
-    monkeypatch.setattr(progress, "sign_of_life", lambda _: told_at.append(round(console.time, 3)))
-    made = Runs(desk, Told(_nothing), lambda _: None, lambda: False)
+    loop = RunLoop(desk, Told(_nothing), None)
+    monkeypatch.setattr(loop, "_report_progress", lambda: told_at.append(round(console.time, 3)))
     run: Any = Run(console, seconds)
-    made.watch_together(lambda: (("typed", run),))
+    loop.follow([(None, run)])
     return told_at
 
 
@@ -71,14 +68,16 @@ def _nothing() -> None:
     return
 
 
-def test_after_three_seconds_it_says_so_and_then_at_most_every_ten(monkeypatch: pytest.MonkeyPatch) -> None:
+def test_a_silent_run_is_reported_after_three_seconds_and_then_every_ten(
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
     assert signs(35.0, 10.0, monkeypatch) == [3.0, 13.0, 23.0, 33.0]
 
 
-def test_what_is_over_in_three_seconds_says_nothing(monkeypatch: pytest.MonkeyPatch) -> None:
+def test_a_run_of_less_than_three_seconds_has_no_report(monkeypatch: pytest.MonkeyPatch) -> None:
     assert signs(2.9, 10.0, monkeypatch) == []
 
 
-def test_the_interval_can_be_chosen_and_never_is_never(monkeypatch: pytest.MonkeyPatch) -> None:
+def test_the_interval_can_be_chosen_or_switched_off(monkeypatch: pytest.MonkeyPatch) -> None:
     assert signs(60.0, 25.0, monkeypatch) == [3.0, 28.0, 53.0]
     assert signs(1000.0, 0.0, monkeypatch) == []

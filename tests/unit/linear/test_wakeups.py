@@ -1,4 +1,4 @@
-"""L41: whoever waits is woken but once; what came while somebody else looked is not waited for again."""
+"""A wait is woken only once. Events that arrived during another look are not waited for again."""
 
 from __future__ import annotations
 
@@ -9,18 +9,16 @@ from typing import Any
 import pytest
 
 from donnie_tui.core.events import Outcome
-from donnie_tui.core.recall import Past
-from donnie_tui.core.watching import Watch
-from donnie_tui.i18n.words import Words
+from donnie_tui.core.line_history import Past
+from donnie_tui.linear.output import Told
 from donnie_tui.linear.reader import EditingReader, How, PlainReader
-from donnie_tui.linear.runs import Runs
-from donnie_tui.linear.told import Told
+from donnie_tui.linear.run_loop import RunLoop
 
 FOR_EVER = 1e9
 
 
 class Console:
-    """Nothing ever wakes anybody; each wait that is no mere look is remembered."""
+    """No event wakes a wait. Each wait that is not a mere poll is recorded."""
 
     def __init__(self, typed: bytes = b"") -> None:
         self.interrupted = self.has_news = False
@@ -74,7 +72,7 @@ def editor(console: Any) -> EditingReader:
     return EditingReader(console, Past(None), lambda _: ())
 
 
-# --- the keys of whoever types while Donnie still loads
+# --- keys that are typed while Donnie still loads
 
 
 @pytest.mark.parametrize("typed", [b"\x03", b"FW 1\r\x03", b"PAUSE\r\x03", b"SPE\x03\x03"])
@@ -96,34 +94,41 @@ def test_what_is_typed_after_ctrl_c_stays_and_what_was_typed_before_goes() -> No
 
 
 class Watched:
-    """A run, and what is found while keys are looked for: it happens then and wakes nobody after."""
+    """A run, and an event that arrives while keys are polled: it wakes no later wait."""
 
-    def __init__(self, happens: str) -> None:
+    def __init__(self, happens: str, monkeypatch: pytest.MonkeyPatch) -> None:
         self.console = Console()
         self.stops: list[str] = []
         self.last_words: list[str] = []
-        """What the program still tells while it is being stopped."""
+        """The last lines of a program that is being stopped."""
         self._is_over = False
         self._happens = happens
-        self._hub = SimpleNamespace(robot=None, subscribe=lambda _: _nothing, add_gate=lambda _: _nothing)
-        session = SimpleNamespace(hub=self._hub, stop=self._stop, frames=())
+        hub = SimpleNamespace(add_gate=lambda _: _nothing)
+        self.runs = SimpleNamespace(
+            has_ended=lambda _: self.has_ended,
+            is_held=False,
+            note_stop=lambda: self.loop.before_stop(),
+            sum_up=_ignored,
+            close=_nothing,
+        )
+        session = SimpleNamespace(hub=hub, stop=self._stop)
         team = SimpleNamespace(stop=self._stop, settle=lambda: None, running=())
         self.desk: Any = SimpleNamespace(
             console=self.console,
             session=session,
             donnie=SimpleNamespace(team=team, stop_real_robot=bool),
-            ends=SimpleNamespace(habits=SimpleNamespace(progress=0), can_edit=True, hears_live=False),
+            ends=SimpleNamespace(options=SimpleNamespace(progress=0), can_edit=True, hears_live=False),
             showing=SimpleNamespace(),
             beside=SimpleNamespace(),
-            watch=Watch(Words()),
-            say=None,
+            ctx=SimpleNamespace(runs=self.runs),
             leaving=None,
-            answer_of=_ignored,
             answer=self._answer,
         )
         self.left_out = 0
         self.told = Told(_nothing)
-        self.runs = Runs(self.desk, self.told, lambda _: None, self._live)
+        self.has_ended = False
+        self.loop = RunLoop(self.desk, self.told, None)
+        monkeypatch.setattr(self.loop, "_take_live", self._live)
 
     def _answer(self, code: str, **values: int) -> None:
         self.left_out += values["lines"] if code == "answer-left-out" else 0
@@ -135,7 +140,7 @@ class Watched:
             case "SIGTERM":
                 self.console.leaving = 15
             case "end":
-                self.runs._ended = True  # as an event would have it
+                self.has_ended = True
         return False
 
     def _stop(self) -> None:
@@ -164,19 +169,23 @@ def _ignored(*_: object, **__: object) -> None:
 
 
 @pytest.mark.parametrize("happens", ["Ctrl+C", "SIGTERM", "end"])
-def test_a_watched_run_heeds_at_once_what_came_while_keys_were_looked_for(happens: str) -> None:
-    watched = Watched(happens)
-    watched.runs.watch_together(lambda: (("typed", watched.run),))
+def test_a_watched_run_handles_at_once_an_event_during_the_poll_for_keys(
+    happens: str, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    watched = Watched(happens, monkeypatch)
+    watched.loop.follow([(None, watched.run)])
 
     assert watched.console.waits == []
     assert bool(watched.stops) == (happens != "end")
 
 
-def test_of_a_program_that_talks_without_end_three_lines_are_told_at_a_stop_and_how_many_are_not() -> None:
-    watched = Watched("Ctrl+C")
+def test_a_stop_prints_three_waiting_lines_and_the_number_of_the_others(
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    watched = Watched("Ctrl+C", monkeypatch)
     watched.console.interrupted = True
     watched.last_words = ["on and on"] * 97 + ["one", "two", "I was stopped."]
-    watched.runs.watch_together(lambda: (("typed", watched.run),))
+    watched.loop.follow([(None, watched.run)])
 
     assert watched.told.take() == ["one", "two", "I was stopped."]
     assert watched.left_out == 97
@@ -186,7 +195,7 @@ def test_of_a_program_that_talks_without_end_three_lines_are_told_at_a_stop_and_
 
 
 @pytest.mark.parametrize("make", [editor, PlainReader])
-def test_a_reader_heeds_at_once_what_came_while_an_answer_was_printed(make: Callable[[Any], Any]) -> None:
+def test_a_reader_handles_at_once_an_event_during_an_answer(make: Callable[[Any], Any]) -> None:
     console = Console()
     console.interrupted = True
     assert make(console).read("> ").how is How.INTERRUPTED
@@ -195,14 +204,14 @@ def test_a_reader_heeds_at_once_what_came_while_an_answer_was_printed(make: Call
     assert console.waits == []
 
 
-def test_a_line_told_beside_while_an_answer_was_printed_comes_before_anything_is_typed() -> None:
+def test_a_background_line_during_an_answer_is_printed_before_the_next_key() -> None:
     console = Console()
     console.lines_wait = lambda: True
     assert editor(console).read("> ").how is How.NEWS
     assert console.waits == []
 
 
-def test_an_escape_that_may_begin_an_arrow_is_waited_for_though_news_come() -> None:
+def test_an_escape_waits_for_its_arrow_although_lines_arrive() -> None:
     console = Console(b"FW\x1b")
     console.has_news = True
     typed = editor(console).read("> ")

@@ -1,4 +1,4 @@
-"""Several robots of one world, each with a program in a thread of its own, and everything they tell."""
+"""Several robots of one world, each with a program in its own thread, and a log of their reports."""
 
 import threading
 from collections.abc import Callable, Mapping
@@ -14,7 +14,7 @@ Program = Callable[[SimulatedRobot], None]
 
 
 class Company:
-    """Runs programs together in a world; the log is one for all, in the order of what happens."""
+    """Runs programs together in one world and keeps one log of all robots, in the order of the reports."""
 
     def __init__(self, scene: Scene, *, speed: float | None = None, seed: int = 0) -> None:
         self.world = World(scene, seed=seed)

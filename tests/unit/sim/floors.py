@@ -36,7 +36,7 @@ define blind position ( size [ 0.2 0.1 0.1 ] ranger( sonar( pose [ 0 0 0 90 ] ) 
 
 
 class Unpaced:
-    """A pace that remembers how long it was asked to sleep; from ``stop_after`` seconds on it says stop."""
+    """Records how long it was asked to sleep. After ``stop_after`` seconds it answers with a stop."""
 
     def __init__(self, stop_after: float = float("inf")) -> None:
         self.slept: list[float] = []
@@ -50,7 +50,7 @@ class Unpaced:
 
 
 class Diary:
-    """A watcher that writes everything down, with the robot's time."""
+    """A watcher that records every report with the robot's time."""
 
     def __init__(self) -> None:
         self.progress: list[tuple[Motion, Pose, float]] = []

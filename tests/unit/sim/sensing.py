@@ -1,8 +1,8 @@
-"""A robot's senses in a small world, without the robot's commands."""
+"""The senses of a robot in a small world, without its commands."""
 
+from sim.geometry import Spot
 from sim.ground import Ground
-from sim.physics import Surroundings
-from sim.placement import Spot
+from sim.motion import Surroundings
 from sim.scene import Scene
 from sim.sensors import Senses, senses_of
 from tests.unit.sim.floors import scene

@@ -1,4 +1,4 @@
-"""Pictures as floor plans: which pixels are solid, in every kind of file, and how they become shapes."""
+"""Pictures as floor plans: solid pixels of each kind of file, and the shapes that they become."""
 
 import struct
 import zlib
@@ -9,11 +9,12 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from sim.bitmap import BadPicture, Picture, Rectangle, count_outlines, read_picture, rectangles
-from sim.bitmap.pixels import MOST_PIXELS
 from sim.geometry import signed_area
 from sim.world import World
 from sim.worldfile import load_text
+from sim.worldfile.bitmaps import MOST_PIXELS, Bitmap, UnreadableBitmapError, read_bitmap
+from sim.worldfile.floor_plans import Rectangle, count_outlines, rectangles
+from tests.effort import examples
 from tests.unit.sim.floors import IDEAL, Unpaced
 
 ROWS = ("..##.", "#...#", "##.##")
@@ -142,33 +143,33 @@ FILES = {
 
 @pytest.mark.parametrize("kind", FILES)
 def test_every_kind_of_picture_is_read(kind: str) -> None:
-    assert read_picture(FILES[kind]) == Picture(5, 3, SOLID)
+    assert read_bitmap(FILES[kind]) == Bitmap(5, 3, SOLID)
 
 
-@settings(max_examples=400, deadline=None)
+@settings(max_examples=examples(400))
 @given(st.sampled_from(sorted(FILES)), st.integers(0, 200), st.binary(max_size=8), st.integers(0, 8))
 def test_a_damaged_picture_is_read_or_refused(kind: str, at: int, piece: bytes, length: int) -> None:
     data = FILES[kind][:at] + piece + FILES[kind][at + length :]
 
     try:
-        picture = read_picture(data)
-    except BadPicture:
+        picture = read_bitmap(data)
+    except UnreadableBitmapError:
         return
     assert picture.width * picture.height <= MOST_PIXELS
     assert [len(row) for row in picture.rows] == [picture.width] * picture.height
 
 
-def test_a_picture_that_claims_to_be_huge_is_refused() -> None:
+def test_a_picture_with_huge_dimensions_is_refused() -> None:
     header = struct.pack(">IIBBBBB", 100_000, 100_000, 8, 0, 0, 0, 0)
 
-    with pytest.raises(BadPicture):
-        read_picture(b"\x89PNG\r\n\x1a\n" + chunk(b"IHDR", header) + chunk(b"IDAT", zlib.compress(b"")))
+    with pytest.raises(UnreadableBitmapError):
+        read_bitmap(b"\x89PNG\r\n\x1a\n" + chunk(b"IHDR", header) + chunk(b"IDAT", zlib.compress(b"")))
 
 
-@settings(max_examples=200, deadline=None)
+@settings(max_examples=examples(200))
 @given(st.lists(st.lists(st.booleans(), min_size=7, max_size=7), min_size=1, max_size=8))
 def test_rectangles_cover_the_solid_pixels_once_and_nothing_else(pixels: list[list[bool]]) -> None:
-    picture = Picture(7, len(pixels), tuple(bytes(row) for row in pixels))
+    picture = Bitmap(7, len(pixels), tuple(bytes(row) for row in pixels))
 
     covered = [
         (x, y)
@@ -181,7 +182,7 @@ def test_rectangles_cover_the_solid_pixels_once_and_nothing_else(pixels: list[li
 
 
 def test_equal_runs_become_one_rectangle() -> None:
-    picture = Picture(4, 3, (b"\1\1\0\0", b"\1\1\0\1", b"\1\1\0\0"))
+    picture = Bitmap(4, 3, (b"\1\1\0\0", b"\1\1\0\1", b"\1\1\0\0"))
 
     assert sorted(rectangles(picture)) == [Rectangle(0, 0, 2, 3), Rectangle(3, 1, 4, 2)]
 
@@ -208,7 +209,7 @@ def test_a_photograph_is_read() -> None:
     out = BytesIO()
     Image.new("RGB", (8, 8), (10, 200, 200)).save(out, "JPEG")
 
-    assert read_picture(out.getvalue()) == Picture(8, 8, (b"\1" * 8,) * 8)
+    assert read_bitmap(out.getvalue()) == Bitmap(8, 8, (b"\1" * 8,) * 8)
 
 
 @pytest.mark.parametrize(
@@ -226,12 +227,12 @@ def test_a_photograph_is_read() -> None:
 )
 def test_stage_follows_the_border_of_every_dark_patch_and_hole(rows: tuple[str, ...], count: int) -> None:
     """Patches that touch at a corner are one or two, as their borders are sorted."""
-    picture = Picture(len(rows[0]), len(rows), tuple(bytes(pixel == "#" for pixel in row) for row in rows))
+    picture = Bitmap(len(rows[0]), len(rows), tuple(bytes(pixel == "#" for pixel in row) for row in rows))
 
     assert count_outlines(picture) == count
 
 
-def test_of_a_picture_full_of_dots_nobody_counts_the_borders() -> None:
+def test_the_borders_of_a_picture_full_of_dots_are_not_counted() -> None:
     row = b"\1\0" * 300
 
-    assert count_outlines(Picture(600, 400, (row, bytes(600)) * 200)) is None
+    assert count_outlines(Bitmap(600, 400, (row, bytes(600)) * 200)) is None

@@ -1,4 +1,4 @@
-"""Robots that drive otherwise than Donnie: slower, as a car, counting their wheels' turns."""
+"""Robots that drive differently from Donnie: slower, as a car, or with odometry."""
 
 from itertools import pairwise
 from math import hypot, pi, sqrt
@@ -21,7 +21,7 @@ def driven(settings: str, rest: str = "", seed: int = 0, name: str | None = None
 BOUNDS = "velocity_bounds [ {} {} 0 0 0 0 {} {} ]"
 
 
-def test_a_robot_goes_no_faster_than_its_world_lets_it() -> None:
+def test_a_robot_drives_no_faster_than_its_world_allows() -> None:
     slow = driven(BOUNDS.format(-0.01, 0.025, -15, 30))
 
     times = [slow.time()]
@@ -46,7 +46,7 @@ def test_a_bound_above_the_usual_pace_changes_nothing() -> None:
     assert fast.time() == pytest.approx(7)
 
 
-def test_what_a_robot_cannot_do_at_all_is_said() -> None:
+def test_a_command_that_a_robot_cannot_do_at_all_is_refused() -> None:
     stuck = driven(BOUNDS.format(0, 0.5, 0, 0))
 
     assert stuck.forward(2).walked == 2
@@ -88,7 +88,7 @@ def test_a_short_way_never_reaches_the_top_speed() -> None:
     assert seconds(robot, degrees=20) == pytest.approx(2 * sqrt(20 / 90))
 
 
-def test_what_gains_speed_forward_loses_it_backward() -> None:
+def test_a_limit_that_accelerates_forward_brakes_backward() -> None:
     """0.1 m/s² forward, 0.0125 m/s² backward: half a second and a quarter of a step, four seconds and two."""
     robot = driven(GAINS.format(-0.0125, 0.1, -45, 45))
 
@@ -105,7 +105,7 @@ def test_a_turn_has_its_own_acceleration() -> None:
     assert seconds(robot, degrees=90) == pytest.approx(2 + (90 - 45 - 22.5) / 45 + 1)
 
 
-def test_both_bounds_count_together() -> None:
+def test_the_speed_limit_and_the_acceleration_limit_count_together() -> None:
     robot = driven(BOUNDS.format(-0.025, 0.025, -90, 90) + GAINS.format(-0.0125, 0.0125, -90, 90))
 
     assert seconds(robot, 10) == pytest.approx(2 + (10 - 1) / 0.5 + 2)
@@ -126,7 +126,7 @@ def test_a_robot_that_cannot_get_faster_or_slower_says_that_it_cannot_drive() ->
         stuck.turn(10)
 
 
-def test_each_step_of_a_ramp_is_told_at_its_time() -> None:
+def test_each_step_of_a_ramp_is_reported_at_its_time() -> None:
     diary = Diary()
     text = "define it position ( size [ 0.2 0.1 0.1 ] acceleration_bounds [ -0.025 0.025 0 0 0 0 -9 9 ] )"
     robot = World(scene(f"{text}\nit( pose [ 0 0 0 90 ] )")).robot(pace=Unpaced(), watcher=diary)
@@ -153,7 +153,7 @@ def test_a_ramp_takes_the_same_robot_time_at_every_speed(speed: float | None) ->
     assert sum(pace.slept) == pytest.approx(robot.time() / speed if speed else 0)
 
 
-def test_a_robot_that_is_stopped_on_a_ramp_is_as_far_as_it_came() -> None:
+def test_a_robot_that_is_stopped_on_a_ramp_stands_where_it_was_then() -> None:
     text = "define it position ( size [ 0.2 0.1 0.1 ] acceleration_bounds [ -0.025 0.025 0 0 0 0 -9 9 ] )"
     pace = Unpaced(stop_after=1.0)
     robot = World(scene(f"{text}\nit( pose [ 0 0 0 90 ] )")).robot(pace=pace, speed=1.0)
@@ -211,7 +211,7 @@ def test_a_car_that_sees_an_obstacle_on_its_circle_stops_before_it() -> None:
     assert turned.pose.y * 0.05 < 0.4 - 0.1 - 0.05
 
 
-def test_a_car_with_a_wide_circle_tells_every_ten_degrees() -> None:
+def test_a_car_with_a_wide_circle_reports_every_ten_degrees() -> None:
     diary = Diary()
     text = 'define it position ( size [ 0.2 0.1 0.1 ] drive "car" wheelbase 8 )\nit( pose [ 0 0 0 90 ] )'
     car = World(scene(text)).robot(pace=Unpaced(), watcher=diary)
@@ -226,7 +226,7 @@ def test_a_car_with_a_wide_circle_tells_every_ten_degrees() -> None:
 ODOM = 'localization "odom" odom_error [ 0.2 0.2 0.2 0.2 ]'
 
 
-def test_a_robot_that_counts_its_wheels_believes_to_be_elsewhere() -> None:
+def test_a_robot_with_odometry_believes_to_be_elsewhere() -> None:
     world = World(scene(f"define it position ( {ODOM} ) it( pose [ 0 0 0 90 ] )"), seed=7)
     robot = world.robot(pace=Unpaced())
 
@@ -239,7 +239,7 @@ def test_a_robot_that_counts_its_wheels_believes_to_be_elsewhere() -> None:
     assert believed.y == pytest.approx(20, abs=2)
 
 
-def test_the_same_seed_errs_the_same_and_another_otherwise() -> None:
+def test_the_same_seed_gives_the_same_error_and_another_seed_another() -> None:
     def run(seed: int) -> list[Pose]:
         robot = driven(ODOM, seed=seed)
         return [robot.forward(5).pose, robot.turn(90).pose, robot.backward(9).pose]
@@ -259,11 +259,11 @@ def test_the_error_is_to_either_side_by_half_of_what_the_world_says() -> None:
     assert 80 <= min(turns) < 84 < 116 < max(turns) <= 120
 
 
-def test_without_a_seed_nothing_errs() -> None:
+def test_there_is_no_error_without_a_seed() -> None:
     assert driven(ODOM).forward(20).pose == Pose(0, 20, 0)
 
 
-def test_a_reset_errs_the_same_again() -> None:
+def test_the_error_is_the_same_after_a_reset() -> None:
     robot = driven(ODOM, seed=3)
     first = robot.forward(9)
     robot.reset()
@@ -271,14 +271,14 @@ def test_a_reset_errs_the_same_again() -> None:
     assert robot.forward(9) == first
 
 
-def test_walking_to_and_fro_leads_the_belief_back_too() -> None:
+def test_walking_forward_and_back_returns_the_believed_place_too() -> None:
     robot = driven(ODOM, seed=7)
     robot.forward(9)
 
     assert robot.backward(9).pose.y == pytest.approx(0)
 
 
-# --- robots of others
+# --- robots of other worlds
 
 
 @pytest.mark.parametrize("bearing", [Bearing.FRONT, Bearing.BACK])
@@ -293,7 +293,7 @@ def test_a_robot_without_sensors_says_so_and_can_be_driven(bearing: Bearing) -> 
 
 
 def test_a_car_does_not_swing_its_tail_into_anything() -> None:
-    """Its front goes into free floor; only the turn brings its long tail to the post beside it."""
+    """Its front enters free floor. Only the turn moves its long tail to the post at its side."""
     text = (
         'define it position ( size [ 1 0.1 0.1 ] origin [ -0.4 0 0 0 ] drive "car" wheelbase 0.3 )\n'
         "it( pose [ 0 0 0 0 ] )\nmodel( size [ 0.05 0.05 1 ] pose [ -0.8 -0.1 0 0 ] )"

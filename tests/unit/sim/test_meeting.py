@@ -1,4 +1,4 @@
-"""L33: what a movement ended at, and on which side."""
+"""What a movement ended at, and on which side."""
 
 import pytest
 
@@ -8,17 +8,17 @@ from tests.unit.sim.floors import BOX_ROBOT, IDEAL, ideal, robot
 DEFINED = "define chair model ( size [ 0.1 0.1 0.5 ] )\n"
 
 
-def test_a_movement_that_went_as_asked_met_nothing() -> None:
+def test_a_complete_movement_met_nothing() -> None:
     it = ideal([("red", 9, 9)])
 
     assert (it.forward(3).met, it.turn(90).met) == (None, None)
 
 
-def test_an_obstacle_is_told_by_its_name_and_where_it_is() -> None:
+def test_an_obstacle_is_reported_with_its_name_and_its_place() -> None:
     assert ideal([("red", 0, 5)]).forward(9).met == Met("thing", "thing1", 0.0)
 
 
-def test_what_is_behind_is_met_on_the_way_back() -> None:
+def test_a_thing_behind_is_met_when_walking_backward() -> None:
     met = ideal([("red", 0, -4)]).backward(5).met
 
     assert met is not None
@@ -26,7 +26,7 @@ def test_what_is_behind_is_met_on_the_way_back() -> None:
     assert abs(met.degrees) == pytest.approx(180)
 
 
-def test_the_nearest_thing_ahead_is_the_obstacle_and_not_one_beside() -> None:
+def test_the_obstacle_is_the_nearest_thing_ahead_and_not_one_at_the_side() -> None:
     met = ideal([("red", 0, 5), ("green", 1.5, 3.4), ("blue", 0, 7)]).forward(9).met
 
     assert met is not None
@@ -34,7 +34,7 @@ def test_the_nearest_thing_ahead_is_the_obstacle_and_not_one_beside() -> None:
 
 
 @pytest.mark.parametrize(("east", "degrees"), [(0.06, 29), (-0.06, -29)])
-def test_what_is_hit_aslant_is_on_that_side(east: float, degrees: int) -> None:
+def test_a_thing_that_is_hit_at_an_angle_is_on_that_side(east: float, degrees: int) -> None:
     """The robot is a decimetre wide and twenty long; it looks to the north."""
     thing = f'chair( name "c1" pose [ {east} 0.5 0 0 ] size [ 0.02 0.02 1 ] )'
     it = robot(BOX_ROBOT + DEFINED + f"blind( pose [ 0 0 0 90 ] ) {thing}")
@@ -47,7 +47,7 @@ def test_what_is_hit_aslant_is_on_that_side(east: float, degrees: int) -> None:
     assert moved.met.degrees == pytest.approx(degrees, abs=5)
 
 
-def test_a_turn_is_ended_by_what_is_beside() -> None:
+def test_a_thing_at_the_side_ends_a_turn() -> None:
     it = robot(BOX_ROBOT + "blind( pose [ 0 0 0 0 ] ) model( size [ 1 0.1 1 ] pose [ 0 0.14 0 0 ] )")
 
     met = it.turn(-90).met
@@ -64,17 +64,17 @@ def test_a_turn_is_ended_by_what_is_beside() -> None:
     ],
     ids=["by its name", "a boundary"],
 )
-def test_a_wall_is_a_wall_whatever_its_world_calls_it(wall: str) -> None:
+def test_a_wall_is_reported_as_a_wall_whatever_its_name(wall: str) -> None:
     assert robot(IDEAL + wall + "ideal( pose [ 0 0 0 90 ] )").forward(50).met == Met("wall", "", 0.0)
 
 
-def test_another_robot_is_told_by_its_name() -> None:
+def test_another_robot_is_reported_with_its_name() -> None:
     it = robot(BOX_ROBOT + 'blind( pose [ 0 0 0 0 ] ) blind( name "bob" pose [ 1 0 0 0 ] obstacle_return 0 )')
 
     assert it.forward(30).met == Met("robot", "bob", 0.0)
 
 
-def test_of_things_that_are_pushed_into_a_wall_the_nearest_is_told() -> None:
+def test_the_nearest_of_the_things_pushed_into_a_wall_is_reported() -> None:
     it = robot(
         BOX_ROBOT
         + "blind( pose [ 0 0 0 0 ] )"

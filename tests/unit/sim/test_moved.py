@@ -1,4 +1,4 @@
-"""A scene with things elsewhere than its file has them."""
+"""A scene whose things have moved from the places in its file."""
 
 from __future__ import annotations
 
@@ -7,12 +7,12 @@ from pathlib import Path
 import pytest
 
 import worlds
-from sim.placement import Placement
+from sim.geometry import Placement
 from sim.scene import moved
 from sim.worldfile import load_world
 
 
-def test_what_is_attached_comes_along_and_the_rest_stays() -> None:
+def test_an_attached_part_moves_along_and_the_rest_stays() -> None:
     scene = load_world(Path(worlds.path("two_robots")))
     alice = scene.robots[0]
     before = scene.models[alice].pose
@@ -29,6 +29,6 @@ def test_what_is_attached_comes_along_and_the_rest_stays() -> None:
             assert now == model
 
 
-def test_nothing_moved_is_the_same_scene() -> None:
+def test_a_scene_without_moves_is_the_same_object() -> None:
     scene = load_world(Path(worlds.path("living_room")))
     assert moved(scene, {}) is scene

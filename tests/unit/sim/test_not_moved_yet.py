@@ -1,4 +1,4 @@
-"""A robot that nobody asked to move or to look yet: what it tells, and that late is as early."""
+"""A robot before its first command: what it reports. Creating its parts late changes no result."""
 
 import threading
 from collections.abc import Callable
@@ -7,8 +7,8 @@ import pytest
 
 from devices.ports.robot import Bearing, Grip, Pose
 from sim import vehicle
+from sim.geometry import Placement
 from sim.ground import Ground
-from sim.placement import Placement
 from sim.robot import SimulatedRobot
 from sim.scene import Scene
 from sim.vehicle import Vehicle
@@ -30,7 +30,7 @@ HALL = (
 
 @pytest.fixture
 def made(monkeypatch: pytest.MonkeyPatch) -> list[object]:
-    """The robots whose vehicles were made."""
+    """Records the robots for which a vehicle was created."""
     told: list[object] = []
 
     class Counted(Vehicle):
@@ -42,7 +42,7 @@ def made(monkeypatch: pytest.MonkeyPatch) -> list[object]:
     return told
 
 
-def test_what_it_is_and_where_it_stands_needs_nothing_that_drives_or_feels(made: list[object]) -> None:
+def test_description_and_pose_need_neither_vehicle_nor_senses(made: list[object]) -> None:
     it = World(scene(IDEAL + 'ideal( name "alice" pose [ 0.1 0.2 0 -90 ] )')).robot(pace=Unpaced())
 
     it.join()
@@ -59,7 +59,7 @@ def test_what_it_is_and_where_it_stands_needs_nothing_that_drives_or_feels(made:
     assert len(made) == 1
 
 
-def test_whoever_asks_first_what_drives_it_is_made_once(made: list[object]) -> None:
+def test_the_vehicle_is_created_once_however_many_threads_ask_first(made: list[object]) -> None:
     world = World(scene(HALL))
     alice, together = world.robot("alice", pace=Unpaced()), threading.Barrier(8)
 
@@ -86,8 +86,8 @@ def stroll(robot: SimulatedRobot) -> list[object]:
 
 
 @pytest.mark.parametrize("is_ready", [False, True], ids=["late", "early"])
-def test_it_errs_the_same_whenever_what_drives_it_is_made(is_ready: bool) -> None:
-    """From its first run and from every later one, and after it was put back before it ever moved."""
+def test_the_error_does_not_depend_on_when_the_vehicle_is_created(is_ready: bool) -> None:
+    """In its first run, in each later one, and after a reset before its first movement."""
     plain = stroll(World(scene(HALL), seed=3).robot(pace=Unpaced()))
     world = World(scene(HALL), seed=3)
     robot = world.robot(pace=Unpaced())
@@ -102,8 +102,8 @@ def test_it_errs_the_same_whenever_what_drives_it_is_made(is_ready: bool) -> Non
     assert plain != stroll(World(scene(HALL)).robot(pace=Unpaced()))
 
 
-def test_a_layer_is_the_same_whether_things_moved_before_it_was_made_or_after() -> None:
-    """To the last digit: which robot is ready first hangs on how fast threads are."""
+def test_a_layer_does_not_depend_on_whether_things_moved_before_it_was_created() -> None:
+    """To the last digit: the speed of the threads decides which robot is ready first."""
     hall: Scene = scene(HALL)
     early, late = Ground(hall), Ground(hall)
     guard = early.guarded(0.3)
@@ -118,8 +118,8 @@ def test_a_layer_is_the_same_whether_things_moved_before_it_was_made_or_after() 
         assert early.free_way(*way) == late.free_way(*way)
 
 
-def test_a_robot_that_is_made_anew_stands_at_its_start_for_the_others_too() -> None:
-    """So does one that was simulated before a real one took its place for a while."""
+def test_a_recreated_robot_stands_at_its_start_for_the_others_too() -> None:
+    """The same holds for a simulated robot after a real one replaced it for a while."""
     gripper = "gripper( size [ 0.05 0.1 0.1 ] pose [ 0.12 0 0 0 ] )"
     world = World(
         scene(

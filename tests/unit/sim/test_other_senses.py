@@ -12,7 +12,7 @@ from tests.unit.sim.sensing import Sensing
 BODY = "size [ 0.2 0.2 0.2 ]"
 
 
-def told(it: Sensing) -> list[tuple[str, int]]:
+def names_and_bearings(it: Sensing) -> list[tuple[str, int]]:
     return [(it.name(seen.root), round(seen.degrees)) for seen in it.senses.look(it.around, it.spot)]
 
 
@@ -39,25 +39,23 @@ POLES = pole("ahead", 1, 0) + pole("left", 1, 0.5) + pole("far left", 1, 1) + po
         ("fov 60 range 0.5", []),
     ],
 )
-def test_a_camera_that_does_not_turn_sees_its_own_field_of_view(
-    camera: str, expected: list[tuple[str, int]]
-) -> None:
+def test_a_fixed_camera_sees_its_field_of_view(camera: str, expected: list[tuple[str, int]]) -> None:
     it = Sensing(f"position( {BODY} blobfinder( {camera} ) )" + POLES)
 
-    assert told(it) == expected
+    assert names_and_bearings(it) == expected
 
 
 def test_a_camera_on_a_head_looks_over_the_half_circle_ahead() -> None:
     it = Sensing(f"position( {BODY} position( {BODY} blobfinder( fov 10 ) ) )" + POLES)
 
-    assert told(it) == [("far left", 45), ("left", 27), ("ahead", 0)]
+    assert names_and_bearings(it) == [("far left", 45), ("left", 27), ("ahead", 0)]
 
 
-def test_six_sonars_at_donnies_bearings_come_with_donnies_head() -> None:
+def test_a_robot_with_six_sonars_at_donnies_bearings_has_donnies_head() -> None:
     sonars = "".join(f"sensor( pose [ 0 0 0 {-bearing.value} ] )" for bearing in Bearing)
     it = Sensing(f"position( {BODY} ranger( {sonars} ) blobfinder( fov 10 ) )" + POLES)
 
-    assert told(it) == [("far left", 45), ("left", 27), ("ahead", 0)]
+    assert names_and_bearings(it) == [("far left", 45), ("left", 27), ("ahead", 0)]
 
 
 def test_a_fixed_camera_measures_from_where_it_is() -> None:
@@ -68,14 +66,14 @@ def test_a_fixed_camera_measures_from_where_it_is() -> None:
     assert seen.centimetres == 69
 
 
-def test_two_cameras_tell_a_thing_once() -> None:
+def test_two_cameras_report_a_thing_once() -> None:
     it = Sensing(
         f'position( {BODY} blobfinder( colors [ "red" ] fov 30 ) blobfinder( colors [ "blue" ] fov 100 ) )'
         + pole("ahead", 1, 0)
         + pole("blue", 1, 1, "blue")
     )
 
-    assert told(it) == [("blue", 45), ("ahead", 0)]
+    assert names_and_bearings(it) == [("blue", 45), ("ahead", 0)]
     assert World(it.scene).robot(pace=Unpaced()).colours == {"red", "blue"}
 
 
@@ -84,11 +82,11 @@ def test_a_nearer_thing_hides_a_farther_one_at_its_own_height_only() -> None:
     robot = f'position( {BODY} blobfinder( colors [ "red" ] ) )'
     things = low + pole("ahead", 1, 0)
 
-    assert told(Sensing(robot + things)) == []
-    assert told(Sensing("ignore_zloc 0 " + robot + things)) == [("ahead", 0)]
+    assert names_and_bearings(Sensing(robot + things)) == []
+    assert names_and_bearings(Sensing("ignore_zloc 0 " + robot + things)) == [("ahead", 0)]
 
 
-def test_without_a_camera_there_is_nothing_to_look_with() -> None:
+def test_a_look_without_a_camera_is_refused() -> None:
     it = Sensing(f"position( {BODY} bumper( ) )")
 
     with pytest.raises(RobotProblem) as problem:
@@ -108,7 +106,7 @@ def marks(it: Sensing) -> list[tuple[object, ...]]:
     return [(it.name(f.model), round(f.degrees), pytest.approx(f.metres), f.number) for f in found]
 
 
-def test_marks_are_told_from_left_to_right_with_their_numbers() -> None:
+def test_marks_are_reported_from_left_to_right_with_their_numbers() -> None:
     things = pole("door", 3, 0, more="fiducial_return 7") + pole("window", 0, 2, more="fiducial_return 9")
 
     assert marks(finder("", things + pole("plain", 1, -1))) == [("window", 90, 2, 9), ("door", 0, 3, 7)]
@@ -141,13 +139,13 @@ def test_a_finder_finds_within_its_range_its_view_and_its_key(
     assert [found[0] for found in marks(it)] == (["door"] if expected else [])
 
 
-def test_nearer_than_a_finder_can_tell_is_its_minimum() -> None:
+def test_a_mark_nearer_than_the_minimum_of_a_finder_is_at_the_minimum() -> None:
     ((_, _, metres, _),) = marks(finder("range_min 5", pole("door", 3, 0, more="fiducial_return 1")))
 
     assert metres == 5
 
 
-def test_what_stands_between_hides_a_mark() -> None:
+def test_a_thing_between_hides_a_mark() -> None:
     things = pole("door", 3, 0, more="fiducial_return 1") + pole("side", 3, 0.3, more="fiducial_return 2")
 
     assert [found[0] for found in marks(finder("", things + pole("post", 1, 0)))] == ["side"]
@@ -177,9 +175,7 @@ BUMPERS = (
         ("size [ 0.1 1 1 ] pose [ 0.151 0 0 0 ] obstacle_return 0", (False, False, False)),
     ],
 )
-def test_a_bumper_is_pressed_by_what_is_solid_and_touches_its_bar(
-    wall: str, expected: tuple[bool, ...]
-) -> None:
+def test_a_solid_thing_that_touches_its_bar_presses_a_bumper(wall: str, expected: tuple[bool, ...]) -> None:
     it = Sensing(BUMPERS + f"model( {wall} )")
 
     assert it.senses.pressed(it.around, it.spot) == expected
@@ -236,4 +232,4 @@ def test_bigbob_sees_oranges_and_cartons_within_its_sixty_degrees() -> None:
 
     it = Sensing(BIGBOB + things + pole("far left", 1, 1, "orange"))
 
-    assert told(it) == [("orange", round(side)), ("carton", -round(side))]
+    assert names_and_bearings(it) == [("orange", round(side)), ("carton", -round(side))]

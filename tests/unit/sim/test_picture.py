@@ -51,7 +51,7 @@ def test_walls_are_drawn_around_a_room_and_cut_the_picture() -> None:
     assert it.things == ()
 
 
-def test_kinds_get_letters_of_their_own_and_never_those_of_trail_start_and_robot() -> None:
+def test_each_kind_has_its_letter_and_none_has_that_of_trail_start_or_robot() -> None:
     kinds = ("apple", "armchair", "orange", "vase", "pot", "pan", "1")
     defined = "".join(f"define {kind} model( size [ 0.1 0.1 1 ] ) " for kind in kinds[:-1])
     stood = " ".join(f"{kind}( pose [ {i} 1 0 0 ] )" for i, kind in enumerate(kinds[:-1]))
@@ -69,14 +69,14 @@ def test_large_things_have_capitals() -> None:
     assert letters == ["B", "p"]
 
 
-def test_other_robots_are_things_the_asked_one_is_not() -> None:
+def test_other_robots_are_things_and_the_robot_itself_is_not() -> None:
     text = ROBOT + 'ideal( name "marvin" pose [ 1 1 0 0 ] color "green" )'
 
     assert [thing.name for thing in picture(scene(text)).things] == ["marvin"]
     assert [thing.name for thing in picture(scene(text), "marvin").things] == ["donnie"]
 
 
-def test_marks_that_nobody_meets_are_not_drawn() -> None:
+def test_marks_that_no_robot_can_touch_are_not_drawn() -> None:
     assert (
         picture(scene(ROBOT + "model( size [ 4 4 0.01 ] obstacle_return 0 pose [ 3 0 0 0 ] )")).things == ()
     )
@@ -100,7 +100,7 @@ def test_a_world_without_a_robot_and_without_anything_has_a_picture() -> None:
     assert (it.width, it.height) == (60, 60)
 
 
-def test_a_robot_among_the_things_is_known_as_one_and_a_position_model_without_senses_is_not() -> None:
+def test_a_thing_is_marked_as_a_robot_only_if_its_position_model_has_sensors() -> None:
     it = load_text(
         """
         define seeing position ( size [ 0.1 0.1 0.1 ] ranger( sensor( ) ) )

@@ -1,4 +1,4 @@
-"""Things that give way: pushed straight on, never into anything; and seen where they are now."""
+"""Things that can be pushed move straight, never into anything, and are seen at their current place."""
 
 import pytest
 
@@ -15,7 +15,7 @@ def things(world: World) -> list[tuple[float, float]]:
     return [(round(place.x, 3), round(place.y, 3)) for place in world.moved_things().values()]
 
 
-def test_a_thing_that_gives_way_is_pushed_and_the_walk_goes_on() -> None:
+def test_a_pushable_thing_is_pushed_and_the_walk_continues() -> None:
     world = World(scene(PUSHER + BOX.format(0.3, 0)))
     moved = world.robot(pace=Unpaced()).forward(10)
 
@@ -23,7 +23,7 @@ def test_a_thing_that_gives_way_is_pushed_and_the_walk_goes_on() -> None:
     assert things(world) == [(0.5 + 0.1 + 0.05, 0)]
 
 
-def test_a_thing_that_does_not_give_way_is_not_pushed() -> None:
+def test_a_thing_that_is_not_pushable_is_not_pushed() -> None:
     world = World(scene(PUSHER + BOX.format(0.3, 0).replace("pushable 1", "")))
     moved = world.robot(pace=Unpaced()).forward(10)
 
@@ -31,7 +31,7 @@ def test_a_thing_that_does_not_give_way_is_not_pushed() -> None:
     assert things(world) == []
 
 
-def test_what_is_pushed_stops_at_a_wall_and_the_robot_with_it() -> None:
+def test_a_pushed_thing_stops_at_a_wall_and_the_robot_with_it() -> None:
     world = World(scene(PUSHER + BOX.format(0.3, 0) + WALL.format(0.6)))
     robot = world.robot(pace=Unpaced())
 
@@ -52,7 +52,7 @@ def test_one_thing_pushes_the_next() -> None:
     assert things(world) == [(0.8, 0), (0.9, 0.03)]
 
 
-def test_things_beside_the_way_stay() -> None:
+def test_things_next_to_the_way_stay() -> None:
     world = World(scene(PUSHER + BOX.format(0.3, 0.11)))
 
     assert world.robot(pace=Unpaced()).forward(20).walked == 20
@@ -73,7 +73,7 @@ def test_nothing_is_pushed_into_another_robot() -> None:
     assert things(world) == [(0.45, 0)]
 
 
-def test_a_sonar_that_sees_a_thing_to_push_does_not_stop_the_robot_and_tells_its_distance() -> None:
+def test_a_sonar_measures_a_pushable_thing_and_does_not_stop_the_robot() -> None:
     world = World(scene(IDEAL + "ideal( pose [ 0 0 0 0 ] )" + BOX.format(0.35, 0)))
     robot = world.robot(pace=Unpaced())
 
@@ -85,7 +85,7 @@ def test_a_sonar_that_sees_a_thing_to_push_does_not_stop_the_robot_and_tells_its
     assert robot.distance(Bearing.FRONT) == 4
 
 
-def test_scan_sees_a_thing_where_it_is_now() -> None:
+def test_scan_sees_a_thing_at_its_current_place() -> None:
     world = World(
         scene(IDEAL + "ideal( pose [ 0 0 0 0 ] )" + BOX.format(0.35, 0).replace(")", 'color "red" )'))
     )
@@ -152,7 +152,7 @@ def test_a_gripper_takes_carries_and_releases() -> None:
     assert (x, y) == pytest.approx((up_to_it.pose.x * 0.05, 0.2 - ahead), abs=0.001)
 
 
-def test_what_is_held_bumps_into_walls() -> None:
+def test_a_held_thing_bumps_into_walls() -> None:
     world = World(scene(GRIPPER + "ball( pose [ 0.23 0 0 0 ] )" + WALL.format(0.6)))
     robot = world.robot(pace=Unpaced())
     alone = World(scene(GRIPPER + WALL.format(0.6))).robot(pace=Unpaced()).forward(20)
@@ -166,7 +166,7 @@ def test_what_is_held_bumps_into_walls() -> None:
     assert moved.pose.x <= alone.pose.x
 
 
-def test_gripping_says_what_is_the_matter() -> None:
+def test_a_refused_grip_has_a_reason() -> None:
     robot = World(scene(GRIPPER + "ball( pose [ 0.23 0 0 0 ] )")).robot(pace=Unpaced())
 
     answers = [robot.release(), robot.grip(), robot.grip(), robot.release()]
@@ -181,8 +181,8 @@ def test_gripping_says_what_is_the_matter() -> None:
     assert robot.grip().outcome is Grip.NOTHING_THERE
 
 
-def test_what_was_released_is_no_part_of_the_body_any_more() -> None:
-    """It goes as far towards a wall behind it as one that never held anything."""
+def test_a_released_thing_is_no_longer_part_of_the_body() -> None:
+    """It walks as far towards a wall behind it as a robot that never held anything."""
     behind = WALL.format(-0.6)
     world = World(scene(GRIPPER + "ball( pose [ 0.23 0 0 0 ] )" + behind))
     robot, never = (world.robot(pace=Unpaced()), World(scene(GRIPPER + behind)).robot(pace=Unpaced()))
@@ -207,7 +207,7 @@ def test_a_robot_without_a_gripper_says_so() -> None:
         robot.release()
 
 
-def test_what_one_holds_another_cannot_take_nor_push() -> None:
+def test_another_robot_can_neither_take_nor_push_a_held_thing() -> None:
     world = World(
         scene(GRIPPER + 'ball( pose [ 0.23 0 0 0 ] pushable 1 ) lifter( name "bob" pose [ 0.6 0 0 180 ] )')
     )
@@ -221,7 +221,7 @@ def test_what_one_holds_another_cannot_take_nor_push() -> None:
     assert things(world) == []
 
 
-def test_what_one_holds_is_a_wall_to_another_that_comes_between_its_paddles() -> None:
+def test_a_held_thing_between_the_paddles_of_another_robot_is_a_wall() -> None:
     narrow = "define narrow position ( size [ 0.2 0.02 0.1 ] ranger( sonar( pose [ 0 0 0 90 ] ) ) )\n"
     ball = "ball( pose [ 0.23 0 0 0 ] pushable 1 )"
     world = World(scene(GRIPPER + narrow + ball + 'narrow( name "bob" pose [ 0.6 0 0 180 ] )'))
@@ -234,7 +234,7 @@ def test_what_one_holds_is_a_wall_to_another_that_comes_between_its_paddles() ->
     assert things(world) == []
 
 
-def test_what_one_holds_stays_in_its_gripper_when_another_is_reset() -> None:
+def test_a_held_thing_stays_in_its_gripper_when_another_robot_is_reset() -> None:
     world = World(scene(GRIPPER + "ball( pose [ 0.23 0 0 0 ] )" + 'blind( name "bob" pose [ 0 2 0 0 ] )'))
     robot, bob = world.robot(pace=Unpaced()), world.robot("bob", pace=Unpaced())
     robot.grip()
@@ -254,7 +254,7 @@ def test_a_robot_is_never_pushed_whatever_its_file_says() -> None:
     assert bob.forward(2).walked == 2
 
 
-def test_a_thing_on_a_thing_goes_with_it() -> None:
+def test_a_thing_on_a_thing_moves_with_it() -> None:
     box = "model( size [ 0.1 0.1 0.2 ] pose [ 0.3 0 0 0 ] pushable 1 model( size [ 0.2 0.05 0.1 ] ) )"
     world = World(scene(PUSHER + box + WALL.format(0.6)))
 
@@ -265,7 +265,7 @@ def test_a_thing_on_a_thing_goes_with_it() -> None:
 
 
 @pytest.mark.parametrize("joined", [False, True])
-def test_pushing_something_for_ever_can_be_stopped(joined: bool) -> None:
+def test_an_endless_push_can_be_stopped(joined: bool) -> None:
     class Refusing(Unpaced):
         asked = 0
 
@@ -296,7 +296,7 @@ def test_twenty_things_can_be_pushed_at_a_time_and_one_more_is_like_a_wall(
     assert (moved.walked == 5) is not is_stopped
 
 
-def test_what_was_pushed_and_how_far_is_answered() -> None:
+def test_a_walk_reports_each_pushed_thing_and_how_far_it_moved() -> None:
     kind = "define crate model( size [ 0.1 0.1 0.2 ] pushable 1 )\n"
     world = World(scene(PUSHER + kind + 'crate( name "c" pose [ 0.3 0 0 0 ] color "blue" )'))
     robot = world.robot(pace=Unpaced())
@@ -308,7 +308,7 @@ def test_what_was_pushed_and_how_far_is_answered() -> None:
     assert robot.backward(2).pushed == ()
 
 
-def test_what_is_carried_turns_with_the_robot() -> None:
+def test_a_carried_thing_turns_with_the_robot() -> None:
     world = World(scene(GRIPPER + 'ball( name "orange" pose [ 0.23 0 0 30 ] )'))
     robot = world.robot(pace=Unpaced())
     robot.grip()

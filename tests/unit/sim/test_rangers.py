@@ -1,4 +1,4 @@
-"""Sonars and lasers of any robot against closed forms; heights; noise; which bearing is told by what."""
+"""Sonars and lasers against closed forms; heights; noise; which sensor serves which bearing."""
 
 from math import cos, hypot, inf, radians, sin
 from random import Random
@@ -8,8 +8,9 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from devices.ports.robot import Bearing, RobotProblem
-from sim.placement import Spot
-from sim.sensors import Cone, Fan
+from sim.geometry import Spot
+from sim.rangers import Cone, Fan
+from tests.effort import examples
 from tests.unit.sim.sensing import Sensing
 
 BODY = "size [ 0.2 0.2 0.2 ]"
@@ -39,7 +40,7 @@ def to_the_walls(x: float, y: float, angle: float) -> float:
     return min(across, along)
 
 
-@settings(max_examples=60, deadline=None)
+@settings(max_examples=examples(60))
 @given(
     st.floats(-1.8, 2.8),
     st.floats(-0.8, 1.8),
@@ -47,7 +48,7 @@ def to_the_walls(x: float, y: float, angle: float) -> float:
     st.integers(2, 200),
     st.floats(1, 360),
 )
-def test_every_ray_of_a_laser_is_as_long_as_the_way_to_the_wall(
+def test_every_ray_of_a_laser_measures_the_distance_to_the_wall(
     x: float, y: float, yaw: float, samples: int, fov: float
 ) -> None:
     it = Sensing(laser(samples, fov, robot=f"{x:.6f} {y:.6f} 0 {yaw:.6f}") + ROOM)
@@ -69,7 +70,7 @@ def test_a_laser_that_is_mounted_off_the_middle_measures_from_there() -> None:
     assert fan(it).rays(it.around, it.spot) == pytest.approx((2.5, 1.75, 2.5))
 
 
-def test_what_a_ray_does_not_meet_within_its_range_is_not_there() -> None:
+def test_a_ray_does_not_see_a_thing_beyond_its_range() -> None:
     it = Sensing(laser(3, 180).replace("[ 0 8 ]", "[ 0 2.5 ]") + ROOM)
 
     assert fan(it).rays(it.around, it.spot) == pytest.approx((1, inf, 2))
@@ -83,7 +84,7 @@ def test_a_laser_inside_a_thing_reads_nothing_but_zero() -> None:
     assert set(fan(it).rays(it.around, spot)) == {0.0}
 
 
-def test_a_laser_tells_the_distance_of_a_bearing_by_the_nearest_ray_that_goes_there() -> None:
+def test_the_distance_of_a_bearing_comes_from_the_nearest_ray_of_the_laser() -> None:
     """A pole 20 degrees to the left is ahead; one 30 degrees to the left is not."""
     for degrees, ahead, left in ((20, 1, 2), (30, 3, 1)):
         x, y = cos(radians(degrees)), sin(radians(degrees))
@@ -101,7 +102,7 @@ def test_a_laser_tells_the_distance_of_a_bearing_by_the_nearest_ray_that_goes_th
                 steps(behind)
 
 
-def test_a_laser_all_round_tells_every_bearing() -> None:
+def test_a_laser_with_a_full_circle_serves_every_bearing() -> None:
     it = Sensing(laser(361, 360) + ROOM)
 
     steps = {bearing: it.senses.steps(it.around, it.spot, bearing) for bearing in Bearing}
@@ -117,7 +118,7 @@ SONARS = "".join(
 )
 
 
-def test_of_many_sonars_those_tell_a_bearing_that_look_there() -> None:
+def test_a_bearing_is_served_by_those_of_many_sonars_that_look_there() -> None:
     senses = Sensing(f"position( {BODY} ranger( {SONARS} ) )").senses
 
     def yaws(bearing: Bearing) -> list[float]:
@@ -166,7 +167,7 @@ def test_a_sensor_on_a_tall_robot_sees_a_low_wall_unless_heights_count(sensor: s
 
 
 @pytest.mark.parametrize(("lowered", "seen"), [(-0.4, False), (-0.6, True), (-0.505, False), (-0.52, True)])
-def test_where_heights_count_a_sensor_looks_from_the_middle_of_its_own(lowered: float, seen: bool) -> None:
+def test_a_sensor_looks_from_the_middle_of_its_height_where_heights_count(lowered: float, seen: bool) -> None:
     """Stage's rule: the top of the robot, the sensor's z, and half of the sensor's own height (2 cm)."""
     it = tall("ignore_zloc 0 ", f"pose [ 0 0 {lowered} 0 ]")
     (cone,) = it.senses.rangers
@@ -180,9 +181,9 @@ boxes = st.lists(
 ).map(lambda all_: [box for box in all_ if hypot(box[0], box[1]) > 1.2])
 
 
-@settings(max_examples=60, deadline=None)
+@settings(max_examples=examples(60))
 @given(boxes, st.integers(0, 359))
-def test_with_and_without_heights_rays_meet_the_same_where_everything_is_tall(
+def test_heights_change_no_ray_where_everything_is_tall(
     things: list[tuple[float, float, float, int]], yaw: int
 ) -> None:
     models = "".join(f"model( size [ {s} 0.3 2 ] pose [ {x} {y} 0 {a} ] )" for x, y, s, a in things)
@@ -199,7 +200,7 @@ def test_with_and_without_heights_rays_meet_the_same_where_everything_is_tall(
 NOISY = "range_noise 0.1 range_noise_const 0.02 angle_noise 0"
 
 
-def test_noise_needs_a_chance_and_keeps_its_bounds() -> None:
+def test_noise_needs_a_random_source_and_keeps_its_bounds() -> None:
     it = Sensing(f"position( {BODY} ranger( sensor( range [ 0 5 ] {NOISY} ) ) )" + ROOM)
     (cone,) = it.senses.rangers
     chance = Random(7)
@@ -208,26 +209,26 @@ def test_noise_needs_a_chance_and_keeps_its_bounds() -> None:
 
     assert cone.centimetres(it.around, it.spot) == 300
     assert it.senses.steps(it.around, it.spot, Bearing.FRONT) == 60
-    told = [reading for reading in readings if reading is not None]
-    assert len(told) == 300
-    assert 268 <= min(told) < 280
-    assert 320 < max(told) <= 332
-    assert abs(sum(told) / 300 - 300) < 3
+    in_range = [reading for reading in readings if reading is not None]
+    assert len(in_range) == 300
+    assert 268 <= min(in_range) < 280
+    assert 320 < max(in_range) <= 332
+    assert abs(sum(in_range) / 300 - 300) < 3
 
 
 @pytest.mark.parametrize("samples", [1, 9])
 def test_the_same_seed_gives_the_same_noise(samples: int) -> None:
     it = Sensing(laser(samples, 20, more="range_noise 0.1 angle_noise 5") + ROOM)
 
-    def told(seed: int) -> list[int]:
+    def readings(seed: int) -> list[int]:
         chance = Random(seed)
         return [it.senses.steps(it.around, it.spot, Bearing.FRONT, chance) for _ in range(20)]
 
-    assert told(1) == told(1)
-    assert told(1) != told(2)
+    assert readings(1) == readings(1)
+    assert readings(1) != readings(2)
 
 
-def test_a_sensor_without_noise_is_exact_whatever_the_chance() -> None:
+def test_a_sensor_without_noise_is_exact_with_any_random_source() -> None:
     it = Sensing(laser(9, 20) + ROOM)
 
     assert it.senses.steps(it.around, it.spot, Bearing.FRONT, Random(1)) == 60

@@ -1,4 +1,4 @@
-"""Rays through a space: the quick way and pymunk's own give the same, and the quick one may be missing."""
+"""Rays through a space: the fast method and that of pymunk agree, and the fast one may be missing."""
 
 import importlib
 from collections.abc import Iterator
@@ -11,6 +11,7 @@ from hypothesis import strategies as st
 
 from sim import rays
 from sim.rays import Hit, Rays
+from tests.effort import examples
 
 PLACES = st.tuples(st.floats(-5, 5), st.floats(-5, 5))
 EVERYTHING = pymunk.ShapeFilter()
@@ -34,7 +35,7 @@ def owned(space: pymunk.Space, shapes: list[pymunk.Shape], direct: bool) -> Rays
     return found
 
 
-@settings(max_examples=150, deadline=None)
+@settings(max_examples=examples(150))
 @given(
     st.lists(
         PLACES, min_size=1, max_size=8, unique_by=lambda place: (round(place[0], 1), round(place[1], 1))
@@ -42,7 +43,7 @@ def owned(space: pymunk.Space, shapes: list[pymunk.Shape], direct: bool) -> Rays
     PLACES,
     st.lists(PLACES, min_size=1, max_size=30),
 )
-def test_both_ways_give_the_same_hits(
+def test_both_methods_give_the_same_hits(
     places: list[tuple[float, float]], start: tuple[float, float], ends: list[tuple[float, float]]
 ) -> None:
     space, shapes = boxes(places)
@@ -88,7 +89,7 @@ BROKEN = {
 
 @pytest.mark.usefixtures("forgotten")
 @pytest.mark.parametrize("state", BROKEN)
-def test_where_the_private_library_has_changed_the_public_method_answers(
+def test_the_public_method_answers_where_the_private_library_has_changed(
     state: str, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     found = BROKEN[state]
@@ -106,5 +107,5 @@ def test_where_the_private_library_has_changed_the_public_method_answers(
 
 
 @pytest.mark.usefixtures("forgotten")
-def test_with_the_fixed_version_of_pymunk_the_quick_way_is_there() -> None:
+def test_the_pinned_version_of_pymunk_has_the_fast_method() -> None:
     assert rays._library() is not None

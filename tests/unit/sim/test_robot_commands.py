@@ -1,4 +1,4 @@
-"""What the commands of a simulated robot come to, in steps and compass degrees."""
+"""The results of a simulated robot's commands, in steps and compass degrees."""
 
 import threading
 
@@ -10,21 +10,21 @@ from sim.world import World
 from tests.unit.sim.floors import BOX_ROBOT, IDEAL, Diary, Unpaced, ideal, robot, scene
 
 
-def test_the_port_is_kept() -> None:
+def test_the_simulated_robot_fulfils_the_port() -> None:
     it: Robot = ideal()
 
     assert it.name == "donnie"
     assert it.colours == {"red", "green", "blue"}
 
 
-def test_a_pose_in_metres_is_told_in_steps_and_compass_degrees() -> None:
+def test_a_pose_in_metres_is_reported_in_steps_and_compass_degrees() -> None:
     assert ideal(start=(2, 3, 0)).pose() == Pose(2.0, 3.0, 0.0)
 
 
 @pytest.mark.parametrize(
     ("heading", "x", "y"), [(0, 0, 7), (90, 7, 0), (180, 0, -7), (270, -7, 0), (360, 0, 7)]
 )
-def test_forward_goes_where_the_compass_points(heading: int, x: int, y: int) -> None:
+def test_forward_moves_in_the_direction_of_the_heading(heading: int, x: int, y: int) -> None:
     it = ideal(start=(0, 0, heading))
 
     moved = it.forward(7)
@@ -33,7 +33,7 @@ def test_forward_goes_where_the_compass_points(heading: int, x: int, y: int) -> 
     assert moved.pose == Pose(x, y, heading % 360)
 
 
-def test_backward_goes_the_other_way_and_keeps_the_heading() -> None:
+def test_backward_moves_the_other_way_and_keeps_the_heading() -> None:
     assert ideal().backward(5).pose == Pose(0, -5, 0)
 
 
@@ -67,7 +67,7 @@ def test_a_negative_walk_is_the_callers_mistake() -> None:
         ideal().forward(-1)
 
 
-def test_an_endless_floor_lets_a_thousand_million_steps_go_by_at_once() -> None:
+def test_a_thousand_million_steps_on_an_endless_floor_take_no_time() -> None:
     assert ideal().forward(1_000_000_000).walked == 1_000_000_000
 
 
@@ -78,7 +78,7 @@ def test_the_robot_stops_a_step_before_a_thing_ahead(away: int, walked: int) -> 
     assert (moved.walked, moved.stopped_by, moved.pose.y) == (walked, StoppedBy.OBSTACLE, walked)
 
 
-def test_the_back_sensor_stops_the_way_back() -> None:
+def test_the_back_sensor_stops_a_backward_walk() -> None:
     moved = ideal([("red", 0, -4)]).backward(5)
 
     assert (moved.walked, moved.stopped_by, moved.pose.y) == (3, StoppedBy.OBSTACLE, -3)
@@ -93,7 +93,7 @@ def test_after_an_obstacle_the_robot_can_turn_and_leave() -> None:
     assert it.forward(9).walked == 9
 
 
-def test_a_robot_with_a_sensor_only_aside_bumps_into_what_is_ahead_and_can_leave() -> None:
+def test_a_robot_with_only_side_sensors_bumps_into_a_thing_ahead_and_can_leave() -> None:
     it = robot(BOX_ROBOT + "blind( pose [ 0 0 0 0 ] ) model( size [ 0.1 0.1 1 ] pose [ 0.52 0 0 0 ] )")
 
     bumped = it.forward(20)
@@ -106,7 +106,7 @@ def test_a_robot_with_a_sensor_only_aside_bumps_into_what_is_ahead_and_can_leave
     assert (away.walked, away.stopped_by) == (3, None)
 
 
-def test_a_long_robot_beside_a_wall_turns_until_it_touches() -> None:
+def test_a_long_robot_next_to_a_wall_turns_until_it_touches() -> None:
     it = robot(BOX_ROBOT + "blind( pose [ 0 0 0 0 ] ) model( size [ 1 0.1 1 ] pose [ 0 0.14 0 0 ] )")
 
     turned = it.turn(-90)
@@ -126,7 +126,7 @@ def test_other_robots_are_in_the_way() -> None:
     assert moved.pose.x == pytest.approx((1 - 0.2) / 0.05, abs=0.01)
 
 
-def test_what_the_robot_stands_in_from_the_start_is_not_there_for_it() -> None:
+def test_a_thing_around_the_start_of_a_robot_is_no_obstacle_for_it() -> None:
     it = robot(IDEAL + 'model( name "floor" size [ 2 2 1 ] ) ideal( pose [ 0 0 0 90 ] )')
 
     assert it.stands_in == ("floor",)
@@ -181,7 +181,7 @@ def test_sensors_take_no_time() -> None:
     assert it.time() == 0.0
 
 
-def test_a_wait_below_zero_is_no_wait() -> None:
+def test_a_negative_wait_takes_no_time() -> None:
     it = ideal()
 
     assert it.wait(-3) is True
@@ -203,7 +203,7 @@ def test_real_time_is_the_same_run_with_sleeps_between(speed: float) -> None:
     assert len(diary.progress) == 3
 
 
-def test_unlimited_speed_sleeps_never_and_shows_nothing_in_passing() -> None:
+def test_unlimited_speed_never_sleeps_and_reports_no_poses_on_the_way() -> None:
     pace, diary = Unpaced(), Diary()
     it = robot(IDEAL + "ideal()", pace, diary)
 
@@ -214,7 +214,7 @@ def test_unlimited_speed_sleeps_never_and_shows_nothing_in_passing() -> None:
 
 
 @pytest.mark.parametrize("speed", [None, 2.0])
-def test_every_step_is_told_at_its_time(speed: float | None) -> None:
+def test_every_step_is_reported_at_its_time(speed: float | None) -> None:
     diary = Diary()
     it = robot(IDEAL + "ideal( pose [ 0 0 0 90 ] )", None, diary, speed)
     diary.robot = it
@@ -231,7 +231,7 @@ def test_every_step_is_told_at_its_time(speed: float | None) -> None:
     ("degrees", "headings"),
     [(90, [10, 20, 30, 40, 50, 60, 70, 80, 90]), (25, [10, 20, 25]), (-20, [350, 340]), (7, [7])],
 )
-def test_every_tenth_degree_of_a_turn_and_its_rest_are_told(degrees: int, headings: list[int]) -> None:
+def test_every_tenth_degree_of_a_turn_and_its_rest_are_reported(degrees: int, headings: list[int]) -> None:
     diary = Diary()
     it = robot(IDEAL + "ideal( pose [ 0 0 0 90 ] )", None, diary)
 
@@ -241,7 +241,7 @@ def test_every_tenth_degree_of_a_turn_and_its_rest_are_told(degrees: int, headin
     assert {motion for motion, _, _ in diary.progress} == {Motion.RIGHT if degrees > 0 else Motion.LEFT}
 
 
-def test_a_huge_walk_is_told_a_thousand_times_at_most() -> None:
+def test_a_huge_walk_is_reported_at_most_a_thousand_times() -> None:
     diary = Diary()
 
     robot(IDEAL + "ideal( pose [ 0 0 0 90 ] )", None, diary).forward(1_000_000_007)
@@ -333,7 +333,7 @@ def test_the_same_program_gives_the_same_run() -> None:
 LONG_WALL = "model( size [ 90000 0.1 1 ] pose [ 0 0.14 0 0 ] )"
 
 
-def test_a_walk_beside_an_endless_wall_can_be_stopped_while_it_is_worked_out() -> None:
+def test_a_walk_along_an_endless_wall_can_be_stopped_while_it_is_computed() -> None:
     class Refusing(Unpaced):
         asked = 0
 
@@ -349,7 +349,7 @@ def test_a_walk_beside_an_endless_wall_can_be_stopped_while_it_is_worked_out() -
     assert (moved.walked, moved.stopped_by, pace.asked) == (0, StoppedBy.USER, 3)
 
 
-def test_halt_stops_a_walk_that_is_worked_out_too() -> None:
+def test_halt_stops_a_walk_that_is_being_computed_too() -> None:
     pace = _Halting()
     pace.slept = [0.0] * 30
     pace.it = it = robot(BOX_ROBOT + "blind( pose [ 0 0 0 0 ] )" + LONG_WALL, pace)

@@ -5,9 +5,9 @@ from math import atan, cos, degrees, hypot, radians, sin
 import pytest
 
 from devices.ports.robot import Bearing, RobotProblem
+from sim.geometry import Spot
 from sim.ground import Ground
-from sim.physics import Surroundings
-from sim.placement import Spot
+from sim.motion import Surroundings
 from sim.sensors import senses_of
 from tests.unit.sim.floors import IDEAL, ideal, robot, scene
 
@@ -39,7 +39,7 @@ def test_a_thin_pole_is_seen_within_half_the_cone(off: float, seen: bool) -> Non
     assert (centimetres(IDEAL + pole, Spot(0, 0, 0)) is not None) is seen
 
 
-def test_a_wall_beside_the_robot_is_seen_only_where_the_cone_reaches_it() -> None:
+def test_a_wall_at_the_side_is_seen_only_where_the_cone_reaches_it() -> None:
     wall = "model( size [ 20 0.1 1 ] pose [ 0 0.15 0 0 ] )"  # its face at 0.1 to the left
 
     expected = 0.1 / sin(radians(7.5))
@@ -66,7 +66,7 @@ def test_a_sensor_inside_a_thing_reads_nothing_but_zero() -> None:
         (0, 120, {Bearing.FRONT, Bearing.FRONT_LEFT, Bearing.FRONT_RIGHT}),
     ],
 )
-def test_a_sensor_tells_for_the_bearings_that_it_looks_to(
+def test_a_sensor_serves_the_bearings_that_it_looks_to(
     yaw: float, fov: float, bearings: set[Bearing]
 ) -> None:
     it = scene(f"position( ranger( sensor( pose [ 0 0 0 {yaw} ] fov {fov} ) ) )")
@@ -86,7 +86,7 @@ def test_a_sensor_tells_for_the_bearings_that_it_looks_to(
         (Bearing.BACK_LEFT, -9, -9),
     ],
 )
-def test_each_bearing_looks_its_own_way(bearing: Bearing, x: float, y: float) -> None:
+def test_each_bearing_looks_in_its_direction(bearing: Bearing, x: float, y: float) -> None:
     it = ideal([("red", x, y)])
 
     readings = {other: it.distance(other) for other in Bearing}
@@ -95,19 +95,19 @@ def test_each_bearing_looks_its_own_way(bearing: Bearing, x: float, y: float) ->
     assert set(readings.values()) == {60}
 
 
-def test_beyond_the_range_is_the_sensors_maximum() -> None:
+def test_a_thing_beyond_the_range_is_at_the_maximum_of_the_sensor() -> None:
     assert ideal([("red", 0, 61)]).distance(Bearing.FRONT) == 60
     assert ideal([("red", 0, 59)]).distance(Bearing.FRONT) == 59
 
 
-def test_nearer_than_a_sensor_can_read_is_its_minimum() -> None:
+def test_a_thing_nearer_than_the_minimum_of_a_sensor_is_at_the_minimum() -> None:
     blunt = IDEAL.replace("range [ 0 3.0 ]", "range [ 0.5 3.0 ]")
     it = robot(blunt + "ideal( pose [ 0 0 0 90 ] ) thing( pose [ 0 0.2 0 0 ] )")
 
     assert it.distance(Bearing.FRONT) == 10
 
 
-def test_what_rangers_do_not_see_is_not_read_but_hit() -> None:
+def test_a_thing_that_rangers_do_not_see_is_hit() -> None:
     glass = "box( ranger_return -1 pose [ 0 0.5 0 0 ] )"
     it = robot(IDEAL + "ideal( pose [ 0 0 0 90 ] )" + glass)
 
@@ -143,7 +143,7 @@ def test_a_wide_scanner_serves_each_bearing_with_a_sector() -> None:
     assert robot(text + beside).distance(Bearing.FRONT) == 60
 
 
-def test_where_no_sensor_looks_there_is_no_distance() -> None:
+def test_there_is_no_distance_where_no_sensor_looks() -> None:
     it = robot("position( ranger( sensor( range [ 0 1 ] ) ) )")
 
     assert it.distance(Bearing.FRONT) == 20
@@ -173,7 +173,7 @@ def test_colours_that_the_camera_does_not_know_are_not_seen_but_hide() -> None:
     assert seen(ideal([("yellow", 0, 5), ("red", 0, 10)])) == []
 
 
-def test_what_stands_behind_a_nearer_thing_is_not_seen() -> None:
+def test_a_thing_behind_a_nearer_thing_is_not_seen() -> None:
     it = robot(
         IDEAL
         + 'ideal( pose [ 0 0 0 90 ] ) box( pose [ 0 0.5 0 0 ] color "green" )'
@@ -183,7 +183,7 @@ def test_what_stands_behind_a_nearer_thing_is_not_seen() -> None:
     assert seen(it) == [(0, "green", 9)]
 
 
-def test_what_is_half_hidden_is_seen_at_the_middle_of_what_shows() -> None:
+def test_a_half_hidden_thing_is_seen_at_the_middle_of_its_visible_part() -> None:
     """A wall a metre wide, a metre away; a box hides its left half."""
     it = robot(
         IDEAL
@@ -198,7 +198,7 @@ def test_what_is_half_hidden_is_seen_at_the_middle_of_what_shows() -> None:
     assert sighting.steps == pytest.approx(20, abs=0.2)
 
 
-def test_what_shows_on_both_sides_of_a_pole_is_one_thing() -> None:
+def test_a_thing_that_shows_on_both_sides_of_a_pole_is_seen_once() -> None:
     it = robot(
         IDEAL
         + 'ideal( pose [ 0 0 0 90 ] ) model( name "wall" size [ 2 0.1 1 ] pose [ 0 1.05 0 0 ] color "red" )'
@@ -220,7 +220,7 @@ def test_a_thing_of_several_parts_is_seen_once() -> None:
     assert [s.name for s in it.scan()] == ["tower"]
 
 
-def test_colours_are_compared_as_stage_compares_them_and_told_as_families() -> None:
+def test_colours_are_compared_as_in_stage_and_reported_as_families() -> None:
     text = IDEAL.replace('colors_count 3 colors [ "red" "green" "blue" ]', 'colors [ "DarkBlue" "green3" ]')
     it = robot(
         text
@@ -232,7 +232,7 @@ def test_colours_are_compared_as_stage_compares_them_and_told_as_families() -> N
     assert [s.colour for s in it.scan()] == ["green", "blue"]
 
 
-def test_of_more_colours_than_their_count_only_the_first_are_seen() -> None:
+def test_a_camera_sees_only_as_many_colours_as_its_count() -> None:
     things = [
         f'thing( pose [ {x} 1 0 0 ] color "{name}" )'
         for x, name in ((-0.3, "red"), (0, "green"), (0.3, "blue"))

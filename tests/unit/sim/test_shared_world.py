@@ -8,7 +8,7 @@ import pytest
 from devices.ports.robot import Bearing, StoppedBy
 from language.control import ControlState, ExecutionControl
 from sim.robot import SimulatedRobot
-from sim.sensors.senses import Senses
+from sim.sensors import Senses
 from sim.world import World
 from tests.patience import PATIENCE
 from tests.unit.sim.company import Company
@@ -35,13 +35,13 @@ def test_programs_together_give_the_same_at_any_speed(speed: float | None) -> No
     assert {name for name, *_ in plain} == {"alice", "bob"}
 
 
-def test_they_give_the_same_every_time() -> None:
+def test_programs_together_give_the_same_every_time() -> None:
     runs = [Company(scene(TWO)).run({"alice": stroll, "bob": stroll}) for _ in range(20)]
 
     assert all(run == runs[0] for run in runs)
 
 
-def test_real_time_goes_by_once_for_all() -> None:
+def test_real_time_passes_once_for_all_robots() -> None:
     paces = {"alice": Unpaced(), "bob": Unpaced()}
 
     Company(scene(APART), speed=1.0).run(
@@ -51,7 +51,7 @@ def test_real_time_goes_by_once_for_all() -> None:
     assert sum(sum(pace.slept) for pace in paces.values()) == pytest.approx(5.0)
 
 
-def test_of_equal_times_the_first_of_the_world_goes_first_then_the_least_time() -> None:
+def test_the_least_time_has_the_turn_and_of_equal_times_the_first_of_the_world() -> None:
     company = Company(scene(APART))
 
     def program(name: str, seconds: float) -> Callable[[SimulatedRobot], None]:
@@ -67,7 +67,7 @@ def test_of_equal_times_the_first_of_the_world_goes_first_then_the_least_time() 
     assert log == [("alice", 0), ("bob", 0), ("bob", 2), ("alice", 3), ("bob", 4), ("alice", 6)]
 
 
-def test_a_robot_sees_where_another_is_now() -> None:
+def test_a_robot_sees_the_current_place_of_another() -> None:
     company = Company(scene(TWO))
 
     def looks(robot: SimulatedRobot) -> None:
@@ -81,7 +81,7 @@ def test_a_robot_sees_where_another_is_now() -> None:
     assert seen == [(0.0, 20, 20.0), (2.0, 18, 18.0), (4.0, 16, 16.0)]
 
 
-def test_two_that_walk_towards_each_other_stop_before_they_touch() -> None:
+def test_two_robots_that_walk_towards_each_other_stop_before_they_touch() -> None:
     company, ends = Company(scene(TWO)), {}
 
     def walks(robot: SimulatedRobot) -> None:
@@ -93,7 +93,7 @@ def test_two_that_walk_towards_each_other_stop_before_they_touch() -> None:
     assert 1 <= ends["bob"].pose.y - ends["alice"].pose.y <= 2.5
 
 
-def test_two_that_see_nothing_bump_into_each_other_and_both_can_leave() -> None:
+def test_two_robots_without_sensors_bump_into_each_other_and_can_leave() -> None:
     blind = 'blind( name "alice" pose [ 0 0 0 0 ] ) blind( name "bob" pose [ 1 0 0 180 ] )'
     company, bumped, left = Company(scene(BOX_ROBOT + blind)), {}, {}
 
@@ -111,8 +111,8 @@ def test_two_that_see_nothing_bump_into_each_other_and_both_can_leave() -> None:
 
 
 @pytest.mark.parametrize("further", [0.001, 0.003, 0.004, 0.006])
-def test_two_that_come_to_the_same_place_in_one_tick_do_not_reach_into_each_other(further: float) -> None:
-    """Both found the last bit of the way free; who goes second finds it taken."""
+def test_two_robots_that_reach_one_place_in_one_tick_do_not_overlap(further: float) -> None:
+    """Both found the last bit of the way free. The second to move finds it taken."""
     blind = f'blind( name "alice" pose [ 0 0 0 0 ] ) blind( name "bob" pose [ {1 + further} 0 0 180 ] )'
     company, ends = Company(scene(BOX_ROBOT + blind)), {}
 
@@ -125,7 +125,7 @@ def test_two_that_come_to_the_same_place_in_one_tick_do_not_reach_into_each_othe
     assert 0 <= (ends["bob"].pose.x - ends["alice"].pose.x) * 0.05 - 0.2 < 0.001
 
 
-def test_after_a_reset_the_time_of_the_world_goes_on() -> None:
+def test_the_time_of_the_world_continues_after_a_reset() -> None:
     company = Company(scene(APART))
 
     def anew(robot: SimulatedRobot) -> None:
@@ -145,7 +145,7 @@ def test_after_a_reset_the_time_of_the_world_goes_on() -> None:
     assert log == [("bob", 2), ("alice", 0), ("bob", 4), ("alice", 2), ("bob", 6)]
 
 
-def test_a_robot_that_did_not_join_acts_at_once_and_holds_up_nobody() -> None:
+def test_a_robot_that_did_not_join_acts_at_once_and_delays_no_other() -> None:
     world = World(scene(APART))
     alice, bob = (world.robot(name, pace=Unpaced()) for name in ("alice", "bob"))
     alice.join()
@@ -155,7 +155,7 @@ def test_a_robot_that_did_not_join_acts_at_once_and_holds_up_nobody() -> None:
     alice.leave()
 
 
-def test_an_expected_robot_whose_program_never_comes_holds_the_others_until_it_leaves() -> None:
+def test_an_expected_robot_that_never_starts_holds_the_others_until_it_leaves() -> None:
     world = World(scene(APART))
     alice, bob = (world.robot(name, pace=Unpaced()) for name in ("alice", "bob"))
     world.expect(["alice", "bob"])
@@ -176,7 +176,7 @@ def test_an_expected_robot_whose_program_never_comes_holds_the_others_until_it_l
 
 
 class Switch:
-    """A pace that can be told to stop from outside."""
+    """A pace that the test can stop."""
 
     def __init__(self) -> None:
         self.stopped = False
@@ -187,7 +187,7 @@ class Switch:
         return not self.stopped
 
 
-def test_a_program_that_computes_for_ever_does_not_keep_the_others_from_being_stopped() -> None:
+def test_the_others_can_be_stopped_while_a_program_computes_without_end() -> None:
     world, switch, bob_ended = World(scene(APART)), Switch(), threading.Event()
     alice, bob = world.robot("alice", pace=Unpaced()), world.robot("bob", pace=switch)
     world.expect(["alice", "bob"])
@@ -212,13 +212,13 @@ def test_a_program_that_computes_for_ever_does_not_keep_the_others_from_being_st
     thread.join(PATIENCE)
 
 
-def test_a_newcomer_gets_its_turn_in_the_middle_of_anothers_long_way() -> None:
+def test_a_newcomer_gets_its_turn_during_another_robots_long_walk() -> None:
     world, log = World(scene(APART)), list[str]()
     bob = world.robot("bob", pace=Unpaced(), speed=1.0)
     threads: list[threading.Thread] = []
 
     class Opening(Unpaced):
-        """Has bob come while alice walks."""
+        """Lets bob join while alice walks."""
 
         def sleep(self, seconds: float) -> bool:
             if len(self.slept) == 30:
@@ -248,7 +248,7 @@ def test_a_newcomer_gets_its_turn_in_the_middle_of_anothers_long_way() -> None:
     assert log[1] == "alice walked 10 in 10.00"
 
 
-def test_poses_are_told_by_name_and_reset_puts_everybody_back() -> None:
+def test_poses_are_reported_by_name_and_reset_returns_every_robot() -> None:
     company = Company(scene(APART))
     company.run({"alice": lambda it: it.forward(4), "bob": lambda it: it.turn(90)})
     world = company.world
@@ -304,7 +304,7 @@ def test_a_paused_program_holds_the_world_and_another_can_still_be_stopped() -> 
     assert ends["alice"] is None
 
 
-def test_who_is_stopped_leaves_and_the_others_go_on() -> None:
+def test_a_stopped_robot_leaves_and_the_others_continue() -> None:
     company, ends = Company(scene(APART), speed=1.0), dict[str, object]()
 
     def walks(robot: SimulatedRobot) -> None:
@@ -315,7 +315,7 @@ def test_who_is_stopped_leaves_and_the_others_go_on() -> None:
     assert ends == {"alice": StoppedBy.USER, "bob": None}
 
 
-def test_sixty_robots_with_sixty_programs_go_their_ways() -> None:
+def test_sixty_robots_run_sixty_programs() -> None:
     names = [f"r{i}" for i in range(60)]
     robots = "".join(
         f'blind( name "{name}" pose [ {i % 8} {i // 8} 0 {i * 37} ] )' for i, name in enumerate(names)
@@ -331,11 +331,11 @@ def test_sixty_robots_with_sixty_programs_go_their_ways() -> None:
 
 
 @pytest.mark.parametrize("first", ["alice", "bob"])
-def test_a_world_that_got_ready_before_is_as_one_that_did_not(first: str) -> None:
-    """Two in each other's way, which stand inside of a thing at the start."""
+def test_getting_a_world_ready_early_changes_no_result(first: str) -> None:
+    """Two robots in each other's way, which stand inside a thing at the start."""
     text = TWO + "box( pose [ 0 0 0 0 ] ) box( pose [ 0 1 0 0 ] ) box( pose [ 0 0.5 0 0 ] pushable 1 )"
 
-    def told(is_ready: bool) -> list[object]:
+    def outcome(is_ready: bool) -> list[object]:
         world = World(scene(text))
         if is_ready:
             world.get_ready()
@@ -344,10 +344,10 @@ def test_a_world_that_got_ready_before_is_as_one_that_did_not(first: str) -> Non
         moved = robots[first].forward(30)
         return [moved, world.poses(), world.moved_things(), *(it.stands_in for it in robots.values())]
 
-    assert told(is_ready=False) == told(is_ready=True)
+    assert outcome(is_ready=False) == outcome(is_ready=True)
 
 
-def test_distances_in_a_world_in_which_nothing_moved_are_looked_up_and_not_worked_out(
+def test_distances_are_cached_while_nothing_moves(
     monkeypatch: pytest.MonkeyPatch,
 ) -> None:
     looks: list[object] = []

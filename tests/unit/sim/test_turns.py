@@ -1,9 +1,9 @@
-"""Of equal times the robot that comes first in the world has the turn, whoever asked first."""
+"""At equal times the robot that is first in the world has the turn, whichever robot asked first."""
 
-from sim.turns import Seat, Turns
+from sim.clock import Seat, Turns
 
 
-def test_of_equal_times_the_first_of_the_world_is_appointed() -> None:
+def test_the_first_robot_of_the_world_gets_the_turn_at_equal_times() -> None:
     turns = Turns()
     alice, bob = Seat(turns, 0), Seat(turns, 1)
 
@@ -12,7 +12,7 @@ def test_of_equal_times_the_first_of_the_world_is_appointed() -> None:
     assert turns.holder is alice
 
 
-def test_who_came_first_gives_way_to_the_first_of_the_world_at_the_same_time() -> None:
+def test_an_earlier_robot_gives_way_to_the_first_of_the_world_at_equal_times() -> None:
     turns = Turns()
     alice, bob = Seat(turns, 0), Seat(turns, 1)
     turns.admit(bob)
@@ -24,7 +24,7 @@ def test_who_came_first_gives_way_to_the_first_of_the_world_at_the_same_time() -
     assert turns.holder is alice
 
 
-def test_who_is_first_of_the_world_keeps_its_turn_at_equal_times() -> None:
+def test_the_first_robot_of_the_world_keeps_its_turn_at_equal_times() -> None:
     turns = Turns()
     alice, bob = Seat(turns, 0), Seat(turns, 1)
     turns.expect([alice, bob])

@@ -10,16 +10,25 @@ from pathlib import Path
 import pytest
 from hypothesis import given
 from hypothesis import strategies as st
+from msgspec.structs import replace
 
-from devices.audio_worker.notices import AudioNotice, NoticeCode
-from devices.ports.audio import Urgency, Utterance
-from devices.ports.values import replace
-from devices.speech.dispatcher import Address, find_address, is_reachable, parse_address
-from devices.speech.voices import VoiceSettings
-from devices.ssip import conversation
-from devices.ssip.mailbox import Mailbox
-from devices.ssip.protocol import Event, EventKind, NotSsip, Reader, Reply, message_of, text
-from devices.ssip.speaker import SsipSpeaker, ssip_settings
+from devices.audio import speech_dispatcher as conversation
+from devices.audio.speech_dispatcher import Mailbox, SsipSpeaker, ssip_settings
+from devices.audio.ssip import (
+    SsipAddress,
+    SsipEvent,
+    SsipEventKind,
+    SsipProtocolError,
+    SsipReader,
+    SsipReply,
+    encode_text,
+    find_address,
+    is_reachable,
+    message_of,
+    parse_address,
+)
+from devices.ports.audio import AudioNotice, NoticeCode, Urgency, Utterance, VoiceSettings
+from donnie_tui.outlets.spoken_languages import spoken_languages
 from tests.unit.ssip.server import Server
 
 STREAM = b"208 OK CLIENT NAME SET\r\n225-21\r\n225 OK MESSAGE QUEUED\r\n702-21\r\n702-1\r\n702 END\r\n"
@@ -38,40 +47,40 @@ def say(words: str, urgency: Urgency = Urgency.PROGRAM, language: str = "en") ->
 @given(st.lists(st.integers(0, len(STREAM)), max_size=12))
 def test_any_chunking_gives_the_same_answers(cuts: list[int]) -> None:
     places = [0, *sorted(cuts), len(STREAM)]
-    reader = Reader()
+    reader = SsipReader()
     answers = [
         answer for begin, end in itertools.pairwise(places) for answer in reader.feed(STREAM[begin:end])
     ]
     assert answers == [
-        Reply(208, ()),
-        Reply(225, ("21",)),
-        Event(EventKind.END, "21"),
+        SsipReply(208, ()),
+        SsipReply(225, ("21",)),
+        SsipEvent(SsipEventKind.END, "21"),
     ]
 
 
 @given(st.binary(max_size=300))
-def test_garbage_is_no_ssip_or_nothing_and_never_anything_else(data: bytes) -> None:
-    with contextlib.suppress(NotSsip):
-        list(Reader().feed(data))
+def test_garbage_raises_a_protocol_error_or_nothing(data: bytes) -> None:
+    with contextlib.suppress(SsipProtocolError):
+        list(SsipReader().feed(data))
 
 
-def test_a_server_that_never_ends_its_line_is_none() -> None:
-    reader = Reader()
-    with pytest.raises(NotSsip):
+def test_a_server_that_never_ends_its_line_is_refused() -> None:
+    reader = SsipReader()
+    with pytest.raises(SsipProtocolError):
         for _ in range(10):
             list(reader.feed(b"2" * 1000))
 
 
 def test_a_line_with_a_full_stop_does_not_end_the_message() -> None:
-    assert text("one\n.\n.x") == b"one\r\n..\r\n..x\r\n.\r\n"
+    assert encode_text("one\n.\n.x") == b"one\r\n..\r\n..x\r\n.\r\n"
 
 
 def test_a_refused_message_has_no_number() -> None:
-    assert message_of(Reply(225, ("7",))) == "7"
-    assert message_of(Reply(312, ("7",))) is None
+    assert message_of(SsipReply(225, ("7",))) == "7"
+    assert message_of(SsipReply(312, ("7",))) is None
 
 
-def test_rate_pitch_and_volume_go_from_end_to_end() -> None:
+def test_rate_pitch_and_volume_use_the_whole_range() -> None:
     usual = VoiceSettings(chosen=frozenset({"words_per_minute", "pitch", "volume"}))
     loud, low = replace(usual, words_per_minute=10_000, pitch=100), replace(usual, pitch=0, volume=0.5)
     assert ssip_settings(usual) == {"RATE": 0, "PITCH": 0, "VOLUME": 100}
@@ -82,7 +91,7 @@ def test_rate_pitch_and_volume_go_from_end_to_end() -> None:
     }  # fmt: skip
 
 
-def test_what_nobody_chose_of_a_voice_is_left_to_the_server() -> None:
+def test_settings_that_the_learner_did_not_choose_are_left_to_the_server() -> None:
     assert ssip_settings(VoiceSettings(450, 100, 0.5, chosen=frozenset({"pitch"}))) == {"PITCH": 100}
     assert ssip_settings(VoiceSettings(punctuation="all")) == {}
 
@@ -93,16 +102,16 @@ def test_what_nobody_chose_of_a_voice_is_left_to_the_server() -> None:
 @pytest.mark.parametrize(
     ("given_address", "meant"),
     [
-        ("unix_socket:/run/x.sock", Address(path="/run/x.sock")),
-        ("inet_socket:localhost:6561", Address(host="localhost", port=6561)),
-        ("inet_socket:robot", Address(host="robot", port=6560)),
+        ("unix_socket:/run/x.sock", SsipAddress(path="/run/x.sock")),
+        ("inet_socket:localhost:6561", SsipAddress(host="localhost", port=6561)),
+        ("inet_socket:robot", SsipAddress(host="robot", port=6560)),
         ("inet_socket:robot:99999", None),
         ("unix_socket:", None),
         ("pigeon:home", None),
     ],
 )
-def test_an_address_is_read_as_speech_dispatchers_clients_do(
-    given_address: str, meant: Address | None
+def test_an_address_is_parsed_as_by_speech_dispatchers_clients(
+    given_address: str, meant: SsipAddress | None
 ) -> None:
     assert parse_address(given_address) == meant
 
@@ -113,18 +122,18 @@ def test_the_socket_of_this_user_is_found(tmp_path: Path) -> None:
     socket_file = tmp_path / "speech-dispatcher" / "speechd.sock"
     socket_file.parent.mkdir()
     socket_file.touch()
-    assert find_address(variables) == Address(path=str(socket_file))
-    assert find_address({**variables, "SPEECHD_ADDRESS": "unix_socket:/x"}) == Address(path="/x")
+    assert find_address(variables) == SsipAddress(path=str(socket_file))
+    assert find_address({**variables, "SPEECHD_ADDRESS": "unix_socket:/x"}) == SsipAddress(path="/x")
 
 
-def test_a_folder_that_nobody_may_look_into_has_no_socket(tmp_path: Path) -> None:
-    """As after ``su``, which leaves the variable at another user's; here the system refuses a name."""
+def test_a_folder_without_permission_has_no_socket(tmp_path: Path) -> None:
+    """As after ``su``, which leaves the variable at another user's folder; here the system refuses a name."""
     assert find_address({"XDG_RUNTIME_DIR": f"{tmp_path}/{'x' * 300}"}) is None
 
 
-def test_a_file_that_nobody_listens_at_is_not_reachable(tmp_path: Path) -> None:
+def test_a_file_without_a_server_is_not_reachable(tmp_path: Path) -> None:
     (tmp_path / "s").touch()
-    assert not is_reachable(Address(path=str(tmp_path / "s")))
+    assert not is_reachable(SsipAddress(path=str(tmp_path / "s")))
     assert not is_reachable(None)
 
 
@@ -142,8 +151,8 @@ def test_a_server_is_reachable(server: Server) -> None:
     assert is_reachable(server.address)
 
 
-def test_sentences_are_handed_over_in_order_in_their_languages_behind_the_reader(server: Server) -> None:
-    speaker = SsipSpeaker(server.address, lambda _: None)
+def test_sentences_are_sent_in_order_in_their_languages_after_the_readers(server: Server) -> None:
+    speaker = SsipSpeaker(server.address, lambda _: None, languages=spoken_languages())
     speaker.say(say("I walked 3 steps."))
     speaker.say(say("x=-3"))
     speaker.say(say("Andei 3 passos.", language="pt"))
@@ -157,7 +166,7 @@ def test_sentences_are_handed_over_in_order_in_their_languages_behind_the_reader
     ]
 
 
-def test_a_voice_that_was_chosen_is_asked_for_and_else_the_servers_is_left(server: Server) -> None:
+def test_a_chosen_rate_is_sent_to_the_server(server: Server) -> None:
     speaker = SsipSpeaker(server.address, lambda _: None, FAST)
     speaker.say(say("Hello."))
     assert speaker.wait_until_quiet(10)
@@ -165,11 +174,11 @@ def test_a_voice_that_was_chosen_is_asked_for_and_else_the_servers_is_left(serve
     assert "SET SELF RATE 100" in server.commands
 
 
-def test_a_voice_that_changes_is_asked_for_between_two_sentences_and_of_the_next_server(
+def test_a_changed_voice_is_sent_between_two_sentences(
     tmp_path: Path,
 ) -> None:
     server = Server(tmp_path)
-    speaker = SsipSpeaker(server.address, lambda _: None)
+    speaker = SsipSpeaker(server.address, lambda _: None, languages=spoken_languages())
     speaker.say(say("x=1"))
     assert speaker.wait_until_quiet(10)
     assert not any("RATE" in each for each in server.commands)
@@ -182,9 +191,9 @@ def test_a_voice_that_changes_is_asked_for_between_two_sentences_and_of_the_next
     server.close()
 
 
-def test_silence_cancels_what_is_said_and_forgets_what_waits(tmp_path: Path) -> None:
-    server = Server(tmp_path, tells_end=False)
-    speaker = SsipSpeaker(server.address, lambda _: None)
+def test_silence_cancels_the_sentence_and_drops_the_others(tmp_path: Path) -> None:
+    server = Server(tmp_path, reports_end=False)
+    speaker = SsipSpeaker(server.address, lambda _: None, languages=spoken_languages())
     speaker.say(say("First."))
     speaker.say(say("Second."))
     assert server.wait_for(texts=1)
@@ -196,7 +205,7 @@ def test_silence_cancels_what_is_said_and_forgets_what_waits(tmp_path: Path) -> 
     speaker.close()
 
 
-def test_what_was_cut_off_is_said_again_to_the_next_server(tmp_path: Path) -> None:
+def test_an_interrupted_sentence_is_said_again_by_the_next_server(tmp_path: Path) -> None:
     server = Server(tmp_path, hangs_up_after=5)
     notices: list[AudioNotice] = []
     speaker = SsipSpeaker(server.address, notices.append)
@@ -207,23 +216,23 @@ def test_what_was_cut_off_is_said_again_to_the_next_server(tmp_path: Path) -> No
     assert [notice.code for notice in notices] == [NoticeCode.SSIP_LOST]
 
 
-def test_what_was_silenced_while_the_server_was_lost_is_not_said_again() -> None:
+def test_a_sentence_that_was_silenced_before_the_server_was_lost_is_not_said_again() -> None:
     mailbox = Mailbox()
     mailbox.offer(say("First."), 0.0)
     assert mailbox.take() == say("First.")
-    mailbox.hush()
+    mailbox.silence()
     mailbox.put_back()
     assert mailbox.take() is None
     assert mailbox.wait_until_quiet(0)
 
 
-def test_a_missing_end_is_told_ten_seconds_after_the_slowest_voice_is_done() -> None:
+def test_a_missing_end_is_reported_ten_seconds_after_the_slowest_voice_is_done() -> None:
     assert (conversation.END_SECONDS, conversation.SECONDS_A_CHARACTER) == (10.0, 0.2)
 
 
-def test_without_a_server_it_is_told_once_and_nobody_waits(tmp_path: Path) -> None:
+def test_a_missing_server_is_reported_once_and_no_caller_waits(tmp_path: Path) -> None:
     notices: list[AudioNotice] = []
-    speaker = SsipSpeaker(Address(path=str(tmp_path / "none")), notices.append)
+    speaker = SsipSpeaker(SsipAddress(path=str(tmp_path / "none")), notices.append)
     for number in range(1000):
         speaker.say(say(f"Sentence {number}."))
     assert speaker.wait_until_quiet(10)
@@ -234,7 +243,7 @@ def test_without_a_server_it_is_told_once_and_nobody_waits(tmp_path: Path) -> No
 def test_an_end_that_never_comes_means_no_sound(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr(conversation, "END_SECONDS", 0.0)
     monkeypatch.setattr(conversation, "SECONDS_A_CHARACTER", 0.0)
-    server = Server(tmp_path, tells_end=False)
+    server = Server(tmp_path, reports_end=False)
     notices: list[AudioNotice] = []
     speaker = SsipSpeaker(server.address, notices.append)
     speaker.say(say("First."))
@@ -245,8 +254,8 @@ def test_an_end_that_never_comes_means_no_sound(tmp_path: Path, monkeypatch: pyt
     assert [notice.code for notice in notices] == [NoticeCode.SSIP_SILENT]
 
 
-def test_closed_before_anything_was_said_it_started_nothing(server: Server) -> None:
-    speaker = SsipSpeaker(server.address, lambda _: None)
+def test_closing_before_anything_was_said_starts_nothing(server: Server) -> None:
+    speaker = SsipSpeaker(server.address, lambda _: None, languages=spoken_languages())
     speaker.close()
     speaker.say(say("Too late."))
     speaker.close()

@@ -1,0 +1,55 @@
+"""A simulated belt's board: what the original firmware does with each byte, and what its motors do.
+
+Bytes and times in, bytes and motors out. A test compares its answers with a recording of a real board. It
+keeps no more than one frame.
+"""
+
+from __future__ import annotations
+
+from devices.belt.protocol import CELLS, COMPLAINTS, DARK, START, motor_cells
+
+_LETTERS = range(ord("A"), ord("P") + 1)
+_OUTSIDE, _INSIDE = COMPLAINTS
+_PASSES = 100
+"""Passes of the board's loop without a frame, after which all motors are off."""
+
+_PASS, _PASS_A_CELL = 0.000212, 0.000038
+"""Seconds that a pass takes, and that each lit cell adds: 25 ms with one of them, 74 ms with 14."""
+
+
+class SimulatedBelt:
+    """The board. ``now`` is in seconds, and never runs backward."""
+
+    def __init__(self) -> None:
+        self._cells = bytes([DARK]) * CELLS
+        self._shown_at = 0.0
+        self._incoming: bytearray | None = None
+        """The letters of a frame that has begun, or None outside of one."""
+        self.frames = 0
+        """Whole frames so far."""
+
+    def feed(self, received: bytes, now: float) -> bytes:
+        """The board's answer to these bytes."""
+        return b"".join(self._take(byte, now) for byte in received)
+
+    def motors(self, now: float) -> tuple[str, ...]:
+        """The letter of each of the 14 motors, ``P`` for off."""
+        lit = sum(cell != DARK for cell in self._cells)
+        if now - self._shown_at > _PASSES * (_PASS + _PASS_A_CELL * lit):
+            return ("P",) * len(motor_cells(self._cells))
+        return tuple(chr(each) for each in motor_cells(self._cells))
+
+    def _take(self, byte: int, now: float) -> bytes:
+        if self._incoming is None:
+            if byte != START[0]:
+                return _OUTSIDE
+            self._incoming = bytearray()
+        elif byte not in _LETTERS:
+            self._incoming = None
+            return _INSIDE
+        else:
+            self._incoming.append(byte)
+            if len(self._incoming) == CELLS:
+                self._cells, self._shown_at, self._incoming = bytes(self._incoming), now, None
+                self.frames += 1
+        return b""

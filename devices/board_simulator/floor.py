@@ -1,0 +1,225 @@
+"""Where a simulated robot stands, what its sensors meet there, and how its wheels move it.
+
+Lengths in metres; angles in radians, counted to the left from east.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from enum import Enum
+from math import atan2, cos, exp, hypot, pi, radians, sin
+from typing import Protocol
+
+from msgspec import Struct
+
+from devices.wire.commands import MotorDrive
+
+
+class AxlePose(Struct, frozen=True):
+    """Of the middle of the robot's axle."""
+
+    x: float = 0.0
+    y: float = 0.0
+    yaw: float = pi / 2
+    """North by default."""
+
+
+class BumperSwitch(Enum):
+    """The four bumper switches, by their angles from the robot's front."""
+
+    NE = -pi / 4
+    NW = pi / 4
+    SW = 3 * pi / 4
+    SE = -3 * pi / 4
+
+
+class Floor(Protocol):
+    """What surrounds a board."""
+
+    def centimetres(self, place: AxlePose, sonar: int, head: int) -> float | None:
+        """What a sonar (0 to 6, the board's order) measures; ``head`` is the servo's angle. None: no echo."""
+
+    def touched(self, place: AxlePose) -> frozenset[BumperSwitch]:
+        """The bumpers that are pressed there."""
+
+    def is_free(self, place: AxlePose) -> bool:
+        """Whether the robot fits there."""
+
+
+class EmptyFloor:
+    """An endless floor without things."""
+
+    def centimetres(self, place: AxlePose, sonar: int, head: int) -> float | None:  # noqa: ARG002 -- the protocol's
+        return None
+
+    def touched(self, place: AxlePose) -> frozenset[BumperSwitch]:  # noqa: ARG002
+        return frozenset()
+
+    def is_free(self, place: AxlePose) -> bool:  # noqa: ARG002
+        return True
+
+
+Segment = tuple[float, float, float, float]
+"""A wall from x, y to x, y."""
+
+SONAR_DEGREES = (-45, 0, 45, 135, 180, -135)
+"""Directions of the original's sonars 0 to 5, to the left of the robot's front; sonar 6 is on the head."""
+
+TOUCH = 0.003
+"""Metres from a wall at which a bumper is pressed."""
+
+
+class WalledFloor:
+    """Straight walls around a round robot; each sonar is one ray from its hull."""
+
+    def __init__(self, segments: Sequence[Segment], radius: float = 0.0) -> None:
+        """``radius``: of the robot's hull, from which its sonars measure and at which it touches."""
+        self._segments = tuple(segments)
+        self._radius = radius
+
+    def centimetres(self, place: AxlePose, sonar: int, head: int) -> float | None:
+        left = 90 - head if sonar >= len(SONAR_DEGREES) else SONAR_DEGREES[sonar]
+        angle = place.yaw + radians(left)
+        met = [far for each in self._segments if (far := _distance_along(place, angle, each)) is not None]
+        return max(0.0, (min(met) - self._radius) * 100) if met else None
+
+    def touched(self, place: AxlePose) -> frozenset[BumperSwitch]:
+        directions = [
+            _wrapped(atan2(y - place.y, x - place.x) - place.yaw)
+            for x, y in (_nearest(place, each) for each in self._segments)
+            if hypot(x - place.x, y - place.y) <= self._radius + TOUCH
+        ]
+        return frozenset(
+            switch
+            for switch in BumperSwitch
+            for direction in directions
+            if abs(_wrapped(direction - switch.value)) <= pi / 4 + 1e-3
+        )
+
+    def is_free(self, place: AxlePose) -> bool:
+        near = (_nearest(place, each) for each in self._segments)
+        return all(hypot(x - place.x, y - place.y) >= self._radius for x, y in near)
+
+
+def _distance_along(place: AxlePose, angle: float, wall: Segment) -> float | None:
+    """How far a ray in that direction goes until it meets the wall."""
+    x, y, to_x, to_y = wall
+    dx, dy, wx, wy = cos(angle), sin(angle), to_x - x, to_y - y
+    across = dx * wy - dy * wx
+    if abs(across) < 1e-12:
+        return None
+    far = ((x - place.x) * wy - (y - place.y) * wx) / across
+    share = ((x - place.x) * dy - (y - place.y) * dx) / across
+    return far if far >= 0 and 0 <= share <= 1 else None
+
+
+def _nearest(place: AxlePose, wall: Segment) -> tuple[float, float]:
+    """The point of the wall that is nearest."""
+    x, y, to_x, to_y = wall
+    wx, wy = to_x - x, to_y - y
+    length = wx * wx + wy * wy
+    share = ((place.x - x) * wx + (place.y - y) * wy) / length if length else 0.0
+    share = min(1.0, max(0.0, share))
+    return x + share * wx, y + share * wy
+
+
+def _wrapped(angle: float) -> float:
+    """The same direction, -pi to pi."""
+    return (angle + pi) % (2 * pi) - pi
+
+
+Rates = tuple[float, float]
+"""Counts a second of the right wheel and of the left one."""
+
+
+class Chassis(Struct, frozen=True):
+    """A robot's mechanics. The default speeds are the recorded ones, made equal on both sides.
+
+    The real board gives its wheels 115 and 120 of 255 so that the robot goes straight.
+    """
+
+    walking: Rates = (340.5, 340.5)
+    walking_back: Rates = (340.5, 340.5)
+    turning: Rates = (171.0, 171.0)
+    lag: float = 0.025
+    """Seconds in which a wheel reaches two thirds of a new speed."""
+    wheel_radius: float = 0.021
+    axle_length: float = 0.068
+    counts_a_turn: int = 900
+
+
+class SimulatedWheels:
+    """Two wheels, as the firmware drives them."""
+
+    def __init__(self, chassis: Chassis, floor: Floor, place: AxlePose, seconds: float) -> None:
+        """``seconds``: of one pass of the board's loop."""
+        self.chassis = chassis
+        self.place = place
+        self.right = self.left = 0.0
+        """Counts since the board started."""
+        self.is_stuck = False
+        """A fault: the wheels don't turn, whatever the motors do."""
+        self.is_left_stuck = self.is_right_stuck = False
+        """The same fault of one wheel."""
+        self._floor = floor
+        self._seconds = seconds
+        self._keeps = exp(-seconds / chassis.lag)
+        self._metres_a_count = 2 * pi * chassis.wheel_radius / chassis.counts_a_turn
+        self._wanted: Rates = (0.0, 0.0)
+        self._speed: Rates = (0.0, 0.0)
+
+    @property
+    def is_driven(self) -> bool:
+        """Whether the motors are on."""
+        return self._wanted != (0.0, 0.0)
+
+    def drive(self, data: bytes) -> None:
+        """Obey the four bytes of a MOTOR frame: a wheel at zero stops both; all other speeds are the same."""
+        right, right_speed, left, left_speed = data
+        rates = {drive.value[::2]: self._rates(drive) for drive in MotorDrive if drive is not MotorDrive.STOP}
+        if right_speed and left_speed:
+            self._wanted = rates.get(bytes((right, left)), self._wanted)
+        else:
+            self._wanted = (0.0, 0.0)
+
+    def reset(self) -> None:
+        """The board was reset: its motor pins are off, its counts at zero."""
+        self._wanted = (0.0, 0.0)
+        self.right = self.left = 0.0
+
+    def roll(self) -> None:
+        """One pass of the board's loop."""
+        if self._wanted == self._speed == (0.0, 0.0):
+            return
+        self._speed = (self._next_speed(0), self._next_speed(1))
+        if self.is_stuck:
+            return
+        right, left = (speed * self._seconds for speed in self._speed)
+        right, left = 0.0 if self.is_right_stuck else right, 0.0 if self.is_left_stuck else left
+        self.right += right
+        self.left += left
+        self._move(right * self._metres_a_count, left * self._metres_a_count)
+
+    def _next_speed(self, wheel: int) -> float:
+        wanted = self._wanted[wheel]
+        speed = wanted + (self._speed[wheel] - wanted) * self._keeps
+        return wanted if abs(speed - wanted) < 1.0 else speed
+
+    def _move(self, right: float, left: float) -> None:
+        ahead, turned, here = (right + left) / 2, (right - left) / self.chassis.axle_length, self.place
+        middle = here.yaw + turned / 2
+        there = AxlePose(here.x + ahead * cos(middle), here.y + ahead * sin(middle), here.yaw + turned)
+        if self._floor.is_free(there):
+            self.place = there
+
+    def _rates(self, drive: MotorDrive) -> Rates:
+        chassis = self.chassis
+        match drive:
+            case MotorDrive.FORWARD:
+                return chassis.walking
+            case MotorDrive.BACKWARD:
+                return -chassis.walking_back[0], -chassis.walking_back[1]
+            case MotorDrive.LEFT:
+                return chassis.turning[0], -chassis.turning[1]
+            case _:
+                return -chassis.turning[0], chassis.turning[1]

@@ -1,0 +1,323 @@
+"""Short exchanges with the device at a port: identify it, and stop a robot whose program is gone.
+
+An exchange is a state machine without I/O: bytes and times in, bytes out. The clock is a parameter, too, so a
+test's port can have its own.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterator
+from contextlib import contextmanager
+from enum import Enum
+from time import monotonic
+from typing import Protocol
+
+from msgspec import Struct
+
+from devices.belt.protocol import BAUD as BELT_BAUD
+from devices.belt.protocol import RESYNC, contains_complaint
+from devices.serial_ports.port import GONE, PortFault, PortProblem, SerialPort, reason_of
+from devices.wire.commands import BAUD as ROBOT_BAUD
+from devices.wire.commands import CONFIGURE, FILLER, STOP
+from devices.wire.reports import ConfigWanted, Decoder, Encoders, Power, Report
+
+READ_TIMEOUT = 0.02
+"""Seconds that one read waits for bytes."""
+
+Clock = Callable[[], float]
+
+
+class Exchange(Protocol):
+    """One exchange. ``now`` is in seconds and never runs backward."""
+
+    def next(self, received: bytes, now: float) -> bytes:
+        """The bytes to send after these were received; often none."""
+
+    def is_over(self, now: float) -> bool: ...
+
+
+def open_exchange_port(address: str, baud: int, *, exclusive: bool = True) -> SerialPort:
+    """Raises ``PortProblem``."""
+    return SerialPort(address, baud, timeout=READ_TIMEOUT, exclusive=exclusive)
+
+
+@contextmanager
+def _gone_is_a_problem(address: str) -> Iterator[None]:
+    try:
+        yield
+    except GONE as error:
+        raise PortProblem(address, PortFault.ABSENT, reason_of(error)) from None
+
+
+def _never() -> bool:
+    return False
+
+
+def _run(
+    exchange: Exchange, port: SerialPort, address: str, now: Clock, is_given_up: Callable[[], bool] = _never
+) -> None:
+    """Run it until it is over, or given up. Raises ``PortProblem`` if the port goes away meanwhile."""
+    received = b""
+    with _gone_is_a_problem(address):
+        while not (exchange.is_over(now()) or is_given_up()):
+            reply = exchange.next(received, now())
+            if reply:
+                port.write(reply)
+            received = port.read()
+
+
+# --- identify
+
+FIRST_ANSWER = 6.0
+"""Seconds within which a robot's board that was just restarted sends something."""
+
+BATTERY = 2.0
+"""Seconds more until it has reported its battery: it does so three times a second once it is configured."""
+
+BELT_ANSWER = 0.5
+
+
+class DeviceKind(Enum):
+    """What is at a port."""
+
+    ROBOT = "robot"
+    BELT = "belt"
+    NOTHING = "nothing"
+
+
+class IdentifiedDevice(Struct, frozen=True):
+    """What was found out about a port."""
+
+    kind: DeviceKind
+    millivolts: int | None = None
+    """The robot's battery, if it reported that."""
+    restarted: bool = False
+    """Whether opening the port restarted the robot's board."""
+
+
+class RobotIdentification:
+    """Waits for a robot's frames and for its battery.
+
+    A robot that waits for its configuration is given it, because it reports its battery only then. It does
+    not move by that.
+    """
+
+    def __init__(self) -> None:
+        self._decoder = Decoder()
+        self._until: float | None = None
+        self.is_robot = False
+        self.restarted = False
+        self.millivolts: int | None = None
+
+    def next(self, received: bytes, now: float) -> bytes:
+        if self._until is None:
+            self._until = now + FIRST_ANSWER
+        reply = b""
+        for report in self._decoder.feed(received):
+            reply = self._take(report, now) or reply
+        return reply
+
+    def _take(self, report: Report, now: float) -> bytes:
+        if not self.is_robot:
+            self.is_robot = True
+            self._until = now + BATTERY
+        if isinstance(report, Power):
+            self.millivolts = report.millivolts
+        elif isinstance(report, ConfigWanted):
+            self.restarted = True
+            return CONFIGURE
+        return b""
+
+    def is_over(self, now: float) -> bool:
+        return self.millivolts is not None or (self._until is not None and now >= self._until)
+
+
+class BeltIdentification:
+    """Sends bytes that are no frame, and waits for the belt's complaint."""
+
+    def __init__(self) -> None:
+        self._received = bytearray()
+        self._until: float | None = None
+
+    @property
+    def is_belt(self) -> bool:
+        return contains_complaint(self._received)
+
+    def next(self, received: bytes, now: float) -> bytes:
+        self._received = (self._received + received)[-64:]
+        if self._until is None:
+            self._until = now + BELT_ANSWER
+            return RESYNC
+        return b""
+
+    def is_over(self, now: float) -> bool:
+        return self.is_belt or (self._until is not None and now >= self._until)
+
+
+def identify(
+    address: str,
+    open_port: Callable[[str, int], SerialPort] = open_exchange_port,
+    *,
+    is_given_up: Callable[[], bool] = _never,
+    now: Clock = monotonic,
+) -> IdentifiedDevice:
+    """Find out what is at the port; some seven seconds at most. Raises ``PortProblem``.
+
+    Opening the port restarts a board on USB. Nothing moves. Any thread may give the exchange up; then the
+    result means nothing.
+    """
+    port = open_port(address, ROBOT_BAUD)
+    try:
+        robot = RobotIdentification()
+        _run(robot, port, address, now, is_given_up)
+        if robot.is_robot:
+            return IdentifiedDevice(DeviceKind.ROBOT, robot.millivolts, robot.restarted)
+        with _gone_is_a_problem(address):
+            port.set_baud(BELT_BAUD)
+        belt = BeltIdentification()
+        _run(belt, port, address, now, is_given_up)
+        return IdentifiedDevice(DeviceKind.BELT if belt.is_belt else DeviceKind.NOTHING)
+    finally:
+        port.close()
+
+
+# --- stop a robot whose program is gone
+
+FLUSH_PAUSE = 0.1
+"""Seconds after the zeros: the board reads one byte in a pass of its loop."""
+
+REPEAT = 0.05
+TWICE = 2
+SILENT = 1.5
+"""Seconds after which a silent board gets a stop all the same; its boot loader takes one second."""
+
+STANDS = 0.3
+"""Seconds of fresh frames without a count, after which the wheels stand. A silent board proves nothing."""
+
+LONGEST = 4.0
+"""A board that was restarted sends something within two seconds, a slow one within three."""
+
+
+class HaltOutcome(Enum):
+    """What is known of the robot."""
+
+    STANDS = "stands"
+    """Its wheels were seen to stand, or its board has just restarted."""
+    UNCONFIRMED = "unconfirmed"
+    """It was sent a stop, and nothing answered."""
+    IN_USE = "in-use"
+    """It was sent a stop, but another program has its port and may drive on."""
+
+
+class EmergencyStop:
+    """Stops a board that may be in the middle of a half frame.
+
+    It listens first: a board in its boot loader stands already, and must not be disturbed. Then it sends
+    zeros, which complete a half frame, waits until the board has read them, and sends stops until the wheels
+    stand.
+    """
+
+    def __init__(self) -> None:
+        self._decoder = Decoder()
+        self._began: float | None = None
+        self._flushed_at: float | None = None
+        self._sent_at = 0.0
+        self._stops = 0
+        self._is_streaming = False
+        self._has_restarted = False
+        self._wheels: Encoders | None = None
+        self._still_since: float | None = None
+        self._counted_at = 0.0
+        """When the board last reported its wheels."""
+
+    def next(self, received: bytes, now: float) -> bytes:
+        self._began = now if self._began is None else self._began
+        for report in self._decoder.feed(received):
+            self._take(report, now)
+        if self._flushed_at is None:
+            return self._flush(now)
+        if now - self._flushed_at < FLUSH_PAUSE or now - self._sent_at < REPEAT:
+            return b""
+        if self._stops >= TWICE and not self._is_streaming:
+            return b""
+        self._sent_at = now
+        self._stops += 1
+        return STOP
+
+    def is_over(self, now: float) -> bool:
+        return self._began is not None and (self._stands(now) or now - self._began >= LONGEST)
+
+    def outcome(self, now: float) -> HaltOutcome:
+        return HaltOutcome.STANDS if self._stands(now) else HaltOutcome.UNCONFIRMED
+
+    def _flush(self, now: float) -> bytes:
+        """Zeros, once a board streams, or has been silent for longer than a start takes."""
+        if not self._is_streaming and now - (self._began or 0.0) < SILENT:
+            return b""
+        self._flushed_at = self._sent_at = now
+        return FILLER
+
+    def _stands(self, now: float) -> bool:
+        return self._has_restarted or self._is_still(now)
+
+    def _is_still(self, now: float) -> bool:
+        """Whether the counts have not changed for a while, by fresh frames."""
+        since, counted_at = self._still_since, self._counted_at
+        return since is not None and counted_at - since >= STANDS and now - counted_at < STANDS
+
+    def _take(self, report: Report, now: float) -> None:
+        if isinstance(report, ConfigWanted):
+            self._has_restarted = True
+            return
+        self._is_streaming = True
+        if isinstance(report, Encoders) and self._stops >= TWICE:
+            self._counted_at = now
+            if report != self._wheels:
+                self._wheels, self._still_since = report, now
+
+
+def halt(
+    address: str,
+    open_port: Callable[..., SerialPort] = open_exchange_port,
+    *,
+    by_force: Callable[[], bool] = _never,
+    now: Clock = monotonic,
+) -> HaltOutcome:
+    """Stop the robot at the port; four seconds at most, or twice that. Raises ``PortProblem``.
+
+    Opening the port restarts a board on USB; any other board is sent stops. ``by_force`` restarts the board
+    where that is possible without opening the port, and returns whether it did. It is called if the stops
+    don't help. Where another program has the port, the stops are sent all the same, without reading.
+    """
+    try:
+        port = open_port(address, ROBOT_BAUD)
+    except PortProblem as problem:
+        if problem.fault is not PortFault.BUSY:
+            raise
+        _stop_shared_port(address, open_port)
+        return HaltOutcome.IN_USE
+    try:
+        outcome = _stop(port, address, now)
+        if outcome is HaltOutcome.UNCONFIRMED and by_force():
+            outcome = _stop(port, address, now)
+        return outcome
+    finally:
+        port.close()
+
+
+def _stop(port: SerialPort, address: str, now: Clock) -> HaltOutcome:
+    exchange = EmergencyStop()
+    _run(exchange, port, address, now)
+    return exchange.outcome(now())
+
+
+def _stop_shared_port(address: str, open_port: Callable[..., SerialPort]) -> None:
+    """The other program's bytes come between our frames at most, not into them."""
+    port = open_port(address, ROBOT_BAUD, exclusive=False)
+    try:
+        port.write(STOP)
+        port.write(STOP)
+    except GONE as error:
+        raise PortProblem(address, PortFault.BUSY, str(error)) from None
+    finally:
+        port.close()

@@ -1,0 +1,1 @@
+"""Serial ports: opening, classifying faults, listing, and resetting the board behind one."""

@@ -1,1 +1,0 @@
-"""Speech through speech-dispatcher's socket (SSIP), beside Orca and not over it."""

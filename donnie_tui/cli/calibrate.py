@@ -1,0 +1,217 @@
+"""``donnie calibrate``: the robot moves, a person measures, and its sizes go into the settings file.
+
+However it ends, by a signal too, the robot stands before the port is closed, and the settings are unchanged
+unless the measurement was completed. Measurements of a simulated board are not kept: the settings are the
+real robot's.
+"""
+
+from __future__ import annotations
+
+import threading
+from collections.abc import Callable
+from contextlib import closing
+from types import FrameType
+from typing import NoReturn
+
+from msgspec import Struct
+
+from devices.ports.robot import STEP, LinkNotice, RobotProblem, StoppedBy, TurnResult, WalkResult
+from devices.serial_robot.config import RobotConfig, axle_length, wheel_radius
+from devices.wire.telemetry import Telemetry
+from donnie_tui.cli import codes
+from donnie_tui.cli.options import Order
+from donnie_tui.cli.streams import Input, stopped_by_suspension
+from donnie_tui.core.program_files import DocumentError
+from donnie_tui.i18n.words import Unusable
+from donnie_tui.process.disconnection import ReaderWatch
+from donnie_tui.process.signals import LEAVING, TakenSignals
+from donnie_tui.robot.choice import sentences_of
+from donnie_tui.robot.connection import MeasurableRobot, make_measurable, robot_config
+from donnie_tui.settings.file import remember
+from donnie_tui.settings.parsing import DOUBLE, SIMULATED
+
+STEPS = 20
+"""A metre, so that a centimetre of a bad reading is a percent."""
+DEGREES = 720
+"""Two turns, for the same reason."""
+
+FAR = 2.0
+"""Times what was asked: a measure that is so far off is asked again, and taken if it is meant."""
+
+_SMALLEST, _LARGEST = 0.001, 1.0
+"""Metres that a radius or an axle can have in the settings."""
+
+
+class _Steady(Struct):
+    """The pace of calibration: real time, until it is stopped."""
+
+    ended: threading.Event
+
+    def sleep(self, seconds: float) -> bool:
+        return not self.ended.wait(seconds)
+
+
+class _Sizes(Struct, frozen=True):
+    """In metres; None is not measured."""
+
+    wheel_radius: float | None
+    axle_length: float | None
+
+
+class _Lost(Exception):
+    """The connection was lost during a movement, and that was reported."""
+
+
+def calibrate(order: Order, made: Callable[..., MeasurableRobot] = make_measurable) -> int:
+    """Ask, walk, ask, turn, ask, write. The exit code is 1 if nothing was measured."""
+    if order.invocation.options.get("robot") == SIMULATED:
+        raise Unusable(order.words("calibrate-simulator"))
+    try:
+        sizes = _measured(order, made)
+    except RobotProblem as problem:
+        raise Unusable(" ".join(sentences_of(problem, order.words))) from None
+    except _Lost:
+        order.output.line(order.words("calibrate-ended"))
+        return codes.UNUSABLE
+    except KeyboardInterrupt:
+        order.output.line(order.words("calibrate-ended"))
+        raise
+    return _keep(order, sizes)
+
+
+def _measured(order: Order, made: Callable[..., MeasurableRobot]) -> _Sizes:
+    """The robot stands, and its port is free, once this is answered or raised."""
+
+    def report(news: LinkNotice, _reason: str) -> None:
+        if news is not LinkNotice.CONNECTED:
+            order.output.line(order.words(f"link-{news.value}"))
+
+    robot = made(order.settings, order.words, _Steady(threading.Event()), report)
+    with (
+        TakenSignals(dict.fromkeys(LEAVING, _end)),
+        closing(ReaderWatch()),
+        closing(robot),
+        stopped_by_suspension(lambda: _halted(robot)),
+    ):
+        return _Calibration(order, robot).talk()
+
+
+def _keep(order: Order, sizes: _Sizes) -> int:
+    """Write what was measured. Raises ``Unusable``."""
+    measured = {"wheel_radius": sizes.wheel_radius, "axle_length": sizes.axle_length}
+    if not any(measured.values()):
+        order.output.line(order.words("calibrate-nothing"))
+        return codes.FAILED
+    is_real = order.settings.robot != DOUBLE
+    for key, metres in measured.items():
+        if metres is not None:
+            order.output.line(order.words(f"calibrate-{key.replace('_', '-')}", millimetres=metres * 1000))
+            if is_real:
+                _write(order, key, metres)
+    order.output.line(order.words("calibrate-kept" if is_real else "calibrate-not-kept"))
+    return codes.DONE
+
+
+def _write(order: Order, key: str, metres: float) -> None:
+    try:
+        remember(key, metres, order.environment)
+    except DocumentError as problem:
+        raise Unusable(order.words(problem.code, path=problem.path, reason=problem.reason)) from None
+
+
+class _Calibration:
+    """One dialogue with the person who measures."""
+
+    def __init__(self, order: Order, robot: MeasurableRobot) -> None:
+        self._order = order
+        self._robot = robot
+        self._input = Input()
+        self._config: RobotConfig = robot_config(order.settings)
+
+    def talk(self) -> _Sizes:
+        """Raises ``_Lost``, and ``RobotProblem`` where nothing moves."""
+        self._say("calibrate-start")
+        self._robot.connect()
+        radius = self._measured_radius()
+        return _Sizes(radius, self._measured_axle(radius or self._config.wheel_radius))
+
+    def _measured_radius(self) -> float | None:
+        counts = self._counted("calibrate-walk", STEPS, lambda: self._robot.forward(STEPS))
+        asked = 100 * STEPS * STEP
+        centimetres = self._ask("calibrate-ask-centimetres", asked) if counts else None
+        if not counts or centimetres is None:
+            return None
+        return self._sound(wheel_radius(counts, self._config.counts_a_turn, centimetres / 100))
+
+    def _measured_axle(self, radius: float) -> float | None:
+        counts = self._counted("calibrate-turn", DEGREES, lambda: self._robot.turn(DEGREES))
+        degrees = self._ask("calibrate-ask-degrees", DEGREES) if counts else None
+        if not counts or degrees is None:
+            return None
+        return self._sound(axle_length(counts, self._config.counts_a_turn, radius, degrees))
+
+    def _counted(self, code: str, amount: int, go: Callable[[], WalkResult | TurnResult]) -> float:
+        """What the wheels counted on the average of both; 0 if that is not to be measured."""
+        self._say(code, amount=amount)
+        while line := self._input.line():
+            self._say("calibrate-enter-alone")
+        if line is None:
+            return 0.0
+        before = self._robot.telemetry
+        done = go()
+        if done.stopped_by is StoppedBy.LINK:
+            raise _Lost
+        if done.stopped_by is not None:
+            self._say("calibrate-cut-short")
+            return 0.0
+        return _mean_counts(before, self._robot.telemetry)
+
+    def _sound(self, metres: float) -> float | None:
+        if _SMALLEST <= metres <= _LARGEST:
+            return round(metres, 5)
+        self._say("calibrate-absurd")
+        return None
+
+    # --- asking
+
+    def _ask(self, code: str, expected: float) -> float | None:
+        """A number above 0 that is near what is expected, or was typed twice; None for nothing."""
+        self._say(code)
+        doubted = 0.0
+        while line := self._input.line():
+            number = _number(line)
+            if number and (number == doubted or expected / FAR < number < expected * FAR):
+                return number
+            doubted = number
+            if number:
+                self._say("calibrate-far", number=line, expected=round(expected))
+            else:
+                self._say("calibrate-number")
+        return None
+
+    def _say(self, code: str, **values: object) -> None:
+        self._order.output.line(self._order.words(code, **values))
+
+
+def _halted(robot: MeasurableRobot) -> bool:
+    robot.halt()
+    robot.wait_until_standing()
+    return True
+
+
+def _number(line: str) -> float:
+    """A number above 0, with a point or a comma; 0 for anything else."""
+    try:
+        number = float(line.replace(",", "."))
+    except ValueError:
+        return 0.0
+    return number if 0 < number < 1e6 else 0.0
+
+
+def _mean_counts(before: Telemetry, after: Telemetry) -> float:
+    return (abs(after.right - before.right) + abs(after.left - before.left)) / 2
+
+
+def _end(_number: int, _frame: FrameType | None) -> NoReturn:
+    """A signal ends the conversation as Ctrl+C does, so that the robot is stopped on the way out."""
+    raise KeyboardInterrupt

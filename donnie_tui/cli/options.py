@@ -1,0 +1,300 @@
+"""The options of every command in one table, and the command line read by it.
+
+The first word that is neither an option nor an option's value is the command, or else the program's file. A
+common option may stand before or after the command.
+"""
+
+from __future__ import annotations
+
+import argparse
+import re
+from collections.abc import Callable, Iterator, Mapping
+from typing import TYPE_CHECKING, NoReturn, TypeAlias
+
+from msgspec import Struct
+
+from donnie_tui import __version__
+from donnie_tui.cli.streams import Output
+from donnie_tui.i18n.words import Words
+from donnie_tui.settings.settings import BadOption, Settings, resolve
+from language.locales import languages
+
+if TYPE_CHECKING:
+    from donnie_tui.linear.greeting import Greeting
+
+COMMON = {
+    "world": "NAME_OR_FILE",
+    "robot": "sim|serial|serial:PORT|double",
+    "lang": "|".join(languages()),
+    "speed": "N|max",
+    "seed": "N",
+    "speech": "auto|off|text|ssip|tts|robot",
+    "sound": "on|off|wav:FILE",
+    "verbosity": "brief|normal|full",
+    "record": "FILE",
+    "events": "FILE|-",
+    "belt": "PORT",
+}
+"""The options of every command with the form of their values, which ``settings`` reads."""
+
+
+class Option(Struct, frozen=True):
+    """An option or argument of one command, in the terms of argparse."""
+
+    names: tuple[str, ...]
+    help: str
+    """The code of its sentence."""
+    metavar: str | None = None
+    """None: the option is a switch."""
+    dest: str | None = None
+    nargs: str | None = None
+    default: str | None = None
+    type: type[int] | None = None
+    choices: tuple[str, ...] | None = None
+    group: str = ""
+    """Options of one group exclude each other."""
+
+
+_FILE = Option(("file",), "option-file", "FILE", nargs="?")
+_FILES = Option(("file",), "option-file-or-input", "FILE", nargs="+")
+_PORT = Option(("port",), "option-port", "PORT", nargs="?")
+
+OPTIONS: dict[str, tuple[Option, ...]] = {
+    "": (
+        _FILE,
+        Option(("--linear", "-t", "-T"), "option-linear", group="mode"),
+        Option(("--visual",), "option-visual", group="mode"),
+        Option(("--plain",), "option-plain"),
+        Option(("-f", "-F"), "option-f", "FILE", dest="run"),
+        Option(("-m", "-M"), "option-m", dest="mute"),
+        Option(("-l", "-L"), "option-l", dest="log"),
+    ),
+    "run": (_FILES, Option(("--trace",), "option-trace")),
+    "check": (_FILES,),
+    "format": (
+        _FILES,
+        Option(("--to",), "option-to", f"{{{','.join(languages())}}}", choices=languages()),
+        Option(("-w", "--write"), "option-write"),
+    ),
+    "worlds": (),
+    "world": (
+        Option(("name",), "option-world", "NAME", nargs="?"),
+        Option(("--map",), "option-map", group="form"),
+        Option(("--report",), "option-report", group="form"),
+        Option(("--json",), "option-json", group="form"),
+        Option(("--svg",), "option-svg", "FILE", group="form"),
+        Option(("--brf",), "option-brf", "FILE", group="form"),
+    ),
+    "replay": (
+        Option(("file",), "option-recording", "FILE"),
+        Option(("--backwards",), "option-backwards"),
+        Option(("--from",), "option-from", "N", dest="start", type=int),
+        Option(("--step",), "option-step"),
+        Option(("--map",), "option-replay-map"),
+        Option(("--check",), "option-recheck"),
+    ),
+    "doctor": (),
+    "devices": (Option(("port",), "option-ports", "PORT", nargs="*"),),
+    "stop": (_PORT,),
+    "calibrate": (),
+    "serve": (Option(("--port",), "option-serve-port", "PORT", default="8000"),),
+}
+"""The options of each command; those of the program itself stand under the empty name."""
+
+TO_COME = ("challenge",)
+COMMANDS = (*(name for name in OPTIONS if name), *TO_COME)
+
+
+class WrongUsage(Exception):
+    """The command line can't be understood: the code of a sentence, and what it is about."""
+
+    def __init__(self, code: str, what: str) -> None:
+        super().__init__(code)
+        self.code = code
+        self.what = what
+
+
+class Invocation(Struct, frozen=True):
+    """A command line that was understood."""
+
+    command: str
+    """Empty for the program itself."""
+    options: dict[str, str]
+    """The common options that were given, by key."""
+    arguments: argparse.Namespace
+
+
+class Order(Struct, frozen=True):
+    """A command with everything that it needs."""
+
+    invocation: Invocation
+    settings: Settings
+    words: Words
+    output: Output
+    environment: Mapping[str, str]
+    greeting: Greeting | None = None
+    """What the linear mode has printed already."""
+
+    @property
+    def outputs(self) -> tuple[tuple[str, str], ...]:
+        """The options that name a file to be written, and the files."""
+        return (*_written_as_it_happens(self.settings), *_pages(self.invocation))
+
+
+def _written_as_it_happens(settings: Settings) -> Iterator[tuple[str, str]]:
+    if settings.record is not None:
+        yield "--record", settings.record
+    if settings.events not in (None, "-"):
+        yield "--events", str(settings.events)
+    if isinstance(settings.sound, str):
+        yield "--sound", settings.sound
+
+
+def _pages(invocation: Invocation) -> Iterator[tuple[str, str]]:
+    """What ``donnie world`` writes."""
+    for option in ("svg", "brf"):
+        name = getattr(invocation.arguments, option, None)
+        if name:
+            yield f"--{option}", name
+
+
+# --- reading a command line ----------------------------------------------------------------------------
+
+
+def understand(arguments: list[str], words: Words) -> Invocation:
+    """The command and its options. Prints help or the version and exits where that is asked for.
+
+    Raises ``WrongUsage`` or ``BadOption``. Of a command that is still to come only the name is read.
+    """
+    command, rest = _split(arguments)
+    if command in TO_COME:
+        return Invocation(command, {}, argparse.Namespace())
+    parsed = parser_of(command, words).parse_args(rest)
+    options = {key: getattr(parsed, key) for key in COMMON if getattr(parsed, key) is not None}
+    return Invocation(command, options, parsed)
+
+
+def _split(arguments: list[str]) -> tuple[str, list[str]]:
+    """The command, empty for none, and the arguments without it."""
+    skip = False
+    for index, each in enumerate(arguments):
+        if skip:
+            skip = False
+        elif each == "--" or each.lower() == "-f":
+            break
+        elif each.startswith("--"):
+            skip = each[2:] in COMMON
+        elif not each.startswith("-") or each == "-":
+            if each in COMMANDS:
+                return each, arguments[:index] + arguments[index + 1 :]
+            break
+    return "", arguments
+
+
+def language_before_parsing(
+    arguments: list[str], environment: Mapping[str, str], file: Mapping[str, object]
+) -> str:
+    """The language of help and complaints: the first that can be read of options, environment, settings."""
+    for options in (_language_option(arguments), {}):
+        try:
+            return resolve(options, environment, file)[0].language
+        except BadOption:
+            continue
+    return "en"
+
+
+def _language_option(arguments: list[str]) -> dict[str, str]:
+    for at, each in enumerate(arguments):
+        key, _, value = each.partition("=")
+        if key == "--lang":
+            return {"lang": value or "".join(arguments[at + 1 : at + 2])}
+    return {}
+
+
+# --- argparse --------------------------------------------------------------------------------------------
+
+_PROBLEMS = (
+    (r"the following arguments are required: (.*)", "usage-missing"),
+    (r"unrecognized arguments: (.*)", "usage-unrecognized"),
+    (r"argument ([^:]*): expected .*", "usage-without-value"),
+    (r"argument ([^:]*): invalid int .*", "usage-no-number"),
+    (r"argument ([^:]*): not allowed with.*", "usage-not-together"),
+)
+"""What argparse complains about, and the code of our sentence for it."""
+
+_LONGEST_QUOTE = 40
+Sentences: TypeAlias = Callable[[str], str]
+"""The sentence of a code."""
+
+
+class _Parser(argparse.ArgumentParser):
+    """Complains by code, in no language."""
+
+    def error(self, message: str) -> NoReturn:
+        choice = re.fullmatch(r"argument --([^:]*): invalid choice: (.*) \(choose from (.*)\)", message)
+        if choice:
+            raise BadOption(choice[1], choice[2].strip("'\""), choice[3].replace("'", ""))
+        for pattern, code in _PROBLEMS:
+            found = re.fullmatch(pattern, message)
+            if found:
+                raise WrongUsage(code, found[1][:_LONGEST_QUOTE])
+        raise WrongUsage("usage-unrecognized", message[:_LONGEST_QUOTE])
+
+
+def _formatter(sentence: Sentences) -> type[argparse.HelpFormatter]:
+    """Help that begins with the word for "usage" in the learner's language and keeps the lines of a text."""
+
+    class Formatter(argparse.HelpFormatter):
+        def add_usage(self, usage, actions, groups, prefix=None):  # type: ignore[no-untyped-def] # argparse's own
+            super().add_usage(usage, actions, groups, prefix or f"{sentence('usage-prefix')} ")
+
+        def _fill_text(self, text: str, width: int, indent: str) -> str:
+            return "\n".join(
+                super(Formatter, self)._fill_text(each, width, indent) for each in text.split("\n")
+            )
+
+    return Formatter
+
+
+def parser_of(command: str, sentence: Sentences) -> argparse.ArgumentParser:
+    """The parser of a command, or of the program itself for the empty name."""
+    parser = _Parser(
+        prog=f"donnie {command}".strip(),
+        description=sentence(f"usage-{command or 'donnie'}"),
+        epilog=None if command else _all_commands(sentence),
+        formatter_class=_formatter(sentence),
+        add_help=False,
+        allow_abbrev=False,
+    )
+    arguments = parser.add_argument_group(sentence("usage-arguments"))
+    groups: dict[str, argparse._MutuallyExclusiveGroup] = {}
+    for each in OPTIONS[command]:
+        if each.group and each.group not in groups:
+            groups[each.group] = arguments.add_mutually_exclusive_group()
+        _add(groups[each.group] if each.group else arguments, each, sentence)
+    if not command:
+        version = sentence("option-version")
+        arguments.add_argument("--version", action="version", version=__version__, help=version)
+    common = parser.add_argument_group(sentence("usage-options"))
+    for key, metavar in COMMON.items():
+        common.add_argument(f"--{key}", metavar=metavar, help=sentence(f"option-{key}"))
+    common.add_argument("-h", "-H", "--help", action="help", help=sentence("option-help"))
+    return parser
+
+
+def _add(parser: argparse._ActionsContainer, option: Option, sentence: Sentences) -> None:
+    given: dict[str, object] = {
+        name: getattr(option, name)
+        for name in ("metavar", "dest", "nargs", "default", "type", "choices")
+        if getattr(option, name) is not None
+    }
+    if option.metavar is None:
+        given["action"] = "store_true"
+    parser.add_argument(*option.names, help=sentence(option.help), **given)  # type: ignore[arg-type] # as named
+
+
+def _all_commands(sentence: Sentences) -> str:
+    """The list of commands, a line each, with what it is for."""
+    known = (each for each in COMMANDS if each not in TO_COME)
+    lines = (f"{each}: {sentence(f'usage-{each}')}" for each in known)
+    return "\n".join([sentence("usage-commands"), *lines])

@@ -1,0 +1,286 @@
+"""``donnie replay FILE``: a recorded run, shown again or run again.
+
+A replay publishes to the same listeners as the run, so that it is printed, spoken and sounded in the same
+way. ``--check`` runs the recording again and compares the events one by one.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from contextlib import ExitStack
+from itertools import islice
+from pathlib import Path
+from typing import TYPE_CHECKING, TextIO, cast
+
+from msgspec import Struct
+
+from donnie_tui import __version__
+from donnie_tui.bootstrap import make_team
+from donnie_tui.cli import codes
+from donnie_tui.cli.options import Order
+from donnie_tui.cli.replay_prompt import ReplayMap, ReplayPrompt
+from donnie_tui.cli.streams import Guarded, Output, let_sound, stopped_by_signals
+from donnie_tui.core.events import Answered, Moved, RunStarted, Stamped, Turned, as_line
+from donnie_tui.core.hub import Hub, Stream
+from donnie_tui.core.recheck import Result, Verdict, recheck
+from donnie_tui.core.recording import LARGEST, Header, NoRecordingError, Recording
+from donnie_tui.core.replay import Replay, undone_in_words
+from donnie_tui.core.safe_text import printable
+from donnie_tui.core.timeline import Timeline
+from donnie_tui.core.transcript import told_lines
+from donnie_tui.i18n.words import Unusable, Words
+from donnie_tui.outlets.audible import make_audible
+from donnie_tui.outlets.files import Written
+from donnie_tui.settings.parsing import SIMULATED
+from donnie_tui.world.recorded import settings_of, unpacked
+from language.control import ExecutionControl
+from language.locales import languages
+
+if TYPE_CHECKING:
+    pass
+
+
+LONGEST_EXCERPT = 160
+"""Characters of an event that are shown where it differs."""
+
+
+def run_again(order: Order, recording: Recording) -> int:
+    """0 if everything is the same as far as it can be compared, 1 if something differs."""
+    header = _usable(recording, order.words)
+    tone = Words()
+    settings = settings_of(header, order.settings, order.words)
+    with unpacked(header, order.words) as world:
+        team = make_team(settings, tone, world, terminal=True)
+        with stopped_by_signals(team.stop) as stopped:
+            verdict = recheck(recording.events, team, tone)
+            team.close()
+        if stopped.is_set():
+            return codes.STOPPED
+    _print_verdict(order, recording, header, verdict)
+    return codes.FAILED if verdict.result is Result.DIFFERENT else codes.DONE
+
+
+def _usable(recording: Recording, words: Words) -> Header:
+    if recording.header is None or not recording.is_cut_off_only:
+        raise Unusable(words("recheck-damaged"))
+    if recording.header.robot != SIMULATED:
+        raise Unusable(words("recheck-real", robot=printable(recording.header.robot)))
+    return recording.header
+
+
+def _print_verdict(order: Order, recording: Recording, header: Header, verdict: Verdict) -> None:
+    words, line = order.words, order.output.line
+    count = len(recording.events)
+    at = (
+        recording.line_of(verdict.index)
+        if verdict.index < count
+        else recording.line_of(count - 1) + 1
+        if count
+        else 1
+    )
+    line(words(f"recheck-{verdict.result.value}", line=at, count=count))
+    if verdict.result is not Result.DIFFERENT:
+        return
+    then = recording.events[verdict.index] if verdict.index < count else None
+    line(words("recheck-then", event=_excerpt(then, words)))
+    line(words("recheck-now", event=_excerpt(verdict.now, words)))
+    if header.version != __version__:
+        line(words("recheck-version", then=printable(header.version), now=__version__))
+
+
+def _excerpt(stamped: Stamped | None, words: Words) -> str:
+    if stamped is None:
+        return words("recheck-nothing")
+    text = printable(as_line(stamped).strip())
+    return text if len(text) <= LONGEST_EXCERPT else f"{text[: LONGEST_EXCERPT - 1]}…"
+
+
+_NEAR_THE_BEGINNING = 100
+"""Events in which the first run is looked for."""
+
+FIXED = ("world", "robot", "seed", "belt", "record")
+"""Options that mean nothing to what has happened already."""
+
+
+class _Audience(Struct, frozen=True):
+    """The listeners of a replay."""
+
+    hub: Hub
+
+
+def replay(order: Order) -> int:
+    """``donnie replay``."""
+    arguments, words = order.invocation.arguments, order.words
+    _refuse_what_has_no_meaning(order)
+    with ExitStack() as closing:
+        recording = _opened(arguments.file, words, closing)
+        for damage in recording.damages:
+            order.output.complaint(words(f"damaged-{damage.code}", line=damage.line, count=damage.last))
+        if arguments.check:
+            return run_again(order, recording)
+        telling = _Player(order, recording, closing)
+        code = telling.play()
+    return codes.UNUSABLE if telling.has_lost else code
+
+
+def _refuse_what_has_no_meaning(order: Order) -> None:
+    """Raises ``Unusable`` for an option that would do nothing: what was recorded is fixed."""
+    arguments, given, words = order.invocation.arguments, order.invocation.options, order.words
+    fixed = next((each for each in FIXED if each in given), None)
+    if fixed is not None:
+        raise Unusable(words("replay-fixed", option=f"--{fixed}"))
+    ways = ("--check", arguments.check), ("--step", arguments.step), ("--backwards", arguments.backwards)
+    chosen = [option for option, is_chosen in ways if is_chosen]
+    if arguments.check:
+        others = [
+            ("--map", arguments.map),
+            ("--from", arguments.start is not None),
+            ("--speed", "speed" in given),
+        ]
+        chosen += [option for option, is_given in others if is_given]
+    if "events" in given:
+        chosen.append("--events")
+    if len(chosen) > 1 and chosen != ["--step", "--backwards"]:
+        raise Unusable(words("options-not-together", option=chosen[1], other=chosen[0]))
+
+
+def _opened(name: str, words: Words, closing: ExitStack) -> Recording:
+    path = Path(name)
+    try:
+        if path.exists() and not (path.is_file() or path.is_dir()):
+            raise Unusable(words("file-no-file", path=name))  # a device or a pipe may have no end
+        if path.is_file() and path.stat().st_size > LARGEST:
+            raise Unusable(words("recording-too-large", path=name))
+        return Recording(closing.enter_context(path.open("rb")))
+    except NoRecordingError:
+        raise Unusable(words("no-recording", path=name)) from None
+    except (OSError, ValueError) as problem:
+        reason = getattr(problem, "strerror", None) or str(problem)
+        raise Unusable(words("file-unreadable", path=name, reason=reason)) from None
+
+
+# --- showing
+
+
+class _Player:
+    """One replay, from the first word to the last."""
+
+    def __init__(self, order: Order, recording: Recording, closing: ExitStack) -> None:
+        self._order = order
+        self._words = order.words
+        self._stream = Stream()
+        self._hub = Hub(lambda: 0.0, None, self._stream)
+        self._timeline = Timeline(recording.events)
+        self._control = ExecutionControl()
+        self._map = self._map_of(recording, closing)
+        self._moved: str | None = None
+        """The robots that moved in the current step."""
+        self._has_moved = False
+        self._written = Written(order.settings, self._hub, order.words, closing)
+        self._written.events(cast(TextIO, Guarded(order.output)))
+        self._written.sounds()
+        with_words = order.settings.events != "-"
+        of_run = Words(_first_language(recording) or order.words.language, order.words.detail)
+        self._stream.subscribe(_follower(of_run))
+        self._stream.subscribe(_printer(order.output, of_run, with_words=with_words))
+        self._audible = make_audible(order.settings, _Audience(self._hub), of_run, closing)
+        self._replay = Replay(self._timeline, self._control, order.settings.speed)
+
+    def play(self) -> int:
+        arguments = self._order.invocation.arguments
+        self._begin_at(arguments.start, arguments.backwards)
+        self._order.output.on_broken = self._control.stop
+        if arguments.step:
+            return ReplayPrompt(self._replay, self._hub, self._stream, self._words, self._map).talk(
+                self._order.output
+            )
+        with stopped_by_signals(self._control.stop) as stopped:
+            to_the_end = self._play_backwards() if arguments.backwards else self._replay.forwards(self._show)
+            let_sound(self._audible.is_still_within, stopped)
+        return codes.DONE if to_the_end else codes.STOPPED
+
+    @property
+    def has_lost(self) -> bool:
+        """Whether a file could not be written to its end."""
+        return bool(self._written.lost)
+
+    def _begin_at(self, seq: int | None, backwards: bool) -> None:
+        """Just before the event of that number; backwards, behind it."""
+        events = self._timeline.events
+        if seq is None:
+            self._timeline.go_to(len(events) if backwards else 0)
+            return
+        last = events[len(events) - 1].seq if events else 0
+        if not 1 <= seq <= last:
+            raise Unusable(self._words("replay-no-such-event", number=seq, last=last))
+        index = next(index for index, each in enumerate(events) if each.seq >= seq)
+        self._timeline.go_to(index + backwards)
+
+    def _show(self, stamped: Stamped) -> None:
+        self._stream.pass_on(stamped)
+        if isinstance(stamped.event, Moved | Turned):
+            self._moved, self._has_moved = stamped.robot, True
+        if self._has_moved and self._timeline.is_between_steps:
+            self._has_moved = False
+            self._show_map(self._moved)
+
+    def _play_backwards(self) -> bool:
+        return self._replay.backwards(self._show_back)
+
+    def _show_back(self, undone: tuple[Stamped, ...]) -> None:
+        self._hub.publish(Answered(undone_in_words(undone, self._timeline, self._words)))
+        movement = next((each for each in undone if isinstance(each.event, Moved | Turned)), None)
+        if movement is not None:
+            self._show_map(movement.robot)
+
+    def _show_map(self, robot: str | None) -> None:
+        for row in self._map.lines(self._timeline, robot) if self._map is not None else ():
+            self._order.output.line(row)
+
+    def _map_of(self, recording: Recording, closing: ExitStack) -> ReplayMap | None:
+        """The map, if it was asked for and the recording has its world."""
+        arguments = self._order.invocation.arguments
+        if not (arguments.map or arguments.step) or recording.header is None:
+            return None
+        try:
+            return ReplayMap(
+                closing.enter_context(unpacked(recording.header, self._words)).scene, self._words
+            )
+        except Unusable as unusable:
+            self._order.output.complaint(unusable.sentence)
+            return None
+
+
+def _first_language(recording: Recording) -> str | None:
+    """That of the first run, where it stands near the beginning."""
+    first = islice(recording.events, _NEAR_THE_BEGINNING)
+    return next(filter(None, map(_language_of, first)), None)
+
+
+def _follower(of_run: Words) -> Callable[[Stamped], None]:
+    """The sentences of a run are in its language, so the sentences around them are, too."""
+
+    def follow(stamped: Stamped) -> None:
+        of_run.language = _language_of(stamped) or of_run.language
+
+    return follow
+
+
+def _language_of(stamped: Stamped) -> str | None:
+    event = stamped.event
+    if not isinstance(event, RunStarted) or event.how is None or event.how.language not in languages():
+        return None
+    return event.how.language
+
+
+def _printer(output: Output, words: Words, *, with_words: bool) -> Callable[[Stamped], None]:
+    """Without words if events go to standard output; errors are printed all the same."""
+
+    def show(stamped: Stamped) -> None:
+        for line in told_lines(stamped, words):
+            if with_words:
+                output.line(line)
+            elif isinstance(stamped.event, Answered):
+                output.complaint(line)
+
+    return show

@@ -1,0 +1,296 @@
+"""``donnie run``: programs from their start to their end, as sentences or as events.
+
+``FILE`` is for the first robot of the world, ``ROBOT=FILE`` for the named one. A signal stops every robot at
+once; each run then ends as usual, with its last event.
+
+No output may destroy an input: programs, recordings, settings, the world and all its files. An existing file
+is replaced only if it begins like a file that the same option wrote, so ``--record lesson.gd`` keeps the
+program. Two outputs are never the same file. All of this is checked before any file is opened.
+"""
+
+from __future__ import annotations
+
+import os
+import threading
+from collections.abc import Callable, Iterator, Mapping, Sequence
+from contextlib import closing
+from itertools import combinations, product
+from pathlib import Path, PurePath
+from typing import TextIO, cast
+
+from donnie_tui.bootstrap import Donnie, assemble
+from donnie_tui.cli import codes
+from donnie_tui.cli.options import Order
+from donnie_tui.cli.programs import read_source
+from donnie_tui.cli.streams import (
+    Guarded,
+    Output,
+    let_sound,
+    on_signals,
+    stopped_by_signals,
+    stopped_by_suspension,
+)
+from donnie_tui.core.events import Answered, Outcome, Stamped
+from donnie_tui.core.program_files import is_same_file
+from donnie_tui.core.runner import Run
+from donnie_tui.core.team import Assigned, Team
+from donnie_tui.core.timeouts import LAST_WORDS
+from donnie_tui.core.transcript import told_lines
+from donnie_tui.core.wording import no_such_robot
+from donnie_tui.i18n.words import Unusable, Words
+from donnie_tui.robot.choice import Search
+from donnie_tui.settings.folders import settings_file
+from donnie_tui.settings.settings import Settings
+from donnie_tui.settings.settings import Source as Origin
+
+MOST_NAMES = 5
+"""Robots that are named where one is unknown."""
+
+
+def read_programs(arguments: Sequence[str], words: Words) -> tuple[tuple[str | None, Assigned], ...]:
+    """What was written behind ``donnie run``: the robot's name, None for the first one, and its program.
+
+    Raises ``Unusable``. A file of exactly that name wins over a robot.
+    """
+    parts = [_parts(each) for each in arguments]
+    if len(parts) > 1:
+        _refuse_nameless(parts, words)
+    if sum(file == "-" for _, file in parts) > 1:
+        raise Unusable(words("robots-one-input"))
+    return tuple((robot, _program(file, words)) for robot, file in parts)
+
+
+def assign(programs: Sequence[tuple[str | None, Assigned]], team: Team, words: Words) -> dict[str, Assigned]:
+    """The programs by the names that the robots have in their world. Raises ``Unusable``."""
+    assigned: dict[str, Assigned] = {}
+    for robot, program in programs:
+        name = team.names[0] if robot is None else team.called(robot)
+        if name is None:
+            raise Unusable(no_such_robot(robot or "", team.names, MOST_NAMES, words))
+        if name in assigned:
+            raise Unusable(words("robot-twice", name=name))
+        assigned[name] = program
+    return assigned
+
+
+def _parts(argument: str) -> tuple[str | None, str]:
+    robot, equals, file = argument.partition("=")
+    if not (robot and equals) or _exists(argument):
+        return None, argument
+    return robot, file
+
+
+def _exists(name: str) -> bool:
+    try:
+        return Path(name).exists()
+    except (OSError, ValueError):
+        return False
+
+
+def _refuse_nameless(parts: Sequence[tuple[str | None, str]], words: Words) -> None:
+    for robot, file in parts:
+        if robot is None:
+            raise Unusable(words("robots-need-names", file=file))
+
+
+def _program(file: str, words: Words) -> Assigned:
+    source = read_source(file, words)
+    return Assigned(source.text, PurePath(source.name).name)
+
+
+_ENOUGH = 4096
+"""Bytes that are looked at."""
+_BRAILLE = frozenset(range(0x20, 0x60)) | frozenset(b"\r\n\f")
+"""What ASCII braille is made of."""
+
+_BEGINNINGS: Mapping[str, tuple[bytes, ...]] = {
+    "--record": (b'{"donnie_recording"',),
+    "--events": (b'{"seq"',),
+    "--sound": (b"RIFF",),
+    "--svg": (b"<svg", b"<?xml", b"<!--", b"<!DOCTYPE svg"),
+}
+
+
+def may_be_replaced(option: str, path: Path) -> bool:
+    """Whether nothing is there, nothing is in it, or it is what ``option`` writes; also what is no file."""
+    try:
+        if not path.is_file():
+            return True
+        with path.open("rb") as file:
+            beginning = file.read(_ENOUGH)
+    except FileNotFoundError:
+        return True
+    except (OSError, ValueError):
+        return False
+    return not beginning.strip() or _is_of_kind(option, beginning, path)
+
+
+def _is_of_kind(option: str, beginning: bytes, path: Path) -> bool:
+    if option == "--brf":
+        return path.suffix.lower() in (".brf", ".brl") and _BRAILLE.issuperset(beginning)
+    return beginning.removeprefix(b"\xef\xbb\xbf").lstrip().startswith(_BEGINNINGS[option])
+
+
+def refuse_overwriting(order: Order) -> None:
+    """Raises ``Unusable`` where an option names a file that the command needs, or that another one names."""
+    outputs = tuple((option, Path(name)) for option, name in order.outputs)
+    for (option, path), (other, other_path) in combinations(outputs, 2):
+        if is_same_file(path, other_path):
+            raise Unusable(order.words("output-twice", option=option, other=other, path=path))
+    own = (*_programs(order), settings_file(order.environment))
+    read = [*map(Path, (*own, *_files_of_world(order, outputs)))]
+    for (option, path), source in product(outputs, read):
+        if is_same_file(path, source):
+            raise Unusable(order.words("output-is-input", option=option, path=path))
+    for option, path in outputs:
+        if not may_be_replaced(option, path):
+            raise Unusable(order.words("output-is-other", option=option, path=path))
+
+
+def _programs(order: Order) -> Iterator[str]:
+    """All that may be meant: ``ROBOT=FILE`` is a file of that name too."""
+    arguments = order.invocation.arguments
+    named = getattr(arguments, "file", None)
+    files = [named] if isinstance(named, str) else named or []
+    for each in (*files, *filter(None, [getattr(arguments, "run", None)])):
+        yield each
+        if "=" in each:
+            yield each.partition("=")[2]
+
+
+def _files_of_world(order: Order, outputs: tuple[tuple[str, Path], ...]) -> tuple[str, ...]:
+    """None if no output file exists yet, or the world ships with Donnie."""
+    import worlds
+    from donnie_tui.world.choice import choose_world, files_of  # slow to load, and few write anything
+
+    settings = order.settings
+    name = getattr(order.invocation.arguments, "name", None) or settings.world
+    if order.invocation.command == "replay" or name in worlds.names():
+        return ()
+    if not any(_is_regular(path) for _, path in outputs):
+        return ()
+    return (name, *files_of(choose_world(name, order.words, settings.world_folders)))
+
+
+def _is_regular(path: Path) -> bool:
+    try:
+        return path.is_file()
+    except (OSError, ValueError):
+        return False
+
+
+_GLANCE = 0.5
+"""Seconds between two looks for a signal where waiting can't be interrupted by one."""
+
+_CODE_OF = {
+    Outcome.COMPLETED: codes.DONE,
+    Outcome.QUIT: codes.DONE,
+    Outcome.FAILED: codes.FAILED,
+    Outcome.STOPPED: codes.STOPPED,
+}
+
+
+def run(order: Order) -> int:
+    """``donnie run FILE``, or ``donnie run ROBOT=FILE ROBOT=FILE``."""
+    return _run(order, order.invocation.arguments.file, trace=order.invocation.arguments.trace)
+
+
+def run_original(order: Order) -> int:
+    """``GoDonnie -f FILE``."""
+    return _run(order, [order.invocation.arguments.run], trace=False)
+
+
+def _run(order: Order, files: Sequence[str], *, trace: bool) -> int:
+    programs = read_programs(files, order.words)
+    output = order.output
+    donnie = _assembled(order)
+    try:
+        assigned = assign(programs, donnie.team, order.words)
+        _print_notices(order.settings, donnie, output)
+        with_words = order.settings.events != "-"
+        donnie.session.hub.subscribe(_printer(donnie, output, with_words=with_words))
+        code = _run_to_the_end(donnie, assigned, output, trace)  # it closes behind itself
+        return codes.UNUSABLE if donnie.outlets.written.lost else code
+    finally:
+        donnie.close()
+
+
+def _assembled(order: Order) -> Donnie:
+    """With its robot. A signal meanwhile ends that as a failure does: what was opened is stopped."""
+    search, given_up = Search(), False
+
+    def give_up() -> None:
+        nonlocal given_up
+        is_first, given_up = not given_up, True
+        if is_first and not search.give_up():  # one more must not end the closing
+            raise KeyboardInterrupt
+
+    with on_signals(give_up):
+        try:
+            donnie = assemble(
+                order.settings, terminal=False, out=cast(TextIO, Guarded(order.output)), search=search
+            )
+        except Unusable:
+            if given_up:
+                raise KeyboardInterrupt from None
+            raise
+        if given_up:  # too late for the search
+            donnie.close()
+            raise KeyboardInterrupt
+    return donnie
+
+
+def _run_to_the_end(donnie: Donnie, programs: Mapping[str, Assigned], output: Output, trace: bool) -> int:
+    """The worst exit code of all."""
+    output.on_broken = donnie.team.stop
+    with (
+        stopped_by_signals(donnie.team.stop) as stopped,
+        stopped_by_suspension(donnie.stop_real_robot) as rested,
+        closing(donnie),  # one more signal must not end that
+    ):
+        started = donnie.team.start_together(programs, trace=trace, hooked=False)
+        for each in started:
+            _await_end(each, stopped, donnie)
+        if rested.is_set():
+            output.complaint(donnie.words("suspended-stopped"))
+        let_sound(donnie.outlets.audible.is_still_within, stopped)
+    return max(codes.FAILED if each.outcome is None else _CODE_OF[each.outcome] for each in started)
+
+
+def _await_end(run: Run, stopped: threading.Event, donnie: Donnie) -> None:
+    """Wait for the run. A stopped run that can't end, because its output is not read, is left once its
+    robot stands."""
+    while not run.wait(_GLANCE):
+        if stopped.is_set() and not run.wait(LAST_WORDS):
+            _leave_at_once(donnie)
+
+
+def _leave_at_once(donnie: Donnie) -> None:
+    """Nothing else is closed: whatever else there is may hang as well."""
+    try:
+        donnie.team.stop()
+        donnie.connection.close()
+    finally:
+        os._exit(codes.STOPPED)
+
+
+def _printer(donnie: Donnie, output: Output, *, with_words: bool) -> Callable[[Stamped], None]:
+    """Print what the program says; Donnie's own answers are not printed."""
+
+    def show(stamped: Stamped) -> None:
+        is_our_own = isinstance(stamped.event, Answered)
+        for line in told_lines(stamped, donnie.words):
+            if is_our_own:
+                output.complaint(line)
+            elif with_words:
+                output.line(line)
+
+    return show
+
+
+def _print_notices(settings: Settings, donnie: Donnie, output: Output) -> None:
+    """Print notices; those about the voice only if a voice was chosen."""
+    asked_for = settings.source_of("speech") is not Origin.DEFAULT
+    notices = donnie.notices
+    for notice in notices.all if asked_for else notices.about_world + notices.about_devices:
+        output.complaint(notice)

@@ -1,0 +1,216 @@
+"""Standard input, output and error of the commands, and what ends a command early.
+
+Output is always UTF-8; a character that has no UTF-8 becomes an escape. If the reader of the output is gone,
+output ends and ``on_broken`` is called. Input is read line by line; undecodable bytes become replacement
+characters, and a missing or failing input is at its end.
+"""
+
+from __future__ import annotations
+
+import os
+import signal
+import sys
+import threading
+from collections.abc import Callable, Iterator
+from contextlib import closing, contextmanager
+from typing import TextIO
+
+from donnie_tui.process.disconnection import ReaderWatch
+from donnie_tui.process.signals import LEAVING, Deputy, TakenSignals, suspend
+
+
+class Output:
+    """Lines for people and scripts. Any thread may write."""
+
+    def __init__(self, out: TextIO | None = None, err: TextIO | None = None) -> None:
+        self.out = _prepared(out or sys.stdout, 1)
+        self._err = _prepared(err or sys.stderr, 2)
+        self.is_broken = False
+        """Nothing can be written any more."""
+        self.problem: str | None = None
+        """Why, unless the reader just went away."""
+        self.on_broken: Callable[[], None] = _nothing
+
+    def line(self, text: str) -> None:
+        """One line of what was asked for, without anything that a terminal would obey."""
+        self.text(f"{_shown(text)}\n")
+
+    def text(self, text: str) -> None:
+        if self.is_broken:
+            return
+        try:
+            self.out.write(text)
+            self.out.flush()
+        except BrokenPipeError:
+            self._give_up(None)
+        except (OSError, ValueError) as problem:
+            self._give_up(getattr(problem, "strerror", None) or str(problem))
+
+    def complaint(self, sentence: str) -> None:
+        """A diagnostic of our own, to standard error."""
+        try:
+            self._err.write(f"{_shown(sentence)}\n")
+            self._err.flush()
+        except (OSError, ValueError):
+            _throw_away(self._err)
+
+    def finish(self) -> None:
+        """Flushes what the screen wrote. Where its terminal is gone, the exit code stays what it is."""
+        for stream in (self.out, self._err):
+            try:
+                stream.flush()
+            except (OSError, ValueError):
+                _throw_away(stream)
+
+    def _give_up(self, problem: str | None) -> None:
+        """Write no more, and call ``on_broken``."""
+        self.is_broken, self.problem = True, problem
+        _throw_away(self.out)
+        self.on_broken()
+
+
+class Guarded:
+    """A stream for listeners that must not fail: what can't be written ends the output instead."""
+
+    def __init__(self, output: Output) -> None:
+        self._output = output
+
+    def write(self, text: str) -> int:
+        self._output.text(text)
+        return len(text)
+
+    def flush(self) -> None:
+        """Every write is flushed already."""
+
+    @property
+    def closed(self) -> bool:
+        return self._output.is_broken
+
+
+def _shown(text: str) -> str:
+    """Names out of files, worlds and boards may hold anything."""
+    if text.isprintable():
+        return text
+    from donnie_tui.core.safe_text import printable
+
+    return printable(text)
+
+
+def _prepared(stream: TextIO | None, number: int) -> TextIO:
+    """The stream as UTF-8, or a place for nothing where the process was started without one."""
+    if stream is None:
+        return open(os.devnull, "w", encoding="utf-8")  # noqa: PTH123 -- lives as long as the process
+    reconfigure = getattr(stream, "reconfigure", None)
+    if reconfigure is not None and _is_ours(stream, number):
+        reconfigure(encoding="utf-8", errors="backslashreplace")
+    return stream
+
+
+def _is_ours(stream: TextIO, number: int) -> bool:
+    return stream in (sys.stdout, sys.stderr) and number in (1, 2)
+
+
+def _throw_away(stream: TextIO) -> None:
+    """Let the interpreter's last flush go nowhere, quietly."""
+    try:
+        os.dup2(os.open(os.devnull, os.O_WRONLY), stream.fileno())
+    except (OSError, ValueError):
+        return
+
+
+def _nothing() -> None:
+    return
+
+
+class Input:
+    """Made before anything is read: how bytes are taken can't be changed later."""
+
+    def __init__(self) -> None:
+        self._stream = sys.stdin
+        reconfigure = getattr(self._stream, "reconfigure", None)
+        if reconfigure is not None:
+            reconfigure(errors="replace")
+
+    @property
+    def is_terminal(self) -> bool:
+        return is_terminal(self._stream)
+
+    def line(self, longest: int = -1) -> str | None:
+        """The next one without blanks around it, of a long one so many characters; None at the end."""
+        try:
+            typed = self._stream.readline(longest) if self._stream is not None else ""
+        except (OSError, ValueError):  # a lost terminal; closed
+            typed = ""
+        return typed.strip() if typed else None
+
+
+_MOMENT = 0.05
+"""Seconds within which a signal ends the voice too."""
+
+_LONGEST_REST = 2.0
+"""Seconds that the main thread waits for a rest to begin; it may hold what the stop before it needs."""
+
+_LONGEST_SPEECH = 2400
+"""Moments that the voice may take behind the end: two minutes."""
+
+
+@contextmanager
+def stopped_by_signals(stop: Callable[[], None]) -> Iterator[threading.Event]:
+    """Any of them, any number of times, sets the event and has ``stop`` called, in another thread."""
+    stopped = threading.Event()
+
+    def heed() -> None:
+        stopped.set()
+        stop()
+
+    with closing(Deputy()) as deputy, on_signals(lambda: deputy.do(heed)):
+        yield stopped
+
+
+@contextmanager
+def on_signals(on_signal: Callable[[], None]) -> Iterator[None]:
+    """Each signal calls ``on_signal``, which interrupts the main thread anywhere: it must take no lock.
+
+    The loss of the reader of the output counts as a signal.
+    """
+    handlers = dict.fromkeys((signal.SIGINT, *LEAVING), lambda *_: on_signal())
+    with TakenSignals(handlers), closing(ReaderWatch()):
+        yield
+
+
+@contextmanager
+def stopped_by_suspension(stop: Callable[[], bool]) -> Iterator[threading.Event]:
+    """Ctrl+Z calls ``stop`` first, in another thread; it returns once all stands. The event is set if it had
+    something to stop."""
+    stopped = threading.Event()
+
+    def rest() -> None:
+        has_stopped = stop()
+        if has_stopped:
+            stopped.set()
+        suspend()
+
+    number = getattr(signal, "SIGTSTP", None)
+    if number is None or signal.getsignal(number) is signal.SIG_IGN:
+        yield stopped
+        return
+    with (
+        closing(Deputy()) as deputy,
+        TakenSignals({number: lambda *_: deputy.see_done(rest, _LONGEST_REST)}),
+    ):
+        yield stopped
+
+
+def let_sound(is_still_within: Callable[[float], bool], stopped: threading.Event) -> None:
+    """Wait until voice and cues have finished, or a signal stops them."""
+    for _ in range(_LONGEST_SPEECH):
+        if stopped.is_set() or is_still_within(_MOMENT):
+            return
+
+
+def is_terminal(stream: object) -> bool:
+    """Also of none, as in a process that was started without it, and of a closed one."""
+    try:
+        return bool(stream is not None and stream.isatty())  # type: ignore[attr-defined] # a stream, or closed
+    except ValueError:
+        return False

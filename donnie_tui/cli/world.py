@@ -1,0 +1,247 @@
+"""``donnie worlds`` and ``donnie world NAME``: worlds in words, as a map, on paper, as a report, as JSON.
+
+The JSON, the models that Stage would build in metres and degrees, is a contract.
+"""
+
+from __future__ import annotations
+
+import json
+import shlex
+from collections import Counter
+from collections.abc import Iterable
+from math import ceil
+from pathlib import Path, PurePath
+from typing import TYPE_CHECKING
+
+import worlds.words
+from donnie_tui.cli import codes
+from donnie_tui.cli.options import Order
+from donnie_tui.core.chart import shrunk
+from donnie_tui.core.describe import MOST_ROBOTS, describe
+from donnie_tui.core.program_files import DocumentError, write_program
+from donnie_tui.core.wording import name_of
+from donnie_tui.i18n.mistakes import world_note
+from donnie_tui.i18n.words import Unusable, Words
+from donnie_tui.world.choice import WITHOUT_WORLD, ChosenWorld, choose_world, remarks
+
+if TYPE_CHECKING:
+    from sim.geometry import Placement
+    from sim.picture import Picture
+    from sim.scene import Model, RangeSensor, Scene
+
+
+_DECIMALS = 6
+
+
+def records(scene: Scene) -> list[dict[str, object]]:
+    """A record a model, a parent before its children."""
+    return [_record(model, scene) for model in scene.models]
+
+
+def _record(model: Model, scene: Scene) -> dict[str, object]:
+    parent = None if model.parent is None else scene.models[model.parent].name
+    record: dict[str, object] = {
+        "type": model.type,
+        "name": model.name,
+        "parent": parent,
+        "global_pose": _placement(model.pose),
+        "origin": _placement(model.origin),
+        "size": _rounded(model.size),
+        "color": _rounded((model.colour.red, model.colour.green, model.colour.blue, model.colour.alpha)),
+        "obstacle_return": model.obstacle_return,
+        "ranger_return": model.ranger_return,
+        "blob_return": model.blob_return,
+        "fiducial_return": model.fiducial_return,
+        "gripper_return": model.gripper_return,
+        "boundary": int(model.boundary),
+        "blocks": model.stage_blocks,
+        "block_area": round(model.stage_area, _DECIMALS),
+    }
+    if model.sensors:
+        record["sensors"] = [_sensor(each) for each in model.sensors]
+    return record
+
+
+def _sensor(sensor: RangeSensor) -> dict[str, object]:
+    return {
+        "pose": _placement(sensor.pose),
+        "range": _rounded((sensor.minimum, sensor.maximum)),
+        "fov_deg": round(sensor.fov, _DECIMALS),
+        "samples": sensor.samples,
+    }
+
+
+def _placement(placement: Placement) -> list[float]:
+    return _rounded((placement.x, placement.y, placement.z, placement.yaw))
+
+
+def _rounded(values: Iterable[float]) -> list[float]:
+    return [round(value, _DECIMALS) + 0.0 for value in values]
+
+
+WIDEST_MAP = 80
+"""Letters in a line of ``--map``; in a wider world a letter stands for several steps."""
+_ARROWS = "^>v<"
+_FLOOR = {"#": "legend-wall", ".": "legend-free"}
+MOST_NAMES = 4
+"""What is named for one letter of ``--map``."""
+
+
+def list_worlds(order: Order) -> int:
+    """Name, title and difficulty of each world that ships, a line each."""
+    for name in worlds.names():
+        about = worlds.words.about(name, order.words.language)
+        difficulty = order.words(f"difficulty-{about.difficulty.value}")
+        order.output.line(order.words("world-listed", name=name, title=about.title, difficulty=difficulty))
+    return codes.DONE
+
+
+def describe_world(order: Order) -> int:
+    """In the form that was asked for, in words if none was."""
+    arguments, words = order.invocation.arguments, order.words
+    world = choose_world(arguments.name or order.settings.world, words, order.settings.world_folders)
+    is_told = not any(getattr(arguments, each) not in (None, False) for each in ("json", "map", "svg", "brf"))
+    for sentence in _without_world(world, words):
+        (order.output.line if is_told else order.output.complaint)(sentence)
+    if arguments.json:
+        order.output.text(_json(world) + "\n")
+        return codes.DONE
+    for line in _lines(arguments, world, words):
+        order.output.line(line)
+    if not arguments.report:
+        for remark in remarks(world, words):
+            (order.output.line if is_told else order.output.complaint)(remark)
+    return codes.DONE
+
+
+def _without_world(world: ChosenWorld, words: Words) -> tuple[str, ...]:
+    """That there is only a real robot, and on which floor it is drawn."""
+    if not world.stands_in_for:
+        return ()
+    values = {"name": world.stands_in_for, "port": world.physical_port, "floor": WITHOUT_WORLD}
+    return (words("world-real-only", **values),)
+
+
+def _lines(arguments: object, world: ChosenWorld, words: Words) -> tuple[str, ...]:
+    if getattr(arguments, "map", False):
+        return _map(world, words)
+    if getattr(arguments, "report", False):
+        return _report(world.scene, words)
+    if (path := getattr(arguments, "svg", None)) is not None:
+        return (_written("--svg", path, _raised_picture(world, words), words),)
+    if (path := getattr(arguments, "brf", None)) is not None:
+        return (_written("--brf", path, _braille_pages(world, words), words),)
+    return _words(world, words)
+
+
+def _json(world: ChosenWorld) -> str:
+    """Readable, with escapes for what a terminal would obey."""
+    text = json.dumps(records(world.scene), ensure_ascii=False, indent=1)
+    return "".join(each if each == "\n" or each.isprintable() else json.dumps(each)[1:-1] for each in text)
+
+
+def _words(world: ChosenWorld, words: Words) -> tuple[str, ...]:
+    """What its author says of it, else what can be measured."""
+    from sim.picture import picture
+
+    about = world.about(words.language)
+    told = describe(picture(world.scene), world.start(), words, robot=_robot(world), about=about)
+    title = () if about is None else (words("world-title", name=world.name, title=about.title),)
+    return (*title, *told)
+
+
+def _robots(scene: Scene, words: Words) -> tuple[str, ...]:
+    """By which names they are programmed."""
+    names = scene.robot_names
+    if len(names) < 2:
+        return ()
+    told = ", ".join(names[:MOST_ROBOTS]) + (", …" if len(names) > MOST_ROBOTS else "")
+    return (words("report-robots", count=len(names), names=told, first=shlex.quote(names[0])),)
+
+
+def _robot(world: ChosenWorld) -> str | None:
+    scene = world.scene
+    return next(iter(scene.robot_names), None)
+
+
+def _map(world: ChosenWorld, words: Words) -> tuple[str, ...]:
+    """The floor in letters, every robot as an arrow; then, behind a blank line, what the letters mean."""
+    from sim.picture import picture
+
+    seen, pose = picture(world.scene), world.start()
+    rows = [list(row) for row in seen.rows]
+    robots = [(each.x, each.y, each.heading) for each in seen.things if each.is_robot]
+    if world.scene.robots:
+        robots.append((pose.x, pose.y, pose.heading))
+    for x, y, heading in robots:
+        cell = seen.at(x, y)
+        if cell is not None:
+            rows[cell[0]][cell[1]] = _ARROWS[round(heading / 90) % 4]
+    across = ceil(seen.width / WIDEST_MAP)
+    steps = across * seen.cell
+    scale = (words("map-scale", steps=steps),) if steps > 1 else ()
+    shown = shrunk(["".join(row) for row in rows], across, across, _ARROWS)
+    return (*shown, "", *scale, *_legend(world, seen, set("".join(shown)), words))
+
+
+def _legend(world: ChosenWorld, seen: Picture, shown: set[str], words: Words) -> tuple[str, ...]:
+    """Of what is on the map: walls and floor, then the robots, then the things by their letters."""
+    robots = list(world.scene.robot_names)
+    names = {" ".join(_ARROWS): robots} if robots else {}
+    for thing in sorted(seen.things, key=lambda each: each.letter):
+        told = names.setdefault(thing.letter, []) if thing.letter in shown else []
+        name = name_of(thing, words)
+        if name not in told and len(told) <= MOST_NAMES:
+            told.append(name)
+    return (
+        *(words(code) for letter, code in _FLOOR.items() if letter in shown),
+        *(words("map-legend", letter=letter, name=_bounded(each)) for letter, each in names.items()),
+    )
+
+
+def _bounded(names: list[str]) -> str:
+    return ", ".join([*names[:MOST_NAMES], *(["…"] if len(names) > MOST_NAMES else [])])
+
+
+def _braille_pages(world: ChosenWorld, words: Words) -> str:
+    from donnie_tui.core.braille import braille_pages
+    from donnie_tui.core.chart import chart
+    from sim.picture import picture
+
+    return braille_pages(world.name, chart(picture(world.scene), world.start(), _robot(world), words), words)
+
+
+def _raised_picture(world: ChosenWorld, words: Words) -> str:
+    from donnie_tui.core.chart import chart
+    from donnie_tui.core.raised_picture import raised_picture
+    from sim.picture import drawings, picture
+
+    seen = picture(world.scene)
+    plan = chart(seen, world.start(), _robot(world), words)
+    return raised_picture(world.name, plan, seen, drawings(world.scene), words)
+
+
+def _written(option: str, path: str, text: str, words: Words) -> str:
+    """Written whole or not at all. Raises ``Unusable``."""
+    if not path:
+        raise Unusable(words("usage-without-value", what=option))
+    try:
+        write_program(Path(path), text)
+    except DocumentError as problem:
+        raise Unusable(words(problem.code, path=problem.path, reason=problem.reason)) from None
+    return words("paper-written", path=path)
+
+
+def _report(scene: Scene, words: Words) -> tuple[str, ...]:
+    report = scene.report
+    names = ", ".join(PurePath(each).name for each in report.files)
+    models = ", ".join(f"{count} {type_}" for type_, count in report.loaded)
+    remarks = Counter(
+        words(f"report-{note.kind.value}", remark=world_note(note, words)) for note in report.notes
+    )
+    return (
+        words("report-files", count=len(report.files), files=names),
+        words("report-loaded", models=models or "0"),
+        *_robots(scene, words),
+        *(remarks or (words("report-clean"),)),
+    )

@@ -1,0 +1,127 @@
+"""Runs commands: the one place that finds a handler, and that answers where a command is not possible.
+
+Handlers are loaded when they are first used. A handler is ``async def NAME(ctx, argument)``, marked with
+``@handles("NAME")`` in the module that its declaration names.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Awaitable, Callable
+from importlib import import_module
+from typing import TYPE_CHECKING, TypeAlias
+
+from donnie_tui.commands.declarations import BY_NAME, Command, When
+from donnie_tui.commands.interaction import GivenUp, NotUnderstood
+from donnie_tui.commands.lookup import find, not_understood, typed_form, unknown_word, word_of
+from donnie_tui.core.run_controller import RunState
+
+if TYPE_CHECKING:
+    from donnie_tui.commands.context import Context
+    from donnie_tui.core.program_files import DocumentError
+
+Handler: TypeAlias = "Callable[[Context, str], Awaitable[None]]"
+
+_NEEDED = {RunState.READY: When.IDLE, RunState.PAUSED: When.HELD}
+"""When a command must be possible, by what the program of the robot does; ALWAYS otherwise."""
+
+HANDLERS: dict[str, Handler] = {}
+"""By the names of their commands, as far as their modules are loaded."""
+
+
+def handles(name: str) -> Callable[[Handler], Handler]:
+    """Mark the handler of a command. Raises ``KeyError`` for a name that is not declared."""
+    module = BY_NAME[name].module
+
+    def mark(handler: Handler) -> Handler:
+        if name in HANDLERS or handler.__module__ != f"donnie_tui.commands.{module}":
+            raise ValueError(f"{name} has another handler, or is declared for the module {module}")
+        HANDLERS[name] = handler
+        return handler
+
+    return mark
+
+
+def handler_of(command: Command) -> Handler:
+    if command.name not in HANDLERS:
+        import_module(f"donnie_tui.commands.{command.module}")
+    return HANDLERS[command.name]
+
+
+async def perform(ctx: Context, command: Command, argument: str | None) -> None:
+    """Run a command. ``argument`` is None where a key or the palette asked for it."""
+    if ctx.screen is None and command.is_visual:
+        say_in_words(ctx, command.in_words)
+        return
+    if not is_possible(ctx, command):
+        ctx.answer_of_robot("screen-busy")
+        return
+    try:
+        await attempt(ctx, _run(ctx, command, argument))
+    except NotUnderstood:
+        ctx.say(not_understood(command, ctx.words))
+
+
+async def _run(ctx: Context, command: Command, argument: str | None) -> None:
+    if argument is None:
+        cursor = str(ctx.program.place) if command.at_cursor else ""
+        argument = await _asked_for(ctx, command) if command.asked_by_key else cursor
+    if argument and not command.argument:
+        raise NotUnderstood
+    await handler_of(command)(ctx, argument)
+
+
+async def attempt(ctx: Context, task: Awaitable[None]) -> None:
+    """Run what may be given up, or fail at a file; both are answered."""
+    try:
+        await task
+    except GivenUp:
+        ctx.answer("answer-unchanged")
+    except _document_error() as error:
+        ctx.answer(error.code, path=error.path, reason=error.reason)
+
+
+def _document_error() -> type[DocumentError]:
+    """Called where something was raised: no start needs documents."""
+    from donnie_tui.core.program_files import DocumentError
+
+    return DocumentError
+
+
+def is_possible(ctx: Context, command: Command) -> bool:
+    """Whether what runs just now leaves room for the command."""
+    return command.when.value >= _NEEDED.get(ctx.runs.state, When.ALWAYS).value
+
+
+async def _asked_for(ctx: Context, command: Command) -> str:
+    """The argument, which a key can't give."""
+    example = ctx.words(f"help-typed-{command.argument}")
+    word = word_of(command, ctx.words.language)
+    argument = await ctx.interaction.ask(ctx.words("ask-argument", word=word, example=example))
+    if argument is None:
+        raise GivenUp
+    return argument
+
+
+def say_in_words(ctx: Context, name: str) -> None:
+    """What is typed in words for something of the screen; where there is nothing, where it is."""
+    command = BY_NAME.get(name)
+    if command is None:
+        ctx.answer("linear-on-screen")
+    else:
+        ctx.answer("linear-in-words", word=typed_form(command, ctx.words))
+
+
+async def take_line(ctx: Context, line: str) -> bool:
+    """Run the command that a typed line asks for, or answer a slip in its word. False if it is GoDonnie."""
+    found = find(line)
+    if found is not None:
+        await perform(ctx, *found)
+    return found is not None or says_slip(ctx, line)
+
+
+def says_slip(ctx: Context, line: str) -> bool:
+    """Whether the line begins with a slip in a command's word, which is said with that word."""
+    unknown = unknown_word(line, ctx.program.lines, ctx.words.language, ctx.donnie.session.parse)
+    if unknown is not None:
+        ctx.answer("help-unknown-near", topic=unknown.word, near=unknown.meant)
+    return unknown is not None

@@ -1,0 +1,73 @@
+"""Writes ``docs/commands.md`` from the declarations: ``python -m donnie_tui.commands.document``."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+from donnie_tui.commands.declarations import COMMANDS, Command, When
+from donnie_tui.commands.keys import key_label
+from donnie_tui.commands.lookup import help_of, word_of
+from donnie_tui.i18n.command_words import words_of
+from donnie_tui.i18n.words import Words
+from language.locales import ENGLISH, languages
+
+FILE = Path("docs/commands.md")
+
+_TITLES = {
+    "run": "Running a program",
+    "files": "Files",
+    "program": "The lines of the program",
+    "edit": "Editing",
+    "read": "Reading the program, and its mistakes",
+    "log": "What was said and typed",
+    "sound": "Sound and belt",
+    "world": "The robot's surroundings, and other worlds",
+    "map": "The map",
+    "robots": "The robots",
+    "settings": "Settings",
+    "help": "Help, and the ways out",
+}
+"""The sections, by the modules of the handlers."""
+_WHEN = {
+    When.IDLE: " While no program runs.",
+    When.HELD: " Also while a program is held.",
+    When.ALWAYS: "",
+}
+
+
+def document() -> str:
+    """The text of the page."""
+    lines = [
+        "# Commands",
+        "",
+        "What a learner can type besides GoDonnie, in the linear mode and in the command line of the full",
+        "screen, with its keys there. It can be typed at any time where nothing else is said. The page is",
+        "made by `python -m donnie_tui.commands.document`.",
+    ]
+    words = Words(ENGLISH)
+    for module, title in _TITLES.items():
+        lines += ["", f"## {title}", ""]
+        for command in (each for each in COMMANDS if each.module == module):
+            lines += _entry(command, words)
+    return "\n".join(lines) + "\n"
+
+
+def _entry(command: Command, words: Words) -> list[str]:
+    labels = dict.fromkeys(key_label(each, ENGLISH) for each in command.keys)
+    keys = ", ".join(f"`{each}`" for each in labels)
+    purpose = words(f"action-{command.name}")
+    screen = " Full screen only." if command.is_visual else ""
+    lines = [f"- **{word_of(command, ENGLISH)}** ({keys}): {purpose}{screen}{_WHEN[command.when]}"]
+    form = next(iter(help_of(word_of(command, ENGLISH), words)[1:2]), "")
+    if command.argument and form:
+        lines.append(f"  {form}")
+    others = words_of(command.name, ENGLISH)[1:]
+    if others:
+        lines.append(f"  The same: {', '.join(others)}.")
+    translated = (", ".join(words_of(command.name, each)) for each in languages() if each != ENGLISH)
+    lines.append(f"  In other languages: {'; '.join(translated)}.")
+    return lines
+
+
+if __name__ == "__main__":
+    FILE.write_text(document(), encoding="utf-8")

@@ -1,0 +1,318 @@
+"""OPEN, SAVE, SAVE AS, NEW, RECOVER, RECENT, PROGRAMS, SAVE LOG, REPORT: programs and pages in files.
+
+No typed line is lost without a question. Reading and writing happen in the background: a slow disk delays
+nothing else, and what is being saved is saved to its end, whatever is asked meanwhile.
+"""
+
+from __future__ import annotations
+
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+from donnie_tui.commands.declarations import COMMANDS
+from donnie_tui.commands.dispatch import handles
+from donnie_tui.commands.interaction import GivenUp, NotUnderstood, Option
+from donnie_tui.commands.lookup import help_line
+from donnie_tui.commands.program import say_restored
+from donnie_tui.core import reports
+from donnie_tui.core.program_files import (
+    DocumentError,
+    as_lines,
+    exists,
+    page_to_save,
+    program_to_open,
+    program_to_save,
+    read_program,
+    saved_text,
+    write_program,
+)
+
+if TYPE_CHECKING:
+    from donnie_tui.commands.context import Context
+    from donnie_tui.core.document import Document
+
+
+# --- opening
+
+
+@handles("open")
+async def open_named(ctx: Context, argument: str) -> None:
+    """Open the file of a name, which is asked for where none is given."""
+    if argument:
+        await _open_text(ctx, *await _read(ctx, argument))
+    elif not ctx.interaction.is_attended:
+        raise NotUnderstood
+    else:
+        await _open_text(ctx, *await _read_asked(ctx))
+
+
+async def _read_asked(ctx: Context) -> tuple[Path, str]:
+    """The file of a typed name. What is wrong with the name is asked in its place."""
+    question, name = ctx.words("ask-open"), ""
+    while name := await ctx.interaction.ask(question, name) or "":
+        try:
+            return await _read(ctx, name)
+        except DocumentError as error:
+            question = ctx.words(error.code, path=error.path, reason=error.reason)
+    raise GivenUp
+
+
+async def _read(ctx: Context, name: str) -> tuple[Path, str]:
+    """Raises ``DocumentError``."""
+
+    def read() -> tuple[Path, str]:
+        path = program_to_open(name)
+        return path, as_lines(read_program(path))
+
+    slow = ctx.words("slow-opening", name=Path(name).name or name)
+    return await ctx.interaction.background(read, slow, may_be_left=True)
+
+
+async def _open_text(ctx: Context, path: Path, text: str) -> None:
+    """Replace the current program by a file that was read."""
+    if not await may_lose_text(ctx):
+        return
+    ctx.workspace.open(path, text)
+    program = ctx.program
+    ctx.answer("answer-opened", name=path.name, lines=len(program.lines))
+    if program.breakpoints:  # a run will pause there, and the learner may not remember it
+        ctx.answer("break-lines", lines=", ".join(map(str, sorted(program.breakpoints))))
+
+
+async def compare_with_file(ctx: Context) -> None:
+    """Compare a program that came from the other front end with its file; until then it counts as changed."""
+    document = ctx.program
+    path = document.path
+    if path is not None:
+        slow = ctx.words("slow-opening", name=path.name)
+        saved = await ctx.interaction.background(lambda: saved_text(path), slow)
+        if document.path == path:
+            document.mark_saved(path, saved)
+
+
+@handles("new")
+async def new(ctx: Context, _: str) -> None:
+    """Begin an empty program."""
+    if await may_lose_text(ctx):
+        ctx.workspace.replace("", None)
+        ctx.answer("answer-new")
+
+
+@handles("recover")
+async def recover(ctx: Context, _: str) -> None:
+    """Open the newest program that was not saved; the same command again opens the next one."""
+    workspace = ctx.workspace
+    found = workspace.recoverable()
+    if found is None:
+        ctx.answer("answer-nothing-to-recover")
+        return
+    slow = ctx.words("slow-opening", name=found.name if isinstance(found, Path) else "")
+    program, in_file = await ctx.interaction.background(lambda: workspace.read_recoverable(found), slow)
+    if await may_lose_text(ctx):
+        workspace.recover(found, program, in_file)
+        say_restored(ctx)
+        if workspace.rescued():
+            ctx.answer("answer-rescued-more")
+
+
+@handles("recent")
+async def recent(ctx: Context, _: str) -> None:
+    """Choose one of the programs that were opened and saved lately."""
+    paths = ctx.workspace.recent.paths()
+    if not paths:
+        ctx.answer("screen-no-recent")
+        return
+    options = [Option(str(path), f"{path.name}, {path.parent}") for path in paths]
+    chosen = await ctx.interaction.choose(ctx.words("ask-recent"), options)
+    if chosen is not None:
+        await open_named(ctx, chosen)
+
+
+# --- several programs
+
+
+@handles("programs")
+async def programs(ctx: Context, _: str) -> None:
+    """Choose one of the open programs, or one more, which is empty. No text is lost."""
+    documents = ctx.workspace.documents
+    options = [
+        Option(str(at), _title(ctx, each), is_current=each is ctx.program)
+        for at, each in enumerate(documents)
+    ]
+    options.append(Option("new", ctx.words("another-program")))
+    chosen = await ctx.interaction.choose(ctx.words("ask-programs"), options)
+    if chosen is not None:
+        _turn_to(ctx, ctx.workspace.add_document() if chosen == "new" else documents[int(chosen)])
+
+
+def _turn_to(ctx: Context, document: Document) -> None:
+    ctx.workspace.keep_copies()
+    ctx.workspace.turn_to(document)
+    ctx.answer("screen-turned-to", name=_name_of(ctx, document))
+
+
+def _name_of(ctx: Context, document: Document) -> str:
+    return document.path.name if document.path else ctx.words("new-program")
+
+
+def _title(ctx: Context, document: Document) -> str:
+    code = "program-kept" if document.is_saved else "program-changed"
+    return ctx.words(code, name=_name_of(ctx, document), lines=max(1, len(document.lines)))
+
+
+# --- saving
+
+
+@handles("save")
+async def save(ctx: Context, argument: str) -> None:
+    """Save to the file of a name, or to the program's own file; asks for a name where there is none."""
+    await save_document(ctx, argument or str(ctx.program.path or ""))
+
+
+@handles("save_as")
+async def save_as(ctx: Context, argument: str) -> None:
+    """Save to the file of a name, which is the program's own from now on."""
+    await save_document(ctx, argument)
+
+
+async def save_document(ctx: Context, name: str) -> bool:
+    """Save the current program. Whether it was saved; if not, the reason was said."""
+    if not ctx.program.lines:
+        ctx.answer("linear-nothing-to-save")
+        return False
+    if not name and not ctx.interaction.is_attended:
+        raise NotUnderstood
+    try:
+        return await _save(ctx, name)
+    except GivenUp:
+        ctx.answer("answer-unchanged")
+    except DocumentError as error:
+        ctx.answer(error.code, path=error.path, reason=error.reason)
+    return False
+
+
+async def _save(ctx: Context, name: str) -> bool:
+    """Asks before another text than the one last read or written is lost."""
+    document, own = ctx.program, str(ctx.program.path or "")
+    name = name or await ctx.interaction.ask(ctx.words("linear-ask-name"), own) or ""
+    if not name:
+        raise GivenUp
+    path = Path(own) if name == own else program_to_save(name, ctx.donnie.in_use)
+    if str(path) in ctx.donnie.in_use:
+        raise DocumentError("file-in-use", str(path))
+    slow = ctx.words("slow-saving", name=path.name)
+    asked = await ctx.interaction.background(lambda: document.save_question(path), slow)
+    if asked:
+        await _confirm_replacing(ctx, asked, path)
+    return await ctx.interaction.finish(_write(ctx, document, path))
+
+
+async def _write(ctx: Context, document: Document, path: Path) -> bool:
+    """What is typed during the write is not saved."""
+    text, slow = document.text, ctx.words("slow-saving", name=path.name)
+    try:
+        await ctx.interaction.background(lambda: ctx.workspace.save(document, path, text), slow)
+    except DocumentError as error:  # whatever the learner asked for meanwhile
+        ctx.answer(error.code, path=error.path, reason=error.reason)
+        return False
+    ctx.workspace.keep_copies()
+    ctx.answer("answer-saved", name=path.name, lines=text.count("\n"))
+    return True
+
+
+async def _confirm_replacing(ctx: Context, code: str, path: Path) -> None:
+    """Raises ``GivenUp`` unless the learner agrees, ``DocumentError`` where there is no learner to ask."""
+    if not ctx.interaction.is_attended:
+        raise DocumentError("file-exists", str(path))
+    if not await ctx.interaction.confirm(ctx.words(f"linear-{code}", name=path.name)):
+        raise GivenUp
+
+
+# --- before a text is lost
+
+
+async def may_lose_text(ctx: Context) -> bool:
+    """Offer to save the current program before another one replaces it. False to keep it, which is said."""
+    document = ctx.program
+    while True:
+        await ctx.interaction.finished()  # what is being saved just now is not asked about
+        if not (ctx.interaction.is_attended and document.is_worth_saving):
+            return True
+        question = ctx.words("linear-ask-save", lines=len(document.lines))
+        wants_to_save = await ctx.interaction.confirm(question)
+        if wants_to_save is None:
+            ctx.answer("answer-unchanged")
+            return False
+        if not wants_to_save:
+            return True
+        if not await save_document(ctx, str(document.path or "")):
+            return False
+
+
+async def may_lose_all(ctx: Context) -> bool:
+    """The same for every open program, the current one first."""
+    await ctx.interaction.finished()
+    for document in ctx.workspace.current_first:
+        if document.is_worth_saving:
+            if document is not ctx.program:
+                _turn_to(ctx, document)
+            if not await may_lose_text(ctx):
+                return False
+    return True
+
+
+# --- pages
+
+
+@handles("save_log")
+async def save_log(ctx: Context, argument: str) -> None:
+    """Write all that was said, as plain text."""
+    if not argument and not ctx.interaction.is_attended:
+        raise NotUnderstood
+    if ctx.screen is None and not len(ctx.answers):
+        ctx.answer("answer-nothing-said")
+        return
+    text = ctx.answers.text() if ctx.screen is None else ctx.screen.log_text
+    name = argument or await ctx.interaction.ask(ctx.words("ask-save-log"), "log.txt")
+    if not name:
+        raise GivenUp
+    await _write_page(ctx, reports.with_suffix(name, ".txt"), text)
+
+
+@handles("report")
+async def report(ctx: Context, argument: str) -> None:
+    """REPORT map map.html; with .csv a table."""
+    from donnie_tui.i18n.help import sections
+
+    wanted = reports.asked(argument)
+    if wanted is None:
+        raise NotUnderstood
+    words = ctx.words
+    commands = (help_line(each, words) for each in COMMANDS if not each.is_visual)
+    subject = reports.Subject(
+        ctx.program.lines,
+        ctx.donnie.session.pose,
+        ctx.donnie.picture_now(),
+        ctx.trail,
+        (*words.help(None)[1:], *commands),
+        sections(words),
+    )
+    await _write_page(ctx, wanted[1], reports.report(*wanted, subject, words))
+
+
+async def _write_page(ctx: Context, name: str, text: str) -> None:
+    """Asks before it replaces a file. Raises ``DocumentError``."""
+    path = page_to_save(name, ctx.workspace.files, ctx.donnie.in_use)
+    if exists(path):
+        await _confirm_replacing(ctx, "ask-replace", path)
+    await ctx.interaction.finish(_finish_page(ctx, path, text))
+
+
+async def _finish_page(ctx: Context, path: Path, text: str) -> None:
+    slow = ctx.words("slow-report", name=path.name)
+    try:
+        await ctx.interaction.background(lambda: write_program(path, text), slow)
+    except DocumentError as error:  # whatever the learner asked for meanwhile
+        ctx.answer(error.code, path=error.path, reason=error.reason)
+    else:
+        ctx.answer("answer-written", name=path.name)

@@ -1,0 +1,273 @@
+"""What a front end implements for the commands: questions, lists, pages, slow tasks and ways out.
+
+``Interaction`` is for every front end, ``Screen`` for one that shows program, map and log at once.
+This module imports nothing heavy: the front ends start with it.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Awaitable, Callable, Coroutine, Generator, Iterable, Sequence
+from functools import partial
+from typing import TYPE_CHECKING, Any, Protocol, TypeVar
+
+from msgspec import Struct
+
+if TYPE_CHECKING:
+    from donnie_tui.bootstrap import Donnie
+    from donnie_tui.commands.keys import KeyTable
+    from donnie_tui.core.map_grid import Cell
+    from donnie_tui.core.map_scene import Line, MapScale
+    from donnie_tui.core.pointing import Pointer
+    from donnie_tui.core.runner import Run
+
+T = TypeVar("T")
+
+
+class NotUnderstood(Exception):
+    """Raised by a handler that can't understand its argument. The dispatcher answers with the typed form."""
+
+
+class GivenUp(Exception):
+    """Raised where the learner gave up a question or a slow task. The dispatcher says it."""
+
+
+class EnterWorld(Exception):
+    """Raised by a front end that ends and begins again in another world, which can be loaded."""
+
+    def __init__(self, name: str) -> None:
+        super().__init__("world")
+        self.name = name
+
+
+class SwitchMode(Exception):
+    """Raised by a front end that the learner leaves for the other one, with what that one takes over."""
+
+    def __init__(self, text: str, name: str | None, donnie: Donnie | None = None) -> None:
+        """``donnie`` is the session to continue with, its robot where it stands; its taker closes it."""
+        super().__init__("switch")
+        self.text = text
+        self.name = name
+        self.donnie = donnie
+
+
+class Option(Struct, frozen=True):
+    """One of several things to choose from."""
+
+    value: str
+    text: str
+    is_current: bool = False
+    """Whether it is what is chosen now."""
+    number: int = 0
+    """What is typed to choose it where the options are printed; 0 where they can't be chosen so."""
+
+
+class Interaction(Protocol):
+    """One learner at one front end. Answers go through ``Context.say`` instead."""
+
+    @property
+    def can_edit(self) -> bool:
+        """Whether ``edit_line`` shows the text that is to be changed."""
+
+    @property
+    def is_attended(self) -> bool:
+        """Whether a question can be answered: not where the lines come from a file."""
+
+    async def ask(
+        self, question: str, text: str = "", accepts: Callable[[str], str | None] | None = None
+    ) -> str | None:
+        """One line, with ``text`` to begin with; None where the learner gave up.
+
+        ``accepts`` returns what is wrong with a line, and the question is asked again.
+        """
+
+    async def choose(
+        self, question: str, options: Sequence[Option], printed: Sequence[str] = ()
+    ) -> str | None:
+        """The value of the option that was chosen; None where none was.
+
+        A front end without lists says ``printed`` instead; options with numbers can be chosen there too.
+        """
+
+    async def confirm(self, question: str) -> bool | None:
+        """Yes or no; Enter alone means no. None for no answer."""
+
+    async def edit_line(self, question: str, text: str = "") -> str | None:
+        """A line of the program, ``text`` as the learner changed it; None where the learner gave up."""
+
+    async def show_pages(
+        self, title: str, lines: Sequence[str], printed: Sequence[str] | None = None
+    ) -> None:
+        """Something longer to read. A front end without windows says ``printed``, or ``lines``."""
+
+    async def background(
+        self, task: Callable[[], T], slow: str, *, may_be_left: bool = False, is_slow: bool = False
+    ) -> T:
+        """Run ``task`` in a thread of its own, and say ``slow`` from time to time while it takes long.
+
+        Raises ``GivenUp`` where the learner gives up a task that ``may_be_left``. ``is_slow``: the learner
+        knows that it takes some seconds.
+        """
+
+    async def finish(self, task: Coroutine[Any, Any, T]) -> T:
+        """Run it to its end, whatever the learner asks for meanwhile; one such task at a time."""
+
+    async def finished(self) -> None:
+        """Wait for a task that ``finish`` runs just now."""
+
+    async def follow(self, runs: Sequence[tuple[str | None, Run]]) -> bool:
+        """Wait for the end of runs where a prompt follows it, each by its robot's name in events.
+
+        False where the learner goes on meanwhile.
+        """
+
+    async def wait(self, seconds: float) -> bool:
+        """Whether the learner wants something else before that time has passed."""
+
+    def continue_on_enter(self, more: Callable[[], Coroutine[Any, Any, None]]) -> None:
+        """Run ``more`` where the learner types an empty line next."""
+
+    def setting_changed(self, key: str) -> None:
+        """Behave as the setting of that name says from now on."""
+
+    def before_robot_changes(self) -> None:
+        """The learner will talk to another robot: what is in front of the learner belongs to this one."""
+
+    def robot_changed(self) -> None:
+        """The learner talks to another robot."""
+
+    async def type_again(self, line: str) -> None:
+        """Take a line as if it had been typed."""
+
+    def print_soon(self) -> None:
+        """Print what was said so far: the command takes longer. From any thread."""
+
+    # --- ways out
+
+    async def enter_world(self, name: str) -> None:
+        """Go on in that world with the same programs, unless the learner stays because of unsaved changes."""
+
+    async def switch_mode(self) -> None:
+        """Go on in the other front end."""
+
+    async def quit(self) -> None:
+        """End Donnie, unless the learner stays because of unsaved changes."""
+
+
+class MapPane(Protocol):
+    """The map on the screen."""
+
+    pointer: Pointer | None
+    scale: MapScale | None
+    shows_all: bool
+    has_rulers: bool
+
+    @property
+    def zoom(self) -> int: ...
+
+    @property
+    def has_names(self) -> bool: ...
+
+    def set_zoom(self, zoom: int) -> None: ...
+
+    def show_all(self, whole: bool) -> None: ...
+
+    def show_names(self, labels: Callable[[MapScale, int], dict[Cell, str]] | None) -> None: ...
+
+    def show_rulers(self, shown: bool) -> None: ...
+
+
+class Screen(Protocol):
+    """What only a screen can do."""
+
+    @property
+    def map(self) -> MapPane: ...
+
+    @property
+    def log_text(self) -> str: ...
+
+    def focus(self, pane: str) -> None:
+        """Go to ``program``, ``map``, ``log`` or ``variables``; the last one is shown or hidden."""
+
+    async def complete(self) -> None:
+        """Offer the words that may continue what was typed, at the cursor."""
+
+    def mark_mistakes(self) -> None:
+        """Mark the mistakes of the program as it is now."""
+
+    def place_cursor(self, line: int, column: int) -> None:
+        """In the program, with the focus where it is."""
+
+    def explore(self, change: Callable[[Pointer], object]) -> None:
+        """Change the pointer on the map, with the focus there."""
+
+    def show_sensor_ranges(self, lines: Iterable[Line]) -> None: ...
+
+    def search_log(self, word: str) -> None: ...
+
+    def show_in_pager(self, text: str) -> None: ...
+
+    def show_help(self) -> None: ...
+
+    def show_keys(self) -> None: ...
+
+    def show_tour(self) -> None: ...
+
+    def repaint(self) -> None: ...
+
+    def robot_moved(self) -> None:
+        """The robot stands elsewhere without having gone there."""
+
+    @property
+    def is_plain(self) -> bool:
+        """Whether it is one column without decoration."""
+
+    @property
+    def key_table(self) -> KeyTable: ...
+
+    def show_manual(self) -> None: ...
+
+    async def press_key(self, question: str, accepts: Callable[[str], str | None]) -> str | None: ...
+
+
+def drive(coroutine: Coroutine[Any, Any, T]) -> T:
+    """Run a coroutine of a front end whose questions block, so that nothing in it ever waits."""
+    try:
+        coroutine.send(None)
+    except StopIteration as done:
+        result: T = done.value
+        return result
+    coroutine.close()
+    raise RuntimeError("a command waits in a front end whose questions block")
+
+
+def begin(coroutine: Coroutine[Any, Any, None]) -> Awaitable[None] | None:
+    """Run a coroutine until it first waits. What is left of it is to be awaited; None where it is done.
+
+    It waits with ``asyncio.sleep(0)`` before anything else, so that the rest may run in a task of its own.
+    """
+    try:
+        coroutine.send(None)
+    except StopIteration:
+        return None
+    return _Rest(coroutine)
+
+
+class _Rest:
+    """A coroutine that has begun."""
+
+    def __init__(self, coroutine: Coroutine[Any, Any, None]) -> None:
+        self._coroutine = coroutine
+
+    def __await__(self) -> Generator[Any, Any, None]:
+        step: Callable[[], Any] = partial(self._coroutine.send, None)
+        while True:
+            try:
+                waited_for = step()
+            except StopIteration:
+                return
+            try:
+                sent = yield waited_for
+            except BaseException as problem:  # noqa: BLE001 -- thrown into the coroutine
+                step = partial(self._coroutine.throw, problem)
+            else:
+                step = partial(self._coroutine.send, sent)

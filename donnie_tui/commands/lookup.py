@@ -1,0 +1,202 @@
+"""Finds the command that a typed line asks for, and says how a command is typed and what it is for.
+
+Rules: no word of a command is GoDonnie's, except where it means the same; no word means two things in one
+language. A slip is corrected only where the line can't be GoDonnie: its first word is an unknown command
+there and appears nowhere else in the program.
+"""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Callable, Sequence
+from functools import cache
+from typing import TYPE_CHECKING
+
+from msgspec import Struct
+
+from donnie_tui.commands.declarations import COMMANDS, Command
+from donnie_tui.core.wording import Wording
+from donnie_tui.i18n.command_words import words_of
+from language.locales import languages
+
+if TYPE_CHECKING:
+    from language.diagnostics import Diagnostic
+    from language.parser import Parsed
+
+LONGEST_WORD = 24
+"""Characters of the longest word of a command, blanks included, with room to spare."""
+_MOST_WORDS = 3
+_HAVE_CHOICES = ("report-file",)
+"""Arguments whose first word is one of a few; HELP lists them, ``help-choices-ARGUMENT``."""
+LARGEST_PROGRAM = 20_000
+"""Characters of a program that is searched for one name."""
+
+
+def word_of(command: Command, language: str) -> str:
+    """What is typed for it."""
+    return words_of(command.name, language)[0]
+
+
+def find(line: str, commands: tuple[Command, ...] = COMMANDS) -> tuple[Command, str] | None:
+    """The command that a typed line asks for, in any language, and its argument; None if it is GoDonnie.
+
+    ``speed = 3`` and ``open [2]`` are GoDonnie: a learner may give a variable or a procedure the name of a
+    command. A word that GoDonnie has too is GoDonnie's where something follows that the command does not
+    take. Of two words that begin alike the longer one counts.
+    """
+    words, by_word = line[: 4 * LONGEST_WORD].split(), _by_word(commands)
+    for length in range(min(_MOST_WORDS, len(words)), 0, -1):
+        command = by_word.get(_folded(" ".join(words[:length])))
+        if command is not None:
+            following = line.strip().split(maxsplit=length)[length:]
+            argument = following[0] if following else ""
+            is_assignment = argument.startswith(("=", "["))
+            is_statement = bool(argument) and command.is_godonnie and not command.argument
+            return None if is_assignment or is_statement else (command, argument)
+    return None
+
+
+@cache
+def _by_word(commands: tuple[Command, ...]) -> dict[str, Command]:
+    return {word: each for each in reversed(commands) for word in _all_words(each)}
+
+
+@cache
+def _all_words(command: Command) -> tuple[str, ...]:
+    """Its words in all languages, as they are compared."""
+    return tuple(_folded(word) for language in languages() for word in words_of(command.name, language))
+
+
+def _folded(word: str) -> str:
+    """As GoDonnie compares words. Imported here: the keys are needed before the words are."""
+    from language.source import fold_name
+
+    return fold_name(word)
+
+
+FIRST_WORDS = {
+    words_of(name, language)[0].casefold(): name
+    for name in ("linear", "tour", "recover")
+    for language in languages()
+}
+"""The words that the first lines of the full screen's log mention, and the command of each."""
+
+
+# --- how a command is typed, and what it is for
+
+
+def typed_form(command: Command, wording: Wording) -> str:
+    """How it is typed, with an example of its argument: ``LIST 2 5``."""
+    argument = wording(f"help-typed-{command.argument}") if command.argument else ""
+    return " ".join(filter(None, (word_of(command, wording.language), argument)))
+
+
+def not_understood(command: Command, wording: Wording) -> str:
+    """The answer to an argument that the command can't understand."""
+    if not command.argument:
+        return wording("word-takes-nothing", word=word_of(command, wording.language))
+    return wording("linear-like-this", example=typed_form(command, wording))
+
+
+def help_line(command: Command, wording: Wording, keys: str = "") -> str:
+    """The line of HELP for it: how it is typed, its keys where there are any, its purpose."""
+    in_brackets = f" ({keys})" if keys else ""
+    return f"{typed_form(command, wording)}{in_brackets}: {wording(f'action-{command.name}')}"
+
+
+def help_of(topic: str, wording: Wording) -> tuple[str, ...]:
+    """HELP with the word of a command: its purpose, its form, an example. Empty for any other word."""
+    found = find(topic)
+    if found is None or found[0].is_godonnie:
+        return ()
+    command = found[0]
+    form = wording("help-form", form=_form(command, wording)) + "."
+    example = wording("help-example", example=typed_form(command, wording)) + "."
+    has_choices = command.argument in _HAVE_CHOICES
+    choices = (wording(f"help-choices-{command.argument}"),) if has_choices else ()
+    return help_line(command, wording), form, *choices, example
+
+
+def _form(command: Command, wording: Wording) -> str:
+    """With what may follow, or must."""
+    word = word_of(command, wording.language)
+    if not command.argument:
+        return word
+    whole = f"{word} {wording(f'help-form-{command.argument}')}"
+    return whole if command.required else wording("help-or", first=word, second=whole)
+
+
+# --- slips
+
+
+class Unknown(Struct, frozen=True):
+    """What was typed, and the word that was probably meant."""
+
+    word: str
+    meant: str
+
+
+def unknown_word(
+    line: str,
+    lines: Sequence[str],
+    language: str,
+    parse: Callable[[str], Parsed],
+    commands: Sequence[Command] = COMMANDS,
+) -> Unknown | None:
+    """The word of a command that ``line`` was meant to begin with. None where the line may be GoDonnie.
+
+    ``lines`` are those of the program before it, ``parse`` reads GoDonnie.
+    """
+    from language import keywords
+
+    words = line[: _MOST_WORDS * LONGEST_WORD].split()[:_MOST_WORDS]
+    if not words or not words[0].isalpha() or keywords.is_reserved(words[0]):
+        return None
+    if sum(map(len, lines)) + len(line) > LARGEST_PROGRAM or _is_name_in(words[0], lines):
+        return None
+    near = _nearest_command(words, commands, language)
+    mistake = _mistake_in(line, lines, parse) if near is not None else None
+    if near is None or mistake is None or _is_nearer(mistake.meant, near):
+        return None
+    return near
+
+
+def _is_name_in(word: str, lines: Sequence[str]) -> bool:
+    return _folded(word) in re.findall(r"\w+", _folded(" ".join(lines)))
+
+
+def _mistake_in(line: str, lines: Sequence[str], parse: Callable[[str], Parsed]) -> Diagnostic | None:
+    """The mistake that the line begins with an unknown command, if it does."""
+    from language.diagnostics import MistakeKind
+
+    number = len(lines) + 1
+    for each in parse("\n".join((*lines, line))).diagnostics:
+        if each.kind is MistakeKind.UNKNOWN_COMMAND and each.span.line == number:
+            return each if _folded(each.found) == _folded(line.split()[0]) else None
+    return None
+
+
+def _nearest_command(words: Sequence[str], commands: Sequence[Command], language: str) -> Unknown | None:
+    """Of words that begin alike the longer one counts."""
+    from language.suggestions import nearest  # most lines begin with a word of GoDonnie
+
+    of_language = [word for each in commands for word in words_of(each.name, language)]
+    others = [word for each in commands for other in languages() for word in words_of(each.name, other)]
+    for length in range(len(words), 0, -1):
+        typed = " ".join(words[:length])
+        same_length = [
+            each for each in (*of_language, *others) if len(each.split()) == length and len(each) > 1
+        ]
+        found = nearest(typed, dict.fromkeys(same_length), of_language)
+        if found is not None:
+            return Unknown(typed, found)
+    return None
+
+
+def _is_nearer(keyword: str, near: Unknown) -> bool:
+    """Whether a word of GoDonnie is as near as the command's, or nearer."""
+    from language.suggestions import edit_distance
+
+    typed = _folded(near.word)
+    distance = edit_distance(typed, _folded(near.meant))
+    return bool(keyword) and edit_distance(typed, _folded(keyword)) <= distance

@@ -1,0 +1,196 @@
+"""ROBOTS, ROBOT, GRIP, RELEASE, CONNECT: which robot the learner talks to, its gripper, its connection."""
+
+from __future__ import annotations
+
+import os
+from pathlib import Path
+
+from donnie_tui.commands.context import Context
+from donnie_tui.commands.dispatch import handles
+from donnie_tui.commands.interaction import Option
+from donnie_tui.core.actions import Deed
+from donnie_tui.core.program_files import DocumentError, exists
+from donnie_tui.core.session import LONGEST_STOP, Busy, Session
+from donnie_tui.core.transcript import facing
+from donnie_tui.core.wording import no_such_robot, whole_steps
+from donnie_tui.robot.choice import Choice
+from donnie_tui.settings.file import remember
+from donnie_tui.settings.parsing import SIMULATED
+
+MOST_ROBOTS = 30
+"""Robots that are listed one by one."""
+_MOST_DIGITS = 4
+
+
+# --- which robot
+
+
+@handles("robots")
+async def robots(ctx: Context, _: str) -> None:
+    """Which robots there are and where, to choose one where there are several."""
+    ctx.say(*robots_in_words(ctx))
+    if ctx.donnie.team.has_several and ctx.screen is not None:
+        await robot(ctx, "")
+
+
+@handles("robot")
+async def robot(ctx: Context, argument: str) -> None:
+    """Talk to that robot; without a name, to the one that is chosen from a list."""
+    team, words = ctx.donnie.team, ctx.words
+    if not argument and not team.has_several:
+        ctx.say(*robots_in_words(ctx))
+        return
+    if not argument:
+        listed = [(name, team.session(name)) for name in team.names]
+        options = [
+            Option(name, _robot_in_words(ctx, session), session is ctx.donnie.session)
+            for name, session in listed
+        ]
+        argument = await ctx.interaction.choose(words("ask-robot"), options, robots_in_words(ctx)) or ""
+    if argument:
+        _choose_robot(ctx, argument)
+
+
+def _choose_robot(ctx: Context, typed: str) -> None:
+    team, before = ctx.donnie.team, ctx.program
+    name = team.called(typed)
+    if name is None:
+        ctx.say(no_such_robot(typed, team.names, MOST_ROBOTS, ctx.words))
+        return
+    ctx.interaction.before_robot_changes()
+    team.choose(name)
+    ctx.answer("robot-chosen", name=name)
+    ctx.interaction.robot_changed()
+    if ctx.program is not before and ctx.program.lines:
+        ctx.answer("linear-lines", lines=len(ctx.program.lines))
+
+
+def robots_in_words(ctx: Context) -> tuple[str, ...]:
+    """Which robots there are and where, a line each; the one that the learner talks to first."""
+    team, words = ctx.donnie.team, ctx.words
+    if not team.has_several:
+        return (words("robots-only-one", name=team.chosen.name),)
+    lines = [_robot_in_words(ctx, team.session(name)) for name in team.names[:MOST_ROBOTS]]
+    if len(team.names) > MOST_ROBOTS:
+        lines.append(words("robots-more", count=len(team.names) - MOST_ROBOTS))
+    return (words("robot-chosen", name=team.chosen.name), *lines)
+
+
+def _robot_in_words(ctx: Context, session: Session) -> str:
+    """Where that robot is, and whether its program runs."""
+    pose = session.pose
+    return ctx.words(
+        "robot-listed" if session.run is None else "robot-listed-running",
+        name=session.name,
+        x=whole_steps(pose.x),
+        y=whole_steps(pose.y),
+        facing=facing(pose, ctx.words),
+    )
+
+
+# --- the gripper
+
+
+@handles("grip")
+async def grip(ctx: Context, _: str) -> None:
+    """Close the gripper."""
+    _use_gripper(ctx, Deed.GRIP)
+
+
+@handles("release")
+async def release(ctx: Context, _: str) -> None:
+    """Open the gripper."""
+    _use_gripper(ctx, Deed.RELEASE)
+
+
+def _use_gripper(ctx: Context, deed: Deed) -> None:
+    """What comes of it belongs to the answer of a prompt, which waits for it."""
+    session = ctx.donnie.session
+    session.settle()
+    try:
+        run = session.use_gripper(deed)
+    except Busy:
+        ctx.answer_of_robot("screen-busy")
+        return
+    if ctx.screen is None:
+        run.wait(LONGEST_STOP)
+
+
+# --- the connection
+
+
+@handles("connect")
+async def connect(ctx: Context, argument: str) -> None:
+    """Use the robot of that number; else say which there are, to choose one. That takes some seconds."""
+    slow = ctx.words("slow-connect")
+    number = argument if argument.isdecimal() and len(argument) <= _MOST_DIGITS else ""
+    if not number:
+        found = await ctx.interaction.background(lambda: _connections(ctx), slow, is_slow=True)
+        printed = [*(each.text for each in found), ctx.words("connect-how")]
+        if argument:
+            ctx.say(*printed)
+        else:
+            number = await ctx.interaction.choose(ctx.words("ask-connect"), found, printed) or ""
+    if number:
+        await ctx.interaction.background(lambda: _connect_to(ctx, int(number)), slow, is_slow=True)
+        if ctx.screen is not None:
+            ctx.screen.robot_moved()
+
+
+def _connections(ctx: Context) -> list[Option]:
+    """What can be connected, in the order of the numbers, with its state. Looks for devices."""
+    connection = ctx.donnie.connection
+    return [
+        Option(str(number), _choice_in_words(ctx, number, choice), choice.robot == connection.robot)
+        for number, choice in enumerate(connection.choices(), 1)
+    ]
+
+
+def _choice_in_words(ctx: Context, number: int, choice: Choice) -> str:
+    port = choice.robot.partition(":")[2]
+    if choice.robot == ctx.donnie.connection.robot:
+        code = "connect-choice-now"
+    elif port and not exists(Path(port)):
+        code = "connect-choice-missing"
+    elif port and not os.access(port, os.R_OK | os.W_OK):
+        code = "connect-choice-forbidden"
+    else:
+        code = "connect-choice"
+    return ctx.words(code, number=number, what=choice.sentence)
+
+
+def _connect_to(ctx: Context, number: int) -> None:
+    """In a thread of its own: the answers are printed as they come."""
+    connection, choices = ctx.donnie.connection, ctx.donnie.connection.choices()
+    if not 1 <= number <= len(choices):
+        ctx.answer("connect-unknown", number=number)
+        return
+    robot = choices[number - 1].robot
+
+    def say_soon(code: str) -> None:
+        ctx.answer(code)
+        ctx.interaction.print_soon()
+
+    if robot != SIMULATED:
+        connection.search.expect()
+        connection.search.on_slow = lambda: say_soon("connect-waiting")
+        say_soon("connect-trying")
+    try:
+        missing = connection.connect(robot)
+    except Busy:
+        ctx.answer("connect-busy")
+        return
+    ctx.say(*missing)
+    if not missing:
+        _keep_connection(ctx)
+
+
+def _keep_connection(ctx: Context) -> None:
+    """A real robot announces itself."""
+    robot = ctx.donnie.connection.robot
+    if robot == SIMULATED:
+        ctx.answer("connect-simulator")
+    try:
+        remember("robot", robot, os.environ)
+    except DocumentError as problem:
+        ctx.answer(problem.code, path=problem.path, reason=problem.reason)

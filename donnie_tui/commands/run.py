@@ -1,0 +1,324 @@
+"""RUN, AGAIN, STOP, PAUSE, CONTINUE, STEP, UNTIL, BREAK, WATCH, SPEED, RESET: running a program."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+
+from donnie_tui.commands import arguments
+from donnie_tui.commands.context import Context
+from donnie_tui.commands.dispatch import handles
+from donnie_tui.commands.interaction import NotUnderstood
+from donnie_tui.core import speeds
+from donnie_tui.core.breakpoints import pausing_line, toggled
+from donnie_tui.core.events import TYPED
+from donnie_tui.core.program_text import no_such_line
+from donnie_tui.core.run_controller import (
+    Begin,
+    NothingRuns,
+    NothingToRun,
+    Program,
+    Request,
+    RunController,
+    RunState,
+)
+from donnie_tui.core.runner import Run
+from donnie_tui.core.session import LONGEST_STOP, Busy
+from donnie_tui.core.team import Assigned
+from donnie_tui.settings.parsing import FASTEST, SLOWEST, read_speed
+from language.control import ExecutionControl
+from language.source import fold_name
+
+LONGEST_BEGINNING = 1.0
+"""Seconds that a file of typed lines waits for a robot to set out; a program may compute first."""
+
+# --- starting
+
+
+@handles("run")
+async def run(ctx: Context, _: str) -> None:
+    """Run what was typed and has not run yet; the whole program where it is edited as a whole."""
+    await run_program(ctx, is_whole=False)
+
+
+@handles("again")
+async def again(ctx: Context, _: str) -> None:
+    """Run the whole program from the start of the world."""
+    await run_program(ctx, is_whole=True)
+
+
+async def run_program(
+    ctx: Context, *, is_whole: bool, begin: Begin | None = None, last: str | None = None
+) -> None:
+    """Run the program, or its lines that wait. ``last`` is QUIT after them: it stops what runs already."""
+    running = ctx.donnie.session.run
+    if last is not None and running is not None:
+        ctx.donnie.session.stop()
+        running.wait(LONGEST_STOP)
+    try:
+        started = ctx.runs.start(whole_program(ctx) if is_whole else _waiting_lines(ctx, last), begin=begin)
+    except NothingToRun:
+        ctx.answer("answer-nothing-to-run")
+        return
+    except Busy:
+        ctx.answer_of_robot("screen-busy")
+        return
+    if await ctx.interaction.follow([(ctx.donnie.session.hub.robot, started)]):
+        _note_run(ctx, started, is_whole=is_whole)
+
+
+def whole_program(ctx: Context) -> Program:
+    """The program as it is run from the start of the world."""
+    document = ctx.program
+    return Program(document.text, _name(ctx), breakpoints=document.breakpoints)
+
+
+def _waiting_lines(ctx: Context, last: str | None) -> Program:
+    document = ctx.program
+    if document.is_in_editor:
+        return whole_program(ctx)
+    batch = document.take_batch(last)
+    return Program(
+        batch.text,
+        _name(ctx),
+        batch.first_line,
+        is_whole=False,
+        breakpoints=document.breakpoints,
+        lines=document.lines,
+    )
+
+
+def _name(ctx: Context) -> str:
+    path = ctx.program.path
+    return path.name if path else TYPED
+
+
+def _note_run(ctx: Context, ended: Run, *, is_whole: bool) -> None:
+    """Lines that were refused wait for their correction; the second time the answer also says how to drop
+    them."""
+    if not ended.was_refused:
+        ctx.program.batch_ran()
+    elif not is_whole and ctx.program.batch_was_refused():
+        first = next(iter(ctx.errors.all), None)
+        code = "linear-kept-known" if first and first.meant else "linear-kept"
+        ctx.answer(code, line=(first.mended_line or first.line) if first else 1)
+        if ctx.program.refusals > 1:
+            ctx.answer("linear-forget", lines=ctx.program.waiting)
+
+
+@handles("start")
+async def start(ctx: Context, _: str) -> None:
+    """Run the program in the background. Waits for nothing but its reading: mistakes are the answer."""
+    document, session = ctx.program, ctx.donnie.session
+    try:
+        started = ctx.runs.start_in_background(whole_program(ctx))
+    except NothingToRun:
+        ctx.answer("answer-nothing-to-run")
+        return
+    if started.was_refused:
+        started.wait(LONGEST_STOP)
+    elif not document.is_in_editor:
+        document.batch_ran()
+    if not ctx.interaction.is_attended:  # a STOP in the next line of a file finds the robot on its way
+        session.wait_until_acting(LONGEST_BEGINNING)
+
+
+@handles("together")
+async def together(ctx: Context, _: str) -> None:
+    """Run the programs of all robots, which start at the same moment."""
+    team, documents = ctx.donnie.team, ctx.workspace.by_robot()
+    if ctx.program.is_in_editor:  # one text for all, given to the robot that is talked to
+        documents = {ctx.donnie.session.name: ctx.program}
+    for name, document in documents.items():
+        if document.text.strip() or not document.is_in_editor:
+            team.give(name, Assigned(document.text, document.path.name if document.path else TYPED))
+    try:
+        runs = ctx.runs.start_together()
+    except NothingToRun:
+        ctx.answer("robot-no-programs")
+        return
+    except Busy as busy:
+        ctx.answer("robot-busy", name=str(busy))
+        return
+    if await ctx.interaction.follow([(team.session(name).hub.robot, each) for name, each in runs.items()]):
+        for name, each in runs.items():
+            if name in documents and not each.was_refused:
+                documents[name].batch_ran()
+
+
+# --- while it runs
+
+
+@handles("stop")
+async def stop(ctx: Context, _: str) -> None:
+    try:
+        ctx.runs.stop()
+    except NothingRuns:
+        ctx.answer("answer-nothing-runs")
+
+
+@handles("stop_all")
+async def stop_all(ctx: Context, _: str) -> None:
+    """Stop all robots; in a world with one robot as STOP."""
+    try:
+        is_any = ctx.runs.stop_all()
+    except NothingRuns:
+        ctx.answer("answer-nothing-runs")
+        return
+    if ctx.donnie.team.has_several:
+        ctx.answer("robot-all-stopped" if is_any else "robot-now-idle")
+
+
+@handles("pause")
+async def pause(ctx: Context, _: str) -> None:
+    """Hold the program, which says where it is held; a second time let it run on."""
+    try:
+        if ctx.runs.state is RunState.PAUSED:
+            await continue_(ctx, "")
+        elif not ctx.runs.pause():
+            ctx.answer_of_robot("linear-paused")
+    except NothingRuns:
+        ctx.answer("answer-nothing-runs")
+
+
+@handles("continue_")
+async def continue_(ctx: Context, _: str) -> None:
+    try:
+        ctx.runs.require(Request.CONTINUE)
+    except NothingRuns:
+        ctx.answer("answer-nothing-runs")
+        return
+    ctx.answer_of_robot("answer-continued")
+    ctx.runs.continue_()
+
+
+@handles("step")
+async def step(ctx: Context, _: str) -> None:
+    await _step(ctx, RunController.step, ExecutionControl.step)
+
+
+@handles("step_over")
+async def step_over(ctx: Context, _: str) -> None:
+    """As STEP, a procedure as a whole."""
+    await _step(ctx, RunController.step_over, ExecutionControl.step)
+
+
+@handles("run_to")
+async def run_to(ctx: Context, argument: str) -> None:
+    """Run until that line is next."""
+    (line,) = arguments.numbers(argument, least=1, most=1)
+    count = len(ctx.program.lines)
+    if not 1 <= line <= count:
+        ctx.say(no_such_line(count, line, ctx.words))
+        return
+    at = pausing_line(ctx.program.text, line, ctx.donnie.session.parse)
+    if at != line:
+        ctx.answer("break-nowhere", line=line)
+    if at is not None:
+        await _step(ctx, lambda runs: runs.run_to(at), lambda control: control.run_to(at))
+
+
+async def _step(ctx: Context, go_on: Callable[[RunController], None], begin: Begin) -> None:
+    """Ask the program that is held; where none is, start: what waits, or the whole program once more."""
+    if ctx.runs.is_steppable:
+        go_on(ctx.runs)
+    elif ctx.runs.state is not RunState.READY:
+        ctx.answer_of_robot("screen-busy")
+    elif ctx.program.is_waiting or not ctx.program.lines:
+        await run_program(ctx, is_whole=False, begin=begin)
+    else:
+        ctx.answer("step-from-start")
+        await run_program(ctx, is_whole=True, begin=begin)
+
+
+@handles("step_back")
+async def step_back(ctx: Context, _: str) -> None:
+    """What happened last, undone in words; once more goes further back."""
+    ctx.say(*ctx.runs.step_back())
+
+
+# --- breakpoints, variables
+
+
+@handles("break_")
+async def break_(ctx: Context, argument: str) -> None:
+    """Set or clear the breakpoint of a line; alone, list the breakpoints."""
+    given, program = arguments.numbers(argument, most=1), ctx.program
+    line = given[0] if given else 0
+    if not given:
+        lines = ", ".join(map(str, sorted(program.breakpoints)))
+        ctx.say(ctx.words("break-lines", lines=lines) if lines else ctx.words("break-none"))
+    elif not 1 <= line <= len(program.lines):
+        ctx.say(no_such_line(len(program.lines), line, ctx.words))
+    else:
+        program.breakpoints, at = toggled(program.breakpoints, line, program.text, ctx.donnie.session.parse)
+        ctx.workspace.keep_breakpoints()
+        if at != line:
+            ctx.answer("break-nowhere", line=line)
+        if at is not None:
+            ctx.answer("break-set" if at in program.breakpoints else "break-gone", line=at)
+        ctx.runs.break_at(program.breakpoints)
+
+
+@handles("watch")
+async def watch(ctx: Context, argument: str) -> None:
+    """Describe a variable at each change from now on, or no more; alone, list the watched variables."""
+    if argument and not argument.isidentifier():
+        raise NotUnderstood
+    ctx.say(*ctx.runs.toggle_watch(argument))
+
+
+@handles("show_variables")
+async def show_variables(ctx: Context, _: str) -> None:
+    """The calls, innermost first, and the variables of the innermost; after a run what it left."""
+    if ctx.screen is not None:
+        ctx.screen.focus("variables")
+        return
+    frames, words = ctx.runs.frames, ctx.words
+    calls = [words("call-at", name=each.procedure, line=each.line) for each in frames if each.procedure]
+    variables = dict(frames[0].variables) if frames else ctx.donnie.session.variables
+    values = [words("variable-is", name=name, value=value) for name, value in variables.items()]
+    ctx.say(*ctx.counted([*calls, *(values or [words("variables-none")])]))
+
+
+# --- speed, start
+
+
+@handles("slower")
+async def slower(ctx: Context, _: str) -> None:
+    ctx.donnie.session.speed = speeds.slower(ctx.donnie.session.speed)
+    _say_speed(ctx)
+
+
+@handles("faster")
+async def faster(ctx: Context, _: str) -> None:
+    ctx.donnie.session.speed = speeds.faster(ctx.donnie.session.speed)
+    _say_speed(ctx)
+
+
+@handles("speed")
+async def speed(ctx: Context, argument: str) -> None:
+    """Change the speed, where one is given, and say it."""
+    if argument:
+        try:
+            ctx.donnie.session.speed = read_speed(fold_name(argument))
+        except ValueError:
+            ctx.answer("screen-bad-speed", slowest=SLOWEST, fastest=FASTEST)
+            return
+    _say_speed(ctx)
+
+
+def _say_speed(ctx: Context) -> None:
+    ctx.answer("answer-speed", speed=speeds.speed_words(ctx.donnie.session.speed, ctx.words))
+
+
+@handles("reset")
+async def reset(ctx: Context, _: str) -> None:
+    """The robot at its start, with nothing remembered."""
+    try:
+        ctx.runs.reset()
+    except Busy:
+        ctx.answer_of_robot("screen-busy")
+        return
+    ctx.answer_of_robot("answer-reset")
+    if ctx.screen is not None:
+        ctx.screen.robot_moved()

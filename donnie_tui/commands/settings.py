@@ -1,0 +1,306 @@
+"""LANGUAGE, DETAIL, SET, THEME, PLAIN, CHANGE KEYS, REDRAW: what the learner chooses counts at once.
+
+A choice at a prompt or on the screen is kept in the settings file; lines of a file choose for themselves.
+"""
+
+from __future__ import annotations
+
+from donnie_tui.commands.context import Context
+from donnie_tui.commands.declarations import BY_NAME, COMMANDS
+from donnie_tui.commands.dispatch import handles
+from donnie_tui.commands.interaction import NotUnderstood, Option
+from donnie_tui.commands.lookup import word_of
+from donnie_tui.commands.preferences import BY_NAME as BY_KEY
+from donnie_tui.commands.preferences import (
+    PREFERENCES,
+    Preference,
+    Where,
+    choices_in_words,
+    find_preference,
+    label,
+    value_label,
+    value_typed,
+)
+from donnie_tui.commands.sound import CUES, LOUD, chime, cue_meant, cue_volume_typed, cue_word
+from donnie_tui.core.safe_text import printable
+from donnie_tui.core.typed_words import spelled
+
+LONGEST_NAME = 40
+"""Characters of a typed name that an answer repeats."""
+VOLUMES = (100, 75, 50, 25, 0)
+"""Of a cue, to choose from; any other can be typed: SET cue bump 60."""
+_AS_BEFORE = ""
+"""The row of the keys that gives all commands their own keys again."""
+
+
+@handles("language")
+async def language(ctx: Context, argument: str) -> None:
+    """Speak another language."""
+    await _choose(ctx, BY_KEY["lang"], argument)
+
+
+@handles("detail")
+async def detail(ctx: Context, argument: str) -> None:
+    """Say more or less."""
+    await _choose(ctx, BY_KEY["verbosity"], argument)
+
+
+@handles("theme")
+async def theme(ctx: Context, argument: str) -> None:
+    """Another look of the screen."""
+    await _choose(ctx, BY_KEY["theme"], argument)
+
+
+async def _choose(ctx: Context, preference: Preference, argument: str) -> None:
+    """A value that was typed, or one that is chosen from a list; where there is no list, say the value."""
+    if not argument:
+        await _choose_from_list(ctx, preference)
+        return
+    value = value_typed(preference, argument, ctx.words)
+    if value is None:
+        raise NotUnderstood
+    change(ctx, preference.key, value)
+
+
+@handles("plain")
+async def plain(ctx: Context, _: str) -> None:
+    """One column without decoration, or the panes again."""
+    assert ctx.screen is not None
+    change(ctx, "plain", "off" if ctx.screen.is_plain else "on")
+
+
+@handles("redraw")
+async def redraw(ctx: Context, _: str) -> None:
+    """Paint the screen again."""
+    assert ctx.screen is not None
+    ctx.screen.repaint()
+    ctx.answer("screen-redrawn")
+
+
+# --- SET
+
+
+@handles("set")
+async def set_value(ctx: Context, argument: str) -> None:
+    """SET alone lists the settings, SET name gives one with its choices, SET name value changes it."""
+    name, _, typed = argument.partition(" ")
+    if not name:
+        await settings(ctx, "")
+        return
+    preference = find_preference(name, ctx.words)
+    if preference is None:
+        ctx.answer("screen-no-setting", name=printable(name[:LONGEST_NAME]))
+    elif preference.where is (Where.LINEAR if ctx.screen is not None else Where.SCREEN):
+        ctx.answer("only-in-linear-mode" if ctx.screen is not None else "linear-on-screen")
+    elif preference.key == "cues":
+        await _set_cue(ctx, typed.strip())
+    elif typed.strip():
+        value = value_typed(preference, typed.strip(), ctx.words)
+        if value is None:
+            say_with_choices(ctx, preference)
+        else:
+            change(ctx, preference.key, value)
+    else:
+        await _ask_for_value(ctx, preference)
+
+
+@handles("settings")
+async def settings(ctx: Context, _: str) -> None:
+    """One setting after the other, until the learner goes back; where there is no list, all of them."""
+    words = ctx.words
+    printed = [
+        ctx.preferences.in_words(each.key, words)
+        for each in PREFERENCES
+        if each.has_words and each.where is not Where.SCREEN
+    ]
+    if ctx.screen is None:
+        ctx.say(*printed)
+        return
+    chosen: str | None = ""
+    while chosen is not None:
+        rows = [
+            Option(each.key, _row(ctx, each), each.key == chosen)
+            for each in PREFERENCES
+            if words.knows(f"setting-{each.key}")
+        ]
+        chosen = await ctx.interaction.choose(words("settings-title"), rows)
+        if chosen == "cues":
+            await _choose_cues(ctx)
+        elif chosen == "keys":
+            await change_keys(ctx, "")
+        elif chosen is not None:
+            await _ask_for_value(ctx, BY_KEY[chosen])
+
+
+def _row(ctx: Context, preference: Preference) -> str:
+    key, words = preference.key, ctx.words
+    return words("setting-row", name=label(key, words), value=ctx.preferences.value_label(key, words))
+
+
+async def _ask_for_value(ctx: Context, preference: Preference) -> None:
+    """From a list, or typed; where there is no screen the choices are said."""
+    key, words = preference.key, ctx.words
+    if preference.values or ctx.screen is None:
+        await _choose_from_list(ctx, preference)
+        return
+
+    def problem(typed: str) -> str | None:
+        return words(f"setting-{key}-wanted") if value_typed(preference, typed, words) is None else None
+
+    text = ctx.preferences.value(key)
+    typed = await ctx.interaction.ask(words(f"setting-{key}-wanted"), text, problem)
+    if typed is not None:
+        change(ctx, key, typed)
+
+
+async def _choose_from_list(ctx: Context, preference: Preference) -> None:
+    key, words, current = preference.key, ctx.words, ctx.preferences.value(preference.key)
+    options = [
+        Option(value, value_label(preference, value, words), value == current) for value in preference.values
+    ]
+    printed = [ctx.preferences.in_words(key, words)]
+    if preference.has_words:
+        printed.append(choices_in_words(preference, words))
+    chosen = await ctx.interaction.choose(label(key, words), options, printed)
+    if chosen is not None:
+        change(ctx, key, chosen)
+
+
+def say_with_choices(ctx: Context, preference: Preference) -> None:
+    """The setting as it is, and what it can be."""
+    ctx.say(ctx.preferences.in_words(preference.key, ctx.words), choices_in_words(preference, ctx.words))
+
+
+def change(ctx: Context, key: str, value: str) -> None:
+    """Choose a value from now on, say it, and keep it. ``value`` is as the settings file has it."""
+    preferences = ctx.preferences
+    preferences.choose(key, value)
+    chosen = preferences.settings
+    if key == "lang":
+        ctx.words.language = chosen.language
+    elif key == "verbosity":
+        ctx.words.detail = chosen.verbosity
+    elif key == "speed":
+        ctx.donnie.session.speed = chosen.speed
+    elif BY_KEY[key].is_audible:
+        ctx.donnie.outlets.adjust_sound(**{key: getattr(chosen, key)})
+    ctx.interaction.setting_changed(key)
+    if key != "cues":
+        ctx.say(preferences.in_words(key, ctx.words))
+    if key in ("speech", "speak", "sound"):
+        ctx.say(*ctx.donnie.outlets.audible.notices)
+    if ctx.interaction.is_attended:
+        preferences.keep(key)
+
+
+# --- cues
+
+
+async def _set_cue(ctx: Context, argument: str) -> None:
+    """``bump 50``, ``bump off``; a cue alone gives its volume, nothing gives all."""
+    word, _, typed = argument.partition(" ")
+    cue = cue_meant(word) if word else None
+    if word and cue is None:
+        ctx.answer("cues-unknown", name=printable(word[:LONGEST_NAME]))
+    elif cue is None:
+        await _choose_cues(ctx)
+    elif not typed:
+        await _choose_volume(ctx, cue)
+    else:
+        volume = cue_volume_typed(typed)
+        if volume is not None:
+            _change_cue(ctx, cue, volume)
+        else:
+            ctx.say(_cue_in_words(ctx, cue), choices_in_words(BY_KEY["volume"], ctx.words))
+
+
+async def _choose_cues(ctx: Context) -> None:
+    """One cue after the other, until the learner goes back."""
+    chosen: str | None = ""
+    while chosen is not None:
+        rows = [Option(cue, _cue_row(ctx, cue, _volume(ctx, cue)), cue == chosen) for cue in CUES]
+        printed = [_cue_in_words(ctx, cue) for cue in CUES]
+        chosen = await ctx.interaction.choose(ctx.words("setting-cues"), rows, printed)
+        if chosen is not None:
+            await _choose_volume(ctx, chosen)
+
+
+async def _choose_volume(ctx: Context, cue: str) -> None:
+    rows = [Option(str(each), _cue_row(ctx, cue, each), each == _volume(ctx, cue)) for each in VOLUMES]
+    chosen = await ctx.interaction.choose(ctx.words("setting-cues"), rows, [_cue_in_words(ctx, cue)])
+    if chosen is not None:
+        _change_cue(ctx, cue, int(chosen))
+
+
+def _volume(ctx: Context, cue: str) -> int:
+    return ctx.preferences.settings.cues.get(cue, LOUD)
+
+
+def _cue_row(ctx: Context, cue: str, percent: int) -> str:
+    words = ctx.words
+    volume = words("cue-volume", percent=percent) if percent else words("cue-volume-off")
+    meaning = words(f"cue-{cue}").rstrip(".")
+    return words("cue-row", name=cue_word(cue, words.language), meaning=meaning, volume=volume)
+
+
+def _cue_in_words(ctx: Context, cue: str) -> str:
+    language, percent = ctx.words.language, _volume(ctx, cue)
+    value = str(percent) if percent else spelled("off", language, "switch")
+    name = spelled("cue", language, "settings")
+    return ctx.words("sound-setting-cue", name=name, cue=cue_word(cue, language), value=value)
+
+
+def _change_cue(ctx: Context, cue: str, percent: int) -> None:
+    """From now on, and played at once."""
+    volumes = {**ctx.preferences.settings.cues, cue: percent}
+    change(ctx, "cues", ", ".join(f"{name} {each}" for name, each in volumes.items()))
+    chime(ctx.donnie, cue)
+    ctx.say(_cue_in_words(ctx, cue))
+
+
+# --- keys
+
+
+@handles("change_keys")
+async def change_keys(ctx: Context, _: str) -> None:
+    """One command after the other gets another key, until the learner goes back."""
+    words, chosen = ctx.words, _AS_BEFORE
+    while True:
+        rows = [Option(each.name, _key_row(ctx, each.name), each.name == chosen) for each in COMMANDS]
+        has_choices = bool(ctx.preferences.settings.keys)
+        first = [Option(_AS_BEFORE, words("keys-as-before"))] if has_choices else []
+        answer = await ctx.interaction.choose(words("keys-title"), [*first, *rows])
+        if answer is None:
+            return
+        chosen = answer
+        if chosen == _AS_BEFORE:
+            change(ctx, "keys", "")
+        else:
+            await _change_key(ctx, chosen)
+
+
+def _key_row(ctx: Context, name: str) -> str:
+    assert ctx.screen is not None
+    words = ctx.words
+    keys = ctx.screen.key_table.labels(name, words.language) or words("keys-none")
+    word = word_of(BY_NAME[name], words.language)
+    return words("keys-row", word=word, keys=keys, purpose=words(f"action-{name}"))
+
+
+async def _change_key(ctx: Context, name: str) -> None:
+    from donnie_tui.commands.keys import is_free_to_give, key_label, with_choice
+
+    assert ctx.screen is not None
+    words = ctx.words
+
+    def problem(key: str) -> str | None:
+        return None if is_free_to_give(key) else words("keys-not-this", key=key_label(key, words.language))
+
+    question = words("keys-ask", word=word_of(BY_NAME[name], words.language))
+    key = await ctx.screen.press_key(question, problem)
+    if key is None:
+        return
+    before = ctx.screen.key_table.command_of(key) if key else None
+    change(ctx, "keys", with_choice(ctx.preferences.settings.keys, name, key or None))
+    for each in (name, *((before,) if before not in (None, name) else ())):
+        ctx.answer("keys-now", row=_key_row(ctx, str(each)).partition(".")[0])

@@ -1,0 +1,166 @@
+"""WHERE, AROUND, TRAIL, SENSORS, WORLD, WORLDS: the robot's surroundings, and the way to another world."""
+
+from __future__ import annotations
+
+from msgspec.structs import replace
+
+from donnie_tui.bootstrap import Donnie
+from donnie_tui.commands import arguments
+from donnie_tui.commands.context import Context
+from donnie_tui.commands.dispatch import handles
+from donnie_tui.commands.interaction import NotUnderstood, Option
+from donnie_tui.core.events import SoundSwitched
+from donnie_tui.core.safe_text import printable
+from donnie_tui.core.trail import USUALLY_TOLD, place_in_words
+from donnie_tui.core.wording import shown_name
+from donnie_tui.settings.settings import Settings, Source
+
+LONGEST_NAME = 40
+"""Characters of a typed name that an answer repeats."""
+
+
+@handles("where")
+async def where(ctx: Context, _: str) -> None:
+    """Where the robot is; at full detail its last move too."""
+    is_full = ctx.words.detail == "full"
+    ctx.say_of_robot(*place_in_words(ctx.donnie.session.pose, ctx.trail, ctx.words, is_full=is_full))
+
+
+@handles("around")
+async def around(ctx: Context, argument: str) -> None:
+    """What is around the robot as it looks, or by the compass, beginning with a point."""
+    from donnie_tui.core.map_words import around_in_words, compass_point
+
+    point = compass_point(argument)
+    if argument and point is None:
+        raise NotUnderstood
+    has_clock = ctx.preferences.settings.clock == "on" and not argument
+    pose = ctx.donnie.session.pose
+    ctx.say_of_robot(*around_in_words(ctx.map_grid(), pose, ctx.words, compass=point, clock=has_clock))
+
+
+@handles("trail")
+async def trail(ctx: Context, argument: str) -> None:
+    """The robot's last moves."""
+    count = arguments.count(argument, USUALLY_TOLD)
+    ctx.say_of_robot(*ctx.counted(ctx.trail.in_words(count, ctx.words)))
+
+
+@handles("sensors")
+async def sensors(ctx: Context, _: str) -> None:
+    """What the robot has; on the screen also how far it reaches, until the robot moves."""
+    from donnie_tui.core.describe import sensors_in_words, sensors_of_board
+
+    name = shown_name(ctx.donnie.session.name)
+    if ctx.donnie.connection.is_board:
+        ctx.say(*sensors_of_board(name, ctx.words))
+        return
+    devices = ctx.donnie.mounted()
+    if ctx.screen is not None:
+        ctx.screen.show_sensor_ranges([line for each in devices for line in each.lines])
+    ctx.say(*sensors_in_words(devices, name, ctx.words))
+
+
+@handles("world")
+async def world(ctx: Context, argument: str) -> None:
+    """What the author says of the world, what is in it, what to try there; or the way to another one."""
+    from donnie_tui.core.describe import told_world
+    from donnie_tui.core.map_words import map_in_words
+    from donnie_tui.core.transcript import lines_said_by
+
+    if argument:
+        await enter_world(ctx, argument)
+        return
+    donnie = ctx.donnie
+    about = donnie.world.about(ctx.words.language)
+    floor = map_in_words(donnie.picture_now(), donnie.session.pose, ctx.words, about)
+    of_robot = lines_said_by(donnie.session.hub.robot, floor, ctx.words)
+    ctx.say(*told_world(donnie.world.name, about, of_robot, ctx.words))
+
+
+@handles("worlds")
+async def worlds(ctx: Context, argument: str) -> None:
+    """The worlds that ship, with their titles and tasks, to choose one; or one of them by name."""
+    import worlds as shipped
+    from donnie_tui.core.describe import world_row, worlds_in_words
+
+    if argument:
+        await enter_world(ctx, argument)
+        return
+    here = ctx.donnie.world.name
+    if ctx.screen is not None and not may_leave_world(ctx):
+        return
+    options = [Option(name, world_row(name, ctx.words), name == here) for name in shipped.names()]
+    printed = worlds_in_words(here, ctx.words)
+    chosen = await ctx.interaction.choose(ctx.words("ask-worlds"), options, printed)
+    if chosen:
+        await enter_world(ctx, chosen)
+
+
+async def enter_world(ctx: Context, typed: str) -> None:
+    """Go on in another world with the same programs. A file of the learner may take long to be read."""
+    slow = ctx.words("slow-world", name=typed[:LONGEST_NAME])
+    name = await ctx.interaction.background(lambda: world_to_enter(ctx, typed), slow)
+    if name is not None:
+        await ctx.interaction.enter_world(name)
+
+
+def may_leave_world(ctx: Context) -> bool:
+    """False while this session is recorded: the recording would be lost. The answer says so."""
+    recording = ctx.donnie.outlets.written.of_this_session
+    if recording is not None:
+        ctx.answer("world-kept", path=recording)
+    return recording is None
+
+
+def world_to_enter(ctx: Context, typed: str) -> str | None:
+    """The name or file of a world that can be loaded; None where it can't, after an answer that says why."""
+    from donnie_tui.core.describe import world_meant
+    from donnie_tui.i18n.words import Unusable
+    from donnie_tui.world.choice import choose_world
+
+    if not may_leave_world(ctx):
+        return None
+    donnie, name = ctx.donnie, world_meant(typed) or typed
+    if name == donnie.world.name and donnie.world.ships:
+        ctx.answer("world-here-already", name=name)
+        return None
+    try:
+        folders = donnie.outlets.audible.settings.world_folders
+        found = choose_world(name, ctx.words, folders, unknown="world-unknown-here")
+    except Unusable as unusable:
+        ctx.say(printable(unusable.sentence))
+        return None
+    if not found.scene.robots:
+        ctx.answer("world-without-robot", name=found.name)
+        return None
+    return name
+
+
+# --- on the way to another world
+
+
+def settings_there(donnie: Donnie, settings: Settings, name: str) -> Settings:
+    """``settings`` in that world, with what was chosen by commands meanwhile."""
+    words, robot = donnie.words, donnie.connection.robot
+    found = replace(
+        settings,
+        world=name,
+        language=words.language,
+        verbosity=words.detail,
+        speed=donnie.session.speed,
+        notices=(),
+    )
+    if robot == settings.robot:
+        return found
+    return replace(found, robot=robot, sources={**settings.sources, "robot": Source.OPTION})
+
+
+def say_arrival(donnie: Donnie, *, is_silent: bool) -> None:
+    """Say what the other world has. ``is_silent``: SOUND OFF was typed in the one before."""
+    from donnie_tui.core.describe import arrived
+
+    if is_silent:
+        donnie.session.hub.publish(SoundSwitched(False))
+    about = donnie.world.about(donnie.words.language)
+    donnie.tell(*arrived(donnie.world.name, about, donnie.picture(), donnie.words))

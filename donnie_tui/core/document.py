@@ -1,0 +1,562 @@
+"""A document: one program with its file, its history and its breakpoints, edited line by line or key by key.
+
+In the linear mode commands add and change single lines. In the full screen a ``TextEditor`` shows the
+document: then the text and the breakpoints are the editor's, and its own history comes before the one here.
+
+Rules: lines keep their numbers from the first to the last, so that mistakes and listings agree. Typed lines
+wait until they run; afterwards they stay, so that the whole program can be saved or run again. After a
+mistake of form nothing has run: a single line is dropped, several lines are kept for correction. Every
+change can be undone, also one that replaces the whole program.
+"""
+
+from __future__ import annotations
+
+from collections import deque
+from collections.abc import Callable, Sequence
+from typing import TYPE_CHECKING, Protocol
+
+import msgspec
+
+from donnie_tui.core.breakpoints import followed, shifted
+from donnie_tui.core.safe_text import cleaned
+from language.outline import OutlineItem, block_depth, open_block
+from language.source import lines_in
+
+if TYPE_CHECKING:
+    from pathlib import Path
+
+    from donnie_tui.core.program_text import ProgramText
+
+WORTH_SAVING = 5
+"""Unsaved typed lines from which on the learner is asked before they are lost."""
+ANOTHER_PROGRAM = 0
+"""In the place of a line: UNDO or REDO exchanged the whole program."""
+LARGEST = 8 * 1024 * 1024
+"""Characters that may be typed into one program."""
+MOST_UNDONE = 50
+"""Changes that can be undone, and redone."""
+MOST_LINES_KEPT = 1_000_000
+"""Lines that are kept for that in all."""
+
+
+class ProgramTooLong(Exception):
+    """The change would exceed ``LARGEST``."""
+
+
+class TextEditor(Protocol):
+    """A widget in which the learner edits a document key by key."""
+
+    breakpoints: frozenset[int]
+
+    @property
+    def text(self) -> str: ...
+
+    @property
+    def line(self) -> int:
+        """The line of the cursor, from 1."""
+        ...
+
+    def show(self, text: str, breakpoints: frozenset[int]) -> None:
+        """Show another program; the history begins again."""
+
+    def change_lines(self, lines: Sequence[str]) -> None:
+        """Change the text into these lines, as one edit."""
+
+    @property
+    def cursor_location(self) -> tuple[int, int]:
+        """The row and the column of the cursor, from 0."""
+        ...
+
+    def go_to(self, line: int) -> None: ...
+
+    def select(self, row: int, start: int, end: int) -> None:
+        """Select the columns of a row, with the cursor at their end."""
+
+    def replace_range(self, start: int, end: int, text: str) -> None:
+        """Replace the characters between two offsets; the cursor stays at its letter."""
+
+    def undo(self) -> None: ...
+
+    def redo(self) -> None: ...
+
+
+class _Origin(msgspec.Struct, frozen=True):
+    """Which program it was."""
+
+    path: Path | None
+    saved_lines: list[str]
+    breakpoints: frozenset[int]
+
+
+class _Version(msgspec.Struct, frozen=True):
+    """The document before a change."""
+
+    lines: list[str]
+    ran: int
+    """How many of the lines had run."""
+    runs: int
+    """How many runs there had been."""
+    origin: _Origin | None = None
+    """Where the change replaced the whole program."""
+
+
+class Replaced(msgspec.Struct, frozen=True):
+    """A program that another one took the place of."""
+
+    text: str
+    path: Path | None
+
+
+class Batch(msgspec.Struct, frozen=True):
+    """What is to run now: its text and the number of its first line."""
+
+    text: str
+    first_line: int
+    lines: int
+
+
+class Document:
+    """The lines so far, and how many of them have run."""
+
+    def __init__(self) -> None:
+        self.path: Path | None = None
+        """The file that it was opened from or saved to."""
+        self.rejected: str | None = None
+        """The line that was dropped after a mistake, until another line is added."""
+        self.refusals = 0
+        """How often in a row the waiting lines were refused because of a mistake of form."""
+        self.was_opened = False
+        """Whether the waiting lines came from a file or from an earlier start and never ran here."""
+        self._lines: list[str] = []
+        self._saved_lines: list[str] = []
+        self._breakpoints: frozenset[int] = frozenset()
+        self._place = 0
+        self._ran = 0
+        self._runs = 0
+        """How many runs there were."""
+        self._running: list[str] | None = None
+        """The lines when a batch was taken that has not run yet."""
+        self._size = 0
+        self._past: deque[_Version | int] = deque(maxlen=MOST_UNDONE)
+        """The document before each of the last changes; only the number of lines, where one was added."""
+        self._future: list[_Version] = []
+        """The document before each UNDO since the last change."""
+        self._editor: TextEditor | None = None
+        self._is_edited_as_text = False
+        """Whether it was in an editor: there a program is meant to stay from its first line on."""
+        self._text: ProgramText | None = None
+
+    # --- the editor
+
+    @property
+    def is_in_editor(self) -> bool:
+        return self._editor is not None
+
+    def attach(self, editor: TextEditor) -> None:
+        """Have it shown and edited there."""
+        place, self._ran = self._place, 0
+        self._editor, self._is_edited_as_text = editor, True
+        self._show()
+        editor.go_to(place or 1)
+
+    def detach(self) -> None:
+        """Take over what the editor has, which shows another document from now on."""
+        if self._editor is not None:
+            self._read_editor()
+            self._breakpoints, self._place = self._editor.breakpoints, self._editor.line
+            self._editor = None
+
+    def _show(self) -> None:
+        if self._editor is not None:
+            ending = "\n" if self._lines and not self._lines[-1] else ""
+            self._editor.show("\n".join(self._lines) + ending, self._breakpoints)
+
+    def _read_editor(self) -> None:
+        """The learner may have typed since it was last read; that ends what REDO can do."""
+        if self._editor is not None:
+            lines = lines_in(self._editor.text)
+            if lines != self._lines:
+                self._lines = lines
+                self._future.clear()
+
+    # --- the text
+
+    @property
+    def lines(self) -> tuple[str, ...]:
+        self._read_editor()
+        return tuple(self._lines)
+
+    @property
+    def text(self) -> str:
+        self._read_editor()
+        return _joined(self._lines)
+
+    @property
+    def structure(self) -> ProgramText:
+        """The lines with their levels and blocks; worked out again only after a change."""
+        from donnie_tui.core.program_text import ProgramText  # for the first command that reads the program
+
+        lines = self.lines
+        if self._text is None or self._text.lines != lines:
+            self._text = ProgramText(lines)
+        return self._text
+
+    @property
+    def breakpoints(self) -> frozenset[int]:
+        """Lines, from 1; they move with the text."""
+        return self._breakpoints if self._editor is None else self._editor.breakpoints
+
+    @breakpoints.setter
+    def breakpoints(self, lines: frozenset[int]) -> None:
+        if self._editor is None:
+            self._breakpoints = lines
+        else:
+            self._editor.breakpoints = lines
+
+    @property
+    def place(self) -> int:
+        """The line that was read last, or the line of the cursor; 0 before any."""
+        return self._place if self._editor is None else self._editor.line
+
+    @place.setter
+    def place(self, line: int) -> None:
+        self._place = line
+        if self._editor is not None and line:
+            self._editor.go_to(line)
+
+    def find_next(self, wanted: str) -> int | None:
+        """The line of the next place with a word, from the reading place on and once round.
+
+        It is the reading place then; an editor selects the word.
+        """
+        from donnie_tui.core.program_text import find_word
+
+        start = (self._place, 0) if self._editor is None else self._editor.cursor_location
+        found = find_word(self.lines, wanted, *start)
+        if found is None:
+            return None
+        if self._editor is None:
+            self._place = found.row + 1
+        else:
+            self._editor.select(found.row, found.start, found.end)
+        return found.row + 1
+
+    # --- the file
+
+    @property
+    def is_saved(self) -> bool:
+        """Whether the lines are the same as in the file, or as in a new program."""
+        self._read_editor()
+        return self._lines == self._saved_lines
+
+    def mark_saved(self, path: Path | None = None, text: str | None = None) -> None:
+        """The file has the lines, or ``text``, now; ``path`` is the file from now on."""
+        self._saved_lines = list(self.lines) if text is None else lines_in(text)
+        self.path = path or self.path
+
+    @property
+    def saved_text(self) -> str:
+        """The text of the file, as it was last read or written."""
+        return _joined(self._saved_lines)
+
+    @property
+    def is_worth_saving(self) -> bool:
+        """Whether the learner is asked before the text is lost.
+
+        Single lines that were typed at the prompt are not worth a question; UNDO and RECOVER restore them.
+        """
+        is_long = len(self.lines) >= WORTH_SAVING
+        is_program = self.path is not None or self._is_edited_as_text or is_long
+        return is_program and not self.is_saved and bool(self.text.strip())
+
+    def save_question(self, path: Path) -> str:
+        """The code of the question before a save replaces ``path``; empty where nothing would be lost."""
+        from donnie_tui.core.program_files import changed_since, exists, is_same_file
+
+        if not exists(path):
+            return ""
+        if self.path is None or not is_same_file(path, self.path):
+            return "ask-replace"
+        return "ask-replace-changed" if changed_since(path, self.saved_text) else ""
+
+    # --- running
+
+    @property
+    def is_waiting(self) -> bool:
+        """Whether some line has not run yet."""
+        return any(line.strip() for line in self._unrun)
+
+    @property
+    def ran(self) -> int:
+        """How many lines have run."""
+        return self._ran
+
+    @property
+    def waiting(self) -> int:
+        """How many lines have not run yet."""
+        return len(self._unrun)
+
+    @property
+    def depth(self) -> int:
+        """How many blocks are open at the end of the waiting lines."""
+        return block_depth(self.waiting_text)
+
+    @property
+    def open_block(self) -> OutlineItem | None:
+        """The innermost block that is open at the end of the waiting lines."""
+        return open_block(self.waiting_text, first_line=self._ran + 1)
+
+    @property
+    def _unrun(self) -> list[str]:
+        self._read_editor()
+        return self._lines[self._ran :]
+
+    @property
+    def waiting_text(self) -> str:
+        return "\n".join(self._unrun)
+
+    def take_batch(self, last: str | None = None) -> Batch:
+        """All waiting lines, and ``last`` after them, which is no part of the program."""
+        waiting = self._unrun + ([] if last is None else [last])
+        self._running = self._lines.copy()
+        return Batch("\n".join(waiting), self._ran + 1, len(waiting))
+
+    def batch_ran(self) -> None:
+        """The batch, or all lines, have run. Where these were changed meanwhile, all wait again."""
+        ran, self._running = self._running or self._lines, None
+        self._ran = len(ran) if self._lines[: len(ran)] == ran else 0
+        self.refusals = 0
+        self.was_opened = False
+        self._runs += 1
+
+    def batch_was_refused(self) -> bool:
+        """After a mistake of form. True if the lines were kept, False if there was one, which is dropped."""
+        self._running = None
+        if sum(bool(line.strip()) for line in self._unrun) > 1:
+            self.refusals += 1
+            return True
+        self.rejected = next((line for line in self._unrun if line.strip()), None)
+        del self._lines[self._ran :]
+        while self._past and isinstance(self._past[-1], int) and self._past[-1] >= self._ran:
+            self._past.pop()
+        return False
+
+    # --- changing
+
+    def add(self, line: str) -> None:
+        """Append a line. Raises ``ProgramTooLong``."""
+        self.rejected = None
+        if self._editor is not None:
+            self.insert(len(self.lines) + 1, line)
+            return
+        line = self._cleaned(line)
+        self._future.clear()
+        self._past.append(len(self._lines))
+        self._lines.append(line)
+
+    def change(self, number: int, line: str) -> None:
+        """Replace line ``number`` (from 1). Raises ``IndexError``, ``ProgramTooLong``."""
+        lines = self._checked(number)
+        lines[number - 1] = self._cleaned(line)
+        self._edit(lines, self.breakpoints, number)
+
+    def insert(self, number: int, line: str) -> None:
+        """``line`` becomes line ``number``; the lines from there on move down. Raises as ``change``."""
+        lines = self._checked()
+        if not 1 <= number <= len(lines) + 1:
+            raise IndexError(number)
+        lines.insert(number - 1, self._cleaned(line))
+        self._edit(lines, shifted(self.breakpoints, number - 1, number - 1, 1), number)
+
+    def delete(self, first: int, last: int) -> None:
+        """Delete lines ``first`` to ``last``. Raises ``IndexError`` unless both exist."""
+        lines = self._checked(first, last)
+        del lines[first - 1 : last]
+        self._edit(lines, shifted(self.breakpoints, first - 1, last, first - 1 - last), first)
+
+    def delete_waiting(self) -> int:
+        """Delete the lines that have not run. Returns how many there were."""
+        waiting = self.waiting
+        if waiting:
+            lines = self._checked()
+            del lines[self._ran :]
+            self._edit(lines, self.breakpoints, self._ran + 1)
+        self.was_opened = False
+        return waiting
+
+    def move(self, first: int, last: int, to: int) -> int:
+        """Move lines ``first`` to ``last`` before line ``to``. Returns the new number of the first.
+
+        Raises ``IndexError`` unless all exist; ``to`` may be the line after the last one.
+        """
+        lines = self._checked(first, last)
+        if not 1 <= to <= len(lines) + 1 or first <= to <= last + 1:
+            raise IndexError(to)
+        moved = lines[first - 1 : last]
+        del lines[first - 1 : last]
+        at = to - 1 if to < first else to - 1 - len(moved)
+        lines[at:at] = moved
+        self._edit(lines, self.breakpoints, min(first, to))
+        return at + 1
+
+    def rewrite(self, text: str) -> None:
+        """Replace the whole text, as one change. Raises ``ProgramTooLong``."""
+        before, lines = self._checked(), lines_in(self._cleaned(text))
+        breakpoints = followed(self.breakpoints, before, lines)
+        self._edit(lines, breakpoints, first_difference(before, lines) + 1)
+
+    def replace_range(self, start: int, end: int, text: str) -> None:
+        """Replace the characters between two offsets, as one change. Raises ``ProgramTooLong``."""
+        if self._editor is None:
+            before = self.text
+            self.rewrite(before[:start] + text + before[end:])
+        else:
+            self._future.clear()
+            self._editor.replace_range(start, end, self._cleaned(text))
+
+    def replace(self, text: str, path: Path | None, *, in_file: str | None = None) -> None:
+        """Put another program in its place, which waits. ``in_file``: the text of its file, if it differs."""
+        self.rejected = None
+        self._future.clear()
+        if self.lines:
+            self._past.append(self._version(self._origin))
+        self._lines = lines_in(text)
+        self._ran = self._place = 0
+        self.was_opened = bool(self._lines)
+        self._size = len(text)
+        self._drop_oldest()
+        self._breakpoints = frozenset()
+        self.path = path
+        self._saved_lines = lines_in(text if in_file is None else in_file)
+        self._show()
+
+    def _checked(self, *numbers: int) -> list[str]:
+        """A copy of the lines, for a change. Raises ``IndexError`` for a line that does not exist."""
+        lines = list(self.lines)
+        for number in numbers:
+            if not 1 <= number <= len(lines):
+                raise IndexError(number)
+        return lines
+
+    def _edit(self, lines: list[str], breakpoints: frozenset[int], touched: int) -> None:
+        """Make a change from line ``touched`` on. Where it had run the whole program waits again."""
+        self._future.clear()
+        if self._editor is not None:
+            self._editor.change_lines(lines)
+            self._lines = lines
+            return
+        self._past.append(self._version(None))
+        self._drop_oldest()
+        self._lines, self._breakpoints = lines, breakpoints
+        if touched <= self._ran:
+            self._ran = 0
+
+    def _cleaned(self, text: str) -> str:
+        """The text without control characters. Counts all that was ever typed: that needs no adding up."""
+        text = cleaned(text)
+        if self._size + len(text) + 1 > LARGEST:
+            raise ProgramTooLong
+        self._size += len(text) + 1
+        return text
+
+    # --- undoing
+
+    def undo(self) -> int | None:
+        """Undo the last change. Returns the first line that differs now, or None without a change.
+
+        ``ANOTHER_PROGRAM`` where the change had replaced the whole program. Lines that had run before the
+        change have run again, unless there was a run in between.
+        """
+        if self._editor is not None and (changed := self._step_in_editor(self._editor.undo)) is not None:
+            return changed
+        if not self._past:
+            return None
+        before = self._past.pop()
+        self._future.append(self._version_opposite(before))
+        if isinstance(before, int):  # a line that was added last is removed, whether it has run or not
+            before = _Version(self._lines[:before], min(self._ran, before), self._runs)
+        return self._become(before)
+
+    def redo(self) -> int | None:
+        """Redo the change that was undone last; as ``undo``."""
+        if self._editor is not None and (changed := self._step_in_editor(self._editor.redo)) is not None:
+            return changed
+        if not self._future:
+            return None
+        after = self._future.pop()
+        self._past.append(self._version_opposite(after))
+        return self._become(after)
+
+    @property
+    def replaced(self) -> tuple[Replaced, ...]:
+        """The unsaved programs that UNDO or REDO would restore, the oldest first."""
+        others = (each for each in (*self._past, *self._future) if isinstance(each, _Version))
+        return tuple(
+            Replaced(_joined(each.lines), each.origin.path)
+            for each in others
+            if each.origin is not None and each.lines != each.origin.saved_lines
+        )
+
+    def _step_in_editor(self, step: Callable[[], None]) -> int | None:
+        """A step in the editor's own history; None where it changed nothing."""
+        assert self._editor is not None
+        self._read_editor()
+        text, lines = self._editor.text, self._lines
+        step()
+        if self._editor.text == text:
+            return None
+        self._lines = lines_in(self._editor.text)
+        return first_difference(lines, self._lines) + 1
+
+    def _become(self, other: _Version) -> int:
+        same = first_difference(other.lines, self._lines)
+        self._breakpoints = followed(self.breakpoints, self._lines, other.lines)
+        if same < self._ran:
+            self._ran = 0
+        self._lines = other.lines
+        if other.runs == self._runs and self._editor is None:
+            self._ran = other.ran
+        if other.origin is not None:
+            self.path, self._saved_lines = other.origin.path, other.origin.saved_lines
+            self._breakpoints = other.origin.breakpoints
+            self.was_opened = bool(self._lines)
+            self._size = sum(len(line) + 1 for line in self._lines)
+            self._place = 0
+        self._drop_oldest()
+        self._show()
+        return same + 1 if other.origin is None else ANOTHER_PROGRAM
+
+    def _version(self, origin: _Origin | None) -> _Version:
+        return _Version(self._lines.copy(), self._ran, self._runs, origin)
+
+    def _version_opposite(self, other: _Version | int) -> _Version:
+        """The document as it is, for the way back from that version."""
+        self._read_editor()
+        is_another = isinstance(other, _Version) and other.origin is not None
+        return self._version(self._origin if is_another else None)
+
+    @property
+    def _origin(self) -> _Origin:
+        return _Origin(self.path, self._saved_lines, self.breakpoints)
+
+    def _drop_oldest(self) -> None:
+        """Of very long programs fewer changes can be undone."""
+        while len(self._past) > 1 and self._lines_kept > MOST_LINES_KEPT:
+            self._past.popleft()
+        while len(self._future) > 1 and self._lines_kept > MOST_LINES_KEPT:
+            self._future.pop(0)
+
+    @property
+    def _lines_kept(self) -> int:
+        kept = (*self._past, *self._future)
+        return sum(len(each.lines) for each in kept if not isinstance(each, int))
+
+
+def _joined(lines: Sequence[str]) -> str:
+    return "".join(f"{line}\n" for line in lines)
+
+
+def first_difference(one: Sequence[str], other: Sequence[str]) -> int:
+    """The index of the first line that differs; the length of the shorter one, where the rest is equal."""
+    pairs = enumerate(zip(one, other, strict=False))
+    return next((at for at, (left, right) in pairs if left != right), min(len(one), len(other)))

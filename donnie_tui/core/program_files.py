@@ -1,0 +1,292 @@
+"""Program files: which file a typed name means, reading in any likely encoding, writing without loss.
+
+The new text goes into a second file, which then takes the place of the first. So a full disk or a crash
+leaves either the old text or the new one. ``FilesInUse`` are the files that no command may save onto,
+``RecentFiles`` the ones that were opened and saved lately.
+"""
+
+from __future__ import annotations
+
+import contextlib
+import errno
+import itertools
+import os
+from collections.abc import Iterable
+from typing import TYPE_CHECKING
+
+from donnie_tui.core.safe_text import cleaned
+from language.source import lines_in, with_newlines
+
+if TYPE_CHECKING:
+    from pathlib import Path
+
+LARGEST = 8 * 1024 * 1024
+"""Bytes that a program file may have; a program of a learner has a few hundred."""
+
+SUFFIX = ".gd"
+
+
+class DocumentError(Exception):
+    """A file can't be read or written. ``code`` says why, ``path`` which file."""
+
+    def __init__(self, code: str, path: str, reason: str = "") -> None:
+        super().__init__(code)
+        self.code = code
+        self.path = path
+        self.reason = reason
+
+
+class FilesInUse:
+    """The files that a session reads or writes while it runs: no command saves onto them."""
+
+    def __init__(self, names: Iterable[str] = ()) -> None:
+        self._names = tuple(names)
+
+    def __contains__(self, name: str) -> bool:
+        """Finds a file under any of its names."""
+        return _real_path(name) in map(_real_path, self._names)
+
+
+def _real_path(name: str) -> str:
+    try:
+        return os.path.realpath(name)
+    except (OSError, ValueError):
+        return name
+
+
+# --- typed names
+
+
+def program_to_open(name: str) -> Path:
+    """The file that a typed name means: this file, or the one with the suffix of programs."""
+    path = _typed_path(name)
+    suffixed = path.with_name(path.name + SUFFIX)
+    return suffixed if not exists(path) and exists(suffixed) else path
+
+
+def program_to_save(name: str, in_use: FilesInUse) -> Path:
+    """The file that a program is saved to. A name without a suffix gets the one of programs.
+
+    Raises ``DocumentError``, also for a file in use and for a folder: the learner is not asked whether to
+    replace these.
+    """
+    path = _typed_path(name)
+    meant = path if path.suffix or exists(path) else path.with_name(path.name + SUFFIX)
+    if str(meant) in in_use:
+        raise DocumentError("file-in-use", str(meant))
+    if is_folder(meant):
+        raise DocumentError("file-is-folder", str(meant))
+    return meant
+
+
+def page_to_save(name: str, open_programs: Iterable[Path | None], in_use: FilesInUse) -> Path:
+    """Where a log or a report is written. Raises ``DocumentError``, also for the file of an open program."""
+    path = program_to_save(name, in_use)
+    if any(each is not None and is_same_file(path, each) for each in open_programs):
+        raise DocumentError("file-is-open", str(path))
+    return path
+
+
+def _typed_path(name: str) -> Path:
+    """The path of a name, which may have quotes around it. Raises ``DocumentError``."""
+    from pathlib import Path  # slow to load, and a start names no file
+
+    path = Path(unquoted(name))
+    if not path.name or "\0" in name:
+        raise DocumentError("file-is-folder", str(path))
+    try:
+        return path.expanduser()
+    except RuntimeError:
+        return path
+
+
+def unquoted(name: str) -> str:
+    """The name of a file without the quotes around it."""
+    return name.strip().strip("\"'“”")
+
+
+def exists(path: Path) -> bool:
+    """Whether there is a file or a folder. False for a name that is too long to be looked for."""
+    try:
+        return path.exists()
+    except OSError:
+        return False
+
+
+def is_folder(path: Path) -> bool:
+    try:
+        return path.is_dir()
+    except OSError:
+        return False
+
+
+def is_same_file(one: Path, other: Path) -> bool:
+    """Whether both are one file, which may not exist yet. False for a terminal or another device."""
+    try:
+        if one.exists() and other.exists():
+            return one.is_file() and one.samefile(other)
+        return one.resolve() == other.resolve()
+    except (OSError, ValueError, RuntimeError):
+        return False
+
+
+# --- reading
+
+
+def read_program(path: Path) -> str:
+    """The text of a program in a file. Refuses a pipe, which may block. Raises ``DocumentError``."""
+    if exists(path) and not (path.is_file() or path.is_dir()):
+        raise DocumentError("file-not-text", str(path))
+    return read_to_the_end(path)
+
+
+def read_to_the_end(path: Path) -> str:
+    """As ``read_program``, but reads a pipe too, until it is closed."""
+    try:
+        if path.is_dir():
+            raise DocumentError("file-is-folder", str(path))
+        with path.open("rb") as file:
+            return decode(file.read(LARGEST + 1), str(path))  # a device has no end
+    except FileNotFoundError:
+        raise DocumentError("file-not-found", str(path)) from None
+    except (OSError, ValueError) as problem:
+        raise DocumentError("file-unreadable", str(path), _reason(problem)) from None
+
+
+def saved_text(path: Path) -> str:
+    """The text of a file; empty where it can't be read."""
+    try:
+        return read_program(path)
+    except DocumentError:
+        return ""
+
+
+def changed_since(path: Path, known: str) -> bool:
+    """Whether the file exists and has another text than ``known``, which was last read or written."""
+    try:
+        return exists(path) and lines_in(read_program(path)) != lines_in(known)
+    except DocumentError:
+        return False
+
+
+def decode(data: bytes, name: str) -> str:
+    """UTF-8, else the old Windows code page of our learners' languages; cleaned. Raises ``DocumentError``."""
+    if len(data) > LARGEST:
+        raise DocumentError("file-too-large", name)
+    if b"\0" in data:
+        raise DocumentError("file-not-text", name)
+    try:
+        return cleaned(data.decode("utf-8-sig"))
+    except UnicodeDecodeError:
+        return cleaned(data.decode("cp1252", errors="replace"))
+
+
+def as_lines(text: str) -> str:
+    """The text with a newline after each line but the last, as an editor shows it."""
+    return with_newlines(text).removesuffix("\n")
+
+
+# --- writing
+
+
+def write_program(path: Path, text: str) -> None:
+    """Write a program as UTF-8. Raises ``DocumentError``."""
+    try:
+        target = path.resolve()
+        if target.is_dir():
+            raise DocumentError("file-is-folder", str(path))
+        if target.exists() and not target.is_file():  # to replace a device would break the machine
+            raise DocumentError("file-no-file", str(path))
+        if target.exists() and not os.access(target, os.W_OK):
+            raise PermissionError(errno.EACCES, os.strerror(errno.EACCES))
+        _replace_file(target, text)
+    except (OSError, ValueError) as problem:
+        raise DocumentError("file-unwritable", str(path), _reason(problem)) from None
+
+
+_numbers = itertools.count()
+"""Of the files of this process: a name is never given twice."""
+
+
+def new_file(folder: Path, prefix: str, suffix: str = "") -> tuple[int, Path]:
+    """A file that did not exist before, open for writing by its owner only. Raises ``OSError``.
+
+    ``tempfile`` would do the same, but loading it takes as long as writing a hundred files.
+    """
+    for number in _numbers:
+        path = folder / f"{prefix}{os.getpid()}-{number}{suffix}"
+        with contextlib.suppress(FileExistsError):
+            return os.open(path, os.O_RDWR | os.O_CREAT | os.O_EXCL, 0o600), path
+    raise AssertionError("numbers have no end")
+
+
+def _replace_file(target: Path, text: str) -> None:
+    handle, second = new_file(target.parent, f".{target.name}.")
+    try:
+        with os.fdopen(handle, "w", encoding="utf-8", newline="\n") as out:
+            out.write(text)
+            out.flush()
+            os.fsync(out.fileno())
+        second.chmod(_mode(target))
+        second.replace(target)
+    except BaseException:
+        with contextlib.suppress(OSError):
+            second.unlink()
+        raise
+
+
+def _mode(target: Path) -> int:
+    if target.exists():
+        return target.stat().st_mode & 0o777
+    mask = os.umask(0)
+    os.umask(mask)
+    return 0o666 & ~mask
+
+
+def _reason(problem: Exception) -> str:
+    return getattr(problem, "strerror", None) or str(problem)
+
+
+# --- the files used lately
+
+
+class RecentFiles:
+    """The programs that were opened and saved lately, the newest first, kept from one start to the next.
+
+    They are a convenience: a fault of the file that keeps them is never reported.
+    """
+
+    MOST = 20
+    LARGEST = 100_000
+    """Bytes of the file; twenty paths have a few thousand."""
+
+    def __init__(self, file: str) -> None:
+        self._file_name = file
+
+    def paths(self) -> tuple[Path, ...]:
+        """Those that still exist."""
+        from pathlib import Path
+
+        found = []
+        for line in self._lines():
+            with contextlib.suppress(OSError, ValueError):
+                if Path(line).is_file():
+                    found.append(Path(line))
+        return tuple(found)
+
+    def add(self, path: Path) -> None:
+        from pathlib import Path
+
+        with contextlib.suppress(OSError, ValueError):
+            name, file = str(path.resolve()), Path(self._file_name)
+            lines = [name, *(each for each in self._lines() if each != name)][: self.MOST]
+            file.parent.mkdir(parents=True, exist_ok=True)
+            file.write_text("".join(f"{each}\n" for each in lines), encoding="utf-8")
+
+    def _lines(self) -> list[str]:
+        try:
+            with open(self._file_name, encoding="utf-8") as file:  # noqa: PTH123 -- pathlib is slow to load
+                text = file.read(self.LARGEST + 1)
+        except (OSError, ValueError):
+            return []
+        return [] if len(text) > self.LARGEST else text.splitlines()[: self.MOST]

@@ -1,0 +1,372 @@
+"""A program that is stepped through: what each step did, what is next, and the way back.
+
+``Stepping`` keeps the holds of one run, each with its sentences and its variables. ``StepNarrator`` puts one
+hold into words: the statement that is next, rounds of loops, and what a condition found. A condition is
+computed again from the variables and from the sensor readings since the last hold.
+
+Where the program ran on between two holds, STEP BACK undoes event by event, in the words of ``retelling``.
+Memory is bounded: the newest holds are kept, and only the first events of a long step are listed.
+"""
+
+from __future__ import annotations
+
+from collections import deque
+from collections.abc import Callable, Iterator, Mapping, Sequence
+
+from msgspec import Struct
+
+from donnie_tui.core.events import Read
+from donnie_tui.core.replay import undone_in_words
+from donnie_tui.core.timeline import Timeline
+from donnie_tui.core.wording import Wording
+from language.diagnostics import LanguageError
+from language.numbers import divide
+from language.runtime import Frame
+from language.source import fold_name
+from language.syntax import (
+    Binary,
+    Condition,
+    Expression,
+    For,
+    If,
+    Name,
+    Negative,
+    NumberLiteral,
+    Program,
+    Repeat,
+    Statement,
+    While,
+    blocks_of,
+)
+
+MOST_HOLDS = 1000
+MOST_UNDONE = 5
+"""Events that are listed when one step is undone: a procedure that was stepped over has many."""
+
+
+class _Hold(Struct, frozen=True):
+    """The program was held before a statement."""
+
+    seq: int
+    """The number of the last event before it."""
+    sentences: tuple[str, ...]
+    variables: Mapping[str, int]
+    is_next: bool
+    """Whether the hold before it led here by one step."""
+
+
+class Stepping:
+    """The holds of one run."""
+
+    def __init__(
+        self,
+        program: Program | None,
+        lines: Sequence[str],
+        wording: Wording,
+        *,
+        last_seq: Callable[[], int] = lambda: 0,
+        is_first: bool = True,
+    ) -> None:
+        """``lines`` are those of the whole program, of which ``program`` may be a part.
+
+        ``last_seq`` gives the number of the last event. ``is_first``: the first hold is before a statement
+        that did not run before, as at a breakpoint; after a pause that is not known.
+        """
+        self._words = wording
+        self._last_seq = last_seq
+        self._narrator = StepNarrator(program, lines, wording, is_first=is_first)
+        self._holds: deque[_Hold] = deque(maxlen=MOST_HOLDS)
+        self._ran_on = False
+        self._at: int | None = None
+        """The hold to which STEP BACK has come; None is the present."""
+
+    def on_read(self, event: Read) -> None:
+        """A sensor was read, in the program's thread."""
+        self._narrator.on_read(event)
+
+    def on_end(self) -> tuple[str, ...]:
+        """The sentences about the last statement, once the program has come to its end."""
+        return self._narrator.on_end()
+
+    def on_hold(self, place: tuple[int, int], frames: Sequence[Frame]) -> tuple[str, ...]:
+        """The sentences of a hold before the statement at that line and column: the result of the last one,
+        and what is next. None at line 0, where the program is held within a statement."""
+        if not place[0]:
+            return ()
+        sentences = self._narrator.on_hold(*place, frames)
+        variables = dict(frames[0].variables) if frames else {}
+        self._holds.append(_Hold(self._last_seq(), sentences, variables, is_next=not self._ran_on))
+        self._ran_on, self._at = False, None
+        return sentences
+
+    def run_on(self) -> None:
+        """The program does more than one step from here."""
+        self._narrator.lose_count()
+        self._ran_on = True
+
+    def step_back(
+        self, timeline: Timeline, now: Mapping[str, int], *, is_first_step: bool
+    ) -> tuple[str, ...]:
+        """The sentences for what one step back undoes. ``timeline`` is moved back by it.
+
+        ``now`` are the variables of the present. ``is_first_step``: no step back was made since something
+        happened.
+        """
+        if is_first_step or self._at is None:
+            is_held = bool(self._holds) and self._holds[-1].seq >= _seq(timeline)
+            self._at = len(self._holds) - 1 if is_held else len(self._holds)
+        if self._at <= 0:
+            return (undo_event(timeline, self._words),)
+        before = self._holds[self._at - 1]
+        was_stepped = self._holds[self._at].is_next if self._at < len(self._holds) else not self._ran_on
+        undone = self._undo(before.seq, timeline, most=None if was_stepped else 1)
+        if _seq(timeline) > before.seq:
+            return undone
+        later = self._holds[self._at].variables if self._at < len(self._holds) else now
+        self._at -= 1
+        return (*undone, *self._changed_back(before.variables, later), *before.sentences)
+
+    def _undo(self, seq: int, timeline: Timeline, *, most: int | None) -> tuple[str, ...]:
+        """Undoes all events after ``seq``, or ``most`` steps of them; a sentence each."""
+        undone: list[str] = []
+        while _seq(timeline) > seq and (most is None or len(undone) < most):
+            undone.append(undo_event(timeline, self._words))
+        if len(undone) > MOST_UNDONE:
+            undone[MOST_UNDONE:] = [self._words("undone-more", count=len(undone) - MOST_UNDONE)]
+        return tuple(undone) or (self._words("undone-step"),)
+
+    def _changed_back(self, then: Mapping[str, int], later: Mapping[str, int]) -> tuple[str, ...]:
+        """The old values of what the step changed, and the variables that it made."""
+        values, known = {fold_name(name): value for name, value in later.items()}, set(map(fold_name, then))
+        again = tuple(
+            self._words("variable-is", name=name, value=value)
+            for name, value in then.items()
+            if values.get(fold_name(name), value) != value
+        )
+        made = (name for name in later if fold_name(name) not in known)
+        return again + tuple(self._words("variable-not-yet", name=name) for name in made)
+
+
+def undo_event(timeline: Timeline, wording: Wording) -> str:
+    """Moves the timeline back by one step of its events; the sentence for it."""
+    return undone_in_words(timeline.step_back(), timeline, wording)
+
+
+def _seq(timeline: Timeline) -> int:
+    return timeline.now.seq if timeline.now is not None else 0
+
+
+_COMPARISONS = {
+    "==": "equal",
+    "<>": "different",
+    "<": "less",
+    ">": "greater",
+    "<=": "less-or-equal",
+    ">=": "greater-or-equal",
+}
+
+
+class _Round(Struct):
+    """A loop that the program is in."""
+
+    loop: Statement
+    calls: int
+    count: int | None
+    """None where its beginning was not seen."""
+    total: int | None = None
+    has_gone_round: bool = False
+
+    def go_round(self) -> None:
+        self.has_gone_round = True
+        if self.count is not None:
+            self.count += 1
+
+
+class StepNarrator:
+    """Describes one run, hold by hold."""
+
+    def __init__(
+        self, program: Program | None, lines: Sequence[str], wording: Wording, *, is_first: bool = True
+    ) -> None:
+        """Arguments as of ``Stepping``."""
+        self._program = program
+        self._lines = lines
+        self._say = wording
+        self._found = dict(_by_place(program.body if program else (), 0))
+        self._reads: list[int] = []
+        self._rounds: list[_Round] = []
+        self._before: Statement | None = None
+        self._variables: Mapping[str, int] = {}
+        """Those that could be seen there."""
+        self._is_first = is_first
+        self._level = self._calls = 0
+
+    def on_read(self, event: Read) -> None:
+        """A sensor was read."""
+        self._reads.append(event.value)
+
+    def lose_count(self) -> None:
+        """Statements run without a hold: the number of the round is not known any more."""
+        self._rounds.clear()
+        self._before, self._is_first = None, False
+
+    def on_hold(self, line: int, column: int, frames: Sequence[Frame]) -> tuple[str, ...]:
+        """The program holds before that statement: the result of the last one, and what is next."""
+        statement, level = self._found.get((line, column), (None, 0))
+        variables = {fold_name(name): value for name, value in frames[0].variables} if frames else {}
+        sentences = [*self._condition()]
+        sentences += self._round(statement, len(frames), variables)
+        sentences.append(self._next(statement, line, level))
+        self._before, self._variables = statement, variables
+        self._level, self._calls = level, len(frames)
+        self._reads.clear()
+        return tuple(sentences)
+
+    def on_end(self) -> tuple[str, ...]:
+        """The program is over: the result of the statement before which it was held last."""
+        return tuple(self._condition())
+
+    # --- the statement that is next
+
+    def _next(self, statement: Statement | None, line: int, level: int) -> str:
+        text = self._text(statement, line)
+        detail = self._say.detail
+        with_level = statement is not None and (
+            detail == "full" or (detail == "normal" and level != self._level)
+        )
+        return self._say("line-level" if with_level else "answer-line", line=line, level=level, text=text)
+
+    def _text(self, statement: Statement | None, line: int) -> str:
+        """The statement as typed; of a block its first words."""
+        if statement is None or self._program is None:
+            return self._lines[line - 1].strip() if 0 < line <= len(self._lines) else ""
+        inside = next((block[0] for block in blocks_of(statement) if block), None)
+        end = statement.span.end if inside is None else inside.span.start
+        return " ".join(self._program.source[statement.span.start : end].split())
+
+    # --- rounds
+
+    def _round(self, statement: Statement | None, calls: int, variables: Mapping[str, int]) -> Iterator[str]:
+        while self._rounds and not self._is_in(self._rounds[-1], statement, calls):
+            self._rounds.pop()
+        current = self._rounds[-1] if self._rounds else None
+        if current is not None and statement is current.loop and calls == current.calls:
+            current.go_round()
+        elif isinstance(statement, Repeat | While | For):
+            self._rounds.append(_Round(statement, calls, 1 if self._begins(statement, calls) else None))
+        elif current is not None and self._before is current.loop:
+            yield from self._round_in_words(current, variables)
+
+    def _begins(self, loop: Statement, calls: int) -> bool:
+        """Whether the loop begins here: the statement before it was outside. Else it may be any round."""
+        if self._before is None:
+            return self._is_first
+        was_inside = loop.span.start <= self._before.span.start < loop.span.end
+        return calls != self._calls or not was_inside
+
+    def _is_in(self, current: _Round, statement: Statement | None, calls: int) -> bool:
+        if calls != current.calls or statement is None:
+            return calls > current.calls
+        return current.loop.span.start <= statement.span.start < current.loop.span.end
+
+    def _round_in_words(self, current: _Round, variables: Mapping[str, int]) -> Iterator[str]:
+        """The number of the round; where it is not known, only that it is another one."""
+        if current.count is None:
+            yield from (self._say("step-round-next"),) if current.has_gone_round else ()
+            return
+        if isinstance(current.loop, Repeat) and current.count == 1:
+            current.total = self._value(current.loop.times, variables, iter(self._reads))
+        code = "step-round" if current.total is None else "step-round-of"
+        yield self._say(code, round=current.count, rounds=current.total)
+
+    # --- conditions
+
+    def _condition(self) -> Iterator[str]:
+        """Uses the values at the condition: the next statement may be after the end of a procedure."""
+        if isinstance(self._before, If | While | For):
+            condition, reads = self._before.condition, iter(self._reads)
+            variables = self._variables
+            if isinstance(self._before, For):
+                variables = {**variables, **dict(self._counted(self._before, reads))}
+            left = self._value(condition.left, variables, reads)
+            right = self._value(condition.right, variables, reads)
+            if left is not None and right is not None:
+                yield self._condition_in_words(condition, left, right)
+
+    def _counted(self, loop: For, reads: Iterator[int]) -> Iterator[tuple[str, int]]:
+        """Its variable as it was set before the condition; nothing where the beginning was not seen."""
+        current = self._rounds[-1]
+        if current.count is None and not current.has_gone_round:
+            return
+        made = loop.step if current.has_gone_round else loop.start
+        value = None if made.value is None else self._value(made.value, self._variables, reads)
+        if value is not None:
+            yield fold_name(made.name.name), value
+
+    def _condition_in_words(self, condition: Condition, left: int, right: int) -> str:
+        """The relation as it is ("3 greater than 2"), also where the condition asked for another one."""
+        is_true = {
+            "==": left == right,
+            "<>": left != right,
+            "<": left < right,
+            ">": left > right,
+            "<=": left <= right,
+            ">=": left >= right,
+        }[condition.comparator]
+        relation = "equal" if left == right else "less" if left < right else "greater"
+        found = _COMPARISONS[condition.comparator] if is_true else relation
+        how = self._say(f"comparison-{found}", left=left, right=right)
+        return self._say("step-true" if is_true else "step-false", how=how)
+
+    def _value(
+        self, expression: Expression, variables: Mapping[str, int], reads: Iterator[int]
+    ) -> int | None:
+        """The value of an expression just now; None where it is not known."""
+        match expression:
+            case NumberLiteral(value=value):
+                return value
+            case Name():
+                return variables.get(fold_name(expression.name))
+            case Negative(operand=operand):
+                negated = self._value(operand, variables, reads)
+                return None if negated is None else -negated
+            case Binary(operator=operator):
+                left = self._value(expression.left, variables, reads)
+                right = self._value(expression.right, variables, reads)
+                return None if left is None or right is None else _computed(operator, left, right)
+            case _:
+                return next(reads, None)
+
+
+def _computed(operator: str, left: int, right: int) -> int | None:
+    try:
+        match operator:
+            case "+":
+                return left + right
+            case "-":
+                return left - right
+            case "*":
+                return left * right
+            case _:
+                return divide(left, right)
+    except (LanguageError, ZeroDivisionError):
+        return None
+
+
+def _by_place(
+    statements: tuple[Statement, ...], level: int
+) -> Iterator[tuple[tuple[int, int], tuple[Statement, int]]]:
+    for statement in statements:
+        yield (statement.span.line, statement.span.column), (statement, level)
+        for block in blocks_of(statement):
+            yield from _by_place(block, level + 1)
+
+
+def changes(
+    watched: Sequence[str], before: Mapping[str, int], now: Mapping[str, int], wording: Wording
+) -> Iterator[str]:
+    """A sentence for each watched variable whose value is not the one ``before``; both by folded name."""
+    for name in watched:
+        value = now.get(fold_name(name))
+        if value is not None and value != before.get(fold_name(name)):
+            yield wording("variable-is", name=name, value=value)

@@ -1,0 +1,225 @@
+"""The folders of the languages, for translators, for ``donnie doctor`` and for the build.
+
+``python -m donnie_tui.i18n.translations check`` names each mistake with its file and line, and counts what is
+missing; ``compile`` checks and makes what Donnie loads; ``update`` gives every language the sentences that
+English has. Standard library only: the build runs this before anything is installed.
+"""
+
+from __future__ import annotations
+
+import json
+import re
+import sys
+import tomllib
+from collections.abc import Iterator, Mapping
+from pathlib import Path
+from typing import Any
+
+from donnie_tui.i18n import first_words, po
+from donnie_tui.i18n.messages import CODES, COMPILED, SOURCE, codes
+from donnie_tui.i18n.po import Mistake
+from language.locales import ENGLISH, compiled_file, folders, table
+
+TABLES = ("keywords", "commands", "words")
+"""The tables of words, without ``.toml``."""
+
+_OF_ONE_LANGUAGE = ("languages", "braille")
+"""Sections of ``words.toml`` whose keys a language chooses for itself."""
+
+_EARLY_TOPIC = "start"
+_COMMANDS = ("check", "compile", "update")
+
+
+def main(arguments: list[str]) -> int:
+    """Run one of the commands on all folders of languages; the exit code."""
+    if len(arguments) != 1 or arguments[0] not in _COMMANDS:
+        _print(f"usage: python -m donnie_tui.i18n.translations {'|'.join(_COMMANDS)}")
+        return 2
+    if arguments[0] == "update":
+        update()
+    found = compile_all() if arguments[0] == "compile" else (*mistakes(), *ambiguous_keywords())
+    for each in found:
+        _print(str(each))
+    if arguments[0] != "compile":
+        for language in sorted(folders()):
+            missing = missing_in(language)
+            for name in missing:
+                _print(f"{language} lacks {name}")
+            _print(f"{language}: {len(missing)} missing")
+    return 1 if found else 0
+
+
+def _print(line: str) -> None:
+    sys.stdout.write(f"{line}\n")
+
+
+# --- mistakes
+
+
+def mistakes() -> tuple[Mistake, ...]:
+    """Everything that is wrong in the files of all languages."""
+    return tuple(each for folder in folders().values() for each in _mistakes_in(Path(folder)))
+
+
+def _mistakes_in(folder: Path) -> Iterator[Mistake]:
+    try:
+        if (folder / SOURCE).exists():
+            entries = po.read(folder / SOURCE)
+            yield from (mistake for _, mistake in po.mistakes(folder / SOURCE, entries))
+        for name in TABLES:
+            file, english = folder / f"{name}.toml", Path(folders()[ENGLISH], f"{name}.toml")
+            if file.exists():
+                known = _read_table(english) if english.exists() else table(ENGLISH, name)
+                yield from _wrong_in_table(file, _read_table(file), known)
+    except Mistake as mistake:
+        yield mistake
+
+
+def ambiguous_keywords() -> Iterator[Mistake]:
+    """Words of GoDonnie that mean something else in a language with a smaller rank, and so everywhere."""
+    from language.keywords import WORDS, word
+
+    for each in WORDS:
+        for language, spellings in each.spellings.items():
+            file = Path(folders()[language], "keywords.toml")
+            for spelled in spellings:
+                meant = word(spelled)
+                if meant is not None and meant.terminal != each.terminal and file.exists():
+                    what = f"{spelled} means {meant.canonical} in another language"
+                    yield Mistake(file, _line_of(each.canonical, file), what)
+
+
+def _read_table(file: Path) -> dict[str, Any]:
+    try:
+        text = file.read_text(encoding="utf-8-sig")
+    except UnicodeDecodeError:
+        raise Mistake(file, 1, "this file is not in UTF-8") from None
+    try:
+        return tomllib.loads(text)
+    except ValueError as problem:
+        place = re.search(r"line (\d+)", str(problem))  # else it is the end of the file
+        raise Mistake(file, int(place[1]) if place else len(text.splitlines()), str(problem)) from None
+
+
+def _wrong_in_table(file: Path, words: Mapping[str, Any], english: Mapping[str, Any]) -> Iterator[Mistake]:
+    """What has no meaning, and in ``commands.toml`` a word that has two."""
+    meaning_of: dict[str, str] = {}
+    for key, value in words.items():
+        line = _line_of(key, file)
+        if key in _OF_ONE_LANGUAGE and isinstance(value, dict):
+            continue
+        if key not in english or type(value) is not type(english[key]):
+            yield Mistake(file, line, f"{key} is not in the English file, or has another form there")
+        elif isinstance(value, dict):
+            yield from _wrong_in_table(file, value, english[key])
+        elif isinstance(value, list) and not all(isinstance(each, str) and each.strip() for each in value):
+            yield Mistake(file, line, f"{key} takes words in quotation marks")
+        elif isinstance(value, list) and file.stem == "commands":
+            for word in value:
+                if meaning_of.setdefault(word.casefold(), key) != key:
+                    yield Mistake(file, line, f"{word} is a word of {meaning_of[word.casefold()]} already")
+
+
+def _line_of(key: str, file: Path) -> int:
+    begins = re.compile(rf'\[?"?{re.escape(key)}"?\s*[\]=]')
+    lines = enumerate(file.read_text(encoding="utf-8-sig").splitlines(), start=1)
+    return next((number for number, line in lines if begins.match(line.strip())), 1)
+
+
+# --- what is missing
+
+
+def missing_in(language: str) -> tuple[str, ...]:
+    """What Donnie says in English there: ``messages.po walked-forward``, ``commands.toml run``."""
+    has = frozenset(codes(language))
+    sentences = [f"{SOURCE} {code}" for code in codes(ENGLISH) if code not in has]
+    words = [
+        f"{name}.toml {key}"
+        for name in TABLES
+        for key in _without(table(ENGLISH, name), table(language, name))
+    ]
+    return (*sentences, *words)
+
+
+def _without(english: Mapping[str, Any], other: Mapping[str, Any]) -> Iterator[str]:
+    """The keys of words that the other table lacks."""
+    for key, value in english.items():
+        if isinstance(value, dict) and key not in _OF_ONE_LANGUAGE:
+            yield from _without(value, other.get(key, {}))
+        elif isinstance(value, list) and key not in other:
+            yield key
+
+
+# --- what Donnie loads
+
+
+def is_compiled() -> bool:
+    """Whether everything is compiled and up to date."""
+    sources = {SOURCE: COMPILED, **{f"{name}.toml": f"{name}.json" for name in TABLES}}
+    return all(
+        compiled_file(language, source, compiled) is not None
+        for language, folder in folders().items()
+        for source, compiled in sources.items()
+        if Path(folder, source).exists()
+    )
+
+
+def compile_all() -> tuple[Mistake, ...]:
+    """Make what Donnie loads of every language; where there are mistakes, only return them."""
+    found = mistakes()
+    if not found:
+        for language, folder in folders().items():
+            _compile(language, Path(folder))
+    return found
+
+
+def _compile(language: str, folder: Path) -> None:
+    (folder / "compiled").mkdir(exist_ok=True)
+    if (folder / SOURCE).exists():
+        is_english = language == ENGLISH
+        entries = po.usable(folder / SOURCE)
+        _replace(folder / "compiled" / COMPILED, po.compiled(entries, CODES, is_english=is_english))
+        early = [each for each in entries if each.topic == _EARLY_TOPIC]
+        lines = (f"{each.context}={each.sentence if is_english else each.text}\n" for each in early)
+        _replace(folder / "compiled" / first_words.FILE, "".join(lines).encode())
+    for name in TABLES:
+        if (folder / f"{name}.toml").exists():
+            words = json.dumps(_read_table(folder / f"{name}.toml"), ensure_ascii=False)
+            _replace(folder / "compiled" / f"{name}.json", words.encode())
+
+
+def _replace(file: Path, content: bytes) -> None:
+    """At once, because a Donnie that starts meanwhile may read it."""
+    new = file.with_suffix(".new")
+    new.write_bytes(content)
+    new.replace(file)
+
+
+# --- new sentences
+
+
+def update() -> None:
+    """Write every file of sentences anew: with those of English, in their order, and no others.
+
+    A translation of an English sentence that has changed since is kept and marked as fuzzy.
+    """
+    english = po.read(Path(folders()[ENGLISH], SOURCE))
+    for language, folder in folders().items():
+        file = Path(folder, SOURCE)
+        if language == ENGLISH:
+            file.write_text(po.written(english), encoding="utf-8")
+        elif file.exists():
+            entries = {each.context: each for each in po.read(file)}
+            kept = [_updated(each, entries.get(each.context)) for each in english[1:]]
+            file.write_text(po.written((entries[""], *kept)), encoding="utf-8")
+
+
+def _updated(english: po.Entry, entry: po.Entry | None) -> po.Entry:
+    if entry is None:
+        return english
+    has_changed = entry.english != english.english and bool(entry.text)
+    return english._replace(text=entry.text, is_fuzzy=entry.is_fuzzy or has_changed)
+
+
+if __name__ == "__main__":
+    sys.exit(main(sys.argv[1:]))

@@ -1,0 +1,388 @@
+"""Bytes of a terminal become keys. No input or output: bytes in, keys out.
+
+Rules: bytes that are incomplete wait for the rest; a lone ESC can't be told from the beginning of an arrow
+key, so whoever feeds the decoder calls ``give_up_waiting`` once nothing more has come for ``ESCAPE_DELAY``.
+A sequence that is not known is swallowed whole, so that no key types rubbish.
+
+What the own voice says of the keys of the linear mode.
+
+The line that is being typed: keys change it, and each change is told as the bytes that a terminal needs.
+
+Rule: as little as readline writes, because a screen reader says what is written. A character typed at the
+end writes itself and nothing else.
+
+A cluster is what one key deletes and one arrow passes: a character with the marks on it. Characters
+joined into one emoji count as one cluster, two cells wide.
+"""
+
+from __future__ import annotations
+
+import codecs
+import re
+import unicodedata
+from collections.abc import Callable
+from enum import Enum, auto
+
+from msgspec import Struct
+
+from donnie_tui.core.wording import Wording
+from donnie_tui.outlets.audible import Audible
+from donnie_tui.outlets.typing_echo import TypingEcho
+
+ESCAPE_DELAY = 0.05
+"""Seconds after which ESC is ESC."""
+
+
+class Act(Enum):
+    """What a key is for."""
+
+    TEXT = auto()
+    ENTER = auto()
+    ESCAPE = auto()
+    INTERRUPT = auto()
+    """Ctrl+C, where it is no signal yet."""
+    CLOSE = auto()
+    """Ctrl+D: leaves on an empty line, deletes elsewhere."""
+    BACKSPACE = auto()
+    DELETE = auto()
+    LEFT = auto()
+    RIGHT = auto()
+    HOME = auto()
+    END = auto()
+    OLDER = auto()
+    NEWER = auto()
+    KILL_AFTER = auto()
+    KILL_BEFORE = auto()
+    KILL_WORD = auto()
+    COMPLETE = auto()
+    """Tab, where it is a key and not a part of a pasted text."""
+
+
+class Key(Struct, frozen=True):
+    """One key. ``text`` is what TEXT types."""
+
+    act: Act
+    text: str = ""
+
+
+_CONTROLS = {
+    "\n": Act.ENTER,
+    "\r": Act.ENTER,
+    "\x01": Act.HOME,
+    "\x02": Act.LEFT,
+    "\x03": Act.INTERRUPT,
+    "\x04": Act.CLOSE,
+    "\x05": Act.END,
+    "\x06": Act.RIGHT,
+    "\x08": Act.BACKSPACE,
+    "\x0b": Act.KILL_AFTER,
+    "\x0e": Act.NEWER,
+    "\x10": Act.OLDER,
+    "\x15": Act.KILL_BEFORE,
+    "\x17": Act.KILL_WORD,
+    "\x7f": Act.BACKSPACE,
+}
+_LETTERS = {
+    "A": Act.OLDER,
+    "B": Act.NEWER,
+    "C": Act.RIGHT,
+    "D": Act.LEFT,
+    "F": Act.END,
+    "H": Act.HOME,
+}
+_NUMBERS = {"1": Act.HOME, "3": Act.DELETE, "4": Act.END, "7": Act.HOME, "8": Act.END}
+
+_TEXT = re.compile(r"[^\x00-\x1f\x7f-\x9f]+")
+_SEQUENCE = r"\x1b(?:\[\[[A-E]|\[([0-9:;<=>?]*)[ -/]*([@-~])|O([A-Za-z]))"
+_UNFINISHED = r"\x1b(?:\[\[?|\[[0-9:;<=>?]*[ -/]*|O)?\Z"
+"""Patterns, made with the first ESC."""
+_LONGEST_SEQUENCE = 32
+
+
+class KeyDecoder:
+    """Remembers the bytes of a key that has not come whole."""
+
+    def __init__(self) -> None:
+        self._decode = codecs.getincrementaldecoder("utf-8")("replace").decode
+        self._pending = ""
+
+    @property
+    def is_waiting(self) -> bool:
+        """Whether an ESC has come that may be the beginning of more."""
+        return bool(self._pending)
+
+    def feed(self, data: bytes) -> list[Key]:
+        """The keys that are complete now."""
+        text = self._pending + self._decode(data)
+        self._pending = ""
+        keys: list[Key] = []
+        at = 0
+        while at < len(text):
+            if text[at] == "\x1b" and _is_unfinished(text, at):
+                self._pending = text[at:]
+                break
+            at = _next_key(text, at, keys)
+        return keys
+
+    def give_up_waiting(self) -> list[Key]:
+        """Nothing more came: the ESC was a key of its own."""
+        pending, self._pending = self._pending, ""
+        if not pending:
+            return []
+        return [Key(Act.ESCAPE), *([Key(Act.TEXT, pending[1:])] if pending[1:] else [])]
+
+
+def _is_unfinished(text: str, at: int) -> bool:
+    """Whether the sequence that begins there may go on."""
+    return len(text) - at < _LONGEST_SEQUENCE and bool(re.compile(_UNFINISHED).match(text, at))
+
+
+def _next_key(text: str, at: int, keys: list[Key]) -> int:
+    """Append the key at ``at``, if it means anything; the answer is where the next one begins."""
+    typed = _TEXT.match(text, at)
+    if typed:
+        keys.append(Key(Act.TEXT, typed[0]))
+        return typed.end()
+    if text[at] == "\x1b":
+        return _escape(text, at, keys)
+    if text[at] == "\t":  # in the middle of what came at once it is a part of a pasted text
+        keys.append(Key(Act.TEXT, " ") if at + 1 < len(text) else Key(Act.COMPLETE))
+    elif text[at] in _CONTROLS:
+        keys.append(Key(_CONTROLS[text[at]]))
+    return at + 1
+
+
+def _escape(text: str, at: int, keys: list[Key]) -> int:
+    sequence = re.compile(_SEQUENCE).match(text, at)
+    if not sequence:
+        keys.append(Key(Act.ESCAPE))
+        return at + 1
+    parameters, final, letter = sequence.groups()
+    act = _act(parameters or "", final or "", letter or "")
+    if act:
+        keys.append(Key(act))
+    return sequence.end()
+
+
+def _act(parameters: str, final: str, letter: str) -> Act | None:
+    if letter:
+        return Act.ENTER if letter == "M" else _LETTERS.get(letter)
+    if parameters.strip("0123456789;"):
+        return None
+    return _NUMBERS.get(parameters.split(";")[0]) if final == "~" else _LETTERS.get(final)
+
+
+class KeyEcho:
+    """Told of each key before it is done."""
+
+    def __init__(self, audible: Audible, words: Wording) -> None:
+        self._echo = TypingEcho(audible, words)
+
+    def __call__(self, key: Key, before: str) -> None:
+        """``before``: what stands before the cursor."""
+        match key.act:
+            case Act.BACKSPACE:
+                self._echo.deleted(before)
+            case Act.ENTER:
+                self._echo.ended(before)
+            case _:
+                self._echo.typed(key.text, before)
+
+
+LONGEST = 20_000
+"""Clusters in one line; a longer one is not typed by hand."""
+
+
+class EditLine:
+    """The clusters and the cursor. Every method gives back what is to be written."""
+
+    def __init__(self, prompt_width: int, columns: Callable[[], int], text: str = "") -> None:
+        """The prompt and ``text`` stand on the terminal already, the cursor behind them.
+
+        Of a prompt that is longer than a row the last row counts.
+        """
+        self._start = prompt_width % max(2, columns())
+        self._columns = columns
+        self._text = clusters(text)
+        self._cursor = len(self._text)
+
+    @property
+    def text(self) -> str:
+        return "".join(self._text)
+
+    @property
+    def cursor_place(self) -> tuple[int, int]:
+        """The row below the one of the prompt, and the column, where the cursor stands."""
+        return self._places()[self._cursor]
+
+    def do(self, act: Act) -> str:
+        """What ``act`` changes, nothing if it can change nothing."""
+        match act:
+            case Act.LEFT:
+                return self._go(self._cursor - 1)
+            case Act.RIGHT:
+                return self._go(self._cursor + 1)
+            case Act.HOME:
+                return self._go(0)
+            case Act.END:
+                return self._go(len(self._text))
+            case Act.BACKSPACE:
+                return self._cut(self._cursor - 1, self._cursor)
+            case Act.DELETE | Act.CLOSE:
+                return self._cut(self._cursor, self._cursor + 1)
+            case Act.KILL_AFTER:
+                return self._cut(self._cursor, len(self._text))
+            case Act.KILL_BEFORE:
+                return self._cut(0, self._cursor)
+            case Act.KILL_WORD:
+                return self._cut(self._word_start(), self._cursor)
+            case _:
+                return ""
+
+    @property
+    def text_before(self) -> str:
+        """What stands before the cursor."""
+        return "".join(self._text[: self._cursor])
+
+    def complete(self, typed: str, word: str) -> str:
+        """``typed``, which stands before the cursor, becomes ``word``."""
+        if word.startswith(typed):
+            return self.type(word[len(typed) :]) if len(word) > len(typed) else ""
+        first, added = self._cursor - len(clusters(typed)), clusters(word)
+        return self._put(first, self._cursor, added, first + len(added))
+
+    def type(self, text: str) -> str:
+        """Insert ``text`` at the cursor. Beyond ``LONGEST`` nothing more is taken."""
+        room = LONGEST - len(self._text)
+        first = max(0, self._cursor - 1)
+        with_marks = clusters("".join(self._text[first : self._cursor]) + text)
+        added = with_marks[: room + self._cursor - first]
+        if first < self._cursor and added[:1] == self._text[first : self._cursor]:
+            first, added = self._cursor, added[1:]
+        return self._put(first, self._cursor, added, first + len(added)) if added else ""
+
+    def replace(self, text: str) -> str:
+        """Another line takes its place."""
+        return self._put(0, len(self._text), clusters(text)[:LONGEST], None)
+
+    def settle(self) -> str:
+        """What brings the cursor to where the offered text ends, if that is the right margin."""
+        return _wrapped(self._text, self._places())
+
+    def finish(self) -> str:
+        """Bring the cursor to the last row, so that the next line begins below."""
+        at = self._places()
+        return "" if at[self._cursor][0] == at[-1][0] else self._go(len(self._text))
+
+    # --- changes
+
+    def _go(self, to: int) -> str:
+        if not 0 <= to <= len(self._text):
+            return ""
+        at = self._places()
+        move = self._move(at[self._cursor], at[to], passing=self._text[self._cursor : to])
+        self._cursor = to
+        return move
+
+    def _cut(self, first: int, last: int) -> str:
+        if first < 0 or last > len(self._text) or first == last:
+            return ""
+        return self._put(first, last, [], first)
+
+    def _put(self, first: int, last: int, added: list[str], cursor: int | None) -> str:
+        """Put ``added`` in the place of the clusters ``first`` to ``last``, and paint what that changes."""
+        before = self._places()
+        here = before[self._cursor]
+        self._text[first:last] = added
+        self._cursor = len(self._text) if cursor is None else cursor
+        after = self._places()
+        tail = self._text[first:]
+        painted = self._move(here, before[first]) + "".join(tail)
+        painted += _wrapped(tail, after)
+        painted += _erased(before[-1], after[-1])
+        return painted + self._move(after[-1], after[self._cursor])
+
+    def _word_start(self) -> int:
+        at = self._cursor
+        while at and self._text[at - 1] == " ":
+            at -= 1
+        while at and self._text[at - 1] != " ":
+            at -= 1
+        return at
+
+    # --- the terminal
+
+    def _places(self) -> list[tuple[int, int]]:
+        return places(0, self._start, self._text, max(2, self._columns()))
+
+    def _move(self, here: tuple[int, int], there: tuple[int, int], passing: list[str] | None = None) -> str:
+        """From one place to another; to the right over ``passing``, where given, by writing it again."""
+        rows, cells = there[0] - here[0], there[1] - here[1]
+        if passing and rows == 0 and len(passing) == 1 and width(passing[0]) == cells:
+            return passing[0]
+        vertical = f"\x1b[{-rows}A" if rows < 0 else f"\x1b[{rows}B" if rows > 0 else ""
+        return vertical + _sideways(cells)
+
+
+def _sideways(cells: int) -> str:
+    if cells > 0:
+        return f"\x1b[{cells}C"
+    return "\b" * -cells if cells > -4 else f"\x1b[{-cells}D"
+
+
+def _wrapped(written: list[str], at: list[tuple[int, int]]) -> str:
+    """A terminal stays on the last cell of a full row; this takes the cursor to the next row."""
+    return " \r" if written and at[-1][1] == 0 else ""
+
+
+def _erased(old_end: tuple[int, int], new_end: tuple[int, int]) -> str:
+    """What clears the rest of a line that became shorter. The cursor stands at its new end."""
+    if new_end >= old_end:
+        return ""
+    return "\x1b[K" if new_end[0] == old_end[0] else "\x1b[J"
+
+
+_JOINER = "\u200d"
+
+
+def clusters(text: str) -> list[str]:
+    """The text cut into clusters."""
+    found: list[str] = []
+    for character in text:
+        if found and (_is_mark(character) or found[-1].endswith(_JOINER)):
+            found[-1] += character
+        else:
+            found.append(character)
+    return found
+
+
+def width(cluster: str) -> int:
+    """Cells that a cluster fills: 2 if it is wide, 0 if it is but a mark."""
+    if unicodedata.east_asian_width(cluster[0]) in "WF":
+        return 2
+    return 0 if _is_mark(cluster[0]) else 1
+
+
+def places(row: int, column: int, text: list[str], columns: int) -> list[tuple[int, int]]:
+    """Where each cluster stands, as row and column, and where the next one would.
+
+    The text begins at ``column`` of ``row``; a wide cluster that does not fit moves to the next row.
+    """
+    found: list[tuple[int, int]] = []
+    for cluster in text:
+        cells = width(cluster)
+        if column + cells > columns:
+            row, column = row + 1, 0
+        found.append((row, column))
+        column += cells
+    if column >= columns:
+        row, column = row + 1, 0
+    return [*found, (row, column)]
+
+
+def _is_mark(character: str) -> bool:
+    return (
+        character == _JOINER
+        or unicodedata.category(character) in ("Mn", "Me")
+        or "\ufe00" <= character <= "\ufe0f"
+    )

@@ -1,0 +1,261 @@
+"""The files that a session writes: its events, its recording, its sounds, and the log.
+
+A file that can't be opened prevents the start. A file that fails later is reported once, and the run
+continues without it. ``--sound wav:FILE`` has the cues at their robot times and no voice, so that the bytes
+are the same on every machine; of several runs each begins where the one before ended. Writers are loaded on
+request.
+"""
+
+from __future__ import annotations
+
+import os
+from collections.abc import Callable
+from contextlib import ExitStack, suppress
+from pathlib import Path
+from stat import S_ISFIFO
+from typing import TYPE_CHECKING, TextIO, cast
+
+from msgspec import Struct
+
+import worlds
+from devices.audio.mixer import WavCueWriter
+from devices.ports.audio import Cue
+from donnie_tui import __version__
+from donnie_tui.core.events import Answered, CueSounded, RunEnded, SoundSwitched, Stamped
+from donnie_tui.core.hub import Hub
+from donnie_tui.core.outlets import UntilSaid
+from donnie_tui.i18n.words import Unusable, Words
+from donnie_tui.outlets.audible import Audible
+from donnie_tui.outlets.belt import BeltTelling, belt_settings
+from donnie_tui.process import HIGHEST_STANDARD
+from donnie_tui.settings.settings import Settings
+from donnie_tui.world.choice import ChosenWorld, files_of
+
+if TYPE_CHECKING:
+    from donnie_tui.core.recording import Header
+    from donnie_tui.world.recorded import WorldBundle
+
+
+class SoundFile:
+    """Listens to the stream and writes. A failure is reported once."""
+
+    def __init__(self, path: str, tell: Callable[[OSError], None]) -> None:
+        """Raises ``OSError`` where it can't be written at all."""
+        self._renderer, self._tell = WavCueWriter(Path(path)), tell
+        self._on = True
+        self._began = 0.0
+        self._failed = False
+
+    def __call__(self, stamped: Stamped) -> None:
+        if self._failed:
+            return
+        try:
+            self._on_event(stamped)
+        except OSError as problem:
+            self._failed = True
+            self._tell(problem)
+
+    def _on_event(self, stamped: Stamped) -> None:
+        at = self._began + stamped.t
+        match stamped.event:
+            case SoundSwitched(on=on):
+                self._on = on
+            case CueSounded(name=cue, bearing=bearing, steps=steps) if self._on:
+                self._renderer.add(Cue(cue, bearing, steps), at)
+            case RunEnded():
+                self._renderer.write_until(at)
+                self._began = at
+
+    def close(self) -> None:
+        """Finish the file."""
+        try:
+            self._renderer.close()
+        except OSError as problem:
+            if not self._failed:
+                self._tell(problem)
+
+
+class Written:
+    """The files of one session, closed with it. Every method raises ``Unusable``."""
+
+    def __init__(self, settings: Settings, hub: Hub, words: Words, closing: ExitStack) -> None:
+        self.lost: list[str] = []
+        """Those that could not be written to their end."""
+        self.paths: list[str] = []
+        """All that are written as it goes."""
+        self._settings = settings
+        self._hub = hub
+        self._words = words
+        self._closing = closing
+
+    @property
+    def of_this_session(self) -> str | None:
+        """The file that another session would begin anew, if there is one."""
+        return self._settings.record or self._settings.events or self._sounds
+
+    def events(self, standard_output: TextIO | None) -> None:
+        """Events as JSON lines, to standard output or a file, if asked for."""
+        name = self._settings.events
+        if name is None:
+            return
+        out = standard_output if name == "-" else self._open(name)
+        if out is None:
+            raise Unusable(self._words("events-need-run"))
+        self._subscribe_lines(self._not_waited_for(out), name)
+
+    def recording(self, world: ChosenWorld) -> None:
+        """The recording: everything to replay the session or run it again, if asked for."""
+        name = self._settings.record
+        if name is None:
+            return
+        header = self._header(world)
+        out = self._open(name)
+        try:
+            header.write(out)
+        except OSError as problem:
+            raise self._unwritable(name, problem) from None
+        self._subscribe_lines(out, name, whole=True)
+
+    @property
+    def _sounds(self) -> str | None:
+        return self._settings.sound if isinstance(self._settings.sound, str) else None
+
+    def sounds(self) -> None:
+        """The cues as a WAV file, if asked for."""
+        if self._sounds is None:
+            return
+
+        try:
+            sounds = SoundFile(self._sounds, self._loss_reporter(self._sounds))
+        except OSError as problem:
+            raise self._unwritable(self._sounds, problem) from None
+        self._closing.callback(sounds.close)
+        self.paths.append(self._sounds)
+        self._hub.subscribe(sounds)
+
+    def _subscribe_lines(self, out: TextIO, name: str, *, whole: bool = False) -> None:
+        from donnie_tui.core.events import JsonLines
+
+        self._hub.subscribe(JsonLines(out, self._loss_reporter(name), whole=whole))
+
+    def log(self) -> None:
+        """``Log/log_001.txt`` and so on, as the original GoDonnie did."""
+        if not self._settings.log:
+            return
+        from pathlib import Path
+
+        from donnie_tui.core.answer_log import TranscriptLog, next_log
+
+        try:
+            Path("Log").mkdir(exist_ok=True)
+            name = str(next_log(Path("Log")))
+            out = self._open(name)
+        except OSError as problem:
+            raise self._unwritable("Log", problem) from None
+        self._hub.subscribe(TranscriptLog(out, self._words, self._loss_reporter(name)))
+
+    def _not_waited_for(self, out: TextIO) -> TextIO:
+        """A named pipe may have a reader that does not read: no run waits for it."""
+        if not is_named_pipe(out):
+            return out
+        from donnie_tui.core.line_files import SlowReader
+
+        reader = SlowReader(out.fileno())
+        self._closing.callback(reader.close)
+        return cast(TextIO, reader)
+
+    def _header(self, world: ChosenWorld) -> Header:
+        from donnie_tui.core.recording import Header
+        from donnie_tui.world.recorded import BundleError
+
+        belt = belt_settings(self._settings)
+        try:
+            bundle = bundle_of(world, self._settings)
+        except BundleError as error:
+            raise Unusable(self._words(error.code, **error.values)) from None
+        return Header(
+            __version__,
+            self._settings.seed,
+            self._settings.robot,
+            {
+                "steps": [belt.strong, belt.medium, belt.weak],
+                "columns": {str(bearing.value): list(columns) for bearing, columns in belt.columns.items()},
+            },
+            bundle.as_record(),
+        )
+
+    def _open(self, name: str) -> TextIO:
+        """Lone surrogates become the escapes that JSON has for them."""
+        from pathlib import Path  # slow to load, as all that writes
+
+        try:
+            out = Path(name).open(  # noqa: SIM115 -- closed with the session
+                "w", encoding="utf-8", errors="backslashreplace", newline="\n"
+            )
+        except (OSError, ValueError) as problem:
+            raise self._unwritable(name, problem) from None
+        self._closing.callback(_close_quietly, out)
+        self.paths.append(name)
+        return out
+
+    def _unwritable(self, name: str, problem: OSError | ValueError) -> Unusable:
+        return Unusable(self._words("file-unwritable", path=name, reason=_reason(problem)))
+
+    def _loss_reporter(self, name: str) -> Callable[[OSError], None]:
+        def report(problem: OSError) -> None:
+            self.lost.append(name)
+            sentence = self._words("file-unwritable", path=name, reason=_reason(problem))
+            self._hub.publish(Answered(sentence))
+
+        return report
+
+
+def bundle_of(world: ChosenWorld, settings: Settings) -> WorldBundle:
+    """All that was read for the world. Raises ``BundleError``."""
+    from pathlib import Path
+
+    from donnie_tui.world.recorded import pack
+
+    robots = list(world.scene.robot_names)
+    folders = [*map(Path, (*settings.world_folders, worlds.SCENES))]
+    return pack(world.name, Path(world.path), files_of(world), folders, robots)
+
+
+def is_named_pipe(out: TextIO) -> bool:
+    """Whether it was opened by its name, and is not our standard output, whose reader wants every event."""
+    try:
+        return out.fileno() > HIGHEST_STANDARD and S_ISFIFO(os.fstat(out.fileno()).st_mode)
+    except (OSError, AttributeError, ValueError):  # no file at all
+        return False
+
+
+def _reason(problem: OSError | ValueError) -> str:
+    return getattr(problem, "strerror", None) or str(problem)
+
+
+def _close_quietly(out: TextIO) -> None:
+    """Failures were reported when they happened."""
+    with suppress(OSError):
+        out.close()
+
+
+class Outlets(Struct, frozen=True):
+    """All outputs of a session; the bootstrap makes and closes them."""
+
+    audible: Audible
+    """What makes a voice and sounds."""
+    belt: BeltTelling
+    """The belt in words."""
+    written: Written
+    until_said: UntilSaid
+    """What programs wait at."""
+
+    def adjust_sound(self, **changed: object) -> None:
+        """Settings of voice and cues from now on, by the names of their fields."""
+        self.audible.adjust(**changed)
+        self.let_programs_wait()
+
+    def let_programs_wait(self) -> None:
+        """Programs wait until their sentences were spoken, if the learner wants that."""
+        waits = self.audible.settings.wait_for_speech
+        self.until_said.is_quiet_within = self.audible.is_quiet_within if waits else None

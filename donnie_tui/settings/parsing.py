@@ -1,0 +1,254 @@
+"""How the text of a setting is read, wherever it was given. Each reader raises ``ValueError``.
+
+Volume and speaking rate out of range are clamped, not refused.
+"""
+
+from __future__ import annotations
+
+import math
+import os
+from collections.abc import Callable, Mapping
+from typing import TypeAlias
+
+from devices.ports.robot import Bearing
+from donnie_tui.settings import OFF, ON
+from language.locales import language_of_locale
+
+Sound: TypeAlias = bool | str
+"""On, off, or the WAV file into which a run's cues are written."""
+
+SLOWEST, FASTEST = 0.1, 1000.0
+LARGEST_SEED = 2**63 - 1
+LONGEST_PROGRESS = 3600
+"""Seconds between two signs of life of a long run."""
+
+RATES, PERCENTS = (80, 450), (0, 100)
+"""The least and the most: words a minute, and of pitch and loudness."""
+
+SPEECH = ("auto", "off", "text", "ssip", "tts", "robot")
+
+_WAV = "wav:"
+
+
+def read_switch(text: str) -> bool:
+    """On or off, in the ways in which files and variables write it."""
+    folded = text.strip().lower()
+    if folded not in ON + OFF:
+        raise ValueError(text)
+    return folded in ON
+
+
+def one_of(words: tuple[str, ...]) -> Callable[[str], str]:
+    """A reader of these words."""
+
+    def read(text: str) -> str:
+        folded = text.strip().lower()
+        if folded not in words:
+            raise ValueError(text)
+        return folded
+
+    return read
+
+
+def read_text(text: str) -> str:
+    """Any that is not empty."""
+    if not text or "\0" in text:
+        raise ValueError(text)
+    return text
+
+
+def read_line(text: str) -> str:
+    """Any, an empty one too."""
+    return read_text(text) if text else ""
+
+
+def read_language(text: str) -> str:
+    """``pt`` also as ``pt-BR`` or ``pt_BR.UTF-8``."""
+    language = language_of_locale(text.strip())
+    if language is None:
+        raise ValueError(text)
+    return language
+
+
+def read_folders(text: str) -> tuple[str, ...]:
+    """Folders, apart as in PATH."""
+    folders = folders_of(read_text(text))
+    if not folders:
+        raise ValueError(text)
+    return folders
+
+
+def folders_of(text: str) -> tuple[str, ...]:
+    """The same of any text; an empty one has none."""
+    given = (each for each in text.split(os.pathsep) if each.strip())
+    return tuple(os.path.expanduser(each) for each in given)  # noqa: PTH111 -- pathlib's raises
+
+
+# --- numbers
+
+
+def read_speed(text: str) -> float | None:
+    """Times the real robot's pace, or None for ``max``."""
+    if text.strip().lower() == "max":
+        return None
+    speed = float(text.strip().replace(",", "."))
+    if math.isnan(speed) or not SLOWEST <= speed <= FASTEST:
+        raise ValueError(text)
+    return speed
+
+
+def read_seed(text: str) -> int:
+    seed = int(text)
+    if not 0 <= seed <= LARGEST_SEED:
+        raise ValueError(text)
+    return seed
+
+
+def read_progress(text: str) -> str:
+    if not 0 <= int(text) <= LONGEST_PROGRESS:
+        raise ValueError(text)
+    return str(int(text))
+
+
+def read_free(text: str) -> str:
+    """A letter of a braille alphabet, or ``dot``."""
+    if text != "dot" and not (len(text) == 1 and text.isascii() and text.isalpha()):
+        raise ValueError(text)
+    return text
+
+
+# --- voice and cues
+
+
+def read_speech(text: str) -> str:
+    """``on`` is the own voice, whatever would be chosen."""
+    return "tts" if text.strip().lower() == "on" else one_of(SPEECH)(text)
+
+
+def read_sound(text: str) -> Sound:
+    path = text.strip()[len(_WAV) :]
+    if text.strip().lower().startswith(_WAV) and path and "\0" not in text:
+        return path
+    return read_switch(text)
+
+
+def read_rate(text: str) -> int:
+    """Words a minute."""
+    return _clamped(text, *RATES)
+
+
+def read_percent(text: str) -> int:
+    return _clamped(text, *PERCENTS)
+
+
+def read_cues(text: str) -> Mapping[str, int]:
+    """The volumes of cues in percent, by name: ``step-forward 0, bump 50``."""
+    volumes: dict[str, int] = {}
+    for each in text.split(","):
+        name, _, percent = each.strip().partition(" ")
+        if not name or not name.replace("-", "").isalpha():
+            raise ValueError(text)
+        volumes[name.lower()] = read_percent(percent)
+    return volumes
+
+
+def _clamped(text: str, lowest: int, highest: int) -> int:
+    number = float(text.strip().rstrip("%").replace(",", "."))
+    if math.isnan(number):
+        raise ValueError(text)
+    return round(min(max(number, lowest), highest))
+
+
+Columns = Mapping[Bearing, tuple[int, ...]]
+Sonars = tuple[Bearing | None, ...]
+
+_BEARINGS = {each.name.lower().replace("_", "-"): each for each in Bearing}
+_SIDES = {"front": True, "back": False}
+_COLUMNS = range(7)
+_SONARS = _BUMPERS = 6
+_NONE = "none"
+_PINS = range(2, 28)
+"""The Raspberry Pi's lines that a person can wire; 0 and 1 belong to its boards."""
+
+SIMULATED, DOUBLE, SERIAL = "sim", "double", "serial"
+"""What ``--robot`` takes; ``serial`` alone finds the port by itself, ``serial:PORT`` names it."""
+
+ROBOT_WANTED = "sim, serial, serial:PORT, double"
+STEPS_WANTED = "5 10 20"
+COLUMNS_WANTED = "front 3, front-right 4, back 0 6"
+METRES_WANTED = "0.001-1"
+SONARS_WANTED = "front-right front front-left back-left back back-right"
+RESET_WANTED = "auto, dtr, gpio:22, none"
+BUMPERS_WANTED = "front front front back back back"
+
+
+def read_robot(text: str) -> str:
+    """Which robot: a simulated one, a real one, or the simulated board of a real one."""
+    kind, colon, port = text.strip().partition(":")
+    if kind.lower() not in (SIMULATED, DOUBLE, SERIAL) or "\0" in text:
+        raise ValueError(text)
+    if colon and (kind.lower() != SERIAL or not port):
+        raise ValueError(text)
+    return f"{kind.lower()}{colon}{port}"
+
+
+def read_steps(text: str) -> tuple[int, int, int]:
+    """Up to how many steps something is felt strongly, medium and weakly."""
+    strong, medium, weak = (int(each) for each in text.replace(",", " ").split())
+    if not 0 <= strong <= medium <= weak <= 1000:
+        raise ValueError(text)
+    return strong, medium, weak
+
+
+def read_columns(text: str) -> Columns:
+    """The belt's columns of the directions that are named; the others keep theirs."""
+    parts = [part.split() for part in text.lower().split(",") if part.strip()]
+    return {_bearing(name): tuple(_column(each) for each in columns) for name, *columns in parts}
+
+
+def read_metres(text: str) -> float:
+    """A length of a robot."""
+    metres = float(text.strip().replace(",", "."))
+    if not 0.001 <= metres <= 1:
+        raise ValueError(text)
+    return metres
+
+
+def read_sonars(text: str) -> Sonars:
+    """Where the board's six sonars look, ``none`` for one that is not fitted."""
+    words = text.lower().split()
+    if len(words) != _SONARS:
+        raise ValueError(text)
+    return tuple(None if word == _NONE else _bearing(word) for word in words)
+
+
+def read_bumpers(text: str) -> tuple[bool, ...]:
+    """Of each of the board's six bumpers whether it is in front."""
+    words = text.lower().split()
+    if len(words) != _BUMPERS or not set(words) <= set(_SIDES):
+        raise ValueError(text)
+    return tuple(_SIDES[word] for word in words)
+
+
+def read_reset_line(text: str) -> str:
+    """What restarts a board by force: a pin of a Raspberry Pi, the port's own wire, or nothing."""
+    kind, colon, pin = text.strip().lower().partition(":")
+    if kind == "gpio" and pin.isascii() and pin.isdecimal() and int(pin) in _PINS:
+        return f"gpio:{int(pin)}"
+    if kind not in ("auto", "dtr", "none") or colon:
+        raise ValueError(text)
+    return kind
+
+
+def _bearing(word: str) -> Bearing:
+    try:
+        return _BEARINGS[word]
+    except KeyError:
+        raise ValueError(word) from None
+
+
+def _column(word: str) -> int:
+    column = int(word)
+    if column not in _COLUMNS:
+        raise ValueError(word)
+    return column

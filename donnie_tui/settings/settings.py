@@ -1,0 +1,305 @@
+"""Every setting by its name, and where its value came from: command line, environment, file, default.
+
+The sources are given as mappings. A value that can't be read is reported and the next source applies; on the
+command line it is an error.
+"""
+
+from __future__ import annotations
+
+import os
+from collections.abc import Callable, Mapping
+from enum import Enum
+
+from msgspec import Struct, field
+
+from donnie_tui import DETAILS
+from donnie_tui.settings.parsing import (
+    BUMPERS_WANTED,
+    COLUMNS_WANTED,
+    FASTEST,
+    METRES_WANTED,
+    PERCENTS,
+    RATES,
+    RESET_WANTED,
+    ROBOT_WANTED,
+    SLOWEST,
+    SONARS_WANTED,
+    SPEECH,
+    STEPS_WANTED,
+    Columns,
+    Sonars,
+    Sound,
+    folders_of,
+    one_of,
+    read_bumpers,
+    read_columns,
+    read_cues,
+    read_folders,
+    read_free,
+    read_language,
+    read_line,
+    read_metres,
+    read_percent,
+    read_progress,
+    read_rate,
+    read_reset_line,
+    read_robot,
+    read_seed,
+    read_sonars,
+    read_sound,
+    read_speech,
+    read_speed,
+    read_steps,
+    read_switch,
+    read_text,
+)
+from language.locales import ENGLISH, language_of_locale, languages
+
+SPEAK = ("here", "robot", "both")
+PUNCTUATION = ("none", "some", "all")
+KEY_ECHO = ("none", "characters", "words")
+THEMES = ("dark", "light", "contrast", "terminal")
+MOTION = ("full", "reduced")
+
+SOUND_WANTED = "on, off, wav:FILE"
+RATE_WANTED, PERCENT_WANTED = (f"{least}-{most}" for least, most in (RATES, PERCENTS))
+CUES_WANTED = "NAME 0-100, NAME 0-100"
+
+
+class Key(Struct, frozen=True):
+    """One setting: its name on the command line, in the file and (with DONNIE_) in the environment."""
+
+    key: str
+    name: str
+    read: Callable[[str], object]
+    """The value of a text. Raises ``ValueError``."""
+    wanted: str
+    """What it takes, for the error."""
+    is_example: bool = False
+    """Whether ``wanted`` is one of many that it takes."""
+
+    @property
+    def is_choice(self) -> bool:
+        """Whether ``wanted`` lists the very words that it takes, of which one is chosen."""
+        words = self.wanted.split(", ")
+        return len(words) > 1 and not any(each.isupper() or any(map(str.isdigit, each)) for each in words)
+
+    @property
+    def variable(self) -> str:
+        return f"DONNIE_{self.key.upper()}"
+
+
+KEYS = (
+    Key("world", "world", read_text, "NAME_OR_FILE"),
+    Key("worlds", "world_folders", read_folders, f"FOLDER{os.pathsep}FOLDER"),
+    Key("robot", "robot", read_robot, ROBOT_WANTED),
+    Key("lang", "language", read_language, ", ".join(languages())),
+    Key("speed", "speed", read_speed, f"{SLOWEST:g}-{FASTEST:g}, max"),
+    Key("seed", "seed", read_seed, "0, 1, 2 ..."),
+    Key("speech", "speech", read_speech, ", ".join(SPEECH)),
+    Key("sound", "sound", read_sound, SOUND_WANTED),
+    Key("speak", "speak", one_of(SPEAK), ", ".join(SPEAK)),
+    Key("rate", "rate", read_rate, RATE_WANTED),
+    Key("pitch", "pitch", read_percent, PERCENT_WANTED),
+    Key("volume", "volume", read_percent, PERCENT_WANTED),
+    Key("punctuation", "punctuation", one_of(PUNCTUATION), ", ".join(PUNCTUATION)),
+    Key("key_echo", "key_echo", one_of(KEY_ECHO), ", ".join(KEY_ECHO)),
+    Key("cues", "cues", read_cues, CUES_WANTED),
+    Key("wait_for_speech", "wait_for_speech", read_switch, "on, off"),
+    Key("verbosity", "verbosity", one_of(DETAILS), ", ".join(DETAILS)),
+    Key("events", "events", read_text, "FILE, -"),
+    Key("record", "record", read_text, "FILE"),
+    Key("belt", "belt", read_text, "PORT"),
+    Key("belt_steps", "belt_steps", read_steps, STEPS_WANTED, is_example=True),
+    Key("belt_columns", "belt_columns", read_columns, COLUMNS_WANTED, is_example=True),
+    Key("wheel_radius", "wheel_radius", read_metres, METRES_WANTED),
+    Key("axle_length", "axle_length", read_metres, METRES_WANTED),
+    Key("sonars", "sonars", read_sonars, SONARS_WANTED, is_example=True),
+    Key("bumpers", "bumpers", read_bumpers, BUMPERS_WANTED, is_example=True),
+    Key("reset_line", "reset_line", read_reset_line, RESET_WANTED),
+    Key("linear", "linear", read_switch, "on, off"),
+    Key("page", "page", one_of(("rest", "ask", "off")), "rest, ask, off"),
+    Key("prompt", "prompt", one_of(("short", "none", "word", "answer")), "short, none, word, answer"),
+    Key("hold", "hold", one_of(("off", "on")), "off, on"),
+    Key("editor", "editor", one_of(("own", "plain")), "own, plain"),
+    Key("enter", "enter", one_of(("waits", "runs")), "waits, runs"),
+    Key("progress", "progress", read_progress, "0-3600"),
+    Key("clock", "clock", one_of(("off", "on")), "off, on"),
+    Key("free", "free", read_free, "dot, a-z"),
+    Key("tour", "tour", read_switch, "on, off"),
+    Key("theme", "theme", one_of(THEMES), ", ".join(THEMES)),
+    Key("plain", "plain", read_switch, "on, off"),
+    Key("mouse", "mouse", read_switch, "on, off"),
+    Key("motion", "motion", one_of(MOTION), ", ".join(MOTION)),
+    Key("completion", "completion", read_switch, "on, off"),
+    Key("keys", "keys", read_line, "ACTION KEY, ACTION KEY"),
+)
+BY_KEY = {each.key: each for each in KEYS}
+
+
+FRONT_END_SPEED = 5.0
+"""Times the real robot's pace in the front ends; ``donnie run`` is unlimited by default."""
+
+
+class Source(Enum):
+    """Where a value came from, strongest first."""
+
+    OPTION = "option"
+    ENVIRONMENT = "environment"
+    FILE = "file"
+    DEFAULT = "default"
+
+
+class Notice(Struct, frozen=True):
+    """A problem of the settings that is reported once: a code and its values."""
+
+    code: str
+    values: Mapping[str, str]
+
+
+class Settings(Struct, frozen=True):
+    """The choices of one start. ``speed`` None is as fast as possible; ``events`` a file or ``-``."""
+
+    world: str = "open_floor"
+    world_folders: tuple[str, ...] = ()
+    """Folders from which worlds may include files, besides their own."""
+    robot: str = "sim"
+    language: str = "en"
+    speed: float | None = FRONT_END_SPEED
+    seed: int = 0
+    speech: str = "auto"
+    sound: Sound = True
+    speak: str = "here"
+    """Where the words of SPEAK are spoken."""
+    rate: int = 180
+    """Words a minute of the own voice; speech-dispatcher's only if it was chosen."""
+    pitch: int = 50
+    volume: int = 100
+    punctuation: str = "some"
+    key_echo: str = "none"
+    """What the own voice says of what is typed."""
+    cues: Mapping[str, int] = field(default_factory=dict)
+    """Volumes in percent by the name of a cue; 0 is off."""
+    wait_for_speech: bool = False
+    """Whether a program waits until what it says was said."""
+    verbosity: str = "normal"
+    events: str | None = None
+    record: str | None = None
+    belt: str | None = None
+    """The port of the vibrating belt."""
+    belt_steps: tuple[int, int, int] | None = None
+    belt_columns: Columns | None = None
+    wheel_radius: float | None = None
+    """Of a real robot, in metres, as a calibration found it."""
+    axle_length: float | None = None
+    sonars: Sonars | None = None
+    bumpers: tuple[bool, ...] | None = None
+    reset_line: str = "auto"
+    """What restarts a board by force."""
+    linear: bool | None = None
+    """What the settings file says; the variables and the options are weighed in ``cli.front_ends``."""
+    theme: str = "dark"
+    """The look of the full screen."""
+    plain: bool | None = None
+    """One column without decoration; None where a screen reader decides."""
+    mouse: bool = True
+    motion: str = "full"
+    completion: bool = True
+    """Whether the editor offers the words that may follow."""
+    keys: str = ""
+    """Other keys of the full screen: ``run f9, step f10``."""
+    page: str = "rest"
+    """This and what follows, to ``free``: how the linear mode behaves, see ``linear``."""
+    prompt: str = "short"
+    hold: str = "off"
+    editor: str = "own"
+    enter: str = "waits"
+    progress: str = "10"
+    clock: str = "off"
+    free: str = "dot"
+    tour: bool = True
+    """Whether the tour may be offered at the first start."""
+    log: bool = False
+    """Whether every sentence also goes to a numbered file, as with the original's ``-l``."""
+    notices: tuple[Notice, ...] = ()
+    """What to report about the settings themselves once a front end listens."""
+    sources: Mapping[str, Source] = field(default_factory=dict)
+    """Where each field came from; what is not in it is a default."""
+
+    def source_of(self, name: str) -> Source:
+        return self.sources.get(name, Source.DEFAULT)
+
+
+class BadOption(Exception):
+    """A value on the command line that can't be understood."""
+
+    def __init__(self, key: str, value: str, wanted: str) -> None:
+        super().__init__(f"{key} {value}")
+        self.key = key
+        self.value = value
+        self.wanted = wanted
+
+
+def resolve(
+    options: Mapping[str, str],
+    environment: Mapping[str, str],
+    file: Mapping[str, object],
+    *,
+    default_speed: float | None = FRONT_END_SPEED,
+) -> tuple[Settings, tuple[Notice, ...]]:
+    """The settings that win, by ``key``. Raises ``BadOption``."""
+    values: dict[str, object] = {
+        "speed": default_speed,
+        "language": language_of(environment),
+        "world_folders": folders_of(environment.get("STAGEPATH", "")),
+    }
+    sources: dict[str, Source] = {}
+    notices = [_unknown(key) for key in file if key not in BY_KEY]
+    for each in KEYS:
+        for source, told_as, given in _given(each, options, environment, file):
+            try:
+                values[each.name] = each.read(given)
+            except ValueError:
+                notices.append(_complain(each, source, told_as, given))
+            else:
+                sources[each.name] = source
+                break
+    return Settings(**values, sources=sources), tuple(notices)  # type: ignore[arg-type] # read as its field is
+
+
+def language_of(environment: Mapping[str, str]) -> str:
+    """The language of the locale, English for a locale without one."""
+    locale = next(filter(None, map(environment.get, ("LC_ALL", "LC_MESSAGES", "LANG"))), "")
+    return language_of_locale(locale) or ENGLISH
+
+
+def _given(
+    each: Key, options: Mapping[str, str], environment: Mapping[str, str], file: Mapping[str, object]
+) -> list[tuple[Source, str, str]]:
+    """Where the key is given, strongest first: the source, what it is called there, and the text."""
+    given: list[tuple[Source, str, str]] = []
+    if each.key in options:
+        given.append((Source.OPTION, f"--{each.key}", options[each.key]))
+    if environment.get(each.variable):
+        given.append((Source.ENVIRONMENT, each.variable, environment[each.variable]))
+    if each.key in file:
+        given.append((Source.FILE, each.key, _as_text(file[each.key])))
+    return given
+
+
+def _as_text(value: object) -> str:
+    if isinstance(value, bool):
+        return "on" if value else "off"
+    return str(value) if isinstance(value, str | int | float) else repr(type(value))
+
+
+def _complain(each: Key, source: Source, told_as: str, given: str) -> Notice:
+    if source is Source.OPTION:
+        raise BadOption(each.key, given, each.wanted)
+    code = "setting-not-understood" if source is Source.FILE else "variable-not-understood"
+    code += "-example" if each.is_example else "-choice" if each.is_choice else ""
+    return Notice(code, {"name": told_as, "value": given[:40], "wanted": each.wanted})
+
+
+def _unknown(key: str) -> Notice:
+    return Notice("setting-unknown", {"name": key[:40]})

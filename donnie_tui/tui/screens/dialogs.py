@@ -1,0 +1,244 @@
+"""A question at the bottom of the screen, answered by typing. Esc, or Enter alone, goes back.
+
+A list to choose from: the palette, worlds, robots, recent programs, the outline, settings.
+
+Typing narrows it, Up and Down, Home and End move, Enter chooses, Esc goes back. The terminal's own cursor
+stands on the row that Enter would choose, and ``>`` before it.
+
+The words that may stand at the cursor, in a list below it. Enter takes one, Esc or a letter goes on.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Sequence
+from typing import ClassVar
+
+from rich.cells import cell_len
+from textual import events
+from textual.app import ComposeResult
+from textual.binding import Binding, BindingType
+from textual.containers import Vertical
+from textual.geometry import Offset
+from textual.screen import ModalScreen
+from textual.widgets import Input, OptionList, Static
+
+from donnie_tui.commands.interaction import Option
+from donnie_tui.tui.widgets.command_line import InputLine
+from donnie_tui.tui.widgets.rows import TextRows
+
+
+class Question(ModalScreen[str | None]):
+    """Asks for one line. ``accepts`` answers what is wrong with an answer, or None if nothing is."""
+
+    BINDINGS: ClassVar[list[BindingType]] = [Binding("escape", "go_back", show=False, priority=True)]
+    AUTO_FOCUS = "#answer"
+
+    def __init__(
+        self,
+        asked: str,
+        keys: str,
+        point: Callable[[str], object],
+        *,
+        value: str = "",
+        accepts: Callable[[str], str | None] | None = None,
+    ) -> None:
+        """``point`` says what is asked."""
+        super().__init__()
+        self._point = point
+        self._asked = asked
+        self._keys = keys
+        self._value = value
+        self._accepts = accepts
+
+    def compose(self) -> ComposeResult:
+        with Vertical(id="question"):
+            yield Static(self._asked, id="asked", markup=False)
+            yield InputLine(self._value, id="answer")
+            yield Static(f" {self._keys}", id="question-keys", markup=False)
+
+    def on_mount(self) -> None:
+        self.query_one(InputLine).select_all()  # what is proposed is typed over
+        self._point(f"{self._asked} {self._value}".strip())
+
+    def on_input_submitted(self, event: Input.Submitted) -> None:
+        event.stop()
+        answer = event.value.strip()
+        wrong = self._accepts(answer) if self._accepts else None
+        if wrong:
+            self.query_one("#asked", Static).update(wrong)
+            self.query_one(InputLine).select_all()
+            self._point(wrong)
+        else:
+            self.dismiss(answer or None)
+
+    def action_go_back(self) -> None:
+        self.dismiss(None)
+
+
+FAR = 10**6
+"""Rows: farther than any list is long."""
+
+
+def _rank(text: str, typed: str) -> int:
+    """What is called as was typed comes first, then what begins so, then what has it anywhere."""
+    if not text.startswith(typed):
+        return 2
+    return int(text[len(typed) :].strip()[:1] not in ("", "(", ":", ","))
+
+
+class _Rows(TextRows, can_focus=False):
+    """Rows of which one is always chosen: the focus stays where one types."""
+
+    @property
+    def is_read(self) -> bool:
+        return True
+
+
+class _Narrowing(InputLine):
+    """What is typed narrows the list; the cursor is shown on the row."""
+
+    def __init__(self, rows: _Rows) -> None:
+        super().__init__(id="narrowing")
+        self._rows = rows
+        self.points_at_row = True
+
+    @property
+    def cursor_screen_offset(self) -> Offset:
+        return self._rows.cursor_screen_offset if self.points_at_row else super().cursor_screen_offset
+
+
+class Chooser(ModalScreen[str | None]):
+    """Answers the value of the chosen row, None if somebody went back."""
+
+    BINDINGS: ClassVar[list[BindingType]] = [
+        Binding("escape,ctrl+q", "go_back", show=False, priority=True),
+        Binding("up", "choose_row(-1)", show=False, priority=True),
+        Binding("down", "choose_row(1)", show=False, priority=True),
+        Binding("pageup", "choose_row(-10)", show=False, priority=True),
+        Binding("pagedown", "choose_row(10)", show=False, priority=True),
+        Binding("home", f"choose_row({-FAR})", show=False, priority=True),
+        Binding("end", f"choose_row({FAR})", show=False, priority=True),
+    ]
+    AUTO_FOCUS = "#narrowing"
+
+    def __init__(
+        self,
+        title: str,
+        keys: str,
+        nothing: str,
+        choices: Sequence[Option],
+        point: Callable[[str], object],
+    ) -> None:
+        """``nothing`` is shown where no row fits what was typed; ``point`` says the row that is chosen."""
+        super().__init__()
+        self._title_words, self._key_words, self._nothing = title, keys, nothing
+        self._choices = tuple(choices)
+        self._fitting = self._choices
+        self._point = point
+        self.rows = _Rows(id="choices")
+        self._typed = _Narrowing(self.rows)
+
+    def compose(self) -> ComposeResult:
+        yield Static(f" {self._title_words}", classes="screen-title", markup=False)
+        yield self._typed
+        yield self.rows
+        yield Static(f" {self._key_words}", classes="screen-keys", markup=False)
+
+    def on_mount(self) -> None:
+        self._show()
+        current = next((at for at, each in enumerate(self._choices) if each.is_current), 0)
+        self.rows.read_line(current)
+        self._say_row(f"{self._title_words} ")
+
+    def on_input_changed(self, event: Input.Changed) -> None:
+        from language.source import fold_name
+
+        event.stop()
+        words = fold_name(event.value).split()
+        folded = ((each, fold_name(each.text)) for each in self._choices)
+        fitting = [(each, text) for each, text in folded if all(word in text for word in words)]
+        fitting.sort(key=lambda pair: _rank(pair[1], " ".join(words)))
+        self._fitting = tuple(each for each, _text in fitting)
+        self._typed.points_at_row = not words
+        self._show()
+        self.rows.read_line(0)
+        self._say_row()
+
+    def _show(self) -> None:
+        self.rows.show([each.text for each in self._fitting] or [self._nothing])
+
+    def action_choose_row(self, down: int) -> None:
+        self._typed.points_at_row = True
+        self.rows.read_line(min(max(0, self.rows.line + down), max(0, len(self._fitting) - 1)))
+        self._say_row()
+
+    def _say_row(self, before: str = "") -> None:
+        self._point(before + (self._fitting[self.rows.line].text if self._fitting else self._nothing))
+
+    def on_input_submitted(self, event: Input.Submitted) -> None:
+        event.stop()
+        if self._fitting:
+            self.dismiss(self._fitting[min(self.rows.line, len(self._fitting) - 1)].value)
+
+    def action_go_back(self) -> None:
+        self.dismiss(None)
+
+
+MOST_SEEN = 8
+
+
+class _Words(OptionList):
+    """Textual's, with the terminal's own cursor on the row."""
+
+    @property
+    def cursor_screen_offset(self) -> Offset:
+        row = (self.highlighted or 0) - self.scroll_offset.y
+        return self.content_region.offset + Offset(0, max(0, row))
+
+
+class Completions(ModalScreen[tuple[str, str]]):
+    """Answers the chosen word, empty for none, and the letter that was typed instead."""
+
+    BINDINGS: ClassVar[list[BindingType]] = [
+        Binding("escape", "leave", show=False, priority=True),
+        Binding("tab", "take", show=False, priority=True),
+    ]
+
+    def __init__(self, words: Sequence[str], below: Offset, point: Callable[[str], object]) -> None:
+        """``below``: where the cursor is, on the screen; ``point`` says the word that is chosen."""
+        super().__init__()
+        self._point = point
+        self._below = below
+        self.list = _Words(*words, id="completions", markup=False, compact=True)
+        self._width = max(map(cell_len, words)) + 2
+        self._count = len(words)
+
+    def compose(self) -> ComposeResult:
+        yield self.list
+
+    def on_mount(self) -> None:
+        height = min(self._count, MOST_SEEN, max(1, self.size.height - 2))
+        has_room = self._below.y + 1 + height <= self.size.height
+        y = self._below.y + 1 if has_room else max(0, self._below.y - height)
+        width = min(self._width, self.size.width)
+        self.list.styles.width, self.list.styles.height = width, height
+        self.list.styles.offset = (max(0, min(self._below.x, self.size.width - width)), y)
+        self.list.highlighted = 0
+        self.list.focus()
+
+    def on_option_list_option_highlighted(self, event: OptionList.OptionHighlighted) -> None:
+        self._point(str(event.option.prompt))
+
+    def on_option_list_option_selected(self, event: OptionList.OptionSelected) -> None:
+        self.dismiss((str(event.option.prompt), ""))
+
+    def action_take(self) -> None:
+        self.list.action_select()
+
+    def action_leave(self) -> None:
+        self.dismiss(("", ""))
+
+    def on_key(self, event: events.Key) -> None:
+        if event.is_printable and event.character:
+            event.stop()
+            self.dismiss(("", event.character))

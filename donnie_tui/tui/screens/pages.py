@@ -1,0 +1,275 @@
+"""The help: every key and word of the screen, then every command of GoDonnie. Rows to read, nothing else.
+
+What is shown first is said; each row is said as it is reached.
+
+The tour, a page at a time: Enter turns the page, Backspace turns back, Esc lets one try what it says.
+
+A page is said whole; it is short.
+
+The keys behind a key: each with what it does, and said. The next key does it, Esc goes back.
+
+The command palette: every command, with its keys.
+
+Waits for the key that an action is to have. Esc goes back, Backspace takes a chosen key away again.
+
+The answer is the key as the settings file has it, an empty one for none, or None if somebody went back.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping, Sequence
+from typing import ClassVar
+
+from msgspec import Struct
+from textual import events
+from textual.app import ComposeResult
+from textual.binding import Binding, BindingType
+from textual.containers import Vertical
+from textual.screen import ModalScreen
+from textual.widgets import Static
+
+from donnie_tui.commands.declarations import BY_NAME, COMMANDS, Command
+from donnie_tui.commands.interaction import Option
+from donnie_tui.commands.keys import MENU, KeyTable, behind_menu, key_label
+from donnie_tui.commands.lookup import help_line, word_of
+from donnie_tui.core.wording import Wording
+from donnie_tui.tui.widgets.command_line import InputLine
+from donnie_tui.tui.widgets.rows import TextRows
+
+
+class Help(ModalScreen[None]):
+    """Shows lines until Esc; F1 goes ``further`` where there is more to read."""
+
+    BINDINGS: ClassVar[list[BindingType]] = [
+        Binding("escape,q", "dismiss", show=False, priority=True),
+        Binding("ctrl+q", "dismiss", show=False, priority=True),
+        Binding("f1", "further", show=False, priority=True),
+    ]
+    AUTO_FOCUS = "#help-rows"
+
+    def __init__(
+        self,
+        title: str,
+        lines: Sequence[str],
+        point: Callable[[str], object],
+        further: Callable[[], None] | None = None,
+    ) -> None:
+        """``point`` says what is shown."""
+        super().__init__()
+        self._title_words = title
+        self._lines = lines
+        self._point = point
+        self._further = further
+        self.rows = TextRows(id="help-rows")
+
+    def compose(self) -> ComposeResult:
+        yield Static(f" {self._title_words}", id="help-title", classes="screen-title", markup=False)
+        yield self.rows
+
+    def on_mount(self) -> None:
+        self.rows.show(self._lines)
+        self._point(f"{self._title_words}. {next(iter(self._lines), '')}")
+
+    def action_further(self) -> None:
+        if self._further is None:
+            self.dismiss(None)
+        else:
+            self._further()
+
+
+def help_text(words: Wording, table: KeyTable) -> tuple[str, ...]:
+    """The lines of the help, in the learner's language."""
+    return (
+        words("help-screen-words"),
+        *(_line(each, words, table) for each in COMMANDS),
+        words("help-palette"),
+        words("help-program-words"),
+        *_program_lines(words),
+    )
+
+
+def _program_lines(words: Wording) -> tuple[str, ...]:
+    """GoDonnie's commands, but for those that the screen has listed."""
+    listed = {word_of(each, words.language) for each in COMMANDS}
+    return tuple(line for line in words.help(None) if line.partition(":")[0] not in listed)
+
+
+def _line(command: Command, words: Wording, table: KeyTable) -> str:
+    """The typed word first: it works everywhere; then its keys, then what it does."""
+    return help_line(command, words, table.labels(command.name, words.language))
+
+
+class Page(Struct, frozen=True):
+    """What stands above it, and its lines."""
+
+    title: str
+    lines: tuple[str, ...]
+
+
+class Tour(Help):
+    """Begins at one of ``pages`` and tells ``turned`` where it is, from 0; behind the last one it closes."""
+
+    BINDINGS: ClassVar[list[BindingType]] = [
+        Binding("enter,pagedown", "turn(1)", show=False, priority=True),
+        Binding("backspace,pageup", "turn(-1)", show=False, priority=True),
+    ]
+
+    def __init__(
+        self,
+        pages: Sequence[Page],
+        at: int,
+        turned: Callable[[int], None],
+        point: Callable[[str], object],
+    ) -> None:
+        super().__init__(pages[at].title, pages[at].lines, point)
+        self._pages, self._at, self._turned = pages, at, turned
+
+    def on_mount(self) -> None:
+        self._show()
+
+    def _show(self) -> None:
+        page = self._pages[self._at]
+        self.query_one("#help-title", Static).update(f" {page.title}")
+        self.rows.show(page.lines)
+        self.rows.read_line(0)
+        self._point(" ".join((f"{page.title}.", *page.lines)))
+
+    def action_turn(self, pages: int) -> None:
+        self._at = max(0, self._at + pages)
+        self._turned(self._at % len(self._pages))
+        if self._at < len(self._pages):
+            self._show()
+        else:
+            self.dismiss(None)
+
+
+class KeyMenu(ModalScreen[None]):
+    """Lists ``names``, the actions by their keys. The application does what is chosen."""
+
+    BINDINGS: ClassVar[list[BindingType]] = [Binding("escape", "leave", show=False, priority=True)]
+    AUTO_FOCUS = "#key-rows"
+    READING = ("escape", "up", "down", "pageup", "pagedown", "home", "end")
+    """What is pressed to read the list; any other key ends it."""
+
+    def __init__(
+        self, keys: Mapping[str, tuple[str, ...]], words: Wording, point: Callable[[str], object]
+    ) -> None:
+        """``point`` says what is shown."""
+        super().__init__()
+        self._point = point
+        self.names = {
+            key.partition(" ")[2]: name
+            for name, each in keys.items()
+            for key in each
+            if key.startswith(f"{MENU} ")
+        }
+        self._words = words
+        self.rows = TextRows(id="key-rows")
+
+    def compose(self) -> ComposeResult:
+        yield Static(f" {self._words('menu-title')}", classes="screen-title", markup=False)
+        yield self.rows
+
+    def on_mount(self) -> None:
+        self.rows.show([self._row(key, name) for key, name in sorted(self.names.items(), key=_place)])
+        self._point(f"{self._words('menu-title')}. {self.rows.lines[0]}")
+
+    def _row(self, key: str, name: str) -> str:
+        language = self._words.language
+        word = word_of(BY_NAME[name], language)
+        return f"{key_label(key, language)}: {word}: {self._words(f'action-{name}')}"
+
+    def leave(self) -> None:
+        """Go, as soon as it is there."""
+        self.call_later(self.action_leave)
+
+    def action_leave(self) -> None:
+        self.dismiss(None)
+
+
+def _place(key_and_name: tuple[str, str]) -> tuple[bool, bool, str]:
+    """Letters first, then letters with Shift, then all else."""
+    key = key_and_name[0]
+    return not (len(key) == 1 and key.isalpha()), not key.startswith("shift+"), key
+
+
+def palette(words: Wording, table: KeyTable) -> tuple[str, str, str, tuple[Option, ...]]:
+    """What a chooser is given: title, keys, what is said where nothing fits, and the commands by name."""
+    rows = tuple(Option(each.name, _row(each, words, table)) for each in COMMANDS)
+    return words("palette-ask"), words("chooser-keys"), words("palette-nothing"), rows
+
+
+def _row(command: Command, words: Wording, table: KeyTable) -> str:
+    label = table.label(command.name, words.language)
+    keys = f" ({label})" if label else ""
+    return f"{word_of(command, words.language)}{keys}: {words(f'action-{command.name}')}"
+
+
+class _KeyLine(InputLine):
+    """Where the cursor stands; keys are taken and not written."""
+
+    def __init__(self, take: Callable[[str], None]) -> None:
+        super().__init__(id="answer")
+        self._take = take
+
+    async def _on_key(self, event: events.Key) -> None:
+        event.stop()
+        event.prevent_default()
+        self._take(event.key)
+
+
+class KeyCapture(ModalScreen[str | None]):
+    """Asks for one key, or one behind the menu key."""
+
+    AUTO_FOCUS = "#answer"
+
+    def __init__(
+        self,
+        asked: str,
+        keys: str,
+        behind: str,
+        accepts: Callable[[str], str | None],
+        point: Callable[[str], object],
+    ) -> None:
+        """``behind`` is said after the menu key; ``accepts`` answers what is wrong with a key.
+
+        ``point`` says what is asked.
+        """
+        super().__init__()
+        self._point = point
+        self._asked, self._key_words, self._behind = asked, keys, behind
+        self._accepts = accepts
+        self._has_menu = False
+        self._words = Static(asked, id="asked", markup=False)
+
+    def compose(self) -> ComposeResult:
+        with Vertical(id="question"):
+            yield self._words
+            yield _KeyLine(self._pressed)
+            yield Static(f" {self._key_words}", id="question-keys", markup=False)
+
+    def on_mount(self) -> None:
+        self._point(self._asked)
+
+    def _say(self, words: str) -> None:
+        self._words.update(words)
+        self._point(words)
+
+    def _pressed(self, key: str) -> None:
+        if key == "escape":
+            self.dismiss(None)
+        elif key == "backspace" and not self._has_menu:
+            self.dismiss("")
+        elif key == MENU and not self._has_menu:
+            self._has_menu = True
+            self._say(self._behind)
+        else:
+            self._try(f"{MENU} {behind_menu(key)}" if self._has_menu else key)
+
+    def _try(self, key: str) -> None:
+        wrong = self._accepts(key)
+        self._has_menu = False
+        if wrong is None:
+            self.dismiss(key)
+        else:
+            self._say(wrong)

@@ -1,0 +1,460 @@
+"""A window on rows that are painted one by one, in the looks of the theme.
+
+The fixed rows at the bottom: the status line and the keys. Written only when their words change.
+
+Rows of text to read: the log, the inspector, the help. Each line may have its kind in words at the right,
+or before the sentence where there is little room.
+
+Made for programs that talk without end: lines are kept as texts, wrapped only where they are too long, and
+painted only where they are seen. One row is being read: the terminal's own cursor stands on it while the
+rows have the focus, and ``>`` before it. Rows that follow read their newest one, whatever comes, unless
+somebody reads further up. The log, ``LogRows``, suits those who listen too.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Collection, Iterable, Sequence
+from itertools import zip_longest
+from typing import ClassVar
+
+from rich.cells import cell_len, chop_cells
+from rich.segment import Segment
+from rich.style import Style
+from textual.binding import Binding, BindingType
+from textual.events import Click
+from textual.geometry import Offset, Region, Size
+from textual.message import Message
+from textual.scroll_view import ScrollView
+from textual.strip import Strip
+from textual.widgets import Static
+
+from donnie_tui.tui import themes
+
+
+class PaintedRows(ScrollView):
+    """Knows what its looks are: worked out once, until the styles are others. Each row asks for them."""
+
+    def __init__(self, *, id: str) -> None:  # noqa: A002 -- Textual's own name
+        super().__init__(id=id)
+        self._looks: dict[str, Style] = {}
+
+    def notify_style_update(self) -> None:
+        self._looks = {}
+        super().notify_style_update()
+
+    def painted_as(self, name: str = "") -> Style:
+        """A look of that name (see ``themes``) on the background that there is; without one, plain text."""
+        if name not in self._looks:
+            base = self.rich_style
+            self._looks[name] = base + themes.looks(self.app.theme)[name] if name else base
+        return self._looks[name]
+
+
+_GAP = "  "
+
+
+class FixedLine(Static):
+    """One sentence after the other, plain text."""
+
+    def __init__(self, *, id: str) -> None:  # noqa: A002 -- Textual's own name
+        super().__init__(id=id, markup=False)
+        self.words = ""
+        self._choices: tuple[str, ...] = ("",)
+
+    def say(self, *choices: str) -> None:
+        """The first of the choices for which there is room, or the last."""
+        self._choices = choices
+        self._write()
+
+    def on_resize(self) -> None:
+        self._write()
+
+    def _write(self) -> None:
+        room = self.size.width * max(1, self.size.height)
+        words = next((each for each in self._choices if len(each) <= room), self._choices[-1])
+        if words != self.words:
+            self.words = words
+            self.update(words, layout=False)
+
+
+class KeyLine(FixedLine):
+    """What can be pressed now: as many entries as there is room for, the most important first."""
+
+    class Clicked(Message):
+        """An entry was clicked: the same as its key."""
+
+        def __init__(self, action: str) -> None:
+            super().__init__()
+            self.action = action
+
+    def __init__(self, *, id: str) -> None:  # noqa: A002 -- Textual's own name
+        super().__init__(id=id)
+        self._entries: tuple[tuple[str, str], ...] = ()
+
+    def offer(self, entries: Sequence[tuple[str, str]]) -> None:
+        """Actions with the words that are shown for them."""
+        self._entries = tuple(entries)
+        self._fit()
+
+    def on_click(self, event: Click) -> None:
+        place = event.get_content_offset(self)
+        begin = 1
+        for action, entry in self._entries:
+            if place is not None and begin <= place.x < min(begin + len(entry), len(self.words)):
+                self.post_message(self.Clicked(action))
+            begin += len(entry) + len(_GAP)
+
+    def on_resize(self) -> None:
+        self._fit()
+
+    def _fit(self) -> None:
+        room = self.size.width - 1
+        shown: list[str] = []
+        for _action, entry in self._entries:
+            room -= len(entry) + (len(_GAP) if shown else 0)
+            if room < 0:
+                break
+            shown.append(entry)
+        self.say(f" {_GAP.join(shown)}")
+
+
+MOST_LINES = 100_000
+"""Lines that are kept; beyond, the oldest tenth is forgotten."""
+
+_NOT_KNOWN = 1 << 16
+"""The width of a log before there is one: a line is a row."""
+_KIND_WIDTH = 10
+_NARROW = 56
+"""Columns below which the kinds stand before the sentences, so that these keep their room."""
+
+LOOKS = {
+    "error": "error",
+    "obstacle": "warning",
+    "collision": "warning",
+    "stopped": "warning",
+    "spoke": "says",
+    "typed": "typed",
+}
+"""The looks of the kinds that have one; of all others it is ``kind``. The words say the same."""
+
+
+class TextRows(PaintedRows, can_focus=True):
+    """Shows lines with their kinds; both are given as the words to show. ``follows``: a log."""
+
+    BINDINGS: ClassVar[list[BindingType]] = [
+        Binding("up", "row(-1)", show=False),
+        Binding("down", "row(1)", show=False),
+        Binding("pageup", "page(-1)", show=False),
+        Binding("pagedown", "page(1)", show=False),
+        Binding("home", "oldest", show=False),
+        Binding("end", "newest", show=False),
+    ]
+
+    class Read(Message):
+        """Another row is being read, by whoever has come to these rows or from elsewhere."""
+
+        def __init__(self, text: str, *, has_focus: bool) -> None:
+            super().__init__()
+            self.text, self.has_focus = text, has_focus
+
+    def __init__(self, *, id: str, follows: bool = False) -> None:  # noqa: A002 -- Textual's own name
+        super().__init__(id=id)
+        self._follows = follows
+        self._lines: list[str] = []
+        self._kinds: list[str] = []
+        self._rows: list[str] = []
+        self._row_kinds: list[str] = []
+        """A row each; the kind stands in the first row of its line."""
+        self._heights: list[int] = []
+        """How many rows each line takes."""
+        self.looks: dict[str, str] = {}
+        """Of the words of a kind, where it has a look of its own."""
+        self._wrapped_at = (0, True, False)
+        self._row: int | None = None if follows else 0
+        """The row being read; None is the newest, whatever comes."""
+
+    # --- what is shown
+
+    def append(self, lines: Iterable[tuple[str, str]]) -> None:
+        """Add lines: (text, kind) each."""
+        before, first = len(self._rows), len(self._lines)
+        for text, kind in lines:
+            self._lines.append(text)
+            self._kinds.append(kind)
+        self._wrap_from(first)
+        if len(self._rows) == before:
+            return
+        if self._forget_oldest():
+            before = 0
+        changed = before - 1 if self.is_read else before  # which is read no longer
+        self._extent(range(max(0, changed), len(self._rows)))
+        if self._row is None:
+            self._follow()
+
+    def show(self, lines: Iterable[str]) -> None:
+        """Other lines instead; the row that is being read stays where it can."""
+        texts = list(lines)
+        if texts == self._lines:
+            return
+        before = self._rows
+        self._lines, self._kinds = texts, [""] * len(texts)
+        self._rewrap()
+        both = enumerate(zip_longest(before, self._rows))
+        self._extent({self.row, *(row for row, (old, new) in both if old != new)})
+        self._follow()
+
+    @property
+    def lines(self) -> tuple[str, ...]:
+        """All texts, oldest first."""
+        return tuple(self._lines)
+
+    @property
+    def with_kinds(self) -> tuple[tuple[str, str], ...]:
+        """All texts, each with its kind."""
+        return tuple(zip(self._lines, self._kinds, strict=True))
+
+    @property
+    def row(self) -> int:
+        """The row being read, from 0."""
+        return max(0, len(self._rows) - 1) if self._row is None else self._row
+
+    @property
+    def line(self) -> int:
+        """The line whose row is being read, from 0."""
+        rows = 0
+        for line, height in enumerate(self._heights):
+            rows += height
+            if rows > self.row:
+                return line
+        return max(0, len(self._lines) - 1)
+
+    def read_line(self, line: int) -> None:
+        """Read the first row of a line; its others are seen too, as far as there is room."""
+        first = sum(self._heights[:line])
+        self._read(first)
+        if line < len(self._heights):
+            self._bring_into_view(first, min(self._heights[line], max(1, self.size.height)))
+
+    @property
+    def is_read(self) -> bool:
+        """Whether the row being read is marked."""
+        return self.has_focus
+
+    @property
+    def row_count(self) -> int:
+        return len(self._rows)
+
+    @property
+    def row_text(self) -> str:
+        return self._rows[self.row] if self._rows else ""
+
+    def _forget_oldest(self) -> int:
+        """How many rows that were."""
+        rows = 0
+        if len(self._lines) > MOST_LINES:
+            lines = max(len(self._lines) - MOST_LINES, MOST_LINES // 10)
+            rows = sum(self._heights[:lines])
+            for column, count in (
+                (self._lines, lines),
+                (self._kinds, lines),
+                (self._heights, lines),
+                (self._rows, rows),
+                (self._row_kinds, rows),
+            ):
+                del column[:count]
+            if self._row is not None:
+                self._row = max(0, self._row - rows)
+        return rows
+
+    # --- rows
+
+    @property
+    def _shows_kinds(self) -> bool:
+        return self.size.width >= _NARROW
+
+    @property
+    def _begins_with_kinds(self) -> bool:
+        return not self._shows_kinds
+
+    @property
+    def _look_of_rows(self) -> tuple[int, bool, bool]:
+        return self._text_width, self._shows_kinds, self._begins_with_kinds
+
+    @property
+    def _text_width(self) -> int:
+        if self._follows and not self.size.width:
+            return _NOT_KNOWN
+        width = self.size.width - 1
+        return max(1, width - _KIND_WIDTH - 1 if self._shows_kinds else width)
+
+    def _wrap_from(self, first: int) -> None:
+        """The lines from there on. What the size says is asked once: it is slow to answer."""
+        width, begins_with_kind = self._text_width, self._begins_with_kinds
+        for text, kind in zip(self._lines[first:], self._kinds[first:], strict=True):
+            rows = _wrapped(_with_kind(text, kind) if begins_with_kind else text, width)
+            self._rows.extend(rows)
+            self._row_kinds.append(kind)
+            self._row_kinds.extend([""] * (len(rows) - 1))
+            self._heights.append(len(rows))
+
+    def _rewrap(self) -> None:
+        self._rows, self._row_kinds, self._heights = [], [], []
+        self._wrap_from(0)
+        if self._row is not None:
+            self._row = min(self._row, max(0, len(self._rows) - 1))
+
+    def on_resize(self) -> None:
+        self._lay_out()
+
+    def _lay_out(self) -> None:
+        """Everything, where the size or the kinds are others."""
+        self._fit_rows()
+        self._extent(())
+        self.refresh()
+        self._follow()
+
+    def _fit_rows(self) -> None:
+        """To the width that there is."""
+        if self._wrapped_at != self._look_of_rows:
+            self._wrapped_at = self._look_of_rows
+            line = self.line
+            self._rewrap()
+            if self._row is not None:
+                self._row = sum(self._heights[:line])
+
+    def _extent(self, changed: Collection[int]) -> None:
+        """There are so many rows, and these look different: no others are painted, each costs bytes."""
+        size = self.size  # slow to answer
+        extent = Size(size.width, self._height)
+        if (
+            extent != self.virtual_size
+        ):  # set by its name it would paint all rows and lay out the whole screen
+            self.set_reactive(ScrollView.virtual_size, extent)
+            self._scroll_update(extent)
+        top = self.scroll_offset.y
+        seen = [row - top for row in changed if top <= row < top + size.height]
+        if seen:
+            self.refresh(*(Region(0, y, size.width, 1) for y in seen))
+
+    def _follow(self) -> None:
+        """Show the row that is being read; the newest of all once there is room for any."""
+        if self._row is None and not self.size.height:
+            return
+        self._bring_into_view(self.row, 1)
+
+    def _bring_into_view(self, row: int, rows: int) -> None:
+        place = Region(0, row, 1, rows)
+        self.scroll_to_region(place, animate=False, force=True, immediate=True)
+
+    @property
+    def _height(self) -> int:
+        """So many rows can be gone through."""
+        return len(self._rows)
+
+    @property
+    def _painted_rows(self) -> int:
+        """So many, from the oldest on, may be seen."""
+        return len(self._rows)
+
+    @property
+    def cursor_screen_offset(self) -> Offset:
+        """Where the terminal's cursor stands: at the row that is being read."""
+        return self.content_region.offset + Offset(0, self.row - self.scroll_offset.y)
+
+    # --- reading
+
+    def action_row(self, down: int) -> None:
+        self._read(self.row + down)
+
+    def action_page(self, down: int) -> None:
+        self._read(self.row + down * max(1, self.size.height - 1))
+
+    def action_oldest(self) -> None:
+        self._read(0)
+
+    def action_newest(self) -> None:
+        self._read(len(self._rows))
+
+    def _read(self, row: int) -> None:
+        newest = len(self._rows) - 1
+        self._row = None if row >= newest and self._follows else max(0, min(row, newest))
+        self._follow()
+        self.refresh()
+        self.post_message(self.Read(self._said, has_focus=self.has_focus))
+
+    @property
+    def _said(self) -> str:
+        """Of the row being read: where a line begins all of it, so that a sentence is heard whole."""
+        line = self.line
+        begins = self.row == sum(self._heights[:line])
+        return self._lines[line] if begins and self._lines else self.row_text
+
+    def search(self, wanted: str) -> bool:
+        """Read the nearest older line that has the text, else the newest that has; False if none has."""
+        folded = wanted.casefold()
+        hits = [at for at, line in enumerate(self._lines) if folded in line.casefold()]
+        if not hits:
+            return False
+        older = [at for at in hits if at < self.line]
+        self.read_line((older or hits)[-1])
+        return True
+
+    # --- painting
+
+    def render_lines(self, crop: Region) -> list[Strip]:
+        """The first frame is painted before anybody is told what size it has."""
+        self._fit_rows()
+        return super().render_lines(crop)
+
+    def render_line(self, y: int) -> Strip:
+        row = y + self.scroll_offset.y
+        if row >= self._painted_rows:
+            return Strip.blank(self.size.width, self.painted_as())
+        return Strip(self._segments(row)).adjust_cell_length(self.size.width, self._style(row))
+
+    def _segments(self, row: int) -> list[Segment]:
+        style, text = self._style(row), self._words_of(row)
+        here = self.is_read and row == self.row
+        kind = self._row_kinds[row][:_KIND_WIDTH]
+        look = style if here else self.painted_as(self.looks.get(self._row_kinds[row], "kind"))
+        before = Segment(">" if here else " ", style)
+        if kind and self._begins_with_kinds:
+            return [before, Segment(text[: len(kind)], look), Segment(text[len(kind) :], style)]
+        if not kind or not self._shows_kinds:
+            return [before, Segment(text, style)]
+        gap = " " * (self._text_width + 1 - cell_len(text))
+        return [before, Segment(text, style), Segment(gap, style), Segment(kind, look)]
+
+    def _words_of(self, row: int) -> str:
+        return self._rows[row]
+
+    def _style(self, row: int) -> Style:
+        here = self.is_read and row == self.row
+        return self.painted_as("row" if here else "")
+
+
+def _with_kind(text: str, kind: str) -> str:
+    """The kind before a sentence that doesn't begin with it."""
+    short = kind[:_KIND_WIDTH]
+    return text if text.casefold().startswith(short.casefold()) else f"{short}: {text}"
+
+
+def _wrapped(text: str, width: int) -> tuple[str, ...]:
+    """The text in rows of at most ``width`` columns, broken at blanks where there are any."""
+    if (text.isascii() and len(text) <= width) or cell_len(text) <= width:
+        return (text,)
+    rows, row = [], ""
+    for word in _pieces(text, width):
+        longer = f"{row} {word}" if row else word
+        if cell_len(longer) > width:
+            rows.append(row)
+            row = word
+        else:
+            row = longer
+    return (*rows, row)
+
+
+def _pieces(text: str, width: int) -> Iterable[str]:
+    """The words, those that are wider than a row cut."""
+    for word in text.split():
+        yield from chop_cells(word, width) if cell_len(word) > width else (word,)

@@ -1,0 +1,192 @@
+"""Cameras: which coloured things are seen, where and how far, and fiducial markers.
+
+A nearer thing hides what is behind it. A marker is a model with a ``fiducial_return``: it is seen with
+direction and distance and, within a shorter range, with its number.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Iterator
+from itertools import pairwise
+from math import hypot
+
+from msgspec import Struct
+
+from sim.colours import Colour
+from sim.geometry import Spot, angle_of, at_radius, direction, edges, nearest_in_wedge, normal, seen_from
+from sim.parts import Part
+from sim.rangers import CENTIMETRES_A_STEP, Around, Height, at_height, first_hits
+from sim.scene import FiducialFinder
+
+HALF_CIRCLE = 90.0
+"""Degrees to either side that a head with a camera turns."""
+
+
+class Seen(Struct, frozen=True):
+    """A thing in view."""
+
+    root: int
+    degrees: float
+    """Counter-clockwise from the robot's front."""
+    centimetres: int
+    colour: Colour
+
+    @property
+    def steps(self) -> float:
+        return self.centimetres / CENTIMETRES_A_STEP
+
+
+class View(Struct, frozen=True):
+    """What a camera looks at, in the robot's frame."""
+
+    x: float
+    y: float
+    yaw: float
+    half_angle: float
+    maximum: float
+    offset: float
+    """Metres from (x, y) from which distances and the range count: those to a head's sonar."""
+    colours: tuple[Colour, ...]
+    """Empty: all."""
+    height: Height = None
+
+    def distinguishes(self, part: Part) -> bool:
+        return part.blob and (not self.colours or any(colour.same(part.colour) for colour in self.colours))
+
+    def look(self, around: Around, spot: Spot) -> Iterator[Seen]:
+        """Every visible thing once; what is hidden behind a nearer thing is not seen."""
+        place, reach = spot.mounted(self.x, self.y, self.yaw), self.maximum + self.offset
+        box = around.within(place.x - reach, place.y - reach, place.x + reach, place.y + reach)
+        parts = [part for part in box if at_height(part, self.height)]
+        if not any(self.distinguishes(part) for part in parts):
+            return
+        glimpses: dict[int, list[_Glimpse]] = {}
+        for glimpse in self._glimpses(around, place, _directions(parts, place, reach, self.half_angle)):
+            glimpses.setdefault(glimpse.part.root, []).append(glimpse)
+        for root, seen in glimpses.items():
+            yield self._thing(root, seen, place)
+
+    def _glimpses(self, around: Around, place: Spot, directions: list[float]) -> Iterator[_Glimpse]:
+        """The nearest thing in each sector between two directions, if the camera distinguishes its colour."""
+        reach, sectors = self.maximum + self.offset, list(pairwise(directions))
+        middles = (direction(place.yaw + (low + high) / 2) for low, high in sectors)
+        ends = [(place.x + reach * dx, place.y + reach * dy) for dx, dy in middles]
+        hits = first_hits(around, place.x, place.y, ends, self.height)
+        for (low, high), (part, _) in zip(sectors, hits, strict=True):
+            if part is not None and self.distinguishes(part):
+                yield _Glimpse(part, low, high)
+
+    def _thing(self, root: int, glimpses: list[_Glimpse], place: Spot) -> Seen:
+        """The sighting of one thing; its widest unbroken stretch gives its place."""
+        metres, colour = min(((it.nearest(place), it.part.colour) for it in glimpses), key=_first)
+        low, high = max(_stretches(glimpses), key=lambda stretch: stretch[1] - stretch[0])
+        degrees = normal((low + high) / 2 + self.yaw)
+        return Seen(root, degrees, int(max(0.0, metres - self.offset) * 100 + 0.5), colour)
+
+
+class Eyes(Struct, frozen=True):
+    """All the cameras of a robot."""
+
+    views: tuple[View, ...]
+
+    def look(self, around: Around, spot: Spot) -> tuple[Seen, ...]:
+        """Every visible thing once, as the camera sees it that sees it nearest, from left to right."""
+        nearest: dict[int, Seen] = {}
+        for view in self.views:
+            for seen in view.look(around, spot):
+                known = nearest.get(seen.root)
+                if known is None or seen.centimetres < known.centimetres:
+                    nearest[seen.root] = seen
+        return tuple(sorted(nearest.values(), key=lambda thing: (-thing.degrees, thing.root)))
+
+
+class _Glimpse(Struct, frozen=True):
+    """A range of directions, in degrees from the middle of the view, in which one part is what is seen."""
+
+    part: Part
+    low: float
+    high: float
+
+    def nearest(self, place: Spot) -> float:
+        middle = place.yaw + (self.low + self.high) / 2
+        outline = edges(seen_from(self.part.points, place.x, place.y, middle))
+        return nearest_in_wedge(outline, (self.high - self.low) / 2)
+
+
+def _first(pair: tuple[float, Colour]) -> float:
+    return pair[0]
+
+
+def _stretches(glimpses: list[_Glimpse]) -> list[tuple[float, float]]:
+    """Neighbouring glimpses joined, also across the direction straight behind."""
+    stretches = [(glimpses[0].low, glimpses[0].high)]
+    for glimpse in glimpses[1:]:
+        low, high = stretches[-1]
+        if glimpse.low > high:
+            stretches.append((glimpse.low, glimpse.high))
+        else:
+            stretches[-1] = (low, glimpse.high)
+    if len(stretches) > 1 and stretches[0][0] == -180.0 and stretches[-1][1] == 180.0:
+        (_, high), (low, _) = stretches[0], stretches[-1]
+        stretches = [*stretches[1:-1], (low, high + 360.0)]
+    return stretches
+
+
+def _directions(parts: Iterable[Part], place: Spot, reach: float, half_angle: float) -> list[float]:
+    """Directions between which the view can't change; where things cross each other, to a degree."""
+    whole = int(half_angle)
+    angles = {-half_angle, half_angle, *(float(degrees) for degrees in range(-whole, whole + 1))}
+    for part in parts:
+        for ax, ay, bx, by in edges(seen_from(part.points, place.x, place.y, place.yaw)):
+            angles.add(angle_of(ax, ay))
+            angles.update(angle_of(x, y) for x, y in at_radius(reach, (ax, ay, bx, by)))
+    inside = sorted(angle for angle in angles if -half_angle <= angle <= half_angle)
+    return [angle for i, angle in enumerate(inside) if i == 0 or angle - inside[i - 1] > 1e-9]
+
+
+class Found(Struct, frozen=True):
+    """A mark in view."""
+
+    model: int
+    """The index of the model that carries it."""
+    degrees: float
+    """Counter-clockwise from the robot's front."""
+    metres: float
+    """From the finder to the model's place."""
+    number: int
+    """Its ``fiducial_return``; 0 if it is too far away to be read."""
+
+
+class MarkFinder(Struct, frozen=True):
+    """A fiducial finder where it is mounted, in the robot's frame."""
+
+    x: float
+    y: float
+    yaw: float
+    finder: FiducialFinder
+    key: int
+    height: Height = None
+
+    def look(self, around: Around, spot: Spot) -> tuple[Found, ...]:
+        """Every mark of its key that is in view and that nothing hides, from left to right."""
+        place, reach = spot.mounted(self.x, self.y, self.yaw), self.finder.maximum
+        parts = around.within(place.x - reach, place.y - reach, place.x + reach, place.y + reach)
+        marks = {part.model.index: part for part in parts if self._is_mark(part)}
+        found = (self._found(around, place, part) for part in marks.values())
+        return tuple(sorted((each for each in found if each), key=lambda it: (-it.degrees, it.model)))
+
+    def _is_mark(self, part: Part) -> bool:
+        model = part.model
+        return model.fiducial_return != 0 and model.fiducial_key == self.key and at_height(part, self.height)
+
+    def _found(self, around: Around, place: Spot, mark: Part) -> Found | None:
+        ((x, y),) = seen_from((mark.place,), place.x, place.y, place.yaw)
+        metres, degrees = hypot(x, y), angle_of(x, y)
+        if metres > self.finder.maximum or abs(degrees) > self.finder.fov / 2:
+            return None
+        ((first, _),) = first_hits(around, place.x, place.y, (mark.place,), self.height)
+        if first is not None and first.root != mark.root:
+            return None
+        number = int(mark.model.fiducial_return) if metres < self.finder.maximum_id else 0
+        turned = (degrees + self.yaw + 180.0) % 360.0 - 180.0
+        return Found(mark.model.index, turned, max(metres, self.finder.minimum), number)

@@ -1,0 +1,290 @@
+"""Moving things: pushing what gives way, and carrying with the gripper.
+
+The robot and what it pushes move as one, straight ahead, until one of them meets something that doesn't give
+way. So nothing is pushed into a wall, another robot, or a thing that another robot holds. Turning pushes
+nothing.
+
+The gripper takes a thing that is between its paddles or a step in front of them. A held thing is part of the
+robot's body: it moves and bumps with the robot, and the robot's sensors do not see it. It keeps its
+orientation.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Container, Sequence
+from math import hypot, inf
+
+from msgspec import Struct
+from msgspec.structs import replace
+
+from devices.ports.robot import STEP, Grip, RobotProblem
+from sim.geometry import (
+    Edge,
+    Placement,
+    Point,
+    Spot,
+    contains,
+    direction,
+    edges,
+    nearest_on_edge,
+    outline_contact,
+    overlapping,
+    passes_by,
+    placed,
+    seen_from,
+)
+from sim.ground import Ground
+from sim.motion import WIDEST_SKIN, Contact, Mover, less_skin
+from sim.parts import Part
+from sim.rangers import Beams
+
+MOST = 20
+"""Things that one robot can push at a time; one more is like a wall."""
+SLACK = 1e-6
+"""Metres by which what may be met is searched wider than computing errs."""
+
+
+class Advance(Struct, frozen=True):
+    """A short way straight on: how many metres of it are free, and what it takes along for how many."""
+
+    metres: float
+    pushed: tuple[tuple[int, float], ...]
+    """Roots of things, and metres."""
+
+
+class Pushing:
+    """Short ways of one robot."""
+
+    def __init__(self, ground: Ground, mover: Mover) -> None:
+        self._ground = ground
+        self._mover = mover
+        self._asked: tuple[Spot, float, float, int] | None = None
+        self._answer = Advance(0.0, ())
+
+    def advance(self, spot: Spot, angle: float, length: float) -> Advance:
+        """What would become of ``length`` metres (at most a step) to ``angle``; nothing moves yet."""
+        asked = (spot, angle, length, self._ground.changes_for(self._mover.around.root))
+        if asked != self._asked:  # a tick asks before and after the others have had their turn
+            self._answer, self._asked = self._found(spot, angle, length), asked
+        return self._answer
+
+    def _found(self, spot: Spot, angle: float, length: float) -> Advance:
+        done, joined = 0.0, dict[int, _Joined]()
+        on_the_way = self._mover.on_the_way(spot, angle, length)
+        while done < length:
+            here = spot.ahead(done, angle) if done else spot
+            contact = self._mover.contact_with_any(on_the_way, here, angle, joined)
+            for thing in joined.values():
+                contact = thing.nearer(contact, done, joined)
+            if contact.metres >= length - done:
+                done = length
+                break
+            done += contact.metres
+            assert contact.part is not None
+            root = contact.part.root
+            if not self._gives_way(contact.part) or len(joined) == MOST:
+                break
+            joined[root] = self._join(root, done, angle, length - done)
+        moved = ((root, done - thing.since) for root, thing in joined.items())
+        return Advance(done, tuple((root, metres) for root, metres in moved if metres > 0.0))
+
+    def take_along(self, advance: Advance, angle: float) -> None:
+        """Move the pushed things; the caller moves the robot itself."""
+        dx, dy = direction(angle)
+        for root, metres in advance.pushed:
+            place = self._ground.place(root)
+            self._ground.put(root, replace(place, x=place.x + metres * dx, y=place.y + metres * dy))
+
+    def _gives_way(self, part: Part) -> bool:
+        return part.root in self._ground.pushable and not self._ground.is_attached(part.root)
+
+    def _join(self, root: int, since: float, angle: float, length: float) -> _Joined:
+        """A thing that is pushed from now on, ``length`` metres at most."""
+        outlines = [part.points for part in self._ground.parts_of(root) if part.solid]
+        others = self._in_the_way(root, outlines, length)
+        mine = [_seen(points, angle) for points in outlines]
+        ahead = ((part, _least_gap(mine, _seen(part.points, angle))) for part in others)
+        return _Joined(since, angle, outlines, [(part, gap) for part, gap in ahead if gap < length])
+
+    def _in_the_way(self, root: int, outlines: list[tuple[Point, ...]], length: float) -> list[Part]:
+        if not outlines:
+            return []
+        reach = length + 2 * WIDEST_SKIN
+        xs, ys = zip(*(point for points in outlines for point in points), strict=True)
+        box = (min(xs) - reach, min(ys) - reach, max(xs) + reach, max(ys) + reach)
+        floor = frozenset(part.rank for part in self._ground.around_start(root))
+        close = self._ground.within(self._mover.around.root, *box, floor)
+        return [part for part in close if part.solid and part.root != root]
+
+
+class _Joined:
+    """A thing that is pushed along, and what it may meet on its way: nothing farther is measured."""
+
+    __slots__ = ("_ahead", "_angle", "_outlines", "since")
+
+    def __init__(
+        self, since: float, angle: float, outlines: list[tuple[Point, ...]], ahead: list[tuple[Part, float]]
+    ) -> None:
+        """``since`` so many metres of the robot's way; the parts ``ahead``, none nearer than that."""
+        self.since = since
+        self._angle = angle
+        self._outlines = outlines
+        self._ahead = ahead
+
+    def nearer(self, nearest: Contact, done: float, joined: Container[int]) -> Contact:
+        """What it meets first after ``done`` metres of the robot's way, if that is before ``nearest``."""
+        moved, outlines = done - self.since, list[tuple[Point, ...]]()
+        for part, gap in self._ahead:
+            if gap - moved > nearest.metres or part.root in joined:
+                continue
+            outlines = outlines or self._moved(moved)
+            apart = gap - moved + WIDEST_SKIN > SLACK
+            metres = min(_gap(points, part, self._angle, apart) for points in outlines)
+            if metres < nearest.metres:
+                nearest = Contact(metres, part)
+        return nearest
+
+    def _moved(self, metres: float) -> list[tuple[Point, ...]]:
+        dx, dy = direction(self._angle)
+        return [_shifted(points, (metres * dx, metres * dy)) for points in self._outlines]
+
+
+def _least_gap(mine: Sequence[Sequence[Edge]], other: Sequence[Edge]) -> float:
+    """Metres along x up to which polygons surely don't touch the other one; infinity: they pass it by."""
+    low, high = min(edge[1] for edge in other), max(edge[1] for edge in other)
+    ends = [
+        max(edge[0] for edge in edges_)
+        for edges_ in mine
+        if min(edge[1] for edge in edges_) <= high + SLACK and max(edge[1] for edge in edges_) >= low - SLACK
+    ]
+    return min(edge[0] for edge in other) - max(ends) - WIDEST_SKIN - SLACK if ends else inf
+
+
+def _shifted(points: tuple[Point, ...], by: Point) -> tuple[Point, ...]:
+    return tuple((x + by[0], y + by[1]) for x, y in points)
+
+
+def _gap(points: tuple[Point, ...], other: Part, angle: float, apart: bool) -> float:
+    """Metres that a polygon goes to ``angle`` until it meets a part; none if it reaches into it already.
+
+    ``apart``: it is known not to.
+    """
+    mine, others = _seen(points, angle), _seen(other.points, angle)
+    if not apart and not passes_by(mine, others) and overlapping(points, other.points):
+        return 0.0
+    return less_skin(*outline_contact(mine, others))
+
+
+def _seen(points: tuple[Point, ...], angle: float) -> tuple[Edge, ...]:
+    return edges(seen_from(points, 0.0, 0.0, angle))
+
+
+class Hand:
+    """The gripper of one robot, if it has one."""
+
+    def __init__(self, mover: Mover) -> None:
+        self._mover = mover
+        self._ground: Ground = mover.around.ground
+        self._robot = mover.around.root
+        self.held: int | None = None
+        """The root that it holds."""
+        self._held_at = Placement()
+        """Where that is in the robot's frame."""
+
+    def grip(self, spot: Spot) -> Grip:
+        """RobotProblem ``no-gripper`` if it has none."""
+        beams = self._beams()
+        if self.held is not None:
+            return Grip.HOLDS_ALREADY
+        root = self._nearest(beams, spot)
+        if root is None:
+            return Grip.NOTHING_THERE
+        self._take(root, spot)
+        return Grip.GRIPPED
+
+    def release(self) -> Grip:
+        """What was held stays where it is. RobotProblem ``no-gripper`` if it has none."""
+        self._beams()
+        if self.held is None:
+            return Grip.HOLDS_NOTHING
+        self.let_go()
+        return Grip.RELEASED
+
+    def let_go(self) -> None:
+        """Hold nothing."""
+        if self.held is not None:
+            self._ground.attach(self.held, None)
+            self.held = None
+            self._mover.hold(())
+
+    def carry(self, spot: Spot) -> None:
+        """The robot is there now, and so is what it holds."""
+        if self.held is not None:
+            it = self._held_at
+            ((x, y),) = placed(((it.x, it.y),), spot.x, spot.y, spot.yaw)
+            self._ground.put(self.held, Placement(x, y, it.z, it.yaw + spot.yaw))
+
+    def _beams(self) -> Beams:
+        beams = self._mover.senses.beams
+        if beams is None:
+            raise RobotProblem("no-gripper")
+        return beams
+
+    def _nearest(self, beams: Beams, spot: Spot) -> int | None:
+        """The root, free to be gripped, that comes nearest to the middle of the gripper."""
+        place = spot.mounted(beams.x, beams.y, beams.yaw)
+        near = self._mover.around.near(place.x, place.y, beams.length / 2 + beams.width + STEP)
+        reached = [
+            (distance, part.root)
+            for part in near
+            if self._is_free(part) and (distance := _distance(part, place, beams)) is not None
+        ]
+        return min(reached, default=(0.0, None))[1]
+
+    def _is_free(self, part: Part) -> bool:
+        return part.root in self._ground.grippable and not self._ground.is_attached(part.root)
+
+    def _take(self, root: int, spot: Spot) -> None:
+        place = self._ground.place(root)
+        ((x, y),) = seen_from(((place.x, place.y),), spot.x, spot.y, spot.yaw)
+        self._held_at = Placement(x, y, place.z, place.yaw - spot.yaw)
+        outlines = (part.points for part in self._ground.parts_of(root) if part.solid)
+        self._ground.attach(root, self._robot)
+        self._mover.hold(tuple(seen_from(points, spot.x, spot.y, spot.yaw) for points in outlines))
+        self.held = root
+
+
+def _distance(part: Part, place: Spot, beams: Beams) -> float | None:
+    """From the gripper's middle to the part, if that comes between the paddles or a step before them."""
+    points = seen_from(part.points, place.x, place.y, place.yaw)
+    if contains(points, 0.0, 0.0):
+        return 0.0
+    zone = (-beams.length / 2, -beams.width / 2, beams.length / 2 + STEP, beams.width / 2)
+    clipped = _clipped(points, zone)
+    if not clipped:
+        return None
+    pairs = zip(clipped, (*clipped[1:], clipped[0]), strict=True)
+    nearest = (nearest_on_edge((*a, *b)) for a, b in pairs)
+    return min(hypot(x, y) for x, y in nearest)
+
+
+def _clipped(points: tuple[Point, ...], zone: tuple[float, float, float, float]) -> tuple[Point, ...]:
+    """The part of a polygon within left, bottom, right and top (Sutherland and Hodgman)."""
+    left, bottom, right, top = zone
+    for axis, bound, sign in ((0, left, 1), (0, right, -1), (1, bottom, 1), (1, top, -1)):
+        points = tuple(_beyond(points, axis, bound, sign))
+    return points
+
+
+def _beyond(points: tuple[Point, ...], axis: int, bound: float, sign: int) -> list[Point]:
+    """The part of a polygon on one side of a line across an axis."""
+    kept: list[Point] = []
+    for i, after in enumerate(points):
+        before = points[i - 1]
+        was, now = sign * (before[axis] - bound), sign * (after[axis] - bound)
+        if was < 0.0 < now or now < 0.0 < was:
+            t = was / (was - now)
+            kept.append((before[0] + t * (after[0] - before[0]), before[1] + t * (after[1] - before[1])))
+        if now >= 0.0:
+            kept.append(after)
+    return kept

@@ -1,0 +1,285 @@
+"""Range sensors: sonars (a whole cone), lasers (a fan of thin rays), bumpers and gripper beams.
+
+Stage's height test applies where a world wants it: with it a sensor sees only things between whose bottom and
+top it looks. Those rays are computed here, edge by edge; the fast way (``rays``) knows no heights.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Iterator, Sequence
+from math import ceil, cos, dist, inf, radians
+from typing import TYPE_CHECKING, Protocol
+
+from msgspec import Struct
+
+from devices.ports.robot import STEP
+from sim.geometry import (
+    Edge,
+    Point,
+    Spot,
+    along,
+    contains,
+    direction,
+    edges,
+    edges_apart,
+    nearest_in_wedge,
+    seen_from,
+)
+from sim.parts import Part
+from sim.scene import Gripper, RangeNoise
+
+if TYPE_CHECKING:
+    from random import Random
+
+    from sim.rays import Hit
+
+
+Height = float | None
+"""Metres above the floor at which a sensor looks, or None: it sees things of every height."""
+
+
+class Around(Protocol):
+    """The world without the robot itself."""
+
+    def within(self, left: float, bottom: float, right: float, top: float) -> Iterable[Part]:
+        """All parts that come into a box, and perhaps some more, in order."""
+
+    def first_hits(self, x: float, y: float, ends: Sequence[Point], ranging: bool = False) -> list[Hit[Part]]:
+        """The parts that looks from one place to each of ``ends`` meet first, and where on the way."""
+
+
+def at_height(part: Part, height: Height) -> bool:
+    return height is None or part.bottom <= height <= part.top
+
+
+def first_hits(
+    around: Around, x: float, y: float, ends: Sequence[Point], height: Height, ranging: bool = False
+) -> list[Hit[Part]]:
+    """``Around.first_hits`` among the parts of that height."""
+    if height is None:
+        return around.first_hits(x, y, ends, ranging)
+    parts = [part for part in _height_between(around, x, y, ends, ranging) if at_height(part, height)]
+    return [_first(parts, (x, y, *end)) for end in ends]
+
+
+def _height_between(
+    around: Around, x: float, y: float, ends: Sequence[Point], ranging: bool
+) -> Iterator[Part]:
+    xs, ys = [x, *(end[0] for end in ends)], [y, *(end[1] for end in ends)]
+    for part in around.within(min(xs), min(ys), max(xs), max(ys)):
+        if part.seen or (part.solid and not ranging):
+            yield part
+
+
+def _first(parts: Iterable[Part], ray: tuple[float, float, float, float]) -> Hit[Part]:
+    first, nearest = None, inf
+    for part in parts:
+        for edge in part.outline:
+            alpha = along(ray, edge)
+            if alpha < nearest:
+                first, nearest = part, alpha
+    return (first, nearest) if first is not None else (None, 1.0)
+
+
+CENTIMETRES_A_STEP = round(STEP * 100)
+NO_NOISE = RangeNoise()
+
+
+class Cone(Struct, frozen=True):
+    """A range sensor where it is mounted, in the robot's frame."""
+
+    x: float
+    y: float
+    yaw: float
+    half_angle: float
+    minimum: float
+    maximum: float
+    height: Height = None
+    noise: RangeNoise = NO_NOISE
+
+    def metres(self, around: Around, spot: Spot, turned: float = 0.0) -> float:
+        """To the nearest thing in the cone, or infinity; the sensor turned by that many degrees."""
+        place = spot.mounted(self.x, self.y, self.yaw + turned)
+        nearest = inf
+        for part in self._candidates(around, place):
+            if part.reach + min(nearest, self.maximum) < dist(part.middle, (place.x, place.y)):
+                continue
+            if contains(part.points, place.x, place.y):
+                return 0.0
+            for yaw, half_angle in self._wedges(place.yaw):
+                outline = edges(seen_from(part.points, place.x, place.y, yaw))
+                nearest = min(nearest, nearest_in_wedge(outline, half_angle))
+        return nearest if nearest <= self.maximum else inf
+
+    def centimetres(self, around: Around, spot: Spot) -> int | None:
+        """To the nearest thing in the cone, or None. Without noise."""
+        return _centimetres(self, self.metres(around, spot))
+
+    def noisy(self, around: Around, spot: Spot, chance: Random) -> int | None:
+        """A reading as the sensor gives it, with its noise."""
+        turned = chance.uniform(-1, 1) * self.noise.angle if self.noise.angle else 0.0
+        return _centimetres(self, _blurred(self, self.metres(around, spot, turned), chance))
+
+    def _wedges(self, yaw: float) -> Iterator[tuple[float, float]]:
+        """The cone as parts of at most a half circle: middle and half angle of each."""
+        count = max(1, ceil(self.half_angle / 90.0))
+        half = self.half_angle / count
+        for i in range(count):
+            yield yaw - self.half_angle + (2 * i + 1) * half, half
+
+    def _candidates(self, around: Around, place: Spot) -> Iterator[Part]:
+        parts = around.within(*_box(place, self.half_angle, self.maximum))
+        ahead, aside = direction(place.yaw), direction(self.half_angle)
+        return (
+            part
+            for part in parts
+            if part.seen and at_height(part, self.height) and self._may_reach(part, place, ahead, aside)
+        )
+
+    def _may_reach(self, part: Part, place: Spot, ahead: Point, aside: Point) -> bool:
+        """Whether the circle round the part comes into a narrow cone: a quick look before the exact one."""
+        if self.half_angle > 45.0:
+            return True
+        dx, dy = part.middle[0] - place.x, part.middle[1] - place.y
+        along = dx * ahead[0] + dy * ahead[1]
+        across = abs(dy * ahead[0] - dx * ahead[1])
+        return across * aside[0] - along * aside[1] <= part.reach + 1e-9 and along >= -part.reach
+
+
+def _box(place: Spot, half_angle: float, maximum: float) -> tuple[float, float, float, float]:
+    """Left, bottom, right and top of a cone."""
+    if half_angle > 45.0:
+        return place.x - maximum, place.y - maximum, place.x + maximum, place.y + maximum
+    reach = maximum / cos(radians(half_angle))
+    corners = [direction(place.yaw + turn) for turn in (-half_angle, 0.0, half_angle)]
+    xs = [place.x, *(place.x + reach * dx for dx, _ in corners)]
+    ys = [place.y, *(place.y + reach * dy for _, dy in corners)]
+    return min(xs), min(ys), max(xs), max(ys)
+
+
+class Fan(Struct, frozen=True):
+    """Thin rays from one place, in the robot's frame: a laser, or the part of it that looks one way."""
+
+    x: float
+    y: float
+    angles: tuple[float, ...]
+    """Of the rays, counter-clockwise from the robot's front, in the order of the file."""
+    minimum: float
+    maximum: float
+    height: Height = None
+    noise: RangeNoise = NO_NOISE
+
+    def rays(self, around: Around, spot: Spot, turned: float = 0.0) -> tuple[float, ...]:
+        """Metres along each ray to what it meets first, or infinity."""
+        place = spot.mounted(self.x, self.y, turned)
+        if self._is_inside(around, place):
+            return (0.0,) * len(self.angles)
+        hits = first_hits(around, place.x, place.y, self._ray_tips(place), self.height, ranging=True)
+        return tuple(inf if part is None else self.maximum * alpha for part, alpha in hits)
+
+    def metres(self, around: Around, spot: Spot, turned: float = 0.0) -> float:
+        """To the nearest thing that a ray meets, or infinity."""
+        return min(self.rays(around, spot, turned))
+
+    def centimetres(self, around: Around, spot: Spot) -> int | None:
+        """To the nearest thing that a ray meets, or None. Without noise."""
+        return _centimetres(self, self.metres(around, spot))
+
+    def noisy(self, around: Around, spot: Spot, chance: Random) -> int | None:
+        """The nearest reading as the sensor gives it, each ray with its noise."""
+        turned = chance.uniform(-1, 1) * self.noise.angle if self.noise.angle else 0.0
+        readings = self.rays(around, spot, turned)
+        return _centimetres(self, min(_blurred(self, reading, chance) for reading in readings))
+
+    def towards(self, bearing: float, half_angle: float) -> Fan | None:
+        """The rays within ``half_angle`` of a direction, if there are any."""
+        angles = tuple(a for a in self.angles if abs(_between(a, bearing)) <= half_angle + 1e-9)
+        if not angles:
+            return None
+        return Fan(self.x, self.y, angles, self.minimum, self.maximum, self.height, self.noise)
+
+    def _ray_tips(self, place: Spot) -> list[Point]:
+        directions = (direction(place.yaw + angle) for angle in self.angles)
+        return [(place.x + self.maximum * dx, place.y + self.maximum * dy) for dx, dy in directions]
+
+    def _is_inside(self, around: Around, place: Spot) -> bool:
+        parts = around.within(place.x, place.y, place.x, place.y)
+        seen = (part for part in parts if part.seen and at_height(part, self.height))
+        return any(contains(part.points, place.x, place.y) for part in seen)
+
+
+Ranger = Cone | Fan
+
+
+def fan_angles(yaw: float, fov: float, samples: int) -> tuple[float, ...]:
+    """The directions of a laser's rays: from one border of its view to the other, as in Stage."""
+    apart = fov / max(samples - 1, 1)
+    return tuple(yaw - fov / 2 + i * apart for i in range(samples))
+
+
+def _between(angle: float, other: float) -> float:
+    """How far one direction is from another, from -180 to 180."""
+    return (angle - other + 180.0) % 360.0 - 180.0
+
+
+def _blurred(sensor: Ranger, metres: float, chance: Random) -> float:
+    """A true distance with the sensor's noise; nothing in range stays nothing."""
+    noise = sensor.noise
+    if metres == inf or not (noise.constant or noise.proportional):
+        return metres
+    off = chance.uniform(-1, 1) * noise.constant + chance.uniform(-1, 1) * noise.proportional * metres
+    blurred = max(0.0, metres + off)
+    return blurred if blurred <= sensor.maximum else inf
+
+
+def _centimetres(sensor: Ranger, metres: float) -> int | None:
+    return None if metres == inf else int(max(metres, sensor.minimum) * 100 + 0.5)
+
+
+TOUCH = 0.01
+"""Metres: what is nearer to a bumper presses it."""
+
+
+class Bar(Struct, frozen=True):
+    """A bumper where it is mounted, in the robot's frame: a bar across the direction in which it looks."""
+
+    x: float
+    y: float
+    yaw: float
+    length: float
+
+    def is_pressed(self, around: Around, spot: Spot) -> bool:
+        """Whether something solid touches it."""
+        bar = self._bar(spot)
+        return any(part.solid and _apart(bar, part) <= TOUCH for part in _near(around, bar))
+
+    def _bar(self, spot: Spot) -> Edge:
+        place = spot.mounted(self.x, self.y, self.yaw)
+        left, right = (
+            place.ahead(self.length / 2, place.yaw + 90),
+            place.ahead(self.length / 2, place.yaw - 90),
+        )
+        return left.x, left.y, right.x, right.y
+
+
+def _near(around: Around, bar: Edge) -> Iterable[Part]:
+    ax, ay, bx, by = bar
+    return around.within(min(ax, bx) - TOUCH, min(ay, by) - TOUCH, max(ax, bx) + TOUCH, max(ay, by) + TOUCH)
+
+
+def _apart(bar: Edge, part: Part) -> float:
+    if contains(part.points, bar[0], bar[1]):
+        return 0.0
+    return min((edges_apart(bar, edge) for edge in part.outline), default=inf)
+
+
+class Beams(Struct, frozen=True):
+    """The two light beams of a gripper where it is mounted, in the robot's frame."""
+
+    x: float
+    y: float
+    yaw: float
+    length: float
+    """Metres of the gripper, along the direction in which it looks."""
+    width: float
+    gripper: Gripper

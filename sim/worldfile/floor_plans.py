@@ -1,0 +1,172 @@
+"""Pictures that a world names as floor plans: found, read once each, and made into polygons.
+
+Stage counts the polygons that it makes of a picture: it follows the borders of the dark pixels until each is
+closed. Where two dark pixels touch at a corner only, it follows the border that it sorts first, so that some
+borders become one polygon and others two. ``count_outlines`` follows them in the same order.
+"""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterator
+from pathlib import Path
+from typing import NamedTuple
+
+from msgspec import Struct
+
+from sim.scene import NoteKind, Polygon
+from sim.worldfile.bitmaps import PICTURE_FORMATS, Bitmap, UnreadableBitmapError, read_bitmap
+from sim.worldfile.entities import LARGEST_FILE, FileReader, Setting
+from sim.worldfile.mistakes import Code
+from sim.worldfile.shapes import rectangle
+from sim.worldfile.values import ValueReader, mistake
+
+_SET = re.compile(b"\1")
+
+MOST_EDGES = 200_000
+"""Beyond it (a picture full of dots) outlines are not counted."""
+
+
+def count_outlines(picture: Bitmap) -> int | None:
+    """The number of polygons, holes included; None where the borders are too long to follow."""
+    leaving: dict[tuple[int, int], list[tuple[int, int]]] = {}
+    for i, (start, end) in enumerate(_borders(picture)):
+        if i == MOST_EDGES:
+            return None
+        leaving.setdefault(start, []).append(end)
+    for ends in leaving.values():
+        ends.sort(reverse=True)
+    return sum(1 for start in sorted(leaving) for _ in _followed(leaving, start))
+
+
+def _followed(
+    leaving: dict[tuple[int, int], list[tuple[int, int]]], start: tuple[int, int]
+) -> Iterator[None]:
+    """One turn for each border that is followed from ``start`` until nothing leads on."""
+    while start in leaving:
+        at = start
+        while (ends := leaving.get(at)) is not None:
+            following = ends.pop()
+            if not ends:
+                del leaving[at]
+            at = following
+        yield
+
+
+def _borders(picture: Bitmap) -> Iterator[tuple[tuple[int, int], tuple[int, int]]]:
+    """The edges between dark and light pixels, clockwise round the dark, y downwards."""
+    empty = bytes(picture.width)
+    rows = (empty, *picture.rows, empty)
+    for y in range(picture.height + 1):
+        above, below = rows[y], rows[y + 1]
+        if above != below:
+            yield from _level(above, below, y)
+        if y < picture.height and any(below):
+            yield from _upright(below, y)
+
+
+def _level(above: bytes, below: bytes, y: int) -> Iterator[tuple[tuple[int, int], tuple[int, int]]]:
+    for x in _differences(above, below):
+        yield ((x, y), (x + 1, y)) if below[x] else ((x + 1, y), (x, y))
+
+
+def _upright(row: bytes, y: int) -> Iterator[tuple[tuple[int, int], tuple[int, int]]]:
+    left, right = b"\0" + row, row + b"\0"
+    for x in _differences(left, right):
+        yield ((x, y), (x, y + 1)) if left[x] else ((x, y + 1), (x, y))
+
+
+def _differences(one: bytes, other: bytes) -> Iterator[int]:
+    """Where two rows differ; found without a look at every pixel."""
+    both = int.from_bytes(one) ^ int.from_bytes(other)
+    return (match.start() for match in _SET.finditer(both.to_bytes(len(one))))
+
+
+_RUN = re.compile(b"\x01+")
+
+
+class Rectangle(NamedTuple):
+    """In pixels, y downwards; the right and bottom borders belong to the next pixel."""
+
+    left: int
+    top: int
+    right: int
+    bottom: int
+
+
+def rectangles(picture: Bitmap) -> Iterator[Rectangle]:
+    """The solid area of a picture, without gaps and overlaps."""
+    growing: dict[tuple[int, int], int] = {}
+    for y, row in enumerate((*picture.rows, b"")):
+        runs = {match.span() for match in _RUN.finditer(row)}
+        for (left, right), top in [item for item in growing.items() if item[0] not in runs]:
+            del growing[left, right]
+            yield Rectangle(left, top, right, y)
+        for run in sorted(runs):
+            growing.setdefault(run, y)
+
+
+class Plan(Struct, frozen=True):
+    """The solid part of a picture, in pixels, y upwards; margins are left for the fitting to crop."""
+
+    polygons: tuple[Polygon, ...]
+    outlines: int
+    """How many polygons Stage makes of it."""
+
+
+NOTHING = Plan((), 0)
+MOST_RECTANGLES = 25_000
+
+
+class Plans:
+    """The pictures of one world."""
+
+    def __init__(self, reader: FileReader, values: ValueReader) -> None:
+        self._reader = reader
+        self._values = values
+        self._traced: dict[Path, Plan] = {}
+
+    def plan(self, setting: Setting) -> Plan:
+        """The solid pixels of the picture that ``setting`` names."""
+        name = self._values.string({"bitmap": setting}, "bitmap", "")
+        path = self._path(setting, name)
+        if path not in self._traced:
+            self._reader.pictures.append(str(path))
+            self._traced[path] = self._trace(setting, path, name)
+        return self._traced[path]
+
+    def _path(self, setting: Setting, name: str) -> Path:
+        path = self._reader.find(name, Path(setting.file))
+        if path is None:
+            raise mistake(Code.BITMAP_NOT_FOUND, setting, path=name[:200])
+        if not self._reader.is_allowed(path):
+            raise mistake(Code.BITMAP_OUTSIDE, setting, path=name[:200])
+        return path.resolve()
+
+    def _trace(self, setting: Setting, path: Path, name: str) -> Plan:
+        picture = self._picture(setting, path, name)
+        solid = list(rectangles(picture))
+        if len(solid) > MOST_RECTANGLES:
+            raise mistake(Code.TOO_MUCH, setting, limit=MOST_RECTANGLES)
+        height = picture.height
+        polygons = tuple(
+            rectangle(left, height - bottom, right - left, bottom - top) for left, top, right, bottom in solid
+        )
+        if solid and not _fills(picture):
+            self._values.note(NoteKind.REPAIRED, "margin-cropped", setting, path=name)
+        outlines = count_outlines(picture)
+        return Plan(polygons, len(polygons) if outlines is None else outlines)
+
+    def _picture(self, setting: Setting, path: Path, name: str) -> Bitmap:
+        try:
+            with path.open("rb") as stream:
+                return read_bitmap(stream.read(LARGEST_FILE))
+        except (OSError, UnreadableBitmapError):
+            raise mistake(Code.BITMAP_UNREADABLE, setting, PICTURE_FORMATS, path=name[:200]) from None
+
+
+def _fills(picture: Bitmap) -> bool:
+    """Whether the solid pixels reach all four borders."""
+    sides = (picture.rows[0], picture.rows[-1])
+    ends = [(row[0], row[-1]) for row in picture.rows]
+    return all(any(side) for side in (*sides, [end[0] for end in ends], [end[1] for end in ends]))

@@ -1,0 +1,104 @@
+"""Rules for intended differences between the two front ends, so that no case has to list them.
+
+Every other difference is listed in ``differences.toml`` until it is removed.
+"""
+
+from __future__ import annotations
+
+import re
+from dataclasses import replace
+
+from tests.parity.outcome import Outcome
+
+PANES = ("SHOW PROGRAM", "SHOW MAP", "SHOW LOG", "SHOW VARIABLES", "VARIABLES", "VARIÁVEIS")
+"""The screen goes to that part of it, the linear mode reads it out."""
+OF_ITSELF = ("HELP", "TOUR", "MANUAL", "SET", "CONFIGURE")
+"""Each front end has pages of its own about itself: its keys, its first lesson, its settings."""
+CHOSEN_FROM_A_LIST = ("LANGUAGE", "DETAIL", "SET speech")
+"""The screen lists what can be chosen; the linear mode says what is chosen, and which choices there are."""
+OF_WAITING_LINES = {
+    *(f"{name}: RUN" for name in ("idle", "fresh", "two robots, idle")),
+    *(f"{name}: {word}" for name in ("idle", "running") for word in ("DELETE", "REMOVE")),
+}
+"""In the linear mode RUN runs, and DELETE deletes, the lines that have not run. On the screen none wait."""
+OF_WAITING_OR_ALL = ("STEP", "OVER", "UNTIL")
+"""In the linear mode these begin with what waits, where the robot stands; on the screen from the start."""
+
+_WAITING_LINES = re.compile(r"RUN runs (all \d+ lines|the line) again\.|From the start again\.")
+"""What only a mode in which lines wait has to say."""
+_HOLD = re.compile(r"Enter goes on\. RUN runs the rest\. STOP ends\.")
+"""At the prompt of a held program Enter means something else than elsewhere."""
+_END_OF_PROGRAM = ("The program is done.", "O programa terminou.")
+"""In the linear mode the prompt says it."""
+_NAME = re.compile(r"(?<=<run_started )program=.*?, (?=world=)")
+"""What a program is called that has no file: compared once, and not with every run."""
+_FRESH = re.compile(r"fresh=\w+, ")
+_HOW_TO_ANSWER = re.compile(r",? (y or n|yes or no).*")
+"""How a question is answered is another matter at a prompt than in a dialog."""
+_NUMBER = re.compile(r"\d+: ")
+"""The linear mode numbers the rows from which something is chosen; on the screen one goes to them."""
+
+
+def is_same(case: str, line: str, linear: Outcome, screen: Outcome) -> bool:
+    """Whether the two agree in what the line comes to, as far as the rules want it."""
+    if line in PANES:
+        return bool(linear.published) and not screen.published and not screen.asked
+    if line in OF_ITSELF:
+        return bool(linear.published) and bool(screen.listed)
+    if line in CHOSEN_FROM_A_LIST:
+        return bool(linear.published) and bool(screen.listed) and not screen.published
+    if case in OF_WAITING_LINES:
+        return True
+    if line in ("LINEAR", "VISUAL"):
+        there, here = (screen, linear) if line == "LINEAR" else (linear, screen)
+        return there.left_for == "other mode" and not here.left_for and bool(here.published)
+    if not case.startswith("name of a program"):
+        linear, screen = _without_name(linear), _without_name(screen)
+    linear, screen = _plain(linear), _plain(screen)
+    if screen.listed and set(screen.listed) <= set(screen.published):
+        screen = replace(screen, asked="", listed=())  # a list of the lines that were just published
+    if not screen.listed:
+        return _as_published(line, linear) == _as_published(line, screen)
+    return _is_same_list(line, linear, screen)
+
+
+def _without_name(outcome: Outcome) -> Outcome:
+    """Without the name of the program that began."""
+    return replace(outcome, published=tuple(_NAME.sub("", each) for each in outcome.published))
+
+
+def _plain(outcome: Outcome) -> Outcome:
+    """Without what belongs to one front end alone."""
+    return replace(
+        outcome,
+        published=tuple(
+            each
+            for each in outcome.published
+            if not (_WAITING_LINES.fullmatch(each) or _HOLD.fullmatch(each))
+        ),
+        asked=_HOW_TO_ANSWER.sub("", outcome.asked).rstrip("?:. "),
+    )
+
+
+def _as_published(line: str, outcome: Outcome) -> tuple[str, ...]:
+    is_of_program = not line.startswith(("GRIP", "RELEASE"))
+    published = tuple(each for each in outcome.published if not (is_of_program and each in _END_OF_PROGRAM))
+    if line.startswith(OF_WAITING_OR_ALL):
+        published = tuple(_FRESH.sub("", each) for each in published)
+    return replace(outcome, published=published).as_text()
+
+
+def _is_same_list(line: str, linear: Outcome, screen: Outcome) -> bool:
+    """Rows on the screen are lines in the linear mode: all of them, in their order, perhaps said shorter."""
+    if screen.published:
+        return False
+    if line.startswith("TYPED"):  # the screen lists the newest first, and the linear mode last
+        return {_NUMBER.sub("", each) for each in linear.published} >= set(screen.listed)
+    told = [_NUMBER.sub("", each) for each in linear.published]
+    rows = [_NUMBER.sub("", each) for each in screen.listed]
+    starts = range(len(told) - len(rows) + 1)
+    return any(all(map(_begins_with, rows, told[at : at + len(rows)])) for at in starts)
+
+
+def _begins_with(row: str, told: str) -> bool:
+    return row.startswith(told.removesuffix(" You are here.").rstrip("."))

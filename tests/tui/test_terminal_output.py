@@ -1,0 +1,182 @@
+"""Only what changed is sent to the terminal, and the terminal shows the same as if all had been sent."""
+
+import random
+
+import pyte
+import pytest
+from rich.console import Console
+from rich.segment import Segment
+from rich.style import Style
+from textual._compositor import ChopsUpdate, LayoutUpdate
+from textual.geometry import Offset, Region
+from textual.strip import Strip
+
+from donnie_tui.tui.terminal_output import Changes, Painted
+
+COLUMNS, ROWS = 30, 4
+CONSOLE = Console(force_terminal=True, color_system="truecolor")
+STYLES = [
+    Style.parse(each)
+    for each in ("red on black", "blue on black", "bold on white", "reverse", "underline", "")
+]
+LETTERS = [*"aabb    éü²=界🤖", "e\u0301"]
+
+
+def update(x: int, y: int, strip: Strip) -> ChopsUpdate:
+    return ChopsUpdate(
+        [{x: strip} if row == y else {} for row in range(ROWS)], [(y, 0, COLUMNS)], [[COLUMNS]] * ROWS
+    )
+
+
+def whole_screen(chance: random.Random) -> LayoutUpdate:
+    strips = [[some_strip(chance), some_strip(chance)] for _ in range(ROWS)]
+    return LayoutUpdate(strips, Region(0, 0, COLUMNS, ROWS))
+
+
+def some_strip(chance: random.Random) -> Strip:
+    pieces = [
+        Segment("".join(chance.choices(LETTERS, k=chance.randrange(5))), chance.choice(STYLES))
+        for _ in range(4)
+    ]
+    return Strip(pieces).adjust_cell_length(12, chance.choice(STYLES))
+
+
+class Seen:
+    def __init__(self) -> None:
+        self.screen = pyte.Screen(COLUMNS, ROWS)
+        self._stream = pyte.Stream(self.screen)
+
+    def feed(self, sent: str) -> int:
+        self._stream.feed(sent)
+        return len(sent)
+
+    def cells(self) -> list[tuple[object, ...]]:
+        """What is seen of each cell: of a blank neither its colour nor that it is bold."""
+        return [self._cell(self.screen.buffer[y][x]) for y in range(ROWS) for x in range(COLUMNS)]
+
+    def _cell(self, cell: pyte.screens.Char) -> tuple[object, ...]:
+        if cell.data == " " and not (cell.underscore or cell.reverse):
+            return (" ", cell.bg)
+        return tuple(cell)
+
+
+def test_the_terminal_shows_the_same():
+    chance = random.Random(1)
+    thin, whole, painted = Seen(), Seen(), Painted()
+    for _ in range(600):
+        x, y, strip = chance.randrange(2) * 12, chance.randrange(ROWS), some_strip(chance)
+        given = whole_screen(chance) if chance.random() < 0.1 else update(x, y, strip)
+        thin.feed(painted.less(given).render_segments(CONSOLE))
+        whole.feed(given.render_segments(CONSOLE))
+
+        assert thin.cells() == whole.cells()
+
+
+def test_what_is_there_already_costs_nothing_and_one_letter_little():
+    painted, red = Painted(), STYLES[0]
+    before, after = (Strip([Segment(text, red)]) for text in ("I walked 4 steps.", "I walked 5 steps."))
+    painted.less(update(0, 0, before)).render_segments(CONSOLE)
+
+    assert painted.less(update(0, 0, before)).render_segments(CONSOLE) == ""
+    assert painted.less(update(0, 0, after)).render_segments(CONSOLE) == "\x1b[31;40m\x1b[1;10H5\x1b[0m"
+
+
+def test_after_something_else_was_written_nothing_is_known():
+    painted, strip = Painted(), Strip([Segment("FW 4", STYLES[0])])
+    sent = painted.less(update(0, 0, strip)).render_segments(CONSOLE)
+    for forget in (lambda: painted.less("something else"), painted.forget):
+        forget()
+        assert painted.less(update(0, 0, strip)).render_segments(CONSOLE) == sent
+
+
+def test_a_whole_screen_that_shows_the_same_costs_nothing():
+    """Textual paints all of it where the focus goes elsewhere."""
+    rows = [[Strip([Segment("Program".ljust(12), each)])] for each in STYLES[:ROWS]]
+    painted, screen = Painted(), LayoutUpdate(rows, Region(0, 0, COLUMNS, ROWS))
+
+    assert painted.less(screen).render_segments(CONSOLE) == screen.render_segments(CONSOLE)
+    assert painted.less(screen).render_segments(CONSOLE) == ""
+
+
+def test_a_screen_that_was_not_written_is_not_known():
+    """Textual drops what it painted before its driver runs: the page of a browser stayed empty."""
+    painted, screen = Painted(), whole_screen(random.Random(3))
+    painted.less(screen)
+
+    assert painted.less(screen).render_segments(CONSOLE) == screen.render_segments(CONSOLE)
+
+
+def sent(painted: Painted, text: str, *, row: int = 0, typing: Offset | None = None) -> str:
+    strip = Strip([Segment(text.ljust(20), STYLES[0])])
+    return painted.less(update(0, row, strip), rows=True, typing=typing).render_segments(CONSOLE)
+
+
+def test_where_rows_are_written_whole_only_those_that_differ_are():
+    """A reader says what is written: half a row is no sentence."""
+    painted = Painted()
+    sent(painted, "I walked 4 steps.")
+
+    assert sent(painted, "I walked 4 steps.") == ""
+    assert "I walked 5 steps." in sent(painted, "I walked 5 steps.")
+    assert "I walked 5" in sent(painted, "I walked 5")  # and what was behind it is gone
+    assert sent(painted, "I walked 5") == ""
+
+
+def test_where_rows_are_written_whole_a_typed_letter_is_a_letter():
+    painted = Painted()
+    sent(painted, "FW 1")
+
+    assert "FW" not in sent(painted, "FW 12", typing=Offset(5, 0))
+    assert "FW 123" in sent(painted, "FW 123", typing=Offset(3, 1))
+    assert "BK 123" in sent(painted, "BK 123", typing=Offset(6, 0))
+
+
+@pytest.fixture
+def written(monkeypatch):
+    """What is written to the terminal, update by update."""
+    updates: list[str] = []
+    less = Painted.less
+
+    def noted(self, update, **how):
+        smaller = less(self, update, **how)
+        if isinstance(smaller, Changes):
+            updates.append(smaller.render_segments(CONSOLE))
+        return smaller
+
+    monkeypatch.setattr(Painted, "less", noted)
+    return updates
+
+
+def cost(updates: list[str]) -> int:
+    """In bytes."""
+    return len("".join(updates).encode())
+
+
+@pytest.mark.parametrize(("plain", "most"), [(False, 100), (True, 140)], ids=["panes", "plain"])
+async def test_a_typed_key_costs_few_bytes(work, written, plain, most):
+    """At the end of a line, in the program and in the command line."""
+    async with work("FW 1\nTR 90\n", plain=plain) as desk:
+        for widget in (desk.place.editor, desk.place.command_line):
+            widget.focus()
+            for key in ("end", "space", *"tr 12"):
+                await desk.press(key)
+            await desk.painted()
+            written.clear()
+            await desk.press("3")
+            await desk.painted()
+
+            assert 0 < cost(written) <= most, written
+
+
+@pytest.mark.parametrize(("plain", "most"), [(False, 1500), (True, 2500)], ids=["panes", "plain"])
+async def test_a_move_to_the_next_pane_writes_only_the_changes(work, written, plain, most):
+    """Titles, the status line and the keys, not the whole screen; in the plain layout another pane."""
+    async with work("FW 1", plain=plain) as desk:
+        await desk.press("tab")  # where Textual paints styles for the first time
+        await desk.painted()
+        for _ in range(3):
+            written.clear()
+            await desk.press("tab")
+            await desk.painted()
+
+            assert 0 < cost(written) < most

@@ -1,0 +1,251 @@
+"""What the supervisor decides, without a worker: responses and times in, steps out."""
+
+import pytest
+
+from devices.audio.messages import (
+    AudioResponse,
+    Ping,
+    PlayCue,
+    Say,
+    Silence,
+    Silenced,
+    SoundReady,
+    SpeechFinished,
+    SpeechStarted,
+    VoiceReady,
+)
+from devices.audio.supervisor import KillWorker, Notify, SendRequest, StartWorker, Step, WorkerSupervisor
+from devices.ports.audio import AudioNotice, Cue, NoticeCode, Urgency, Utterance, VoiceSettings
+from donnie_tui.outlets.spoken_languages import spoken_languages
+
+KILL_AND_START = [KillWorker(), StartWorker(False)]
+
+
+class Supervised:
+    """A supervisor, its clock, and the steps that it asked for."""
+
+    def __init__(self, volumes: dict[str, float] | None = None) -> None:
+        self.supervisor = WorkerSupervisor(VoiceSettings(), volumes or {}, spoken_languages())
+        self.now = 100.0
+
+    def say(self, text: str, urgency: Urgency = Urgency.PROGRAM, language: str = "en") -> None:
+        self.supervisor.say(Utterance(text, urgency, language), self.now)
+
+    def play(self, name: str) -> None:
+        self.supervisor.play(Cue(name), self.now)
+
+    def steps(self) -> list[Step]:
+        """All but the heartbeat's."""
+        taken = self.supervisor.advance(self.now)
+        return [
+            step for step in taken if not (isinstance(step, SendRequest) and isinstance(step.request, Ping))
+        ]
+
+    def respond(self, *responses: AudioResponse) -> None:
+        for response in responses:
+            self.supervisor.received(response, self.now)
+
+    def become_ready(self, *languages: str) -> None:
+        self.supervisor.warm_up()
+        assert self.steps() == [StartWorker(False)]
+        self.respond(SoundReady("fake"), VoiceReady(languages or ("en", "pt", "es")))
+
+    def next_say(self) -> Say:
+        """Advance; the sentence that is sent."""
+        sent = [step.request for step in self.steps() if isinstance(step, SendRequest)]
+        (order,) = (order for order in sent if isinstance(order, Say))
+        return order
+
+    def speak(self, sentence: Say) -> None:
+        self.respond(SpeechStarted(sentence.number, 1.0), SpeechFinished(sentence.number))
+
+    def fail(self) -> None:
+        self.supervisor.ended(self.now)
+
+
+@pytest.fixture
+def audio() -> Supervised:
+    return Supervised()
+
+
+def test_nothing_is_started_before_there_is_something_to_play(audio: Supervised) -> None:
+    assert audio.steps() == []
+    assert audio.supervisor.next_at() is None
+    assert audio.supervisor.is_quiet
+
+
+def test_the_first_sentence_starts_the_worker_and_waits_for_it(audio: Supervised) -> None:
+    audio.say("Hello.")
+
+    assert audio.steps() == [StartWorker(False)]
+    assert audio.steps() == []
+    assert not audio.supervisor.is_quiet
+
+
+def test_a_sentence_is_sent_in_words_for_a_voice(audio: Supervised) -> None:
+    audio.become_ready()
+    audio.say("x=-3", language="pt")
+
+    sentence = audio.next_say()
+    assert (sentence.text, sentence.language) == ("x igual a menos 3", "pt")
+
+
+def test_sentences_are_sent_one_at_a_time_in_order(audio: Supervised) -> None:
+    audio.become_ready()
+    for text in ("one", "two", "three"):
+        audio.say(text)
+    sent = []
+    while not audio.supervisor.is_quiet:
+        sentence = audio.next_say()
+        assert audio.steps() == []
+        sent.append(sentence.text)
+        audio.speak(sentence)
+
+    assert sent == ["one", "two", "three"]
+
+
+def test_the_voice_is_clamped_and_may_change_between_sentences(audio: Supervised) -> None:
+    audio.become_ready()
+    audio.supervisor.set_voice(VoiceSettings(words_per_minute=9_999, pitch=60, volume=0.5))
+    audio.say("Fast.")
+
+    sentence = audio.next_say()
+    assert (sentence.words_per_minute, sentence.pitch, sentence.volume) == (450, 60, 0.5)
+
+
+def test_silence_ends_the_sentence_and_drops_the_others(audio: Supervised) -> None:
+    audio.become_ready()
+    audio.say("one")
+    audio.say("two")
+    sentence = audio.next_say()
+    audio.supervisor.silence_speech(audio.now)
+    (step,) = audio.steps()
+
+    assert isinstance(step, SendRequest)
+    assert isinstance(step.request, Silence)
+    assert (step.request.speech, step.request.cues) == (True, False)
+    assert audio.supervisor.is_quiet
+    audio.respond(Silenced(step.request.number), SpeechFinished(sentence.number))
+    assert audio.steps() == []
+
+
+def test_a_sentence_lost_with_its_worker_is_not_said_after_a_silence(audio: Supervised) -> None:
+    audio.become_ready()
+    audio.say("one")
+    audio.next_say()
+    audio.fail()
+    audio.supervisor.silence_speech(audio.now)
+
+    assert audio.supervisor.is_quiet
+    audio.steps()
+    audio.respond(SoundReady("fake"), VoiceReady(("en",)))
+    assert audio.steps() == []
+
+
+def test_a_sentence_after_a_silence_is_sent_after_it(audio: Supervised) -> None:
+    audio.become_ready()
+    audio.say("one")
+    audio.next_say()
+    audio.supervisor.silence_speech(audio.now)
+    audio.say("two")
+    orders = [type(step.request) for step in audio.steps() if isinstance(step, SendRequest)]
+
+    assert orders == [Silence, Say]
+
+
+def test_silence_is_not_sent_if_nothing_sounds(audio: Supervised) -> None:
+    audio.supervisor.silence_speech(audio.now)
+    audio.supervisor.silence_cues(audio.now)
+    assert audio.steps() == []
+
+    audio.become_ready()
+    audio.supervisor.silence_speech(audio.now)
+    assert audio.steps() == []
+
+
+def test_a_worker_that_is_not_silent_in_time_is_killed(audio: Supervised) -> None:
+    audio.become_ready()
+    audio.say("one")
+    audio.next_say()
+    audio.supervisor.silence_speech(audio.now)
+    audio.steps()
+    audio.now += 0.121
+
+    assert audio.supervisor.next_at() is not None
+    assert audio.steps() == KILL_AND_START
+
+
+def test_workers_that_are_not_silent_in_time_do_not_count_as_failures(audio: Supervised) -> None:
+    for _ in range(10):
+        audio.supervisor.warm_up()
+        audio.steps()
+        audio.respond(SoundReady("fake"), VoiceReady(("en",)))
+        audio.say("one")
+        audio.next_say()
+        audio.supervisor.silence_speech(audio.now)
+        audio.steps()
+        audio.now += 0.2
+
+    assert audio.steps() == KILL_AND_START
+
+
+def test_an_alert_interrupts_progress_but_not_an_answer(audio: Supervised) -> None:
+    audio.become_ready()
+    audio.say("Still walking.", Urgency.PROGRESS)
+    audio.next_say()
+    audio.say("Bump.", Urgency.ALERT)
+    assert [type(step.request) for step in audio.steps() if isinstance(step, SendRequest)] == [Silence, Say]
+
+    audio.say("Stopped.", Urgency.ALERT)
+    assert audio.steps() == []
+
+
+def test_an_old_cue_from_before_the_worker_was_ready_is_dropped_except_a_bump(audio: Supervised) -> None:
+    audio.play("step-forward")
+    audio.play("bump")
+    audio.steps()
+    audio.now += 1.5
+    audio.respond(SoundReady("fake"))
+
+    assert audio.steps() == [SendRequest(PlayCue("bump", 0.0, None, 1.0, 0.0))]
+
+
+def test_an_unknown_cue_and_one_that_is_switched_off_are_not_played() -> None:
+    audio = Supervised(volumes={"step-forward": 0.0, "bump": 7.0})
+    audio.become_ready()
+    for name in ("trumpet", "step-forward", "bump"):
+        audio.play(name)
+
+    assert audio.steps() == [SendRequest(PlayCue("bump", 0.0, None, 1.0, 0.0))]
+
+
+def test_silenced_cues_are_not_sent(audio: Supervised) -> None:
+    audio.play("bump")
+    audio.steps()
+    audio.supervisor.silence_cues(audio.now)
+    audio.respond(SoundReady("fake"))
+
+    assert not any(
+        isinstance(step, SendRequest) and isinstance(step.request, PlayCue) for step in audio.steps()
+    )
+
+
+def test_a_full_backlog_is_reported_once(audio: Supervised) -> None:
+    for number in range(20_000):
+        audio.say(str(number))
+
+    assert audio.steps() == [Notify(AudioNotice(NoticeCode.SPEECH_BACKLOG)), StartWorker(False)]
+
+
+def test_after_closing_nothing_happens(audio: Supervised) -> None:
+    audio.become_ready()
+    audio.say("Hello.")
+    audio.supervisor.close()
+    assert audio.steps() == [KillWorker()]
+
+    audio.say("Hello.")
+    audio.play("bump")
+    audio.supervisor.warm_up()
+    audio.supervisor.close()
+    audio.fail()
+    assert audio.steps() == []

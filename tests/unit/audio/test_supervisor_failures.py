@@ -1,0 +1,207 @@
+"""What the supervisor decides when a worker fails: no device, no voice, no response, too many ends."""
+
+import pytest
+
+from devices.audio.messages import (
+    PlayCue,
+    Pong,
+    Say,
+    SoundReady,
+    SpeechRefused,
+    SpeechStarted,
+    VoiceReady,
+)
+from devices.audio.supervisor import KillWorker, Notify, SendRequest, StartWorker, Step
+from devices.audio.worker_state import FailureCounter, WorkerState
+from devices.ports.audio import AudioNotice, NoticeCode
+from tests.unit.audio.test_supervisor import KILL_AND_START, Supervised
+
+
+@pytest.fixture
+def audio() -> Supervised:
+    return Supervised()
+
+
+def test_a_missing_voice_is_reported_once_and_no_other_voice_reads_the_language(audio: Supervised) -> None:
+    audio.become_ready("en")
+    for text in ("Olá.", "Adeus."):
+        audio.say(text, language="pt")
+    audio.say("Hello.")
+    steps = audio.steps()
+
+    assert steps[0] == Notify(AudioNotice(NoticeCode.VOICE_MISSING, "pt"))
+    assert [
+        step.request.text for step in steps if isinstance(step, SendRequest) and isinstance(step.request, Say)
+    ] == ["Hello."]
+    audio.say("Olá de novo.", language="pt-BR")
+    assert not any(isinstance(step, Notify) for step in audio.steps())
+
+
+def test_a_voice_that_fails_when_it_is_needed_is_reported_too(audio: Supervised) -> None:
+    audio.become_ready()
+    audio.say("Olá.", language="pt")
+    audio.respond(SpeechRefused(audio.next_say().number))
+
+    assert audio.steps() == [Notify(AudioNotice(NoticeCode.VOICE_MISSING, "pt"))]
+    assert audio.supervisor.is_quiet
+
+
+def test_without_a_device_the_worker_is_killed_and_no_other_is_started(audio: Supervised) -> None:
+    audio.say("Hello.")
+    audio.steps()
+    audio.respond(SoundReady(""), VoiceReady(("en",)))
+
+    assert audio.steps() == [Notify(AudioNotice(NoticeCode.NO_SOUND_DEVICE)), KillWorker()]
+    audio.say("Again.")
+    audio.play("bump")
+    audio.supervisor.silence_speech(audio.now)
+    assert audio.steps() == []
+    assert audio.supervisor.is_quiet
+    assert audio.supervisor.state is WorkerState.SILENT
+
+
+def test_without_a_voice_cues_are_played(audio: Supervised) -> None:
+    audio.say("Hello.")
+    audio.steps()
+    audio.respond(SoundReady("fake"), VoiceReady(()))
+    audio.say("Again.")
+    audio.play("bump")
+
+    assert audio.steps() == [
+        Notify(AudioNotice(NoticeCode.NO_VOICE)),
+        SendRequest(PlayCue("bump", 0.0, None, 1.0, 0.0)),
+    ]
+    assert audio.supervisor.is_quiet
+
+
+@pytest.mark.parametrize(
+    ("seconds", "steps"), [(2.9, []), (3.1, KILL_AND_START)], ids=["slow is not frozen", "frozen"]
+)
+def test_three_seconds_without_a_response_are_a_failure(seconds: float, steps: list[Step]) -> None:
+    audio = Supervised()
+    audio.become_ready()
+    audio.say("Hello.")
+    sentence = audio.next_say()
+    audio.respond(SpeechStarted(sentence.number, 60.0))
+    audio.now += seconds
+
+    assert audio.steps() == steps
+
+
+def test_a_player_that_plays_no_frames_is_frozen(audio: Supervised) -> None:
+    audio.become_ready()
+    audio.say("Hello.")
+    audio.respond(SpeechStarted(audio.next_say().number, 60.0))
+    for _ in range(3):
+        assert audio.steps() == []
+        audio.respond(Pong(0, frames=4711, is_playing=True))
+        audio.now += 1.0
+
+    assert audio.steps() == KILL_AND_START
+
+
+def test_a_player_that_plays_frames_is_not_frozen(audio: Supervised) -> None:
+    audio.become_ready()
+    audio.say("Hello.")
+    audio.respond(SpeechStarted(audio.next_say().number, 60.0))
+    for seconds in range(20):
+        audio.respond(Pong(0, frames=22_050 * seconds, is_playing=True))
+        audio.now += 1.0
+        assert audio.steps() == []
+
+
+def test_a_player_without_a_heartbeat_is_judged_by_its_sentences(audio: Supervised) -> None:
+    audio.become_ready()
+    audio.say("Hello.")
+    audio.respond(SpeechStarted(audio.next_say().number, 10.0))
+    for _ in range(12):
+        audio.respond(Pong(0, frames=-1, is_playing=True))
+        audio.now += 1.0
+        assert audio.steps() == []
+    audio.respond(Pong(0, frames=-1, is_playing=True))
+    audio.now += 1.0
+
+    assert audio.steps() == KILL_AND_START
+
+
+def test_a_sentence_lost_with_its_worker_is_said_again_once(audio: Supervised) -> None:
+    audio.become_ready()
+    audio.say("poison")
+    audio.say("next")
+    sent = []
+    for _ in range(2):
+        sent.append(audio.next_say().text)
+        audio.fail()
+        assert audio.steps() == KILL_AND_START
+        audio.respond(SoundReady("fake"), VoiceReady(("en",)))
+        audio.now += 61
+
+    assert [*sent, audio.next_say().text] == ["poison", "poison", "next"]
+
+
+def test_three_failures_in_a_minute_are_final_and_reported_once(audio: Supervised) -> None:
+    audio.become_ready()
+    audio.fail()
+    assert audio.steps() == KILL_AND_START
+    audio.fail()
+    assert audio.steps() == [KillWorker(), StartWorker(True)]
+    audio.fail()
+
+    assert audio.steps() == [Notify(AudioNotice(NoticeCode.AUDIO_GAVE_UP)), KillWorker()]
+    audio.say("Hello.")
+    audio.play("bump")
+    assert audio.steps() == []
+    assert audio.supervisor.is_quiet
+
+
+def test_failures_far_apart_are_not_final() -> None:
+    failures = FailureCounter()
+
+    assert [failures.add(now) for now in (0.0, 50.0, 100.0, 150.0, 155.0)] == [
+        False,
+        False,
+        False,
+        False,
+        True,
+    ]
+
+
+def test_after_a_worker_that_died_loading_the_voice_the_next_prefers_the_bundled_one(
+    audio: Supervised,
+) -> None:
+    audio.supervisor.warm_up()
+    audio.steps()
+    audio.respond(SoundReady("fake"))
+    audio.fail()
+
+    assert audio.steps() == [KillWorker(), StartWorker(prefer_bundled_voice=True)]
+
+
+def test_a_worker_that_never_gets_ready_is_given_ten_seconds(audio: Supervised) -> None:
+    audio.supervisor.warm_up()
+    audio.steps()
+    audio.now += 9.9
+    assert audio.steps() == []
+    audio.now += 0.2
+
+    assert audio.steps() == [KillWorker(), StartWorker(True)]
+
+
+def test_time_in_which_this_process_was_suspended_is_not_a_failure(audio: Supervised) -> None:
+    audio.become_ready()
+    audio.say("Hello.")
+    audio.respond(SpeechStarted(audio.next_say().number, 1.0))
+    audio.now += 3600.0
+    audio.supervisor.was_away(3600.0)
+
+    assert audio.steps() == []
+
+
+def test_an_idle_worker_gets_no_heartbeat(audio: Supervised) -> None:
+    audio.become_ready()
+    audio.say("Hello.")
+    audio.speak(audio.next_say())
+    audio.respond(Pong(0, frames=1, is_playing=False))
+
+    assert audio.steps() == []
+    assert audio.supervisor.next_at() is None

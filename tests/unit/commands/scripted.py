@@ -1,0 +1,130 @@
+"""A front end without a terminal: answers come from a list, and what is asked is written down."""
+
+from __future__ import annotations
+
+import os
+from collections.abc import Callable, Coroutine, Iterable, Sequence
+from typing import Any, TypeVar
+
+from donnie_tui.bootstrap import Donnie, open_workspace
+from donnie_tui.commands.context import Context
+from donnie_tui.commands.declarations import BY_NAME, When
+from donnie_tui.commands.dispatch import perform, take_line
+from donnie_tui.commands.interaction import EnterWorld, Option, SwitchMode, drive
+from donnie_tui.commands.preferences import Preferences
+from donnie_tui.core.answer_log import AnswerLog
+from donnie_tui.core.line_history import Past
+from donnie_tui.settings.folders import state_path
+
+T = TypeVar("T")
+
+
+class Quit(Exception):
+    """QUIT was typed."""
+
+
+class ScriptedInteraction:
+    """``Interaction`` for scripts and tests. A question without an answer in the list is given up."""
+
+    can_edit = is_attended = True
+
+    def __init__(self, answers: Iterable[str | None] = ()) -> None:
+        self.answers = list(answers)
+        self.asked: list[str] = []
+        """Every question, with the texts of its options."""
+        self.waited: list[float] = []
+        self.changed: list[str] = []
+        """The settings that changed."""
+        self.activity = When.IDLE
+        self.say: Callable[..., None] = lambda *_: None
+        self.when_waiting: Callable[[], bool] = lambda: False
+        """Whether the learner presses a key meanwhile."""
+        self.more: Callable[[], Coroutine[Any, Any, None]] | None = None
+
+    def _answer(self) -> str | None:
+        return self.answers.pop(0) if self.answers else None
+
+    async def ask(
+        self, question: str, text: str = "", accepts: Callable[[str], str | None] | None = None
+    ) -> str | None:
+        self.asked.append(f"{question} {text}".strip())
+        answer = self._answer()
+        while answer is not None and accepts is not None and (problem := accepts(answer)) is not None:
+            self.asked.append(problem)
+            answer = self._answer()
+        return answer
+
+    async def choose(
+        self, question: str, options: Sequence[Option], printed: Sequence[str] = ()
+    ) -> str | None:
+        self.asked += [question, *(each.text for each in options)]
+        self.say(*printed)
+        return self._answer()
+
+    async def confirm(self, question: str) -> bool | None:
+        self.asked.append(question)
+        answer = self._answer()
+        return None if answer is None else answer == "yes"
+
+    async def edit_line(self, question: str, text: str = "") -> str | None:
+        return await self.ask(question, text)
+
+    async def show_pages(
+        self, title: str, lines: Sequence[str], printed: Sequence[str] | None = None
+    ) -> None:
+        self.asked.append(title)
+        self.say(*(lines if printed is None else printed))
+
+    async def background(
+        self, task: Callable[[], T], slow: str, *, may_be_left: bool = False, is_slow: bool = False
+    ) -> T:
+        del slow, may_be_left, is_slow
+        return task()
+
+    async def wait(self, seconds: float) -> bool:
+        self.waited.append(seconds)
+        return self.when_waiting()
+
+    def print_soon(self) -> None: ...
+
+    def continue_on_enter(self, more: Callable[[], Coroutine[Any, Any, None]]) -> None:
+        self.more = more
+
+    def setting_changed(self, key: str) -> None:
+        self.changed.append(key)
+
+    def before_robot_changes(self) -> None: ...
+
+    def robot_changed(self) -> None: ...
+
+    async def type_again(self, line: str) -> None:
+        self.asked.append(f"> {line}")
+
+    async def enter_world(self, name: str) -> None:
+        raise EnterWorld(name)
+
+    async def switch_mode(self) -> None:
+        raise SwitchMode("", None)
+
+    async def quit(self) -> None:
+        raise Quit
+
+
+class Script:
+    """A learner who types commands, one after the other."""
+
+    def __init__(self, donnie: Donnie, answers: Iterable[str | None] = ()) -> None:
+        self.donnie = donnie
+        self.interaction = ScriptedInteraction(answers)
+        workspace = open_workspace(state_path(os.environ))
+        preferences = Preferences(donnie.outlets.audible.settings, os.environ)
+        self.ctx = Context(donnie, self.interaction, workspace, AnswerLog(), Past(), preferences)
+        self.interaction.say = self.ctx.say
+
+    def type(self, line: str) -> bool:
+        """Type a line. False if it is GoDonnie."""
+        return drive(take_line(self.ctx, line))
+
+    def press(self, name: str) -> None:
+        """Press the key of a command."""
+        drive(perform(self.ctx, BY_NAME[name], None))

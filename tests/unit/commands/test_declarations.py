@@ -1,0 +1,121 @@
+"""The commands have words in three languages that never hide those of GoDonnie, and one handler each."""
+
+import re
+
+import pytest
+
+from donnie_tui.commands.declarations import BY_NAME, COMMANDS, Command
+from donnie_tui.commands.lookup import LONGEST_WORD, find, help_line, help_of, typed_form, word_of
+from donnie_tui.core.reports import asked
+from donnie_tui.i18n.command_words import words_of
+from donnie_tui.i18n.words import Words
+from language import keywords
+from language.locales import languages
+from language.source import fold_name
+from tests.unit.i18n.sentences import CODES
+
+WORDS = [
+    pytest.param(each, word, id=f"{each.name}-{word}")
+    for each in COMMANDS
+    for language in languages()
+    for word in words_of(each.name, language)
+]
+
+
+@pytest.mark.parametrize(("command", "word"), WORDS)
+def test_a_word_of_godonnie_is_a_command_only_if_it_means_the_same(command: Command, word: str) -> None:
+    assert keywords.is_reserved(word.split()[0]) == command.is_godonnie
+
+
+def test_no_word_means_two_things() -> None:
+    meanings = {(fold_name(word), command.name) for command, word in (each.values for each in WORDS)}
+
+    assert len({word for word, _ in meanings}) == len(meanings)
+
+
+@pytest.mark.parametrize(("command", "word"), WORDS)
+def test_a_word_is_found_in_every_case_and_without_accents(command: Command, word: str) -> None:
+    found = [find(each) for each in (f"  {word.lower()}  ", fold_name(word), word.upper())]
+
+    assert found == [(command, "")] * 3
+
+
+@pytest.mark.parametrize(("command", "word"), WORDS)
+def test_the_text_after_a_word_is_its_argument(command: Command, word: str) -> None:
+    is_statement = command.is_godonnie and not command.argument
+
+    assert find(f"{word.lower()}  3 ") == (None if is_statement else (command, "3"))
+
+
+@pytest.mark.parametrize("line", ["speed = 3", "LIST [2]", "where=1", "openx", "FW 3", "", "x" * 1000])
+def test_a_name_in_the_learners_program_is_no_command(line: str) -> None:
+    assert find(line) is None
+
+
+def test_the_longer_of_two_words_with_the_same_beginning_counts() -> None:
+    assert [find(line)[0].name for line in ("SAVE x", "save as x", "Save Log x")] == [
+        "save",
+        "save_as",
+        "save_log",
+    ]
+
+
+@pytest.mark.parametrize("language", languages())
+def test_the_help_of_each_fits_forty_characters(language: str) -> None:
+    """A braille display of 40 cells shows the whole line."""
+    lines = [help_line(each, Words(language)) for each in COMMANDS if not each.is_visual]
+
+    assert [line for line in lines if len(line) > 40] == []
+
+
+def test_every_command_has_its_purpose_and_every_argument_its_example() -> None:
+    assert {f"action-{name}" for name in BY_NAME} <= set(CODES)
+    assert {f"help-typed-{each.argument}" for each in COMMANDS if each.argument} <= set(CODES)
+    assert max(len(each.values[1]) for each in WORDS) <= LONGEST_WORD
+
+
+def test_a_visual_command_names_a_command_that_says_the_same() -> None:
+    named = {each.in_words for each in COMMANDS if each.is_visual} - {""}
+
+    assert not {each.in_words for each in COMMANDS if not each.is_visual} - {""}
+    assert all(not BY_NAME[name].is_visual for name in named)
+
+
+@pytest.mark.parametrize("language", languages())
+@pytest.mark.parametrize("command", [each for each in COMMANDS if not each.is_godonnie])
+def test_each_word_is_explained_with_its_form_and_an_example(command: Command, language: str) -> None:
+    words, word = Words(language), word_of(command, language)
+    what, form, *_, example = help_of(word, words)
+
+    assert what.startswith(f"{word}") or word in what
+    assert word in form
+    assert word in example
+    assert ("," in form) == bool(command.argument and not command.required)
+
+
+@pytest.mark.parametrize("language", languages())
+@pytest.mark.parametrize("command", COMMANDS, ids=lambda each: each.name)
+def test_the_example_of_a_command_can_be_typed(command: Command, language: str) -> None:
+    found = find(typed_form(command, Words(language)))
+
+    assert found is not None
+    assert found[0] is command
+
+
+def test_the_form_shows_required_and_optional_arguments() -> None:
+    words = Words("en")
+
+    assert help_of("move", words)[1:] == ("Form: MOVE line before.", "Example: MOVE 5 2.")
+    assert help_of("LIST", words)[1] == "Form: LIST, or LIST first last."
+    assert help_of("STEP", words)[1:] == ("Form: STEP.", "Example: STEP.")
+    assert help_of("FW", words) == help_of("RUN", words) == ()
+
+
+@pytest.mark.parametrize("language", languages())
+def test_help_of_report_lists_the_possible_reports(language: str) -> None:
+    """Each word of it is understood."""
+    told = help_of("REPORT", Words(language))[2]
+
+    subjects = [asked(f"{word} x") for word in re.findall(r"\w+", told)[1:]]
+    assert sorted(found[0] for found in subjects if found) == ["help", "list", "manual", "map", "trail"]
+    assert len(told) <= 40

@@ -1,0 +1,76 @@
+"""Every command, with and without its argument, through the interaction of a script."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+import pytest
+
+from donnie_tui.bootstrap import Donnie, assemble
+from donnie_tui.commands.declarations import COMMANDS, Command
+from donnie_tui.commands.interaction import EnterWorld, SwitchMode
+from donnie_tui.commands.lookup import typed_form, word_of
+from donnie_tui.core.events import Answered, Stamped
+from donnie_tui.settings.settings import Settings
+from tests.unit.commands.scripted import Quit, Script
+from tests.unit.commands.test_dispatch import MODULES
+
+HERE = [each for each in COMMANDS if each.module in MODULES]
+
+
+@pytest.fixture(autouse=True)
+def own_folders(tmp_path, monkeypatch):
+    monkeypatch.setenv("XDG_CONFIG_HOME", str(tmp_path))
+    monkeypatch.setenv("XDG_STATE_HOME", str(tmp_path))
+    monkeypatch.chdir(tmp_path)
+
+
+@pytest.fixture
+def donnie() -> Iterator[Donnie]:
+    made = assemble(Settings(world="living_room", speech="off", sound=False, speed=None), terminal=True)
+    yield made
+    made.close()
+
+
+def answers_to(donnie: Donnie, line: str) -> list[str]:
+    """What is answered to a line; a way out is an answer, too."""
+    answers: list[str] = []
+
+    def note(stamped: Stamped) -> None:
+        if isinstance(stamped.event, Answered):
+            answers.append(stamped.event.text)
+
+    script = Script(donnie)
+    script.ctx.program.add("FW 1")
+    donnie.session.hub.subscribe(note)
+    try:
+        assert script.type(line)
+    except (EnterWorld, SwitchMode, Quit) as way_out:
+        answers.append(type(way_out).__name__)
+    finally:
+        script.ctx.close()
+    return answers or script.interaction.asked
+
+
+@pytest.mark.parametrize("command", HERE, ids=lambda each: each.name)
+def test_a_command_is_answered_as_it_is_typed(donnie: Donnie, command: Command) -> None:
+    assert answers_to(donnie, word_of(command, "en"))
+    assert answers_to(donnie, typed_form(command, donnie.words))
+
+
+@pytest.mark.parametrize(
+    "command", [each for each in HERE if not (each.argument or each.is_godonnie or each.is_visual)]
+)
+def test_what_takes_no_argument_says_so(donnie: Donnie, command: Command) -> None:
+    word = word_of(command, "en")
+
+    assert answers_to(donnie, f"{word} nonsense") == [f"{word} takes nothing after it. Type {word} alone."]
+
+
+@pytest.mark.parametrize(
+    "line", ["AROUND nonsense", "LAST nonsense", "LAST 0", "MAP 1", "READ x", "DETAIL x"]
+)
+def test_a_wrong_argument_is_answered_with_an_example(donnie: Donnie, line: str) -> None:
+    (answer,) = answers_to(donnie, line)
+
+    assert answer.startswith(f"I did not understand. Type {line.split()[0]} ")

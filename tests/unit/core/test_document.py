@@ -1,0 +1,382 @@
+"""The typed program: pending lines, lines that have run, saved lines, and line numbers."""
+
+from pathlib import Path
+
+import pytest
+
+from donnie_tui.core import document
+from donnie_tui.core.document import (
+    ANOTHER_PROGRAM,
+    WORTH_SAVING,
+    Batch,
+    Document,
+    ProgramTooLong,
+    Replaced,
+)
+
+
+def typed(*lines: str) -> Document:
+    program = Document()
+    for line in lines:
+        program.add(line)
+    return program
+
+
+def test_a_batch_is_what_was_typed_since_the_last_one() -> None:
+    program = typed("FW 1", "FW 2")
+    first = program.take_batch()
+    program.batch_ran()
+    program.add("FW 3")
+
+    assert first == Batch("FW 1\nFW 2", 1, 2)
+    assert program.take_batch() == Batch("FW 3", 3, 1)
+
+
+def test_lines_that_are_added_during_a_run_wait_and_a_change_lets_all_wait() -> None:
+    added, changed = typed("FW 1"), typed("FW 1")
+    for program in (added, changed):
+        program.take_batch()
+        program.add("FW 2")
+    changed.change(1, "FW 3")
+    added.batch_ran()
+    changed.batch_ran()
+
+    assert (added.waiting, changed.waiting) == (1, 2)
+
+
+def test_the_last_line_of_a_batch_runs_without_becoming_part_of_the_program() -> None:
+    program = typed("FW 1")
+
+    assert program.take_batch("QUIT").text == "FW 1\nQUIT"
+    assert program.lines == ("FW 1",)
+
+
+def test_after_a_mistake_one_line_is_forgotten_and_several_are_kept() -> None:
+    one, several = typed("FWD 1"), typed("FW 1", "FWD 2")
+
+    assert (one.batch_was_refused(), one.lines) == (False, ())
+    assert (several.batch_was_refused(), several.waiting) == (True, 2)
+
+
+def test_a_line_that_was_forgotten_is_known_until_another_one_is_there() -> None:
+    program = typed("FWD 1")
+    program.batch_was_refused()
+    assert program.rejected == "FWD 1"
+
+    program.add("FW 1")
+    assert program.rejected is None
+
+
+def test_the_innermost_open_block_has_its_line_in_the_program() -> None:
+    program = typed("FW 1")
+    program.batch_ran()
+    for line in ("PROCEDURE P DO", "IF 1 == 1 THEN FW 1 END IF", "REPEAT 2 TIMES", "FW 1"):
+        program.add(line)
+    block = program.open_block
+
+    assert program.depth == 2
+    assert block is not None
+    assert (block.kind, block.line) == ("REPEAT", 4)
+
+
+def test_a_program_without_an_open_block_has_no_innermost_block() -> None:
+    assert typed("REPEAT 2 TIMES FW 1 END REPEAT").open_block is None
+
+
+def test_blank_lines_are_not_pending() -> None:
+    assert not typed("", "  ").is_waiting
+
+
+def test_lines_that_have_not_run_are_forgotten() -> None:
+    program = typed("FW 1")
+    program.batch_ran()
+    program.add("FW 2")
+
+    assert (program.delete_waiting(), program.lines) == (1, ("FW 1",))
+
+
+def test_a_change_of_lines_that_ran_makes_the_whole_program_pending() -> None:
+    program = typed("FW 1", "FW 2")
+    program.batch_ran()
+    program.change(1, "FW 5")
+
+    assert program.waiting == 2
+    assert program.take_batch().text == "FW 5\nFW 2"
+
+
+def test_lines_are_inserted_and_deleted() -> None:
+    program = typed("a", "d")
+    program.insert(2, "c")
+    program.insert(2, "b")
+    program.delete(1, 1)
+
+    assert program.lines == ("b", "c", "d")
+
+
+@pytest.mark.parametrize("number", [0, -1, 3])
+def test_a_line_that_is_not_there_is_an_index_error(number: int) -> None:
+    program = typed("a", "b")
+
+    with pytest.raises(IndexError):
+        program.change(number, "x")
+    with pytest.raises(IndexError):
+        program.delete(1, number)
+    with pytest.raises(IndexError):
+        program.insert(number + 1 if number > 0 else number, "x")
+
+
+def test_saved_means_that_the_lines_are_the_same_as_in_the_file() -> None:
+    program = typed("FW 1")
+    was_saved = program.is_saved
+    program.mark_saved()
+    program.add("FWD")
+    is_saved = program.is_saved
+    program.delete_waiting()
+    program.add("FW 1")
+
+    assert (was_saved, is_saved, program.is_saved) == (False, False, True)
+
+
+def test_a_few_lines_are_not_worth_a_question_but_a_changed_file_is() -> None:
+    few, many = typed("a"), typed(*["a"] * WORTH_SAVING)
+    opened = Document()
+    opened.replace("a\n", Path("a.gd"))
+    opened.add("b")
+
+    assert [each.is_worth_saving for each in (few, many, opened, Document())] == [
+        False,
+        True,
+        True,
+        False,
+    ]
+
+
+def test_a_program_takes_no_more_than_a_file_may_hold(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(document, "LARGEST", 10)
+    program = typed("12345")
+
+    with pytest.raises(ProgramTooLong):
+        program.add("12345")
+    assert program.lines == ("12345",)
+
+
+def test_lines_are_moved_before_another_line_or_behind_the_last() -> None:
+    program = typed("A", "B", "C", "D")
+
+    assert program.move(3, 4, 1) == 1
+    assert program.lines == ("C", "D", "A", "B")
+    assert program.move(1, 1, 5) == 4
+    assert program.lines == ("D", "A", "B", "C")
+    with pytest.raises(IndexError):
+        program.move(1, 2, 2)
+
+
+def test_every_change_can_be_undone_in_turn() -> None:
+    program = typed("A", "B", "C")
+    program.change(2, "X")
+    program.delete(1, 1)
+    program.insert(3, "Y")
+    program.move(1, 1, 3)
+    found = [program.undo() for _ in range(4)]
+
+    assert program.lines == ("A", "B", "C")
+    assert found == [1, 3, 1, 2]
+
+
+def test_undoing_a_typed_line_leaves_earlier_lines_run() -> None:
+    program = typed("A", "B")
+    program.batch_ran()
+    program.add("SETTTINGS")
+
+    assert (program.undo(), program.lines, program.waiting) == (3, ("A", "B"), 0)
+    assert (program.undo(), program.undo(), program.undo(), program.lines) == (2, 1, None, ())
+
+
+def test_a_rewritten_program_is_pending_from_its_first_changed_line() -> None:
+    """Otherwise FIX in a pending line would repeat what the robot has done."""
+    program = typed("FW 30")
+    program.batch_ran()
+    program.add("TRR 90")
+
+    program.rewrite("FW 30\nTR 90\n")
+    assert program.take_batch() == Batch("TR 90", 2, 1)
+
+    program.rewrite("FW 3\nTR 90\n")
+    assert program.waiting == 2
+
+
+def test_undoing_a_change_loses_no_line_typed_after_it() -> None:
+    program = typed("A", "B")
+    program.change(1, "X")
+    program.add("C")
+    program.undo()
+
+    assert (program.lines, program.undo(), program.lines) == (("X", "B"), 1, ("A", "B"))
+
+
+def test_a_line_forgotten_after_a_mistake_is_not_undone_again() -> None:
+    program = typed("A")
+    program.batch_ran()
+    for line in ("", "FWD 1"):
+        program.add(line)
+    program.batch_was_refused()
+
+    assert (program.lines, program.undo(), program.lines) == (("A",), 1, ())
+
+
+def test_undoing_a_change_to_lines_that_ran_makes_all_pending_again() -> None:
+    program = typed("A", "B")
+    program.batch_ran()
+    program.change(2, "X")
+    program.batch_ran()
+
+    assert program.undo() == 2
+    assert program.waiting == 2
+
+
+def test_lines_that_ran_before_a_change_are_not_pending_after_its_undo() -> None:
+    program = typed("A", "B")
+    program.batch_ran()
+    program.change(1, "X")
+    program.add("C")
+    assert program.waiting == 3
+
+    program.undo()
+    program.undo()
+    assert (program.lines, program.waiting) == (("A", "B"), 0)
+
+
+def test_every_undone_change_can_be_redone() -> None:
+    program = typed("A", "B")
+    program.change(2, "X")
+    program.delete(1, 1)
+    for _ in range(4):
+        program.undo()
+    assert program.lines == ()
+
+    assert [program.redo() for _ in range(5)] == [1, 2, 2, 1, None]
+    assert program.lines == ("X",)
+    assert program.undo() == 1
+    assert program.lines == ("A", "X")
+
+
+def test_a_new_change_clears_the_redo_history() -> None:
+    program = typed("A")
+    program.change(1, "X")
+    program.undo()
+    program.add("B")
+
+    assert (program.redo(), program.lines) == (None, ("A", "B"))
+
+
+def test_a_redone_line_that_had_run_is_not_pending() -> None:
+    program = typed("A")
+    program.batch_ran()
+    program.undo()
+
+    assert (program.redo(), program.lines, program.waiting) == (1, ("A",), 0)
+
+
+def test_a_run_in_between_counts_more_than_a_run_before_the_change() -> None:
+    program = typed("A", "B")
+    program.batch_ran()
+    program.change(1, "X")
+    program.batch_ran()
+
+    program.undo()
+    assert program.waiting == 2
+
+
+def test_undoing_a_replaced_program_restores_its_file_and_its_saved_lines() -> None:
+    program = Document()
+    program.replace("A\nB\n", Path("mine.gd"))
+    program.breakpoints = frozenset({2})
+    program.batch_ran()
+    program.add("C")
+    program.replace("", None)
+    program.add("X")
+
+    assert (program.undo(), program.undo(), program.lines) == (1, ANOTHER_PROGRAM, ("A", "B", "C"))
+    assert (program.path, program.is_saved, program.waiting) == (Path("mine.gd"), False, 1)
+    assert program.breakpoints == {2}
+    assert (program.undo(), program.lines, program.is_saved) == (3, ("A", "B"), True)
+
+
+def test_redo_restores_the_replacing_program() -> None:
+    program = typed("A")
+    program.replace("X\n", Path("other.gd"))
+    program.undo()
+    assert (program.lines, program.path, program.is_saved) == (("A",), None, False)
+
+    assert program.redo() == ANOTHER_PROGRAM
+    assert (program.lines, program.path, program.is_saved) == (("X",), Path("other.gd"), True)
+    assert (program.undo(), program.lines) == (ANOTHER_PROGRAM, ("A",))
+
+
+def test_an_empty_program_can_not_be_restored_by_undo() -> None:
+    program = Document()
+    program.replace("A\n", Path("mine.gd"))
+
+    assert program.undo() is None
+
+
+def test_a_replaced_program_is_known_while_no_file_contains_it() -> None:
+    program = typed("A")
+    program.replace("X\n", Path("other.gd"))
+    program.add("Y")
+    program.replace("", None)
+    assert program.replaced == (Replaced("A\n", None), Replaced("X\nY\n", Path("other.gd")))
+
+    program.undo()
+    assert program.replaced == (Replaced("A\n", None),)
+
+
+def test_no_command_adds_a_line_with_control_characters() -> None:
+    """A pipe may contain anything, and the file and the full screen get the lines unchanged."""
+    harmful = "SPEAK \x1b[2J\x0c"
+    program = typed(harmful, "b")
+    program.change(2, harmful)
+    program.insert(3, harmful)
+
+    assert set(program.lines) == {"SPEAK  [2J "}
+
+
+def test_a_question_comes_before_another_text_is_lost(tmp_path: Path) -> None:
+    program, own, other = typed("FW 1"), tmp_path / "own.gd", tmp_path / "other.gd"
+    own.write_text("FW 1\n")
+    other.write_text("")
+    program.mark_saved(own)
+
+    assert [program.save_question(each) for each in (own, other, tmp_path / "new.gd")] == [
+        "",
+        "ask-replace",
+        "",
+    ]
+    own.write_text("FW 2\n")
+    assert program.save_question(own) == "ask-replace-changed"
+
+
+def test_a_word_is_searched_from_the_line_that_was_read_last_and_once_round() -> None:
+    program = typed("FW 1", "BW 2", "FW 3")
+
+    assert [program.find_next("fw") for _ in range(3)] == [1, 3, 1]
+    assert program.place == 1
+    assert program.find_next("TR") is None
+
+
+def test_a_part_of_the_text_is_replaced_as_one_change() -> None:
+    program = typed("FW 1", "TRR 90")
+    program.replace_range(5, 8, "TR")
+
+    assert program.lines == ("FW 1", "TR 90")
+    program.undo()
+    assert program.lines == ("FW 1", "TRR 90")
+
+
+def test_the_structure_follows_the_lines() -> None:
+    program = typed("REPEAT 2 TIMES")
+    program.add("FW 1")
+
+    assert program.structure.line(2).level == 1
+    program.delete(1, 1)
+    assert program.structure.line(1).level == 0

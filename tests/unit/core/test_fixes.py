@@ -1,0 +1,78 @@
+"""A fix replaces all words that were typed for the one that was meant."""
+
+import pytest
+
+from donnie_tui.core.program_text import fixed, mistakes
+from donnie_tui.i18n.words import Words
+from language.keywords import all_words, canonical
+from language.parser import parse
+
+PAIRS = sorted(word for word in all_words() if " " in word)
+
+
+def with_first_fix(text: str) -> str:
+    """The text with the first fix that is known."""
+    parsed = parse(text)
+    known = [each for each in mistakes(parsed.diagnostics, Words()).values() if each.meant]
+    return fixed(text, known[0]) if known else text
+
+
+@pytest.mark.parametrize(
+    ("typed", "meant"),
+    [
+        ("repita 2 vezes pf 1 fim repitta", "repita 2 vezes pf 1 FIM REPITA"),
+        ("repetir 2 veces av 1 fin repetr", "repetir 2 veces av 1 FIN REPETIR"),
+        ("REPEAT 2 TIMES FW 1 END REPET FW 2", "REPEAT 2 TIMES FW 1 END REPEAT FW 2"),
+        ("REPEAT 2 TIMES FW 1 ENDREPEAT", "REPEAT 2 TIMES FW 1 END REPEAT"),
+        ("gira direita 90", "GIRAR DIREITA 90"),
+        ("girar diretta 90", "GIRAR DIREITA 90"),
+        ("para frent 3", "PARA FRENTE 3"),
+        ("PROCEDURE P: x DO FW x END PROCEDURE P: 2 FW 1", "PROCEDURE P: x DO FW x END PROCEDURE P [2] FW 1"),
+        ("RIGHT 90", "RIGHT TURN 90"),
+        ("RIGHT TRUN 90", "RIGHT TURN 90"),
+        ("FALAR DISTANSIA F FALAR COLOR azul", "FALAR DISTÂNCIA F FALAR COLOR azul"),
+        ("VAR x x == 3 FW x", "VAR x x = 3 FW x"),
+        ('CREAR x = 3 HABLAR "total" x', 'CREAR x = 3 HABLAR "total" HABLAR x'),
+        ("repita 2 vezes pf 1 fim se", "repita 2 vezes pf 1 FIM REPITA"),
+    ],
+)
+def test_all_of_the_words_that_were_typed_are_replaced(typed: str, meant: str) -> None:
+    assert with_first_fix(typed) == meant
+
+
+HEADS = {
+    "END IF": "IF 1 == 1 THEN",
+    "END FOR": "FOR VAR i = 1; i < 3; i = i + 1 DO",
+    "END REPEAT": "REPEAT 2 TIMES",
+    "END WHILE": "WHILE 1 == 1 DO",
+    "END PROCEDURE": "PROCEDURE P DO",
+}
+
+
+@pytest.mark.parametrize("pair", PAIRS)
+def test_a_second_word_with_a_letter_too_many_is_not_left_behind(pair: str) -> None:
+    head, value = HEADS.get(canonical(pair) or "", ""), "" if canonical(pair) in HEADS else " 1"
+    typed = f"{head} {pair}{pair[-1]}{value}"
+
+    assert with_first_fix(typed) == f"{head} {pair}{value}"
+
+
+@pytest.mark.parametrize(
+    ("typed", "meant"),
+    [
+        ("SE 3 > 2\nPF 1\nFIM SE", "SE 3 > 2 ENTÃO\nPF 1\nFIM SE"),
+        ("SE 3 > 2 PF 1 FIM SE", "SE 3 > 2 ENTÃO PF 1 FIM SE"),
+        ("REPITA 3 -- voltas\nPF 1\nFIM REPITA", "REPITA 3 VEZES -- voltas\nPF 1\nFIM REPITA"),
+        ("APRENDER c: n\nc [n]\nFIM APRENDER", "APRENDER c: n FAÇA\nc [n]\nFIM APRENDER"),
+        ("ENQUANTO 1 < 2 ENTÃO PF 1 FIM ENQUANTO", "ENQUANTO 1 < 2 FAÇA PF 1 FIM ENQUANTO"),
+    ],
+    ids=["if", "one-line", "comment", "procedure", "another"],
+)
+def test_the_word_that_ends_a_head_is_put_at_its_end(typed: str, meant: str) -> None:
+    assert with_first_fix(typed) == meant
+
+
+def test_the_hint_for_a_missing_word_names_the_line_where_it_belongs() -> None:
+    found = parse("PF 1\nREPITA 3\nPF 2\nFIM REPITA").diagnostics[0]
+
+    assert Words("pt").hint(found) == "VEZES vai no fim da linha 2."

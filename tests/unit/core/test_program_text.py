@@ -1,0 +1,132 @@
+"""Reading a program by its blocks: levels as in the syntax tree, every END names its opener."""
+
+import pytest
+from hypothesis import given
+
+from donnie_tui.core.program_text import ProgramText, line_in_words, outline_in_words, place_in_words
+from donnie_tui.i18n.words import Words
+from language.parser import parse
+from language.syntax import Statement, blocks_of
+from tests.formatting import format_source
+from tests.properties.programs import programs
+
+RECTANGLE = """\
+PROCEDURE RECTANGLE: a DO
+  REPEAT 2 TIMES
+    FW a
+
+    IF a > 3 THEN
+      TR 90
+    ELSE
+      TL 90
+    END IF
+  END REPEAT
+END PROCEDURE
+RECTANGLE [4]""".splitlines()
+
+
+def depths(statements: tuple[Statement, ...], depth: int = 0) -> dict[int, int]:
+    """The level of the first statement of each line, from the syntax tree."""
+    found: dict[int, int] = {}
+    for statement in statements:
+        found.setdefault(statement.span.line, depth)
+        for block in blocks_of(statement):
+            for line, level in depths(block, depth + 1).items():
+                found.setdefault(line, level)
+    return found
+
+
+@given(programs())
+def test_the_level_of_a_line_is_its_depth_in_the_syntax_tree(source: str) -> None:
+    source = format_source(source)
+    program = parse(source).program
+    assert program is not None
+    text = ProgramText(source.split("\n"))
+
+    for line, depth in depths(program.body).items():
+        assert (text.line(line).level, line) == (depth, line)
+
+
+def test_every_end_names_the_line_that_it_closes() -> None:
+    text = ProgramText(RECTANGLE)
+
+    assert [text.line(number).closes for number in (9, 10, 11)] == [5, 2, 1]
+    assert (
+        line_in_words(text.line(10), text.line(9), Words()) == "Line 10, level 1: END REPEAT, closes line 2."
+    )
+
+
+@pytest.mark.parametrize(
+    ("detail", "before", "sentence"),
+    [
+        ("normal", 2, "Line 3, level 2: FW a"),
+        ("normal", 5, "Line 3: FW a"),
+        ("full", 5, "Line 3, level 2: FW a"),
+        ("brief", 2, "Line 3: FW a"),
+    ],
+)
+def test_the_level_is_said_when_it_changes_always_or_never(detail: str, before: int, sentence: str) -> None:
+    text = ProgramText(RECTANGLE)
+
+    assert line_in_words(text.line(3), text.line(before), Words("en", detail)) == sentence
+
+
+def test_an_empty_line_is_called_empty() -> None:
+    assert line_in_words(ProgramText(RECTANGLE).line(4), None, Words("en", "brief")) == "Line 4: empty."
+
+
+@pytest.mark.parametrize(
+    ("number", "up", "down", "following", "before"),
+    [
+        (1, None, 2, 12, None),
+        (2, 1, 3, None, None),
+        (3, 2, None, 5, None),
+        (5, 2, 6, None, 3),
+        (6, 5, None, None, None),
+        (7, 2, None, None, 5),
+        (10, 2, None, None, 2),
+        (12, None, None, None, 1),
+    ],
+)
+def test_moves_follow_the_blocks_and_stay_at_their_limits(
+    number: int, up: int | None, down: int | None, following: int | None, before: int | None
+) -> None:
+    text = ProgramText(RECTANGLE)
+
+    assert (text.up(number), text.down(number)) == (up, down)
+    assert (text.next_same(number), text.back_same(number)) == (following, before)
+
+
+def test_the_place_names_the_blocks_from_the_inside_out() -> None:
+    assert place_in_words(ProgramText(RECTANGLE), 6, Words()) == (
+        "Line 6 of 12, level 3.",
+        "In IF from line 5.",
+        "In REPEAT from line 2.",
+        "In PROCEDURE RECTANGLE from line 1.",
+    )
+
+
+def test_the_outline_has_the_openers_only() -> None:
+    assert outline_in_words(ProgramText(RECTANGLE), Words()) == (
+        "3 blocks.",
+        "Line 1, level 0: PROCEDURE RECTANGLE: a DO",
+        "Line 2, level 1: REPEAT 2 TIMES",
+        "Line 5, level 2: IF a > 3 THEN",
+    )
+
+
+def test_half_a_program_can_be_read() -> None:
+    text = ProgramText(["REPEAT 2 TIMES", "FW 1", "IF x"])
+
+    assert [text.line(number).level for number in (1, 2, 3)] == [0, 1, 1]
+    with pytest.raises(IndexError):
+        text.line(4)
+
+
+@pytest.mark.parametrize(("detail", "widest"), [("brief", 40), ("normal", 80), ("full", 80)])
+def test_a_long_line_is_cut_in_the_outline(detail: str, widest: int) -> None:
+    lines = ["REPEAT 2 TIMES " + "FW 1 " * 100, "END REPEAT"]
+    rows = outline_in_words(ProgramText(lines), Words("en", detail))
+
+    assert len(rows[1]) <= widest
+    assert rows[1].startswith("Line 1, level 0: REPEAT 2 TIMES FW")

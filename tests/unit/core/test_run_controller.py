@@ -1,0 +1,290 @@
+"""A run takes the requests that its state allows, and describes its holds and its end."""
+
+import threading
+from collections.abc import Callable
+from itertools import product
+
+import pytest
+
+from devices.ports.robot import Pace, Watcher
+from donnie_tui.core.events import Answered, Stamped
+from donnie_tui.core.hub import Stream
+from donnie_tui.core.run_controller import (
+    TRANSITIONS,
+    NothingRuns,
+    NothingToRun,
+    Program,
+    Request,
+    RunController,
+    RunObserver,
+    RunState,
+)
+from donnie_tui.core.runner import Run
+from donnie_tui.core.session import Busy, Session
+from donnie_tui.core.team import Team
+from donnie_tui.core.timeline import Chronicle
+from donnie_tui.i18n.words import Words
+from language.control import ExecutionControl
+from sim.robot import SimulatedRobot
+from sim.world import World
+from tests.floor import floor
+from tests.patience import PATIENCE
+
+ENDLESS = "WHILE 1 == 1 DO\nWAIT 1\nEND WHILE"
+SQUARE = "REPEAT 2 TIMES\nFW 2\nTR 90\nEND REPEAT"
+
+
+class Lesson(RunObserver):
+    """A robot on a floor, its runs, and what was answered."""
+
+    def __init__(self, *, speed: float | None = None, has_prompt: bool = True) -> None:
+        words, stream, chronicle = Words("en", "brief"), Stream(), Chronicle()
+        world = World(floor())
+
+        def make_robot(pace: Pace, watcher: Watcher) -> SimulatedRobot:
+            return world.robot(pace=pace, watcher=watcher, speed=speed)
+
+        def make_session(_: str) -> Session:
+            return Session(make_robot, words, world="floor", seed=0, terminal=True, stream=stream)
+
+        self.team = Team(("donnie",), make_session, stream)
+        self.answers: list[str] = []
+        self.run: Run | None = None
+        self._changed = threading.Condition()
+        stream.subscribe(chronicle)
+        self.runs = RunController(self.team, words, chronicle, has_prompt=has_prompt)
+        self.runs.observer = self
+        stream.subscribe(self._on_event)
+
+    def _on_event(self, stamped: Stamped) -> None:
+        if isinstance(stamped.event, Answered):
+            self.answers.append(stamped.event.text)
+
+    def on_change(self) -> None:
+        with self._changed:
+            self._changed.notify_all()
+
+    def until(self, happened: Callable[[], bool]) -> None:
+        with self._changed:
+            assert self._changed.wait_for(happened, PATIENCE)
+
+    def start(
+        self, text: str, begin: Callable[[ExecutionControl], None] | None = None, *, is_whole: bool = True
+    ) -> None:
+        self.run = self.runs.start(Program(text, "test.gd", is_whole=is_whole), begin=begin)
+
+    def held(self) -> None:
+        self.until(lambda: self.runs.is_held)
+
+    def ended(self) -> list[str]:
+        """The answers so far, once the run is over and summed up."""
+        assert self.run is not None
+        assert self.run.wait(PATIENCE)
+        self.runs.sum_up(None)
+        return self.answers
+
+
+def in_state(state: RunState) -> Lesson:
+    lesson = Lesson(speed=1.0)
+    if state is not RunState.READY:
+        lesson.start(ENDLESS, begin=ExecutionControl.step if state is RunState.PAUSED else None)
+    if state is RunState.PAUSED:
+        lesson.held()
+    if state is RunState.STOPPING:
+        lesson.runs.stop()
+    assert lesson.runs.state is state
+    return lesson
+
+
+ASK: dict[Request, Callable[[RunController], object]] = {
+    Request.START: lambda runs: runs.start(Program(ENDLESS)),
+    Request.PAUSE: RunController.pause,
+    Request.CONTINUE: RunController.continue_,
+    Request.STEP: lambda runs: runs.run_to(9),
+    Request.STEP_BACK: RunController.step_back,
+    Request.STOP: RunController.stop,
+}
+
+
+@pytest.mark.parametrize(("state", "request_"), product(RunState, ASK))
+def test_the_table_has_the_result_of_each_request_in_each_state(state: RunState, request_: Request) -> None:
+    lesson = in_state(state)
+    after = TRANSITIONS.get((state, request_))
+
+    if after is None:
+        with pytest.raises(NothingRuns if state is RunState.READY else Busy):
+            ASK[request_](lesson.runs)
+    else:
+        ASK[request_](lesson.runs)
+
+    assert lesson.runs.state is (after or state)
+    lesson.team.close()
+
+
+def test_a_program_without_text_is_not_started() -> None:
+    with pytest.raises(NothingToRun):
+        Lesson().start(" \n")
+
+
+def test_a_hold_is_described_and_waits_for_a_request() -> None:
+    lesson = Lesson()
+    lesson.start(SQUARE, begin=ExecutionControl.step)
+    lesson.held()
+    lesson.runs.step()
+    lesson.held()
+    lesson.runs.step()
+    lesson.held()
+
+    assert lesson.answers == ["Line 1: REPEAT 2 TIMES", "Round 1 of 2.", "Line 2: FW 2", "Line 3: TR 90"]
+    lesson.team.close()
+
+
+def test_a_pause_within_a_statement_names_its_line() -> None:
+    lesson = Lesson(speed=1.0)
+    lesson.start("WAIT 1000")
+    lesson.until(lambda: bool(lesson.runs.frames))
+    lesson.runs.pause()
+    lesson.held()
+
+    assert lesson.answers == ["Paused at line 1."]
+    lesson.team.close()
+
+
+def test_the_end_of_the_last_step_says_what_ended_the_loop() -> None:
+    lesson = Lesson()
+    lesson.start("VAR x = 1\nWHILE x < 2 DO\nx = x + 1\nEND WHILE", begin=lambda control: control.run_to(3))
+    lesson.held()
+    lesson.runs.step()
+    lesson.held()
+    lesson.runs.step()
+
+    assert lesson.ended()[-2:] == ["Condition false: 2 equal to 2.", "Done."]
+
+
+def test_the_run_is_stopping_until_it_is_summed_up() -> None:
+    lesson = Lesson()
+    lesson.start("FW 1")
+    assert lesson.run is not None
+    assert lesson.run.wait(PATIENCE)
+    assert lesson.runs.state is RunState.STOPPING
+    lesson.ended()
+
+    assert lesson.runs.state is RunState.READY
+
+
+def test_a_stop_names_the_line_that_was_reached() -> None:
+    lesson = Lesson()
+    lesson.start("FW 1\nFW 2\nFW 3", begin=lambda control: control.run_to(2))
+    lesson.held()
+    lesson.runs.stop()
+
+    assert lesson.ended()[-1] == "Stopped at line 2."
+
+
+@pytest.mark.parametrize(
+    ("text", "has_prompt", "end"),
+    [
+        ('SPEAK "hello"', True, []),
+        ("VAR x = 1", True, ["Done."]),
+        ('SPEAK "hello"', False, ["The program is done."]),
+        ("VAR x = 1", False, ["The program is done."]),
+    ],
+)
+def test_the_end_of_a_program_needs_words_where_nothing_else_shows_it(
+    text: str, has_prompt: bool, end: list[str]
+) -> None:
+    lesson = Lesson(has_prompt=has_prompt)
+    lesson.start(text)
+
+    assert lesson.ended() == end
+
+
+def test_a_program_that_can_not_run_gets_no_hints_and_is_not_done() -> None:
+    lesson = Lesson()
+    lesson.start("FWD 1\nDISTANCE F")
+
+    assert lesson.ended() == []
+
+
+def test_a_statement_without_effect_is_a_hint_after_the_run() -> None:
+    lesson = Lesson()
+    lesson.start("DISTANCE F")
+
+    assert lesson.ended()[0] == "DISTANCE alone does nothing."
+
+
+def test_a_watched_variable_is_described_at_each_change_and_known_from_before() -> None:
+    lesson = Lesson()
+    assert lesson.runs.toggle_watch("n") == ("Watching n.",)
+    lesson.start("VAR n = 1\nn = 2\nn = 2\nSPEAK n")
+    assert lesson.ended() == ["n is 1.", "n is 2."]
+    lesson.start("SPEAK n", is_whole=False)
+    lesson.ended()
+
+    assert lesson.answers == ["n is 1.", "n is 2."]
+    assert lesson.runs.toggle_watch("N") == ("Not watching N now.",)
+    assert lesson.runs.toggle_watch("") == ("Nothing is watched.",)
+
+
+def test_a_variable_can_be_watched_from_the_middle_of_a_run_on() -> None:
+    lesson = Lesson()
+    lesson.start("VAR n = 1\nSPEAK 1\nn = 2", begin=lambda control: control.run_to(2))
+    lesson.held()
+    lesson.runs.toggle_watch("n")
+    lesson.runs.continue_()
+
+    assert lesson.ended()[1:] == ["n is 1.", "n is 2."]
+
+
+def test_breakpoints_hold_a_run_also_those_that_are_set_meanwhile() -> None:
+    lesson = Lesson()
+    lesson.runs.start(Program("FW 1\nFW 2\nFW 3", breakpoints=frozenset({2})))
+    lesson.held()
+    lesson.runs.break_at(frozenset({3}))
+    lesson.runs.continue_()
+    lesson.held()
+
+    assert lesson.answers == ["Line 2: FW 2", "Line 3: FW 3"]
+    lesson.team.close()
+
+
+def test_steps_are_undone_in_words_until_something_happens() -> None:
+    lesson = Lesson()
+    lesson.start("FW 1\nFW 2\nFW 3", begin=ExecutionControl.step)
+    for _ in range(2):
+        lesson.held()
+        lesson.runs.step()
+    lesson.held()
+
+    assert lesson.runs.step_back()[-1] == "Line 2: FW 2"
+    assert lesson.runs.past is not None
+    assert lesson.runs.step_back()[-1] == "Line 1: FW 1"
+    lesson.runs.step()
+    assert lesson.runs.past is None
+    lesson.ended()
+    assert lesson.runs.step_back() != ()
+
+
+def test_an_unattended_program_is_announced_not_held_and_its_stop_is_answered_at_once() -> None:
+    lesson = Lesson(speed=1.0)
+    lesson.runs.start_in_background(Program(ENDLESS))
+    assert lesson.answers == ["donnie begins."]
+    assert not lesson.runs.is_steppable
+    lesson.runs.stop()
+
+    assert lesson.answers[1:] in (["Stopped at line 1."], ["Stopped at line 2."], ["Stopped."])
+    assert lesson.runs.state is RunState.READY
+
+
+def test_reset_is_refused_while_a_program_runs() -> None:
+    lesson = in_state(RunState.PAUSED)
+    with pytest.raises(Busy):
+        lesson.runs.reset()
+    lesson.team.close()
+
+
+def test_quit_ends_the_run_without_a_word() -> None:
+    lesson = Lesson()
+    lesson.start("QUIT", is_whole=False)
+    assert lesson.ended() == []
+    assert lesson.runs.state is RunState.READY

@@ -1,0 +1,55 @@
+"""Both front ends visit and explain the mistakes of a run in the same way."""
+
+import pytest
+
+from donnie_tui.core.events import INTERNAL, Error
+from donnie_tui.core.run_errors import MOST_KEPT, RunErrors, line_of
+from donnie_tui.i18n.words import Words
+
+SAY = Words("en")
+MISTAKES = tuple(Error("unknown-command", line, 1, f"m{line}", None, f"FWD {line}") for line in (1, 2, 3))
+
+
+def way(errors: RunErrors, *moves: int) -> list[int | None]:
+    """The lines that it leads to, None where it stays."""
+    return [error and error.line for by in moves for error, _ in (errors.go(by, SAY),)]
+
+
+def test_the_first_mistake_is_current_until_the_next_one_is_requested() -> None:
+    assert RunErrors(MISTAKES).now == MISTAKES[0]
+    assert way(RunErrors(MISTAKES), 0, 1, 0, 1, 1, -1) == [1, 2, 2, 3, None, 2]
+    assert way(RunErrors(MISTAKES), -1, 0) == [None, 1]
+
+
+def test_a_move_beyond_the_first_or_last_mistake_names_the_current_one() -> None:
+    assert RunErrors(MISTAKES).go(3, SAY)[1] == ("No more errors. That is 1 of 3.",)
+
+
+@pytest.mark.parametrize("by", [-1, 0, 1])
+def test_a_run_without_mistakes_is_reported(by: int) -> None:
+    assert RunErrors().go(by, SAY) == (None, ("No errors.",))
+    assert RunErrors().in_words(SAY) == RunErrors().explained(None, SAY) == ("No errors.",)
+
+
+def test_a_mistake_is_explained_with_its_cause_and_its_line() -> None:
+    errors = RunErrors(MISTAKES)
+    errors.go(1, SAY)
+
+    told = errors.explained("bob", SAY)
+    assert told == ("bob: Donnie does not know this word.", "Check its letters: FW 3.")
+    assert line_of(MISTAKES[1], SAY) == ("Line 2: FWD 2",)
+
+
+def test_an_internal_fault_is_explained_and_has_no_line() -> None:
+    fault = Error(INTERNAL, 1, 1, "m", None)
+
+    assert RunErrors([fault]).explained(None, SAY)[0] == "The fault is Donnie's, not yours."
+    assert line_of(fault, SAY) == ()
+
+
+def test_the_newest_mistakes_are_remembered() -> None:
+    errors = RunErrors()
+    for line in range(MOST_KEPT + 5):
+        errors.add(Error("robot", line, 1, "m", None))
+
+    assert [each.line for each in errors.all] == list(range(5, MOST_KEPT + 5))

@@ -1,0 +1,216 @@
+"""Stepping in words: the statement with its level, the round of how many, what a condition found."""
+
+from donnie_tui.core.events import Read
+from donnie_tui.core.stepping import StepNarrator, changes
+from donnie_tui.i18n.words import Words
+from language.compiler import compile_program
+from language.control import ControlState, ExecutionControl
+from language.parser import parse
+from language.runtime import Memory
+from tests.unit.language_back.recorder import Recorder
+
+
+class Sensing(Recorder):
+    """Reports each reading to the words, as the session does."""
+
+    def __init__(self, words: StepNarrator, values: list[int]) -> None:
+        super().__init__()
+        self._words, self._values = words, values
+
+    def distance(self, bearing: object) -> int:
+        value = self._values.pop(0)
+        self._words.on_read(Read("distance", "F", value))
+        return value
+
+
+def step_lines(source: str, *, detail: str = "brief", values: tuple[int, ...] = ()) -> list[str]:
+    """The lines of each step of a program."""
+    program = parse(source).program
+    assert program is not None
+    words = StepNarrator(program, source.split("\n"), Words("en", detail))
+    control, runnable, lines = ExecutionControl(), compile_program(program, hooked=True), list[str]()
+
+    def note(state: ControlState) -> None:
+        if state is ControlState.PAUSED:
+            lines.extend(words.on_hold(*control.held_at, runnable.frames()))
+            control.step()
+
+    control.observe(note)
+    control.step()
+    runnable.run(Sensing(words, list(values)), control, Memory())
+    return [*lines, *words.on_end()]
+
+
+def step_lines_from(source: str, line: int, *, is_first: bool) -> list[str]:
+    """The lines of each step after a hold at a line, at its second time unless ``is_first``."""
+    program = parse(source).program
+    assert program is not None
+    words = StepNarrator(program, source.split("\n"), Words("en", "brief"), is_first=is_first)
+    control, runnable, lines = ExecutionControl(), compile_program(program, hooked=True), list[str]()
+    holds = [0]
+
+    def note(state: ControlState) -> None:
+        if state is ControlState.PAUSED:
+            holds[0] += 1
+            if is_first or holds[0] > 1:
+                lines.extend(words.on_hold(*control.held_at, runnable.frames()))
+                control.step()
+            else:
+                control.run_to(line)
+
+    control.observe(note)
+    control.run_to(line)
+    runnable.run(Sensing(words, []), control, Memory())
+    return lines
+
+
+def test_a_loop_that_is_held_in_the_middle_has_no_number_of_rounds() -> None:
+    """The rounds before were not counted."""
+    source = "REPEAT 4 TIMES\nFW 1\nTR 90\nEND REPEAT"
+
+    assert step_lines_from(source, 2, is_first=False)[:5] == [
+        "Line 2: FW 1",
+        "Line 3: TR 90",
+        "Line 1: REPEAT 4 TIMES",
+        "Line 2: FW 1",
+        "Line 3: TR 90",
+    ]
+    assert [line for line in step_lines_from(source, 2, is_first=False) if "ound" in line] == ["Next round."]
+
+
+def test_a_loop_that_a_breakpoint_holds_at_its_head_begins_there() -> None:
+    source = "VAR k = 0\nREPEAT 2 TIMES\nFW 1\nEND REPEAT"
+    rounds = [line for line in step_lines_from(source, 2, is_first=True) if line.startswith("Round")]
+
+    assert rounds == ["Round 1 of 2.", "Round 2 of 2."]
+
+
+def test_a_loop_around_the_one_that_was_held_is_not_counted_either() -> None:
+    source = "REPEAT 3 TIMES\nREPEAT 2 TIMES\nFW 1\nEND REPEAT\nEND REPEAT"
+    rounds = [line for line in step_lines_from(source, 3, is_first=False) if "ound" in line]
+
+    assert rounds == ["Round 1 of 2.", "Round 2 of 2.", "Round 1 of 2.", "Round 2 of 2."]
+
+
+def test_a_repeat_has_its_round_and_their_number() -> None:
+    assert step_lines("VAR n = 2\nREPEAT n + 0 TIMES\nFW 1\nTR 90\nEND REPEAT") == [
+        "Line 1: VAR n = 2",
+        "Line 2: REPEAT n + 0 TIMES",
+        "Round 1 of 2.",
+        "Line 3: FW 1",
+        "Line 4: TR 90",
+        "Line 2: REPEAT n + 0 TIMES",
+        "Round 2 of 2.",
+        "Line 3: FW 1",
+        "Line 4: TR 90",
+        "Line 2: REPEAT n + 0 TIMES",
+    ]
+
+
+def test_loops_in_each_other_count_for_themselves() -> None:
+    rounds = [
+        line
+        for line in step_lines("REPEAT 2 TIMES\nREPEAT 3 TIMES\nFW 1\nEND REPEAT\nEND REPEAT")
+        if line.startswith("Round")
+    ]
+
+    assert rounds == [*(f"Round {n} of 3." for n in (1, 2, 3, 1, 2, 3))]
+
+
+def test_a_condition_is_printed_with_the_compared_values() -> None:
+    assert step_lines("VAR x = 3\nIF x > 2 THEN\nFW 1\nEND IF\nIF x == 2 THEN\nFW 2\nEND IF\nFW 3")[2:] == [
+        "Condition true: 3 greater than 2.",
+        "Line 3: FW 1",
+        "Line 5: IF x == 2 THEN",
+        "Condition false: 3 greater than 2.",
+        "Line 8: FW 3",
+    ]
+
+
+def test_the_reading_of_a_sensor_is_printed_with_the_condition() -> None:
+    lines = step_lines("WHILE DISTANCE F > 3 DO\nFW 1\nEND WHILE\nFW 9", values=(5, 4, 2))
+
+    assert [line for line in lines if line.startswith(("Cond", "Round"))] == [
+        "Condition true: 5 greater than 3.",
+        "Round 1.",
+        "Condition true: 4 greater than 3.",
+        "Round 2.",
+        "Condition false: 2 less than 3.",
+    ]
+
+
+def test_each_of_several_commands_on_a_line_is_printed_alone() -> None:
+    assert step_lines("FW 1 TR 90\nREPEAT 1 TIMES FW 2 END REPEAT") == [
+        "Line 1: FW 1",
+        "Line 1: TR 90",
+        "Line 2: REPEAT 1 TIMES",
+        "Round 1 of 1.",
+        "Line 2: FW 2",
+        "Line 2: REPEAT 1 TIMES",
+    ]
+
+
+def test_the_level_is_printed_when_it_changes() -> None:
+    lines = step_lines("FW 1\nREPEAT 1 TIMES\nFW 2\nFW 3\nEND REPEAT", detail="normal")
+
+    assert [line for line in lines if line.startswith("Line")] == [
+        "Line 1: FW 1",
+        "Line 2: REPEAT 1 TIMES",
+        "Line 3, level 1: FW 2",
+        "Line 4: FW 3",
+        "Line 2, level 0: REPEAT 1 TIMES",
+    ]
+
+
+def test_a_recursion_counts_each_call_s_rounds_for_itself() -> None:
+    body = "REPEAT 2 TIMES\nIF n > 0 THEN\nP [n - 1]\nEND IF\nEND REPEAT"
+    source = f"PROCEDURE P: n DO\n{body}\nEND PROCEDURE\nP [1]"
+
+    assert [line for line in step_lines(source) if line.startswith("Round")] == [
+        *(f"Round {n} of 2." for n in (1, 1, 2, 2, 1, 2))
+    ]
+
+
+def test_only_a_watched_variable_that_changed_is_printed() -> None:
+    assert list(changes(["x", "y", "z"], {"x": 1, "y": 2}, {"x": 5, "y": 2}, Words())) == ["x is 5."]
+
+
+def test_a_condition_in_a_procedure_is_printed_with_the_values_of_the_procedure() -> None:
+    """The next statement may be after the call, where the name means another variable."""
+    procedure = "PROCEDURE P: n DO\nIF n > 3 THEN\nFW 1\nEND IF\nEND PROCEDURE"
+
+    assert "Condition false: 1 less than 3." in step_lines(f"{procedure}\nVAR n = 9\nP [1]\nFW 2")
+
+
+def test_the_end_of_a_for_names_the_condition_that_ended_it() -> None:
+    """Its variable no longer exists then."""
+    lines = step_lines("FOR VAR i = 1; i <= 2; i = i + 1 DO\nFW i\nEND FOR\nTR 90")
+
+    assert [line for line in lines if line.startswith("Cond")] == [
+        "Condition true: 1 at most 2.",
+        "Condition true: 2 at most 2.",
+        "Condition false: 3 greater than 2.",
+    ]
+
+
+def test_a_for_without_a_round_names_the_reason() -> None:
+    lines = step_lines("FOR VAR i = 5; i <= 2; i = i + 1 DO\nFW i\nEND FOR\nTR 90")
+
+    assert "Condition false: 5 greater than 2." in lines
+
+
+def test_a_reading_in_the_head_of_a_for_is_not_part_of_its_condition() -> None:
+    lines = step_lines(
+        "FOR VAR i = DISTANCE F; i < DISTANCE B; i = i + 2 DO\nFW i\nEND FOR\nTR 90", values=(1, 2, 2)
+    )
+
+    assert [line for line in lines if line.startswith("Cond")] == [
+        "Condition true: 1 less than 2.",
+        "Condition false: 3 greater than 2.",
+    ]
+
+
+def test_the_end_of_a_program_names_the_condition_that_ended_it() -> None:
+    assert (
+        step_lines("VAR x = 1\nWHILE x < 2 DO\nx = x + 1\nEND WHILE")[-1] == "Condition false: 2 equal to 2."
+    )

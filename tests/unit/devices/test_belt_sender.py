@@ -1,0 +1,154 @@
+"""What is sent to the belt and when: the newest levels, often enough, and never more."""
+
+from __future__ import annotations
+
+import pytest
+from hypothesis import given
+from hypothesis import strategies as st
+
+from devices.belt.protocol import AFTER_RESYNC, HOLD, MOTORS, OFF, PERIOD, RESYNC, BeltSender, encode_frame
+from devices.board_simulator.belt import SimulatedBelt
+
+DARK = encode_frame(OFF)
+FRONT = (0, 0, 0, 3, 0, 0, 0) * 2
+LEVELS = st.tuples(*[st.integers(0, 3)] * MOTORS)
+
+
+def awake() -> BeltSender:
+    """A sender that has resynchronised, at second 0."""
+    sender = BeltSender()
+    assert sender.next(-1.0) == RESYNC
+    return sender
+
+
+def sent(sender: BeltSender, start: float, end: float) -> list[tuple[float, bytes]]:
+    """Everything that it sends in that time, polled each millisecond."""
+    moments = [start + each / 1000 for each in range(round((end - start) * 1000))]
+    said = [(moment, sender.next(moment)) for moment in moments]
+    return [(moment, data) for moment, data in said if data]
+
+
+def test_a_frame_has_the_motors_in_its_second_and_fourth_row() -> None:
+    levels = (1, 2, 3, 0, 0, 0, 3, 3, 0, 0, 0, 0, 2, 1)
+
+    assert encode_frame(levels) == b"Z" + b"PPPPPPP" + b"CBAPPPA" + b"PPPPPPP" + b"APPPPBC" + b"PPPPPPP"
+
+
+@pytest.mark.parametrize("levels", [(), (0,) * 13, (4,) * MOTORS, (-1,) * MOTORS])
+def test_invalid_levels_are_refused(levels: tuple[int, ...]) -> None:
+    with pytest.raises(ValueError, match="14 motors"):
+        BeltSender().show(levels, 0.0)
+
+
+def test_a_new_connection_begins_with_a_resync_and_silence() -> None:
+    sender = BeltSender()
+    sender.show(FRONT, 0.0)
+
+    assert sent(sender, 0.0, AFTER_RESYNC + 0.005) == [(0.0, RESYNC), (AFTER_RESYNC, encode_frame(FRONT))]
+
+
+def test_while_a_motor_is_on_a_frame_is_sent_every_40_milliseconds() -> None:
+    sender = awake()
+    sender.show(FRONT, 0.0)
+
+    assert [moment for moment, _ in sent(sender, 0.0, 0.2)] == pytest.approx(
+        [0.0, 0.04, 0.08, 0.12, 0.16], abs=0.0011
+    )
+
+
+def test_off_is_one_dark_frame_and_then_silence() -> None:
+    sender = awake()
+    sender.show(FRONT, 0.0)
+    sender.next(0.0)
+    sender.show(OFF, 1.0)
+
+    assert [data for _, data in sent(sender, 1.0, 3.0)] == [DARK]
+    assert sender.wait(3.0) is None
+
+
+def test_a_belt_that_was_never_on_is_sent_nothing() -> None:
+    sender = awake()
+    sender.show(OFF, 0.0)
+
+    assert sent(sender, 0.0, 1.0) == []
+
+
+def test_only_the_newest_levels_are_sent() -> None:
+    sender = awake()
+    for number in range(500):
+        sender.show((number % 3,) * MOTORS, number / 1000)
+    sender.show(FRONT, 0.5)
+
+    assert [data for _, data in sent(sender, 0.9, 0.95)] == [encode_frame(FRONT), encode_frame(FRONT)]
+
+
+def test_a_pulse_of_no_length_is_felt_for_a_quarter_second() -> None:
+    sender = awake()
+    sender.show(FRONT, 0.0)
+    sender.show(OFF, 0.0)
+
+    frames = sent(sender, 0.0, 1.0)
+    assert frames[-1][1] == DARK
+    assert frames[-1][0] == pytest.approx(HOLD, abs=PERIOD + 0.002)
+    assert {data for _, data in frames[:-1]} == {encode_frame(FRONT)}
+
+
+def test_a_complaint_of_the_board_is_answered_with_a_resync() -> None:
+    sender = awake()
+    sender.show(FRONT, 0.0)
+    sender.next(0.0)
+    sender.receive(b"E2\r\n")
+
+    assert [data for _, data in sent(sender, 0.04, 0.075)] == [RESYNC, encode_frame(FRONT)]
+
+
+def test_the_answers_to_a_resync_are_no_complaints() -> None:
+    """However late they are read: the thread that wrote the resync may sleep until the next frame is due."""
+    sender = awake()
+    sender.show(FRONT, 0.0)
+    sender.next(0.0)
+    sender.receive(b"E1\r\n")
+    assert sender.next(PERIOD) == RESYNC
+    sender.receive(b"E2\r\nE1\r\n")
+
+    assert sent(sender, PERIOD, 0.1)[0][1] == encode_frame(FRONT)
+
+
+def test_an_idle_belt_gets_one_resync() -> None:
+    sender = awake()
+    sender.receive(b"E2\r\n")
+
+    assert sender.wait(10.0) is None
+    assert sent(sender, 10.0, 10.1) == []
+
+
+def test_other_bytes_of_the_board_are_noise() -> None:
+    sender = awake()
+    sender.show(FRONT, 0.0)
+    sender.next(0.0)
+    sender.receive(bytes(each for each in range(256) if each != ord("E")))
+
+    assert {data for _, data in sent(sender, 0.0, 1.0)} == {encode_frame(FRONT)}
+
+
+@given(st.lists(st.tuples(st.floats(0.0, 0.3), LEVELS), max_size=30), st.binary(max_size=40))
+def test_whatever_is_shown_the_board_ends_dark_and_synchronised(
+    shown: list[tuple[float, tuple[int, ...]]], rubbish: bytes
+) -> None:
+    """From any state of the board: it has received garbage before."""
+    sender, board, now = BeltSender(), SimulatedBelt(), 0.0
+    board.feed(rubbish, now)
+    for pause, levels in [*shown, (0.0, OFF)]:
+        sender.show(levels, now)
+        for moment, data in sent(sender, now, now + pause):
+            sender.receive(board.feed(data, moment))
+        now += pause
+    ends = sent(sender, now, now + 1.0)
+    answers = [board.feed(data, moment) for moment, data in ends if data != RESYNC]
+
+    assert b"".join(answers) == b""
+    assert set(board.motors(now + 0.9)) == {"P"}
+
+
+def test_a_frame_takes_less_than_the_period_on_the_wire() -> None:
+    assert len(encode_frame(OFF)) * 10 / 9600 < PERIOD

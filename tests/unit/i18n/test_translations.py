@@ -1,0 +1,281 @@
+"""What translators edit is checked: each mistake has its file and its line, and is no danger to a session."""
+
+import os
+import re
+import subprocess
+import sys
+from collections.abc import Iterator
+from gettext import GNUTranslations
+from io import BytesIO
+from pathlib import Path
+
+import pytest
+
+from donnie_tui.i18n import messages, po, translations
+from donnie_tui.i18n.messages import find
+from donnie_tui.i18n.po import Entry, Mistake
+from donnie_tui.i18n.translations import ambiguous_keywords, compile_all, main, missing_in, mistakes
+from language import locales
+from language.locales import BUILT_IN, languages
+from tests.unit.i18n.pseudo_language import CODE, accented, pseudo, write_language
+
+HEADER = 'msgid ""\nmsgstr ""\n"Plural-Forms: nplurals=2; plural=(n != 1);\\n"\n\n'
+
+
+@pytest.fixture
+def added(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Iterator[Path]:
+    """The folder of a language that is added."""
+    folder = write_language(tmp_path)
+    monkeypatch.setenv(locales.SEARCH_PATH, str(tmp_path))
+    _forget()
+    yield folder
+    monkeypatch.undo()
+    _forget()
+
+
+def _forget() -> None:
+    locales.forget()
+    for each in (messages._translations, messages.codes, messages._plural_rule, messages._decimal_sign):
+        each.cache_clear()
+
+
+def entries_of(text: str, folder: Path) -> tuple[Path, tuple[Entry, ...]]:
+    file = folder / "messages.po"
+    file.write_text(text, encoding="utf-8")
+    return file, po.read(file)
+
+
+def test_nothing_is_wrong_or_missing_in_the_languages_that_come_with_donnie() -> None:
+    assert mistakes() == ()
+    assert list(ambiguous_keywords()) == []
+    assert {each: missing_in(each) for each in languages()} == dict.fromkeys(languages(), ())
+
+
+@pytest.mark.parametrize("language", languages())
+def test_a_file_is_written_as_it_is_read(language: str) -> None:
+    """So ``update`` changes nothing but what it has to."""
+    text = Path(BUILT_IN, language, "messages.po").read_text(encoding="utf-8")
+
+    assert po.written(po.read(Path(BUILT_IN, language, "messages.po"))) == text
+
+
+@pytest.mark.parametrize(
+    ("translation", "what"),
+    [
+        ("Andei {passos}.", "{passos} is not in the English sentence"),
+        ("Andei.", "{steps} is not here as often"),
+        ("{steps} {steps} {steps:passo|passos}", "{steps} is not here as often"),
+        ("{steps} {steps:passo|passos|passos}", "{steps:passo|passos|passos} has 3 forms and needs 2"),
+        ("{steps} passos", None),
+        ("{steps:d} {steps:passo|passos}", "is not here as often"),
+        ("{steps} {steps:passo|passos", "a brace is missing or too many"),
+        ("{steps} {steps:passo|passos}", None),
+        ("", None),
+    ],
+)
+def test_a_wrong_place_or_plural_is_refused_with_its_line(
+    translation: str, what: str | None, tmp_path: Path
+) -> None:
+    text = f'{HEADER}msgctxt "a"\nmsgid "{{steps}} {{steps:step|steps}}"\nmsgstr "{translation}"\n'
+    file, entries = entries_of(text, tmp_path)
+
+    found = [str(mistake) for _, mistake in po.mistakes(file, entries)]
+    if what is None:
+        assert found == []
+    else:
+        (sentence,) = found
+        assert sentence.startswith(f"{file}:5: ")
+        assert what in sentence
+
+
+@pytest.mark.parametrize(
+    ("text", "line", "what"),
+    [
+        ('msgid "a"\nmsgstr "b\n', 2, "expected a comment"),
+        ('"alone"\n', 1, "expected a comment"),
+        ('msgfoo "a"\n', 1, "expected a comment"),
+        ('msgctxt "a"\nmsgid "b"\n\n', 1, "this entry has no msgstr"),
+        ('\nmsgstr "b"\n', 2, "this entry has no msgid"),
+    ],
+)
+def test_what_is_no_entry_is_refused_with_its_line(text: str, line: int, what: str, tmp_path: Path) -> None:
+    file = tmp_path / "messages.po"
+    file.write_text(text, encoding="utf-8")
+
+    with pytest.raises(Mistake, match=rf"messages.po:{line}: {what}"):
+        po.read(file)
+
+
+@pytest.mark.parametrize(
+    "rule", ["", "nplurals=2", "nplurals=2; plural=", "nplurals=2; plural=(n", "n=1; m=2"]
+)
+def test_a_file_without_a_plural_rule_is_refused(rule: str, tmp_path: Path) -> None:
+    header = f'msgid ""\nmsgstr "Plural-Forms: {rule}\\n"\n\nmsgctxt "a"\nmsgid "b"\nmsgstr "c"\n'
+    file, entries = entries_of(header, tmp_path)
+
+    assert {str(mistake) for _, mistake in po.mistakes(file, entries)} == {
+        f"{file}:1: the header has no Plural-Forms with nplurals and plural"
+    }
+
+
+def test_a_code_that_is_there_twice_is_refused(tmp_path: Path) -> None:
+    entry = 'msgctxt "a"\nmsgid "b"\nmsgstr "c"\n'
+    file, entries = entries_of(f"{HEADER}{entry}\n{entry}", tmp_path)
+
+    assert [str(each) for _, each in po.mistakes(file, entries)] == [f"{file}:9: a is here a second time"]
+
+
+def test_what_translators_programs_write_is_read(tmp_path: Path) -> None:
+    """Long texts in several lines, comments, old texts, no blank line between two entries."""
+    text = f"""{HEADER}# by hand
+#. a note
+#: start
+#, fuzzy
+#| msgid "old"
+msgctxt "a"
+msgid ""
+"one "
+"two\\n"
+msgstr "\\"x\\" \\\\ \\t"
+msgctxt "b"
+msgid "c"
+msgstr ""
+#~ msgid "gone"
+#~ msgstr "d"
+"""
+    _, entries = entries_of(text, tmp_path)
+
+    assert entries[1:] == (
+        Entry("a", "one two\n", '"x" \\ \t', "start", ("a note",), 10, True),
+        Entry("b", "c", "", "", (), 15, False),
+    )
+
+
+def test_a_compiled_file_is_gettexts_with_the_codes_as_keys() -> None:
+    entries = (
+        Entry("", "", "Content-Type: text/plain; charset=UTF-8\n"),
+        Entry("a", "b", "ç"),
+        Entry("d", "e", ""),
+    )
+    read = GNUTranslations(BytesIO(po.compiled(entries, "*", is_english=False)))
+
+    assert [read.gettext(each) for each in ("a", "d", "*")] == ["ç", "d", "a"]
+
+
+def test_a_language_speaks_the_same_compiled_or_not(added: Path) -> None:
+    before = [find(each, CODE) for each in ("walked-forward", "screen-start", "linear-hint")]
+    assert compile_all() == ()
+    _forget()
+
+    assert (added / "compiled" / "messages.mo").exists()
+    assert [find(each, CODE) for each in ("walked-forward", "screen-start", "linear-hint")] == before
+    assert locales.words(CODE, "keywords", "keywords", "FW") == ("FWZU",)
+
+
+def test_what_is_edited_after_it_was_compiled_counts(added: Path) -> None:
+    compile_all()
+    file = added / "messages.po"
+    file.write_text(file.read_text("utf-8").replace(accented("Done."), "Finito."), encoding="utf-8")
+    compiled = added / "compiled" / "messages.mo"
+    later = compiled.stat().st_mtime_ns + 10**9
+    os.utime(file, ns=(later, later))
+    _forget()
+
+    sentence = find("linear-done", CODE)
+    assert sentence is not None
+    assert sentence.text == "Finito."
+
+
+def test_a_mistake_keeps_everything_from_being_compiled(
+    added: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    file = added / "messages.po"
+    text = re.sub(r"-II\|[^}]*\}", "}", file.read_text("utf-8"), count=1)
+    file.write_text(text, encoding="utf-8")
+
+    assert main(["compile"]) == 1
+    assert re.match(rf"{re.escape(str(file))}:\d+: .* has 2 forms and needs 3", capsys.readouterr().out)
+    assert not (added / "compiled").exists()
+
+
+def test_a_sentence_with_a_mistake_is_english_in_a_session(added: Path) -> None:
+    file = added / "messages.po"
+    file.write_text(file.read_text("utf-8").replace(accented("Stopped at line ") + "{line}", "{x}"), "utf-8")
+    _forget()
+
+    sentence = find("answer-stopped-at", CODE)
+    assert sentence is not None
+    assert (sentence.text, sentence.language) == ("Stopped at line {line}.", "en")
+    assert "messages.po answer-stopped-at" in missing_in(CODE)
+
+
+def test_a_changed_english_sentence_makes_its_translation_fuzzy_and_unused(
+    added: Path, monkeypatch: pytest.MonkeyPatch, tmp_path: Path
+) -> None:
+    english = tmp_path / "en"
+    english.mkdir()
+    for each in Path(BUILT_IN, "en").glob("*.*"):
+        (english / each.name).write_bytes(each.read_bytes())
+    file = english / "messages.po"
+    text = file.read_text("utf-8").replace('msgid "Done."', 'msgid "Finished."')
+    file.write_text(f'{text}\n#: answers\nmsgctxt "new-one"\nmsgid "New."\nmsgstr ""\n', encoding="utf-8")
+    monkeypatch.setattr(translations, "folders", lambda: {"en": str(english), CODE: str(added)})
+
+    translations.update()
+    entries = {each.context: each for each in po.read(added / "messages.po")}
+    assert entries["linear-done"].is_fuzzy
+    assert entries["linear-done"].text == pseudo("Done.")
+    assert entries["new-one"].text == ""
+    assert not entries["walked-forward"].is_fuzzy
+    usable = {each.context: each.text for each in po.usable(added / "messages.po")}
+    assert "linear-done" not in usable
+    assert usable.get("new-one", "") == ""
+
+
+@pytest.mark.parametrize(
+    ("name", "text", "line", "what"),
+    [
+        ("commands", 'run = ["CORRER"]\nrunn = ["X"]\n', 2, "runn is not in the English file"),
+        ("commands", 'run = ["CORRER"]\nstop = ["correr"]\n', 2, "correr is a word of run already"),
+        ("commands", 'run = "CORRER"\n', 1, "run is not in the English file, or has another form there"),
+        ("commands", 'run = ["CORRER", ""]\n', 1, "run takes words in quotation marks"),
+        ("keywords", "rank = 3\n[keywords]\nFW = [\n", 3, ""),
+        ("words", '[compass]\nup = ["X"]\n', 2, "up is not in the English file"),
+        ("words", '[languages]\neu = ["euskara"]\n[braille]\n"ñ" = ["]"]\n', 0, ""),
+    ],
+)
+def test_a_wrong_table_is_refused_with_its_line(
+    added: Path, name: str, text: str, line: int, what: str
+) -> None:
+    (added / f"{name}.toml").write_text(text, encoding="utf-8")
+
+    found = [str(each) for each in mistakes()]
+    assert len(found) == (1 if line else 0)
+    assert all(each.startswith(f"{added / name}.toml:{line}: {what}") for each in found)
+
+
+def test_a_word_that_means_something_else_in_another_language_is_reported(added: Path) -> None:
+    file = added / "keywords.toml"
+    file.write_text(file.read_text("utf-8").replace('WAIT = ["WAITZU"]', 'WAIT = ["PARA"]'), encoding="utf-8")
+    _forget()
+
+    found = _ambiguous_in_a_new_process(added.parent)
+    assert re.fullmatch(r"\S+keywords\.toml:\d+: PARA means FOR in another language", found.splitlines()[0])
+
+
+def _ambiguous_in_a_new_process(folder: Path) -> str:
+    """The table of keywords is made once a process."""
+    done = subprocess.run(
+        [sys.executable, "-m", "donnie_tui.i18n.translations", "check"],
+        env={**os.environ, locales.SEARCH_PATH: str(folder)},
+        capture_output=True,
+        text=True,
+        check=False,
+    )
+    assert done.returncode == 1
+    return done.stdout
+
+
+def test_a_wrong_command_prints_how_it_is_used(capsys: pytest.CaptureFixture[str]) -> None:
+    assert main([]) == 2
+    assert capsys.readouterr().out.startswith("usage: ")
