@@ -27,9 +27,9 @@ class FullScreen:
     """An application without a terminal, and a typist at its command line."""
 
     def __init__(self, app: DonnieApp, pilot: Pilot[int]) -> None:
-        assert app.work is not None
+        assert app.controller is not None
         self._app, self._pilot = app, pilot
-        self._recorder = Recorder(app.work.donnie)
+        self._recorder = Recorder(app.controller.donnie)
 
     async def begin(self) -> None:
         await self._wait_until_idle()
@@ -88,11 +88,13 @@ class FullScreen:
         app = self._app
         if self._left_for:
             return True
-        assert app.work is not None
-        is_asking = app.screen is not app.workplace
+        assert app.controller is not None
+        is_asking = app.screen is not app.main_screen
         if not is_asking and any(not worker.is_finished for worker in app.workers):
             return False
-        is_followed = (app.work.ctx.runs.state is RunState.READY) == (app.work.donnie.session.run is None)
+        is_followed = (app.controller.ctx.runs.state is RunState.READY) == (
+            app.controller.donnie.session.run is None
+        )
         return is_followed and self._recorder.is_at_rest()
 
 
@@ -118,10 +120,14 @@ async def full_screen(settings: Settings, text: str, folder: Path) -> AsyncItera
     try:
         async with app.run_test(size=(80, 24)) as pilot:
             end = time.monotonic() + PATIENCE
-            while (app.work is None or app.is_opening) and app.trouble is None and time.monotonic() < end:
+            while (
+                (app.controller is None or app.startup.is_opening)
+                and app.startup.trouble is None
+                and time.monotonic() < end
+            ):
                 await pilot.pause()
             screen = FullScreen(app, pilot)
             await screen.begin()
             yield screen
     finally:
-        app.close_session()
+        app.session.close()

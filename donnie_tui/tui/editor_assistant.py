@@ -1,7 +1,6 @@
-"""What happens to the program while somebody types it: words are offered, mistakes marked, blocks heard, and
-what is not saved is written down.
+"""Help while a program is typed: completion, marked mistakes, cues of blocks, and unsaved copies.
 
-Rule: nobody waits for any of it; what costs time comes a moment after the last letter.
+Nothing waits for any of it; what costs time comes a moment after the last letter.
 """
 
 from __future__ import annotations
@@ -16,50 +15,53 @@ from donnie_tui.core.program_text import LONGEST_CHECKED, mistakes
 from language.outline import block_depth
 
 if TYPE_CHECKING:
-    from donnie_tui.tui.application import Host
-from donnie_tui.tui.workbench import Workbench
+    from donnie_tui.tui.controller import ScreenController
 
 CHECK_AFTER = 0.4
 """Seconds without typing after which mistakes are marked."""
 
 COPY_AFTER = 1.0
-"""Seconds after an edit within which it is written down."""
+"""Seconds after an edit within which a copy is written."""
 
 
-class WhileTyping:
-    """Told of each edit."""
+class EditorAssistant:
+    """Follows each edit of the program."""
 
-    def __init__(self, work: Workbench, host: Host) -> None:
-        self._work = work
-        self._host = host
-        self._editor = work.workplace.editor
+    def __init__(self, controller: ScreenController) -> None:
+        self._controller = controller
+        self._editor = controller.main_screen.editor
         self._checking: Timer | None = None
         self._copying: Timer | None = None
 
     def edited(self) -> None:
-        """The text changed: write it down soon."""
-        self._work.display.show_titles()
+        """The text changed: check it and copy it soon."""
+        self._controller.display.show_titles()
         if self._checking is not None:
             self._checking.stop()
-        self._checking = self._host.later(CHECK_AFTER, self.check_now)
+        self._checking = self._controller.app.set_timer(CHECK_AFTER, self.check_now)
         if self._copying is None:
-            self._copying = self._host.later(COPY_AFTER, self._keep_copy)
+            self._copying = self._controller.app.set_timer(COPY_AFTER, self._keep_copy)
 
     def check_now(self) -> None:
         """Mark the mistakes of the text as it is."""
         self._checking = None
-        text, session = self._editor.text, self._work.donnie.session
+        text, session = self._editor.text, self._controller.donnie.session
         found = session.check(text) if 0 < len(text) <= LONGEST_CHECKED and text.strip() else ()
-        self._editor.note(mistakes(found, self._work.words))
-        self._work.display.say_status()
+        self._editor.note(mistakes(found, self._controller.words))
+        self._controller.display.say_status()
+
+    def offer_words(self, *, wanted: bool) -> None:
+        """Whether the editor shows how a word may continue."""
+        self._editor.complete = self.completion if wanted else None
 
     def completion(self, text: str, at: int) -> Completion:
         """What could be meant at that place of the text."""
-        return completion(text, at, self._work.words.language, self._work.donnie.session.colours)
+        language, colours = self._controller.words.language, self._controller.donnie.session.colours
+        return completion(text, at, language, colours)
 
     def line_finished(self, row: int) -> None:
-        """Enter was pressed in that row (from 0): a block that it opens or closes is heard."""
-        text, donnie = self._editor.text, self._work.donnie
+        """Enter was pressed in that row (from 0): a cue sounds for a block that it opens or closes."""
+        text, donnie = self._editor.text, self._controller.donnie
         if donnie.outlets.audible.has_cues and len(text) <= LONGEST_CHECKED:
             lines = text.split("\n")
             depths = (block_depth("\n".join(lines[:end])) for end in (row, row + 1))
@@ -69,7 +71,7 @@ class WhileTyping:
 
     def _keep_copy(self) -> None:
         self._copying = None
-        self._work.workspace.keep_copies()
+        self._controller.workspace.keep_copies()
 
     def stop_copying(self) -> None:
         """The learner leaves: the last copies are written at the end."""
