@@ -10,7 +10,7 @@ from donnie_tui.commands.interaction import GivenUp, NotUnderstood, Option
 from donnie_tui.commands.program import offer_again, ran_and_waiting, say_if_all_waits
 from donnie_tui.core.document import ProgramTooLong
 from donnie_tui.core.program_text import (
-    Mistake,
+    LineMistake,
     fixed,
     line_in_words,
     mistakes,
@@ -60,7 +60,7 @@ async def fix(ctx: Context, _: str) -> None:
     _change(ctx, lambda: document.replace_range(mistake.start, mistake.end, mistake.replacement), answer)
 
 
-def _next_mistake(ctx: Context, known: list[Mistake]) -> Mistake:
+def _next_mistake(ctx: Context, known: list[LineMistake]) -> LineMistake:
     place, now = ctx.program.place, ctx.errors.now
     here = (each for each in known if each.line == place)
     reported = (each for each in known if now is not None and each.line == now.line)

@@ -105,7 +105,7 @@ async def release(ctx: Context, _: str) -> None:
 def _use_gripper(ctx: Context, gripper_command: GripperCommand) -> None:
     """What comes of it belongs to the answer of a prompt, which waits for it."""
     session = ctx.donnie.session
-    session.settle()
+    session.wait_for_stop()
     try:
         run = session.use_gripper(gripper_command)
     except Busy:

@@ -19,7 +19,7 @@ from donnie_tui.commands.dispatch import attempt
 from donnie_tui.commands.interaction import EnterWorld, SwitchMode, drive
 from donnie_tui.commands.preferences import Preferences
 from donnie_tui.core.answer_log import AnswerLog
-from donnie_tui.core.line_history import Past
+from donnie_tui.core.line_history import LineHistory
 from donnie_tui.core.workspace import Workspace
 from donnie_tui.linear.console import Console, Gone
 from donnie_tui.linear.desk import Desk
@@ -44,7 +44,7 @@ class Kept(Struct, frozen=True):
 
     workspace: Workspace
     answers: AnswerLog
-    past: Past
+    past: LineHistory
     editing: EditingReader | None
     plain: PlainReader
     """With what was typed ahead."""
@@ -68,7 +68,7 @@ class Conversation:
         told, options = Told(console.nudge), Options(lambda: preferences.settings)
         self._greeting, self._folder = greeting, folder
         edits, attended = greeting.terminal is not None, os.isatty(0)
-        self._past = kept.past if kept else Past(f"{folder}/history" if edits else None)
+        self._past = kept.past if kept else LineHistory(f"{folder}/history" if edits else None)
         self._plain = kept.plain if kept else PlainReader(console)
         self._editing = editing = self._reader_with(kept, console) if edits else None
         output = Output(

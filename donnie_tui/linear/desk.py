@@ -14,10 +14,10 @@ from donnie_tui.commands.dispatch import perform
 from donnie_tui.commands.interaction import drive
 from donnie_tui.core.answer_log import AnswerLog
 from donnie_tui.core.document import Document
-from donnie_tui.core.line_history import Past
+from donnie_tui.core.line_history import LineHistory
 from donnie_tui.core.runner import Run
 from donnie_tui.core.session import Session
-from donnie_tui.core.transcript import lines_said_by, said_by
+from donnie_tui.core.transcript import lines_with_robot_name, with_robot_name
 from donnie_tui.core.workspace import Workspace
 from donnie_tui.linear.asking import Asking
 from donnie_tui.linear.beside import Beside
@@ -44,7 +44,7 @@ class Desk:
         ends: Ends,
         workspace: Workspace,
         answers: AnswerLog,
-        past: Past,
+        past: LineHistory,
     ) -> None:
         """``answers`` and ``past`` come from before, from another world."""
         self.say = donnie.words
@@ -118,11 +118,11 @@ class Desk:
 
     def answer_of(self, robot: str | None, code: str, **values: object) -> None:
         """About that robot, by the name in its events."""
-        self.tell(said_by(robot, self.say(code, **values), self.say))
+        self.tell(with_robot_name(robot, self.say(code, **values), self.say))
 
     def tell_of_robot(self, *lines: str) -> None:
         """As it is for the robot that is talked to; the first line has its name, where there are several."""
-        self.tell(*lines_said_by(self.session.hub.robot, lines, self.say))
+        self.tell(*lines_with_robot_name(self.session.hub.robot, lines, self.say))
 
     def tell_list(self, lines: Sequence[str]) -> None:
         self.tell(*self.with_number(lines))

@@ -7,7 +7,7 @@ from __future__ import annotations
 
 from donnie_tui.bootstrap import Donnie
 from donnie_tui.core.events import TRANSIENT, Announced, Answered, Stamped
-from donnie_tui.core.transcript import SummingUp, told_lines
+from donnie_tui.core.transcript import SummingUp, printed_lines
 from donnie_tui.linear.beside import Beside
 from donnie_tui.linear.ends import Ends
 
@@ -26,7 +26,7 @@ class Hearing:
         """Whether a line is being typed, and a robot that runs beside the conversation told something."""
         ends.console.lines_wait = self._lines_wait
         self._summing_up = SummingUp(donnie.words, ends.console.now, self._has_pace)
-        told_as_printed = donnie.outlets.audible.tell_as(self._summing_up)
+        told_as_printed = donnie.outlets.audible.speak_only(self._summing_up)
         self._unsubscribe = [donnie.session.hub.subscribe(self._hear), told_as_printed]
 
     def close(self) -> None:
@@ -36,7 +36,7 @@ class Hearing:
 
     def hear_out(self) -> None:
         """Return once all that was published is here: the answer to a word may be delivered by a program."""
-        self._donnie.session.hub.wait_until_heard()
+        self._donnie.session.hub.wait_until_delivered()
 
     def line_begins(self) -> None:
         """From now on what is told is told beside a line that is being typed."""
@@ -61,7 +61,7 @@ class Hearing:
 
         An answer waits for nothing that robots tell beside, where that is more than is printed at once.
         """
-        lines, before = told_lines(stamped, self._donnie.words), self._summing_up.before(stamped)
+        lines, before = printed_lines(stamped, self._donnie.words), self._summing_up.before(stamped)
         passes = self._summing_up.passes(stamped)
         event, remembered = stamped.event, lines
         if isinstance(event, Answered) and event.is_repeated:

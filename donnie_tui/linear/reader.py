@@ -14,7 +14,7 @@ from typing import Protocol
 
 from msgspec import Struct
 
-from donnie_tui.core.line_history import Past, Recall
+from donnie_tui.core.line_history import LineHistory, Recall
 from donnie_tui.linear.console import Console
 from donnie_tui.linear.line_editor import ESCAPE_DELAY, Act, EditLine, Key, KeyDecoder
 
@@ -65,7 +65,9 @@ class EditingReader:
 
     holds_newline = True
 
-    def __init__(self, console: Console, past: Past, complete: Callable[[str], tuple[str, ...]]) -> None:
+    def __init__(
+        self, console: Console, past: LineHistory, complete: Callable[[str], tuple[str, ...]]
+    ) -> None:
         self._console = console
         self._past = past
         self.complete = complete

@@ -110,7 +110,7 @@ class RunLoop(RunObserver):
         console.before_suspending = self._desk.donnie.stop_real_robot
         if self._stopping and console.pressed_interrupt():
             self._on_interrupt()
-        self._desk.donnie.team.settle()
+        self._desk.donnie.team.wait_for_stop()
         if console.leaving is None:
             self._sum_up(run)
         if run.outcome is Outcome.QUIT:

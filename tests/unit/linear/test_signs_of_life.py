@@ -51,7 +51,7 @@ def signs(seconds: float, interval: float, monkeypatch: pytest.MonkeyPatch) -> l
     desk: Any = SimpleNamespace(
         console=console,
         session=SimpleNamespace(hub=hub),
-        donnie=SimpleNamespace(team=SimpleNamespace(settle=_nothing), stop_real_robot=bool),
+        donnie=SimpleNamespace(team=SimpleNamespace(wait_for_stop=_nothing), stop_real_robot=bool),
         ends=SimpleNamespace(options=SimpleNamespace(progress=interval), can_edit=True, hears_live=False),
         ctx=SimpleNamespace(runs=runs),
         beside=SimpleNamespace(is_watching=False),
