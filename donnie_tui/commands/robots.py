@@ -91,20 +91,10 @@ def _robot_in_words(ctx: Context, session: Session) -> str:
 # --- the gripper
 
 
-@handles("grip")
-async def grip(ctx: Context, _: str) -> None:
-    """Close the gripper."""
-    _use_gripper(ctx, Deed.GRIP)
-
-
-@handles("release")
-async def release(ctx: Context, _: str) -> None:
-    """Open the gripper."""
-    _use_gripper(ctx, Deed.RELEASE)
-
-
-def _use_gripper(ctx: Context, deed: Deed) -> None:
-    """What comes of it belongs to the answer of a prompt, which waits for it."""
+@handles("grip", deed=Deed.GRIP)
+@handles("release", deed=Deed.RELEASE)
+async def use_gripper(ctx: Context, _: str, deed: Deed) -> None:
+    """Close or open the gripper. The answer of a prompt waits for what comes of it."""
     session = ctx.donnie.session
     session.settle()
     try:

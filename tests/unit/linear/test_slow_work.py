@@ -10,7 +10,7 @@ from typing import Any
 
 import pytest
 
-from donnie_tui.commands import edit, files
+from donnie_tui.commands import files, program
 from donnie_tui.commands.interaction import drive
 from donnie_tui.core.document import Document
 from donnie_tui.core.program_files import write_program
@@ -121,8 +121,8 @@ class Slowly:
 
 
 def context(console: Any, answers: list[str]) -> Any:
-    program = Document()
-    program.add("fw   1")
+    text = Document()
+    text.add("fw   1")
     desk: Any = SimpleNamespace(
         console=console,
         showing=SimpleNamespace(show_told=lambda: None),
@@ -130,7 +130,7 @@ def context(console: Any, answers: list[str]) -> Any:
         tell=answers.append,
     )
     return SimpleNamespace(
-        program=program,
+        program=text,
         workspace=SimpleNamespace(files=()),
         donnie=SimpleNamespace(in_use=()),
         interaction=LinearInteraction(desk),
@@ -149,9 +149,9 @@ def test_a_slow_report_is_reported(tmp_path: Path, monkeypatch: pytest.MonkeyPat
 
 def test_slow_formatting_is_reported(monkeypatch: pytest.MonkeyPatch) -> None:
     console, answers = Console(5), list[str]()
-    monkeypatch.setattr(edit, "formatted", Slowly(console, formatted))
+    monkeypatch.setattr(program, "formatted", Slowly(console, formatted))
     slow = context(console, answers)
-    drive(edit._lay_out(slow, None))
+    drive(program._lay_out(slow, None))
 
     assert answers == ["slow-layout", "screen-formatted"]
     assert slow.program.text == "FW 1\n"
