@@ -14,8 +14,7 @@ from typing import TYPE_CHECKING, TypeAlias, TypeVar
 from donnie_tui.commands.declarations import BY_NAME, Command, When
 from donnie_tui.commands.interaction import GivenUp, NotUnderstood
 from donnie_tui.commands.lookup import find, not_understood, typed_form, unknown_word, word_of
-from donnie_tui.core.run_controller import RunState
-from donnie_tui.core.typed_words import count_in, numbers_in
+from donnie_tui.core.run_state import RunState
 
 if TYPE_CHECKING:
     from donnie_tui.commands.context import Context
@@ -131,22 +130,3 @@ def says_slip(ctx: Context, line: str) -> bool:
     if unknown is not None:
         ctx.answer("help-unknown-near", topic=unknown.word, near=unknown.meant)
     return unknown is not None
-
-
-# --- arguments that several commands take
-
-
-def read_count(argument: str, default: int) -> int:
-    """A number from 1, or ``default`` where nothing was typed."""
-    found = count_in(argument, default)
-    if found is None:
-        raise NotUnderstood
-    return found
-
-
-def read_numbers(argument: str, *, least: int = 0, most: int) -> tuple[int, ...]:
-    """From ``least`` to ``most`` whole numbers, with blanks or commas between them."""
-    found = numbers_in(argument, most=most)
-    if found is None or len(found) < least:
-        raise NotUnderstood
-    return found

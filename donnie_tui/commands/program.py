@@ -5,8 +5,9 @@ from __future__ import annotations
 from collections.abc import Callable, Iterator
 from contextlib import contextmanager
 
+from donnie_tui.commands.arguments import number_and_text, read_numbers, replacement
 from donnie_tui.commands.context import Context
-from donnie_tui.commands.dispatch import handles, read_numbers
+from donnie_tui.commands.dispatch import handles
 from donnie_tui.commands.interaction import GivenUp, NotUnderstood, Option
 from donnie_tui.core.document import ANOTHER_PROGRAM, Document, ProgramTooLong
 from donnie_tui.core.program_text import (
@@ -18,7 +19,7 @@ from donnie_tui.core.program_text import (
     not_replaceable,
     quoted_word,
 )
-from donnie_tui.core.typed_words import language_named, name_of_language, number_and_text, replacement
+from donnie_tui.core.wording import language_named, name_of_language
 from language.formatter import formatted
 from language.locales import languages
 

@@ -8,8 +8,9 @@ from __future__ import annotations
 
 from collections.abc import Callable
 
+from donnie_tui.commands.arguments import read_count, read_numbers
 from donnie_tui.commands.context import Context
-from donnie_tui.commands.dispatch import handles, read_count, read_numbers
+from donnie_tui.commands.dispatch import handles
 from donnie_tui.commands.interaction import NotUnderstood, Option
 from donnie_tui.commands.lookup import find
 from donnie_tui.commands.program import say_line
@@ -20,7 +21,7 @@ from donnie_tui.core.program_text import (
     outline_in_words,
     place_in_words,
 )
-from donnie_tui.core.run_errors import line_of
+from donnie_tui.core.run_state import line_of
 from donnie_tui.i18n.messages import SPELLING_OF_SIGN
 
 MOST_SHOWN = 10

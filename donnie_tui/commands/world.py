@@ -7,17 +7,17 @@ from functools import partial
 from msgspec.structs import replace
 
 from donnie_tui.bootstrap import Donnie
+from donnie_tui.commands.arguments import read_count, read_numbers
 from donnie_tui.commands.context import Context
-from donnie_tui.commands.dispatch import handles, read_count, read_numbers
+from donnie_tui.commands.dispatch import handles
 from donnie_tui.commands.interaction import NotUnderstood, Option, Screen
 from donnie_tui.core import map_words
 from donnie_tui.core.events import SoundSwitched
-from donnie_tui.core.map_grid import FREE
+from donnie_tui.core.map_grid import FREE, USUALLY_TOLD, place_in_words
 from donnie_tui.core.pointing import Pointer, legend
-from donnie_tui.core.safe_text import printable
-from donnie_tui.core.trail import USUALLY_TOLD, place_in_words
 from donnie_tui.core.wording import shown_name
 from donnie_tui.settings.settings import Settings, Source
+from language.source import printable
 
 LONGEST_NAME = 40
 """Characters of a typed name that an answer repeats."""
