@@ -1,151 +1,227 @@
-"""The lines that wait to be printed, between the threads that tell and the one that prints.
-
-Rules: nothing but printable text gets through; nothing is lost; telling never waits, so that it holds
-nobody else; and no program eats the memory: the robot whose program tells faster than anybody reads is held
-back behind its own lines (``wait_for_room``), until it is stopped. What is answered to a word that was typed
-meanwhile is printed first.
-
-What is printed, and when: whole lines, an answer and the prompt in one write, rests between blocks.
+"""What is printed, and when: whole lines, an answer and the prompt in one write, rests between blocks.
 
 A screen reader loses what scrolls by, and it says a prompt twice that comes in a write of its own. So the
-new line of Enter is held back until there is an answer, and no more than a screenful comes at once. Orca
+newline of Enter is held back until there is an answer, and no more than a screenful is printed at once. Orca
 takes a write of nothing but digits for something typed and keeps silent: such a block ends with a sentence.
 
 Fenrir compares the screen before and after with ``difflib``, which looks first for the longest part of both.
-That must be what has moved up (``OnScreen``). Where an answer is said again that stands there it may be the
-answer, which is then silent, and the lines above it are said. With fewer lines at once more stays than is
-new.
+That must be what has moved up (``OnScreen``). If an answer is printed again that is still on the screen, it
+may be the answer, which is then silent, and the lines above it are said. With fewer lines at once more stays
+than is new.
 """
 
 from __future__ import annotations
 
-import threading
-from collections import Counter, deque
-from collections.abc import Callable, Iterable, Sequence
+from collections import deque
+from collections.abc import Callable, Sequence
+from enum import Enum
 from typing import Protocol
 
-from donnie_tui.core.answer_log import LONGEST_ANSWER
-from donnie_tui.core.safe_text import printable
+from msgspec import Struct
+
+from donnie_tui.core.answer_log import AnswerLog
+from donnie_tui.core.typed_words import answered, meant
+from donnie_tui.i18n.words import Words
+from donnie_tui.linear.console import Console
 from donnie_tui.linear.greeting import PROMPT
-
-CAPACITY = 500
-"""Lines that may wait before a program is held back."""
-
-
-class Told:
-    """Lines in the order in which they were told."""
-
-    def __init__(self, nudge: Callable[[], None], capacity: int = CAPACITY) -> None:
-        """``nudge`` is called when the first line comes after there was none."""
-        self._nudge = nudge
-        self._capacity = capacity
-        self._lines: list[tuple[str, str | None]] = []
-        """Each with the robot that told it."""
-        self._waiting = Counter[str | None]()
-        """How many lines of each robot wait."""
-        self._first: list[str] = []
-        """What is printed before them."""
-        self._kept: deque[str] = deque(maxlen=LONGEST_ANSWER)
-        self._changed = threading.Condition()
-        self.holds_back = False
-        """Whether a program that tells too much waits."""
-        self.count = 0
-        """Lines that were ever told."""
-
-    def put(self, lines: Iterable[str], kept: Iterable[str] | None = None, robot: str | None = None) -> None:
-        """Tell some lines, from any thread. What would print as an empty line is left out.
-
-        ``kept`` is what is remembered of it, where that is not what is printed; ``robot`` is who tells it.
-        """
-        said = [line for line in map(_shown, lines) if line]
-        kept_lines = said if kept is None else [line for line in map(_shown, kept) if line]
-        with self._changed:
-            was_empty = not self
-            self._lines += [(line, robot) for line in said]
-            self._waiting[robot] += len(said)
-            self._kept += kept_lines
-            self.count += len(said) or len(kept_lines)
-        if was_empty and said:
-            self._nudge()
-
-    def put_first(self, lines: Iterable[str], *, is_kept: bool = True) -> None:
-        """Tell some lines before all that waits, in their order; from any thread."""
-        said = [line for line in map(_shown, lines) if line]
-        with self._changed:
-            self._first += said
-            self._kept += said if is_kept else []
-            self.count += len(said)
-        self._nudge()
-
-    def wait_for_room(self, robot: str | None) -> None:
-        """In the thread of that robot's program: return once there is room for what it tells next."""
-        if self._has_room(robot):
-            return
-        with self._changed:
-            self._changed.wait_for(lambda: self._has_room(robot))
-
-    def take(self, most: int | None = None) -> list[str]:
-        """The lines that wait, so many of them at most."""
-        with self._changed:
-            lines = self._first[:most]
-            self._first = self._first[len(lines) :]
-            lines += self._forget(len(self._lines) if most is None else most - len(lines))
-        return lines
-
-    def _forget(self, count: int) -> list[str]:
-        """The oldest lines, which wait no more. Under the lock."""
-        gone, self._lines = self._lines[:count], self._lines[count:]
-        self._waiting.subtract(robot for _, robot in gone)
-        self._changed.notify_all()
-        return [line for line, _ in gone]
-
-    def take_kept(self) -> list[str]:
-        """What is to be remembered of what was told since the last time, the newest lines of it."""
-        with self._changed:
-            lines = list(self._kept)
-            self._kept.clear()
-        return lines
-
-    def trim(self, kept: int) -> int:
-        """Leave only the ``kept`` newest lines. How many were left out."""
-        with self._changed:
-            return len(self._forget(max(0, len(self._lines) - kept)))
-
-    @property
-    def has_first(self) -> bool:
-        """Whether something waits that is printed before all else."""
-        return bool(self._first)
-
-    def __len__(self) -> int:
-        return len(self._first) + len(self._lines)
-
-    def hold_back(self) -> None:
-        """From now on the program that tells too much waits. Only while another thread prints."""
-        self.holds_back = True
-
-    def let_pass(self) -> None:
-        """Nobody waits any more: the program was stopped, or is over."""
-        with self._changed:
-            self.holds_back = False
-            self._changed.notify_all()
-
-    def _has_room(self, robot: str | None) -> bool:
-        return not self.holds_back or self._waiting[robot] < self._capacity
-
-
-def _shown(line: str) -> str:
-    """Without blanks at its ends."""
-    return printable(line).strip()
-
+from donnie_tui.linear.listener import LARGEST_BLOCK, OutputQueue
+from donnie_tui.linear.reader import EditingReader, How, Reader, Typed
+from donnie_tui.settings.settings import Settings
 
 REST = 0.3
 """Seconds of rest after each block of lines."""
-LARGEST_BLOCK = 18
 AFTER_STOP = 5
-"""Lines that are told at a stop without a rest: a block leaves room for them and the prompt."""
-
+"""Lines that are printed after a stop without a rest: a block leaves room for them and the prompt."""
 MANY_NUMBERS = 4
-"""Lines of a block that need a sentence, if they are nothing but digits. A few are not worth one."""
+"""Lines of nothing but digits in a block that need a sentence after them."""
+FEWEST = 2
+"""Lines at once; if not even these are said, the answer is one line over and over."""
+
+
+class Page(Enum):
+    """What is between two screenfuls of an answer."""
+
+    REST = "rest"
+    ASK = "ask"
+    OFF = "off"
+
+
+class PromptStyle(Enum):
+    """What is printed before the line that is typed."""
+
+    SHORT = "short"
+    NONE = "none"
+    WORD = "word"
+    ANSWER = "answer"
+    """The last line of the answer, so that the cursor of a braille display stays on it."""
+
+
+class Options:
+    """The settings of the linear mode, as they are now: pages, prompts, editing, progress reports."""
+
+    def __init__(self, settings: Callable[[], Settings]) -> None:
+        self._settings = settings
+
+    @property
+    def page(self) -> Page:
+        return Page(self._settings().page)
+
+    @property
+    def prompt(self) -> PromptStyle:
+        return PromptStyle(self._settings().prompt)
+
+    @property
+    def hold(self) -> bool:
+        """Whether each line of an answer waits for Enter."""
+        return self._settings().hold == "on"
+
+    @property
+    def editor(self) -> bool:
+        """Whether Donnie edits lines; else the terminal does, and nothing but text is ever written."""
+        return self._settings().editor == "own"
+
+    @property
+    def enter(self) -> bool:
+        """Whether Enter runs each complete line at once."""
+        return self._settings().enter == "runs"
+
+    @property
+    def progress(self) -> int:
+        """Seconds between two progress reports of a run; 0 is never."""
+        return int(self._settings().progress)
+
+    def prompt_at(self, depth: int) -> str:
+        """The prompt of a line inside so many blocks."""
+        level = str(depth) if depth else ""
+        match self.prompt:
+            case PromptStyle.NONE:
+                return ""
+            case PromptStyle.WORD:
+                return f"{f'Donnie {level}'.strip()}{PROMPT}"
+            case _:
+                return f"{level}{PROMPT}"
+
+
+class Streams(Struct, frozen=True):
+    """Where lines come from and where they are printed, as the options say."""
+
+    console: Console
+    editing: EditingReader | None
+    """Edits lines key by key; None where that is impossible."""
+    plain: Reader
+    output: Output
+    queue: OutputQueue
+    options: Options
+    is_attended: bool
+    """Whether a learner types: prompts are printed, and questions are asked."""
+    is_terminal: bool
+    """Whether the lines are printed on a terminal, and need rests."""
+
+    @property
+    def can_edit(self) -> bool:
+        """Whether a text can be offered for editing."""
+        return self.reader.holds_newline
+
+    @property
+    def takes_live_commands(self) -> bool:
+        """Whether lines may be typed for a running program: by a learner who edits them here."""
+        return self.is_attended and self.can_edit
+
+    @property
+    def reader(self) -> Reader:
+        """Where the next line comes from."""
+        return self.editing if self.editing is not None and self.options.editor else self.plain
+
+    @property
+    def page_size(self) -> int:
+        """Lines of a page, after which the learner is asked for more; 0 without pages."""
+        if self.options.hold:
+            return 1
+        return self.output.block_size if self.options.page is Page.ASK else 0
+
+    def apply_options(self) -> None:
+        """Let the terminal and the output behave as the options say."""
+        if self.editing is not None:
+            self.console.edit(self.options.editor)
+        self.output.paced = self.is_terminal and self.options.page is Page.REST
+
+    def end_line(self, typed: Typed) -> None:
+        """If the terminal has not printed the newline of Enter, hold it back until there is an answer."""
+        if self.is_attended and (self.can_edit or typed.how is not How.ENTER):
+            self.output.hold_newline()
+
+
+class Printer:
+    """Prints the lines that wait and remembers them: all, a block, or page by page; then the prompt."""
+
+    def __init__(self, streams: Streams, words: Words, answers: AnswerLog) -> None:
+        """``answers`` remembers what is printed."""
+        self._streams, self._words, self._answers = streams, words, answers
+        self.is_hurrying = False
+        """Whether a program was just stopped: its last lines need no Enter."""
+        self.is_repeating = False
+        """Whether the next lines were printed before, and are not remembered again."""
+        self.prompt: str | None = None
+        """The last line of an answer, if it was printed in place of the prompt."""
+        self._typed_early: Typed | None = None
+        """A line that was typed where an answer waited for Enter."""
+
+    def take_early(self) -> Typed | None:
+        """The line that was typed where an answer waited for Enter, if there is one."""
+        early, self._typed_early = self._typed_early, None
+        return early
+
+    def show(self, prompt: str = "", *, most: int | None = None) -> int:
+        """Print the lines that wait (``most`` of them), then the prompt.
+
+        Returns how many lines were left out because of Ctrl+C.
+        """
+        lines, kept = self._streams.queue.take(most), self._streams.queue.take_kept()
+        if not self.is_repeating:
+            self._answers.add_lines(kept)
+        if prompt:
+            self._answers.end_answer()
+        self.is_repeating = False
+        if not self._streams.is_attended:
+            return self._streams.output.show(lines)
+        return self._show_pages(lines, prompt)
+
+    def show_block(self) -> int:
+        """As ``show``, but only a block, so that keys are noticed in between; with pages, all of it."""
+        return self.show(most=None if self._page_size() else LARGEST_BLOCK)
+
+    def _show_pages(self, lines: list[str], prompt: str) -> int:
+        """As ``show``; if the learner wants pages, page by page."""
+        size = self._page_size()
+        while size and len(lines) > size:
+            wants_more, lines = self._show_page(lines[:size], len(lines) - size), lines[size:]
+            if self._streams.console.interrupted:
+                return len(lines)
+            if not wants_more:
+                lines = []
+            if self._typed_early is not None:
+                return 0
+        is_answer = self._streams.options.prompt is PromptStyle.ANSWER
+        if is_answer and prompt.endswith(PROMPT) and lines:
+            prompt = self.prompt = f"{lines.pop()} "
+        return self._streams.output.show(lines, prompt, to_the_end=self.is_hurrying)
+
+    def _page_size(self) -> int:
+        return 0 if self.is_hurrying else self._streams.page_size
+
+    def _show_page(self, lines: list[str], left: int) -> bool:
+        """Print a page and wait for Enter. Returns whether more is wanted; any line typed here ends it."""
+        streams = self._streams
+        holds = streams.options.hold
+        question = f"{lines.pop() if holds else self._words('linear-more', lines=left)} "
+        streams.output.show(lines, question)
+        typed = streams.reader.read(question)
+        streams.end_line(typed)
+        streams.console.interrupted |= typed.how is How.INTERRUPTED
+        text = typed.text.strip()
+        if text and answered(text) is not False and meant(text, "pages") != "enough":
+            self._typed_early = typed
+        return typed.how in (How.ENTER, How.ESCAPE) and not text
 
 
 class Paper(Protocol):
@@ -164,10 +240,10 @@ class Paper(Protocol):
 
 
 class Output:
-    """Prints blocks of lines. ``paced`` is for people; a pipe needs no rests."""
+    """Prints blocks of lines. ``paced`` is for learners; a pipe needs no rests."""
 
     def __init__(self, paper: Paper, *, paced: bool, of_numbers: Callable[[int], str] = "{}".format) -> None:
-        """``of_numbers``: the sentence that tells how many numbers those were."""
+        """``of_numbers`` returns the sentence that says how many numbers those were."""
         self._paper = paper
         self._of_numbers = of_numbers
         self.paced = paced
@@ -178,14 +254,14 @@ class Output:
         self._on_screen = OnScreen()
 
     def hold_newline(self) -> None:
-        """Enter was pressed: its new line goes out with whatever comes next."""
+        """Write the newline of Enter together with the next output."""
         self._held = "\n"
 
     def show(self, lines: list[str], prompt: str = "", *, to_the_end: bool = False) -> int:
         """Print the lines, then the prompt.
 
-        Ctrl+C during a rest ends it, without the prompt; the answer is how many lines were not printed.
-        ``to_the_end``: it ends the rests and nothing else, and a few lines need none.
+        Ctrl+C during a rest ends it, without the prompt. Returns how many lines were not printed.
+        ``to_the_end``: Ctrl+C ends only the rests, and a few lines need none.
         """
         if to_the_end:
             self._room = max(self._room, AFTER_STOP)
@@ -199,16 +275,16 @@ class Output:
         return 0
 
     def _next_block(self, lines: list[str], prompt: str) -> tuple[list[str], list[str]]:
-        """What may be printed now, after a rest if one is due, and what comes after it."""
+        """The lines to print now, after a rest if one is due, and the lines after them."""
         if not self.paced:
             return lines, []
         self._make_room(bool(lines))
         size = self._room
         if (prompt == "" or len(lines) > size) and are_silent(lines[:size]):
             size -= 1  # for the sentence
-        heard = self._on_screen.most_heard(lines[:size], self._paper.rows())
-        if heard < len(lines[:size]):
-            size, self._room = heard, 0
+        said = self._on_screen.most_said(lines[:size], self._paper.rows())
+        if said < len(lines[:size]):
+            size, self._room = said, 0
         block, rest = lines[:size], lines[size:]
         self._room -= len(block)
         return block, rest
@@ -243,12 +319,8 @@ class Output:
 
 
 def are_silent(lines: list[str]) -> bool:
-    """Whether Orca would not say them, and they are many."""
+    """Whether they are many lines that Orca would not say."""
     return len(lines) >= MANY_NUMBERS and all(line.replace(" ", "").isdigit() for line in lines)
-
-
-FEWEST = 2
-"""Lines at once; where not even these would be found the answer is one line over and over."""
 
 
 class OnScreen:
@@ -257,23 +329,23 @@ class OnScreen:
     def __init__(self) -> None:
         self._lines: deque[str] = deque()
         self._prompt = PROMPT
-        """What stands where the cursor is; what is typed behind it is taken to be the same each time."""
+        """The line of the cursor; what is typed after it is taken to be the same each time."""
 
     def add(self, lines: Sequence[str], prompt: str, rows: int) -> None:
-        """They were printed, and the prompt, on a screen of so many rows."""
+        """Add the lines and the prompt that were printed on a screen of so many rows."""
         self._lines += self._new_lines(lines)
         self._prompt = prompt
         while len(self._lines) > rows:
             self._lines.popleft()
 
-    def most_heard(self, block: Sequence[str], rows: int) -> int:
-        """How many of these lines may be printed at once; all of them where that makes no difference."""
+    def most_said(self, block: Sequence[str], rows: int) -> int:
+        """How many of these lines may be printed at once; all of them if that makes no difference."""
         if len(set(block).intersection(self._lines)) < FEWEST:
             return len(block)
         sizes = range(len(block), FEWEST - 1, -1)
-        return next((size for size in sizes if self._are_heard(block[:size], rows)), len(block))
+        return next((size for size in sizes if self._are_said(block[:size], rows)), len(block))
 
-    def _are_heard(self, block: Sequence[str], rows: int) -> bool:
+    def _are_said(self, block: Sequence[str], rows: int) -> bool:
         from difflib import SequenceMatcher  # slow to load
 
         before = [*self._lines, self._prompt][-rows:]
@@ -286,5 +358,5 @@ class OnScreen:
         ]
 
     def _new_lines(self, block: Sequence[str]) -> list[str]:
-        """The prompt's line is ended, where there is one."""
+        """The lines of the screen that the block adds: the prompt's line, which is ended, comes first."""
         return [self._prompt, *block] if self._prompt and block else [*block]

@@ -14,7 +14,7 @@ from donnie_tui.core.program_files import decode
 from donnie_tui.core.safe_text import printable
 from donnie_tui.core.transcript import lines_of
 from donnie_tui.i18n.words import Words
-from donnie_tui.linear.output import Told
+from donnie_tui.linear.listener import OutputQueue
 from donnie_tui.tui.printable import Printable
 from language.diagnostics import Diagnostic, MistakeKind, Span
 
@@ -35,9 +35,9 @@ def in_the_log(text: str) -> str:
 
 
 def in_the_linear_mode(text: str) -> str:
-    told = Told(lambda: None)
-    told.put([text])
-    return " ".join(told.take())
+    queue = OutputQueue(lambda: None)
+    queue.put([text])
+    return " ".join(queue.take())
 
 
 def from_a_file(text: str) -> str:
