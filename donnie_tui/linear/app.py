@@ -17,12 +17,11 @@ from msgspec.structs import replace
 from donnie_tui.bootstrap import Donnie, Unusable, assemble, open_workspace
 from donnie_tui.commands.context import Context
 from donnie_tui.commands.dispatch import attempt
-from donnie_tui.commands.interaction import EnterWorld, SwitchMode, drive
+from donnie_tui.commands.interaction import SLOW, SLOW_AGAIN, EnterWorld, SwitchMode, drive
 from donnie_tui.commands.preferences import Preferences
 from donnie_tui.commands.world import settings_there
 from donnie_tui.core.answer_log import AnswerLog
 from donnie_tui.core.line_history import Past
-from donnie_tui.core.timeouts import SLOW, SLOW_AGAIN
 from donnie_tui.core.workspace import Workspace
 from donnie_tui.i18n.words import Words
 from donnie_tui.linear.console import Console, Gone, run_in_background

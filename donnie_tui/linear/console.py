@@ -16,8 +16,7 @@ import time
 from collections.abc import Callable
 from typing import TypeVar
 
-from donnie_tui.commands.interaction import GivenUp
-from donnie_tui.core.timeouts import SLOW, SLOW_AGAIN
+from donnie_tui.commands.interaction import SLOW, SLOW_AGAIN, GivenUp
 from donnie_tui.linear.greeting import Terminal
 from donnie_tui.process.disconnection import ReaderWatch
 from donnie_tui.process.signals import LEAVING, Deputy, WakingSignals, suspend

@@ -5,10 +5,9 @@ from __future__ import annotations
 from collections.abc import Callable, Coroutine, Sequence
 from typing import TYPE_CHECKING, Any, Protocol, TypeVar
 
+from donnie_tui.commands.arguments import answered
 from donnie_tui.commands.context import Context
-from donnie_tui.commands.interaction import Option, drive
-from donnie_tui.core.timeouts import SLOW, SLOW_AGAIN
-from donnie_tui.core.typed_words import answered
+from donnie_tui.commands.interaction import SLOW, SLOW_AGAIN, Option, drive
 from donnie_tui.linear.console import run_in_background
 from donnie_tui.linear.greeting import PROMPT
 from donnie_tui.linear.listener import BackgroundRobots, Listener

@@ -21,10 +21,10 @@ from donnie_tui.commands.dispatch import perform
 from donnie_tui.commands.interaction import drive
 from donnie_tui.core.answer_log import LONGEST_ANSWER
 from donnie_tui.core.events import TRANSIENT, Announced, Answered, Stamped
-from donnie_tui.core.safe_text import printable
 from donnie_tui.core.transcript import SummingUp, told_lines
 from donnie_tui.linear.console import Console
 from language.control import ControlState
+from language.source import printable
 
 CAPACITY = 500
 """Lines of a robot that may wait before its program waits."""

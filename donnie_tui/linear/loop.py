@@ -18,9 +18,8 @@ from donnie_tui.commands.lookup import find
 from donnie_tui.commands.run import run_program
 from donnie_tui.core.document import Document, ProgramTooLong
 from donnie_tui.core.events import Outcome
-from donnie_tui.core.run_controller import RunObserver, RunState
+from donnie_tui.core.run_state import RunObserver, RunState
 from donnie_tui.core.runner import Run
-from donnie_tui.core.safe_text import printable
 from donnie_tui.core.session import LONGEST_STOP
 from donnie_tui.core.transcript import said_by
 from donnie_tui.linear.greeting import PROMPT
@@ -31,6 +30,7 @@ from donnie_tui.linear.output import Printer, Streams
 from donnie_tui.linear.reader import How, Typed
 from language import keywords
 from language.diagnostics import MistakeKind
+from language.source import printable
 
 FIRST_REPORT = 3.0
 """Seconds without a line after which a run first reports that it is still there; later ones can be chosen."""
