@@ -12,9 +12,8 @@ from donnie_tui.commands.context import Context
 from donnie_tui.commands.interaction import EnterWorld, SwitchMode, drive
 from donnie_tui.core.document import Document
 from donnie_tui.core.program_files import DocumentError
-from donnie_tui.linear.interaction import Prompter
-from donnie_tui.linear.listener import BackgroundRobots
-from donnie_tui.linear.output import Printer, Streams
+from donnie_tui.linear.output import BackgroundRobots
+from donnie_tui.linear.prompter import Printer, Prompter, Streams
 from donnie_tui.settings.file import remember
 from language.keywords import spelling
 

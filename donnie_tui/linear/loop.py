@@ -23,10 +23,9 @@ from donnie_tui.core.runner import Run
 from donnie_tui.core.session import LONGEST_STOP
 from donnie_tui.core.transcript import said_by
 from donnie_tui.linear.greeting import PROMPT
-from donnie_tui.linear.interaction import GRACE, Prompter
 from donnie_tui.linear.leaving import Leaving
-from donnie_tui.linear.listener import LARGEST_BLOCK, BackgroundRobots
-from donnie_tui.linear.output import Printer, Streams
+from donnie_tui.linear.output import LARGEST_BLOCK, BackgroundRobots
+from donnie_tui.linear.prompter import GRACE, Printer, Prompter, Streams
 from donnie_tui.linear.reader import How, Typed
 from language import keywords
 from language.diagnostics import MistakeKind

@@ -1,5 +1,12 @@
-"""What is printed, and when: whole lines, an answer and the prompt in one write, rests between blocks.
+"""From events to printed lines: the queue between the threads, and what is printed when.
 
+Any thread may publish. The listener never prints: it queues the lines and wakes the main thread. Nothing but
+printable text passes, and nothing is lost. The answer to a command that was typed meanwhile is printed first.
+Memory is bounded, and typing stays possible: a robot that publishes faster than its lines are printed waits
+behind its own lines (``wait_for_room``) until it is stopped. Between blocks of lines the main thread looks
+for keys, and after a stop it prints only the last lines.
+
+Printed are whole lines, an answer and the prompt in one write, with rests between blocks.
 A screen reader loses what scrolls by, and it says a prompt twice that comes in a write of its own. So the
 newline of Enter is held back until there is an answer, and no more than a screenful is printed at once. Orca
 takes a write of nothing but digits for something typed and keeps silent: such a block ends with a sentence.
@@ -12,23 +19,32 @@ than is new.
 
 from __future__ import annotations
 
-from collections import deque
-from collections.abc import Callable, Sequence
-from enum import Enum
+import threading
+from collections import Counter, deque
+from collections.abc import Callable, Iterable, Sequence
 from typing import Protocol
 
-from msgspec import Struct
-
-from donnie_tui.commands.arguments import answered
-from donnie_tui.core.answer_log import AnswerLog
-from donnie_tui.core.wording import meant
-from donnie_tui.i18n.words import Words
+from donnie_tui.bootstrap import Donnie
+from donnie_tui.commands.context import Context
+from donnie_tui.commands.declarations import BY_NAME
+from donnie_tui.commands.dispatch import perform
+from donnie_tui.commands.interaction import drive
+from donnie_tui.core.answer_log import LONGEST_ANSWER
+from donnie_tui.core.events import TRANSIENT, Announced, Answered, Stamped
+from donnie_tui.core.transcript import SummingUp, told_lines
 from donnie_tui.linear.console import Console
 from donnie_tui.linear.greeting import PROMPT
-from donnie_tui.linear.listener import LARGEST_BLOCK, OutputQueue
-from donnie_tui.linear.reader import EditingReader, How, Reader, Typed
-from donnie_tui.settings.settings import Settings
+from language.control import ControlState
+from language.source import printable
 
+CAPACITY = 500
+"""Lines of a robot that may wait before its program waits."""
+LARGEST_BLOCK = 18
+"""Lines that are printed at once, at most."""
+
+URGENT = ("link",)
+"""Codes of announcements that are printed in the middle of a line that is being typed."""
+_ENDING = (ControlState.STOPPING, ControlState.ENDED)
 REST = 0.3
 """Seconds of rest after each block of lines."""
 AFTER_STOP = 5
@@ -39,190 +55,205 @@ FEWEST = 2
 """Lines at once; if not even these are said, the answer is one line over and over."""
 
 
-class Page(Enum):
-    """What is between two screenfuls of an answer."""
+class OutputQueue:
+    """Lines that wait to be printed, in the order in which they were published."""
 
-    REST = "rest"
-    ASK = "ask"
-    OFF = "off"
+    def __init__(self, nudge: Callable[[], None], capacity: int = CAPACITY) -> None:
+        """``nudge`` is called when the first line comes after there was none."""
+        self._nudge = nudge
+        self._capacity = capacity
+        self._lines: list[tuple[str, str | None]] = []
+        """Each with the robot that it is about."""
+        self._waiting = Counter[str | None]()
+        """How many lines of each robot wait."""
+        self._first: list[str] = []
+        """Lines that are printed before them."""
+        self._kept: deque[str] = deque(maxlen=LONGEST_ANSWER)
+        self._changed = threading.Condition()
+        self.holds_back = False
+        """Whether a program that prints too much waits."""
 
+    def put(self, lines: Iterable[str], kept: Iterable[str] | None = None, robot: str | None = None) -> None:
+        """Add lines, from any thread. What would print as an empty line is left out.
 
-class PromptStyle(Enum):
-    """What is printed before the line that is typed."""
-
-    SHORT = "short"
-    NONE = "none"
-    WORD = "word"
-    ANSWER = "answer"
-    """The last line of the answer, so that the cursor of a braille display stays on it."""
-
-
-class Options:
-    """The settings of the linear mode, as they are now: pages, prompts, editing, progress reports."""
-
-    def __init__(self, settings: Callable[[], Settings]) -> None:
-        self._settings = settings
-
-    @property
-    def page(self) -> Page:
-        return Page(self._settings().page)
-
-    @property
-    def prompt(self) -> PromptStyle:
-        return PromptStyle(self._settings().prompt)
-
-    @property
-    def hold(self) -> bool:
-        """Whether each line of an answer waits for Enter."""
-        return self._settings().hold == "on"
-
-    @property
-    def editor(self) -> bool:
-        """Whether Donnie edits lines; else the terminal does, and nothing but text is ever written."""
-        return self._settings().editor == "own"
-
-    @property
-    def enter(self) -> bool:
-        """Whether Enter runs each complete line at once."""
-        return self._settings().enter == "runs"
-
-    @property
-    def progress(self) -> int:
-        """Seconds between two progress reports of a run; 0 is never."""
-        return int(self._settings().progress)
-
-    def prompt_at(self, depth: int) -> str:
-        """The prompt of a line inside so many blocks."""
-        level = str(depth) if depth else ""
-        match self.prompt:
-            case PromptStyle.NONE:
-                return ""
-            case PromptStyle.WORD:
-                return f"{f'Donnie {level}'.strip()}{PROMPT}"
-            case _:
-                return f"{level}{PROMPT}"
-
-
-class Streams(Struct, frozen=True):
-    """Where lines come from and where they are printed, as the options say."""
-
-    console: Console
-    editing: EditingReader | None
-    """Edits lines key by key; None where that is impossible."""
-    plain: Reader
-    output: Output
-    queue: OutputQueue
-    options: Options
-    is_attended: bool
-    """Whether a learner types: prompts are printed, and questions are asked."""
-    is_terminal: bool
-    """Whether the lines are printed on a terminal, and need rests."""
-
-    @property
-    def can_edit(self) -> bool:
-        """Whether a text can be offered for editing."""
-        return self.reader.holds_newline
-
-    @property
-    def takes_live_commands(self) -> bool:
-        """Whether lines may be typed for a running program: by a learner who edits them here."""
-        return self.is_attended and self.can_edit
-
-    @property
-    def reader(self) -> Reader:
-        """Where the next line comes from."""
-        return self.editing if self.editing is not None and self.options.editor else self.plain
-
-    @property
-    def page_size(self) -> int:
-        """Lines of a page, after which the learner is asked for more; 0 without pages."""
-        if self.options.hold:
-            return 1
-        return self.output.block_size if self.options.page is Page.ASK else 0
-
-    def apply_options(self) -> None:
-        """Let the terminal and the output behave as the options say."""
-        if self.editing is not None:
-            self.console.edit(self.options.editor)
-        self.output.paced = self.is_terminal and self.options.page is Page.REST
-
-    def end_line(self, typed: Typed) -> None:
-        """If the terminal has not printed the newline of Enter, hold it back until there is an answer."""
-        if self.is_attended and (self.can_edit or typed.how is not How.ENTER):
-            self.output.hold_newline()
-
-
-class Printer:
-    """Prints the lines that wait and remembers them: all, a block, or page by page; then the prompt."""
-
-    def __init__(self, streams: Streams, words: Words, answers: AnswerLog) -> None:
-        """``answers`` remembers what is printed."""
-        self._streams, self._words, self._answers = streams, words, answers
-        self.is_hurrying = False
-        """Whether a program was just stopped: its last lines need no Enter."""
-        self.is_repeating = False
-        """Whether the next lines were printed before, and are not remembered again."""
-        self.prompt: str | None = None
-        """The last line of an answer, if it was printed in place of the prompt."""
-        self._typed_early: Typed | None = None
-        """A line that was typed where an answer waited for Enter."""
-
-    def take_early(self) -> Typed | None:
-        """The line that was typed where an answer waited for Enter, if there is one."""
-        early, self._typed_early = self._typed_early, None
-        return early
-
-    def show(self, prompt: str = "", *, most: int | None = None) -> int:
-        """Print the lines that wait (``most`` of them), then the prompt.
-
-        Returns how many lines were left out because of Ctrl+C.
+        ``kept`` is what is remembered, if that differs from ``lines``; ``robot`` is the one of the lines.
         """
-        lines, kept = self._streams.queue.take(most), self._streams.queue.take_kept()
-        if not self.is_repeating:
-            self._answers.add_lines(kept)
-        if prompt:
-            self._answers.end_answer()
-        self.is_repeating = False
-        if not self._streams.is_attended:
-            return self._streams.output.show(lines)
-        return self._show_pages(lines, prompt)
+        said = [line for line in map(_shown, lines) if line]
+        kept_lines = said if kept is None else [line for line in map(_shown, kept) if line]
+        with self._changed:
+            was_empty = not self
+            self._lines += [(line, robot) for line in said]
+            self._waiting[robot] += len(said)
+            self._kept += kept_lines
+        if was_empty and said:
+            self._nudge()
 
-    def show_block(self) -> int:
-        """As ``show``, but only a block, so that keys are noticed in between; with pages, all of it."""
-        return self.show(most=None if self._page_size() else LARGEST_BLOCK)
+    def put_first(self, lines: Iterable[str], *, is_kept: bool = True) -> None:
+        """Add lines before all that wait, in their order; from any thread."""
+        said = [line for line in map(_shown, lines) if line]
+        with self._changed:
+            self._first += said
+            self._kept += said if is_kept else []
+        self._nudge()
 
-    def _show_pages(self, lines: list[str], prompt: str) -> int:
-        """As ``show``; if the learner wants pages, page by page."""
-        size = self._page_size()
-        while size and len(lines) > size:
-            wants_more, lines = self._show_page(lines[:size], len(lines) - size), lines[size:]
-            if self._streams.console.interrupted:
-                return len(lines)
-            if not wants_more:
-                lines = []
-            if self._typed_early is not None:
-                return 0
-        is_answer = self._streams.options.prompt is PromptStyle.ANSWER
-        if is_answer and prompt.endswith(PROMPT) and lines:
-            prompt = self.prompt = f"{lines.pop()} "
-        return self._streams.output.show(lines, prompt, to_the_end=self.is_hurrying)
+    def wait_for_room(self, robot: str | None) -> None:
+        """In the thread of that robot's program: return once there is room for its next lines."""
+        if self._has_room(robot):
+            return
+        with self._changed:
+            self._changed.wait_for(lambda: self._has_room(robot))
 
-    def _page_size(self) -> int:
-        return 0 if self.is_hurrying else self._streams.page_size
+    def take(self, most: int | None = None) -> list[str]:
+        """The lines that wait, so many of them at most."""
+        with self._changed:
+            lines = self._first[:most]
+            self._first = self._first[len(lines) :]
+            lines += self._forget(len(self._lines) if most is None else most - len(lines))
+        return lines
 
-    def _show_page(self, lines: list[str], left: int) -> bool:
-        """Print a page and wait for Enter. Returns whether more is wanted; any line typed here ends it."""
-        streams = self._streams
-        holds = streams.options.hold
-        question = f"{lines.pop() if holds else self._words('linear-more', lines=left)} "
-        streams.output.show(lines, question)
-        typed = streams.reader.read(question)
-        streams.end_line(typed)
-        streams.console.interrupted |= typed.how is How.INTERRUPTED
-        text = typed.text.strip()
-        if text and answered(text) is not False and meant(text, "pages") != "enough":
-            self._typed_early = typed
-        return typed.how in (How.ENTER, How.ESCAPE) and not text
+    def _forget(self, count: int) -> list[str]:
+        """Remove and return the oldest lines. Under the lock."""
+        gone, self._lines = self._lines[:count], self._lines[count:]
+        self._waiting.subtract(robot for _, robot in gone)
+        self._changed.notify_all()
+        return [line for line, _ in gone]
+
+    def take_kept(self) -> list[str]:
+        """The newest lines to remember of those that were added since the last time."""
+        with self._changed:
+            lines = list(self._kept)
+            self._kept.clear()
+        return lines
+
+    def trim(self, kept: int) -> int:
+        """Remove all but the ``kept`` newest lines. Returns how many were removed."""
+        with self._changed:
+            return len(self._forget(max(0, len(self._lines) - kept)))
+
+    @property
+    def has_first(self) -> bool:
+        """Whether a line waits that is printed before all others."""
+        return bool(self._first)
+
+    def __len__(self) -> int:
+        return len(self._first) + len(self._lines)
+
+    def hold_back(self) -> None:
+        """Let a program that prints too much wait from now on. Only while another thread prints."""
+        self.holds_back = True
+
+    def let_pass(self) -> None:
+        """Let no program wait any more: it was stopped, or is over."""
+        with self._changed:
+            self.holds_back = False
+            self._changed.notify_all()
+
+    def _has_room(self, robot: str | None) -> bool:
+        return not self.holds_back or self._waiting[robot] < self._capacity
+
+
+def _shown(line: str) -> str:
+    """Without blanks at its ends."""
+    return printable(line).strip()
+
+
+class BackgroundRobots:
+    """The robots whose programs run while the learner types, since START doesn't wait for them."""
+
+    def __init__(self, ctx: Context, queue: OutputQueue) -> None:
+        self._ctx, self._queue = ctx, queue
+        self._left_out = 0
+        """Lines that were not printed before the stop."""
+        self.is_following = False
+        """Whether the main thread follows a run: its lines and all others stay in their order."""
+
+    @property
+    def is_running(self) -> bool:
+        """Whether a robot runs that is not being stopped."""
+        runs = (session.run for session in self._ctx.donnie.team.running)
+        return any(run is not None and run.control.state not in _ENDING for run in runs)
+
+    @property
+    def floods(self) -> bool:
+        """Whether more lines wait than are printed at once, while more may come any time."""
+        is_long = len(self._queue) > LARGEST_BLOCK
+        return is_long and bool(self._ctx.donnie.team.running) and not self.is_following
+
+    def stop(self, left_out: int = 0) -> None:
+        """Stop all robots, and say so; ``left_out`` lines were removed already without being printed."""
+        self._left_out = left_out
+        drive(perform(self._ctx, BY_NAME["stop_all"], ""))
+
+    def trim_after_stop(self) -> None:
+        """Keep only the last lines that wait, and say how many were removed."""
+        self._queue.let_pass()
+        left_out = self._left_out + self._queue.trim(LARGEST_BLOCK)
+        self._left_out = 0
+        if left_out:
+            self._ctx.answer("answer-left-out", lines=left_out)
+
+
+class Listener:
+    """Queues the lines of all events until ``close``."""
+
+    def __init__(
+        self,
+        donnie: Donnie,
+        console: Console,
+        queue: OutputQueue,
+        background: BackgroundRobots,
+        *,
+        is_paced: bool,
+    ) -> None:
+        """``is_paced``: a learner types and reads here, so that quick movements are summed up."""
+        self._donnie, self._console, self._queue = donnie, console, queue
+        self._background = background
+        self._is_typing = self._has_lines = False
+        """Whether a line is being typed, and whether events were published meanwhile."""
+        console.lines_wait = lambda: self._has_lines and bool(queue)
+        self._summing_up = SummingUp(
+            donnie.words, console.now, lambda: is_paced and donnie.session.speed is not None
+        )
+        told_as_printed = donnie.outlets.audible.tell_as(self._summing_up)
+        self._unsubscribe = [donnie.session.hub.subscribe(self._on_event), told_as_printed]
+
+    def close(self) -> None:
+        """Unsubscribe: another front end continues with the session."""
+        for unsubscribe in self._unsubscribe:
+            unsubscribe()
+
+    def line_begins(self) -> None:
+        """Interrupt the typing of a line for urgent news from now on."""
+        self._has_lines, self._is_typing = False, True
+
+    def line_ended(self) -> None:
+        self._is_typing = False
+
+    def _on_event(self, stamped: Stamped) -> None:
+        """Queue its lines. From any thread."""
+        event = stamped.event
+        self._put(stamped)
+        if self._is_typing and not isinstance(event, TRANSIENT):
+            self._has_lines = True
+            self._console.nudge()
+        if isinstance(event, Announced) and event.code in URGENT:
+            self._console.has_news = True
+            self._console.nudge()
+
+    def _put(self, stamped: Stamped) -> None:
+        """Print a sum of the movements that were left out, and the event; remember all of its lines.
+
+        An answer is printed before the lines of background robots, if these are more than a block.
+        """
+        lines, before = told_lines(stamped, self._donnie.words), self._summing_up.before(stamped)
+        passes = self._summing_up.passes(stamped)
+        event, remembered = stamped.event, lines
+        if isinstance(event, Answered) and event.is_repeated:
+            remembered = ()
+        if isinstance(event, Answered) and (event.at_once or self._background.floods):
+            self._queue.put_first(lines, is_kept=bool(remembered))
+            lines, remembered, passes = (), (), False
+        self._queue.put((*before, *lines) if passes else before, remembered, stamped.robot)
 
 
 class Paper(Protocol):

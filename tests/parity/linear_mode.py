@@ -17,10 +17,10 @@ from donnie_tui.bootstrap import Donnie, assemble
 from donnie_tui.commands.interaction import EnterWorld, SwitchMode
 from donnie_tui.commands.preferences import Preferences
 from donnie_tui.linear import console as console_module
-from donnie_tui.linear.app import Conversation
 from donnie_tui.linear.console import Console
+from donnie_tui.linear.conversation import Conversation
 from donnie_tui.linear.greeting import Greeting
-from donnie_tui.linear.interaction import Prompter
+from donnie_tui.linear.prompter import Prompter
 from donnie_tui.linear.reader import Typed
 from donnie_tui.settings.settings import Settings
 from tests.parity.outcome import Outcome, Recorder

@@ -14,7 +14,7 @@ from donnie_tui.commands.preferences import (
 )
 from donnie_tui.core.wording import spelled
 from donnie_tui.i18n.words import Words
-from donnie_tui.linear.output import Options, Page, PromptStyle
+from donnie_tui.linear.prompter import Options, Page, PromptStyle
 from donnie_tui.settings.parsing import LONGEST_PROGRESS
 from donnie_tui.settings.settings import Settings, resolve
 from language.locales import languages

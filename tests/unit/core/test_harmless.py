@@ -13,7 +13,7 @@ from donnie_tui.core.events import Spoke
 from donnie_tui.core.program_files import decode
 from donnie_tui.core.transcript import lines_of
 from donnie_tui.i18n.words import Words
-from donnie_tui.linear.listener import OutputQueue
+from donnie_tui.linear.output import OutputQueue
 from donnie_tui.tui.printable import Printable
 from language.diagnostics import Diagnostic, MistakeKind, Span
 from language.source import printable

@@ -2,7 +2,7 @@
 
 import threading
 
-from donnie_tui.linear.listener import OutputQueue
+from donnie_tui.linear.output import OutputQueue
 from tests.patience import PATIENCE
 
 

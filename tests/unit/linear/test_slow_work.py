@@ -15,7 +15,7 @@ from donnie_tui.commands.interaction import GivenUp, drive
 from donnie_tui.core.document import Document
 from donnie_tui.core.program_files import write_program
 from donnie_tui.linear.console import Gone, run_in_background
-from donnie_tui.linear.interaction import LinearInteraction
+from donnie_tui.linear.conversation import LinearInteraction
 from language.formatter import formatted
 from tests.patience import PATIENCE
 

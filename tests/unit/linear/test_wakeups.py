@@ -10,8 +10,8 @@ import pytest
 
 from donnie_tui.core.events import Outcome
 from donnie_tui.core.line_history import Past
-from donnie_tui.linear.listener import OutputQueue
 from donnie_tui.linear.loop import RunLoop
+from donnie_tui.linear.output import OutputQueue
 from donnie_tui.linear.reader import EditingReader, How, PlainReader
 
 FOR_EVER = 1e9
