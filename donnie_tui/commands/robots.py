@@ -8,7 +8,7 @@ from pathlib import Path
 from donnie_tui.commands.context import Context
 from donnie_tui.commands.dispatch import handles
 from donnie_tui.commands.interaction import Option
-from donnie_tui.core.actions import Deed
+from donnie_tui.core.actions import GripperCommand
 from donnie_tui.core.program_files import DocumentError, exists
 from donnie_tui.core.session import LONGEST_STOP, Busy, Session
 from donnie_tui.core.wording import facing, no_such_robot, whole_steps
@@ -90,14 +90,14 @@ def _robot_in_words(ctx: Context, session: Session) -> str:
 # --- the gripper
 
 
-@handles("grip", deed=Deed.GRIP)
-@handles("release", deed=Deed.RELEASE)
-async def use_gripper(ctx: Context, _: str, deed: Deed) -> None:
+@handles("grip", command=GripperCommand.GRIP)
+@handles("release", command=GripperCommand.RELEASE)
+async def use_gripper(ctx: Context, _: str, command: GripperCommand) -> None:
     """Close or open the gripper. The answer of a prompt waits for what comes of it."""
     session = ctx.donnie.session
     session.settle()
     try:
-        run = session.use_gripper(deed)
+        run = session.use_gripper(command)
     except Busy:
         ctx.answer_of_robot("screen-busy")
         return
