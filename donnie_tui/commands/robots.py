@@ -8,11 +8,10 @@ from pathlib import Path
 from donnie_tui.commands.context import Context
 from donnie_tui.commands.dispatch import handles
 from donnie_tui.commands.interaction import Option
-from donnie_tui.core.actions import Deed
+from donnie_tui.core.actions import GripperCommand
 from donnie_tui.core.program_files import DocumentError, exists
 from donnie_tui.core.session import LONGEST_STOP, Busy, Session
-from donnie_tui.core.transcript import facing
-from donnie_tui.core.wording import no_such_robot, whole_steps
+from donnie_tui.core.wording import facing, no_such_robot, whole_steps
 from donnie_tui.robot.choice import Choice
 from donnie_tui.settings.file import remember
 from donnie_tui.settings.parsing import SIMULATED
@@ -91,24 +90,14 @@ def _robot_in_words(ctx: Context, session: Session) -> str:
 # --- the gripper
 
 
-@handles("grip")
-async def grip(ctx: Context, _: str) -> None:
-    """Close the gripper."""
-    _use_gripper(ctx, Deed.GRIP)
-
-
-@handles("release")
-async def release(ctx: Context, _: str) -> None:
-    """Open the gripper."""
-    _use_gripper(ctx, Deed.RELEASE)
-
-
-def _use_gripper(ctx: Context, deed: Deed) -> None:
-    """What comes of it belongs to the answer of a prompt, which waits for it."""
+@handles("grip", command=GripperCommand.GRIP)
+@handles("release", command=GripperCommand.RELEASE)
+async def use_gripper(ctx: Context, _: str, command: GripperCommand) -> None:
+    """Close or open the gripper. The answer of a prompt waits for what comes of it."""
     session = ctx.donnie.session
-    session.settle()
+    session.wait_for_stop()
     try:
-        run = session.use_gripper(deed)
+        run = session.use_gripper(command)
     except Busy:
         ctx.answer_of_robot("screen-busy")
         return

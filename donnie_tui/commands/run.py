@@ -4,27 +4,17 @@ from __future__ import annotations
 
 from collections.abc import Callable
 
-from donnie_tui.commands import arguments
+from donnie_tui.commands.arguments import read_numbers
 from donnie_tui.commands.context import Context
 from donnie_tui.commands.dispatch import handles
 from donnie_tui.commands.interaction import NotUnderstood
-from donnie_tui.core import speeds
-from donnie_tui.core.breakpoints import pausing_line, toggled
 from donnie_tui.core.events import TYPED
-from donnie_tui.core.program_text import no_such_line
-from donnie_tui.core.run_controller import (
-    Begin,
-    NothingRuns,
-    NothingToRun,
-    Program,
-    Request,
-    RunController,
-    RunState,
-)
-from donnie_tui.core.runner import Run
+from donnie_tui.core.run_controller import RunController
+from donnie_tui.core.run_state import Begin, NothingRuns, NothingToRun, Request, RunState
+from donnie_tui.core.runner import Run, RunRequest
 from donnie_tui.core.session import LONGEST_STOP, Busy
-from donnie_tui.core.team import Assigned
 from donnie_tui.settings.parsing import FASTEST, SLOWEST, read_speed
+from donnie_tui.settings.settings import faster_than, slower_than, speed_words
 from language.control import ExecutionControl
 from language.source import fold_name
 
@@ -34,16 +24,14 @@ LONGEST_BEGINNING = 1.0
 # --- starting
 
 
-@handles("run")
-async def run(ctx: Context, _: str) -> None:
-    """Run what was typed and has not run yet; the whole program where it is edited as a whole."""
-    await run_program(ctx, is_whole=False)
+@handles("run", is_whole=False)
+@handles("again", is_whole=True)
+async def run(ctx: Context, _: str, is_whole: bool) -> None:
+    """Run what was typed and has not run yet, or the whole program from the start of the world.
 
-
-@handles("again")
-async def again(ctx: Context, _: str) -> None:
-    """Run the whole program from the start of the world."""
-    await run_program(ctx, is_whole=True)
+    A program that is edited as a whole always runs as a whole.
+    """
+    await run_program(ctx, is_whole=is_whole)
 
 
 async def run_program(
@@ -66,18 +54,18 @@ async def run_program(
         _note_run(ctx, started, is_whole=is_whole)
 
 
-def whole_program(ctx: Context) -> Program:
+def whole_program(ctx: Context) -> RunRequest:
     """The program as it is run from the start of the world."""
     document = ctx.program
-    return Program(document.text, _name(ctx), breakpoints=document.breakpoints)
+    return RunRequest(document.text, _name(ctx), breakpoints=document.breakpoints)
 
 
-def _waiting_lines(ctx: Context, last: str | None) -> Program:
+def _waiting_lines(ctx: Context, last: str | None) -> RunRequest:
     document = ctx.program
     if document.is_in_editor:
         return whole_program(ctx)
     batch = document.take_batch(last)
-    return Program(
+    return RunRequest(
         batch.text,
         _name(ctx),
         batch.first_line,
@@ -100,7 +88,7 @@ def _note_run(ctx: Context, ended: Run, *, is_whole: bool) -> None:
     elif not is_whole and ctx.program.batch_was_refused():
         first = next(iter(ctx.errors.all), None)
         code = "linear-kept-known" if first and first.meant else "linear-kept"
-        ctx.answer(code, line=(first.mended_line or first.line) if first else 1)
+        ctx.answer(code, line=(first.fixed_line or first.line) if first else 1)
         if ctx.program.refusals > 1:
             ctx.answer("linear-forget", lines=ctx.program.waiting)
 
@@ -130,7 +118,7 @@ async def together(ctx: Context, _: str) -> None:
         documents = {ctx.donnie.session.name: ctx.program}
     for name, document in documents.items():
         if document.text.strip() or not document.is_in_editor:
-            team.give(name, Assigned(document.text, document.path.name if document.path else TYPED))
+            team.give(name, RunRequest(document.text, document.path.name if document.path else TYPED))
     try:
         runs = ctx.runs.start_together()
     except NothingToRun:
@@ -150,6 +138,7 @@ async def together(ctx: Context, _: str) -> None:
 
 @handles("stop")
 async def stop(ctx: Context, _: str) -> None:
+    """Stop the program and the robot."""
     try:
         ctx.runs.stop()
     except NothingRuns:
@@ -182,6 +171,7 @@ async def pause(ctx: Context, _: str) -> None:
 
 @handles("continue_")
 async def continue_(ctx: Context, _: str) -> None:
+    """Let the program that is held run on."""
     try:
         ctx.runs.require(Request.CONTINUE)
     except NothingRuns:
@@ -191,26 +181,21 @@ async def continue_(ctx: Context, _: str) -> None:
     ctx.runs.continue_()
 
 
-@handles("step")
-async def step(ctx: Context, _: str) -> None:
-    await _step(ctx, RunController.step, ExecutionControl.step)
-
-
-@handles("step_over")
-async def step_over(ctx: Context, _: str) -> None:
-    """As STEP, a procedure as a whole."""
-    await _step(ctx, RunController.step_over, ExecutionControl.step)
+@handles("step", go_on=RunController.step)
+@handles("step_over", go_on=RunController.step_over)
+async def step(ctx: Context, _: str, go_on: Callable[[RunController], None]) -> None:
+    """One statement; with OVER a procedure as a whole."""
+    await _step(ctx, go_on, ExecutionControl.step)
 
 
 @handles("run_to")
 async def run_to(ctx: Context, argument: str) -> None:
     """Run until that line is next."""
-    (line,) = arguments.numbers(argument, least=1, most=1)
-    count = len(ctx.program.lines)
-    if not 1 <= line <= count:
-        ctx.say(no_such_line(count, line, ctx.words))
+    (line,) = read_numbers(argument, least=1, most=1)
+    if not 1 <= line <= len(ctx.program.lines):
+        ctx.answer_no_line(line)
         return
-    at = pausing_line(ctx.program.text, line, ctx.donnie.session.parse)
+    at = ctx.program.pausing_line(line, ctx.donnie.session.parse)
     if at != line:
         ctx.answer("break-nowhere", line=line)
     if at is not None:
@@ -242,15 +227,15 @@ async def step_back(ctx: Context, _: str) -> None:
 @handles("break_")
 async def break_(ctx: Context, argument: str) -> None:
     """Set or clear the breakpoint of a line; alone, list the breakpoints."""
-    given, program = arguments.numbers(argument, most=1), ctx.program
+    given, program = read_numbers(argument, most=1), ctx.program
     line = given[0] if given else 0
     if not given:
         lines = ", ".join(map(str, sorted(program.breakpoints)))
         ctx.say(ctx.words("break-lines", lines=lines) if lines else ctx.words("break-none"))
     elif not 1 <= line <= len(program.lines):
-        ctx.say(no_such_line(len(program.lines), line, ctx.words))
+        ctx.answer_no_line(line)
     else:
-        program.breakpoints, at = toggled(program.breakpoints, line, program.text, ctx.donnie.session.parse)
+        at = program.toggle_breakpoint(line, ctx.donnie.session.parse)
         ctx.workspace.keep_breakpoints()
         if at != line:
             ctx.answer("break-nowhere", line=line)
@@ -283,15 +268,11 @@ async def show_variables(ctx: Context, _: str) -> None:
 # --- speed, start
 
 
-@handles("slower")
-async def slower(ctx: Context, _: str) -> None:
-    ctx.donnie.session.speed = speeds.slower(ctx.donnie.session.speed)
-    _say_speed(ctx)
-
-
-@handles("faster")
-async def faster(ctx: Context, _: str) -> None:
-    ctx.donnie.session.speed = speeds.faster(ctx.donnie.session.speed)
+@handles("slower", changed=slower_than)
+@handles("faster", changed=faster_than)
+async def slower(ctx: Context, _: str, changed: Callable[[float | None], float | None]) -> None:
+    """Run slower or faster from now on."""
+    ctx.donnie.session.speed = changed(ctx.donnie.session.speed)
     _say_speed(ctx)
 
 
@@ -308,7 +289,7 @@ async def speed(ctx: Context, argument: str) -> None:
 
 
 def _say_speed(ctx: Context) -> None:
-    ctx.answer("answer-speed", speed=speeds.speed_words(ctx.donnie.session.speed, ctx.words))
+    ctx.answer("answer-speed", speed=speed_words(ctx.donnie.session.speed, ctx.words))
 
 
 @handles("reset")

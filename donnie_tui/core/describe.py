@@ -20,8 +20,15 @@ from typing import TYPE_CHECKING
 
 import worlds.words
 from devices.ports.robot import Pose
-from donnie_tui.core.transcript import facing
-from donnie_tui.core.wording import Wording, coloured, coloured_thing, name_of, specific_name_of, whole_steps
+from donnie_tui.core.wording import (
+    Wording,
+    coloured,
+    coloured_thing,
+    facing,
+    name_of,
+    specific_name_of,
+    whole_steps,
+)
 from language import keywords
 from language.locales import languages
 from language.source import fold_name
@@ -153,7 +160,9 @@ def describe(
     )
 
 
-def told_world(name: str, about: About | None, in_words: Sequence[str], wording: Wording) -> tuple[str, ...]:
+def world_introduction(
+    name: str, about: About | None, in_words: Sequence[str], wording: Wording
+) -> tuple[str, ...]:
     """A world for a learner whose robot is in it: the author's words, the things, and what to try.
 
     ``in_words`` are the sentences of MAP about the things.

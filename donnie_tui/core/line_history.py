@@ -15,7 +15,7 @@ LARGEST_FILE = 4 * 1024 * 1024
 LONGEST_LINE = 2000
 
 
-class Past:
+class LineHistory:
     """Typed lines, oldest first."""
 
     def __init__(self, file: str | None = None) -> None:
@@ -30,7 +30,8 @@ class Past:
         self.lines.append(line)
         del self.lines[:-KEPT]
         if self._file:
-            _append(self._file, line)
+            with contextlib.suppress(OSError, ValueError):
+                _add(self._file, [line])
 
     def trim(self) -> None:
         """Shorten the file to what is remembered, once it has grown to twice that."""
@@ -39,16 +40,16 @@ class Past:
             with contextlib.suppress(OSError):
                 from pathlib import Path  # slow to load, and files are long in growing
 
-                beside = Path(f"{file}.new")
-                beside.unlink(missing_ok=True)
-                _add(str(beside), self.lines)
-                beside.replace(file)
+                shorter = Path(f"{file}.new")
+                shorter.unlink(missing_ok=True)
+                _add(str(shorter), self.lines)
+                shorter.replace(file)
 
 
 class Recall:
     """One walk through the past, from the line that is being typed."""
 
-    def __init__(self, past: Past, draft: str = "") -> None:
+    def __init__(self, past: LineHistory, draft: str = "") -> None:
         self._lines = [*past.lines, draft]
         self._at = len(past.lines)
 
@@ -77,11 +78,6 @@ def _read(file: str) -> list[str]:
         return []
     lines = (line.strip() for line in text.split("\n"))
     return [line for line in lines if line and line.isprintable() and len(line) <= LONGEST_LINE]
-
-
-def _append(file: str, line: str) -> None:
-    with contextlib.suppress(OSError, ValueError):
-        _add(file, [line])
 
 
 def _add(file: str, lines: list[str]) -> None:

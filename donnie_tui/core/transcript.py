@@ -39,11 +39,11 @@ from donnie_tui.core.events import (
     Turned,
 )
 from donnie_tui.core.hub import Hub
-from donnie_tui.core.safe_text import printable
-from donnie_tui.core.wording import COMPASS, Wording, compass_heading, whole_steps
+from donnie_tui.core.wording import Wording, compass_heading, position_in_words, whole_steps
+from language.source import printable
 
 
-class Movement(Struct, frozen=True):
+class PastMovement(Struct, frozen=True):
     """One movement: its number from 1, the command as typed, the amount done, and the pose after it."""
 
     number: int
@@ -58,24 +58,24 @@ class History:
     """The movements so far, oldest first."""
 
     def __init__(self) -> None:
-        self._movements: list[Movement] = []
+        self._movements: list[PastMovement] = []
 
     def remember(self, event: Moved | Turned) -> None:
         done = event.walked if isinstance(event, Moved) else event.turned
         crashed = event.stopped_by not in (None, StoppedBy.LINK)
         number = len(self._movements) + 1
         turned = isinstance(event, Turned)
-        self._movements.append(Movement(number, event.command, turned, done, crashed, event.pose))
+        self._movements.append(PastMovement(number, event.command, turned, done, crashed, event.pose))
 
     def forget(self) -> None:
         self._movements.clear()
 
     @property
-    def last(self) -> Movement | None:
+    def last(self) -> PastMovement | None:
         return self._movements[-1] if self._movements else None
 
     @property
-    def movements(self) -> tuple[Movement, ...]:
+    def movements(self) -> tuple[PastMovement, ...]:
         return tuple(self._movements)
 
 
@@ -90,13 +90,13 @@ class SentencePublisher:
         """Publishes one sentence. ``sentence`` is its code in the catalogue where that is not ``code``."""
         self._hub.publish(Announced(code, self._say(sentence or code, **values)))
 
-    def state(self, last: Movement | None, pose: Pose) -> None:
+    def state(self, last: PastMovement | None, pose: Pose) -> None:
         if last is None:
             self._no_movement("state", pose)
         else:
             self._movement("state", last)
 
-    def history(self, movements: Iterable[Movement]) -> None:
+    def history(self, movements: Iterable[PastMovement]) -> None:
         for movement in movements:
             self._movement("history", movement)
 
@@ -127,7 +127,7 @@ class SentencePublisher:
     def _no_movement(self, code: str, pose: Pose) -> None:
         self.announce(code, "no-movement", **_whole(pose))
 
-    def _movement(self, code: str, movement: Movement) -> None:
+    def _movement(self, code: str, movement: PastMovement) -> None:
         self.announce(
             code,
             "movement-turned" if movement.turned else "movement-walked",
@@ -137,19 +137,6 @@ class SentencePublisher:
             crashed=self._say("crashed" if movement.crashed else "not-crashed"),
             **_whole(movement.pose),
         )
-
-
-def facing(pose: Pose, wording: Wording) -> str:
-    """The heading in words: "north", or "40 degrees, near northeast"."""
-    degrees = compass_heading(pose)
-    point = wording(f"compass-{COMPASS[round(degrees / 45) % 8]}")
-    return point if degrees % 45 == 0 else wording("facing-between", degrees=degrees, point=point)
-
-
-def position_in_words(pose: Pose, wording: Wording) -> str:
-    """A robot's place and heading."""
-    x, y = whole_steps(pose.x), whole_steps(pose.y)
-    return wording("position", facing=facing(pose, wording), x=x, y=y)
 
 
 def _whole(pose: Pose) -> dict[str, int]:
@@ -166,22 +153,22 @@ OF_NO_ROBOT = ("help", "more-mistakes", BELT_LINK)
 """Announcements about the language or the belt, not about a robot."""
 
 
-def told_lines(stamped: Stamped, wording: Wording) -> tuple[str, ...]:
+def printed_lines(stamped: Stamped, wording: Wording) -> tuple[str, ...]:
     """The lines of an event, with the robot's name before them where the world has several."""
     lines = lines_of(stamped.event, wording)
     if stamped.robot is None or (isinstance(stamped.event, Announced) and stamped.event.code in OF_NO_ROBOT):
         return lines
-    return tuple(said_by(stamped.robot, line, wording) for line in lines)
+    return tuple(with_robot_name(stamped.robot, line, wording) for line in lines)
 
 
-def said_by(robot: str | None, sentence: str, wording: Wording) -> str:
+def with_robot_name(robot: str | None, sentence: str, wording: Wording) -> str:
     """A sentence about a robot, with its name before it; ``robot`` is None where the world has but one."""
     return sentence if robot is None else wording("robot-says", robot=printable(robot), text=sentence)
 
 
-def lines_said_by(robot: str | None, lines: Sequence[str], wording: Wording) -> tuple[str, ...]:
+def lines_with_robot_name(robot: str | None, lines: Sequence[str], wording: Wording) -> tuple[str, ...]:
     """Lines about a robot, its name before the first of them."""
-    return (*(said_by(robot, each, wording) for each in lines[:1]), *lines[1:])
+    return (*(with_robot_name(robot, each, wording) for each in lines[:1]), *lines[1:])
 
 
 def lines_of(event: Event, wording: Wording) -> tuple[str, ...]:
@@ -300,40 +287,35 @@ class SummingUp:
         robot = self._robots.setdefault(stamped.robot, _Robot())
         if isinstance(stamped.event, Moved | Turned):
             robot.last, robot.is_decided = stamped.event, False
-        lines = told_lines(stamped, self._say)
+        lines = printed_lines(stamped, self._say)
         may_wait = _is_routine(stamped, robot)
         ends = isinstance(stamped.event, RunEnded) or (lines and not may_wait)
         before = self._summed_up() if ends or self._has_room() else ()
         if may_wait and not self._has_room():
             _keep(robot, lines)
             return _Decision(stamped, before, passes=False)
-        self._count(lines)
+        self._printed_at.extend([self._now()] * len(lines))
         robot.is_decided = robot.is_decided or may_wait
         return _Decision(stamped, before)
 
     def _has_room(self) -> bool:
         return len(self._printed_at) < MOST or self._now() - self._printed_at[0] >= SECOND
 
-    def _count(self, lines: tuple[str, ...]) -> None:
-        self._printed_at.extend([self._now()] * len(lines))
-
-    # --- what was left out
-
     def _summed_up(self) -> tuple[str, ...]:
+        """The lines for what was left out."""
         lines: list[str] = []
         for name, robot in self._robots.items():
-            lines += (said_by(name, each, self._say) for each in self._sum(robot.omitted))
-            lines += robot.omitted.only if robot.omitted.movements == 1 else ()
-            lines += robot.omitted.place
-            robot.omitted = _Omitted()
-        self._count(tuple(lines))
+            omitted, robot.omitted = robot.omitted, _Omitted()
+            if omitted.movements > 1:
+                alone = "more-turns" if omitted.turns else "more-steps"
+                code = "more-moves" if omitted.turns and omitted.steps else alone
+                sentence = self._say(code, steps=omitted.steps, turns=omitted.turns)
+                lines.append(with_robot_name(name, sentence, self._say))
+            elif omitted.movements:
+                lines += omitted.only
+            lines += omitted.place
+        self._printed_at.extend([self._now()] * len(lines))
         return tuple(lines)
-
-    def _sum(self, omitted: _Omitted) -> tuple[str, ...]:
-        if omitted.movements < 2:
-            return ()
-        code = "more-steps" if not omitted.turns else "more-turns" if not omitted.steps else "more-moves"
-        return (self._say(code, steps=omitted.steps, turns=omitted.turns),)
 
 
 def _is_routine(stamped: Stamped, robot: _Robot) -> bool:

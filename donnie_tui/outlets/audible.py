@@ -28,7 +28,7 @@ from donnie_tui.core.events import Answered, SoundSwitched, Stamped
 from donnie_tui.core.hub import HasHub
 from donnie_tui.core.outlets import Cues, Voice, VoiceScope
 from donnie_tui.core.transcript import TranscriptFilter, UnfilteredTranscript
-from donnie_tui.core.typed_words import name_of_language
+from donnie_tui.core.wording import name_of_language
 from donnie_tui.i18n.words import Words
 from donnie_tui.settings.folders import own_sounds
 from donnie_tui.settings.settings import Settings, Source
@@ -113,12 +113,12 @@ class Audible:
         self._unsubscribe()
         self._own.close()
 
-    def tell_as(self, transcript_filter: TranscriptFilter) -> Callable[[], None]:
+    def speak_only(self, transcript_filter: TranscriptFilter) -> Callable[[], None]:
         """Say no more of the stream than what is printed of it. The answer ends that."""
         self._reporting = transcript_filter
-        return self.tell_all
+        return self.speak_everything
 
-    def tell_all(self) -> None:
+    def speak_everything(self) -> None:
         """Speak every sentence."""
         self._reporting = UnfilteredTranscript()
 

@@ -26,11 +26,9 @@ from donnie_tui.commands.preferences import Preferences
 from donnie_tui.commands.world import say_arrival
 from donnie_tui.core.answer_log import AnswerLog
 from donnie_tui.core.events import Pointed
-from donnie_tui.core.line_history import Past
-from donnie_tui.core.run_controller import Program
-from donnie_tui.core.safe_text import printable
+from donnie_tui.core.line_history import LineHistory
+from donnie_tui.core.runner import LAST_WORDS, RunRequest
 from donnie_tui.core.session import Busy
-from donnie_tui.core.timeouts import LAST_WORDS
 from donnie_tui.core.workspace import Workspace
 from donnie_tui.settings.folders import offers_tour
 from donnie_tui.settings.settings import Settings
@@ -42,6 +40,7 @@ from donnie_tui.tui.keyboard import ScreenKeyEcho
 from donnie_tui.tui.run_view import RunView
 from language.diagnostics import MistakeKind
 from language.keywords import spelling
+from language.source import printable
 
 if TYPE_CHECKING:
     from donnie_tui.tui.app import DonnieApp
@@ -54,7 +53,7 @@ class ScreenState(Struct, frozen=True):
     """The lines of the log, each with the words of its kind."""
     looks: Mapping[str, str]
     answers: AnswerLog
-    typed: Past
+    typed: LineHistory
     """The lines of the command line."""
     workspace: Workspace
     watched: tuple[str, ...]
@@ -170,7 +169,7 @@ class ScreenController:
             return self.do(found[0].name, found[1])
         if not says_slip(self.ctx, text) and not self._opens_block(text):
             try:
-                self.ctx.runs.start(Program(text, self.words("typed-program"), is_whole=False))
+                self.ctx.runs.start(RunRequest(text, self.words("typed-program"), is_whole=False))
             except Busy:
                 self.ctx.answer_of_robot("screen-busy")
             self.look()
@@ -231,7 +230,7 @@ class ScreenController:
     def ask_distances(self) -> None:
         """Have them published, where they are shown."""
         if self.display.shows_distances:
-            self.donnie.session.tell_distances()
+            self.donnie.session.publish_distances()
 
     # --- settings
 

@@ -8,13 +8,13 @@ from typing import TYPE_CHECKING, Any, TypeVar
 
 from textual.app import SuspendNotSupported
 
+from donnie_tui.commands.arguments import answered
 from donnie_tui.commands.files import may_lose_all
 from donnie_tui.commands.interaction import MapPane, Option
 from donnie_tui.commands.keys import KeyTable
 from donnie_tui.core.map_scene import Line
 from donnie_tui.core.pointing import Pointer
-from donnie_tui.core.team import Assigned
-from donnie_tui.core.typed_words import answered
+from donnie_tui.core.runner import RunRequest
 from donnie_tui.i18n.help import manual
 from donnie_tui.tui.help_pages import help_lines, keys_here, tour_pages
 from donnie_tui.tui.normal_screen import PagerError, show_in_pager
@@ -155,7 +155,7 @@ class ScreenInteraction:
         text, path = self._place.editor.text, self._controller.workspace.document.path
         if text.strip():
             team, name = self._controller.donnie.team, path.name if path else self._words("new-program")
-            team.give(team.chosen.name, Assigned(text, name))
+            team.give(team.chosen.name, RunRequest(text, name))
 
     def robot_changed(self) -> None:
         self._controller.run_view.robot_changed()

@@ -21,7 +21,7 @@ from textual.message_pump import MessagePump
 from textual.screen import Screen
 from textual.timer import Timer
 
-from donnie_tui.core.timeouts import SLOW
+from donnie_tui.commands.interaction import SLOW
 
 ROUNDS = 3
 """From the widget up to the application: a key that a binding takes, what it submits, what that posts."""

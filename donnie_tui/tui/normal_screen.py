@@ -25,7 +25,7 @@ class PagerError(Exception):
 
 def print_last_lines(lines: Sequence[str]) -> None:
     """The end of the log, where the shell continues: it can be read again there."""
-    from donnie_tui.core.safe_text import printable
+    from language.source import printable
 
     if os.environ.get("TEXTUAL_DRIVER"):
         return  # a browser has no such screen

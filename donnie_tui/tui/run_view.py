@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING
 
 from textual.message import Message
 
-from donnie_tui.core.run_controller import RunObserver, RunState
+from donnie_tui.core.run_state import RunObserver, RunState
 from donnie_tui.core.transcript import lines_of
 from donnie_tui.tui.event_queue import RunBegan, RunFinished
 from donnie_tui.tui.timers import Polling, Reminder

@@ -20,10 +20,10 @@ from textual.geometry import Offset
 from textual.screen import Screen
 from textual.widgets import Input, TextArea
 
-from donnie_tui.core.safe_text import HARMFUL
 from donnie_tui.settings.settings import Settings
 from donnie_tui.tui import themes
 from donnie_tui.tui.terminal_output import Painted
+from language.source import HARMFUL
 
 
 class _Driver(Protocol):

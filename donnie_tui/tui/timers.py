@@ -8,7 +8,7 @@ from typing import Any
 from textual.app import App
 from textual.timer import Timer
 
-from donnie_tui.core.timeouts import SLOW, SLOW_AGAIN
+from donnie_tui.commands.interaction import SLOW, SLOW_AGAIN
 
 SOON, SELDOM = 1 / 5, 1.0
 """Seconds between two updates of what no event reports: at least, and at most."""

@@ -6,8 +6,8 @@ from pathlib import Path
 import pytest
 
 from donnie_tui.core.events import Announced
-from donnie_tui.core.session import Session
-from donnie_tui.core.transcript import told_lines
+from donnie_tui.core.session import Session, SessionSetup
+from donnie_tui.core.transcript import printed_lines
 from donnie_tui.core.wording import coloured, shade
 from donnie_tui.i18n.words import Words
 from sim.picture import Thing
@@ -29,15 +29,13 @@ def push_announcements(
     session = Session(
         lambda pace, watcher: partial(world.robot, pace=pace, watcher=watcher)(),
         words,
-        world="room",
-        seed=0,
-        terminal=False,
+        SessionSetup("room", seed=0, terminal=False),
     )
     lines: list[str] = []
 
     def remember(stamped: object) -> None:
         if isinstance(getattr(stamped, "event", None), Announced) and stamped.event.code == "pushed":  # type: ignore[attr-defined]
-            lines.extend(told_lines(stamped, words))  # type: ignore[arg-type]
+            lines.extend(printed_lines(stamped, words))  # type: ignore[arg-type]
 
     session.hub.subscribe(remember)
     assert session.start(f"FW {steps}", "a.gd").wait(PATIENCE)

@@ -2,7 +2,7 @@
 
 from devices.ports.robot import Pose, StoppedBy
 from donnie_tui.core.events import Moved, Outcome, RunEnded, Stamped, Turned
-from donnie_tui.core.trail import KEPT, Trail
+from donnie_tui.core.map_grid import MOVES_KEPT, Trail
 from donnie_tui.i18n.words import Words
 
 WALK = Moved("FW 3", 3, 3, None, Pose(0, 3, 0), True)
@@ -13,7 +13,7 @@ BLOCKED = Moved("FW 9", 9, 2, StoppedBy.OBSTACLE, Pose(2, 3, 90), True)
 def trail(*events: object) -> Trail:
     made = Trail()
     for number, event in enumerate(events, 1):
-        made.hear(Stamped(number, 0.0, event))  # type: ignore[arg-type] # events
+        made.on_event(Stamped(number, 0.0, event))  # type: ignore[arg-type] # events
     return made
 
 
@@ -52,14 +52,14 @@ def test_the_last_place_is_known_without_a_move_too() -> None:
 
 
 def test_the_oldest_moves_are_forgotten() -> None:
-    assert len(trail(*[WALK] * (KEPT + 10)).rows()) == KEPT
+    assert len(trail(*[WALK] * (MOVES_KEPT + 10)).rows()) == MOVES_KEPT
 
 
 def test_each_robot_has_a_trail_of_its_own() -> None:
     talked_to = "alice"
     trail = Trail(lambda: talked_to)
     there = Moved("FW 3", 3, 3, None, Pose(0, 3, 0), True)
-    trail.hear(Stamped(1, 0.0, there, "alice"))
+    trail.on_event(Stamped(1, 0.0, there, "alice"))
 
     assert trail.in_words(5, Words()) == ("FW 3: 3 steps, to 0, 3.",)
     talked_to = "bob"

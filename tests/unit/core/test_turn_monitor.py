@@ -5,9 +5,8 @@ from pathlib import Path
 import pytest
 
 from donnie_tui.core.events import Answered, RunStarted
-from donnie_tui.core.runner import Run
-from donnie_tui.core.team import Assigned
-from donnie_tui.core.turn_monitor import LONGEST_TURN, TurnMonitor
+from donnie_tui.core.runner import Run, RunRequest
+from donnie_tui.core.team import LONGEST_TURN, TurnMonitor
 from donnie_tui.i18n.words import Words
 from sim.world import World
 from sim.worldfile import load_text
@@ -43,7 +42,7 @@ class Watched(Hall):
 
     @property
     def answers(self) -> list[str]:
-        self.stream_of_all.wait_until_heard(LONG_ENOUGH)  # the program's thread may deliver them
+        self.stream_of_all.wait_until_delivered(LONG_ENOUGH)  # the program's thread may deliver them
         return [each.event.text for each in self.heard if isinstance(each.event, Answered)]
 
     def start_endless(self) -> Run:
@@ -126,7 +125,7 @@ def test_the_watching_thread_starts_and_ends_with_a_run() -> None:
 
     told = threading.Event()
     hall.stream_of_all.subscribe(lambda each: told.set() if isinstance(each.event, Answered) else None)
-    runs = hall.team.start_together({"alice": Assigned(ENDLESS, "a.gd")})
+    runs = hall.team.start_together({"alice": RunRequest(ENDLESS, "a.gd")})
 
     assert told.wait(LONG_ENOUGH)
     assert any(isinstance(each.event, RunStarted) for each in hall.heard)
