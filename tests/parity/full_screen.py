@@ -51,13 +51,13 @@ class FullScreen:
         return Outcome(published, asked, listed, self._recorder.take(), left_for)
 
     async def _enter(self, line: str) -> None:
-        command_line = self._app.workplace.command_line
+        command_line = self._app.main_screen.command_line
         command_line.value = line
         command_line.finish()
         await self._wait_until_idle()
 
     async def _leave_question(self) -> None:
-        while self._app.screen is not self._app.workplace and not self._left_for:
+        while self._app.screen is not self._app.main_screen and not self._left_for:
             await self._pilot.press("escape")
             await self._wait_until_idle()
 
@@ -82,7 +82,7 @@ class FullScreen:
                 await self._pilot.pause()
                 if self._is_at_rest():
                     return
-        raise AssertionError(f"the screen never came to rest: {self._app.workplace.log_rows.lines[-9:]}")
+        raise AssertionError(f"the screen never came to rest: {self._app.main_screen.log_rows.lines[-9:]}")
 
     def _is_at_rest(self) -> bool:
         app = self._app

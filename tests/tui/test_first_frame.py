@@ -71,7 +71,7 @@ async def test_only_what_takes_the_focus_gets_its_style_twice_before_the_session
 
     await begin(app)
 
-    assert not {"workplace", "map-pane", "inspector-pane", "log-pane"} & {*styled}
+    assert not {"main-screen", "map-pane", "inspector-pane", "log-pane"} & {*styled}
     assert app.main_screen.is_plain or "program-pane" not in styled
 
 
