@@ -79,7 +79,7 @@ class Asking:
 
         answer = self.answer_to(question)
         while answer and answered(answer) is None:
-            answer = self.answer_to(self._words("linear-yes-or-no"))
+            answer = self.answer_to(self._words("ask-yes-no"))
         return bool(answered(answer)) if answer is not None else None
 
     def answer_to(self, question: str) -> str | None:

@@ -44,7 +44,7 @@ class ScreenInteraction:
         self, question: str, text: str = "", accepts: Callable[[str], str | None] | None = None
     ) -> str | None:
         await asyncio.sleep(0)
-        return await self._host.ask(question, self._words("ask-keys"), text, accepts)
+        return await self._host.ask(question, self._words("ask-keys"), text, accepts) or None
 
     async def choose(
         self,
@@ -64,7 +64,8 @@ class ScreenInteraction:
             is_clear = not typed.strip() or answered(typed) is not None
             return None if is_clear else f"{self._words('ask-yes-no')} {question}"
 
-        typed = await self.ask(question, accepts=unclear)
+        await asyncio.sleep(0)
+        typed = await self._host.ask(question, self._words("ask-keys"), "", unclear)
         return None if typed is None else bool(answered(typed))
 
     async def edit_line(self, question: str, text: str = "") -> str | None:

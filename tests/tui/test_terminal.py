@@ -44,7 +44,7 @@ def test_a_procedure_is_typed_run_watched_stopped_and_left(terminal):
     donnie.type(F8)
     donnie.shows("Stopped at line 6.")
     donnie.type(CTRL_Q)
-    donnie.shows("is not saved. Save it? yes or no:")
+    donnie.shows("is not saved. Save first, y or n?")
     donnie.type("no" + ENTER)
 
     assert donnie.ended() == 0
