@@ -28,7 +28,7 @@ from textual.widgets import RichLog
 
 from devices.ports.robot import Pose
 from donnie_tui.bootstrap import assemble
-from donnie_tui.core.run_controller import RunState
+from donnie_tui.core.run_state import RunState
 from donnie_tui.settings.settings import Settings
 from donnie_tui.tui.app import DonnieApp
 from donnie_tui.tui.full_screen import SWITCH

@@ -16,7 +16,7 @@ from devices.ports.robot import Pace, Watcher
 from donnie_tui.core.events import Announced, Answered
 from donnie_tui.core.hub import Stream
 from donnie_tui.core.outlets import UntilSaid
-from donnie_tui.core.session import ResettableRobot, Session
+from donnie_tui.core.session import ResettableRobot, Session, SessionSetup
 from donnie_tui.core.team import Team
 from donnie_tui.core.timeline import Chronicle
 from donnie_tui.core.workspace import Workspace
@@ -214,7 +214,7 @@ def _announce_hold_ups(
     team: Team, shared: World, words: Words, until_said: UntilSaid, closing: ExitStack
 ) -> None:
     """A program that says something at its own pace holds the others up on purpose."""
-    from donnie_tui.core.turn_monitor import TurnMonitor
+    from donnie_tui.core.team import TurnMonitor
 
     turn_monitor = TurnMonitor(team, shared.turn, words, is_excused=lambda: until_said.waiting > 0)
     turn_monitor.watch()
@@ -296,11 +296,7 @@ def make_team(
         return Session(
             make_robot,
             words,
-            world=world.name,
-            seed=settings.seed,
-            terminal=terminal,
-            belt=belt_settings(settings),
-            name=shown_as,
+            SessionSetup(world.name, settings.seed, terminal, belt_settings(settings), shown_as),
             stream=stream,
             moved_things=moved_things,
             until_said=until_said,

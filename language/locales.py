@@ -27,10 +27,14 @@ _tables: dict[tuple[str, str], dict[str, object]] = {}
 def folders() -> dict[str, str]:
     """The folder of each language by its code, in no particular order."""
     if not _folders:
-        more = os.environ.get(SEARCH_PATH, "").split(os.pathsep)
-        for place in (BUILT_IN, *filter(None, reversed(more))):
+        for place in (BUILT_IN, *reversed(search_path())):
             _folders.update({name: f"{place}/{name}" for name in _names_in(place) if _is_code(name)})
     return _folders
+
+
+def search_path() -> list[str]:
+    """The folders that DONNIE_LOCALES names; the first that has a language is the one that is used."""
+    return [each for each in os.environ.get(SEARCH_PATH, "").split(os.pathsep) if each]
 
 
 def forget() -> None:

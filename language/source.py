@@ -2,7 +2,8 @@
 
 ``fold`` returns a text of the same length without case and accents, so an offset in the folded text is an
 offset in the learner's text. Columns count visible characters: a letter with a combining accent is one, a tab
-is one, a byte order mark is none.
+is one, a byte order mark is none. ``printable`` and ``cleaned`` put a blank in the place of each character
+that could control a terminal or can't be encoded, so that columns stay the same.
 """
 
 from __future__ import annotations
@@ -114,3 +115,20 @@ def lines_in(text: str) -> list[str]:
 def with_newlines(text: str) -> str:
     """The text with one kind of line break."""
     return text.replace("\r\n", "\n").replace("\r", "\n")
+
+
+HARMFUL = "[\x00-\x1f\x7f-\x9f\u2028\u2029\u202a-\u202e\u2066-\u2069\ud800-\udfff]"
+"""Control characters, line ends, marks that reverse the direction of text, and halves of characters.
+
+A pattern, compiled on first use, since a start needs none.
+"""
+
+
+def printable(text: str) -> str:
+    """The text as one line."""
+    return text if text.isprintable() else re.sub(HARMFUL, " ", text)
+
+
+def cleaned(text: str) -> str:
+    """The text with its lines: tabs and the language's own line ends (CR, LF) stay."""
+    return text if text.isprintable() else re.sub(rf"(?![\t\r\n]){HARMFUL}", " ", text)

@@ -7,7 +7,7 @@ from pathlib import Path
 
 from devices.ports.robot import Pace, Watcher
 from donnie_tui.core.events import TRANSIENT, Event, Outcome, Stamped, as_line
-from donnie_tui.core.session import Session
+from donnie_tui.core.session import RunOptions, Session, SessionSetup
 from donnie_tui.core.transcript import lines_of
 from donnie_tui.i18n.words import Words
 from sim.robot import SimulatedRobot
@@ -41,12 +41,12 @@ class Floor:
     ) -> None:
         self.words = Words(language, detail)
         make_robot = partial(_robot, floor(*things, noise=noise), speed, seed)
-        self.session = Session(make_robot, self.words, world="floor", seed=seed, terminal=terminal)
+        self.session = Session(make_robot, self.words, SessionSetup("floor", seed, terminal))
         self.stream: list[Stamped] = []
         self.session.hub.subscribe(self.stream.append)
 
     def run(self, text: str, *, fresh: bool = False, hooked: bool = False, trace: bool = False) -> Outcome:
-        run = self.session.start(text, "test.gd", fresh=fresh, hooked=hooked, trace=trace)
+        run = self.session.start(text, "test.gd", RunOptions(fresh=fresh, hooked=hooked, trace=trace))
         assert run.wait(PATIENCE), "the program did not end"
         assert run.outcome is not None
         return run.outcome

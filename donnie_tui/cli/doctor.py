@@ -25,7 +25,7 @@ from donnie_tui.cli.front_ends import cause_of_linear, surroundings
 from donnie_tui.cli.options import Order
 from donnie_tui.cli.streams import is_terminal
 from donnie_tui.core.program_files import exists
-from donnie_tui.core.typed_words import name_of_language
+from donnie_tui.core.wording import name_of_language
 from donnie_tui.i18n.translations import missing_in, mistakes
 from donnie_tui.i18n.words import Words
 from donnie_tui.outlets.audible import wants_cues

@@ -25,7 +25,6 @@ from donnie_tui.core.hub import Hub, Stream
 from donnie_tui.core.recheck import Result, Verdict, recheck
 from donnie_tui.core.recording import LARGEST, Header, NoRecordingError, Recording
 from donnie_tui.core.replay import Replay, undone_in_words
-from donnie_tui.core.safe_text import printable
 from donnie_tui.core.timeline import Timeline
 from donnie_tui.core.transcript import told_lines
 from donnie_tui.i18n.words import Unusable, Words
@@ -35,6 +34,7 @@ from donnie_tui.settings.parsing import SIMULATED
 from donnie_tui.world.recorded import settings_of, unpacked
 from language.control import ExecutionControl
 from language.locales import languages
+from language.source import printable
 
 if TYPE_CHECKING:
     pass

@@ -14,13 +14,13 @@ from donnie_tui.cli.streams import Input, Output, stopped_by_signals
 from donnie_tui.core.events import Answered, Stamped
 from donnie_tui.core.hub import Hub, Stream
 from donnie_tui.core.replay import Replay, map_at, redone_in_words, rows_of, undone_in_words
-from donnie_tui.core.safe_text import printable
-from donnie_tui.core.speeds import faster, slower, speed_words
 from donnie_tui.core.timeline import Timeline
-from donnie_tui.core.transcript import position_in_words, said_by
-from donnie_tui.core.typed_words import keys_of, meant, spelled
+from donnie_tui.core.transcript import said_by
+from donnie_tui.core.wording import keys_of, meant, position_in_words, spelled
 from donnie_tui.i18n.words import Words
+from donnie_tui.settings.settings import faster_than, slower_than, speed_words
 from language.control import ExecutionControl
+from language.source import printable
 
 if TYPE_CHECKING:
     from sim.picture import Picture
@@ -102,8 +102,8 @@ class ReplayPrompt:
             "next": self._next,
             "back": self._back,
             "go": self._go,
-            "faster": lambda: self._change_speed(faster),
-            "slower": lambda: self._change_speed(slower),
+            "faster": lambda: self._change_speed(faster_than),
+            "slower": lambda: self._change_speed(slower_than),
             "where": self._where,
             "map": lambda: self._map(output),
             "first": lambda: self._go_to(0),

@@ -32,9 +32,9 @@ from donnie_tui.cli.streams import (
 )
 from donnie_tui.core.events import Answered, Outcome, Stamped
 from donnie_tui.core.program_files import is_same_file
-from donnie_tui.core.runner import Run
-from donnie_tui.core.team import Assigned, Team
-from donnie_tui.core.timeouts import LAST_WORDS
+from donnie_tui.core.runner import LAST_WORDS, Run, RunRequest
+from donnie_tui.core.session import RunOptions
+from donnie_tui.core.team import Team
 from donnie_tui.core.transcript import told_lines
 from donnie_tui.core.wording import no_such_robot
 from donnie_tui.i18n.words import Unusable, Words
@@ -47,7 +47,7 @@ MOST_NAMES = 5
 """Robots that are named where one is unknown."""
 
 
-def read_programs(arguments: Sequence[str], words: Words) -> tuple[tuple[str | None, Assigned], ...]:
+def read_programs(arguments: Sequence[str], words: Words) -> tuple[tuple[str | None, RunRequest], ...]:
     """What was written behind ``donnie run``: the robot's name, None for the first one, and its program.
 
     Raises ``Unusable``. A file of exactly that name wins over a robot.
@@ -60,9 +60,11 @@ def read_programs(arguments: Sequence[str], words: Words) -> tuple[tuple[str | N
     return tuple((robot, _program(file, words)) for robot, file in parts)
 
 
-def assign(programs: Sequence[tuple[str | None, Assigned]], team: Team, words: Words) -> dict[str, Assigned]:
+def assign(
+    programs: Sequence[tuple[str | None, RunRequest]], team: Team, words: Words
+) -> dict[str, RunRequest]:
     """The programs by the names that the robots have in their world. Raises ``Unusable``."""
-    assigned: dict[str, Assigned] = {}
+    assigned: dict[str, RunRequest] = {}
     for robot, program in programs:
         name = team.names[0] if robot is None else team.called(robot)
         if name is None:
@@ -93,9 +95,9 @@ def _refuse_nameless(parts: Sequence[tuple[str | None, str]], words: Words) -> N
             raise Unusable(words("robots-need-names", file=file))
 
 
-def _program(file: str, words: Words) -> Assigned:
+def _program(file: str, words: Words) -> RunRequest:
     source = read_source(file, words)
-    return Assigned(source.text, PurePath(source.name).name)
+    return RunRequest(source.text, PurePath(source.name).name)
 
 
 _ENOUGH = 4096
@@ -240,7 +242,7 @@ def _assembled(order: Order) -> Donnie:
     return donnie
 
 
-def _run_to_the_end(donnie: Donnie, programs: Mapping[str, Assigned], output: Output, trace: bool) -> int:
+def _run_to_the_end(donnie: Donnie, programs: Mapping[str, RunRequest], output: Output, trace: bool) -> int:
     """The worst exit code of all."""
     output.on_broken = donnie.team.stop
     with (
@@ -248,7 +250,7 @@ def _run_to_the_end(donnie: Donnie, programs: Mapping[str, Assigned], output: Ou
         stopped_by_suspension(donnie.stop_real_robot) as rested,
         closing(donnie),  # one more signal must not end that
     ):
-        started = donnie.team.start_together(programs, trace=trace, hooked=False)
+        started = donnie.team.start_together(programs, RunOptions(trace=trace, hooked=False))
         for each in started:
             _await_end(each, stopped, donnie)
         if rested.is_set():

@@ -91,7 +91,7 @@ def _shown(text: str) -> str:
     """Names out of files, worlds and boards may hold anything."""
     if text.isprintable():
         return text
-    from donnie_tui.core.safe_text import printable
+    from language.source import printable
 
     return printable(text)
 

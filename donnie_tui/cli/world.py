@@ -204,8 +204,8 @@ def _bounded(names: list[str]) -> str:
 
 
 def _braille_pages(world: ChosenWorld, words: Words) -> str:
-    from donnie_tui.core.braille import braille_pages
     from donnie_tui.core.chart import chart
+    from donnie_tui.core.paper import braille_pages
     from sim.picture import picture
 
     return braille_pages(world.name, chart(picture(world.scene), world.start(), _robot(world), words), words)
@@ -213,7 +213,7 @@ def _braille_pages(world: ChosenWorld, words: Words) -> str:
 
 def _raised_picture(world: ChosenWorld, words: Words) -> str:
     from donnie_tui.core.chart import chart
-    from donnie_tui.core.raised_picture import raised_picture
+    from donnie_tui.core.paper import raised_picture
     from sim.picture import drawings, picture
 
     seen = picture(world.scene)

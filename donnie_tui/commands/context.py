@@ -10,9 +10,9 @@ from donnie_tui.commands.interaction import Interaction, Screen
 from donnie_tui.commands.preferences import Preferences
 from donnie_tui.core.answer_log import AnswerLog
 from donnie_tui.core.events import Answered
+from donnie_tui.core.map_grid import Trail
 from donnie_tui.core.run_controller import RunController
-from donnie_tui.core.run_errors import RunErrors
-from donnie_tui.core.trail import Trail
+from donnie_tui.core.run_state import RunErrors
 from donnie_tui.core.transcript import lines_said_by, said_by
 from donnie_tui.core.wording import shown_name
 

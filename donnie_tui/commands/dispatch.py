@@ -13,7 +13,7 @@ from typing import TYPE_CHECKING, TypeAlias
 from donnie_tui.commands.declarations import BY_NAME, Command, When
 from donnie_tui.commands.interaction import GivenUp, NotUnderstood
 from donnie_tui.commands.lookup import find, not_understood, typed_form, unknown_word, word_of
-from donnie_tui.core.run_controller import RunState
+from donnie_tui.core.run_state import RunState
 
 if TYPE_CHECKING:
     from donnie_tui.commands.context import Context

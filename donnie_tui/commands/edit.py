@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
+from donnie_tui.commands.arguments import replacement
 from donnie_tui.commands.dispatch import handles
 from donnie_tui.commands.interaction import GivenUp, NotUnderstood, Option
 from donnie_tui.commands.program import offer_again, ran_and_waiting, say_if_all_waits
@@ -17,7 +18,7 @@ from donnie_tui.core.program_text import (
     not_replaceable,
     quoted_word,
 )
-from donnie_tui.core.typed_words import language_named, name_of_language, replacement
+from donnie_tui.core.wording import language_named, name_of_language
 from language.formatter import formatted
 from language.locales import languages
 

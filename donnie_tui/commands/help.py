@@ -8,8 +8,8 @@ from donnie_tui.commands.context import Context
 from donnie_tui.commands.declarations import COMMANDS
 from donnie_tui.commands.dispatch import handles
 from donnie_tui.commands.lookup import find, help_line, help_of
-from donnie_tui.core.timeouts import LAST_WORDS
-from donnie_tui.core.typed_words import meant
+from donnie_tui.core.runner import LAST_WORDS
+from donnie_tui.core.wording import meant
 from donnie_tui.i18n.help import CHAPTERS, TOUR_PAGES, chapter_lines, tour_page
 
 _KEY_LINES = ("enter", "run", "stop", "past", "line", "word", "clear", "tab", "leave")

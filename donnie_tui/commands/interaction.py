@@ -20,6 +20,9 @@ if TYPE_CHECKING:
     from donnie_tui.core.pointing import Pointer
     from donnie_tui.core.runner import Run
 
+SLOW, SLOW_AGAIN = 1.0, 10.0
+"""Seconds until a slow task is reported, and between further reports."""
+
 T = TypeVar("T")
 
 

@@ -14,14 +14,8 @@ from msgspec import Struct
 from msgspec.structs import replace
 
 from donnie_tui import DETAILS
-from donnie_tui.core.typed_words import (
-    detail_named,
-    language_named,
-    meant,
-    name_of_language,
-    spelled,
-    switched,
-)
+from donnie_tui.commands.arguments import detail_named, switched
+from donnie_tui.core.wording import language_named, meant, name_of_language, spelled
 from donnie_tui.settings.parsing import PERCENTS, RATES
 from donnie_tui.settings.settings import (
     BY_KEY,

@@ -5,11 +5,11 @@ from __future__ import annotations
 from typing import TYPE_CHECKING
 
 from donnie_tui.commands import arguments
+from donnie_tui.commands.arguments import number_and_text
 from donnie_tui.commands.dispatch import handles
 from donnie_tui.commands.interaction import GivenUp, NotUnderstood
 from donnie_tui.core.document import ANOTHER_PROGRAM, ProgramTooLong
 from donnie_tui.core.program_text import no_such_line
-from donnie_tui.core.typed_words import number_and_text
 
 if TYPE_CHECKING:
     from collections.abc import Callable

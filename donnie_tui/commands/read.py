@@ -20,7 +20,7 @@ from donnie_tui.core.program_text import (
     outline_in_words,
     place_in_words,
 )
-from donnie_tui.core.run_errors import line_of
+from donnie_tui.core.run_state import line_of
 
 
 def go_to(ctx: Context, number: int) -> None:

@@ -11,8 +11,7 @@ from donnie_tui.commands.interaction import Option
 from donnie_tui.core.actions import Deed
 from donnie_tui.core.program_files import DocumentError, exists
 from donnie_tui.core.session import LONGEST_STOP, Busy, Session
-from donnie_tui.core.transcript import facing
-from donnie_tui.core.wording import no_such_robot, whole_steps
+from donnie_tui.core.wording import facing, no_such_robot, whole_steps
 from donnie_tui.robot.choice import Choice
 from donnie_tui.settings.file import remember
 from donnie_tui.settings.parsing import SIMULATED

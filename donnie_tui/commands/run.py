@@ -8,23 +8,14 @@ from donnie_tui.commands import arguments
 from donnie_tui.commands.context import Context
 from donnie_tui.commands.dispatch import handles
 from donnie_tui.commands.interaction import NotUnderstood
-from donnie_tui.core import speeds
-from donnie_tui.core.breakpoints import pausing_line, toggled
 from donnie_tui.core.events import TYPED
 from donnie_tui.core.program_text import no_such_line
-from donnie_tui.core.run_controller import (
-    Begin,
-    NothingRuns,
-    NothingToRun,
-    Program,
-    Request,
-    RunController,
-    RunState,
-)
-from donnie_tui.core.runner import Run
+from donnie_tui.core.run_controller import RunController
+from donnie_tui.core.run_state import Begin, NothingRuns, NothingToRun, Request, RunState
+from donnie_tui.core.runner import Run, RunRequest
 from donnie_tui.core.session import LONGEST_STOP, Busy
-from donnie_tui.core.team import Assigned
 from donnie_tui.settings.parsing import FASTEST, SLOWEST, read_speed
+from donnie_tui.settings.settings import faster_than, slower_than, speed_words
 from language.control import ExecutionControl
 from language.source import fold_name
 
@@ -66,18 +57,18 @@ async def run_program(
         _note_run(ctx, started, is_whole=is_whole)
 
 
-def whole_program(ctx: Context) -> Program:
+def whole_program(ctx: Context) -> RunRequest:
     """The program as it is run from the start of the world."""
     document = ctx.program
-    return Program(document.text, _name(ctx), breakpoints=document.breakpoints)
+    return RunRequest(document.text, _name(ctx), breakpoints=document.breakpoints)
 
 
-def _waiting_lines(ctx: Context, last: str | None) -> Program:
+def _waiting_lines(ctx: Context, last: str | None) -> RunRequest:
     document = ctx.program
     if document.is_in_editor:
         return whole_program(ctx)
     batch = document.take_batch(last)
-    return Program(
+    return RunRequest(
         batch.text,
         _name(ctx),
         batch.first_line,
@@ -130,7 +121,7 @@ async def together(ctx: Context, _: str) -> None:
         documents = {ctx.donnie.session.name: ctx.program}
     for name, document in documents.items():
         if document.text.strip() or not document.is_in_editor:
-            team.give(name, Assigned(document.text, document.path.name if document.path else TYPED))
+            team.give(name, RunRequest(document.text, document.path.name if document.path else TYPED))
     try:
         runs = ctx.runs.start_together()
     except NothingToRun:
@@ -210,7 +201,7 @@ async def run_to(ctx: Context, argument: str) -> None:
     if not 1 <= line <= count:
         ctx.say(no_such_line(count, line, ctx.words))
         return
-    at = pausing_line(ctx.program.text, line, ctx.donnie.session.parse)
+    at = ctx.program.pausing_line(line, ctx.donnie.session.parse)
     if at != line:
         ctx.answer("break-nowhere", line=line)
     if at is not None:
@@ -250,7 +241,7 @@ async def break_(ctx: Context, argument: str) -> None:
     elif not 1 <= line <= len(program.lines):
         ctx.say(no_such_line(len(program.lines), line, ctx.words))
     else:
-        program.breakpoints, at = toggled(program.breakpoints, line, program.text, ctx.donnie.session.parse)
+        at = program.toggle_breakpoint(line, ctx.donnie.session.parse)
         ctx.workspace.keep_breakpoints()
         if at != line:
             ctx.answer("break-nowhere", line=line)
@@ -285,13 +276,13 @@ async def show_variables(ctx: Context, _: str) -> None:
 
 @handles("slower")
 async def slower(ctx: Context, _: str) -> None:
-    ctx.donnie.session.speed = speeds.slower(ctx.donnie.session.speed)
+    ctx.donnie.session.speed = slower_than(ctx.donnie.session.speed)
     _say_speed(ctx)
 
 
 @handles("faster")
 async def faster(ctx: Context, _: str) -> None:
-    ctx.donnie.session.speed = speeds.faster(ctx.donnie.session.speed)
+    ctx.donnie.session.speed = faster_than(ctx.donnie.session.speed)
     _say_speed(ctx)
 
 
@@ -308,7 +299,7 @@ async def speed(ctx: Context, argument: str) -> None:
 
 
 def _say_speed(ctx: Context) -> None:
-    ctx.answer("answer-speed", speed=speeds.speed_words(ctx.donnie.session.speed, ctx.words))
+    ctx.answer("answer-speed", speed=speed_words(ctx.donnie.session.speed, ctx.words))
 
 
 @handles("reset")

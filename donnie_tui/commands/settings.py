@@ -22,8 +22,8 @@ from donnie_tui.commands.preferences import (
     value_typed,
 )
 from donnie_tui.commands.sound import CUES, LOUD, chime, cue_meant, cue_volume_typed, cue_word
-from donnie_tui.core.safe_text import printable
-from donnie_tui.core.typed_words import spelled
+from donnie_tui.core.wording import spelled
+from language.source import printable
 
 LONGEST_NAME = 40
 """Characters of a typed name that an answer repeats."""

@@ -3,10 +3,11 @@
 from __future__ import annotations
 
 from donnie_tui.bootstrap import Donnie
+from donnie_tui.commands.arguments import switched
 from donnie_tui.commands.context import Context
 from donnie_tui.commands.dispatch import handles
 from donnie_tui.core.events import Answered, Chimed
-from donnie_tui.core.typed_words import meant, spelled, switched
+from donnie_tui.core.wording import meant, spelled
 from donnie_tui.settings.parsing import read_percent
 from language.source import fold_name
 

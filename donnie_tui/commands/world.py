@@ -10,10 +10,10 @@ from donnie_tui.commands.context import Context
 from donnie_tui.commands.dispatch import handles
 from donnie_tui.commands.interaction import NotUnderstood, Option
 from donnie_tui.core.events import SoundSwitched
-from donnie_tui.core.safe_text import printable
-from donnie_tui.core.trail import USUALLY_TOLD, place_in_words
+from donnie_tui.core.map_grid import USUALLY_TOLD, place_in_words
 from donnie_tui.core.wording import shown_name
 from donnie_tui.settings.settings import Settings, Source
+from language.source import printable
 
 LONGEST_NAME = 40
 """Characters of a typed name that an answer repeats."""

@@ -13,8 +13,7 @@ from pathlib import Path
 from typing import TextIO
 from unicodedata import normalize
 
-from donnie_tui.core.events import Stamped
-from donnie_tui.core.line_files import LineFile
+from donnie_tui.core.events import LineFile, Stamped
 from donnie_tui.core.transcript import told_lines
 from donnie_tui.core.wording import Wording
 from language.source import fold_name

@@ -14,8 +14,7 @@ from msgspec import Struct
 
 from devices.ports.robot import Pose
 from donnie_tui.core.map_grid import FREE, WALL
-from donnie_tui.core.transcript import facing
-from donnie_tui.core.wording import Wording, name_of, shade
+from donnie_tui.core.wording import Wording, facing, name_of, shade
 
 if TYPE_CHECKING:
     from sim.picture import Picture, Thing
@@ -26,7 +25,7 @@ MOST_COLOURS = 3
 """Colours that the legend names for a letter."""
 
 
-class Robot(Struct, frozen=True):
+class ChartedRobot(Struct, frozen=True):
     """A robot at its start."""
 
     name: str
@@ -40,7 +39,7 @@ class Chart(Struct, frozen=True):
     rows: tuple[str, ...]
     cell: int
     """Steps that a letter is wide and high."""
-    robots: tuple[Robot, ...]
+    robots: tuple[ChartedRobot, ...]
     legend: Mapping[str, str]
     """The meaning of every letter, and of ``#``."""
 
@@ -48,8 +47,8 @@ class Chart(Struct, frozen=True):
 def chart(picture: Picture, pose: Pose, robot: str | None, wording: Wording) -> Chart:
     """The world in which ``robot`` starts at ``pose``; None where there is no robot."""
     things = [each for each in picture.things if not each.is_robot]
-    others = [Robot(each.name or each.kind, _pose(each)) for each in picture.things if each.is_robot]
-    me = [] if robot is None else [Robot(robot, pose)]
+    others = [ChartedRobot(each.name or each.kind, _pose(each)) for each in picture.things if each.is_robot]
+    me = [] if robot is None else [ChartedRobot(robot, pose)]
     robots = _lettered([*me, *others], {each.letter.lower() for each in things})
     legend = {WALL: wording("paper-legend-wall")} if picture.has_walls else {}
     legend |= _robots_legend(robots, wording) | _things_legend(things, wording)
@@ -78,9 +77,9 @@ def _pose(thing: Thing) -> Pose:
     return Pose(thing.x, thing.y, thing.heading)
 
 
-def _lettered(robots: Iterable[Robot], taken: set[str]) -> tuple[Robot, ...]:
+def _lettered(robots: Iterable[ChartedRobot], taken: set[str]) -> tuple[ChartedRobot, ...]:
     """Each robot with a letter of its name if that is free; those that are too many share the last one."""
-    lettered: list[Robot] = []
+    lettered: list[ChartedRobot] = []
     taken = set(taken)
     shared = next((each for each in reversed(ascii_lowercase) if each not in taken), "z")
     for robot in robots:
@@ -90,11 +89,11 @@ def _lettered(robots: Iterable[Robot], taken: set[str]) -> tuple[Robot, ...]:
             free = (each for each in wanted if each in ascii_lowercase and each not in taken | {shared})
             letter = next(free, shared)
         taken.add(letter)
-        lettered.append(Robot(robot.name, robot.pose, letter))
+        lettered.append(ChartedRobot(robot.name, robot.pose, letter))
     return tuple(lettered)
 
 
-def _robots_legend(robots: Sequence[Robot], wording: Wording) -> dict[str, str]:
+def _robots_legend(robots: Sequence[ChartedRobot], wording: Wording) -> dict[str, str]:
     named, others = robots[:MOST_ROBOTS], robots[MOST_ROBOTS:]
     legend = {
         each.letter: wording("paper-legend-robot", name=each.name, facing=facing(each.pose, wording))
@@ -123,7 +122,7 @@ def _add(found: list[str], word: str) -> None:
         found.append(word)
 
 
-def _rows(picture: Picture, robots: Sequence[Robot], has_me: bool) -> tuple[str, ...]:
+def _rows(picture: Picture, robots: Sequence[ChartedRobot], has_me: bool) -> tuple[str, ...]:
     rows = [list(row.lower()) for row in picture.rows]
     bodies = [each for each in picture.things if each.is_robot]
     for body, robot in zip(bodies, robots[has_me:], strict=True):

@@ -20,8 +20,15 @@ from typing import TYPE_CHECKING
 
 import worlds.words
 from devices.ports.robot import Pose
-from donnie_tui.core.transcript import facing
-from donnie_tui.core.wording import Wording, coloured, coloured_thing, name_of, specific_name_of, whole_steps
+from donnie_tui.core.wording import (
+    Wording,
+    coloured,
+    coloured_thing,
+    facing,
+    name_of,
+    specific_name_of,
+    whole_steps,
+)
 from language import keywords
 from language.locales import languages
 from language.source import fold_name

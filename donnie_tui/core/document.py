@@ -11,21 +11,30 @@ change can be undone, also one that replaces the whole program.
 
 from __future__ import annotations
 
-from collections import deque
-from collections.abc import Callable, Sequence
-from typing import TYPE_CHECKING, Protocol
+from collections.abc import Callable
+from typing import TYPE_CHECKING
 
 import msgspec
 
-from donnie_tui.core.breakpoints import followed, shifted
-from donnie_tui.core.safe_text import cleaned
+from donnie_tui.core.editing import (
+    Origin,
+    Replaced,
+    TextEditor,
+    UndoHistory,
+    Version,
+    first_difference,
+    followed,
+    joined,
+    shifted,
+)
 from language.outline import OutlineItem, block_depth, open_block
-from language.source import lines_in
+from language.source import cleaned, lines_in
 
 if TYPE_CHECKING:
     from pathlib import Path
 
     from donnie_tui.core.program_text import ProgramText
+    from language.parser import Parsed
 
 WORTH_SAVING = 5
 """Unsaved typed lines from which on the learner is asked before they are lost."""
@@ -33,78 +42,12 @@ ANOTHER_PROGRAM = 0
 """In the place of a line: UNDO or REDO exchanged the whole program."""
 LARGEST = 8 * 1024 * 1024
 """Characters that may be typed into one program."""
-MOST_UNDONE = 50
-"""Changes that can be undone, and redone."""
-MOST_LINES_KEPT = 1_000_000
-"""Lines that are kept for that in all."""
+LONGEST_PARSED = 100_000
+"""Characters of a program that is parsed to find the lines where statements begin."""
 
 
 class ProgramTooLong(Exception):
     """The change would exceed ``LARGEST``."""
-
-
-class TextEditor(Protocol):
-    """A widget in which the learner edits a document key by key."""
-
-    breakpoints: frozenset[int]
-
-    @property
-    def text(self) -> str: ...
-
-    @property
-    def line(self) -> int:
-        """The line of the cursor, from 1."""
-        ...
-
-    def show(self, text: str, breakpoints: frozenset[int]) -> None:
-        """Show another program; the history begins again."""
-
-    def change_lines(self, lines: Sequence[str]) -> None:
-        """Change the text into these lines, as one edit."""
-
-    @property
-    def cursor_location(self) -> tuple[int, int]:
-        """The row and the column of the cursor, from 0."""
-        ...
-
-    def go_to(self, line: int) -> None: ...
-
-    def select(self, row: int, start: int, end: int) -> None:
-        """Select the columns of a row, with the cursor at their end."""
-
-    def replace_range(self, start: int, end: int, text: str) -> None:
-        """Replace the characters between two offsets; the cursor stays at its letter."""
-
-    def undo(self) -> None: ...
-
-    def redo(self) -> None: ...
-
-
-class _Origin(msgspec.Struct, frozen=True):
-    """Which program it was."""
-
-    path: Path | None
-    saved_lines: list[str]
-    breakpoints: frozenset[int]
-
-
-class _Version(msgspec.Struct, frozen=True):
-    """The document before a change."""
-
-    lines: list[str]
-    ran: int
-    """How many of the lines had run."""
-    runs: int
-    """How many runs there had been."""
-    origin: _Origin | None = None
-    """Where the change replaced the whole program."""
-
-
-class Replaced(msgspec.Struct, frozen=True):
-    """A program that another one took the place of."""
-
-    text: str
-    path: Path | None
 
 
 class Batch(msgspec.Struct, frozen=True):
@@ -137,10 +80,7 @@ class Document:
         self._running: list[str] | None = None
         """The lines when a batch was taken that has not run yet."""
         self._size = 0
-        self._past: deque[_Version | int] = deque(maxlen=MOST_UNDONE)
-        """The document before each of the last changes; only the number of lines, where one was added."""
-        self._future: list[_Version] = []
-        """The document before each UNDO since the last change."""
+        self._versions = UndoHistory()
         self._editor: TextEditor | None = None
         self._is_edited_as_text = False
         """Whether it was in an editor: there a program is meant to stay from its first line on."""
@@ -177,7 +117,7 @@ class Document:
             lines = lines_in(self._editor.text)
             if lines != self._lines:
                 self._lines = lines
-                self._future.clear()
+                self._versions.forget_undone()
 
     # --- the text
 
@@ -189,7 +129,7 @@ class Document:
     @property
     def text(self) -> str:
         self._read_editor()
-        return _joined(self._lines)
+        return joined(self._lines)
 
     @property
     def structure(self) -> ProgramText:
@@ -212,6 +152,31 @@ class Document:
             self._breakpoints = lines
         else:
             self._editor.breakpoints = lines
+
+    def toggle_breakpoint(self, line: int, parse: Callable[[str], Parsed]) -> int | None:
+        """Clears the breakpoint of a line, else sets one where a run can pause; the line that was changed."""
+        if line in self.breakpoints:
+            self.breakpoints -= {line}
+            return line
+        at = self.pausing_line(line, parse)
+        if at is not None:
+            self.breakpoints |= {at}
+        return at
+
+    def pausing_line(self, line: int, parse: Callable[[str], Parsed]) -> int | None:
+        """The first line from ``line`` on where a run can pause; None after the last statement.
+
+        A run never pauses at an END or at a comment. ``parse`` reads GoDonnie. In a program that has
+        mistakes, or is long, every line counts.
+        """
+        text = self.text
+        program = parse(text).program if len(text) <= LONGEST_PARSED else None
+        if program is None:
+            return line
+        from language.syntax import walk
+
+        lines = {each.span.line for each in walk(program.body)}
+        return min((each for each in lines if each >= line), default=None)
 
     @property
     def place(self) -> int:
@@ -257,7 +222,7 @@ class Document:
     @property
     def saved_text(self) -> str:
         """The text of the file, as it was last read or written."""
-        return _joined(self._saved_lines)
+        return joined(self._saved_lines)
 
     @property
     def is_worth_saving(self) -> bool:
@@ -337,8 +302,7 @@ class Document:
             return True
         self.rejected = next((line for line in self._unrun if line.strip()), None)
         del self._lines[self._ran :]
-        while self._past and isinstance(self._past[-1], int) and self._past[-1] >= self._ran:
-            self._past.pop()
+        self._versions.forget_lines(self._ran)
         return False
 
     # --- changing
@@ -350,8 +314,7 @@ class Document:
             self.insert(len(self.lines) + 1, line)
             return
         line = self._cleaned(line)
-        self._future.clear()
-        self._past.append(len(self._lines))
+        self._versions.add_line(len(self._lines))
         self._lines.append(line)
 
     def change(self, number: int, line: str) -> None:
@@ -411,20 +374,19 @@ class Document:
             before = self.text
             self.rewrite(before[:start] + text + before[end:])
         else:
-            self._future.clear()
+            self._versions.forget_undone()
             self._editor.replace_range(start, end, self._cleaned(text))
 
     def replace(self, text: str, path: Path | None, *, in_file: str | None = None) -> None:
         """Put another program in its place, which waits. ``in_file``: the text of its file, if it differs."""
         self.rejected = None
-        self._future.clear()
+        self._versions.forget_undone()
         if self.lines:
-            self._past.append(self._version(self._origin))
+            self._versions.add(self._version(self._origin))
         self._lines = lines_in(text)
         self._ran = self._place = 0
         self.was_opened = bool(self._lines)
         self._size = len(text)
-        self._drop_oldest()
         self._breakpoints = frozenset()
         self.path = path
         self._saved_lines = lines_in(text if in_file is None else in_file)
@@ -440,13 +402,12 @@ class Document:
 
     def _edit(self, lines: list[str], breakpoints: frozenset[int], touched: int) -> None:
         """Make a change from line ``touched`` on. Where it had run the whole program waits again."""
-        self._future.clear()
         if self._editor is not None:
+            self._versions.forget_undone()
             self._editor.change_lines(lines)
             self._lines = lines
             return
-        self._past.append(self._version(None))
-        self._drop_oldest()
+        self._versions.add(self._version(None))
         self._lines, self._breakpoints = lines, breakpoints
         if touched <= self._ran:
             self._ran = 0
@@ -469,33 +430,22 @@ class Document:
         """
         if self._editor is not None and (changed := self._step_in_editor(self._editor.undo)) is not None:
             return changed
-        if not self._past:
-            return None
-        before = self._past.pop()
-        self._future.append(self._version_opposite(before))
+        before = self._versions.undo(self._version_now)
         if isinstance(before, int):  # a line that was added last is removed, whether it has run or not
-            before = _Version(self._lines[:before], min(self._ran, before), self._runs)
-        return self._become(before)
+            before = Version(self._lines[:before], min(self._ran, before), self._runs)
+        return None if before is None else self._become(before)
 
     def redo(self) -> int | None:
         """Redo the change that was undone last; as ``undo``."""
         if self._editor is not None and (changed := self._step_in_editor(self._editor.redo)) is not None:
             return changed
-        if not self._future:
-            return None
-        after = self._future.pop()
-        self._past.append(self._version_opposite(after))
-        return self._become(after)
+        after = self._versions.redo(self._version_now)
+        return None if after is None else self._become(after)
 
     @property
     def replaced(self) -> tuple[Replaced, ...]:
         """The unsaved programs that UNDO or REDO would restore, the oldest first."""
-        others = (each for each in (*self._past, *self._future) if isinstance(each, _Version))
-        return tuple(
-            Replaced(_joined(each.lines), each.origin.path)
-            for each in others
-            if each.origin is not None and each.lines != each.origin.saved_lines
-        )
+        return self._versions.replaced
 
     def _step_in_editor(self, step: Callable[[], None]) -> int | None:
         """A step in the editor's own history; None where it changed nothing."""
@@ -508,7 +458,7 @@ class Document:
         self._lines = lines_in(self._editor.text)
         return first_difference(lines, self._lines) + 1
 
-    def _become(self, other: _Version) -> int:
+    def _become(self, other: Version) -> int:
         same = first_difference(other.lines, self._lines)
         self._breakpoints = followed(self.breakpoints, self._lines, other.lines)
         if same < self._ran:
@@ -522,41 +472,17 @@ class Document:
             self.was_opened = bool(self._lines)
             self._size = sum(len(line) + 1 for line in self._lines)
             self._place = 0
-        self._drop_oldest()
         self._show()
         return same + 1 if other.origin is None else ANOTHER_PROGRAM
 
-    def _version(self, origin: _Origin | None) -> _Version:
-        return _Version(self._lines.copy(), self._ran, self._runs, origin)
+    def _version(self, origin: Origin | None) -> Version:
+        return Version(self._lines.copy(), self._ran, self._runs, origin)
 
-    def _version_opposite(self, other: _Version | int) -> _Version:
-        """The document as it is, for the way back from that version."""
+    def _version_now(self, is_another: bool) -> Version:
+        """The document as it is, with its file where another program takes its place."""
         self._read_editor()
-        is_another = isinstance(other, _Version) and other.origin is not None
         return self._version(self._origin if is_another else None)
 
     @property
-    def _origin(self) -> _Origin:
-        return _Origin(self.path, self._saved_lines, self.breakpoints)
-
-    def _drop_oldest(self) -> None:
-        """Of very long programs fewer changes can be undone."""
-        while len(self._past) > 1 and self._lines_kept > MOST_LINES_KEPT:
-            self._past.popleft()
-        while len(self._future) > 1 and self._lines_kept > MOST_LINES_KEPT:
-            self._future.pop(0)
-
-    @property
-    def _lines_kept(self) -> int:
-        kept = (*self._past, *self._future)
-        return sum(len(each.lines) for each in kept if not isinstance(each, int))
-
-
-def _joined(lines: Sequence[str]) -> str:
-    return "".join(f"{line}\n" for line in lines)
-
-
-def first_difference(one: Sequence[str], other: Sequence[str]) -> int:
-    """The index of the first line that differs; the length of the shorter one, where the rest is equal."""
-    pairs = enumerate(zip(one, other, strict=False))
-    return next((at for at, (left, right) in pairs if left != right), min(len(one), len(other)))
+    def _origin(self) -> Origin:
+        return Origin(self.path, self._saved_lines, self.breakpoints)

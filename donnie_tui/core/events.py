@@ -16,7 +16,6 @@ from typing import ClassVar, TextIO, TypeAlias
 from msgspec import Struct
 
 from devices.ports.robot import Bearing, Grip, Met, Pose, Pushed, StoppedBy
-from donnie_tui.core.line_files import LineFile
 
 
 class Outcome(Enum):
@@ -369,6 +368,29 @@ def _plain(value: object, whole: bool) -> object:
             return _fields(value, whole)
         case _:
             return value
+
+
+class LineFile:
+    """Writes whole lines and flushes each time. The owner of ``out`` closes it."""
+
+    def __init__(self, out: TextIO, on_failure: Callable[[OSError], None] | None = None) -> None:
+        self._out = out
+        self._on_failure = on_failure
+        self._has_failed = False
+
+    @property
+    def takes_more(self) -> bool:
+        return not (self._has_failed or self._out.closed)
+
+    def write(self, lines: str) -> None:
+        """Writes lines, unless an earlier writing failed."""
+        try:
+            self._out.write(lines)
+            self._out.flush()
+        except OSError as problem:
+            self._has_failed = True
+            if self._on_failure:
+                self._on_failure(problem)
 
 
 class JsonLines:

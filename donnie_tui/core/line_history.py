@@ -30,7 +30,8 @@ class Past:
         self.lines.append(line)
         del self.lines[:-KEPT]
         if self._file:
-            _append(self._file, line)
+            with contextlib.suppress(OSError, ValueError):
+                _add(self._file, [line])
 
     def trim(self) -> None:
         """Shorten the file to what is remembered, once it has grown to twice that."""
@@ -39,10 +40,10 @@ class Past:
             with contextlib.suppress(OSError):
                 from pathlib import Path  # slow to load, and files are long in growing
 
-                beside = Path(f"{file}.new")
-                beside.unlink(missing_ok=True)
-                _add(str(beside), self.lines)
-                beside.replace(file)
+                shorter = Path(f"{file}.new")
+                shorter.unlink(missing_ok=True)
+                _add(str(shorter), self.lines)
+                shorter.replace(file)
 
 
 class Recall:
@@ -77,11 +78,6 @@ def _read(file: str) -> list[str]:
         return []
     lines = (line.strip() for line in text.split("\n"))
     return [line for line in lines if line and line.isprintable() and len(line) <= LONGEST_LINE]
-
-
-def _append(file: str, line: str) -> None:
-    with contextlib.suppress(OSError, ValueError):
-        _add(file, [line])
 
 
 def _add(file: str, lines: list[str]) -> None:

@@ -23,8 +23,17 @@ from msgspec import Struct
 from devices.ports.robot import Pose
 from donnie_tui.core.describe import place_of, size_in_words, things_in_words, walls_in_words
 from donnie_tui.core.map_grid import FREE, START, TRAIL, WALL, Bounds, Cell, Kind, MapGrid
-from donnie_tui.core.typed_words import keys_of, meant, spelled
-from donnie_tui.core.wording import COMPASS, SIDES, Wording, coloured_thing, name_of, specific_name_of
+from donnie_tui.core.wording import (
+    COMPASS,
+    SIDES,
+    Wording,
+    coloured_thing,
+    keys_of,
+    meant,
+    name_of,
+    specific_name_of,
+    spelled,
+)
 
 if TYPE_CHECKING:
     from sim.picture import Picture, Room, Thing

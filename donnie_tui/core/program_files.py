@@ -2,7 +2,7 @@
 
 The new text goes into a second file, which then takes the place of the first. So a full disk or a crash
 leaves either the old text or the new one. ``FilesInUse`` are the files that no command may save onto,
-``RecentFiles`` the ones that were opened and saved lately.
+``RecentFiles`` the ones that were opened and saved lately, ``BreakpointFile`` keeps their breakpoints.
 """
 
 from __future__ import annotations
@@ -14,8 +14,7 @@ import os
 from collections.abc import Iterable
 from typing import TYPE_CHECKING
 
-from donnie_tui.core.safe_text import cleaned
-from language.source import lines_in, with_newlines
+from language.source import cleaned, lines_in, with_newlines
 
 if TYPE_CHECKING:
     from pathlib import Path
@@ -247,7 +246,7 @@ def _reason(problem: Exception) -> str:
     return getattr(problem, "strerror", None) or str(problem)
 
 
-# --- the files used lately
+# --- what is kept of program files from one start to the next
 
 
 class RecentFiles:
@@ -290,3 +289,74 @@ class RecentFiles:
         except (OSError, ValueError):
             return []
         return [] if len(text) > self.LARGEST else text.splitlines()[: self.MOST]
+
+
+class BreakpointFile:
+    """The breakpoints of each program that has a file, by its path; the program used last comes first.
+
+    They are a convenience: a fault of the file that keeps them is never reported.
+    """
+
+    MOST_PROGRAMS = 200
+    MOST_LINES = 200
+    """Breakpoints of one program that are kept."""
+    LARGEST = 400_000
+    """Bytes of the file; a larger one is damaged."""
+
+    def __init__(self, file: str) -> None:
+        self._file_name = file
+
+    @property
+    def _file(self) -> Path:
+        from pathlib import Path  # slow to load, and few programs have a file at the start
+
+        return Path(self._file_name)
+
+    def read(self, program: Path | None, line_count: int) -> frozenset[int]:
+        """The breakpoints of that program, as far as its lines reach."""
+        if program is None:
+            return frozenset()
+        lines = dict(self._entries()).get(_name(program), ())
+        return frozenset(each for each in lines if 1 <= each <= line_count)
+
+    def write(self, program: Path | None, lines: Iterable[int]) -> None:
+        """Keep these for the next start. Ignores a program without a file, and a file it can't write."""
+        if program is None:
+            return
+        name, chosen = _name(program), tuple(sorted(lines))[: self.MOST_LINES]
+        before = self._entries()
+        if dict(before).get(name, ()) == chosen:
+            return
+        others = [each for each in before if each[0] != name]
+        entries = [(name, chosen), *others][: self.MOST_PROGRAMS] if chosen else others
+        with contextlib.suppress(OSError, ValueError):
+            self._file.parent.mkdir(parents=True, exist_ok=True)
+            self._file.write_text("".join(map(_line, entries)), encoding="utf-8")
+
+    def _entries(self) -> list[tuple[str, tuple[int, ...]]]:
+        with contextlib.suppress(OSError, ValueError):
+            if self._file.stat().st_size <= self.LARGEST:
+                text = self._file.read_text(encoding="utf-8")
+                return [entry for line in text.split("\n") if (entry := _entry(line)) is not None]
+        return []
+
+
+def _name(program: Path) -> str:
+    try:
+        return str(program.resolve())
+    except (OSError, RuntimeError):
+        return str(program)
+
+
+def _line(entry: tuple[str, tuple[int, ...]]) -> str:
+    """``3 7``, a tab and the path; empty for a path that does not fit into a line of text."""
+    name, lines = entry
+    return f"{' '.join(map(str, lines))}\t{name}\n" if name.isprintable() else ""
+
+
+def _entry(line: str) -> tuple[str, tuple[int, ...]] | None:
+    numbers, tab, name = line.partition("\t")
+    given = numbers.split()
+    if not tab or not name or not all(each.isdecimal() and len(each) < 9 for each in given):
+        return None
+    return name, tuple(map(int, given))

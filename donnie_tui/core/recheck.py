@@ -29,8 +29,9 @@ from donnie_tui.core.events import (
     Waited,
     as_record,
 )
-from donnie_tui.core.runner import Run
-from donnie_tui.core.team import Assigned, Team
+from donnie_tui.core.runner import Run, RunRequest
+from donnie_tui.core.session import RunOptions
+from donnie_tui.core.team import Team
 
 _GRIPPER_COMMANDS = {each.value: each for each in Deed}
 
@@ -188,27 +189,25 @@ class _Checking:
         self._tone.language, self._tone.detail = first.language, first.detail
         if len(hows) > 1:
             programs = {
-                robot or "": Assigned(how.text, started.program)
+                robot or "": RunRequest(how.text, started.program)
                 for robot, (started, how) in hows.items()
                 if how is not None
             }
-            return self._team.start_together(
-                programs, trace=first.trace, hooked=False, terminal=first.terminal
-            )
+            options = RunOptions(hooked=False, trace=first.trace, terminal=first.terminal)
+            return self._team.start_together(programs, options)
         (robot, (started, how)) = next(iter(hows.items()))
         assert how is not None  # it is the first
         session = self._team.session(robot or self._team.names[0])
         if how.deed in _GRIPPER_COMMANDS:
             return (session.use_gripper(_GRIPPER_COMMANDS[how.deed]),)
-        run = session.start(
-            how.text,
-            started.program,
+        options = RunOptions(
             fresh=how.fresh,
             hooked=False,
             trace=how.trace,
             first_line=how.first_line,
             terminal=how.terminal,
         )
+        run = session.start(how.text, started.program, options)
         return (run,)
 
     def on_event(self, stamped: Stamped) -> None:

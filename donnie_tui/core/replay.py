@@ -37,11 +37,11 @@ from donnie_tui.core.events import (
 )
 from donnie_tui.core.map_grid import Cell
 from donnie_tui.core.map_scene import MapScene
-from donnie_tui.core.safe_text import printable
 from donnie_tui.core.timeline import Timeline, is_main_event
-from donnie_tui.core.transcript import facing, said_by, told_lines
-from donnie_tui.core.wording import Wording, whole_steps
+from donnie_tui.core.transcript import said_by, told_lines
+from donnie_tui.core.wording import Wording, facing, whole_steps
 from language.control import ExecutionControl
+from language.source import printable
 
 if TYPE_CHECKING:
     from sim.picture import Picture

@@ -17,12 +17,11 @@ from msgspec import Struct
 
 from devices.ports.robot import Pose
 from donnie_tui.core.describe import place_of
+from donnie_tui.core.map_grid import Trail
 from donnie_tui.core.map_words import floor_in_words
 from donnie_tui.core.program_files import unquoted
 from donnie_tui.core.program_text import ProgramText
-from donnie_tui.core.trail import Trail
-from donnie_tui.core.typed_words import meant
-from donnie_tui.core.wording import Wording, shade, specific_name_of
+from donnie_tui.core.wording import Wording, meant, shade, specific_name_of
 
 if TYPE_CHECKING:
     from sim.picture import Picture

@@ -1,6 +1,6 @@
 """The runs of a world's robots: starting, holding, stepping and stopping them, for every front end.
 
-``TRANSITIONS`` says in which state a run takes which request. Requests come from a front end's thread and
+Requests come from a front end's thread and
 never wait. Holds and ends come from the program's thread, which publishes their sentences, so that they stand
 in order after all that the program said. A front end learns of them as a ``RunObserver`` and calls ``sum_up``
 once a run is over.
@@ -8,17 +8,12 @@ once a run is over.
 
 from __future__ import annotations
 
-import threading
-from collections.abc import Callable, Iterable, Mapping, Sequence
-from enum import Enum, auto
+from collections.abc import Mapping
 from functools import partial
-from typing import TYPE_CHECKING, TypeAlias
-
-from msgspec import Struct
+from typing import TYPE_CHECKING
 
 from donnie_tui.core.events import (
     TRANSIENT,
-    TYPED,
     Announced,
     Answered,
     Error,
@@ -29,11 +24,22 @@ from donnie_tui.core.events import (
     Spoke,
     Stamped,
 )
-from donnie_tui.core.runner import Run
-from donnie_tui.core.session import Busy, Session
-from donnie_tui.core.team import Assigned, Team
+from donnie_tui.core.run_state import (
+    STATE_OF,
+    TRANSITIONS,
+    Begin,
+    NothingRuns,
+    NothingToRun,
+    Request,
+    RunObserver,
+    RunRecord,
+    RunState,
+    hints_for,
+)
+from donnie_tui.core.runner import LAST_WORDS, Run, RunRequest
+from donnie_tui.core.session import Busy, RunOptions, Session
+from donnie_tui.core.team import Team
 from donnie_tui.core.timeline import Chronicle
-from donnie_tui.core.timeouts import LAST_WORDS
 from donnie_tui.core.transcript import said_by
 from donnie_tui.core.wording import Wording
 from language.control import ControlState, ExecutionControl
@@ -44,177 +50,10 @@ if TYPE_CHECKING:
     from donnie_tui.core.stepping import Stepping
     from donnie_tui.core.timeline import Timeline
 
-MOST_HINTS = 3
-LARGEST_HINTED = 50_000
-"""Characters of a text that is searched for hints: the search must not keep the learner waiting."""
 LONGEST_PAUSE = 1.0
 """Seconds that the answer to PAUSE waits for a program in the background."""
 LONGEST_READING = 2.0
 """Seconds; most programs are read in a few thousandths."""
-
-
-class RunState(Enum):
-    """What the program of a robot does."""
-
-    READY = "ready"
-    """No program runs: one can be started."""
-    RUNNING = "running"
-    PAUSED = "paused"
-    """The program is held between two statements, or within one that takes time."""
-    STOPPING = "stopping"
-    """The program was stopped or has ended, and was not summed up yet."""
-
-
-class Request(Enum):
-    """What can be asked of a run, and what its program does by itself."""
-
-    START = auto()
-    PAUSE = auto()
-    CONTINUE = auto()
-    STEP = auto()
-    """To the next statement, also STEP OVER and RUN TO."""
-    STEP_BACK = auto()
-    STOP = auto()
-    HOLD = auto()
-    """The program holds: a pause, a step or a breakpoint was reached."""
-    END = auto()
-    """The program ends."""
-    SUM_UP = auto()
-
-
-_S, _R = RunState, Request
-TRANSITIONS: dict[tuple[RunState, Request], RunState] = {
-    (_S.READY, _R.START): _S.RUNNING,
-    (_S.READY, _R.STEP_BACK): _S.READY,
-    (_S.RUNNING, _R.PAUSE): _S.RUNNING,
-    (_S.RUNNING, _R.CONTINUE): _S.RUNNING,
-    (_S.RUNNING, _R.STEP): _S.RUNNING,
-    (_S.RUNNING, _R.HOLD): _S.PAUSED,
-    (_S.PAUSED, _R.PAUSE): _S.PAUSED,
-    (_S.PAUSED, _R.CONTINUE): _S.RUNNING,
-    (_S.PAUSED, _R.STEP): _S.RUNNING,
-    (_S.PAUSED, _R.STEP_BACK): _S.PAUSED,
-    **{(state, _R.STOP): _S.STOPPING for state in (_S.RUNNING, _S.PAUSED, _S.STOPPING)},
-    **{(state, _R.END): _S.STOPPING for state in (_S.RUNNING, _S.STOPPING)},
-    (_S.STOPPING, _R.PAUSE): _S.STOPPING,
-    (_S.STOPPING, _R.CONTINUE): _S.STOPPING,
-    (_S.STOPPING, _R.STEP): _S.STOPPING,
-    (_S.STOPPING, _R.SUM_UP): _S.READY,
-}
-"""Where each request leads; one that is not listed is refused."""
-
-_STATE_OF = {
-    ControlState.PAUSED: RunState.PAUSED,
-    ControlState.STOPPING: RunState.STOPPING,
-    ControlState.ENDED: RunState.STOPPING,
-}
-"""Of a program's control; all other states are RUNNING."""
-
-
-class NothingRuns(Exception):
-    """The request needs a program that runs."""
-
-
-class NothingToRun(Exception):
-    """The program has no text."""
-
-
-class Program(Struct, frozen=True):
-    """A text to be run: the whole program, or a part of it that continues where the robot stands."""
-
-    text: str
-    name: str = TYPED
-    first_line: int = 1
-    is_whole: bool = True
-    """Whether it begins at the start of the world with nothing remembered."""
-    breakpoints: frozenset[int] = frozenset()
-    lines: Sequence[str] = ()
-    """Those of the whole program; where it is empty, those of ``text``."""
-
-
-Begin: TypeAlias = Callable[[ExecutionControl], None]
-"""Asks for something before the first statement: a step, say."""
-
-
-class RunObserver:
-    """A front end's reactions to runs; each method does nothing unless it is overridden."""
-
-    def on_change(self) -> None:
-        """A hold was described or has ended, or a run is at its end. Called in any thread."""
-
-    def before_stop(self) -> None:
-        """Programs are about to be stopped. Called in any thread."""
-
-    def after_stop(self) -> None:
-        """Programs that ran unattended have been stopped; the answer follows."""
-
-
-class _Record:
-    """What is known of the latest run of one robot."""
-
-    def __init__(
-        self,
-        session: Session,
-        program: Program,
-        watched: Sequence[str],
-        *,
-        is_attended: bool = True,
-        is_steppable: bool = True,
-        is_background: bool = False,
-    ) -> None:
-        self.session, self.program = session, program
-        self.is_background = is_background
-        """Whether the learner does not wait for it: its end gets few words."""
-        self.is_attended = is_attended
-        """Whether the front end follows it and sums it up."""
-        self.is_steppable = is_steppable
-        """Whether its holds are described in full, and wait for a request."""
-        self.run: Run | None = None
-        self.control: ExecutionControl | None = None
-        self.has_ended = self.is_summed_up = False
-        self.stopped_line = 0
-        self.is_pausing = False
-        """Whether a pause was asked for."""
-        self.was_described = threading.Event()
-        """Set when a hold was described."""
-        self.holds = False
-        """Whether a hold was described that no request has answered."""
-        self.is_silent = True
-        """Whether nothing was said since it began or since the last request."""
-        self.is_stepped = False
-        """Whether the last request was for one step: the learner waits for what it does."""
-        self.stepping: Stepping | None = None
-        self._watched = watched
-        self._known: dict[str, int] = {}
-        """Variables by folded name, as they were when they were compared last."""
-
-    @property
-    def is_current(self) -> bool:
-        """Whether the robot runs this, and not something that was started later."""
-        run = self.session.run
-        return run is not None and run.control is self.control
-
-    @property
-    def state(self) -> RunState:
-        """A run that is attended is STOPPING until it is summed up."""
-        if self.control is None or self.is_summed_up or not (self.is_attended or self.is_current):
-            return RunState.READY
-        return _STATE_OF.get(self.control.state, RunState.RUNNING)
-
-    def know(self, variables: Iterable[tuple[str, int]]) -> None:
-        """The values with which the run begins."""
-        self._known = {fold_name(name): value for name, value in variables}
-
-    def changes(self, variables: Iterable[tuple[str, int]], words: Wording) -> tuple[str, ...]:
-        """A sentence for each watched variable that has changed; each change once."""
-        if not self._watched:
-            return ()
-        now = {fold_name(name): value for name, value in variables}
-        from donnie_tui.core.stepping import changes  # few learners watch a variable
-
-        sentences = tuple(changes(self._watched, self._known, now, words))
-        self._known |= now
-        return sentences
 
 
 class RunController:
@@ -237,7 +76,7 @@ class RunController:
         self._team, self._words, self._chronicle = team, words, chronicle
         self.observer = RunObserver()
         self._has_prompt, self._can_hold = has_prompt, can_hold
-        self._records: dict[str | None, _Record] = {}
+        self._records: dict[str | None, RunRecord] = {}
         """By the robot's name in events."""
         self.watched: list[str] = []
         """The variables that WATCH named, as they were typed."""
@@ -256,7 +95,7 @@ class RunController:
         return self._team.chosen
 
     @property
-    def _record(self) -> _Record | None:
+    def _record(self) -> RunRecord | None:
         return self._records.get(self._session.hub.robot)
 
     @property
@@ -265,7 +104,7 @@ class RunController:
         if record is not None and record.state is not RunState.READY:
             return record.state
         run = self._session.run
-        return RunState.READY if run is None else _STATE_OF.get(run.control.state, RunState.RUNNING)
+        return RunState.READY if run is None else STATE_OF.get(run.control.state, RunState.RUNNING)
 
     @property
     def is_busy(self) -> bool:
@@ -292,7 +131,7 @@ class RunController:
     @property
     def is_whole(self) -> bool:
         """Whether the latest run is of the whole program."""
-        return self._record is not None and self._record.program.is_whole
+        return self._record is not None and self._record.request.is_whole
 
     @property
     def frames(self) -> tuple[Frame, ...]:
@@ -301,40 +140,41 @@ class RunController:
 
     # --- starting
 
-    def start(self, program: Program, *, begin: Begin | None = None, is_background: bool = False) -> Run:
+    def start(self, request: RunRequest, *, begin: Begin | None = None, is_background: bool = False) -> Run:
         """Starts a program. Raises ``NothingToRun``, and ``Busy`` while something runs."""
-        if not program.text.strip():
+        if not request.text.strip():
             raise NothingToRun
         self.require(Request.START)
         session = self._session
         is_unattended = is_background and self._has_prompt
-        record = _Record(
+        record = RunRecord(
             session,
-            program,
+            request,
             self.watched,
             is_attended=not is_unattended,
             is_steppable=not is_unattended,
             is_background=is_background,
         )
-        record.know(() if program.is_whole else session.variables.items())
         can_hold = record.is_steppable and bool(
-            self._can_hold or begin or self.watched or program.breakpoints
+            self._can_hold or begin or self.watched or request.breakpoints
         )
 
         def prepare(control: ExecutionControl) -> None:
             self._follow(record, control)
-            if program.breakpoints and can_hold:
-                control.break_at(program.breakpoints)
+            if request.breakpoints and can_hold:
+                control.break_at(request.breakpoints)
             if begin is not None:
                 begin(control)
 
         record.run = session.start(
-            program.text,
-            program.name,
-            fresh=program.is_whole,
-            hooked=can_hold,
-            first_line=program.first_line,
-            terminal=None if self._has_prompt and not is_background else not program.is_whole,
+            request.text,
+            request.name,
+            RunOptions(
+                fresh=request.is_whole,
+                hooked=can_hold,
+                first_line=request.first_line,
+                terminal=None if self._has_prompt and not is_background else not request.is_whole,
+            ),
             prepare=prepare,
             each_statement=partial(self._look, record) if self.watched else None,
             when_read=self._announce_start if is_background else None,
@@ -345,11 +185,11 @@ class RunController:
         if not run.was_refused:
             self._answer(self._words("robot-started", name=self._session.name))
 
-    def start_in_background(self, program: Program) -> Run:
+    def start_in_background(self, request: RunRequest) -> Run:
         """Starts a program that no prompt waits for; returns once it was read. Raises as ``start``."""
-        self._team.give(self._session.name, Assigned(program.text, program.name))
+        self._team.give(self._session.name, request)
         self._session.settle()
-        run = self.start(program, is_background=True)
+        run = self.start(request, is_background=True)
         run.wait_until_read(LONGEST_READING)
         return run
 
@@ -368,10 +208,9 @@ class RunController:
         names = tuple(name for name in self._team.names if name in programs)
 
         def prepare(session: Session, run: Run) -> None:
-            given = programs[session.name]
-            record = _Record(
+            record = RunRecord(
                 session,
-                Program(given.text, given.name),
+                programs[session.name],
                 self.watched,
                 is_steppable=not self._has_prompt,
                 is_background=True,
@@ -379,10 +218,10 @@ class RunController:
             record.run = run
             self._follow(record, run.control)
 
-        runs = self._team.start_together(programs, terminal=False, prepare=prepare)
+        runs = self._team.start_together(programs, RunOptions(terminal=False), prepare=prepare)
         return dict(zip(names, runs, strict=True))
 
-    def _follow(self, record: _Record, control: ExecutionControl) -> None:
+    def _follow(self, record: RunRecord, control: ExecutionControl) -> None:
         record.control = control
         self._records[record.session.hub.robot] = record
         self.past = None
@@ -507,7 +346,7 @@ class RunController:
     def break_at(self, lines: frozenset[int]) -> None:
         """The breakpoints of the program have changed: a run of it holds before those that there are now."""
         record, run = self._record, self._session.run
-        if run is not None and record is not None and (record.program.is_whole or self._has_prompt):
+        if run is not None and record is not None and (record.request.is_whole or self._has_prompt):
             run.control.break_at(lines)
 
     def reset(self) -> None:
@@ -534,14 +373,14 @@ class RunController:
 
     # --- what a program does, in its own thread
 
-    def _on_control(self, record: _Record, state: ControlState) -> None:
+    def _on_control(self, record: RunRecord, state: ControlState) -> None:
         if state is ControlState.PAUSED and record.control is not None:
             self._describe_hold(record, record.control.held_at)
             record.was_described.set()
             record.holds = record.is_steppable
         self.observer.on_change()
 
-    def _describe_hold(self, record: _Record, place: tuple[int, int]) -> None:
+    def _describe_hold(self, record: RunRecord, place: tuple[int, int]) -> None:
         frames = record.session.frames
         if not frames:
             return
@@ -555,19 +394,19 @@ class RunController:
             record.stepping = self._new_stepping(record, is_first=not was_paused)
         self._answer(*record.stepping.on_hold(place, frames))
 
-    def _new_stepping(self, record: _Record, *, is_first: bool) -> Stepping:
+    def _new_stepping(self, record: RunRecord, *, is_first: bool) -> Stepping:
         from donnie_tui.core.stepping import Stepping  # only programs that are held
 
-        program = record.program
+        request = record.request
         return Stepping(
-            record.session.parse(program.text, program.first_line).program,
-            program.lines or program.text.split("\n"),
+            record.session.parse(request.text, request.first_line).program,
+            request.lines or request.text.split("\n"),
             self._words,
             last_seq=lambda: self._chronicle.last_seq,
             is_first=is_first,
         )
 
-    def _look(self, record: _Record) -> None:
+    def _look(self, record: RunRecord) -> None:
         """Before each statement, where variables are watched."""
         frames = record.session.frames if self.watched else ()
         if frames:
@@ -596,7 +435,7 @@ class RunController:
             case _:
                 pass
 
-    def _describe_end(self, record: _Record, event: RunEnded) -> None:
+    def _describe_end(self, record: RunRecord, event: RunEnded) -> None:
         """What the program leaves: the last changes, and what ended the loop that was stepped through."""
         run = record.session.run
         if run is None or not run.was_refused:
@@ -624,13 +463,13 @@ class RunController:
         if record.is_background:
             return
         if not run.was_refused and run.outcome is not Outcome.QUIT:
-            self._answer(*hints_for(record.program.text, record.session, self._words))
+            self._answer(*hints_for(record.request.text, record.session, self._words))
         if run.outcome is Outcome.COMPLETED:
             self._answer_done(record)
 
-    def _answer_done(self, record: _Record) -> None:
+    def _answer_done(self, record: RunRecord) -> None:
         """Of a program that nothing else shows the end of."""
-        if record.program.is_whole and not self._has_prompt:
+        if record.request.is_whole and not self._has_prompt:
             code = "screen-done"
         elif record.is_silent or record.is_stepped:
             code = "linear-done"
@@ -638,7 +477,7 @@ class RunController:
             return
         self._answer_of(record.session, code)
 
-    def _answer_stopped(self, session: Session, record: _Record | None) -> None:
+    def _answer_stopped(self, session: Session, record: RunRecord | None) -> None:
         line = record.stopped_line if record is not None else 0
         self._answer_of(session, "answer-stopped-at" if line else "answer-stopped", line=line)
 
@@ -655,10 +494,3 @@ class RunController:
     def _answer(self, *sentences: str) -> None:
         for each in sentences:
             self._session.hub.publish(Answered(each))
-
-
-def hints_for(text: str, session: Session, wording: Wording) -> tuple[str, ...]:
-    """What had no effect as that text ran, and what was probably meant."""
-    found = session.check(text, whole=False)[:MOST_HINTS] if len(text) <= LARGEST_HINTED else ()
-    sentences = ((wording.mistake(each), wording.hint(each)) for each in found)
-    return tuple(sentence for both in sentences for sentence in both if sentence)

@@ -7,19 +7,22 @@ is halted before ``run_ended`` is published. The thread that started the run wai
 from __future__ import annotations
 
 import threading
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from typing import Protocol, TypeAlias, TypeGuard
 
 from msgspec import Struct
 
 from devices.ports.robot import Robot
-from donnie_tui.core.events import INTERNAL, Announced, Error, Outcome, RunEnded, RunStarted, Statement
+from donnie_tui.core.events import INTERNAL, TYPED, Announced, Error, Outcome, RunEnded, RunStarted, Statement
 from donnie_tui.core.hub import Hub
 from donnie_tui.core.wording import Wording
 from language import keywords
 from language.control import ExecutionControl
 from language.diagnostics import MOST_MISTAKES, Diagnostic, MistakeKind, ProgramError, QuitRequested, Stopped
 from language.runtime import Actions, Frame, Memory, Runnable
+
+LAST_WORDS = 1.0
+"""Seconds for a run to end after a stop or its last event. Milliseconds, unless its output is stuck."""
 
 Readable: TypeAlias = Runnable | tuple[Diagnostic, ...]
 """The result of parsing a text: a program, or its mistakes of form."""
@@ -39,10 +42,24 @@ def takes_turns(robot: object) -> TypeGuard[TakesTurns]:
     return hasattr(robot, "join")
 
 
+class RunRequest(Struct, frozen=True):
+    """A text to be run: the whole program, or a part of it that continues where the robot stands."""
+
+    text: str
+    name: str = TYPED
+    first_line: int = 1
+    is_whole: bool = True
+    """Whether it begins at the start of the world with nothing remembered."""
+    breakpoints: frozenset[int] = frozenset()
+    lines: Sequence[str] = ()
+    """Those of the whole program; where it is empty, those of ``text``."""
+
+
 class Stage(Struct, frozen=True):
     """What all runs of a session share."""
 
     robot: Robot
+    memory: Memory
     hub: Hub
     actions: Actions
     wording: Wording
@@ -62,7 +79,6 @@ class Run:
         begin: Callable[[bool], RunStarted],
         read: Callable[[], Readable],
         source_lines: tuple[str, ...],
-        memory: Memory,
         *,
         control: ExecutionControl,
         first_line: int = 1,
@@ -79,7 +95,6 @@ class Run:
         self._problem: Exception | None = None
         self._source_lines = source_lines
         self._first_line = first_line
-        self._memory = memory
         self._trace = trace
         self._has_read = threading.Event()
         self._over = threading.Event()
@@ -159,13 +174,22 @@ class Run:
         robot.halt()
         seconds = robot.time() - began
         self._stage.about_to_end(outcome)
-        hub.publish(RunEnded(outcome, robot.pose(), dict(sorted(self._memory.variables.items())), seconds))
+        variables = dict(sorted(self._stage.memory.variables.items()))
+        hub.publish(RunEnded(outcome, robot.pose(), variables, seconds))
         hub.wait_until_heard()
         return outcome
 
     def _outcome(self) -> Outcome:
         try:
-            return self._read_and_run()
+            if self._problem is not None:
+                raise self._problem
+            program = self._program
+            assert program is not None
+            if isinstance(program, tuple):
+                self._publish_errors(program)
+                return Outcome.FAILED
+            trace = self._visit if self._trace else None
+            program.run(self._stage.actions, self.control, self._stage.memory, trace=trace)
         except ProgramError as error:
             self._publish_error(error.diagnostic, tuple(call.line for call in error.calls))
             return Outcome.FAILED
@@ -179,17 +203,6 @@ class Run:
             logging.getLogger(__name__).exception("the program's thread failed")
             self._publish_failure()
             return Outcome.FAILED
-
-    def _read_and_run(self) -> Outcome:
-        if self._problem is not None:
-            raise self._problem
-        program = self._program
-        assert program is not None
-        if isinstance(program, tuple):
-            self._publish_errors(program)
-            return Outcome.FAILED
-        trace = self._visit if self._trace else None
-        program.run(self._stage.actions, self.control, self._memory, trace=trace)
         return Outcome.COMPLETED
 
     def _visit(self, line: int, column: int, depth: int) -> None:

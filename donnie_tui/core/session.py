@@ -11,6 +11,7 @@ from collections.abc import Callable
 from functools import partial
 from typing import Protocol, TypeAlias
 
+from msgspec import Struct
 from msgspec.structs import replace
 
 from devices.ports.robot import Pace, Pose, Robot, Watcher
@@ -51,6 +52,39 @@ class Busy(Exception):
     """A program is running already."""
 
 
+class SessionSetup(Struct, frozen=True):
+    """What a session is made with, besides its robot and the words."""
+
+    world: str
+    seed: int
+    terminal: bool
+    """Whether QUIT is allowed, and a later batch may declare a name again."""
+    belt: BeltSettings = BeltSettings()
+    name: str | None = None
+    """The robot's, where its world has several."""
+
+
+class RunOptions(Struct, frozen=True):
+    """How a text is run."""
+
+    fresh: bool = False
+    """Whether the robot is put back to its start and variables are forgotten, once the text was parsed
+    without mistakes."""
+    hooked: bool = True
+    """Whether the run can be stepped."""
+    trace: bool = False
+    first_line: int = 1
+    terminal: bool | None = None
+    """Overrides the session's: the program of an editor is no terminal, the line below it is."""
+    together: tuple[str, ...] = ()
+    """The robots that start at the same moment."""
+    gripper_command: Deed | None = None
+    """In place of a program."""
+
+
+RUN_OPTIONS = RunOptions()
+
+
 class _CurrentPace:
     """The pace of the program that runs now; the robot outlives the programs' controls."""
 
@@ -75,28 +109,22 @@ class Session:
         self,
         make_robot: MakeRobot,
         wording: Wording,
+        setup: SessionSetup,
         *,
-        world: str,
-        seed: int,
-        terminal: bool,
-        belt: BeltSettings | None = None,
-        name: str | None = None,
         stream: Stream | None = None,
         until_said: UntilSaid | None = None,
         moved_things: MovedThings = lambda: None,
     ) -> None:
-        """``terminal``: QUIT is allowed, and a later batch may declare a name again.
-
-        ``name``: the robot's, where its world has several. ``stream``: the one that these robots share.
-        ``moved_things`` returns the places of the world's things.
+        """``stream``: the one that the robots of a world share. ``moved_things`` returns the places of the
+        world's things.
         """
         self._pace = _CurrentPace()
         self._began: float | None = None
         """When the last run of this robot began, by its clock; None before the first one."""
-        self.hub = Hub(self._since_began, name, stream)
+        self.hub = Hub(self._since_began, setup.name, stream)
         self.wording = wording
         self.sentences = SentencePublisher(self.hub, wording)
-        self._belt_settings = belt or BeltSettings()
+        self._setup = setup
         self._own_robot, self._until_said = make_robot, until_said
         self._moved_things = moved_things
         self._take(make_robot)
@@ -104,7 +132,6 @@ class Session:
         """The robot's name in its world, also after ``change_robot``."""
         self._announcer = Announcer(self.hub, self.sentences, wording)
         self._memory = Memory()
-        self._world, self._seed, self._terminal = world, seed, terminal
         self._lock = threading.Lock()
         self._run: Run | None = None
 
@@ -115,7 +142,7 @@ class Session:
     def _take(self, make_robot: MakeRobot) -> None:
         watcher = RobotWatcher(self.hub)
         self._robot = make_robot(self._pace, watcher)
-        self._belt = watcher.belt = BeltFeeling(self._robot, self.hub, self._belt_settings)
+        self._belt = watcher.belt = BeltFeeling(self._robot, self.hub, self._setup.belt)
         self._actions = RobotActions(
             self._robot,
             self.hub,
@@ -140,28 +167,20 @@ class Session:
         self,
         text: str,
         name: str,
+        options: RunOptions = RUN_OPTIONS,
         *,
-        fresh: bool = False,
-        hooked: bool = True,
-        trace: bool = False,
-        first_line: int = 1,
-        terminal: bool | None = None,
         prepare: Callable[[ExecutionControl], None] | None = None,
         each_statement: Callable[[], None] | None = None,
         when_read: Callable[[Run], None] | None = None,
     ) -> Run:
         """Runs a program. Raises ``Busy`` while another one runs.
 
-        ``fresh`` puts the robot back to its start and forgets variables, once the text was parsed without
-        mistakes. ``hooked`` makes the run steppable. ``terminal`` overrides the session's: the program of an
-        editor is no terminal, the line below it is. ``prepare`` gets the control before the first statement,
-        for example to step from the start. ``each_statement`` is called before each statement, in the
-        program's thread, if ``hooked``. ``when_read`` is called after parsing, before anything runs.
+        ``prepare`` gets the control before the first statement, for example to step from the start.
+        ``each_statement`` is called before each statement, in the program's thread, if the run is hooked.
+        ``when_read`` is called after parsing, before anything runs.
         """
-        run = self.claim(
-            text, name, fresh=fresh, hooked=hooked, trace=trace, first_line=first_line, terminal=terminal
-        )
-        run.control.look_before_each(each_statement if hooked else None)
+        run = self.claim(text, name, options)
+        run.control.look_before_each(each_statement if options.hooked else None)
         if when_read is not None:
             run.when_read = partial(when_read, run)
         return self._begun(run, prepare)
@@ -176,50 +195,35 @@ class Session:
             raise
         return run
 
-    def claim(
-        self,
-        text: str,
-        name: str,
-        *,
-        fresh: bool = False,
-        hooked: bool = True,
-        trace: bool = False,
-        first_line: int = 1,
-        terminal: bool | None = None,
-        together: tuple[str, ...] = (),
-        gripper_command: Deed | None = None,
-    ) -> Run:
-        """As ``start``, but the run waits for ``begin``: for robots that start ``together``.
-
-        ``gripper_command``: the gripper command in place of a program.
-        """
-        terminal = self._terminal if terminal is None else terminal
+    def claim(self, text: str, name: str, options: RunOptions = RUN_OPTIONS) -> Run:
+        """As ``start``, but the run waits for ``begin``: for robots that start together."""
+        command = options.gripper_command
         with self._lock:
             if self._run is not None:
                 raise Busy
             how = HowStarted(
                 text,
-                first_line,
-                fresh,
-                terminal,
-                trace,
+                options.first_line,
+                options.fresh,
+                self._setup.terminal if options.terminal is None else options.terminal,
+                options.trace,
                 self._robot.pose(),
                 self.wording.language,
                 self.wording.detail,
                 self.hub.robot is not None,
-                together,
-                "" if gripper_command is None else gripper_command.value,
+                options.together,
+                "" if command is None else command.value,
             )
-            if fresh and how.is_together:  # the world begins anew before the first of them takes part
+            if options.fresh and how.is_together:  # the world begins anew before the first of them takes part
                 self._begin_anew()
-            self._run = self._new_run(name, how, hooked or trace, gripper_command)
+            self._run = self._new_run(name, how, options)
             self._pace.control = self._run.control
             self._pace.has_waited.clear()
             return self._run
 
     def use_gripper(self, gripper_command: Deed) -> Run:
         """Closes or opens the gripper, as a run of its own. Raises ``Busy`` while a program runs."""
-        return self._begun(self.claim("", gripper_command.value, gripper_command=gripper_command))
+        return self._begun(self.claim("", gripper_command.value, RunOptions(gripper_command=gripper_command)))
 
     def begin(self, run: Run) -> None:
         """Starts a run that was claimed."""
@@ -234,22 +238,25 @@ class Session:
         if takes_turns(self._robot):
             self._robot.leave()
 
-    def _new_run(self, name: str, how: HowStarted, hooked: bool, gripper_command: Deed | None) -> Run:
+    def _new_run(self, name: str, how: HowStarted, options: RunOptions) -> Run:
         control = ExecutionControl()
 
         def read() -> Readable:
-            if gripper_command is not None:
-                return GripperRun(gripper_command, self._actions.handling)
+            if options.gripper_command is not None:
+                return GripperRun(options.gripper_command, self._actions.handling)
             parsed = self.parse(how.text, how.first_line, fresh=how.fresh)
             if parsed.program is None:
                 return parsed.diagnostics
             if control.state is ControlState.STOPPING:
                 raise Stopped
-            return compile_program(parsed.program, terminal=how.terminal, hooked=hooked)
+            return compile_program(
+                parsed.program, terminal=how.terminal, hooked=options.hooked or options.trace
+            )
 
         return Run(
             Stage(
                 self._robot,
+                self._memory,
                 self.hub,
                 self._actions,
                 self.wording,
@@ -260,7 +267,6 @@ class Session:
             partial(self._begin, name, how),
             read,
             tuple(lines_in(how.text)),
-            self._memory,
             control=control,
             first_line=how.first_line,
             trace=how.trace,
@@ -273,7 +279,7 @@ class Session:
             self._begin_anew()
         self._began = self._robot.time()
         how = replace(how, pose=self._robot.pose())
-        return RunStarted(name, self._world, self.name, self._seed, __version__, how)
+        return RunStarted(name, self._setup.world, self.name, self._setup.seed, __version__, how)
 
     def _about_to_end(self, outcome: Outcome) -> None:
         self._belt.rest()
@@ -351,7 +357,7 @@ class Session:
 
     @property
     def world(self) -> str:
-        return self._world
+        return self._setup.world
 
     @property
     def colours(self) -> frozenset[str]:

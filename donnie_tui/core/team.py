@@ -3,27 +3,28 @@
 Sessions are made on first use, so a world of a thousand robots costs no more than those in use. Rule: robots
 that start together are announced before the first of them acts, so that events do not depend on the threads'
 speed.
+
+``TurnMonitor`` detects a program that keeps its turn too long while the other robots wait, and reports it.
+The order of turns is correct, but a blind learner can't know why nothing happens. The report is made once for
+each run, as an answer. It is no part of the recorded stream, since it depends on the machine's speed.
 """
 
 from __future__ import annotations
 
 import threading
 from collections.abc import Callable, Iterable, Mapping
+from time import monotonic
+from typing import TypeAlias
 
-from msgspec import Struct
+from msgspec.structs import replace
 
+from donnie_tui.core.events import Answered, RunStarted, Stamped
 from donnie_tui.core.hub import Stream
-from donnie_tui.core.runner import Run
-from donnie_tui.core.session import Session
+from donnie_tui.core.runner import Run, RunRequest
+from donnie_tui.core.session import RUN_OPTIONS, RunOptions, Session
+from donnie_tui.core.wording import Wording
+from language.control import ControlState
 from language.source import fold_name
-
-
-class Assigned(Struct, frozen=True):
-    """A program for one robot."""
-
-    text: str
-    name: str
-    """The program's name."""
 
 
 class Team:
@@ -44,7 +45,7 @@ class Team:
         self._sessions: dict[str, Session] = {}
         self._lock = threading.Lock()
         self._chosen = self.names[0]
-        self.given: dict[str, Assigned] = {}
+        self.given: dict[str, RunRequest] = {}
         """The programs that robots were given last, by name."""
 
     # --- the robots
@@ -76,7 +77,7 @@ class Team:
             return typed
         return next((name for name in self.names if fold_name(name) == fold_name(typed)), None)
 
-    def give(self, name: str, program: Assigned) -> None:
+    def give(self, name: str, program: RunRequest) -> None:
         """Sets the program that the robot runs when all start together."""
         self.given[name] = program
 
@@ -103,11 +104,9 @@ class Team:
 
     def start_together(
         self,
-        programs: Mapping[str, Assigned],
+        programs: Mapping[str, RunRequest],
+        options: RunOptions = RUN_OPTIONS,
         *,
-        trace: bool = False,
-        hooked: bool = True,
-        terminal: bool | None = None,
         prepare: Callable[[Session, Run], None] = lambda _session, _run: None,
     ) -> tuple[Run, ...]:
         """Starts each robot's program from its start at the same moment, in the order of the world.
@@ -119,18 +118,11 @@ class Team:
             raise KeyError(unknown)
         claimed: list[tuple[Session, Run]] = []
         names = tuple(filter(programs.__contains__, self.names))
+        options = replace(options, fresh=True, together=names if len(names) > 1 else ())
         try:
             for session in map(self.session, names):
                 program = programs[session.name]
-                run = session.claim(
-                    program.text,
-                    program.name,
-                    fresh=True,
-                    trace=trace,
-                    hooked=hooked,
-                    terminal=terminal,
-                    together=names if len(names) > 1 else (),
-                )
+                run = session.claim(program.text, program.name, options)
                 claimed.append((session, run))
                 prepare(session, run)
             self._begin_together(claimed)
@@ -164,3 +156,84 @@ class Team:
         self.stop()
         for session in self.sessions:
             session.close(seconds)
+
+
+# --- programs that keep their turn
+
+LONGEST_TURN = 3.0
+"""Seconds of real time that a program may keep its turn without a report."""
+CHECK_INTERVAL = 0.5
+"""Seconds between two checks, while any program runs."""
+
+_AT_REST = (ControlState.PAUSING, ControlState.PAUSED, ControlState.STOPPING, ControlState.ENDED)
+"""States without a report: a learner who pauses or stops a program knows why nothing happens."""
+
+Turn: TypeAlias = tuple[str, float]
+"""The robot whose turn it is while others wait, and the world's time."""
+
+
+class TurnMonitor:
+    """Checks whether the turn changes: ``check`` once, in any thread; ``watch`` in the background."""
+
+    def __init__(
+        self,
+        team: Team,
+        turn: Callable[[], Turn | None],
+        wording: Wording,
+        *,
+        is_excused: Callable[[], bool] = lambda: False,
+        now: Callable[[], float] = monotonic,
+    ) -> None:
+        """``turn`` returns None while no robot waits. ``is_excused``: the reason is known, such as a
+        voice."""
+        self._team, self._turn, self._say = team, turn, wording
+        self._is_excused, self._now = is_excused, now
+        self._seen: Turn | None = None
+        self._since = 0.0
+        self._reported: set[str] = set()
+        """Robots whose runs were reported."""
+        self._lock = threading.Lock()
+        self._is_watching = False
+        self._closed = threading.Event()
+
+    def watch(self) -> None:
+        """Starts checking whenever programs run."""
+        self._team.stream.subscribe(self._on_event)
+
+    def close(self) -> None:
+        self._closed.set()
+
+    def check(self) -> None:
+        """Reports a program that has kept its turn for a while."""
+        turn = None if self._is_excused() else self._turn()
+        if turn is None or turn != self._seen or self._rests(turn[0]):
+            self._seen, self._since = turn, self._now()
+            return
+        name = turn[0]
+        if self._now() - self._since >= LONGEST_TURN and name not in self._reported:
+            self._reported.add(name)
+            self._team.chosen.hub.publish(Answered(self._say("holds-up", name=name)))
+
+    def _rests(self, name: str) -> bool:
+        run = self._team.session(name).run
+        return run is None or run.control.state in _AT_REST
+
+    def _on_event(self, stamped: Stamped) -> None:
+        """Called in the thread of the program that begins."""
+        if not isinstance(stamped.event, RunStarted):
+            return
+        with self._lock:
+            self._reported.discard(stamped.event.robot)
+            if self._is_watching or self._closed.is_set():
+                return
+            self._is_watching = True
+        threading.Thread(target=self._check_repeatedly, name="turn monitor", daemon=True).start()
+
+    def _check_repeatedly(self) -> None:
+        while not self._closed.wait(CHECK_INTERVAL):
+            with self._lock:
+                if not self._team.running:
+                    self._is_watching = False
+                    self._seen = None
+                    return
+            self.check()

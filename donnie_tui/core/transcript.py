@@ -39,8 +39,8 @@ from donnie_tui.core.events import (
     Turned,
 )
 from donnie_tui.core.hub import Hub
-from donnie_tui.core.safe_text import printable
-from donnie_tui.core.wording import COMPASS, Wording, compass_heading, whole_steps
+from donnie_tui.core.wording import Wording, compass_heading, position_in_words, whole_steps
+from language.source import printable
 
 
 class Movement(Struct, frozen=True):
@@ -137,19 +137,6 @@ class SentencePublisher:
             crashed=self._say("crashed" if movement.crashed else "not-crashed"),
             **_whole(movement.pose),
         )
-
-
-def facing(pose: Pose, wording: Wording) -> str:
-    """The heading in words: "north", or "40 degrees, near northeast"."""
-    degrees = compass_heading(pose)
-    point = wording(f"compass-{COMPASS[round(degrees / 45) % 8]}")
-    return point if degrees % 45 == 0 else wording("facing-between", degrees=degrees, point=point)
-
-
-def position_in_words(pose: Pose, wording: Wording) -> str:
-    """A robot's place and heading."""
-    x, y = whole_steps(pose.x), whole_steps(pose.y)
-    return wording("position", facing=facing(pose, wording), x=x, y=y)
 
 
 def _whole(pose: Pose) -> dict[str, int]:
@@ -307,33 +294,28 @@ class SummingUp:
         if may_wait and not self._has_room():
             _keep(robot, lines)
             return _Decision(stamped, before, passes=False)
-        self._count(lines)
+        self._printed_at.extend([self._now()] * len(lines))
         robot.is_decided = robot.is_decided or may_wait
         return _Decision(stamped, before)
 
     def _has_room(self) -> bool:
         return len(self._printed_at) < MOST or self._now() - self._printed_at[0] >= SECOND
 
-    def _count(self, lines: tuple[str, ...]) -> None:
-        self._printed_at.extend([self._now()] * len(lines))
-
-    # --- what was left out
-
     def _summed_up(self) -> tuple[str, ...]:
+        """The lines for what was left out."""
         lines: list[str] = []
         for name, robot in self._robots.items():
-            lines += (said_by(name, each, self._say) for each in self._sum(robot.omitted))
-            lines += robot.omitted.only if robot.omitted.movements == 1 else ()
-            lines += robot.omitted.place
-            robot.omitted = _Omitted()
-        self._count(tuple(lines))
+            omitted, robot.omitted = robot.omitted, _Omitted()
+            if omitted.movements > 1:
+                alone = "more-turns" if omitted.turns else "more-steps"
+                code = "more-moves" if omitted.turns and omitted.steps else alone
+                sentence = self._say(code, steps=omitted.steps, turns=omitted.turns)
+                lines.append(said_by(name, sentence, self._say))
+            elif omitted.movements:
+                lines += omitted.only
+            lines += omitted.place
+        self._printed_at.extend([self._now()] * len(lines))
         return tuple(lines)
-
-    def _sum(self, omitted: _Omitted) -> tuple[str, ...]:
-        if omitted.movements < 2:
-            return ()
-        code = "more-steps" if not omitted.turns else "more-turns" if not omitted.steps else "more-moves"
-        return (self._say(code, steps=omitted.steps, turns=omitted.turns),)
 
 
 def _is_routine(stamped: Stamped, robot: _Robot) -> bool:

@@ -1,6 +1,9 @@
-"""How the core asks for sentences, and the words for poses, robots and things.
+"""How the core asks for sentences; the everyday words of all languages; poses, robots and things in words.
 
 The core asks by code and parameters; the sentences themselves are in i18n.
+
+The everyday words are in ``words.toml`` of each language, and are understood whatever language is spoken now:
+a word that switches one thing switches every thing.
 
 Poses are given as in GoDonnie: whole numbers, cut towards zero, headings from 0 to 359, eight directions.
 
@@ -12,11 +15,14 @@ for a thing comes before its kind: "treasure, box, yellow".
 from __future__ import annotations
 
 import re
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
+from functools import cache
 from typing import TYPE_CHECKING, Protocol
 
 from devices.ports.robot import Pose
+from language import locales
 from language.diagnostics import Diagnostic
+from language.locales import ENGLISH, language_of_locale, languages
 from language.source import fold_name
 
 if TYPE_CHECKING:
@@ -72,6 +78,75 @@ COMPASS = ("north", "northeast", "east", "southeast", "south", "southwest", "wes
 SIDES = ("front", "front-right", "right", "back-right", "back", "back-left", "left", "front-left")
 """The sides of the robot, clockwise from the front."""
 
+
+def facing(pose: Pose, wording: Wording) -> str:
+    """The heading in words: "north", or "40 degrees, near northeast"."""
+    degrees = compass_heading(pose)
+    point = wording(f"compass-{COMPASS[round(degrees / 45) % 8]}")
+    return point if degrees % 45 == 0 else wording("facing-between", degrees=degrees, point=point)
+
+
+def position_in_words(pose: Pose, wording: Wording) -> str:
+    """A robot's place and heading."""
+    x, y = whole_steps(pose.x), whole_steps(pose.y)
+    return wording("position", facing=facing(pose, wording), x=x, y=y)
+
+
+# --- everyday words
+
+
+def spelled(key: str, language: str, *section: str) -> str:
+    """An everyday word as Donnie prints it: ``north`` of the section ``compass``."""
+    return locales.words(language, "words", *section, key)[0]
+
+
+def meant(typed: str, *section: str) -> str | None:
+    """The key of a section that a word of any language means, None for any other word."""
+    return _meanings(section).get(_folded(typed))
+
+
+def keys_of(*section: str) -> tuple[str, ...]:
+    """Every key of a section, in the order of the English table."""
+    return locales.keys(ENGLISH, "words", *section)
+
+
+@cache
+def _meanings(section: tuple[str, ...]) -> Mapping[str, str]:
+    """By folded word. What a word means in an earlier language it means in all."""
+    found: dict[str, str] = {}
+    for language in languages():
+        for key in keys_of(*section):
+            for word in locales.words(language, "words", *section, key):
+                found.setdefault(_folded(word), key)
+    return found
+
+
+def _folded(typed: str) -> str:
+    return " ".join(fold_name(typed).split())
+
+
+def language_named(typed: str) -> str | None:
+    """The language that a code or a word means; None if there is none."""
+    named = next((each for each in languages() if _is_name(typed, each)), None)
+    return named or language_of_locale(typed.strip())
+
+
+def _is_name(typed: str, language: str) -> bool:
+    return _folded(typed) in {_folded(name) for each in languages() for name in names_of(language, each)}
+
+
+def name_of_language(language: str, spoken: str) -> str:
+    """What a language is called in another one, or in itself; its code where nothing names it."""
+    names = names_of(language, spoken) or names_of(language, language) or names_of(language, ENGLISH)
+    return names[0] if names else language
+
+
+def names_of(language: str, spoken: str) -> tuple[str, ...]:
+    """What the language ``spoken`` calls a language."""
+    return locales.own_words(spoken, "words", "languages", language)
+
+
+# --- robots and things
 
 _DONNIE = "donnie"
 _COLOURS = ("red", "green", "blue", "yellow", "orange", "pink", "gray")

@@ -12,8 +12,9 @@ from contextlib import contextmanager
 from functools import cached_property
 from typing import TYPE_CHECKING
 
-from donnie_tui.core.breakpoints import BreakpointFile
-from donnie_tui.core.document import Document, Replaced, TextEditor
+from donnie_tui.core.document import Document
+from donnie_tui.core.editing import Replaced, TextEditor
+from donnie_tui.core.program_files import BreakpointFile
 
 if TYPE_CHECKING:
     from pathlib import Path

@@ -29,6 +29,7 @@ class Mistake(ValueError):
 
     def __init__(self, file: Path, line: int, what: str) -> None:
         super().__init__(f"{file}:{line}: {what}")
+        self.file = file
 
 
 class Entry(NamedTuple):

@@ -1,8 +1,9 @@
 """The folders of the languages, for translators, for ``donnie doctor`` and for the build.
 
-``python -m donnie_tui.i18n.translations check`` names each mistake with its file and line, and counts what is
-missing; ``compile`` checks and makes what Donnie loads; ``update`` gives every language the sentences that
-English has. Standard library only: the build runs this before anything is installed.
+``python -m donnie_tui.i18n.translations check`` lists what is missing, and each mistake with its file and
+line; ``check pt`` does so for one language. ``compile`` checks and makes what Donnie loads; ``update`` gives
+every language the sentences that English has. Standard library only: the build runs this before anything is
+installed.
 """
 
 from __future__ import annotations
@@ -11,14 +12,15 @@ import json
 import re
 import sys
 import tomllib
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterable, Iterator, Mapping
+from itertools import chain
 from pathlib import Path
 from typing import Any
 
 from donnie_tui.i18n import first_words, po
 from donnie_tui.i18n.messages import CODES, COMPILED, SOURCE, codes
 from donnie_tui.i18n.po import Mistake
-from language.locales import ENGLISH, compiled_file, folders, table
+from language.locales import BUILT_IN, ENGLISH, compiled_file, folders, languages, search_path, table
 
 TABLES = ("keywords", "commands", "words")
 """The tables of words, without ``.toml``."""
@@ -31,22 +33,38 @@ _COMMANDS = ("check", "compile", "update")
 
 
 def main(arguments: list[str]) -> int:
-    """Run one of the commands on all folders of languages; the exit code."""
-    if len(arguments) != 1 or arguments[0] not in _COMMANDS:
+    """Run one of the commands on the folders of languages; the exit code."""
+    command, *chosen = arguments or [""]
+    if command not in _COMMANDS or (chosen and command != "check"):
         _print(f"usage: python -m donnie_tui.i18n.translations {'|'.join(_COMMANDS)}")
         return 2
-    if arguments[0] == "update":
+    for each in chosen:
+        if each not in folders():
+            _print(f"No folder {each} in {', '.join((BUILT_IN, *search_path()))}.")
+            return 2
+    if command == "update":
         update()
-    found = compile_all() if arguments[0] == "compile" else (*mistakes(), *ambiguous_keywords())
-    for each in found:
-        _print(str(each))
-    if arguments[0] != "compile":
-        for language in sorted(folders()):
-            missing = missing_in(language)
-            for name in missing:
-                _print(f"{language} lacks {name}")
-            _print(f"{language}: {len(missing)} missing")
+    if command != "compile":
+        return _report(chosen or sorted(folders()), has_details=command == "check")
+    found = compile_all()
+    for mistake in found:
+        _print(str(mistake))
     return 1 if found else 0
+
+
+def _report(chosen: Iterable[str], *, has_details: bool) -> int:
+    """Print what is missing, if wanted, then the mistakes, and last their number; the exit code."""
+    found = (*mistakes(), *ambiguous_keywords())
+    wrong = {each: [one for one in found if one.file.parent == Path(folders()[each])] for each in chosen}
+    missing = {each: missing_in(each) for each in wrong}
+    for language, names in missing.items():
+        for name in names if has_details else ():
+            _print(f"{language} lacks {name}")
+    for mistake in chain.from_iterable(wrong.values()):
+        _print(str(mistake))
+    for language in wrong:
+        _print(f"{language}: {len(wrong[language])} wrong, {len(missing[language])} missing")
+    return 1 if any(wrong.values()) else 0
 
 
 def _print(line: str) -> None:
@@ -58,14 +76,25 @@ def _print(line: str) -> None:
 
 def mistakes() -> tuple[Mistake, ...]:
     """Everything that is wrong in the files of all languages."""
-    return tuple(each for folder in folders().values() for each in _mistakes_in(Path(folder)))
+    english = Path(folders()[ENGLISH], SOURCE)
+    try:
+        known = [each.context for each in po.read(english)] if english.exists() else codes(ENGLISH)
+    except Mistake as mistake:
+        return (mistake,)
+    known_codes = frozenset(each.partition("|")[0] for each in ("", *known))
+    found = [each for folder in folders().values() for each in _mistakes_in(Path(folder), known_codes)]
+    return (*found, *_shared_ranks())
 
 
-def _mistakes_in(folder: Path) -> Iterator[Mistake]:
+def _mistakes_in(folder: Path, known_codes: frozenset[str]) -> Iterator[Mistake]:
     try:
         if (folder / SOURCE).exists():
             entries = po.read(folder / SOURCE)
             yield from (mistake for _, mistake in po.mistakes(folder / SOURCE, entries))
+            for each in entries:
+                if each.context.partition("|")[0] not in known_codes:
+                    what = f"{each.context} is not in the English file: msgctxt stays as it is there"
+                    yield Mistake(folder / SOURCE, each.line, what)
         for name in TABLES:
             file, english = folder / f"{name}.toml", Path(folders()[ENGLISH], f"{name}.toml")
             if file.exists():
@@ -73,6 +102,16 @@ def _mistakes_in(folder: Path) -> Iterator[Mistake]:
                 yield from _wrong_in_table(file, _read_table(file), known)
     except Mistake as mistake:
         yield mistake
+
+
+def _shared_ranks() -> Iterator[Mistake]:
+    """Languages with the ``rank`` of another: which one a program is in would depend on their codes."""
+    owner: dict[object, str] = {}
+    for language in languages():
+        rank = table(language, "keywords").get("rank")
+        file = Path(folders()[language], "keywords.toml")
+        if rank is not None and owner.setdefault(rank, language) != language and file.exists():
+            yield Mistake(file, _line_of("rank", file), f"rank {rank} is that of {owner[rank]} already")
 
 
 def ambiguous_keywords() -> Iterator[Mistake]:
@@ -130,7 +169,7 @@ def _line_of(key: str, file: Path) -> int:
 
 
 def missing_in(language: str) -> tuple[str, ...]:
-    """What Donnie says in English there: ``messages.po walked-forward``, ``commands.toml run``."""
+    """What is English there: ``messages.po walked-forward``, ``keywords.toml FW in [keywords]``."""
     has = frozenset(codes(language))
     sentences = [f"{SOURCE} {code}" for code in codes(ENGLISH) if code not in has]
     words = [
@@ -141,13 +180,13 @@ def missing_in(language: str) -> tuple[str, ...]:
     return (*sentences, *words)
 
 
-def _without(english: Mapping[str, Any], other: Mapping[str, Any]) -> Iterator[str]:
-    """The keys of words that the other table lacks."""
+def _without(english: Mapping[str, Any], other: Mapping[str, Any], section: str = "") -> Iterator[str]:
+    """The keys of words that the other table lacks, each with its section."""
     for key, value in english.items():
         if isinstance(value, dict) and key not in _OF_ONE_LANGUAGE:
-            yield from _without(value, other.get(key, {}))
+            yield from _without(value, other.get(key, {}), f"{section}.{key}" if section else key)
         elif isinstance(value, list) and key not in other:
-            yield key
+            yield f"{key} in [{section}]" if section else key
 
 
 # --- what Donnie loads

@@ -141,7 +141,7 @@ def _awaited(
         return assemble(settings, terminal=True, search=search)
     from pathlib import Path
 
-    from donnie_tui.core.timeouts import SLOW, SLOW_AGAIN
+    from donnie_tui.commands.interaction import SLOW, SLOW_AGAIN
     from donnie_tui.linear.patience import aside
 
     words, name = Words(settings.language, settings.verbosity), Path(settings.world).name

@@ -75,7 +75,7 @@ class Asking:
 
     def decide(self, question: str) -> bool | None:
         """Yes or no; None for no answer: Ctrl+C, Escape alone, the end of the input, a signal to leave."""
-        from donnie_tui.core.typed_words import answered
+        from donnie_tui.commands.arguments import answered
 
         answer = self.answer_to(question)
         while answer and answered(answer) is None:

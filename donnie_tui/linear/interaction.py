@@ -5,8 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable, Coroutine, Sequence
 from typing import TYPE_CHECKING, Any, TypeVar
 
-from donnie_tui.commands.interaction import Option, drive
-from donnie_tui.core.timeouts import SLOW, SLOW_AGAIN
+from donnie_tui.commands.interaction import SLOW, SLOW_AGAIN, Option, drive
 from donnie_tui.linear.reader import How
 
 if TYPE_CHECKING:

@@ -25,8 +25,8 @@ from collections.abc import Callable, Iterable, Sequence
 from typing import Protocol
 
 from donnie_tui.core.answer_log import LONGEST_ANSWER
-from donnie_tui.core.safe_text import printable
 from donnie_tui.linear.greeting import PROMPT
+from language.source import printable
 
 CAPACITY = 500
 """Lines that may wait before a program is held back."""

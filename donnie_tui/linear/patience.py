@@ -10,8 +10,7 @@ import threading
 from collections.abc import Callable
 from typing import Generic, TypeVar
 
-from donnie_tui.commands.interaction import GivenUp
-from donnie_tui.core.timeouts import SLOW, SLOW_AGAIN
+from donnie_tui.commands.interaction import SLOW, SLOW_AGAIN, GivenUp
 from donnie_tui.linear.console import Console, Gone
 from donnie_tui.linear.desk import Desk
 

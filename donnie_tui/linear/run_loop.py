@@ -14,9 +14,8 @@ from donnie_tui.commands.dispatch import perform, says_slip
 from donnie_tui.commands.interaction import drive
 from donnie_tui.commands.lookup import find
 from donnie_tui.core.events import Outcome
-from donnie_tui.core.run_controller import RunObserver, RunState
+from donnie_tui.core.run_state import RunObserver, RunState
 from donnie_tui.core.runner import Run
-from donnie_tui.core.safe_text import printable
 from donnie_tui.core.session import LONGEST_STOP
 from donnie_tui.linear.asking import GRACE
 from donnie_tui.linear.desk import Desk
@@ -24,6 +23,7 @@ from donnie_tui.linear.greeting import PROMPT
 from donnie_tui.linear.output import LARGEST_BLOCK, Told
 from donnie_tui.linear.reader import EditingReader, How, Typed
 from language import keywords
+from language.source import printable
 
 FIRST_SIGN = 3.0
 """Seconds without a line after which a run first reports that it is still there; later ones can be chosen."""

@@ -2,8 +2,9 @@
 
 from __future__ import annotations
 
+from donnie_tui.commands.arguments import answered
 from donnie_tui.core.answer_log import AnswerLog
-from donnie_tui.core.typed_words import answered, meant
+from donnie_tui.core.wording import meant
 from donnie_tui.i18n.words import Words
 from donnie_tui.linear.ends import Ends
 from donnie_tui.linear.greeting import PROMPT

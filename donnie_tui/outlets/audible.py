@@ -28,7 +28,7 @@ from donnie_tui.core.events import Answered, SoundSwitched, Stamped
 from donnie_tui.core.hub import HasHub
 from donnie_tui.core.outlets import Cues, Voice, VoiceScope
 from donnie_tui.core.transcript import TranscriptFilter, UnfilteredTranscript
-from donnie_tui.core.typed_words import name_of_language
+from donnie_tui.core.wording import name_of_language
 from donnie_tui.i18n.words import Words
 from donnie_tui.settings.folders import own_sounds
 from donnie_tui.settings.settings import Settings, Source

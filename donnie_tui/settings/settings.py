@@ -13,6 +13,7 @@ from enum import Enum
 from msgspec import Struct, field
 
 from donnie_tui import DETAILS
+from donnie_tui.core.wording import Wording
 from donnie_tui.settings.parsing import (
     BUMPERS_WANTED,
     COLUMNS_WANTED,
@@ -303,3 +304,28 @@ def _complain(each: Key, source: Source, told_as: str, given: str) -> Notice:
 
 def _unknown(key: str) -> Notice:
     return Notice("setting-unknown", {"name": key[:40]})
+
+
+# --- the speeds that SLOWER and FASTER choose from
+
+SPEEDS: tuple[float | None, ...] = (1.0, 2.0, 5.0, 10.0, 20.0, 50.0, None)
+"""Times the real robot's pace; None is as fast as possible."""
+
+
+def faster_than(speed: float | None) -> float | None:
+    """The next speed above ``speed``; the fastest has none above it."""
+    return next((each for each in SPEEDS if _is_faster(each, speed)), None)
+
+
+def slower_than(speed: float | None) -> float | None:
+    """The next speed below ``speed``; one that is below all of them stays."""
+    below = [each for each in SPEEDS if _is_faster(speed, each)]
+    return below[-1] if below else speed
+
+
+def speed_words(speed: float | None, words: Wording) -> str:
+    return words("speed-max") if speed is None else words("decimal", number=speed)
+
+
+def _is_faster(one: float | None, other: float | None) -> bool:
+    return other is not None and (one is None or one > other)

@@ -13,8 +13,8 @@ from typing import TYPE_CHECKING
 
 from textual.app import App
 
+from donnie_tui.commands.interaction import SLOW
 from donnie_tui.commands.keys import KeyTable
-from donnie_tui.core.timeouts import SLOW
 from donnie_tui.i18n.first_words import early
 from donnie_tui.robot.choice import Search
 from donnie_tui.settings.parsing import SERIAL

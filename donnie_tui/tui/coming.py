@@ -14,7 +14,7 @@ from textual.app import App
 from textual.screen import Screen
 from textual.timer import Timer
 
-from donnie_tui.core.timeouts import SLOW
+from donnie_tui.commands.interaction import SLOW
 
 
 class Coming:

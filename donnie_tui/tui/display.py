@@ -13,7 +13,8 @@ from donnie_tui.commands.keys import KeyTable
 from donnie_tui.core.events import Read
 from donnie_tui.core.map_grid import Cell, floor_size
 from donnie_tui.core.map_scene import Line, MapScene
-from donnie_tui.core.run_controller import RunController, RunState
+from donnie_tui.core.run_controller import RunController
+from donnie_tui.core.run_state import RunState
 from donnie_tui.core.timeline import Timeline
 from donnie_tui.core.wording import shown_name
 from donnie_tui.core.workspace import Workspace

@@ -6,13 +6,13 @@ import asyncio
 from collections.abc import Callable, Coroutine, Iterable, Sequence
 from typing import TYPE_CHECKING, Any, TypeVar
 
+from donnie_tui.commands.arguments import answered
 from donnie_tui.commands.files import may_lose_all
 from donnie_tui.commands.interaction import MapPane, Option
 from donnie_tui.commands.keys import KeyTable
 from donnie_tui.core.map_scene import Line
 from donnie_tui.core.pointing import Pointer
-from donnie_tui.core.team import Assigned
-from donnie_tui.core.typed_words import answered
+from donnie_tui.core.runner import RunRequest
 from donnie_tui.tui import patience
 from donnie_tui.tui.answer import Answer
 
@@ -135,7 +135,7 @@ class ScreenInteraction:
         """The text is that robot's, if there is any."""
         if self._work.workplace.editor.text.strip():
             team = self._work.donnie.team
-            team.give(team.chosen.name, Assigned(self._work.workplace.editor.text, self._work.program_name))
+            team.give(team.chosen.name, RunRequest(self._work.workplace.editor.text, self._work.program_name))
 
     def robot_changed(self) -> None:
         self._work.run_view.robot_changed()

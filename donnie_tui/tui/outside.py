@@ -19,7 +19,7 @@ LEFT_BEHIND = 20
 
 def leave_behind(lines: Sequence[str]) -> None:
     """What was told last, where the shell goes on: it can be read again there."""
-    from donnie_tui.core.safe_text import printable
+    from language.source import printable
 
     if os.environ.get("TEXTUAL_DRIVER"):
         return  # a browser has no such screen

@@ -8,7 +8,7 @@ from typing import Protocol, TypeVar
 
 from textual.timer import Timer
 
-from donnie_tui.core.timeouts import SLOW, SLOW_AGAIN
+from donnie_tui.commands.interaction import SLOW, SLOW_AGAIN
 
 T = TypeVar("T")
 

@@ -12,7 +12,7 @@ from rich.segment import Segment
 from textual.color import Color
 from textual.filter import LineFilter
 
-from donnie_tui.core.safe_text import HARMFUL
+from language.source import HARMFUL
 
 _HARMFUL = re.compile(HARMFUL)
 

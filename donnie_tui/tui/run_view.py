@@ -12,7 +12,7 @@ from typing import TYPE_CHECKING
 from textual.message import Message
 from textual.timer import Timer
 
-from donnie_tui.core.run_controller import RunObserver, RunState
+from donnie_tui.core.run_state import RunObserver, RunState
 from donnie_tui.core.transcript import lines_of
 from donnie_tui.tui.bridge import Began, Ended
 from donnie_tui.tui.intake import Intake

@@ -10,10 +10,9 @@ from collections.abc import Mapping, Sequence
 from devices.ports.robot import Bearing, Pose
 from donnie_tui.core.actions import bearing_name
 from donnie_tui.core.events import Read
-from donnie_tui.core.run_controller import RunState
-from donnie_tui.core.speeds import speed_words
-from donnie_tui.core.transcript import facing
-from donnie_tui.core.wording import Wording, compass_heading, whole_steps
+from donnie_tui.core.run_state import RunState
+from donnie_tui.core.wording import Wording, compass_heading, facing, whole_steps
+from donnie_tui.settings.settings import speed_words
 from language.runtime import Frame
 
 

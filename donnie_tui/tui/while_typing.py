@@ -11,8 +11,7 @@ from typing import TYPE_CHECKING
 from textual.timer import Timer
 
 from donnie_tui.commands.sound import chime_block
-from donnie_tui.core.completion import Completion, completion
-from donnie_tui.core.program_text import LONGEST_CHECKED, mistakes
+from donnie_tui.core.program_text import LONGEST_CHECKED, Completion, completion, mistakes
 from language.outline import block_depth
 
 if TYPE_CHECKING:

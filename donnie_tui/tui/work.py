@@ -25,10 +25,8 @@ from donnie_tui.commands.lookup import find
 from donnie_tui.commands.preferences import Preferences
 from donnie_tui.commands.world import say_arrival
 from donnie_tui.core.answer_log import AnswerLog
-from donnie_tui.core.run_controller import Program
-from donnie_tui.core.safe_text import printable
+from donnie_tui.core.runner import LAST_WORDS, RunRequest
 from donnie_tui.core.session import Busy
-from donnie_tui.core.timeouts import LAST_WORDS
 from donnie_tui.core.workspace import Workspace
 from donnie_tui.i18n.words import Words
 from donnie_tui.settings.folders import offers_tour
@@ -48,6 +46,7 @@ from donnie_tui.tui.talk import Talk
 from donnie_tui.tui.while_typing import WhileTyping
 from language.diagnostics import MistakeKind
 from language.keywords import spelling
+from language.source import printable
 
 
 class Work:
@@ -173,7 +172,7 @@ class Work:
     def _run_typed(self, text: str) -> None:
         """Run a line of GoDonnie where the robot is, with the variables that there are."""
         try:
-            self.ctx.runs.start(Program(text, self.words("typed-program"), is_whole=False))
+            self.ctx.runs.start(RunRequest(text, self.words("typed-program"), is_whole=False))
         except Busy:
             self.ctx.answer_of_robot("screen-busy")
 

@@ -14,7 +14,7 @@ from textual.pilot import Pilot
 from textual.screen import Screen
 
 from donnie_tui.bootstrap import assemble
-from donnie_tui.core.run_controller import RunState
+from donnie_tui.core.run_state import RunState
 from donnie_tui.settings.settings import Settings
 from donnie_tui.tui.app import DonnieApp
 from donnie_tui.tui.screens.dialogs import Chooser, Question

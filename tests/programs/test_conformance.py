@@ -17,6 +17,7 @@ from typing import Any
 import pytest
 
 from donnie_tui.bootstrap import assemble
+from donnie_tui.core.session import RunOptions
 from donnie_tui.settings.settings import Settings
 from tests.patience import PATIENCE
 
@@ -66,7 +67,7 @@ def _events_of(program: Path, world: str, language: str, folder: Path) -> list[d
     donnie = assemble(settings, terminal=False, out=out)
     try:
         text = program.read_bytes().decode("utf-8-sig")
-        assert donnie.session.start(text, program.name, fresh=True, hooked=False).wait(PATIENCE)
+        assert donnie.session.start(text, program.name, RunOptions(fresh=True, hooked=False)).wait(PATIENCE)
     finally:
         donnie.close()
     return [json.loads(line) for line in out.getvalue().split("\n") if line]

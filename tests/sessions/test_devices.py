@@ -13,6 +13,7 @@ from devices.board_simulator.pty import PtyBoard
 from devices.ports.robot import Pose
 from donnie_tui.bootstrap import assemble
 from donnie_tui.core.events import Link, Moved, RunEnded, Stamped
+from donnie_tui.core.session import RunOptions
 from donnie_tui.robot.choice import Search, Searchable
 from donnie_tui.robot.connection import Connection
 from donnie_tui.settings.settings import Settings
@@ -46,7 +47,7 @@ def test_a_program_runs_on_the_robot_and_prints_the_usual_lines(tmp_path: Path, 
 def test_a_lost_connection_ends_the_walk_and_nothing_continues_by_itself(robot: PtyBoard) -> None:
     donnie, heard = assembled(robot), list[Stamped]()
     donnie.session.hub.subscribe(heard.append)
-    run = donnie.session.start("FW 100 FW 1", "test.gd", hooked=False)
+    run = donnie.session.start("FW 100 FW 1", "test.gd", RunOptions(hooked=False))
     assert until(lambda: robot.board.is_driving)
     robot.unplug()
     assert run.wait(PATIENCE)
@@ -96,7 +97,7 @@ def test_a_program_started_during_the_search_for_a_robot_stops_where_there_is_no
 
     class Meanwhile(Search):
         def connect(self, robot: Searchable) -> None:
-            donnie.session.start("WHILE 1 == 1 DO\nVAR a = 1\nEND WHILE", "test.gd", fresh=True)
+            donnie.session.start("WHILE 1 == 1 DO\nVAR a = 1\nEND WHILE", "test.gd", RunOptions(fresh=True))
             super().connect(robot)
 
     settings = Settings(speech="off", sound=False, speed=None)
@@ -192,7 +193,7 @@ def test_the_pose_of_a_real_robot_begins_where_its_world_says(robot: PtyBoard) -
     try:
         began = donnie.world.start()
         donnie.session.hub.subscribe(heard.append)
-        assert donnie.session.start("FW 0", "test.gd", fresh=True, hooked=False).wait(PATIENCE)
+        assert donnie.session.start("FW 0", "test.gd", RunOptions(fresh=True, hooked=False)).wait(PATIENCE)
     finally:
         donnie.close()
 

@@ -22,7 +22,8 @@ import pytest
 
 from donnie_tui.bootstrap import assemble
 from donnie_tui.core.events import Outcome
-from donnie_tui.core.team import Assigned
+from donnie_tui.core.runner import RunRequest
+from donnie_tui.core.session import RunOptions
 from donnie_tui.settings.settings import Settings
 from tests.programs.test_conformance import runner  # noqa: F401 -- a fixture
 from tests.sessions import command
@@ -69,7 +70,7 @@ def events(text: str, world: str, robot: str, language: str = "en") -> list[dict
     )
     donnie = assemble(settings, terminal=False, out=out)
     try:
-        run = donnie.session.start(text, "test.gd", fresh=True, hooked=False)
+        run = donnie.session.start(text, "test.gd", RunOptions(fresh=True, hooked=False))
         assert run.wait(PATIENCE)
     finally:
         donnie.close()
@@ -162,7 +163,7 @@ def test_a_program_runs_on_the_simulated_board_under_any_name_of_the_robot(
         Settings(world=str(file), robot=robot, speed=None, speech="off", sound=False), terminal=False
     )
     with contextlib.closing(donnie):
-        (run,) = donnie.team.start_together({"Ana": Assigned("FW 2", "a.gd")})
+        (run,) = donnie.team.start_together({"Ana": RunRequest("FW 2", "a.gd")})
         assert run.wait(PATIENCE)
 
         assert run.outcome is Outcome.COMPLETED

@@ -9,6 +9,7 @@ import pytest
 
 from devices.board_simulator.pty import PtyBoard
 from donnie_tui.core.events import Announced, Stamped
+from donnie_tui.core.session import RunOptions
 from donnie_tui.process import disconnection
 from donnie_tui.process.disconnection import attempts, ssh_connections_of
 from tests.sessions.real_robot import assembled, until
@@ -66,7 +67,7 @@ def test_a_robot_of_an_unreachable_learner_is_stopped_and_that_is_reported(
     donnie, heard = assembled(robot), list[Stamped]()
     donnie.session.hub.subscribe(heard.append)
     try:
-        run = donnie.session.start("FW 100", "test.gd", hooked=False)
+        run = donnie.session.start("FW 100", "test.gd", RunOptions(hooked=False))
         assert until(lambda: robot.board.is_driving)
         file.write_text(table(9), encoding="ascii")
 

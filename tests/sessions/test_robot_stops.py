@@ -13,6 +13,7 @@ import pytest
 from devices.board_simulator.pty import PtyBoard
 from devices.wire.commands import CONFIGURE, STOP
 from donnie_tui.core.events import CueSounded, Outcome, Stamped
+from donnie_tui.core.session import RunOptions
 from tests.patience import PATIENCE
 from tests.sessions.command import COMMAND, QUIET, donnie, environment, start
 from tests.sessions.learner import Learner
@@ -176,7 +177,7 @@ def test_a_listener_that_fails_in_the_middle_of_a_walk_stops_the_robot(robot: Pt
 
     try:
         donnie.session.hub.subscribe(fail)
-        run = donnie.session.start("FW 100", "test.gd", hooked=False)
+        run = donnie.session.start("FW 100", "test.gd", RunOptions(hooked=False))
         assert until(lambda: robot.board.is_driving)
         assert run.wait(PATIENCE)
 
@@ -188,7 +189,7 @@ def test_a_listener_that_fails_in_the_middle_of_a_walk_stops_the_robot(robot: Pt
 
 def test_closing_a_session_stops_its_run(robot: PtyBoard) -> None:
     donnie = assembled(robot)
-    donnie.session.start("FW 100", "test.gd", hooked=False)
+    donnie.session.start("FW 100", "test.gd", RunOptions(hooked=False))
     assert until(lambda: robot.board.is_driving)
     donnie.close()
 

@@ -15,7 +15,7 @@ from textual import events  # noqa: E402
 from textual.pilot import Pilot  # noqa: E402
 
 from donnie_tui.bootstrap import assemble  # noqa: E402
-from donnie_tui.core.run_controller import RunState  # noqa: E402
+from donnie_tui.core.run_state import RunState  # noqa: E402
 from donnie_tui.settings.settings import Settings  # noqa: E402
 from donnie_tui.tui.app import DonnieApp  # noqa: E402
 from tests.patience import PATIENCE  # noqa: E402

@@ -5,7 +5,7 @@ import sys
 
 import pytest
 
-from donnie_tui.core.run_controller import RunState
+from donnie_tui.core.run_state import RunState
 from donnie_tui.settings.settings import Settings
 from donnie_tui.tui import full_screen
 from tests.tui.conftest import ScreenDriver

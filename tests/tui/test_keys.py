@@ -12,7 +12,7 @@ from textual.drivers.linux_driver import LinuxDriver
 from donnie_tui.commands.declarations import COMMANDS
 from donnie_tui.commands.keys import KeyTable, is_free_to_give, not_understood, with_choice
 from donnie_tui.commands.settings import change
-from donnie_tui.core.run_controller import RunState
+from donnie_tui.core.run_state import RunState
 from donnie_tui.tui.terminal import use_mouse
 from tests.tui.conftest import WAITING
 

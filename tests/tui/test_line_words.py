@@ -2,7 +2,7 @@
 
 import pytest
 
-from donnie_tui.core.run_controller import RunState
+from donnie_tui.core.run_state import RunState
 
 PROGRAM = "FW 1\nFW 2\nFW 3\nFW 4"
 

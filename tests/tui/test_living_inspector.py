@@ -5,7 +5,7 @@ import re
 import pytest
 
 from donnie_tui.core.events import Sensed
-from donnie_tui.core.run_controller import RunState
+from donnie_tui.core.run_state import RunState
 from donnie_tui.i18n.words import Words
 from donnie_tui.tui.situation import inspector_lines
 

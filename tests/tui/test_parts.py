@@ -10,7 +10,7 @@ from donnie_tui.commands.declarations import BY_NAME, COMMANDS
 from donnie_tui.commands.lookup import find, word_of
 from donnie_tui.core.document import ANOTHER_PROGRAM, Document
 from donnie_tui.core.program_files import as_lines
-from donnie_tui.core.speeds import SPEEDS
+from donnie_tui.settings.settings import SPEEDS
 from donnie_tui.tui.highlighting import highlights
 from donnie_tui.tui.widgets.editor import Editor
 from donnie_tui.tui.widgets.rows import MOST_LINES as MOST_LOGGED

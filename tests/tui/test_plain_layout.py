@@ -3,7 +3,7 @@
 import pytest
 from textual.app import App
 
-from donnie_tui.core.run_controller import RunState
+from donnie_tui.core.run_state import RunState
 from donnie_tui.core.session import Session
 from donnie_tui.tui.screens import workplace
 from donnie_tui.tui.terminal import TerminalApp

@@ -2,7 +2,7 @@
 
 from devices.ports.robot import Pose
 from donnie_tui.core.events import Error, Outcome, RunEnded
-from donnie_tui.core.run_controller import RunState
+from donnie_tui.core.run_state import RunState
 from donnie_tui.tui.bridge import Ended
 from tests.tui.conftest import WAITING
 

@@ -11,7 +11,7 @@ from textual.filter import Monochrome, NoColor
 
 from donnie_tui.bootstrap import assemble
 from donnie_tui.commands.keys import KeyTable
-from donnie_tui.core.run_controller import RunState
+from donnie_tui.core.run_state import RunState
 from donnie_tui.i18n.first_words import early
 from donnie_tui.i18n.words import Words
 from donnie_tui.settings.settings import Settings

@@ -2,7 +2,7 @@
 
 import pytest
 
-from donnie_tui.core.run_controller import RunState, hints_for
+from donnie_tui.core.run_state import RunState, hints_for
 from tests.tui.conftest import COMPUTING, WAITING
 
 SQUARE = 'REPEAT 2 TIMES\nFW 2\nTR 90\nEND REPEAT\nSPEAK "done"'

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import pytest
 
-from donnie_tui.core.run_controller import RunState
+from donnie_tui.core.run_state import RunState
 from donnie_tui.i18n.help import SCREEN_TOUR_PAGES
 from tests.tui.conftest import WAITING
 

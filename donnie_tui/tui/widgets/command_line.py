@@ -23,7 +23,7 @@ from textual.widget import Widget
 from textual.widgets import Input, Static
 
 from donnie_tui.core.line_history import Past, Recall
-from donnie_tui.core.safe_text import cleaned
+from language.source import cleaned
 
 
 class Pane(Vertical):

@@ -24,12 +24,11 @@ from textual.strip import Strip
 from textual.widgets import TextArea
 from textual.widgets.text_area import Selection, TextAreaTheme
 
-from donnie_tui.core.breakpoints import common_lines, followed, shifted
+from donnie_tui.core.editing import common_lines, followed, shifted
 from donnie_tui.tui import themes
 
 if TYPE_CHECKING:
-    from donnie_tui.core.completion import Completion
-    from donnie_tui.core.program_text import Mistake
+    from donnie_tui.core.program_text import Completion, Mistake
 
 HERE, CALLER, BREAK, MISTAKE, HINT = ">", "*", "B", "!", "?"
 MARKS = 2
@@ -107,7 +106,7 @@ class Editor(TextArea):
         return FIRST_WORDS.get(self.text.strip().casefold())
 
     async def _on_paste(self, event: events.Paste) -> None:
-        from donnie_tui.core.safe_text import cleaned  # not for the first frame
+        from language.source import cleaned  # not for the first frame
 
         event.prevent_default()
         await super()._on_paste(events.Paste(cleaned(event.text)))

@@ -12,7 +12,7 @@ from donnie_tui.commands.preferences import (
     value_typed,
     value_word,
 )
-from donnie_tui.core.typed_words import spelled
+from donnie_tui.core.wording import spelled
 from donnie_tui.i18n.words import Words
 from donnie_tui.linear.options import Options, Page, Prompt
 from donnie_tui.settings.parsing import LONGEST_PROGRESS

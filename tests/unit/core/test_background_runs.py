@@ -10,7 +10,8 @@ import pytest
 from donnie_tui.bootstrap import Donnie, assemble
 from donnie_tui.core import session
 from donnie_tui.core.events import Answered, Stamped
-from donnie_tui.core.run_controller import Program, RunController
+from donnie_tui.core.run_controller import RunController
+from donnie_tui.core.runner import RunRequest
 from donnie_tui.settings.settings import Settings
 from language.parser import Parsed
 from tests.patience import PATIENCE
@@ -48,7 +49,7 @@ def test_a_started_program_is_parsed_once_and_in_its_own_thread(
     monkeypatch.setattr(session, "parse", parsed)
     said = answers(donnie)
     runs = RunController(donnie.team, donnie.words, donnie.chronicle, has_prompt=True)
-    run = runs.start_in_background(Program(text, "a.gd"))
+    run = runs.start_in_background(RunRequest(text, "a.gd"))
 
     assert run.wait(PATIENCE)
     assert len(readers) == 1

@@ -4,8 +4,9 @@ from pathlib import Path
 
 import pytest
 
-from donnie_tui.core.breakpoints import LARGEST, MOST_PROGRAMS, BreakpointFile, followed
 from donnie_tui.core.document import Document
+from donnie_tui.core.editing import followed
+from donnie_tui.core.program_files import BreakpointFile
 
 
 @pytest.fixture
@@ -37,7 +38,7 @@ def test_a_program_without_breakpoints_leaves_no_trace(file: Path, tmp_path: Pat
     assert file.read_text() == ""
 
 
-@pytest.mark.parametrize("damage", [b"\xff\x00", b"x\ty\n", b"\t\n3 -4\t/a\n", b"1" * (LARGEST + 1)])
+@pytest.mark.parametrize("damage", [b"\xff\x00", b"x\ty\n", b"\t\n3 -4\t/a\n", b"1" * 500_000])
 def test_a_damaged_file_is_treated_as_no_file(file: Path, tmp_path: Path, damage: bytes) -> None:
     file.parent.mkdir()
     file.write_bytes(damage)
@@ -56,11 +57,11 @@ def test_a_file_that_cannot_be_written_is_ignored(tmp_path: Path) -> None:
 
 def test_the_file_stays_small(file: Path, tmp_path: Path) -> None:
     kept = BreakpointFile(str(file))
-    for number in range(MOST_PROGRAMS + 5):
+    for number in range(BreakpointFile.MOST_PROGRAMS + 5):
         kept.write(tmp_path / f"{number}.gd", range(1, 1000))
 
-    assert len(file.read_text().splitlines()) == MOST_PROGRAMS
-    assert file.stat().st_size < LARGEST
+    assert len(file.read_text().splitlines()) == BreakpointFile.MOST_PROGRAMS
+    assert file.stat().st_size < BreakpointFile.LARGEST
 
 
 def test_the_difference_of_two_texts_moves_the_breakpoints() -> None:

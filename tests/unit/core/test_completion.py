@@ -4,7 +4,7 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from donnie_tui.core.completion import completion
+from donnie_tui.core.program_text import completion
 
 
 def words(text: str, language: str = "en", colours: tuple[str, ...] | None = None) -> tuple[str, ...]:

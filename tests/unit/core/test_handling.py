@@ -5,7 +5,7 @@ from pathlib import Path
 
 from donnie_tui.core.actions import Deed
 from donnie_tui.core.events import TRANSIENT, GripperUsed, Reset, RunEnded, RunStarted, Stamped, ThingsMoved
-from donnie_tui.core.session import Busy, Session
+from donnie_tui.core.session import Busy, RunOptions, Session, SessionSetup
 from donnie_tui.core.timeline import Timeline
 from donnie_tui.core.transcript import told_lines
 from donnie_tui.i18n.words import Words
@@ -34,9 +34,7 @@ class Room:
         self.session = Session(
             lambda pace, watcher: partial(world.robot, pace=pace, watcher=watcher)(),
             self.words,
-            world="room",
-            seed=0,
-            terminal=True,
+            SessionSetup("room", seed=0, terminal=True),
             moved_things=ThingWatch(world),
         )
         self.heard: list[Stamped] = []
@@ -53,7 +51,7 @@ class Room:
         assert self.session.use_gripper(deed).wait(PATIENCE)
 
     def run(self, text: str, *, fresh: bool = False) -> None:
-        assert self.session.start(text, "a.gd", fresh=fresh).wait(PATIENCE)
+        assert self.session.start(text, "a.gd", RunOptions(fresh=fresh)).wait(PATIENCE)
 
     @property
     def printed(self) -> list[str]:

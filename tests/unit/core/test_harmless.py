@@ -11,12 +11,12 @@ from textual.color import Color
 from donnie_tui.core.document import Document
 from donnie_tui.core.events import Spoke
 from donnie_tui.core.program_files import decode
-from donnie_tui.core.safe_text import printable
 from donnie_tui.core.transcript import lines_of
 from donnie_tui.i18n.words import Words
 from donnie_tui.linear.output import Told
 from donnie_tui.tui.printable import Printable
 from language.diagnostics import Diagnostic, MistakeKind, Span
+from language.source import printable
 
 HARMFUL = (
     *map(chr, (*range(0x20), *range(0x7F, 0xA0), 0x2028, 0x2029, *range(0x202A, 0x202F))),

@@ -9,8 +9,8 @@ from pathlib import Path
 
 import pytest
 
-from donnie_tui.core import line_files
-from donnie_tui.core.line_files import SlowReader
+from donnie_tui.outlets import files
+from donnie_tui.outlets.files import SlowReader
 
 Pipe = tuple[int, int]
 
@@ -43,30 +43,30 @@ def test_all_lines_arrive_in_order_also_those_that_wait_at_the_end(pipe: Pipe) -
 def test_a_reader_that_does_not_read_delays_nothing_and_is_reported_when_too_much_waits(
     pipe: Pipe, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    monkeypatch.setattr(line_files, "LONGEST_STALL", 0.0)
+    monkeypatch.setattr(files, "LONGEST_STALL", 0.0)
     reader = SlowReader(pipe[1])
     line = "a line that is as long as an event\n"
     with pytest.raises(OSError, match=os.strerror(11)):
-        for _ in range(2 * line_files.MOST_WAITING // len(line)):
+        for _ in range(2 * files.MOST_WAITING // len(line)):
             reader.write(line)
     reader.close()
 
 
 def test_fewer_long_lines_are_too_much(pipe: Pipe, monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr(line_files, "LONGEST_STALL", 0.0)
+    monkeypatch.setattr(files, "LONGEST_STALL", 0.0)
     reader, taken = SlowReader(pipe[1]), 0
     with pytest.raises(OSError, match=os.strerror(11)):
         for _ in range(100):
             taken += reader.write("a" * 1_000_000)
     reader.close()
-    assert taken <= line_files.MOST_WAITING + 1_000_000
+    assert taken <= files.MOST_WAITING + 1_000_000
 
 
 def test_late_lines_are_not_written_into_a_file_that_is_opened_later(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     """The system gives the number of a closed file to the next one."""
-    monkeypatch.setattr(line_files, "LONGEST_STALL", 0.0)
+    monkeypatch.setattr(files, "LONGEST_STALL", 0.0)
     here, there = os.pipe()
     reader = SlowReader(there)
     for _ in range(3):
@@ -86,7 +86,7 @@ def test_late_lines_are_not_written_into_a_file_that_is_opened_later(
 def test_a_reader_that_waits_at_the_end_is_not_waited_for_long(
     pipe: Pipe, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    monkeypatch.setattr(line_files, "LONGEST_STALL", 0.0)
+    monkeypatch.setattr(files, "LONGEST_STALL", 0.0)
     reader = SlowReader(pipe[1])
     reader.write("a" * 1_000_000)
     reader.close()

@@ -9,9 +9,8 @@ import pytest
 
 import worlds
 from devices.ports.robot import STEP, Pose
-from donnie_tui.core.braille import ASCII, braille, braille_pages, dots
-from donnie_tui.core.chart import Chart, Robot, chart, shrunk
-from donnie_tui.core.raised_picture import A4, LINE, raised_picture
+from donnie_tui.core.chart import Chart, ChartedRobot, chart, shrunk
+from donnie_tui.core.paper import A4, ASCII, LINE, braille, braille_pages, dots, raised_picture
 from donnie_tui.i18n.words import Words
 from sim.picture import Drawing, Picture, Thing, drawings, picture
 from sim.scene import Scene
@@ -241,7 +240,7 @@ def test_names_with_characters_that_xml_forbids_are_safe() -> None:
 
     assert root.findtext(f"{SVG}title") == f"Map of <& {'x' * 99}"
     assert max(float(each.get("cx") or 0) for each in root.iter(f"{SVG}circle")) < A4[1]
-    assert isinstance(plan.robots[0], Robot)
+    assert isinstance(plan.robots[0], ChartedRobot)
 
 
 def test_the_dots_of_the_legend_can_be_read() -> None:

@@ -6,7 +6,7 @@ from pathlib import Path
 import pytest
 
 from donnie_tui.core.events import Announced
-from donnie_tui.core.session import Session
+from donnie_tui.core.session import Session, SessionSetup
 from donnie_tui.core.transcript import told_lines
 from donnie_tui.core.wording import coloured, shade
 from donnie_tui.i18n.words import Words
@@ -29,9 +29,7 @@ def push_announcements(
     session = Session(
         lambda pace, watcher: partial(world.robot, pace=pace, watcher=watcher)(),
         words,
-        world="room",
-        seed=0,
-        terminal=False,
+        SessionSetup("room", seed=0, terminal=False),
     )
     lines: list[str] = []
 

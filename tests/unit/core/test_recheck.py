@@ -7,7 +7,8 @@ import pytest
 from donnie_tui.core.events import TRANSIENT, Moved, RunStarted, Spoke, Stamped
 from donnie_tui.core.recheck import Result, Verdict, recheck
 from donnie_tui.core.replay import LONGEST_PAUSE, Replay, moments_of
-from donnie_tui.core.team import Assigned
+from donnie_tui.core.runner import RunRequest
+from donnie_tui.core.session import RunOptions
 from donnie_tui.core.timeline import Timeline
 from donnie_tui.i18n.words import Words
 from language.control import ExecutionControl
@@ -20,7 +21,7 @@ def recorded(hall: Hall) -> list[Stamped]:
 
 
 def run(hall: Hall, robot: str, text: str, *, fresh: bool = False) -> None:
-    assert hall.team.session(robot).start(text, f"{robot}.gd", fresh=fresh).wait(PATIENCE)
+    assert hall.team.session(robot).start(text, f"{robot}.gd", RunOptions(fresh=fresh)).wait(PATIENCE)
 
 
 def test_consecutive_runs_resets_and_questions_give_the_same_again() -> None:
@@ -110,7 +111,7 @@ ENDLESS = "VAR a = 1 WHILE a > 0 DO a = a + 1 END WHILE"
 @pytest.mark.parametrize("before", ["", "SPEAK 1 ", "FW 1 "], ids=["silent", "speaks", "moves"])
 def test_a_program_that_kept_its_turn_is_stopped_where_it_was(before: str, other: str) -> None:
     hall = Hall()
-    programs = {"alice": Assigned(before + ENDLESS, "a.gd"), "Bob": Assigned(other, "b.gd")}
+    programs = {"alice": RunRequest(before + ENDLESS, "a.gd"), "Bob": RunRequest(other, "b.gd")}
     count, computes = (len(before.split()) and 1) + 1, threading.Event()
     hall.team.stream.subscribe(lambda _: computes.set() if len(recorded(hall)) >= count else None)
     runs = hall.team.start_together(programs)

@@ -9,18 +9,10 @@ import pytest
 from devices.ports.robot import Pace, Watcher
 from donnie_tui.core.events import Answered, Stamped
 from donnie_tui.core.hub import Stream
-from donnie_tui.core.run_controller import (
-    TRANSITIONS,
-    NothingRuns,
-    NothingToRun,
-    Program,
-    Request,
-    RunController,
-    RunObserver,
-    RunState,
-)
-from donnie_tui.core.runner import Run
-from donnie_tui.core.session import Busy, Session
+from donnie_tui.core.run_controller import RunController
+from donnie_tui.core.run_state import TRANSITIONS, NothingRuns, NothingToRun, Request, RunObserver, RunState
+from donnie_tui.core.runner import Run, RunRequest
+from donnie_tui.core.session import Busy, Session, SessionSetup
 from donnie_tui.core.team import Team
 from donnie_tui.core.timeline import Chronicle
 from donnie_tui.i18n.words import Words
@@ -45,7 +37,7 @@ class Lesson(RunObserver):
             return world.robot(pace=pace, watcher=watcher, speed=speed)
 
         def make_session(_: str) -> Session:
-            return Session(make_robot, words, world="floor", seed=0, terminal=True, stream=stream)
+            return Session(make_robot, words, SessionSetup("floor", seed=0, terminal=True), stream=stream)
 
         self.team = Team(("donnie",), make_session, stream)
         self.answers: list[str] = []
@@ -71,7 +63,7 @@ class Lesson(RunObserver):
     def start(
         self, text: str, begin: Callable[[ExecutionControl], None] | None = None, *, is_whole: bool = True
     ) -> None:
-        self.run = self.runs.start(Program(text, "test.gd", is_whole=is_whole), begin=begin)
+        self.run = self.runs.start(RunRequest(text, "test.gd", is_whole=is_whole), begin=begin)
 
     def held(self) -> None:
         self.until(lambda: self.runs.is_held)
@@ -97,7 +89,7 @@ def in_state(state: RunState) -> Lesson:
 
 
 ASK: dict[Request, Callable[[RunController], object]] = {
-    Request.START: lambda runs: runs.start(Program(ENDLESS)),
+    Request.START: lambda runs: runs.start(RunRequest(ENDLESS)),
     Request.PAUSE: RunController.pause,
     Request.CONTINUE: RunController.continue_,
     Request.STEP: lambda runs: runs.run_to(9),
@@ -238,7 +230,7 @@ def test_a_variable_can_be_watched_from_the_middle_of_a_run_on() -> None:
 
 def test_breakpoints_hold_a_run_also_those_that_are_set_meanwhile() -> None:
     lesson = Lesson()
-    lesson.runs.start(Program("FW 1\nFW 2\nFW 3", breakpoints=frozenset({2})))
+    lesson.runs.start(RunRequest("FW 1\nFW 2\nFW 3", breakpoints=frozenset({2})))
     lesson.held()
     lesson.runs.break_at(frozenset({3}))
     lesson.runs.continue_()
@@ -267,7 +259,7 @@ def test_steps_are_undone_in_words_until_something_happens() -> None:
 
 def test_an_unattended_program_is_announced_not_held_and_its_stop_is_answered_at_once() -> None:
     lesson = Lesson(speed=1.0)
-    lesson.runs.start_in_background(Program(ENDLESS))
+    lesson.runs.start_in_background(RunRequest(ENDLESS))
     assert lesson.answers == ["donnie begins."]
     assert not lesson.runs.is_steppable
     lesson.runs.stop()

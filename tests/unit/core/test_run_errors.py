@@ -3,7 +3,7 @@
 import pytest
 
 from donnie_tui.core.events import INTERNAL, Error
-from donnie_tui.core.run_errors import MOST_KEPT, RunErrors, line_of
+from donnie_tui.core.run_state import MOST_KEPT, RunErrors, line_of
 from donnie_tui.i18n.words import Words
 
 SAY = Words("en")

@@ -19,7 +19,7 @@ from donnie_tui.core.events import (
     Statement,
     Waited,
 )
-from donnie_tui.core.session import Busy
+from donnie_tui.core.session import Busy, RunOptions
 from donnie_tui.core.timeline import Timeline
 from tests.floor import Floor
 from tests.patience import PATIENCE
@@ -170,7 +170,7 @@ def test_a_stop_in_the_middle_of_a_movement_halts_the_robot_and_ends_the_run(hoo
     floor = Floor(speed=1.0)
     moving = threading.Event()
     floor.session.hub.subscribe(lambda stamped: moving.set() if _is_step(stamped) else None)
-    run = floor.session.start("FW 1000", "test.gd", hooked=hooked)
+    run = floor.session.start("FW 1000", "test.gd", RunOptions(hooked=hooked))
 
     assert moving.wait(PATIENCE)
     floor.session.stop()

@@ -2,22 +2,22 @@
 
 from itertools import pairwise
 
-from donnie_tui.core.speeds import SPEEDS, faster, slower, speed_words
 from donnie_tui.i18n.words import Words
+from donnie_tui.settings.settings import SPEEDS, faster_than, slower_than, speed_words
 from language.locales import languages
 
 
 def test_faster_and_slower_undo_each_other() -> None:
     for one, other in pairwise(SPEEDS):
-        assert faster(one) == other
-        assert slower(other) == one
+        assert faster_than(one) == other
+        assert slower_than(other) == one
 
 
 def test_there_is_no_speed_beyond_the_first_and_the_last() -> None:
-    assert faster(None) is None
-    assert slower(SPEEDS[0]) == SPEEDS[0]
-    assert slower(0.3) == 0.3
-    assert faster(0.3) == SPEEDS[0]
+    assert faster_than(None) is None
+    assert slower_than(SPEEDS[0]) == SPEEDS[0]
+    assert slower_than(0.3) == 0.3
+    assert faster_than(0.3) == SPEEDS[0]
 
 
 def test_the_fastest_has_a_word() -> None:

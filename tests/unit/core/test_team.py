@@ -10,9 +10,9 @@ from devices.board_simulator.robot import SimulatedSerialRobot
 from devices.ports.robot import Pace, Watcher
 from donnie_tui.core.events import TRANSIENT, Moved, Outcome, RunEnded, RunStarted, Stamped, as_line
 from donnie_tui.core.hub import Stream
-from donnie_tui.core.runner import Run
-from donnie_tui.core.session import Busy, Session
-from donnie_tui.core.team import Assigned, Team
+from donnie_tui.core.runner import Run, RunRequest
+from donnie_tui.core.session import Busy, Session, SessionSetup
+from donnie_tui.core.team import Team
 from donnie_tui.core.transcript import told_lines
 from donnie_tui.i18n.words import Words
 from sim.world import World
@@ -44,10 +44,7 @@ class Hall:
             return Session(
                 lambda pace, watcher: robot(pace=pace, watcher=watcher),
                 self.words,
-                world="two",
-                seed=0,
-                terminal=True,
-                name=name,
+                SessionSetup("two", seed=0, terminal=True, name=name),
                 stream=self.stream_of_all,
             )
 
@@ -56,7 +53,7 @@ class Hall:
         self.stream_of_all.subscribe(self.heard.append)
 
     def run(self, alice: str, bob: str) -> list[Outcome | None]:
-        runs = self.team.start_together({"Bob": Assigned(bob, "b.gd"), "alice": Assigned(alice, "a.gd")})
+        runs = self.team.start_together({"Bob": RunRequest(bob, "b.gd"), "alice": RunRequest(alice, "a.gd")})
         assert all(run.wait(PATIENCE) for run in runs)
         return [run.outcome for run in runs]
 
@@ -164,7 +161,7 @@ def test_robots_see_each_other_and_do_not_pass_through_each_other() -> None:
 def test_a_stop_of_the_team_stops_all() -> None:
     hall = Hall(speed=50.0)
     endless = "WHILE 1 == 1 DO WAIT 1 END WHILE"
-    runs = hall.team.start_together({"alice": Assigned(endless, "a"), "Bob": Assigned(endless, "b")})
+    runs = hall.team.start_together({"alice": RunRequest(endless, "a"), "Bob": RunRequest(endless, "b")})
 
     hall.team.stop()
 
@@ -177,7 +174,7 @@ def test_one_robot_stops_and_the_other_continues() -> None:
     hall = Hall()
     endless = "WHILE 1 == 1 DO WAIT 1 END WHILE"
     alice, bob = hall.team.start_together(
-        {"alice": Assigned(endless, "a"), "Bob": Assigned("WAIT 500 FW 1", "b")}
+        {"alice": RunRequest(endless, "a"), "Bob": RunRequest("WAIT 500 FW 1", "b")}
     )
 
     assert bob.wait(PATIENCE)
@@ -190,7 +187,7 @@ def test_one_robot_stops_and_the_other_continues() -> None:
 def test_the_others_can_be_stopped_while_a_program_computes_without_end() -> None:
     hall = Hall()
     runs = hall.team.start_together(
-        {"alice": Assigned("WHILE 1 == 1 DO END WHILE", "a"), "Bob": Assigned("FW 1", "b")}
+        {"alice": RunRequest("WHILE 1 == 1 DO END WHILE", "a"), "Bob": RunRequest("FW 1", "b")}
     )
 
     hall.team.session("Bob").stop()
@@ -205,7 +202,7 @@ def test_one_busy_robot_prevents_the_start_of_all() -> None:
     run = hall.team.session("Bob").start("WAIT 1000", "b")
 
     with pytest.raises(Busy):
-        hall.team.start_together({"alice": Assigned("FW 1", "a"), "Bob": Assigned("FW 1", "b")})
+        hall.team.start_together({"alice": RunRequest("FW 1", "a"), "Bob": RunRequest("FW 1", "b")})
 
     assert hall.team.session("alice").run is None
     run.control.stop()

@@ -2,7 +2,7 @@
 
 from devices.ports.robot import Pose, StoppedBy
 from donnie_tui.core.events import Moved, Outcome, RunEnded, Stamped, Turned
-from donnie_tui.core.trail import KEPT, Trail
+from donnie_tui.core.map_grid import MOVES_KEPT, Trail
 from donnie_tui.i18n.words import Words
 
 WALK = Moved("FW 3", 3, 3, None, Pose(0, 3, 0), True)
@@ -52,7 +52,7 @@ def test_the_last_place_is_known_without_a_move_too() -> None:
 
 
 def test_the_oldest_moves_are_forgotten() -> None:
-    assert len(trail(*[WALK] * (KEPT + 10)).rows()) == KEPT
+    assert len(trail(*[WALK] * (MOVES_KEPT + 10)).rows()) == MOVES_KEPT
 
 
 def test_each_robot_has_a_trail_of_its_own() -> None:

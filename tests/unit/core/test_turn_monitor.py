@@ -5,9 +5,8 @@ from pathlib import Path
 import pytest
 
 from donnie_tui.core.events import Answered, RunStarted
-from donnie_tui.core.runner import Run
-from donnie_tui.core.team import Assigned
-from donnie_tui.core.turn_monitor import LONGEST_TURN, TurnMonitor
+from donnie_tui.core.runner import Run, RunRequest
+from donnie_tui.core.team import LONGEST_TURN, TurnMonitor
 from donnie_tui.i18n.words import Words
 from sim.world import World
 from sim.worldfile import load_text
@@ -126,7 +125,7 @@ def test_the_watching_thread_starts_and_ends_with_a_run() -> None:
 
     told = threading.Event()
     hall.stream_of_all.subscribe(lambda each: told.set() if isinstance(each.event, Answered) else None)
-    runs = hall.team.start_together({"alice": Assigned(ENDLESS, "a.gd")})
+    runs = hall.team.start_together({"alice": RunRequest(ENDLESS, "a.gd")})
 
     assert told.wait(LONG_ENOUGH)
     assert any(isinstance(each.event, RunStarted) for each in hall.heard)

@@ -2,9 +2,10 @@
 
 import pytest
 
+from donnie_tui.commands.arguments import answered, detail_named, switched
 from donnie_tui.commands.preferences import BY_NAME, value_typed
 from donnie_tui.commands.sound import cue_volume_typed
-from donnie_tui.core.typed_words import answered, detail_named, language_named, spelled, switched
+from donnie_tui.core.wording import language_named, spelled
 from donnie_tui.i18n.words import Words
 from language.locales import languages
 

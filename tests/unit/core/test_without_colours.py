@@ -6,7 +6,7 @@ from devices.board_simulator.board import SimulatedBoard
 from devices.board_simulator.robot import SimulatedSerialRobot
 from devices.ports.robot import Pace, Watcher
 from donnie_tui.core.events import Announced, Error, Stamped
-from donnie_tui.core.session import Session
+from donnie_tui.core.session import Session, SessionSetup
 from donnie_tui.i18n.words import Words
 from tests.patience import PATIENCE
 from tests.unit.devices.robots import wall_ahead
@@ -17,7 +17,7 @@ def announcements(program: str) -> list[str]:
         board = SimulatedBoard(wall_ahead(6), boot_loader=0.0)
         return SimulatedSerialRobot(board, pace=pace, watcher=watcher, speed=None)
 
-    session = Session(make, Words("en", "normal"), world="w", seed=0, terminal=False)
+    session = Session(make, Words("en", "normal"), SessionSetup("w", seed=0, terminal=False))
     heard: list[str] = []
 
     def remember(stamped: Stamped) -> None:

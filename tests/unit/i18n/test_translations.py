@@ -209,6 +209,36 @@ def test_a_sentence_with_a_mistake_is_english_in_a_session(added: Path) -> None:
     assert "messages.po answer-stopped-at" in missing_in(CODE)
 
 
+def test_a_changed_msgctxt_is_refused_with_its_line(added: Path) -> None:
+    file = added / "messages.po"
+    file.write_text(file.read_text("utf-8").replace('"linear-done"', '"linear-dune"'), "utf-8")
+    line = file.read_text("utf-8").splitlines().index('msgctxt "linear-dune"') + 1
+
+    what = "linear-dune is not in the English file: msgctxt stays as it is there"
+    assert [str(each) for each in mistakes()] == [f"{file}:{line}: {what}"]
+
+
+def test_a_rank_of_another_language_is_refused_with_its_line(added: Path) -> None:
+    file = added / "keywords.toml"
+    file.write_text(file.read_text("utf-8").replace("rank = 9", "rank = 2"), "utf-8")
+    _forget()
+
+    assert [str(each) for each in mistakes()] == [f"{file}:6: rank 2 is that of pt already"]
+
+
+def test_one_language_is_checked_by_its_code(added: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    text = (added / "words.toml").read_text("utf-8")
+    (added / "words.toml").write_text(text.replace("northeast =", "# northeast ="), "utf-8")
+    _forget()
+
+    assert main(["check", CODE]) == 0
+    assert capsys.readouterr().out == (
+        f"{CODE} lacks words.toml northeast in [compass]\n{CODE}: 0 wrong, 1 missing\n"
+    )
+    assert main(["check", "xx"]) == 2
+    assert capsys.readouterr().out == f"No folder xx in {BUILT_IN}, {added.parent}.\n"
+
+
 def test_a_changed_english_sentence_makes_its_translation_fuzzy_and_unused(
     added: Path, monkeypatch: pytest.MonkeyPatch, tmp_path: Path
 ) -> None:

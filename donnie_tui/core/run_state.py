@@ -1,0 +1,243 @@
+"""The state of runs: what a front end can request in which state, what is known of a run, and its mistakes.
+
+``TRANSITIONS`` says in which state a run takes which request. Of several mistakes the first one counts until
+the learner asks for another: it is the one to correct first.
+"""
+
+from __future__ import annotations
+
+import threading
+from collections.abc import Callable, Iterable, Sequence
+from enum import Enum, auto
+from typing import TYPE_CHECKING, TypeAlias
+
+from donnie_tui.core.events import Error, RunStarted, Stamped
+from donnie_tui.core.runner import Run, RunRequest
+from donnie_tui.core.session import Session
+from donnie_tui.core.transcript import lines_of, lines_said_by
+from donnie_tui.core.wording import Wording
+from language.control import ControlState, ExecutionControl
+from language.source import fold_name
+
+if TYPE_CHECKING:
+    from donnie_tui.core.stepping import Stepping
+
+MOST_KEPT = 200
+"""Mistakes that are remembered, the newest ones."""
+MOST_HINTS = 3
+LARGEST_HINTED = 50_000
+"""Characters of a text that is searched for hints: the search must not keep the learner waiting."""
+
+
+class RunState(Enum):
+    """What the program of a robot does."""
+
+    READY = "ready"
+    """No program runs: one can be started."""
+    RUNNING = "running"
+    PAUSED = "paused"
+    """The program is held between two statements, or within one that takes time."""
+    STOPPING = "stopping"
+    """The program was stopped or has ended, and was not summed up yet."""
+
+
+class Request(Enum):
+    """What can be asked of a run, and what its program does by itself."""
+
+    START = auto()
+    PAUSE = auto()
+    CONTINUE = auto()
+    STEP = auto()
+    """To the next statement, also STEP OVER and RUN TO."""
+    STEP_BACK = auto()
+    STOP = auto()
+    HOLD = auto()
+    """The program holds: a pause, a step or a breakpoint was reached."""
+    END = auto()
+    """The program ends."""
+    SUM_UP = auto()
+
+
+_S, _R = RunState, Request
+TRANSITIONS: dict[tuple[RunState, Request], RunState] = {
+    (_S.READY, _R.START): _S.RUNNING,
+    (_S.READY, _R.STEP_BACK): _S.READY,
+    (_S.RUNNING, _R.PAUSE): _S.RUNNING,
+    (_S.RUNNING, _R.CONTINUE): _S.RUNNING,
+    (_S.RUNNING, _R.STEP): _S.RUNNING,
+    (_S.RUNNING, _R.HOLD): _S.PAUSED,
+    (_S.PAUSED, _R.PAUSE): _S.PAUSED,
+    (_S.PAUSED, _R.CONTINUE): _S.RUNNING,
+    (_S.PAUSED, _R.STEP): _S.RUNNING,
+    (_S.PAUSED, _R.STEP_BACK): _S.PAUSED,
+    **{(state, _R.STOP): _S.STOPPING for state in (_S.RUNNING, _S.PAUSED, _S.STOPPING)},
+    **{(state, _R.END): _S.STOPPING for state in (_S.RUNNING, _S.STOPPING)},
+    (_S.STOPPING, _R.PAUSE): _S.STOPPING,
+    (_S.STOPPING, _R.CONTINUE): _S.STOPPING,
+    (_S.STOPPING, _R.STEP): _S.STOPPING,
+    (_S.STOPPING, _R.SUM_UP): _S.READY,
+}
+"""Where each request leads; one that is not listed is refused."""
+
+STATE_OF = {
+    ControlState.PAUSED: RunState.PAUSED,
+    ControlState.STOPPING: RunState.STOPPING,
+    ControlState.ENDED: RunState.STOPPING,
+}
+"""Of a program's control; all other states are RUNNING."""
+
+
+class NothingRuns(Exception):
+    """The request needs a program that runs."""
+
+
+class NothingToRun(Exception):
+    """The program has no text."""
+
+
+Begin: TypeAlias = Callable[[ExecutionControl], None]
+"""Asks for something before the first statement: a step, say."""
+
+
+class RunObserver:
+    """A front end's reactions to runs; each method does nothing unless it is overridden."""
+
+    def on_change(self) -> None:
+        """A hold was described or has ended, or a run is at its end. Called in any thread."""
+
+    def before_stop(self) -> None:
+        """Programs are about to be stopped. Called in any thread."""
+
+    def after_stop(self) -> None:
+        """Programs that ran unattended have been stopped; the answer follows."""
+
+
+class RunRecord:
+    """What is known of the latest run of one robot."""
+
+    def __init__(
+        self,
+        session: Session,
+        request: RunRequest,
+        watched: Sequence[str],
+        *,
+        is_attended: bool = True,
+        is_steppable: bool = True,
+        is_background: bool = False,
+    ) -> None:
+        self.session, self.request = session, request
+        self.is_background = is_background
+        """Whether the learner does not wait for it: its end gets few words."""
+        self.is_attended = is_attended
+        """Whether the front end follows it and sums it up."""
+        self.is_steppable = is_steppable
+        """Whether its holds are described in full, and wait for a request."""
+        self.run: Run | None = None
+        self.control: ExecutionControl | None = None
+        self.has_ended = self.is_summed_up = False
+        self.stopped_line = 0
+        self.is_pausing = False
+        """Whether a pause was asked for."""
+        self.was_described = threading.Event()
+        """Set when a hold was described."""
+        self.holds = False
+        """Whether a hold was described that no request has answered."""
+        self.is_silent = True
+        """Whether nothing was said since it began or since the last request."""
+        self.is_stepped = False
+        """Whether the last request was for one step: the learner waits for what it does."""
+        self.stepping: Stepping | None = None
+        self._watched = watched
+        remembered = {} if request.is_whole else session.variables
+        self._known = {fold_name(name): value for name, value in remembered.items()}
+        """Variables by folded name, as they were when they were compared last."""
+
+    @property
+    def is_current(self) -> bool:
+        """Whether the robot runs this, and not something that was started later."""
+        run = self.session.run
+        return run is not None and run.control is self.control
+
+    @property
+    def state(self) -> RunState:
+        """A run that is attended is STOPPING until it is summed up."""
+        if self.control is None or self.is_summed_up or not (self.is_attended or self.is_current):
+            return RunState.READY
+        return STATE_OF.get(self.control.state, RunState.RUNNING)
+
+    def changes(self, variables: Iterable[tuple[str, int]], words: Wording) -> tuple[str, ...]:
+        """A sentence for each watched variable that has changed; each change once."""
+        if not self._watched:
+            return ()
+        now = {fold_name(name): value for name, value in variables}
+        from donnie_tui.core.stepping import changes  # few learners watch a variable
+
+        sentences = tuple(changes(self._watched, self._known, now, words))
+        self._known |= now
+        return sentences
+
+
+# --- mistakes
+
+
+class RunErrors:
+    """The mistakes of one robot's last run, and the one that the learner is at. Subscribe ``on_event``."""
+
+    def __init__(self, errors: Iterable[Error] = (), of: Callable[[], str | None] = lambda: None) -> None:
+        """``of``: the robot, by the name in its events; None in a world of one robot."""
+        self._of = of
+        self.all = tuple(errors)
+        self._at = 0
+
+    def on_event(self, stamped: Stamped) -> None:
+        """Called in any thread. A run begins without mistakes."""
+        event = stamped.event
+        if stamped.robot != self._of():
+            return
+        if isinstance(event, RunStarted):
+            self.all, self._at = (), 0
+        elif isinstance(event, Error):
+            self.add(event)
+
+    def add(self, error: Error) -> None:
+        self.all = (*self.all[-MOST_KEPT + 1 :], error)
+
+    @property
+    def now(self) -> Error | None:
+        """The mistake that the learner is at."""
+        return self.all[self._at] if self.all else None
+
+    def go(self, by: int, wording: Wording) -> tuple[Error | None, tuple[str, ...]]:
+        """Moves by so many mistakes; returns the mistake and the sentences, or None and a sentence."""
+        if not self.all:
+            return None, self._none(wording)
+        wanted = self._at + by
+        if not 0 <= wanted < len(self.all):
+            return None, (wording("answer-no-more-errors", number=self._at + 1, count=len(self.all)),)
+        self._at = wanted
+        return self.all[wanted], lines_of(self.all[wanted], wording)
+
+    def in_words(self, wording: Wording) -> tuple[str, ...]:
+        """All mistakes again."""
+        return tuple(line for each in self.all for line in lines_of(each, wording)) or self._none(wording)
+
+    def explained(self, robot: str | None, wording: Wording) -> tuple[str, ...]:
+        """The current mistake in plain words, and what to do. ``robot`` has made it."""
+        if self.now is None:
+            return self._none(wording)
+        return lines_said_by(robot, wording.explanation(self.now), wording)
+
+    def _none(self, wording: Wording) -> tuple[str, ...]:
+        return (wording("answer-no-errors"),)
+
+
+def line_of(error: Error, wording: Wording) -> tuple[str, ...]:
+    """The line as it was when the mistake was made, none where it is not known."""
+    return lines_of(error, wording)[1:2] if error.source_line else ()
+
+
+def hints_for(text: str, session: Session, wording: Wording) -> tuple[str, ...]:
+    """What had no effect as that text ran, and what was probably meant."""
+    found = session.check(text, whole=False)[:MOST_HINTS] if len(text) <= LARGEST_HINTED else ()
+    sentences = ((wording.mistake(each), wording.hint(each)) for each in found)
+    return tuple(sentence for both in sentences for sentence in both if sentence)
