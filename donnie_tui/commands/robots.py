@@ -8,7 +8,7 @@ from pathlib import Path
 from donnie_tui.commands.context import Context
 from donnie_tui.commands.dispatch import handles
 from donnie_tui.commands.interaction import Option
-from donnie_tui.core.actions import Deed
+from donnie_tui.core.actions import GripperCommand
 from donnie_tui.core.program_files import DocumentError, exists
 from donnie_tui.core.session import LONGEST_STOP, Busy, Session
 from donnie_tui.core.wording import facing, no_such_robot, whole_steps
@@ -93,21 +93,21 @@ def _robot_in_words(ctx: Context, session: Session) -> str:
 @handles("grip")
 async def grip(ctx: Context, _: str) -> None:
     """Close the gripper."""
-    _use_gripper(ctx, Deed.GRIP)
+    _use_gripper(ctx, GripperCommand.GRIP)
 
 
 @handles("release")
 async def release(ctx: Context, _: str) -> None:
     """Open the gripper."""
-    _use_gripper(ctx, Deed.RELEASE)
+    _use_gripper(ctx, GripperCommand.RELEASE)
 
 
-def _use_gripper(ctx: Context, deed: Deed) -> None:
+def _use_gripper(ctx: Context, gripper_command: GripperCommand) -> None:
     """What comes of it belongs to the answer of a prompt, which waits for it."""
     session = ctx.donnie.session
     session.settle()
     try:
-        run = session.use_gripper(deed)
+        run = session.use_gripper(gripper_command)
     except Busy:
         ctx.answer_of_robot("screen-busy")
         return

@@ -91,7 +91,7 @@ def _note_run(ctx: Context, ended: Run, *, is_whole: bool) -> None:
     elif not is_whole and ctx.program.batch_was_refused():
         first = next(iter(ctx.errors.all), None)
         code = "linear-kept-known" if first and first.meant else "linear-kept"
-        ctx.answer(code, line=(first.mended_line or first.line) if first else 1)
+        ctx.answer(code, line=(first.fixed_line or first.line) if first else 1)
         if ctx.program.refusals > 1:
             ctx.answer("linear-forget", lines=ctx.program.waiting)
 

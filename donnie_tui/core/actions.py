@@ -68,7 +68,7 @@ class Handling:
         self._sentences = sentences
         self._moved_things = moved_things
 
-    def use_gripper(self, gripper_command: Deed) -> None:
+    def use_gripper(self, gripper_command: GripperCommand) -> None:
         """Uses the gripper and publishes the result, also when the robot has none."""
         try:
             done = self._gripped(gripper_command)
@@ -78,11 +78,11 @@ class Handling:
         self._hub.publish(GripperUsed(done.outcome, done.name, done.kind, done.colour))
         self.publish_things()
 
-    def _gripped(self, gripper_command: Deed) -> GripResult:
+    def _gripped(self, gripper_command: GripperCommand) -> GripResult:
         robot = self._robot
         if not _has_gripper(robot):
             raise RobotProblem("no-gripper")
-        return robot.grip() if gripper_command is Deed.GRIP else robot.release()
+        return robot.grip() if gripper_command is GripperCommand.GRIP else robot.release()
 
     def publish_things(self) -> None:
         """Publishes where things are now, if that has changed. A fresh start may put them back, too."""
@@ -91,7 +91,7 @@ class Handling:
             self._hub.publish(ThingsMoved(places))
 
 
-class Deed(Enum):
+class GripperCommand(Enum):
     """What a front end may ask of a gripper. The values are the names of the runs."""
 
     GRIP = "GRIP"
@@ -101,7 +101,7 @@ class Deed(Enum):
 class GripperRun:
     """A gripper command that runs as a program does."""
 
-    def __init__(self, gripper_command: Deed, handling: Handling) -> None:
+    def __init__(self, gripper_command: GripperCommand, handling: Handling) -> None:
         self._gripper_command = gripper_command
         self._handling = handling
 

@@ -13,9 +13,18 @@ from collections.abc import Callable, Mapping
 from enum import Enum
 from typing import ClassVar, TextIO, TypeAlias
 
-from msgspec import Struct
+from msgspec import Struct, field
 
 from devices.ports.robot import Bearing, Grip, Met, Pose, Pushed, StoppedBy
+
+
+def _name(kind: str) -> str:
+    """The name of a kind of events in the stream: ``RunStarted`` is ``run_started``."""
+    return re.sub(r"(?<!^)(?=[A-Z])", "_", kind).lower()
+
+
+class _Event(Struct, frozen=True, tag_field="event", tag=_name):
+    """An event; its name is in the field ``event`` of the stream."""
 
 
 class Outcome(Enum):
@@ -44,7 +53,7 @@ class HowStarted(Struct, frozen=True):
     """Whether the world has several robots, so that events say whose they are."""
     together: tuple[str, ...] = ()
     """The robots that started at the same moment, this one among them; empty for one alone."""
-    deed: str = ""
+    gripper_command: str = field(default="", name="deed")
     """The gripper command in place of a program, ``GRIP`` or ``RELEASE``; else empty."""
     refused: bool = False
     """Whether mistakes of form prevent the run."""
@@ -64,7 +73,7 @@ TYPED = "typed"
 """The name of a program that was typed and has no file."""
 
 
-class RunStarted(Struct, frozen=True):
+class RunStarted(_Event, frozen=True):
     PRIVATE: ClassVar[tuple[str, ...]] = ("how",)
     program: str
     world: str
@@ -75,7 +84,7 @@ class RunStarted(Struct, frozen=True):
     """What is needed to run it again."""
 
 
-class Statement(Struct, frozen=True):
+class Statement(_Event, frozen=True):
     """A statement is about to run; only with ``--trace``."""
 
     line: int
@@ -83,18 +92,18 @@ class Statement(Struct, frozen=True):
     depth: int
 
 
-class Spoke(Struct, frozen=True):
+class Spoke(_Event, frozen=True):
     text: str
 
 
-class Announced(Struct, frozen=True):
+class Announced(_Event, frozen=True):
     """A sentence from Donnie. ``code`` is its subject, ``text`` is in the learner's language."""
 
     code: str
     text: str
 
 
-class Moved(Struct, frozen=True):
+class Moved(_Event, frozen=True):
     """``asked`` and ``walked`` in steps, forward or backward as ``command`` says."""
 
     PRIVATE: ClassVar[tuple[str, ...]] = ("forward", "met", "pushed")
@@ -109,7 +118,7 @@ class Moved(Struct, frozen=True):
     pushed: tuple[Pushed, ...] = ()
 
 
-class Turned(Struct, frozen=True):
+class Turned(_Event, frozen=True):
     """``asked`` and ``turned`` in degrees, in the direction of the command."""
 
     PRIVATE: ClassVar[tuple[str, ...]] = ("right", "met", "pushed")
@@ -134,11 +143,11 @@ class SeenGroup(Struct, frozen=True):
     colours: tuple[str, ...]
 
 
-class Scanned(Struct, frozen=True):
+class Scanned(_Event, frozen=True):
     objects: tuple[SeenGroup, ...]
 
 
-class Read(Struct, frozen=True):
+class Read(_Event, frozen=True):
     """A sensor was read: ``distance``, ``position`` or ``colour``."""
 
     sensor: str
@@ -146,29 +155,26 @@ class Read(Struct, frozen=True):
     value: int
 
 
-class Waited(Struct, frozen=True):
+class Waited(_Event, frozen=True):
     seconds: int
 
 
-class CueSounded(Struct, frozen=True):
-    EVENT: ClassVar[str] = "cue"
+class CueSounded(_Event, frozen=True, tag="cue"):
     name: str
     bearing: float
     steps: float | None
 
 
-class BeltShown(Struct, frozen=True):
+class BeltShown(_Event, frozen=True, tag="belt"):
     """14 levels, 0 off to 3 strong: the upper row of seven, then the lower."""
 
-    EVENT: ClassVar[str] = "belt"
     levels: tuple[int, ...]
 
 
-class GripperUsed(Struct, frozen=True):
+class GripperUsed(_Event, frozen=True, tag="gripper"):
     """The gripper closed or opened; ``thing`` is the name of what it took or let go, where that has one."""
 
     PRIVATE: ClassVar[tuple[str, ...]] = ("kind", "colour")
-    EVENT: ClassVar[str] = "gripper"
     outcome: Grip
     thing: str
     kind: str = ""
@@ -186,25 +192,23 @@ class PlacedThing(Struct, frozen=True):
     """Its number among the world's models; names may be equal."""
 
 
-class ThingsMoved(Struct, frozen=True):
+class ThingsMoved(_Event, frozen=True, tag="things"):
     """All things that are not at their start: pushed, held, or put down again."""
 
-    EVENT: ClassVar[str] = "things"
     places: tuple[PlacedThing, ...]
 
 
-class Reset(Struct, frozen=True):
+class Reset(_Event, frozen=True):
     """The robot was put back to its start, with its memory cleared."""
 
     pose: Pose
 
 
-class SoundSwitched(Struct, frozen=True):
-    EVENT: ClassVar[str] = "sound"
+class SoundSwitched(_Event, frozen=True, tag="sound"):
     on: bool
 
 
-class Link(Struct, frozen=True):
+class Link(_Event, frozen=True):
     """The connection to a real robot: ``connected``, ``lost`` or ``restored``."""
 
     state: str
@@ -218,10 +222,10 @@ INTERNAL = "internal"
 """The kind of an internal error of Donnie. All other kinds are the language's."""
 
 
-class Error(Struct, frozen=True):
+class Error(_Event, frozen=True):
     """A mistake in the program. ``source_line`` is the line as typed, for front ends that print it."""
 
-    PRIVATE: ClassVar[tuple[str, ...]] = ("source_line", "calls", "code", "meant", "topic", "mended_line")
+    PRIVATE: ClassVar[tuple[str, ...]] = ("source_line", "calls", "code", "meant", "topic", "fixed_line")
     kind: str
     line: int
     column: int
@@ -236,30 +240,30 @@ class Error(Struct, frozen=True):
     """What was probably meant."""
     topic: str = ""
     """The command that it is about, as the canonical word of its help."""
-    mended_line: int = 0
+    fixed_line: int = field(default=0, name="mended_line")
     """The line to change, where it differs from the one in which the mistake was found."""
 
 
-class RunEnded(Struct, frozen=True):
+class RunEnded(_Event, frozen=True):
     outcome: Outcome
     pose: Pose
     variables: Mapping[str, int]
     seconds: float
 
 
-class Passing(Struct, frozen=True):
+class Passing(_Event, frozen=True):
     """Where the robot is while it moves; transient."""
 
     pose: Pose
 
 
-class Sensed(Struct, frozen=True):
+class Sensed(_Event, frozen=True):
     """The known distances around the robot, in steps; published on request of a screen; transient."""
 
     distances: Mapping[Bearing, int]
 
 
-class Answered(Struct, frozen=True):
+class Answered(_Event, frozen=True):
     """A front end's answer to its own commands, such as "Saved."; printed and spoken; transient."""
 
     text: str
@@ -271,13 +275,13 @@ class Answered(Struct, frozen=True):
     """Whether it repeats an earlier answer, which is not stored again."""
 
 
-class Pointed(Struct, frozen=True):
+class Pointed(_Event, frozen=True):
     """The content of the square under the pointer; for the status line and the voice, not kept; transient."""
 
     text: str
 
 
-class Chimed(Struct, frozen=True):
+class Chimed(_Event, frozen=True):
     """A front end's own cue, such as for an opened block; fields as of ``CueSounded``; transient."""
 
     name: str
@@ -287,7 +291,7 @@ class Chimed(Struct, frozen=True):
 
 TRANSIENT = (Passing, Sensed, Answered, Pointed, Chimed)
 
-Event: TypeAlias = (
+RecordedEvent: TypeAlias = (
     RunStarted
     | Statement
     | Spoke
@@ -306,12 +310,8 @@ Event: TypeAlias = (
     | Link
     | Error
     | RunEnded
-    | Passing
-    | Sensed
-    | Answered
-    | Pointed
-    | Chimed
 )
+Event: TypeAlias = RecordedEvent | Passing | Sensed | Answered | Pointed | Chimed
 
 
 class Stamped(Struct, frozen=True):
@@ -326,9 +326,7 @@ class Stamped(Struct, frozen=True):
 
 def event_name(event: Event | type[Event]) -> str:
     """The name of an event, or of a kind of events, in the stream, such as ``run_started``."""
-    kind = event if isinstance(event, type) else type(event)
-    given: str | None = getattr(kind, "EVENT", None)
-    return given or re.sub(r"(?<!^)(?=[A-Z])", "_", kind.__name__).lower()
+    return str(event.__struct_config__.tag)
 
 
 def as_record(stamped: Stamped, *, whole: bool = False) -> dict[str, object]:
@@ -348,9 +346,8 @@ def as_record(stamped: Stamped, *, whole: bool = False) -> dict[str, object]:
 
 def _fields(value: Struct, whole: bool) -> dict[str, object]:
     private = () if whole else getattr(value, "PRIVATE", ())
-    return {
-        name: _plain(getattr(value, name), whole) for name in value.__struct_fields__ if name not in private
-    }
+    names = zip(value.__struct_fields__, value.__struct_encode_fields__, strict=True)
+    return {key: _plain(getattr(value, name), whole) for name, key in names if name not in private}
 
 
 def _plain(value: object, whole: bool) -> object:

@@ -5,27 +5,26 @@ was used: version, seed, settings, and the world with all its files. The program
 their runs.
 
 Reading a damaged line reports its number and leaves the line out; all whole lines count. Lines stay in the
-file, so that a long recording needs little memory. A line is parsed only if it is short and not deeply
-nested, since json recurses in C. Every field must have the type that the event gives it.
+file, so that a long recording needs little memory. A line is parsed only if it is not deeply nested, since
+json recurses in C. msgspec checks that every field has the type that the event gives it. A field that is left
+out has its default, one that is unknown is ignored.
 """
 
 from __future__ import annotations
 
 import json
 import re
-import types
-import typing
 from array import array
 from collections.abc import Iterator, Mapping, Sequence
 from contextlib import suppress
-from enum import Enum
-from functools import cache
 from math import isfinite
-from typing import BinaryIO, TextIO, overload
+from typing import BinaryIO, TextIO, TypeVar, get_args, overload
 
-from msgspec import Struct
+from msgspec import Struct, ValidationError, convert, structs
 
-from donnie_tui.core.events import TRANSIENT, Event, Reset, RunEnded, RunStarted, Stamped, event_name
+from donnie_tui.core.events import Event, RecordedEvent, Reset, RunEnded, RunStarted, Stamped, event_name
+
+T = TypeVar("T")
 
 DEEPEST = 12
 """Nested brackets in a line; Donnie writes five at most."""
@@ -38,102 +37,39 @@ class DamagedLineError(ValueError):
     """A line that does not belong to a recording."""
 
 
-def parse_line(line: str) -> dict[str, object]:
-    """The object in a line. Raises ``DamagedLineError``."""
+class _Stamp(Struct, frozen=True):
+    """What all lines of events have in common."""
+
+    seq: int
+    t: float
+    robot: str | None = None
+
+
+def stamped_in(line: str) -> Stamped:
+    """The event of a line. Raises ``DamagedLineError`` for a wrong name, a missing field, a wrong type.
+
+    A run always names its robot, also in a world of one robot.
+    """
+    record = _record_in(line)
+    kind = _KINDS.get(str(record.get("event")))
+    if kind is None:
+        raise DamagedLineError("unknown event")
+    event, stamp = _converted(record, kind), _converted(record, _Stamp)
+    is_of_one = isinstance(event, RunStarted) and not (event.how and event.how.named)
+    return Stamped(stamp.seq, stamp.t, event, None if is_of_one else stamp.robot)
+
+
+def _record_in(line: str) -> dict[str, object]:
+    """The object in a line. The decoder of msgspec would refuse half a character, which a path may have."""
     if _is_deep(line):
         raise DamagedLineError("too deep")
     try:
-        record = json.loads(line)
-    except (ValueError, RecursionError):
+        record = _DECODER.decode(line)
+    except ValueError:
         raise DamagedLineError("no JSON") from None
     if not isinstance(record, dict):
         raise DamagedLineError("no object")
     return record
-
-
-def event_of(record: Mapping[str, object]) -> Stamped:
-    """The event of a line. Raises ``DamagedLineError`` for a wrong name, a missing field, a wrong type."""
-    kind = _kinds().get(str(record.get("event")))
-    if kind is None:
-        raise DamagedLineError("unknown event")
-    event = typing.cast(Event, _made(kind, record))
-    seq, t = _typed(int, record.get("seq")), _typed(float, record.get("t"))
-    return Stamped(seq, t, event, _robot_of(event, record.get("robot")))
-
-
-def _robot_of(event: Event, name: object) -> str | None:
-    """The robot in the record. A run always names its robot, also in a world of one robot."""
-    if isinstance(event, RunStarted) and not (event.how and event.how.named):
-        return None
-    return None if name is None else _typed(str, name)
-
-
-@cache
-def _kinds() -> Mapping[str, type[Struct]]:
-    """The event types by their names in the stream."""
-    recorded = [kind for kind in typing.get_args(Event) if kind not in TRANSIENT]
-    return {event_name(kind): kind for kind in recorded}
-
-
-@cache
-def _types_of(kind: type[Struct]) -> Mapping[str, object]:
-    hints = typing.get_type_hints(kind, localns={"ClassVar": typing.ClassVar})
-    return {name: hints[name] for name in kind.__struct_fields__}
-
-
-def _made(kind: type[Struct], record: object) -> object:
-    """A value from an object of JSON; a field that is left out has its default."""
-    if not isinstance(record, dict):
-        raise DamagedLineError(f"{kind.__name__} is no object")
-    given = {name: _typed(type_, record[name]) for name, type_ in _types_of(kind).items() if name in record}
-    try:
-        return kind(**given)
-    except TypeError:
-        raise DamagedLineError(f"{kind.__name__} lacks a field") from None
-
-
-def _typed(type_: typing.Any, value: object) -> typing.Any:  # the types and values of any field
-    """The value with that type. Raises ``DamagedLineError`` if it has another type."""
-    origin, inner = typing.get_origin(type_), typing.get_args(type_)
-    if origin in (types.UnionType, typing.Union):  # an optional one
-        return (
-            None
-            if value is None
-            else _typed(next(each for each in inner if each is not types.NoneType), value)
-        )
-    if origin is tuple and isinstance(value, list):
-        return tuple(_typed(inner[0], each) for each in value)
-    if origin is Mapping and isinstance(value, dict):
-        return {name: _typed(inner[1], each) for name, each in value.items()}
-    if isinstance(type_, type) and issubclass(type_, Struct):
-        return _made(type_, value)
-    if isinstance(type_, type) and issubclass(type_, Enum):
-        return _member(type_, value)
-    return _plain(type_, value)
-
-
-def _member(type_: type[Enum], value: object) -> Enum:
-    try:
-        return type_(value)
-    except ValueError:
-        raise DamagedLineError(f"no {type_.__name__}") from None
-
-
-def _plain(type_: object, value: object) -> object:
-    if type_ is float and isinstance(value, int | float) and not isinstance(value, bool):
-        number = _as_float(value)
-        if isfinite(number):
-            return number
-    elif type_ in (int, str, bool) and type(value) is type_:
-        return value
-    raise DamagedLineError(f"a {type(value).__name__} is in the wrong place")
-
-
-def _as_float(value: int | float) -> float:
-    try:
-        return float(value)
-    except OverflowError:
-        raise DamagedLineError("a number is too large") from None
 
 
 def _is_deep(line: str) -> bool:
@@ -143,6 +79,26 @@ def _is_deep(line: str) -> bool:
         if depth > DEEPEST:
             return True
     return False
+
+
+def _finite(number: str) -> float:
+    """Raises ``ValueError`` for a number that is too large, and for none."""
+    found = float(number)
+    if not isfinite(found):
+        raise ValueError(number)
+    return found
+
+
+_DECODER = json.JSONDecoder(parse_float=_finite, parse_constant=_finite)
+_KINDS: Mapping[str, type[Event]] = {event_name(kind): kind for kind in get_args(RecordedEvent)}
+"""The kinds of events by their names."""
+
+
+def _converted(record: dict[str, object], type_: type[T]) -> T:
+    try:
+        return convert(record, type_)
+    except ValidationError as problem:
+        raise DamagedLineError(str(problem)) from None
 
 
 FORMAT = 1
@@ -179,14 +135,7 @@ class Header(Struct, frozen=True):
 
     def write(self, out: TextIO) -> None:
         """The first line. Raises ``OSError``."""
-        record = {
-            KEY: FORMAT,
-            "version": self.version,
-            "seed": self.seed,
-            "robot": self.robot,
-            "belt": self.belt,
-            "world": self.world,
-        }
+        record = {KEY: FORMAT, **structs.asdict(self)}
         out.write(json.dumps(record, ensure_ascii=False, separators=(",", ":")) + "\n")
         out.flush()
 
@@ -253,11 +202,16 @@ class Recording:
             raise NoRecordingError
 
     def _take_header(self, line: bytes | None) -> None:
-        with suppress(DamagedLineError, UnicodeDecodeError, KeyError, TypeError):
+        with suppress(DamagedLineError, UnicodeDecodeError):
             if line is not None:
-                record = parse_line(line.decode("utf-8-sig"))
-                self.is_newer = _is_newer(record)
-                self.header = _header(record)
+                record = _record_in(line.decode("utf-8-sig"))
+                number = record.get(KEY)
+                self.is_newer = type(number) is int and number > FORMAT
+                if number == FORMAT:
+                    header = _converted(record, Header)
+                    self.header = structs.replace(
+                        header, version=header.version[:40], robot=header.robot[:200]
+                    )
 
     def _take(self, number: int, place: int, line: bytes | None, is_first: bool) -> None:
         stamped = _event(line) if line is None or len(line) <= LONGEST_LINE else None
@@ -337,22 +291,6 @@ def _lines(file: BinaryIO) -> Iterator[tuple[int, bytes | None]]:
 
 def _event(line: bytes | None) -> Stamped | None:
     try:
-        return None if line is None else event_of(parse_line(line.decode("utf-8", "surrogatepass")))
+        return None if line is None else stamped_in(line.decode("utf-8", "surrogatepass"))
     except (DamagedLineError, UnicodeDecodeError):
         return None
-
-
-def _is_newer(record: Mapping[str, object]) -> bool:
-    number = record.get(KEY)
-    return type(number) is int and number > FORMAT
-
-
-def _header(record: Mapping[str, object]) -> Header | None:
-    """The header in a line; None for one of another format."""
-    version, seed, robot = record["version"], record["seed"], record["robot"]
-    belt, world = record["belt"], record["world"]
-    if record[KEY] != FORMAT or not isinstance(version, str) or not isinstance(robot, str):
-        return None
-    if type(seed) is not int or not isinstance(belt, dict) or not isinstance(world, dict):
-        return None
-    return Header(version[:40], seed, robot[:200], belt, world)

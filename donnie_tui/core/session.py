@@ -16,7 +16,7 @@ from msgspec.structs import replace
 
 from devices.ports.robot import Pace, Pose, Robot, Watcher
 from donnie_tui import __version__
-from donnie_tui.core.actions import Deed, GripperRun, MovedThings, RobotActions, RobotWatcher
+from donnie_tui.core.actions import GripperCommand, GripperRun, MovedThings, RobotActions, RobotWatcher
 from donnie_tui.core.announcer import Announcer
 from donnie_tui.core.belt import BeltFeeling, BeltSettings
 from donnie_tui.core.events import HowStarted, Outcome, Reset, RunStarted, Sensed
@@ -78,7 +78,7 @@ class RunOptions(Struct, frozen=True):
     """Overrides the session's: the program of an editor is no terminal, the line below it is."""
     together: tuple[str, ...] = ()
     """The robots that start at the same moment."""
-    gripper_command: Deed | None = None
+    gripper_command: GripperCommand | None = None
     """In place of a program."""
 
 
@@ -221,7 +221,7 @@ class Session:
             self._pace.has_waited.clear()
             return self._run
 
-    def use_gripper(self, gripper_command: Deed) -> Run:
+    def use_gripper(self, gripper_command: GripperCommand) -> Run:
         """Closes or opens the gripper, as a run of its own. Raises ``Busy`` while a program runs."""
         return self._begun(self.claim("", gripper_command.value, RunOptions(gripper_command=gripper_command)))
 

@@ -1,6 +1,7 @@
 """The settings file: read, with its mistakes reported once, and written a line at a time.
 
-A damaged file never prevents a start: defaults apply, and the file is left as it is.
+A damaged file never prevents a start: defaults apply, and the file is left as it is. ``parsing`` checks the
+values and not msgspec: they are texts as on the command line, and each wrong one is reported by itself.
 """
 
 from __future__ import annotations

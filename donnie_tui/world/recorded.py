@@ -7,7 +7,6 @@ File names are ``N/PATH``: 0 is the folder of the world, the others are folders 
 from __future__ import annotations
 
 import base64
-import binascii
 import os
 import re
 from collections.abc import Iterator, Mapping, Sequence
@@ -16,7 +15,7 @@ from pathlib import Path, PurePosixPath
 from tempfile import TemporaryDirectory
 from typing import TYPE_CHECKING
 
-from msgspec import Struct
+from msgspec import Struct, ValidationError, convert
 from msgspec.structs import replace
 
 import worlds
@@ -102,34 +101,39 @@ def unpack(bundle: WorldBundle, folder: Path) -> tuple[Path, tuple[Path, ...]]:
     return folder.joinpath(*main.parts), tuple(folder / str(place) for place in places)
 
 
+class _RecordedFile(Struct, frozen=True):
+    """A file as JSON has it: a text as it is, everything else in base64."""
+
+    name: str
+    text: str | None = None
+    base64: bytes | None = None
+
+    @property
+    def data(self) -> bytes:
+        if self.text is not None:
+            return self.text.encode("utf-8", "surrogatepass")
+        if self.base64 is None:
+            raise BundleError("bundle-damaged")
+        return self.base64
+
+
+class _RecordedBundle(Struct, frozen=True):
+    name: str
+    main: str
+    robots: tuple[str, ...]
+    files: tuple[_RecordedFile, ...]
+
+
 def from_record(record: object) -> WorldBundle:
     """The bundle of a JSON object. Raises ``BundleError`` for what is none."""
     try:
-        return _from_record(record)
-    except (TypeError, KeyError, ValueError, binascii.Error, AttributeError):
+        read = convert(record, _RecordedBundle)
+    except ValidationError:
         raise BundleError("bundle-damaged") from None
-
-
-def _from_record(record: object) -> WorldBundle:
-    if not isinstance(record, dict):
-        raise TypeError
-    files = tuple((_text(each["name"]), _data(each)) for each in record["files"])
+    files = tuple((each.name, each.data) for each in read.files)
     if sum(len(data) for _, data in files) > LARGEST:
         raise BundleError("bundle-too-large", limit=LARGEST // 1024**2)
-    robots = tuple(_text(each) for each in record["robots"])
-    return WorldBundle(_text(record["name"]), _text(record["main"]), files, robots)
-
-
-def _text(value: object) -> str:
-    if not isinstance(value, str):
-        raise TypeError
-    return value
-
-
-def _data(entry: dict[str, object]) -> bytes:
-    if "text" in entry:
-        return _text(entry["text"]).encode("utf-8", "surrogatepass")
-    return base64.b64decode(_text(entry["base64"]), validate=True)
+    return WorldBundle(read.name, read.main, files, read.robots)
 
 
 def _content(data: bytes) -> dict[str, str]:

@@ -3,7 +3,7 @@
 from functools import partial
 from pathlib import Path
 
-from donnie_tui.core.actions import Deed
+from donnie_tui.core.actions import GripperCommand
 from donnie_tui.core.events import TRANSIENT, GripperUsed, Reset, RunEnded, RunStarted, Stamped, ThingsMoved
 from donnie_tui.core.session import Busy, RunOptions, Session, SessionSetup
 from donnie_tui.core.timeline import Timeline
@@ -47,8 +47,8 @@ class Room:
         timeline.go_to(len(timeline))
         return timeline
 
-    def use(self, deed: Deed) -> None:
-        assert self.session.use_gripper(deed).wait(PATIENCE)
+    def use(self, gripper_command: GripperCommand) -> None:
+        assert self.session.use_gripper(gripper_command).wait(PATIENCE)
 
     def run(self, text: str, *, fresh: bool = False) -> None:
         assert self.session.start(text, "a.gd", RunOptions(fresh=fresh)).wait(PATIENCE)
@@ -67,7 +67,7 @@ class Room:
 def test_a_missing_gripper_is_reported_and_publishes_no_grip() -> None:
     floor = Floor()
 
-    assert floor.session.use_gripper(Deed.GRIP).wait(PATIENCE)
+    assert floor.session.use_gripper(GripperCommand.GRIP).wait(PATIENCE)
 
     assert floor.printed == ["I have no gripper."]
     assert isinstance(floor.events[0], RunStarted)
@@ -78,8 +78,8 @@ def test_a_grip_without_a_thing_in_reach_holds_nothing() -> None:
     room = Room()
 
     room.run("TR 180")
-    room.use(Deed.GRIP)
-    room.use(Deed.RELEASE)
+    room.use(GripperCommand.GRIP)
+    room.use(GripperCommand.RELEASE)
 
     assert room.printed[-2:] == ["There is nothing to grip.", "I hold nothing."]
 
@@ -88,9 +88,9 @@ def test_a_held_thing_moves_along_and_its_place_is_published() -> None:
     room = Room()
 
     room.run("FW 1")
-    room.use(Deed.GRIP)
+    room.use(GripperCommand.GRIP)
     room.run("BW 5")
-    room.use(Deed.RELEASE)
+    room.use(GripperCommand.RELEASE)
     room.run("BW 1")
 
     assert "I hold the red box." in room.printed
@@ -110,7 +110,7 @@ def test_a_gripper_can_not_be_used_while_a_program_runs() -> None:
     run = floor.session.start("WAIT 1000", "a.gd")
 
     try:
-        floor.session.use_gripper(Deed.GRIP)
+        floor.session.use_gripper(GripperCommand.GRIP)
     except Busy:
         refused = True
     floor.session.stop()
@@ -122,7 +122,7 @@ def test_a_gripper_can_not_be_used_while_a_program_runs() -> None:
 def test_a_fresh_run_puts_everything_back_and_a_timeline_knows_it() -> None:
     room = Room()
     room.run("FW 1")
-    room.use(Deed.GRIP)
+    room.use(GripperCommand.GRIP)
     room.run("BW 5")
     assert room.timeline.things
 

@@ -36,7 +36,7 @@ from donnie_tui.core.events import (
     Waited,
     as_line,
 )
-from donnie_tui.core.recording import DamagedLineError, event_of, parse_line
+from donnie_tui.core.recording import DamagedLineError, stamped_in
 from tests.unit.core.values import HERE
 
 HOW = HowStarted("FW 1\n", 1, True, False, False, HERE, "pt", "brief", True, ("alice", "bob"), "")
@@ -64,7 +64,7 @@ EVENTS: tuple[Event, ...] = (
 
 
 def again(stamped: Stamped) -> Stamped:
-    return event_of(parse_line(as_line(stamped, whole=True)))
+    return stamped_in(as_line(stamped, whole=True))
 
 
 @pytest.mark.parametrize("event", EVENTS, ids=lambda event: type(event).__name__)
@@ -109,7 +109,7 @@ def test_the_table_has_every_kind_of_event() -> None:
 )
 def test_a_meaningless_line_is_no_event(line: str) -> None:
     with pytest.raises(DamagedLineError):
-        event_of(parse_line(line))
+        stamped_in(line)
 
 
 def test_brackets_in_a_text_do_not_count_as_nesting() -> None:
@@ -130,7 +130,7 @@ def test_a_line_with_any_value_in_a_field_is_refused_or_an_event(
     record[data.draw(st.sampled_from(sorted(record)))] = value
 
     try:
-        made = event_of(parse_line(json.dumps(record)))
+        made = stamped_in(json.dumps(record))
     except DamagedLineError:
         return
     assert isinstance(made.event, get_args(Event))
