@@ -27,7 +27,10 @@ LONGEST_BEGINNING = 1.0
 
 @handles("run")
 async def run(ctx: Context, _: str) -> None:
-    """Run what was typed and has not run yet; the whole program where it is edited as a whole."""
+    """Run what was typed and has not run yet, or all of an edited program; continue one that is held."""
+    if ctx.runs.is_held:
+        ctx.runs.continue_()
+        return
     await run_program(ctx, is_whole=False)
 
 
