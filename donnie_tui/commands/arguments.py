@@ -1,7 +1,7 @@
 """Parses what follows a command word: yes and no, on and off, numbers, a line with its text.
 
-Anything else is None and never taken for nothing, so that a slip of the fingers deletes no line; ``count``
-and ``numbers`` raise ``NotUnderstood``.
+Anything else is None and never taken for nothing, so that a slip of the fingers deletes no line;
+``read_count`` and ``read_numbers`` raise ``NotUnderstood``.
 """
 
 from __future__ import annotations
@@ -10,7 +10,7 @@ from donnie_tui.commands.interaction import NotUnderstood
 from donnie_tui.core.wording import meant
 
 
-def count(argument: str, default: int) -> int:
+def read_count(argument: str, default: int) -> int:
     """A number from 1, or ``default`` where nothing was typed."""
     found = count_in(argument, default)
     if found is None:
@@ -18,7 +18,7 @@ def count(argument: str, default: int) -> int:
     return found
 
 
-def numbers(argument: str, *, least: int = 0, most: int) -> tuple[int, ...]:
+def read_numbers(argument: str, *, least: int = 0, most: int) -> tuple[int, ...]:
     """From ``least`` to ``most`` whole numbers, with blanks or commas between them."""
     found = numbers_in(argument, most=most)
     if found is None or len(found) < least:

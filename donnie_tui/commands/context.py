@@ -11,6 +11,7 @@ from donnie_tui.commands.preferences import Preferences
 from donnie_tui.core.answer_log import AnswerLog
 from donnie_tui.core.events import Answered
 from donnie_tui.core.map_grid import Trail
+from donnie_tui.core.program_text import no_such_line
 from donnie_tui.core.run_controller import RunController
 from donnie_tui.core.run_state import RunErrors
 from donnie_tui.core.transcript import lines_said_by, said_by
@@ -92,6 +93,10 @@ class Context:
     def answer(self, code: str, **values: object) -> None:
         """Answer with a sentence of the catalogue."""
         self.say(self.words(code, **values))
+
+    def answer_no_line(self, number: int) -> None:
+        """Answer that the program has no line of that number."""
+        self.say(no_such_line(len(self.program.lines), number, self.words))
 
     def say_of_robot(self, *lines: str) -> None:
         """As ``say``; the first line names the robot that the learner talks to, where there are several."""

@@ -7,8 +7,9 @@ Handlers are loaded when they are first used. A handler is ``async def NAME(ctx,
 from __future__ import annotations
 
 from collections.abc import Awaitable, Callable
+from functools import partial, update_wrapper
 from importlib import import_module
-from typing import TYPE_CHECKING, TypeAlias
+from typing import TYPE_CHECKING, TypeAlias, TypeVar
 
 from donnie_tui.commands.declarations import BY_NAME, Command, When
 from donnie_tui.commands.interaction import GivenUp, NotUnderstood
@@ -20,6 +21,7 @@ if TYPE_CHECKING:
     from donnie_tui.core.program_files import DocumentError
 
 Handler: TypeAlias = "Callable[[Context, str], Awaitable[None]]"
+AnyHandler = TypeVar("AnyHandler", bound=Callable[..., Awaitable[None]])
 
 _NEEDED = {RunState.READY: When.IDLE, RunState.PAUSED: When.HELD}
 """When a command must be possible, by what the program of the robot does; ALWAYS otherwise."""
@@ -28,14 +30,17 @@ HANDLERS: dict[str, Handler] = {}
 """By the names of their commands, as far as their modules are loaded."""
 
 
-def handles(name: str) -> Callable[[Handler], Handler]:
-    """Mark the handler of a command. Raises ``KeyError`` for a name that is not declared."""
+def handles(name: str, /, **given: object) -> Callable[[AnyHandler], AnyHandler]:
+    """Mark the handler of a command, which gets ``given`` besides: one function may handle several commands.
+
+    Raises ``KeyError`` for a name that is not declared.
+    """
     module = BY_NAME[name].module
 
-    def mark(handler: Handler) -> Handler:
+    def mark(handler: AnyHandler) -> AnyHandler:
         if name in HANDLERS or handler.__module__ != f"donnie_tui.commands.{module}":
             raise ValueError(f"{name} has another handler, or is declared for the module {module}")
-        HANDLERS[name] = handler
+        HANDLERS[name] = update_wrapper(partial(handler, **given), handler) if given else handler
         return handler
 
     return mark

@@ -1,20 +1,27 @@
-"""LIST, CHANGE, INSERT, DELETE, MOVE, UNDO, REDO: the lines of the program, by their numbers."""
+"""LIST, CHANGE, MOVE, UNDO, FIX, SEARCH, REPLACE, FORMAT: the program's lines, and the program as a text."""
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING
+from collections.abc import Callable, Iterator
+from contextlib import contextmanager
 
-from donnie_tui.commands import arguments
-from donnie_tui.commands.arguments import number_and_text
+from donnie_tui.commands.arguments import number_and_text, read_numbers, replacement
+from donnie_tui.commands.context import Context
 from donnie_tui.commands.dispatch import handles
-from donnie_tui.commands.interaction import GivenUp, NotUnderstood
-from donnie_tui.core.document import ANOTHER_PROGRAM, ProgramTooLong
-from donnie_tui.core.program_text import no_such_line
-
-if TYPE_CHECKING:
-    from collections.abc import Callable
-
-    from donnie_tui.commands.context import Context
+from donnie_tui.commands.interaction import GivenUp, NotUnderstood, Option
+from donnie_tui.core.document import ANOTHER_PROGRAM, Document, ProgramTooLong
+from donnie_tui.core.program_text import (
+    Mistake,
+    fixed,
+    line_in_words,
+    mistakes,
+    not_found,
+    not_replaceable,
+    quoted_word,
+)
+from donnie_tui.core.wording import language_named, name_of_language
+from language.formatter import formatted
+from language.locales import languages
 
 MOST_AT_ONCE = 20
 """Lines that LIST says one after the other; more are shown as a page, where there are pages."""
@@ -26,11 +33,11 @@ MOST_AT_ONCE = 20
 @handles("list")
 async def list_lines(ctx: Context, argument: str) -> None:
     """All lines, one line, or the lines from one to another."""
-    given, lines = arguments.numbers(argument, most=2), ctx.program.lines
+    given, lines = read_numbers(argument, most=2), ctx.program.lines
     begin = given[0] if given else 1
     end = min(given[-1] if given else len(lines), len(lines))
     if not 1 <= begin <= end:
-        _refuse(ctx, begin)
+        ctx.answer_no_line(begin)
         return
     rows = [
         ctx.words("linear-listed", line=number, text=lines[number - 1].strip())
@@ -54,18 +61,34 @@ async def show_program(ctx: Context, _: str) -> None:
         ctx.screen.focus("program")
 
 
-def _refuse(ctx: Context, number: int) -> None:
-    """The program has no such line."""
-    ctx.say(no_such_line(len(ctx.program.lines), number, ctx.words))
-
-
-def line_in_words(ctx: Context, number: int) -> str:
+def _numbered(ctx: Context, number: int) -> str:
     """The line with its number."""
     text = ctx.program.lines[number - 1].strip()
     return ctx.words("answer-line", line=number, text=text or ctx.words("line-empty"))
 
 
+def say_line(ctx: Context, number: int, before: int) -> None:
+    """The line; its level, where it differs from that of the line ``before``."""
+    text = ctx.program.structure
+    level_of = text.line(before) if 1 <= before <= len(text) else None
+    ctx.say(line_in_words(text.line(number), level_of, ctx.words))
+
+
 # --- changing
+
+
+@contextmanager
+def _changing(ctx: Context) -> Iterator[None]:
+    """A change and its answer; answers where the text gets too long, or all that ran waits again."""
+    ran, waiting = ctx.program.ran, ctx.program.waiting
+    try:
+        yield
+    except ProgramTooLong:
+        ctx.answer("linear-too-long")
+        return
+    now = ctx.program.waiting
+    if ran and now > waiting + 1:
+        ctx.answer("linear-waits-again", lines=now)
 
 
 @handles("change")
@@ -77,7 +100,7 @@ async def change(ctx: Context, argument: str) -> None:
         await offer_again(ctx, text or rejected)
         return
     if not 1 <= number <= len(lines):
-        _refuse(ctx, number)
+        ctx.answer_no_line(number)
         return
     present = lines[number - 1].strip()
     if not text:
@@ -85,7 +108,10 @@ async def change(ctx: Context, argument: str) -> None:
         text = await _typed_line(ctx, code, number, present)
     if text.strip() in ("", present):
         raise GivenUp
-    _edit(ctx, lambda: document.change(number, text), number)
+    with _changing(ctx):
+        document.change(number, text)
+        document.place = number
+        ctx.say(_numbered(ctx, number))
 
 
 @handles("insert")
@@ -93,12 +119,15 @@ async def insert(ctx: Context, argument: str) -> None:
     """INSERT 3 FW 2: the lines from there on move down. Without a text the line is asked for."""
     document, (number, text) = ctx.program, _number_and_text(argument)
     if not 1 <= number <= len(document.lines) + 1:
-        _refuse(ctx, number)
+        ctx.answer_no_line(number)
         return
     text = text or await _typed_line(ctx, "linear-type-line", number)
     if not text.strip():
         raise GivenUp
-    _edit(ctx, lambda: document.insert(number, text), number)
+    with _changing(ctx):
+        document.insert(number, text)
+        document.place = number
+        ctx.say(_numbered(ctx, number))
 
 
 async def _typed_line(ctx: Context, code: str, number: int, present: str = "") -> str:
@@ -115,18 +144,6 @@ def _number_and_text(argument: str) -> tuple[int, str]:
     return found
 
 
-def _edit(ctx: Context, edit: Callable[[], None], number: int) -> None:
-    state = ran_and_waiting(ctx)
-    try:
-        edit()
-    except ProgramTooLong:
-        ctx.answer("linear-too-long")
-        return
-    ctx.program.place = number
-    ctx.say(line_in_words(ctx, number))
-    say_if_all_waits(ctx, state)
-
-
 async def offer_again(ctx: Context, line: str) -> None:
     """A line that was rejected because of a mistake: the learner corrects it, and enters it again.
 
@@ -139,7 +156,7 @@ async def offer_again(ctx: Context, line: str) -> None:
     else:
         ctx.program.add(line)
         number = ctx.program.place = len(ctx.program.lines)
-        ctx.say(line_in_words(ctx, number))
+        ctx.say(_numbered(ctx, number))
 
 
 @handles("delete")
@@ -148,7 +165,7 @@ async def delete(ctx: Context, argument: str) -> None:
 
     Without a number the line of the cursor; where there is no cursor, the lines that have not run.
     """
-    given, document = arguments.numbers(argument, most=2), ctx.program
+    given, document = read_numbers(argument, most=2), ctx.program
     if not given and not document.is_in_editor:
         count, kept = document.delete_waiting(), len(document.lines)
         ctx.say(_deleted(ctx, kept + 1, kept + count) if count else ctx.words("linear-nothing-to-delete"))
@@ -156,15 +173,14 @@ async def delete(ctx: Context, argument: str) -> None:
     first, end = (given[0], given[-1]) if given else (document.place,) * 2
     last = len(document.lines)
     if not 1 <= first <= end <= last:
-        _refuse(ctx, first if not 1 <= first <= last else end)
+        ctx.answer_no_line(first if not 1 <= first <= last else end)
         return
-    state = ran_and_waiting(ctx)
-    document.delete(first, end)
-    ctx.say(_deleted(ctx, first, end))
-    if first <= len(document.lines):
-        document.place = first
-        ctx.say(line_in_words(ctx, first))
-    say_if_all_waits(ctx, state)
+    with _changing(ctx):
+        document.delete(first, end)
+        ctx.say(_deleted(ctx, first, end))
+        if first <= len(document.lines):
+            document.place = first
+            ctx.say(_numbered(ctx, first))
 
 
 def _deleted(ctx: Context, first: int, last: int) -> str:
@@ -176,40 +192,30 @@ def _deleted(ctx: Context, first: int, last: int) -> str:
 @handles("move")
 async def move(ctx: Context, argument: str) -> None:
     """MOVE 5 2: line 5 before line 2. MOVE 5 7 2: lines 5 to 7."""
-    given, document = arguments.numbers(argument, least=2, most=3), ctx.program
+    given, document = read_numbers(argument, least=2, most=3), ctx.program
     first, last, to = given[0], given[-2], given[-1]
-    state, count = ran_and_waiting(ctx), len(document.lines)
-    try:
-        at = document.move(first, last, to)
-    except IndexError:
-        wrong = next((each for each in (first, last, to) if not 1 <= each <= count), None)
-        if wrong is None:
-            raise GivenUp from None
-        _refuse(ctx, wrong)
-        return
-    end = at + last - first
-    document.place = end
-    ctx.say(*(line_in_words(ctx, number) for number in range(at, end + 1)))
-    say_if_all_waits(ctx, state)
+    with _changing(ctx):
+        try:
+            at = document.move(first, last, to)
+        except IndexError:
+            wrong = next((each for each in (first, last, to) if not 1 <= each <= len(document.lines)), None)
+            if wrong is None:
+                raise GivenUp from None
+            ctx.answer_no_line(wrong)
+            return
+        document.place = end = at + last - first
+        ctx.say(*(_numbered(ctx, number) for number in range(at, end + 1)))
 
 
 # --- undoing
 
 
-@handles("undo")
-async def undo(ctx: Context, _: str) -> None:
-    """Undo the last change, and say the first line that differs now."""
-    state = ran_and_waiting(ctx)
-    _say_changed(ctx, ctx.program.undo())
-    say_if_all_waits(ctx, state)
-
-
-@handles("redo")
-async def redo(ctx: Context, _: str) -> None:
-    """The same, for the change that was undone last."""
-    state = ran_and_waiting(ctx)
-    _say_changed(ctx, ctx.program.redo())
-    say_if_all_waits(ctx, state)
+@handles("undo", change=Document.undo)
+@handles("redo", change=Document.redo)
+async def undo(ctx: Context, _: str, change: Callable[[Document], int | None]) -> None:
+    """Undo the last change, or make it again, and say the first line that differs now."""
+    with _changing(ctx):
+        _say_changed(ctx, change(ctx.program))
 
 
 def _say_changed(ctx: Context, changed: int | None) -> None:
@@ -221,7 +227,7 @@ def _say_changed(ctx: Context, changed: int | None) -> None:
     elif changed <= len(document.lines):
         if not document.is_in_editor:  # an editor has its cursor where the change was
             document.place = changed
-        ctx.say(line_in_words(ctx, changed))
+        ctx.say(_numbered(ctx, changed))
     elif document.lines:
         ctx.answer("linear-lines", lines=len(document.lines))
     else:
@@ -238,16 +244,161 @@ def say_restored(ctx: Context) -> None:
         ctx.answer(code, name=document.path.name, lines=lines)
 
 
-# --- what has run
+# --- mistakes
 
 
-def ran_and_waiting(ctx: Context) -> tuple[int, int]:
-    """How many lines have run and how many wait, before a change."""
-    return ctx.program.ran, ctx.program.waiting
+@handles("fix")
+async def fix(ctx: Context, _: str) -> None:
+    """Replace a mistake by what was probably meant, and say the line.
+
+    The mistake in the line that was read last, else the one that ERROR speaks of, else the next one. A line
+    that was rejected is offered again, fixed as far as that is known.
+    """
+    document, session = ctx.program, ctx.donnie.session
+    if document.rejected is not None:
+        await _fix_rejected(ctx, document.rejected)
+        return
+    found = mistakes(session.check(document.text), ctx.words)
+    known = [each for _, each in sorted(found.items()) if each.meant]
+    if not known:
+        ctx.answer("screen-no-fix" if found else "screen-nothing-to-fix")
+        return
+    mistake = _next_mistake(ctx, known)
+    before = document.place
+    with _changing(ctx):
+        document.replace_range(mistake.start, mistake.end, mistake.replacement)
+        if not document.is_in_editor:  # an editor keeps its cursor at its letter
+            document.place = mistake.fixed_line
+        say_line(ctx, mistake.fixed_line, before)
+        if ctx.screen is not None:
+            ctx.screen.mark_mistakes()
 
 
-def say_if_all_waits(ctx: Context, before: tuple[int, int]) -> None:
-    """A change to lines that had run makes the whole program wait again: the learner must know."""
-    (ran, waiting), now = before, ctx.program.waiting
-    if ran and now > waiting + 1:
-        ctx.answer("linear-waits-again", lines=now)
+def _next_mistake(ctx: Context, known: list[Mistake]) -> Mistake:
+    place, now = ctx.program.place, ctx.errors.now
+    here = (each for each in known if each.line == place)
+    reported = (each for each in known if now is not None and each.line == now.line)
+    following = (each for each in known if each.line > place)
+    return (*here, *reported, *following, *known)[0]
+
+
+async def _fix_rejected(ctx: Context, line: str) -> None:
+    found = mistakes(ctx.donnie.session.check(line, whole=False), ctx.words)
+    known = next((each for each in found.values() if each.meant), None)
+    if known is None:
+        ctx.answer("screen-no-fix")
+    if known is not None or ctx.interaction.can_edit:
+        await offer_again(ctx, line if known is None else fixed(line, known))
+
+
+# --- searching
+
+
+@handles("search")
+async def search(ctx: Context, argument: str) -> None:
+    """The next line with the word, from the reading place on and once round."""
+    _search(ctx, argument or await _asked_for_word(ctx))
+
+
+@handles("search_again")
+async def search_again(ctx: Context, _: str) -> None:
+    """The next line with the word that was searched last."""
+    _search(ctx, ctx.workspace.searched or await _asked_for_word(ctx))
+
+
+def _search(ctx: Context, wanted: str) -> None:
+    document = ctx.program
+    ctx.workspace.searched = wanted
+    before = document.place
+    line = document.find_next(wanted)
+    if line is None:
+        ctx.say(not_found(wanted, ctx.words))
+    else:
+        if ctx.screen is not None:
+            ctx.screen.focus("program")
+        say_line(ctx, line, before)
+
+
+async def _asked_for_word(ctx: Context) -> str:
+    if not ctx.interaction.is_attended:
+        raise NotUnderstood
+    wanted = await ctx.interaction.ask(ctx.words("ask-search"), ctx.workspace.searched)
+    if not wanted:
+        raise GivenUp
+    return wanted
+
+
+@handles("replace")
+async def replace(ctx: Context, argument: str) -> None:
+    """Replace a word everywhere in the program, as it is written; asks by what."""
+    document, wanted = ctx.program, argument or await _asked_for_word(ctx)
+    count = document.text.count(wanted)
+    if not count:
+        ctx.say(not_replaceable(document.lines, wanted, ctx.words))
+        return
+    question = ctx.words("ask-replace-by", word=quoted_word(wanted))
+    instead = replacement(await ctx.interaction.ask(question))
+    if instead is None:
+        raise GivenUp
+    with _changing(ctx):
+        document.rewrite(document.text.replace(wanted, instead))
+        ctx.answer("screen-replaced", count=count)
+
+
+# --- layout
+
+
+@handles("format")
+async def format_program(ctx: Context, _: str) -> None:
+    """Lay the program out in its canonical form."""
+    await _lay_out(ctx, None)
+
+
+@handles("translate")
+async def translate(ctx: Context, argument: str) -> None:
+    """Write the keywords in another language."""
+    language = language_named(argument)
+    if not argument and ctx.interaction.is_attended:
+        codes = languages()
+        names = [name_of_language(each, ctx.words.language) for each in codes]
+        options = [
+            Option(each, name, number=number)
+            for number, (each, name) in enumerate(zip(codes, names, strict=True), 1)
+        ]
+        printed = [ctx.words("linear-listed", line=number, text=name) for number, name in enumerate(names, 1)]
+        language = await ctx.interaction.choose(ctx.words("ask-translate"), options, printed)
+        if language is None:
+            return
+    if language is None:
+        raise NotUnderstood
+    await _lay_out(ctx, language)
+
+
+async def _lay_out(ctx: Context, language: str | None) -> None:
+    document, text = ctx.program, ctx.program.text
+    if not document.lines:
+        ctx.answer("linear-no-lines")
+        return
+    result = await ctx.interaction.background(
+        lambda: formatted(text, language), ctx.words("slow-layout"), may_be_left=True
+    )
+    if document is not ctx.program or document.text != text:
+        ctx.answer("text-changed-meanwhile")
+    elif result.text is None:
+        ctx.answer("screen-not-formatted", line=result.diagnostics[0].span.line)
+    else:
+        line = document.place
+        with _changing(ctx):
+            document.rewrite(result.text)
+            ctx.answer("screen-formatted")
+        document.place = min(line, len(document.lines))
+
+
+# --- the cursor
+
+
+@handles("complete")
+async def complete(ctx: Context, _: str) -> None:
+    """Offer the words that may continue what was typed."""
+    if ctx.screen is not None:
+        await ctx.screen.complete()

@@ -1,4 +1,4 @@
-"""READ, NEXT, BACK, PLACE, UP, OUTLINE and the mistakes: the program line by line.
+"""READ, NEXT, UP, OUTLINE, ERROR, EXPLAIN; LAST, SPELL, FIND, TYPED: the program, and what was said.
 
 The reading place is the line that was read last, or the line of the cursor. A move that is not possible says
 so and stays.
@@ -8,41 +8,43 @@ from __future__ import annotations
 
 from collections.abc import Callable
 
-from donnie_tui.commands import arguments
+from donnie_tui.commands.arguments import read_count, read_numbers
 from donnie_tui.commands.context import Context
 from donnie_tui.commands.dispatch import handles
-from donnie_tui.commands.interaction import Option
+from donnie_tui.commands.interaction import NotUnderstood, Option
+from donnie_tui.commands.lookup import find
+from donnie_tui.commands.program import say_line
+from donnie_tui.core.answer_log import found_in_words, none_so_far, spelled
 from donnie_tui.core.events import Error
 from donnie_tui.core.program_text import (
     ProgramText,
-    line_in_words,
-    no_such_line,
     outline_in_words,
     place_in_words,
 )
 from donnie_tui.core.run_state import line_of
+from donnie_tui.i18n.messages import SPELLING_OF_SIGN
+
+MOST_SHOWN = 10
+"""Answers that SHOW LOG repeats."""
+MOST_TYPED = 10
+"""Lines that TYPED prints."""
 
 
 def go_to(ctx: Context, number: int) -> None:
     """Read line ``number`` and stay there, with its level where that has changed."""
-    text = ctx.program.structure
-    try:
-        line = text.line(number)
-    except IndexError:
-        ctx.say(no_such_line(len(text), number, ctx.words))
+    if not 1 <= number <= len(ctx.program.lines):
+        ctx.answer_no_line(number)
         return
-    here = ctx.program.place
-    before = text.line(here) if 1 <= here <= len(text) else None
-    ctx.program.place = number
+    before, ctx.program.place = ctx.program.place, number
     if ctx.screen is not None:
         ctx.screen.focus("program")
-    ctx.say(line_in_words(line, before, ctx.words))
+    say_line(ctx, number, before)
 
 
 @handles("read")
 async def read(ctx: Context, argument: str) -> None:
     """Read a line, or once more the one of the reading place."""
-    given = arguments.numbers(argument, most=1)
+    given = read_numbers(argument, most=1)
     go_to(ctx, given[0] if given else max(1, ctx.program.place))
 
 
@@ -51,26 +53,17 @@ async def go_to_line(ctx: Context, argument: str) -> None:
     """Go to a line by its number, which is asked for."""
     typed = argument or await ctx.interaction.ask(ctx.words("ask-line"))
     if typed:
-        (number,) = arguments.numbers(typed, least=1, most=1)
+        (number,) = read_numbers(typed, least=1, most=1)
         go_to(ctx, number)
 
 
-@handles("next")
-async def next_line(ctx: Context, _: str) -> None:
-    """The next line."""
-    _step(ctx, "next", ctx.program.place + 1)
-
-
-@handles("back")
-async def line_before(ctx: Context, _: str) -> None:
-    """The line before."""
-    _step(ctx, "back", ctx.program.place - 1)
-
-
-def _step(ctx: Context, name: str, number: int) -> None:
-    last = len(ctx.program.structure)
+@handles("next", otherwise="read-no-next", by=1)
+@handles("back", otherwise="read-no-back", by=-1)
+async def next_line(ctx: Context, _: str, otherwise: str, by: int) -> None:
+    """The next line, or the line before."""
+    number, last = ctx.program.place + by, len(ctx.program.lines)
     if last and not 1 <= number <= last:
-        ctx.answer(f"read-no-{name}")
+        ctx.answer(otherwise)
     else:
         go_to(ctx, number)
 
@@ -87,38 +80,19 @@ async def last_line(ctx: Context, _: str) -> None:
     go_to(ctx, len(ctx.program.structure))
 
 
-@handles("up")
-async def up(ctx: Context, _: str) -> None:
-    """The line that opens the block."""
-    _move(ctx, "up", ProgramText.up)
-
-
-@handles("down")
-async def down(ctx: Context, _: str) -> None:
-    """The first line inside the block."""
-    _move(ctx, "down", ProgramText.down)
-
-
-@handles("next_same")
-async def next_same(ctx: Context, _: str) -> None:
-    """The next line of the same level in the same block."""
-    _move(ctx, "next_same", ProgramText.next_same)
-
-
-@handles("back_same")
-async def back_same(ctx: Context, _: str) -> None:
-    """The line of the same level before, in the same block."""
-    _move(ctx, "back_same", ProgramText.back_same)
-
-
-def _move(ctx: Context, name: str, find: Callable[[ProgramText, int], int | None]) -> None:
+@handles("up", otherwise="read-no-up", find=ProgramText.up)
+@handles("down", otherwise="read-no-down", find=ProgramText.down)
+@handles("next_same", otherwise="read-no-next_same", find=ProgramText.next_same)
+@handles("back_same", otherwise="read-no-back_same", find=ProgramText.back_same)
+async def move(ctx: Context, _: str, otherwise: str, find: Callable[[ProgramText, int], int | None]) -> None:
+    """To the line that opens the block, into the block, or along the lines of one level."""
     text = ctx.program.structure
     if not text:
         ctx.answer("linear-no-lines")
         return
     number = find(text, _line_within(ctx, text))
     if number is None:
-        ctx.answer(f"read-no-{name}")
+        ctx.answer(otherwise)
     else:
         go_to(ctx, number)
 
@@ -156,25 +130,11 @@ async def outline(ctx: Context, _: str) -> None:
 # --- mistakes
 
 
-@handles("error")
-async def latest_error(ctx: Context, _: str) -> None:
-    """The mistake that was said last; the reading place goes to its line."""
-    _go_to_error(ctx, 0)
-
-
-@handles("error_next")
-async def error_next(ctx: Context, _: str) -> None:
-    """The next mistake of the run."""
-    _go_to_error(ctx, 1)
-
-
-@handles("error_previous")
-async def error_previous(ctx: Context, _: str) -> None:
-    """The mistake before."""
-    _go_to_error(ctx, -1)
-
-
-def _go_to_error(ctx: Context, by: int) -> None:
+@handles("error", by=0)
+@handles("error_next", by=1)
+@handles("error_previous", by=-1)
+async def error(ctx: Context, _: str, by: int) -> None:
+    """The mistake that was said last, the next one, or the one before; the reading place goes there."""
     found, lines = ctx.errors.go(by, ctx.words)
     if found is not None:
         _show(ctx, found)
@@ -207,3 +167,86 @@ async def explain(ctx: Context, _: str) -> None:
     else:
         _show(ctx, found)
         ctx.say(*line_of(found, ctx.words))
+
+
+# --- what was said and typed
+
+
+@handles("last")
+async def last(ctx: Context, argument: str) -> None:
+    """Repeat the last answer, or one before it."""
+    answer = ctx.answers.last(read_count(argument, 1))
+    if answer:
+        ctx.say(*ctx.counted(answer), is_repeated=True)
+    else:
+        ctx.say(none_so_far(ctx.answers, ctx.words))
+
+
+@handles("spell")
+async def spell(ctx: Context, argument: str) -> None:
+    """Spell the last line of an answer."""
+    _spell(ctx, ctx.answers.last_line(read_count(argument, 1)))
+
+
+@handles("last_word")
+async def last_word(ctx: Context, _: str) -> None:
+    """Spell the last word of the last answer."""
+    _spell(ctx, ctx.answers.last_word())
+
+
+def _spell(ctx: Context, text: str) -> None:
+    ctx.say(*spelled(text, SPELLING_OF_SIGN, ctx.words), is_repeated=bool(text))
+
+
+@handles("find")
+async def find_answers(ctx: Context, argument: str) -> None:
+    """The lines that have a word; the log on the screen goes to it."""
+    if not argument:
+        raise NotUnderstood
+    is_found = bool(ctx.answers.found(argument))
+    ctx.say(*found_in_words(ctx.answers, argument, ctx.words), is_repeated=is_found)
+    if ctx.screen is not None:
+        ctx.screen.search_log(argument)
+
+
+@handles("show_log")
+async def show_log(ctx: Context, _: str) -> None:
+    """Go to the log; where there is no screen, repeat the last answers, the newest last."""
+    if ctx.screen is not None:
+        ctx.screen.focus("log")
+        return
+    answers = [ctx.answers.last(which) for which in range(min(MOST_SHOWN, len(ctx.answers)), 0, -1)]
+    if answers:
+        lines = [line for answer in answers for line in answer]
+        ctx.say(*ctx.counted(lines), is_repeated=True)
+    else:
+        ctx.answer("answer-nothing-said")
+
+
+@handles("open_log")
+async def open_log(ctx: Context, _: str) -> None:
+    """Open the log in the pager, where the terminal's own ways of reading work."""
+    if ctx.screen is not None:
+        ctx.screen.show_in_pager(ctx.screen.log_text)
+
+
+@handles("typed")
+async def typed(ctx: Context, argument: str) -> None:
+    """The lines that were typed last; the one that is chosen is typed again."""
+    lines = [each for each in enumerate(ctx.past.lines, 1) if not _is_typed(each[1])]
+    count = read_count(argument, MOST_TYPED if ctx.screen is None else max(1, len(lines)))
+    if not lines:
+        ctx.answer("linear-nothing-typed")
+        return
+    shown = lines[-count:]
+    options = [Option(line, line, number=number) for number, line in reversed(shown)]
+    printed = [ctx.words("linear-listed", line=number, text=line) for number, line in shown]
+    chosen = await ctx.interaction.choose(ctx.words("key-typed"), options, ctx.counted(printed))
+    if chosen is not None:
+        await ctx.interaction.type_again(chosen)
+
+
+def _is_typed(line: str) -> bool:
+    """Whether the line asks for the lines that were typed."""
+    found = find(line)
+    return found is not None and found[0].name == "typed"

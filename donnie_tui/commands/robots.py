@@ -90,24 +90,14 @@ def _robot_in_words(ctx: Context, session: Session) -> str:
 # --- the gripper
 
 
-@handles("grip")
-async def grip(ctx: Context, _: str) -> None:
-    """Close the gripper."""
-    _use_gripper(ctx, GripperCommand.GRIP)
-
-
-@handles("release")
-async def release(ctx: Context, _: str) -> None:
-    """Open the gripper."""
-    _use_gripper(ctx, GripperCommand.RELEASE)
-
-
-def _use_gripper(ctx: Context, gripper_command: GripperCommand) -> None:
-    """What comes of it belongs to the answer of a prompt, which waits for it."""
+@handles("grip", command=GripperCommand.GRIP)
+@handles("release", command=GripperCommand.RELEASE)
+async def use_gripper(ctx: Context, _: str, command: GripperCommand) -> None:
+    """Close or open the gripper. The answer of a prompt waits for what comes of it."""
     session = ctx.donnie.session
     session.settle()
     try:
-        run = session.use_gripper(gripper_command)
+        run = session.use_gripper(command)
     except Busy:
         ctx.answer_of_robot("screen-busy")
         return

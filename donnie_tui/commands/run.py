@@ -4,12 +4,11 @@ from __future__ import annotations
 
 from collections.abc import Callable
 
-from donnie_tui.commands import arguments
+from donnie_tui.commands.arguments import read_numbers
 from donnie_tui.commands.context import Context
 from donnie_tui.commands.dispatch import handles
 from donnie_tui.commands.interaction import NotUnderstood
 from donnie_tui.core.events import TYPED
-from donnie_tui.core.program_text import no_such_line
 from donnie_tui.core.run_controller import RunController
 from donnie_tui.core.run_state import Begin, NothingRuns, NothingToRun, Request, RunState
 from donnie_tui.core.runner import Run, RunRequest
@@ -25,19 +24,17 @@ LONGEST_BEGINNING = 1.0
 # --- starting
 
 
-@handles("run")
-async def run(ctx: Context, _: str) -> None:
-    """Run what was typed and has not run yet, or all of an edited program; continue one that is held."""
-    if ctx.runs.is_held:
+@handles("run", is_whole=False)
+@handles("again", is_whole=True)
+async def run(ctx: Context, _: str, is_whole: bool) -> None:
+    """Run what was typed and has not run yet, or the whole program from the start of the world.
+
+    A program that is edited as a whole always runs as a whole. RUN continues a program that is held.
+    """
+    if ctx.runs.is_held and not is_whole:
         ctx.runs.continue_()
-        return
-    await run_program(ctx, is_whole=False)
-
-
-@handles("again")
-async def again(ctx: Context, _: str) -> None:
-    """Run the whole program from the start of the world."""
-    await run_program(ctx, is_whole=True)
+    else:
+        await run_program(ctx, is_whole=is_whole)
 
 
 async def run_program(
@@ -144,6 +141,7 @@ async def together(ctx: Context, _: str) -> None:
 
 @handles("stop")
 async def stop(ctx: Context, _: str) -> None:
+    """Stop the program and the robot."""
     try:
         ctx.runs.stop()
     except NothingRuns:
@@ -176,6 +174,7 @@ async def pause(ctx: Context, _: str) -> None:
 
 @handles("continue_")
 async def continue_(ctx: Context, _: str) -> None:
+    """Let the program that is held run on."""
     try:
         ctx.runs.require(Request.CONTINUE)
     except NothingRuns:
@@ -185,24 +184,19 @@ async def continue_(ctx: Context, _: str) -> None:
     ctx.runs.continue_()
 
 
-@handles("step")
-async def step(ctx: Context, _: str) -> None:
-    await _step(ctx, RunController.step, ExecutionControl.step)
-
-
-@handles("step_over")
-async def step_over(ctx: Context, _: str) -> None:
-    """As STEP, a procedure as a whole."""
-    await _step(ctx, RunController.step_over, ExecutionControl.step)
+@handles("step", go_on=RunController.step)
+@handles("step_over", go_on=RunController.step_over)
+async def step(ctx: Context, _: str, go_on: Callable[[RunController], None]) -> None:
+    """One statement; with OVER a procedure as a whole."""
+    await _step(ctx, go_on, ExecutionControl.step)
 
 
 @handles("run_to")
 async def run_to(ctx: Context, argument: str) -> None:
     """Run until that line is next."""
-    (line,) = arguments.numbers(argument, least=1, most=1)
-    count = len(ctx.program.lines)
-    if not 1 <= line <= count:
-        ctx.say(no_such_line(count, line, ctx.words))
+    (line,) = read_numbers(argument, least=1, most=1)
+    if not 1 <= line <= len(ctx.program.lines):
+        ctx.answer_no_line(line)
         return
     at = ctx.program.pausing_line(line, ctx.donnie.session.parse)
     if at != line:
@@ -236,13 +230,13 @@ async def step_back(ctx: Context, _: str) -> None:
 @handles("break_")
 async def break_(ctx: Context, argument: str) -> None:
     """Set or clear the breakpoint of a line; alone, list the breakpoints."""
-    given, program = arguments.numbers(argument, most=1), ctx.program
+    given, program = read_numbers(argument, most=1), ctx.program
     line = given[0] if given else 0
     if not given:
         lines = ", ".join(map(str, sorted(program.breakpoints)))
         ctx.say(ctx.words("break-lines", lines=lines) if lines else ctx.words("break-none"))
     elif not 1 <= line <= len(program.lines):
-        ctx.say(no_such_line(len(program.lines), line, ctx.words))
+        ctx.answer_no_line(line)
     else:
         at = program.toggle_breakpoint(line, ctx.donnie.session.parse)
         ctx.workspace.keep_breakpoints()
@@ -277,15 +271,11 @@ async def show_variables(ctx: Context, _: str) -> None:
 # --- speed, start
 
 
-@handles("slower")
-async def slower(ctx: Context, _: str) -> None:
-    ctx.donnie.session.speed = slower_than(ctx.donnie.session.speed)
-    _say_speed(ctx)
-
-
-@handles("faster")
-async def faster(ctx: Context, _: str) -> None:
-    ctx.donnie.session.speed = faster_than(ctx.donnie.session.speed)
+@handles("slower", changed=slower_than)
+@handles("faster", changed=faster_than)
+async def slower(ctx: Context, _: str, changed: Callable[[float | None], float | None]) -> None:
+    """Run slower or faster from now on."""
+    ctx.donnie.session.speed = changed(ctx.donnie.session.speed)
     _say_speed(ctx)
 
 

@@ -33,33 +33,19 @@ _AS_BEFORE = ""
 """The row of the keys that gives all commands their own keys again."""
 
 
-@handles("language")
-async def language(ctx: Context, argument: str) -> None:
-    """Speak another language."""
-    await _choose(ctx, BY_KEY["lang"], argument)
-
-
-@handles("detail")
-async def detail(ctx: Context, argument: str) -> None:
-    """Say more or less."""
-    await _choose(ctx, BY_KEY["verbosity"], argument)
-
-
-@handles("theme")
-async def theme(ctx: Context, argument: str) -> None:
-    """Another look of the screen."""
-    await _choose(ctx, BY_KEY["theme"], argument)
-
-
-async def _choose(ctx: Context, preference: Preference, argument: str) -> None:
+@handles("language", key="lang")
+@handles("detail", key="verbosity")
+@handles("theme", key="theme")
+async def choose(ctx: Context, argument: str, key: str) -> None:
     """A value that was typed, or one that is chosen from a list; where there is no list, say the value."""
+    preference = BY_KEY[key]
     if not argument:
         await _choose_from_list(ctx, preference)
         return
     value = value_typed(preference, argument, ctx.words)
     if value is None:
         raise NotUnderstood
-    change(ctx, preference.key, value)
+    change(ctx, key, value)
 
 
 @handles("plain")

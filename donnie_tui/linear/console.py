@@ -1,9 +1,9 @@
-"""Everything that the linear mode waits for: keys, signals, and news from a running program.
+"""Standard input and output, and everything that the linear mode waits for: keys, signals, news, slow tasks.
 
-Rule: signals do nothing by themselves but wake whoever waits; what follows from them is decided in the
-main thread, between two steps and never in the middle of one. The exceptions are a terminal that takes no
-more output and a search for a robot: then Ctrl+C could not be noticed, so it has ``stop_at_once``
-called in another thread (Ctrl+Z ``before_suspending``), or calls ``give_up``, which takes no lock, itself.
+A signal only wakes the main thread, which decides what follows, between two steps and never in the middle of
+one. The exceptions are a terminal that takes no more output and a search for a robot: the main thread could
+not notice Ctrl+C then. So it has ``stop_at_once`` called in another thread (Ctrl+Z ``before_suspending``), or
+calls ``give_up`` itself, which takes no lock.
 """
 
 from __future__ import annotations
@@ -11,22 +11,27 @@ from __future__ import annotations
 import os
 import select
 import signal
+import threading
 import time
 from collections.abc import Callable
+from typing import TypeVar
 
-from donnie_tui.linear.terminal import Terminal, size
+from donnie_tui.commands.interaction import SLOW, SLOW_AGAIN, GivenUp
+from donnie_tui.linear.greeting import Terminal
 from donnie_tui.process.disconnection import ReaderWatch
 from donnie_tui.process.signals import LEAVING, Deputy, WakingSignals, suspend
 
+T = TypeVar("T")
+
 MOST_AHEAD = 64 * 1024
-"""Bytes that are taken from the terminal before somebody reads them."""
-_HEARD = (signal.SIGINT, signal.SIGTSTP, *LEAVING)
+"""Bytes that are taken from the terminal before they are read as lines."""
+_TAKEN = (signal.SIGINT, signal.SIGTSTP, *LEAVING)
 
 
 class Gone(Exception):
-    """Nobody is there any more: the terminal takes nothing, or a signal wants us to leave.
+    """Raised when the terminal takes no more output, or a signal ends Donnie.
 
-    No ``OSError``: what goes wrong with a file ends no conversation.
+    It is no ``OSError``, because a problem with a file ends no conversation.
     """
 
 
@@ -34,41 +39,41 @@ class Console:
     """Standard input and output with their signals. ``close`` leaves everything as it was found."""
 
     def __init__(self, terminal: Terminal | None) -> None:
-        """``terminal`` is there where lines are edited key by key."""
+        """``terminal`` is None where lines can't be edited key by key."""
         self.interrupted = False
-        """Ctrl+C was pressed and nobody has answered yet."""
+        """Whether Ctrl+C was pressed and had no effect yet."""
         self.has_news = False
-        """Something was told that can't wait until the line is finished."""
+        """Whether something was published that can't wait until the line is finished."""
         self.leaving: int | None = None
-        """The signal that wants us to leave."""
+        """The signal that ends Donnie."""
         self.stop_at_once: Callable[[], None] = _nothing
-        self.give_up: Callable[[], bool] = _nothing_waits
-        """Ends a search for a robot, during which nobody waits here; whether there was one."""
+        self.give_up: Callable[[], bool] = _never
+        """Ends a search for a robot, which keeps the main thread from waiting here; whether there was one."""
         self._has_given_up = False
         self.before_suspending: Callable[[], object] = _nothing
-        """Stops what can't be left alone, and returns once it stands."""
+        """Stops a robot that can't be left alone, and returns once it stands."""
         self.on_key: Callable[[], None] | None = None
-        """Called as soon as something is typed, Ctrl+C included, though nobody may read it for a while."""
-        self.lines_wait: Callable[[], bool] = _nothing_waits
-        """Whether something was told that is printed as soon as no line is being typed."""
+        """Called as soon as something is typed, Ctrl+C included, even if it is read much later."""
+        self.lines_wait: Callable[[], bool] = _never
+        """Whether lines wait that are printed as soon as no line is being typed."""
         self.when_idle: Callable[[], None] | None = None
-        """Called before somebody waits, with nothing typed that was not read."""
+        """Called before a wait, if all that was typed is read."""
         self.once_idle: list[Callable[[], None]] = []
-        """The same, each once, and while a line is waited for: a program that runs is not held up."""
+        """Each called once, before a wait for a line: they don't delay a running program."""
         self._ahead = b""
-        """What was typed where nobody was reading."""
+        """What was typed while no line was being read."""
         self.repaint: Callable[[], str] = str
-        """What stands on the current line, to be written again after a suspension."""
+        """The text of the current line, which is written again after a suspension."""
         self._terminal = terminal
         self._is_writing = False
         self._deputy = Deputy()
-        self._signals = WakingSignals(dict.fromkeys(_HEARD, self._heard))
+        self._signals = WakingSignals(dict.fromkeys(_TAKEN, self._on_signal))
         self._watch = ReaderWatch()
         if terminal:
             terminal.take()
 
     def edit(self, on: bool) -> None:
-        """Whether lines are edited key by key, or by the terminal itself."""
+        """Let Donnie edit lines key by key, or the terminal itself."""
         if self._terminal and on:
             self._terminal.take()
         elif self._terminal:
@@ -96,22 +101,23 @@ class Console:
         at_once = seconds == 0 or (reading and bool(self._ahead))
         has_to_do = self.when_idle is not None or (reading and bool(self.once_idle))
         if has_to_do and not at_once and not (is_watching and _has_typed()):
-            self._use_the_time(reading)
+            self._work_while_idle(reading)
         ready, _, _ = select.select(watched, [], [], 0 if at_once else seconds)
         if self._signals in ready:
-            self._take_signals()
+            for number in self._signals.numbers():
+                self._act_on(number)
         if 0 in ready and not reading:
-            self._look_ahead()
+            self._read_ahead()
         return reading and (0 in ready or bool(self._ahead))
 
-    def _use_the_time(self, reading: bool) -> None:
+    def _work_while_idle(self, reading: bool) -> None:
         if self.when_idle is not None:
             self.when_idle()
         while reading and self.once_idle:
             self.once_idle.pop()()
 
     def has_input(self) -> bool:
-        """Whether something was typed already; signals and nudges are left to whoever waits."""
+        """Whether something was typed already; signals and nudges are left to the next wait."""
         return bool(self._ahead) or _has_typed()
 
     def read(self) -> bytes:
@@ -119,8 +125,8 @@ class Console:
         ahead, self._ahead = self._ahead, b""
         return ahead or self._typed()
 
-    def _look_ahead(self) -> None:
-        """Keys count at once, also while a long answer is printed. The end of the input is found again."""
+    def _read_ahead(self) -> None:
+        """Report keys at once, also while a long answer is printed. The end of the input is found again."""
         typed = self._typed()
         self._ahead += typed
         if not typed:
@@ -131,10 +137,10 @@ class Console:
             data = os.read(0, 4096)
         except OSError:
             return b""
-        self._tell_of_key()
+        self._report_key()
         return data
 
-    def _tell_of_key(self) -> None:
+    def _report_key(self) -> None:
         if self.on_key is not None:
             self.on_key()
 
@@ -144,13 +150,21 @@ class Console:
         while (left := until - self.now()) > 0:
             self.wait(left)
 
+    def is_disturbed_within(self, seconds: float, *, reading: bool) -> bool:
+        """Wait so long. Whether Ctrl+C, a signal or (``reading``) a key came before."""
+        until = self.now() + seconds
+        while (left := until - self.now()) > 0:
+            if self.wait(left, reading=reading) or self.take_interrupt() or self.leaving is not None:
+                return True
+        return False
+
     def take_interrupt(self) -> bool:
         """Whether Ctrl+C was pressed since the last time."""
         interrupted, self.interrupted = self.interrupted, False
         return interrupted
 
     def pressed_interrupt(self) -> bool:
-        """As ``take_interrupt``, one that has just come and woken nobody yet included."""
+        """As ``take_interrupt``, a Ctrl+C included that has woken no wait yet."""
         self.wait(0)
         return self.take_interrupt()
 
@@ -159,21 +173,17 @@ class Console:
         has_news, self.has_news = self.has_news, False
         return has_news
 
-    def _take_signals(self) -> None:
-        for number in self._signals.numbers():
-            self._act_on(number)
-
     def _act_on(self, number: int) -> None:
         if number == signal.SIGINT:
             self.interrupted, self._has_given_up = not self._has_given_up, False
-            self._tell_of_key()
+            self._report_key()
         elif number in LEAVING:
             self.leaving = self.leaving or number
         elif number == signal.SIGTSTP:
             self._suspend()
 
     def _suspend(self) -> None:
-        """Ctrl+Z: no robot drives, the terminal as it was, until we are brought back."""
+        """Ctrl+Z: stop the robot and give the terminal back until the process is continued."""
         self.before_suspending()
         if self._terminal:
             self._terminal.give_back()
@@ -182,9 +192,9 @@ class Console:
             self._terminal.take()
             self.write(self.repaint())
 
-    def _heard(self, number: int, frame: object) -> None:  # noqa: ARG002 -- a signal handler is given both
+    def _on_signal(self, number: int, frame: object) -> None:  # noqa: ARG002 -- a signal handler is given both
         if number == signal.SIGTSTP:
-            if self._is_writing:  # we rest once output is taken again; the robot can't wait for that
+            if self._is_writing:  # the suspension follows once output is taken; the robot can't wait for that
                 self._deputy.do(self.before_suspending)
             return
         if self.give_up():
@@ -196,7 +206,7 @@ class Console:
     # --- writing
 
     def write(self, text: str) -> None:
-        """Write all of it at once. Raises ``Gone`` where nobody listens any more."""
+        """Write all of it at once. Raises ``Gone`` where the output is closed."""
         data = memoryview(text.encode("utf-8", "replace"))
         while data:
             self._is_writing = True
@@ -209,10 +219,10 @@ class Console:
             data = data[written:]
 
     def columns(self) -> int:
-        return size()[0]
+        return _size()[0]
 
     def rows(self) -> int:
-        return size()[1]
+        return _size()[1]
 
     def close(self) -> None:
         self._watch.close()
@@ -223,13 +233,72 @@ class Console:
         self._signals.close()
 
 
+def run_in_background(
+    console: Console,
+    task: Callable[[], T],
+    report: Callable[[], object],
+    *,
+    first: float = SLOW,
+    show: Callable[[], object] = lambda: None,
+    may_be_left: bool = False,
+) -> T:
+    """Run ``task`` in a thread of its own and return its result; call ``report`` each time it still runs.
+
+    The main thread waits, so that signals count. ``first`` is the time until the first report; ``show``
+    prints what the task itself publishes. Raises what the task raises, ``Gone`` for a signal that ends
+    Donnie, and ``GivenUp`` for Ctrl+C if the task ``may_be_left``, since it changes nothing.
+    """
+    results: list[T] = []
+    problems: list[BaseException] = []
+
+    def run() -> None:
+        try:
+            results.append(task())
+        except BaseException as problem:  # noqa: BLE001 -- raised again by the main thread
+            problems.append(problem)
+        console.nudge()
+
+    def is_over() -> bool:
+        return bool(results or problems)
+
+    def must_end() -> bool:
+        return console.leaving is not None or (may_be_left and console.interrupted)
+
+    threading.Thread(target=run, name="background", daemon=True).start()
+    due = console.now() + first
+    while not is_over():
+        if not must_end():
+            console.wait(max(0.0, due - console.now()))
+        if must_end() and not is_over():
+            if console.leaving is not None:
+                raise Gone
+            console.take_interrupt()
+            raise GivenUp
+        if console.now() >= due and not is_over():
+            report()
+            due = console.now() + SLOW_AGAIN
+        show()
+    if problems:
+        raise problems[0]
+    return results[0]
+
+
 def _has_typed() -> bool:
     return bool(select.select([0], [], [], 0)[0])
+
+
+def _size() -> tuple[int, int]:
+    """Columns and rows, 80 by 24 where they are unknown."""
+    try:
+        columns, rows = os.get_terminal_size(1)
+    except OSError:
+        return 80, 24
+    return columns or 80, rows or 24
 
 
 def _nothing() -> None:
     return
 
 
-def _nothing_waits() -> bool:
+def _never() -> bool:
     return False

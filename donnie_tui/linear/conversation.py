@@ -1,46 +1,46 @@
-"""One conversation in the linear mode: lines are typed, run and answered.
+"""A conversation in the linear mode: lines are read, run and answered, from the first prompt to the goodbye.
 
-Rules: nothing that stands printed is ever changed; leaving is always possible; whatever ends the session,
-the robot stops and no typed program is lost.
+Nothing that is printed is ever changed, and no typed program is lost, whatever ends the conversation.
 """
 
 from __future__ import annotations
 
 import os
-from collections.abc import Callable
-from functools import cached_property
-from typing import TYPE_CHECKING
+from collections.abc import Callable, Coroutine, Sequence
+from functools import partial
+from typing import TYPE_CHECKING, Any, TypeVar
 
 from msgspec import Struct
+from msgspec.structs import replace
 
 from donnie_tui.bootstrap import Donnie, open_workspace
 from donnie_tui.commands.context import Context
 from donnie_tui.commands.dispatch import attempt
-from donnie_tui.commands.interaction import EnterWorld, SwitchMode, drive
+from donnie_tui.commands.interaction import SLOW, SLOW_AGAIN, EnterWorld, Option, SwitchMode, drive
 from donnie_tui.commands.preferences import Preferences
 from donnie_tui.core.answer_log import AnswerLog
 from donnie_tui.core.line_history import Past
 from donnie_tui.core.workspace import Workspace
-from donnie_tui.linear.console import Console, Gone
-from donnie_tui.linear.desk import Desk
-from donnie_tui.linear.ends import Ends
+from donnie_tui.linear.console import Console, Gone, run_in_background
 from donnie_tui.linear.greeting import Greeting, has_rescued
-from donnie_tui.linear.interaction import LinearInteraction
 from donnie_tui.linear.leaving import Leaving
-from donnie_tui.linear.line_editor import Key
-from donnie_tui.linear.options import Options
-from donnie_tui.linear.output import Output, Told
-from donnie_tui.linear.reader import EditingReader, How, PlainReader, Typed
-from donnie_tui.linear.run_loop import RunLoop
-from donnie_tui.linear.typed_lines import TypedLines
-from donnie_tui.settings.folders import UNSAVED
+from donnie_tui.linear.line_editor import Key, KeyEcho
+from donnie_tui.linear.loop import RunLoop, TypedLines
+from donnie_tui.linear.output import BackgroundRobots, Listener, Output, OutputQueue
+from donnie_tui.linear.prompter import Options, Printer, Prompter, Streams
+from donnie_tui.linear.reader import EditingReader, How, PlainReader, Typed, candidates
+from donnie_tui.settings.folders import UNSAVED, state_path
 
 if TYPE_CHECKING:
-    from donnie_tui.linear.line_editor import KeyEcho
+    from donnie_tui.core.runner import Run
+
+T = TypeVar("T")
+
+_LONGEST_NUMBER = 8
 
 
-class Kept(Struct, frozen=True):
-    """What goes along to another world."""
+class ConversationState(Struct, frozen=True):
+    """What a conversation continues with in another world."""
 
     workspace: Workspace
     answers: AnswerLog
@@ -48,236 +48,341 @@ class Kept(Struct, frozen=True):
     editing: EditingReader | None
     plain: PlainReader
     """With what was typed ahead."""
-    watched: tuple[str, ...]
-    is_silent: bool
+    watched: tuple[str, ...] = ()
+    is_silent: bool = False
 
 
 class Conversation:
-    """From the first prompt to the goodbye."""
+    """Reads lines, runs and answers them, from the first prompt to the goodbye."""
 
     def __init__(
         self,
         donnie: Donnie,
         console: Console,
-        folder: str,
         preferences: Preferences,
         greeting: Greeting,
-        kept: Kept | None = None,
+        state: ConversationState | None = None,
     ) -> None:
-        """``folder`` keeps what was typed before and what could not be saved, ``kept`` what came along."""
-        told, options = Told(console.nudge), Options(lambda: preferences.settings)
-        self._greeting, self._folder = greeting, folder
-        edits, attended = greeting.terminal is not None, os.isatty(0)
-        self._past = kept.past if kept else Past(f"{folder}/history" if edits else None)
-        self._plain = kept.plain if kept else PlainReader(console)
-        self._editing = editing = self._reader_with(kept, console) if edits else None
-        output = Output(
+        """``state`` is that of the conversation in the world before."""
+        self._donnie, self.console, self._greeting = donnie, console, greeting
+        self._folder = state_path(os.environ)
+        self._state = state = state or self._new_state()
+        queue = OutputQueue(console.nudge)
+        self.streams = streams = Streams(
             console,
-            paced=os.isatty(1),
-            of_numbers=lambda count: donnie.words("linear-numbers", count=count),
-        )
-        workspace = kept.workspace if kept else open_workspace(folder)
-        ends = Ends(
-            console,
-            editing,
-            self._plain,
-            output,
-            told,
-            options,
-            prompts=attended,
+            state.editing,
+            state.plain,
+            Output(
+                console,
+                paced=os.isatty(1),
+                of_numbers=lambda count: donnie.words("linear-numbers", count=count),
+            ),
+            queue,
+            Options(lambda: preferences.settings),
+            is_attended=os.isatty(0),
             is_terminal=os.isatty(1),
-            offered=greeting.offered,
         )
-        answers = kept.answers if kept else AnswerLog()
-        self._desk = desk = Desk(donnie, ends, workspace, answers, self._past)
-        desk.ctx = Context(
+        state.workspace.begin_with(donnie.session.name)
+        self.ctx = ctx = Context(
+            donnie, LinearInteraction(self), state.workspace, state.answers, state.past, preferences
+        )
+        ctx.runs.watched.extend(state.watched)
+        state.workspace.report_failure = lambda error: ctx.answer("answer-not-kept", reason=error.reason)
+        self.background = BackgroundRobots(ctx, queue)
+        self._listener = Listener(
             donnie,
-            LinearInteraction(desk),
-            workspace,
-            answers,
-            self._past,
-            preferences,
+            console,
+            queue,
+            self.background,
+            is_paced=streams.is_attended and streams.is_terminal,
         )
-        if kept:
-            desk.ctx.runs.watched.extend(kept.watched)
-        self._is_silent = kept is not None and kept.is_silent
-        self._desk.take_again = self._take_again
-        self._leaving = Leaving(self._desk)
-        self._runs = RunLoop(self._desk, told, editing)
-        self._desk.follow = self._runs.follow
-        self._lines = TypedLines(self._desk, self._runs, self._leaving)
-        self._console = console
+        self.printer = Printer(streams, donnie.words, state.answers)
+        self.prompter = Prompter(ctx, streams, self.printer, self._listener, self.background)
+        printing = (streams, self.printer, self.prompter, self.background)
+        self.leaving = Leaving(ctx, *printing, greeting.offered)
+        self.run_loop = RunLoop(ctx, *printing, self.leaving)
+        self.typed_lines = TypedLines(ctx, streams, self.leaving)
         console.before_suspending = donnie.stop_real_robot
-        if attended:
+        if streams.is_attended:
             console.on_key = donnie.outlets.audible.hush
-        if editing:
-            editing.on_key = self._say_key
-        ends.apply_options()
+        if state.editing:
+            self._key_echo = KeyEcho(donnie.outlets.audible, donnie.words)
+            state.editing.on_key = self._say_key
+            state.editing.complete = partial(candidates, ctx)
+        streams.apply_options()
+
+    def _new_state(self) -> ConversationState:
+        has_terminal = self._greeting.terminal is not None
+        past = Past(f"{self._folder}/history" if has_terminal else None)
+        editing = EditingReader(self.console, past) if has_terminal else None
+        return ConversationState(
+            open_workspace(self._folder), AnswerLog(), past, editing, PlainReader(self.console)
+        )
 
     def _say_key(self, key: Key, before: str) -> None:
-        if self._desk.donnie.outlets.audible.echoes:
+        if self._donnie.outlets.audible.echoes:
             self._key_echo(key, before)
 
-    @cached_property
-    def _key_echo(self) -> KeyEcho:
-        from donnie_tui.linear.line_editor import KeyEcho  # where the own voice speaks
-
-        return KeyEcho(self._desk.donnie.outlets.audible, self._desk.donnie.words)
-
     def close(self) -> None:
-        """Hear no more of the session."""
-        self._runs.close()
-        self._desk.close()
+        """Unsubscribe from the session."""
+        self.run_loop.close()
+        self.ctx.close()
+        self.prompter.copying.cancel()
+        self._listener.close()
 
-    def until_left(
-        self, file: str | None, text: str | None = None, *, offers_to_remember: bool = False
-    ) -> int:
+    def begin(self, file: str | None, text: str | None = None, *, offers_to_remember: bool = False) -> int:
         """Read and answer until something ends it. The exit code.
 
-        ``offers_to_remember``: somebody came here by a word and may want to begin here the next time.
+        ``offers_to_remember``: the learner came from the full screen and may want to begin here next time.
         """
-        return self._kept_safe(lambda: self._talk(file, text, offers_to_remember))
+        return self._guarded(lambda: self._first_talk(file, text, offers_to_remember))
 
-    def go_on(self) -> int:
-        """As ``until_left``, in another world, with what came along."""
-        return self._kept_safe(self._talk_there)
+    def resume(self) -> int:
+        """As ``begin``, in another world, with the state of the conversation before."""
+        return self._guarded(self._talk_in_next_world)
 
-    def packed(self) -> Kept:
-        """What goes along to another world."""
-        desk = self._desk
-        return Kept(
-            desk.workspace,
-            desk.answers,
-            self._past,
-            self._editing,
-            self._plain,
-            tuple(desk.ctx.runs.watched),
-            is_silent=not desk.donnie.outlets.audible.is_on,
-        )
+    def state_for_next_world(self) -> ConversationState:
+        is_silent = not self._donnie.outlets.audible.is_on
+        return replace(self._state, watched=tuple(self.ctx.runs.watched), is_silent=is_silent)
 
-    def _reader_with(self, kept: Kept | None, console: Console) -> EditingReader:
-        """The one that came along, or a new one."""
-        reader = kept.editing if kept else None
-        if reader is None:
-            return EditingReader(console, self._past, self._candidates)
-        reader.complete = self._candidates
-        return reader
+    def take_again(self, line: str) -> None:
+        """Take a line as if it had been typed."""
+        self._state.past.remember(line)
+        self.typed_lines.take(line)
 
-    def _kept_safe(self, talk: Callable[[], int]) -> int:
+    def _guarded(self, talk: Callable[[], int]) -> int:
+        """Run ``talk``, and keep unsaved programs whatever ends it."""
+        workspace = self._state.workspace
         try:
             return talk()
         except EnterWorld:
-            self._desk.workspace.write_copies()
-            self._desk.showing.show_told()
-            if not self._desk.is_attended:  # whoever types has ended the voice by that
-                self._leaving.let_speak()
+            workspace.write_copies()
+            self.printer.show()
+            if not self.streams.is_attended:  # a learner has ended the voice by typing
+                self.leaving.let_speak()
             raise
         except SwitchMode:
-            self._desk.workspace.hand_over()
+            workspace.hand_over()
             raise
         except Gone:
-            self._desk.workspace.write_copies()
-            return self._console.code_when_gone
+            workspace.write_copies()
+            return self.console.code_when_gone
         except BaseException:
-            self._desk.workspace.write_copies()
+            workspace.write_copies()
             raise
         finally:
-            self._past.trim()
+            self._state.past.trim()
 
-    def _talk(self, file: str | None, text: str | None, offers_to_remember: bool) -> int:
-        desk = self._desk
-        desk.donnie.outlets.audible.say_printed(*self._greeting.lines)
+    def _first_talk(self, file: str | None, text: str | None, offers_to_remember: bool) -> int:
+        self._donnie.outlets.audible.say_printed(*self._greeting.lines)
         is_shown = self._greeting.take_prompt()
         if text is not None:
             self._take_over(text, file)
         elif file is not None:
             from donnie_tui.commands import files
 
-            drive(attempt(desk.ctx, files.open_named(desk.ctx, file)))
-        self._tell_notices()
+            drive(attempt(self.ctx, files.open_named(self.ctx, file)))
+        self._say_notices()
         if offers_to_remember:
-            from donnie_tui.linear import modes
-
-            modes.offer_to_remember(desk, linear=True)
+            self.leaving.offer_to_remember(linear=True)
         return self._take_lines(is_shown=is_shown)
 
-    def _talk_there(self) -> int:
+    def _talk_in_next_world(self) -> int:
         from donnie_tui.commands.world import say_arrival
 
-        desk = self._desk
-        say_arrival(desk.donnie, is_silent=self._is_silent)
-        desk.tell(*desk.donnie.notices.about_devices)
-        if desk.program.lines:
-            desk.answer("linear-lines", lines=len(desk.program.lines))
+        say_arrival(self._donnie, is_silent=self._state.is_silent)
+        self.ctx.say(*self._donnie.notices.about_devices)
+        self._say_number_of_lines()
         return self._take_lines(is_shown=False)
 
-    def _take_lines(self, *, is_shown: bool) -> int:
-        """``is_shown``: whether the prompt stands there already."""
-        desk = self._desk
-        if desk.is_attended:
-            self._console.once_idle.append(desk.donnie.get_ready_to_move)
-        while desk.leaving is None:
-            self._take(desk.asking.read(self._prompt(), shown=is_shown))
-            is_shown = False
-        self._leaving.say_goodbye()
-        return desk.leaving
-
     def _take_over(self, text: str, file: str | None) -> None:
-        """The program that the full screen left; it is saved if its file says the same."""
+        """Take the program that the full screen left; it is saved if its file contains the same."""
         from pathlib import Path
 
         from donnie_tui.core.program_files import saved_text
 
         path = Path(file) if file else None
-        self._desk.workspace.replace(text, path, in_file=saved_text(path) if path else "")
-        if self._desk.program.lines:
-            self._desk.answer("linear-lines", lines=len(self._desk.program.lines))
+        self.ctx.workspace.replace(text, path, in_file=saved_text(path) if path else "")
+        self._say_number_of_lines()
 
-    def _tell_notices(self) -> None:
-        """What had to be done without. Where the prompt stands already, it comes with the first answer.
+    def _say_number_of_lines(self) -> None:
+        if self.ctx.program.lines:
+            self.ctx.answer("linear-lines", lines=len(self.ctx.program.lines))
 
-        What is about the robot and the belt comes at once: whoever types must know which robot will move.
+    def _say_notices(self) -> None:
+        """Say what is missing. If the prompt is printed already, this comes with the first answer.
+
+        Notices about the robot and the belt come at once: the learner must know which robot will move.
         """
-        desk = self._desk
-        desk.tell(*desk.donnie.notices.all)
-        self._console.has_news = bool(desk.donnie.notices.about_devices)
-        if desk.is_attended and not self._greeting.told_rescued and has_rescued(f"{self._folder}/{UNSAVED}"):
-            desk.answer("answer-rescued")
+        notices = self._donnie.notices
+        self.ctx.say(*notices.all)
+        self.console.has_news = bool(notices.about_devices)
+        is_reported = not self.streams.is_attended or self._greeting.has_reported_rescue
+        if not is_reported and has_rescued(f"{self._folder}/{UNSAVED}"):
+            self.ctx.answer("answer-rescued")
 
-    def _prompt(self) -> str:
-        in_program = self._desk.is_attended and not self._desk.next_line
-        depth = self._desk.program.depth if in_program else 0
-        return self._desk.ends.options.prompt_at(depth)
-
-    def _candidates(self, before: str) -> tuple[str, ...]:
-        """For Tab. Loaded when somebody presses it."""
-        from donnie_tui.linear.completion import candidates
-
-        return candidates(self._desk, before)
+    def _take_lines(self, *, is_shown: bool) -> int:
+        """Take lines until the exit code is known. ``is_shown``: whether the prompt is printed already."""
+        if self.streams.is_attended:
+            self.console.once_idle.append(self._donnie.get_ready_to_move)
+        while self.leaving.code is None:
+            depth = self.ctx.program.depth if self.streams.is_attended else 0
+            self._take(self.prompter.read(self.streams.options.prompt_at(depth), shown=is_shown))
+            is_shown = False
+        self.leaving.say_goodbye()
+        return self.leaving.code
 
     def _take(self, typed: Typed) -> None:
-        if self._desk.leaving is None and self._console.leaving is not None:
-            self._leaving.leave_by_signal(self._console.leaving)
+        if self.console.leaving is not None:
+            self.leaving.leave_by_signal(self.console.leaving)
             return
         match typed.how:
             case How.CLOSED:
-                self._leaving.close()
+                self.leaving.close()
             case How.INTERRUPTED:
-                self._leaving.interrupt(typed.text)
+                self.typed_lines.continuation = None
+                self.leaving.interrupt(typed.text)
             case How.TOO_LONG:
-                self._desk.answer("linear-too-long")
+                self.ctx.answer("linear-too-long")
             case How.ENTER:
-                self._past.remember(typed.text)
-                self._lines.take(typed.text)
+                self.take_again(typed.text)
             case How.ESCAPE:
-                self._past.remember(typed.text)
-                self._lines.take_and_run(typed.text)
-        if self._desk.goes_to:
-            from donnie_tui.linear.going import depart
+                self._state.past.remember(typed.text)
+                self.typed_lines.take_and_run(typed.text)
+        self.leaving.enter_world()
 
-            depart(self._desk)
 
-    def _take_again(self, line: str) -> None:
-        """A line that was typed before, chosen by its number."""
-        self._past.remember(line)
-        self._lines.take(line)
+class LinearInteraction:
+    """``commands.interaction.Interaction`` at the prompt. Nothing in it ever waits for an event loop."""
+
+    def __init__(self, conversation: Conversation) -> None:
+        self._conversation = conversation
+
+    @property
+    def can_edit(self) -> bool:
+        return self._conversation.streams.can_edit
+
+    @property
+    def is_attended(self) -> bool:
+        return self._conversation.streams.is_attended
+
+    # --- questions
+
+    async def ask(
+        self, question: str, text: str = "", accepts: Callable[[str], str | None] | None = None
+    ) -> str | None:
+        prompter = self._conversation.prompter
+        prompter.offered = text
+        answer = prompter.ask(question)
+        while answer and accepts is not None and (problem := accepts(answer)) is not None:
+            answer = prompter.ask(problem)
+        return answer or None
+
+    async def choose(
+        self,
+        question: str,  # noqa: ARG002 -- the list is read without it
+        options: Sequence[Option],
+        printed: Sequence[str] = (),
+    ) -> str | None:
+        """The number of an option, typed next, chooses it; any other line is none of this."""
+        ctx, prompter = self._conversation.ctx, self._conversation.prompter
+        by_number = {each.number: each.value for each in options if each.number}
+        ctx.say(*printed)
+        if not by_number:
+            return None
+        ctx.answer("linear-type-number")
+        typed = prompter.read_next()
+        text = typed.text.strip()
+        if typed.how is not How.ENTER or not text.isdecimal() or len(text) > _LONGEST_NUMBER:
+            prompter.put_back(typed)
+            return None
+        number = int(text)
+        if number not in by_number:
+            ctx.answer("answer-no-line", line=number, last=max(by_number))
+            return None
+        ctx.answer("linear-listed", line=number, text=by_number[number])
+        return by_number[number]
+
+    async def confirm(self, question: str) -> bool | None:
+        return self._conversation.prompter.confirm(question)
+
+    async def edit_line(self, question: str, text: str = "") -> str | None:
+        prompter = self._conversation.prompter
+        prompter.offered = text
+        self._conversation.ctx.say(question)
+        typed = prompter.read_next()
+        if typed.how is How.ENTER or (typed.how is How.ESCAPE and typed.text.strip()):
+            return typed.text
+        if typed.how is How.CLOSED or self._conversation.console.leaving is not None:
+            prompter.put_back(typed)
+        return None
+
+    async def show_pages(
+        self,
+        title: str,  # noqa: ARG002 -- the lines are read without it
+        lines: Sequence[str],
+        printed: Sequence[str] | None = None,
+    ) -> None:
+        self._conversation.ctx.say(*(lines if printed is None else printed))
+
+    # --- time
+
+    async def background(
+        self, task: Callable[[], T], slow: str, *, may_be_left: bool = False, is_slow: bool = False
+    ) -> T:
+        return run_in_background(
+            self._conversation.console,
+            task,
+            lambda: self._conversation.ctx.say(slow),
+            first=SLOW_AGAIN if is_slow else SLOW,
+            show=self._conversation.printer.show,
+            may_be_left=may_be_left,
+        )
+
+    async def finish(self, task: Coroutine[Any, Any, T]) -> T:
+        return await task
+
+    async def finished(self) -> None:
+        """Nothing runs while a question is asked."""
+
+    async def follow(self, runs: Sequence[tuple[str | None, Run]]) -> bool:
+        self._conversation.run_loop.follow(runs)
+        return True
+
+    async def wait(self, seconds: float) -> bool:
+        self._conversation.printer.show()
+        return self._conversation.console.is_disturbed_within(seconds, reading=self.is_attended)
+
+    def print_soon(self) -> None:
+        self._conversation.console.nudge()
+
+    def continue_on_enter(self, more: Callable[[], Coroutine[Any, Any, None]]) -> None:
+        self._conversation.typed_lines.continuation = lambda: drive(more())
+
+    def setting_changed(self, key: str) -> None:  # noqa: ARG002 -- all options are applied
+        self._conversation.streams.apply_options()
+
+    def before_robot_changes(self) -> None:
+        """Each robot keeps its own document."""
+
+    def robot_changed(self) -> None:
+        ctx = self._conversation.ctx
+        ctx.workspace.choose_robot(ctx.donnie.session.name)
+
+    async def type_again(self, line: str) -> None:
+        self._conversation.take_again(line)
+
+    # --- ways out
+
+    async def enter_world(self, name: str) -> None:
+        """Raises ``EnterWorld``; while a program is held, the run loop stops it first."""
+        leaving = self._conversation.leaving
+        leaving.world = name
+        if not self._conversation.background.is_following:
+            leaving.enter_world()
+
+    async def switch_mode(self) -> None:
+        self._conversation.leaving.switch_to_screen()
+
+    async def quit(self) -> None:
+        self._conversation.typed_lines.quit()

@@ -1,28 +1,25 @@
-"""The first lines and the prompt, printed before anything else of Donnie is loaded.
+"""The first lines, the prompt and the terminal: all that comes before the rest of Donnie is loaded.
 
-Rules: it imports next to nothing. It greets only where the command line is so plain that nothing else can
-come of it; whatever is not plain is left to the real command line, and so is a robot that has to be looked
-for. The terminal is taken at once, so that what is typed while the rest is being loaded is neither lost nor
-shown twice.
+This module imports next to nothing. It prints the greeting early only if the command line is plain enough to
+ask for the linear mode and nothing else; the rest is left to ``donnie_tui.cli``, and so is the search for a
+robot. The terminal is taken at once, so that what is typed during the loading is neither lost nor shown
+twice: it waits in the terminal until it is read.
 """
 
 from __future__ import annotations
 
 import os
 import sys
+import termios
 
 from donnie_tui import DETAILS
 from donnie_tui.i18n.first_words import early
 from donnie_tui.settings.folders import UNSAVED, offers_tour, state_path
 from language.locales import ENGLISH, SEARCH_PATH, folders, language_of_locale
 
-TYPE_CHECKING = False  # that of typing costs as much as the rest of the first prompt
-if TYPE_CHECKING:
-    from donnie_tui.linear.terminal import Terminal
-
 PROMPT = "> "
 
-_NOBODY_READS = 129
+_NO_READER = 129
 """The exit code, as after a lost terminal."""
 _HARMLESS = ("DONNIE_LANG", "DONNIE_LINEAR", "DONNIE_READER", "DONNIE_TOUR", SEARCH_PATH)
 _SWITCH = ("on", "off")
@@ -32,25 +29,27 @@ PLAIN_VALUES = {
     "--sound": _SWITCH,
     "--verbosity": DETAILS,
 }
-"""What an option takes that has few values; anything else may be refused, and is told before the greeting."""
+"""The values of options that have few; anything else may be refused, which is printed before the greeting."""
 _WITH_VALUE = ("--world", "--events")
 _WITH_NUMBER = ("--speed", "--seed")
+_LFLAG, _IFLAG, _CC = 3, 0, 6
+"""Places in the attributes of a terminal."""
 
 
 class Greeting:
-    """What was printed already, and the terminal that was taken for it: there is but one of them."""
+    """What was printed already, and the terminal that was taken for it. A process has one of them."""
 
     def __init__(self) -> None:
         self.was_printed = False
         self.lines: tuple[str, ...] = ()
-        """What was printed, but for the prompt."""
+        """What was printed, without the prompt."""
         self.has_prompt = False
         self.offered: set[bool] = set()
-        """The modes that somebody was asked about whether to begin in them; nobody is asked twice."""
+        """The modes that were offered as the one to begin in; each is offered once."""
         self.terminal: Terminal | None = None
-        """Once it was taken."""
-        self.told_rescued = False
-        """Whether it was told that a program was rescued."""
+        """None until it is taken."""
+        self.has_reported_rescue = False
+        """Whether the greeting said that a program was rescued."""
 
     def greet(
         self,
@@ -64,12 +63,10 @@ class Greeting:
         """Print the lines, and ``prompt`` where there is a terminal. Does nothing the second time.
 
         Without a prompt only the first line is printed: the second one will be about the file. ``tour``:
-        whether it may be offered in the place of the hint, to somebody who is here for the first time.
+        whether it may be offered in place of the hint, when Donnie starts for the first time.
         """
         if self.was_printed:
             return
-        from donnie_tui.linear.terminal import is_editable
-
         self.was_printed, self.has_prompt = True, prompt is not None and os.isatty(0)
         if is_editable(environment):
             self.terminal = _taken_terminal()
@@ -80,39 +77,39 @@ class Greeting:
         _print(text + (prompt if prompt and self.has_prompt else ""))
 
     def _hint(self, environment: os._Environ[str] | dict[str, str], *, tour: bool) -> str:
-        """The code of what is most worth knowing before the first prompt, which has no room for more."""
+        """The code of the most useful line before the first prompt, which has no room for more."""
         folder = state_path(environment)
         if self.has_prompt and has_rescued(f"{folder}/{UNSAVED}"):
-            self.told_rescued = True
+            self.has_reported_rescue = True
             return "answer-rescued"
         offers = tour and self.has_prompt and offers_tour(folder, environment)
         return "tour-offer" if offers else "linear-hint"
 
     def take_prompt(self) -> bool:
-        """Whether the prompt was printed already; from now on it is somebody else's."""
+        """Whether the prompt was printed already; from now on it belongs to the caller."""
         had, self.has_prompt = self.has_prompt, False
         return had
 
     def end_prompt(self) -> None:
-        """Begin a new line, for what is to be said before anything is asked; the prompt comes again."""
+        """Begin a new line for a message that precedes the first question; the prompt is printed again."""
         if self.take_prompt():
             _print("\n")
 
     def withdraw(self) -> None:
-        """Give the terminal back and begin a new line, for a command line that turned out to be no use."""
+        """Give the terminal back and begin a new line, for a command line that can't be used."""
         terminal, self.terminal = self.terminal, None
         if terminal is not None:
             terminal.give_back()
         self.end_prompt()
 
     def forget(self) -> None:
-        """The conversation is over. Another one, after the full screen, is greeted anew."""
-        self.was_printed = self.has_prompt = self.told_rescued = False
+        """Print the greeting again the next time: the learner went to the full screen and may return."""
+        self.was_printed = self.has_prompt = self.has_reported_rescue = False
         self.terminal = None
 
 
 def has_rescued(folder: str) -> bool:
-    """Whether a crash left a copy there. The module of copies is loaded only if there may be one."""
+    """Whether a crash left an unsaved copy there. Loads ``core.recovery`` only if there may be one."""
     try:
         if not any(each.startswith("unsaved-") for each in os.listdir(folder)):  # noqa: PTH208 -- pathlib is slow
             return False
@@ -143,6 +140,35 @@ def language_of(options: dict[str, str], environment: os._Environ[str] | dict[st
     return ENGLISH
 
 
+def is_editable(environment: os._Environ[str] | dict[str, str]) -> bool:
+    """Whether lines can be edited here: a terminal at both ends that knows more than printing."""
+    return os.isatty(0) and os.isatty(1) and environment.get("TERM") not in (None, "", "dumb")
+
+
+class Terminal:
+    """Standard input as a terminal. ``take`` and ``give_back`` may be called any number of times."""
+
+    def __init__(self) -> None:
+        self._found = termios.tcgetattr(0)
+
+    def take(self, *, signals: bool = True) -> None:
+        """Key by key, without an echo by the terminal. Without ``signals`` Ctrl+C is a key like any other."""
+        wanted = termios.tcgetattr(0)
+        wanted[_LFLAG] &= ~(termios.ECHO | termios.ICANON | termios.IEXTEN)
+        wanted[_LFLAG] = wanted[_LFLAG] | termios.ISIG if signals else wanted[_LFLAG] & ~termios.ISIG
+        wanted[_IFLAG] &= ~termios.IXON  # a stray Ctrl+S would silence everything
+        wanted[_IFLAG] |= termios.ICRNL
+        wanted[_CC][termios.VMIN], wanted[_CC][termios.VTIME] = 1, 0
+        _apply(wanted)
+
+    def give_back(self) -> None:
+        """As it was found; quietly, since the terminal may be gone."""
+        try:
+            _apply(self._found)
+        except (termios.error, OSError):
+            return
+
+
 def _plain_options(arguments: list[str]) -> dict[str, str] | None:
     """The options and the FILE, or None where there is anything that is not obvious."""
     found: dict[str, str] = {}
@@ -169,15 +195,13 @@ def _is_plain(name: str, value: str) -> bool:
 
 
 def _has_other_settings(environment: os._Environ[str] | dict[str, str]) -> bool:
-    """Variables may be wrong, and that is told before the greeting."""
+    """Whether a variable is set that may be wrong, which is printed before the greeting."""
     return any(name.startswith("DONNIE_") and name not in _HARMLESS for name in environment)
 
 
 def _taken_terminal() -> Terminal:
-    """Until somebody listens for signals, Ctrl+C is kept like any other key."""
+    """Until the console handles signals, Ctrl+C is a key like any other."""
     import atexit
-
-    from donnie_tui.linear.terminal import Terminal
 
     terminal = Terminal()
     terminal.take(signals=False)
@@ -186,8 +210,12 @@ def _taken_terminal() -> Terminal:
 
 
 def _print(text: str) -> None:
-    """Where nobody reads there is nothing to begin, and nobody to be told so."""
+    """Print, and exit where the output is closed."""
     try:
         os.write(1, text.encode())
     except OSError:
-        sys.exit(_NOBODY_READS)
+        sys.exit(_NO_READER)
+
+
+def _apply(attributes: list[int | list[bytes | int]]) -> None:
+    termios.tcsetattr(0, termios.TCSANOW, attributes)

@@ -1,132 +1,176 @@
-"""How a conversation ends: by a word, by the end of the input, by Ctrl+C in a script, by a signal.
+"""How a conversation ends: by QUIT, the end of the input, Ctrl+C in a script, a signal, or for another place.
 
-Rule: of a program that would be missed is asked whether to save it first; who does not answer stays. A copy
-of whatever is not saved is left: where nobody could be asked it is offered the next time, else it is there
-for whoever asks for it.
+Donnie first asks whether to save each changed program; without an answer, it stays. It leaves a copy of
+everything unsaved: if no question was possible, the next start offers it, else RECOVER finds it.
 """
 
 from __future__ import annotations
 
-from donnie_tui.commands.interaction import drive
+import os
+
+from donnie_tui.commands.context import Context
+from donnie_tui.commands.interaction import EnterWorld, SwitchMode, drive
 from donnie_tui.core.document import Document
-from donnie_tui.linear.desk import Desk
+from donnie_tui.core.program_files import DocumentError
+from donnie_tui.linear.output import BackgroundRobots
+from donnie_tui.linear.prompter import Printer, Prompter, Streams
+from donnie_tui.settings.file import remember
 from language.keywords import spelling
 
-_GLANCE = 0.05
+_CHECK = 0.05
+"""Seconds between two checks whether the voice has ended."""
 _GOODBYE = 40
 _LONGEST_SPEECH = 2400
-"""Glances: two seconds; and two minutes, as ``donnie run`` gives the voice behind its end."""
+"""Checks: two seconds; and two minutes, as long as ``donnie run`` waits for the voice."""
 
 _INTERRUPTED = 130
 """The exit code that shells give for Ctrl+C."""
 
 
 class Leaving:
-    """Sets the exit code at the desk, which ends the conversation."""
+    """Asks what must be asked, and sets the exit code, which ends the conversation."""
 
-    def __init__(self, desk: Desk) -> None:
-        self._desk = desk
+    def __init__(
+        self,
+        ctx: Context,
+        streams: Streams,
+        printer: Printer,
+        prompter: Prompter,
+        background: BackgroundRobots,
+        offered: set[bool],
+    ) -> None:
+        """``offered`` are the modes that were offered as the one to begin in."""
+        self._ctx, self._streams, self._console = ctx, streams, streams.console
+        self._printer, self._prompter, self._background = printer, prompter, background
+        self._offered = offered
+        self.code: int | None = None
+        """The exit code, once the conversation is to end."""
+        self.world = ""
+        """The world to enter, once the program that is held was stopped for it."""
         self._keeps_copies = False
 
+    # --- the end
+
     def close(self) -> None:
-        """Ctrl+D, or the end of the input."""
-        desk = self._desk
-        waiting = desk.program.waiting if desk.program.is_waiting else 0
-        if waiting and not desk.is_attended:
-            was_tried = any(each.line > len(desk.program.lines) - waiting for each in desk.ctx.errors.all)
+        """Leave because of Ctrl+D, or the end of the input."""
+        program = self._ctx.program
+        waiting = program.waiting if program.is_waiting else 0
+        if waiting and not self._streams.is_attended:
+            was_tried = any(each.line > len(program.lines) - waiting for each in self._ctx.errors.all)
             if was_tried:
-                desk.answer("linear-did-not-run-mistake", lines=waiting)
+                self._ctx.answer("linear-did-not-run-mistake", lines=waiting)
             else:
-                self.tell_what_waits()
+                self.report_waiting_lines()
         self.leave(0)
 
-    def tell_what_waits(self) -> None:
-        """How many lines did not run, and what they would have needed."""
-        program, block = self._desk.program, self._desk.program.open_block
-        missing = spelling("RUN" if block is None else f"END {block.kind}", self._desk.say.language)
-        self._desk.answer("linear-did-not-run", lines=program.waiting, missing=missing)
+    def report_waiting_lines(self) -> None:
+        """Say how many lines did not run, and what they would have needed."""
+        program, block = self._ctx.program, self._ctx.program.open_block
+        missing = spelling("RUN" if block is None else f"END {block.kind}", self._ctx.words.language)
+        self._ctx.answer("linear-did-not-run", lines=program.waiting, missing=missing)
 
     def leave(self, code: int) -> None:
-        """Leave, once a program that would be missed is saved or given up; else stay."""
-        desk = self._desk
-        is_settled = all(map(self._is_settled, desk.workspace.current_first))
-        if desk.console.leaving is not None:
-            self.leave_by_signal(desk.console.leaving)
-        elif is_settled:
-            self._stop_what_runs()
-            desk.leaving = code
-        elif desk.asking.has_ended:
-            self._leave_with_copies(code)
+        """Leave, once each changed program is saved or given up; else stay."""
+        may_leave = all(map(self._may_leave, self._ctx.workspace.current_first))
+        if self._console.leaving is not None:
+            self.leave_by_signal(self._console.leaving)
+        elif may_leave:
+            if self._background.is_running:
+                self._background.stop()
+            self.code = code
+        elif self._prompter.has_ended:  # to stay and ask again would never end
+            self._keeps_copies = True
+            self._ctx.workspace.write_copies()
+            self._ctx.answer("answer-rescued")
+            self.code = code
         else:
-            desk.leaving = None
-            desk.answer("linear-stays")
+            self.code = None
+            self._ctx.answer("linear-stays")
 
-    def _stop_what_runs(self) -> None:
-        """Robots that were STARTed and go on: that they are stopped is told."""
-        if self._desk.beside.goes_on:
-            self._desk.beside.stop()
-
-    def _is_settled(self, program: Document) -> bool:
-        """Whether nobody would miss it any more."""
-        desk = self._desk
-        if not (desk.is_attended and program.is_worth_saving):
+    def _may_leave(self, program: Document) -> bool:
+        """Whether the program is saved, given up, or not worth a question."""
+        ctx = self._ctx
+        if not (self._streams.is_attended and program.is_worth_saving):
             return True
-        wants_to_save = desk.asking.decide(desk.say("linear-ask-save", lines=len(program.lines)))
+        wants_to_save = self._prompter.confirm(ctx.words("linear-ask-save", lines=len(program.lines)))
         if wants_to_save is False:
-            desk.answer("linear-left")
+            ctx.answer("linear-left")
         if not wants_to_save:
             return wants_to_save is False
-        with desk.workspace.as_current(program):
+        with ctx.workspace.as_current(program):
             from donnie_tui.commands import files
 
-            return drive(files.save_document(desk.ctx, str(program.path or "")))
-
-    def _leave_with_copies(self, code: int) -> None:
-        """The input ended at the question: to stay and ask again would never end."""
-        self._keeps_copies = True
-        self._desk.workspace.write_copies()
-        self._desk.answer("answer-rescued")
-        self._desk.leaving = code
+            return drive(files.save_document(ctx, str(program.path or "")))
 
     def leave_by_signal(self, number: int) -> None:
-        self._desk.donnie.team.stop()
-        self._desk.workspace.write_copies()
-        self._desk.leaving = 128 + number
+        self._ctx.donnie.team.stop()
+        self._ctx.workspace.write_copies()
+        self.code = 128 + number
 
     def interrupt(self, line: str) -> None:
-        """Ctrl+C where nothing runs: it clears the line. A script is ended by it."""
-        desk = self._desk
-        gives_up, desk.next_line, desk.goes_on = desk.next_line is not None, None, None
-        if desk.donnie.team.running:
-            desk.beside.stop()
-        elif not desk.is_attended:
-            desk.leaving = _INTERRUPTED
-        elif gives_up:
-            desk.answer("answer-unchanged")
-        elif line:
-            desk.answer("linear-cleared")
+        """Clear the line because of Ctrl+C while nothing runs. In a script, it ends the conversation."""
+        if self._ctx.donnie.team.running:
+            self._background.stop()
+        elif not self._streams.is_attended:
+            self.code = _INTERRUPTED
         else:
-            desk.answer("linear-nothing-to-stop")
+            self._ctx.answer("linear-cleared" if line else "linear-nothing-to-stop")
 
     def say_goodbye(self) -> None:
-        if self._desk.leaving == 0:
-            self._desk.answer("linear-goodbye")
-        self._desk.heard.hear_out()
-        self._desk.showing.show_told()
-        if self._desk.leaving == 0 and not self._keeps_copies:
-            self._desk.copying.cancel()
-            self._desk.workspace.leave_copies(everything=self._desk.is_attended)
-            self._desk.workspace.write_copies()
-        if self._desk.leaving == 0:
+        ctx = self._ctx
+        if self.code == 0:
+            ctx.answer("linear-goodbye")
+        ctx.donnie.session.hub.wait_until_heard()
+        self._printer.show()
+        if self.code == 0 and not self._keeps_copies:
+            self._prompter.copying.cancel()
+            ctx.workspace.leave_copies(everything=self._streams.is_attended)
+            ctx.workspace.write_copies()
+        if self.code == 0:
             self.let_speak()
 
     def let_speak(self) -> None:
-        """All is done: the voice gets its time, where somebody types a moment, until a key or a signal."""
-        desk = self._desk
-        if not desk.donnie.outlets.audible.speaks:
+        """Let the voice end, for a moment if a learner types, until a key or a signal."""
+        audible, is_attended = self._ctx.donnie.outlets.audible, self._streams.is_attended
+        if not audible.speaks:
             return
-        from donnie_tui.linear.sounding import is_disturbed
-
-        for _ in range(_GOODBYE if desk.is_attended else _LONGEST_SPEECH):
-            if desk.donnie.outlets.audible.is_quiet_within(0) or is_disturbed(desk, _GLANCE):
+        for _ in range(_GOODBYE if is_attended else _LONGEST_SPEECH):
+            if audible.is_quiet_within(0) or self._console.is_disturbed_within(_CHECK, reading=is_attended):
                 return
+
+    # --- to another place
+
+    def enter_world(self) -> None:
+        """Raises ``EnterWorld`` if the learner wants to enter one."""
+        name, self.world = self.world, ""
+        if name:
+            self._ctx.runs.stop_to_leave()
+            self._ctx.answer("world-going", name=name)
+            raise EnterWorld(name)
+
+    def switch_to_screen(self) -> None:
+        """Raises ``SwitchMode`` with everything, the robot where it stands; says if there is no screen."""
+        ctx = self._ctx
+        if self._streams.editing is None:
+            ctx.answer("linear-no-screen")
+            return
+        self.offer_to_remember(linear=False)
+        if self._console.leaving is None:
+            ctx.runs.stop_to_leave()
+            self._printer.show()
+            raise SwitchMode(ctx.program.text, str(ctx.program.path or "") or None, ctx.donnie)
+
+    def offer_to_remember(self, *, linear: bool) -> None:
+        """Ask, once in a session, whether Donnie is to begin in this mode from now on."""
+        was_asked = linear in self._offered
+        self._offered.add(linear)
+        if was_asked or not self._streams.is_attended:
+            return
+        if not self._prompter.confirm(self._ctx.words("mode-ask-linear" if linear else "mode-ask-visual")):
+            return
+        try:
+            remember("linear", linear, os.environ)
+        except DocumentError as error:
+            self._ctx.answer(error.code, path=error.path, reason=error.reason)
+        else:
+            self._ctx.answer("mode-remembered")

@@ -1,20 +1,20 @@
-"""The lines that wait to be printed, between the threads that tell and the one that prints.
+"""From events to printed lines: the queue between the threads, and what is printed when.
 
-Rules: nothing but printable text gets through; nothing is lost; telling never waits, so that it holds
-nobody else; and no program eats the memory: the robot whose program tells faster than anybody reads is held
-back behind its own lines (``wait_for_room``), until it is stopped. What is answered to a word that was typed
-meanwhile is printed first.
+Any thread may publish. The listener never prints: it queues the lines and wakes the main thread. Nothing but
+printable text passes, and nothing is lost. The answer to a command that was typed meanwhile is printed first.
+Memory is bounded, and typing stays possible: a robot that publishes faster than its lines are printed waits
+behind its own lines (``wait_for_room``) until it is stopped. Between blocks of lines the main thread looks
+for keys, and after a stop it prints only the last lines.
 
-What is printed, and when: whole lines, an answer and the prompt in one write, rests between blocks.
-
+Printed are whole lines, an answer and the prompt in one write, with rests between blocks.
 A screen reader loses what scrolls by, and it says a prompt twice that comes in a write of its own. So the
-new line of Enter is held back until there is an answer, and no more than a screenful comes at once. Orca
+newline of Enter is held back until there is an answer, and no more than a screenful is printed at once. Orca
 takes a write of nothing but digits for something typed and keeps silent: such a block ends with a sentence.
 
 Fenrir compares the screen before and after with ``difflib``, which looks first for the longest part of both.
-That must be what has moved up (``OnScreen``). Where an answer is said again that stands there it may be the
-answer, which is then silent, and the lines above it are said. With fewer lines at once more stays than is
-new.
+That must be what has moved up (``OnScreen``). If an answer is printed again that is still on the screen, it
+may be the answer, which is then silent, and the lines above it are said. With fewer lines at once more stays
+than is new.
 """
 
 from __future__ import annotations
@@ -24,38 +24,59 @@ from collections import Counter, deque
 from collections.abc import Callable, Iterable, Sequence
 from typing import Protocol
 
+from donnie_tui.bootstrap import Donnie
+from donnie_tui.commands.context import Context
+from donnie_tui.commands.declarations import BY_NAME
+from donnie_tui.commands.dispatch import perform
+from donnie_tui.commands.interaction import drive
 from donnie_tui.core.answer_log import LONGEST_ANSWER
+from donnie_tui.core.events import TRANSIENT, Announced, Answered, Stamped
+from donnie_tui.core.transcript import SummingUp, told_lines
+from donnie_tui.linear.console import Console
 from donnie_tui.linear.greeting import PROMPT
+from language.control import ControlState
 from language.source import printable
 
 CAPACITY = 500
-"""Lines that may wait before a program is held back."""
+"""Lines of a robot that may wait before its program waits."""
+LARGEST_BLOCK = 18
+"""Lines that are printed at once, at most."""
+
+URGENT = ("link",)
+"""Codes of announcements that are printed in the middle of a line that is being typed."""
+_ENDING = (ControlState.STOPPING, ControlState.ENDED)
+REST = 0.3
+"""Seconds of rest after each block of lines."""
+AFTER_STOP = 5
+"""Lines that are printed after a stop without a rest: a block leaves room for them and the prompt."""
+MANY_NUMBERS = 4
+"""Lines of nothing but digits in a block that need a sentence after them."""
+FEWEST = 2
+"""Lines at once; if not even these are said, the answer is one line over and over."""
 
 
-class Told:
-    """Lines in the order in which they were told."""
+class OutputQueue:
+    """Lines that wait to be printed, in the order in which they were published."""
 
     def __init__(self, nudge: Callable[[], None], capacity: int = CAPACITY) -> None:
         """``nudge`` is called when the first line comes after there was none."""
         self._nudge = nudge
         self._capacity = capacity
         self._lines: list[tuple[str, str | None]] = []
-        """Each with the robot that told it."""
+        """Each with the robot that it is about."""
         self._waiting = Counter[str | None]()
         """How many lines of each robot wait."""
         self._first: list[str] = []
-        """What is printed before them."""
+        """Lines that are printed before them."""
         self._kept: deque[str] = deque(maxlen=LONGEST_ANSWER)
         self._changed = threading.Condition()
         self.holds_back = False
-        """Whether a program that tells too much waits."""
-        self.count = 0
-        """Lines that were ever told."""
+        """Whether a program that prints too much waits."""
 
     def put(self, lines: Iterable[str], kept: Iterable[str] | None = None, robot: str | None = None) -> None:
-        """Tell some lines, from any thread. What would print as an empty line is left out.
+        """Add lines, from any thread. What would print as an empty line is left out.
 
-        ``kept`` is what is remembered of it, where that is not what is printed; ``robot`` is who tells it.
+        ``kept`` is what is remembered, if that differs from ``lines``; ``robot`` is the one of the lines.
         """
         said = [line for line in map(_shown, lines) if line]
         kept_lines = said if kept is None else [line for line in map(_shown, kept) if line]
@@ -64,21 +85,19 @@ class Told:
             self._lines += [(line, robot) for line in said]
             self._waiting[robot] += len(said)
             self._kept += kept_lines
-            self.count += len(said) or len(kept_lines)
         if was_empty and said:
             self._nudge()
 
     def put_first(self, lines: Iterable[str], *, is_kept: bool = True) -> None:
-        """Tell some lines before all that waits, in their order; from any thread."""
+        """Add lines before all that wait, in their order; from any thread."""
         said = [line for line in map(_shown, lines) if line]
         with self._changed:
             self._first += said
             self._kept += said if is_kept else []
-            self.count += len(said)
         self._nudge()
 
     def wait_for_room(self, robot: str | None) -> None:
-        """In the thread of that robot's program: return once there is room for what it tells next."""
+        """In the thread of that robot's program: return once there is room for its next lines."""
         if self._has_room(robot):
             return
         with self._changed:
@@ -93,38 +112,38 @@ class Told:
         return lines
 
     def _forget(self, count: int) -> list[str]:
-        """The oldest lines, which wait no more. Under the lock."""
+        """Remove and return the oldest lines. Under the lock."""
         gone, self._lines = self._lines[:count], self._lines[count:]
         self._waiting.subtract(robot for _, robot in gone)
         self._changed.notify_all()
         return [line for line, _ in gone]
 
     def take_kept(self) -> list[str]:
-        """What is to be remembered of what was told since the last time, the newest lines of it."""
+        """The newest lines to remember of those that were added since the last time."""
         with self._changed:
             lines = list(self._kept)
             self._kept.clear()
         return lines
 
     def trim(self, kept: int) -> int:
-        """Leave only the ``kept`` newest lines. How many were left out."""
+        """Remove all but the ``kept`` newest lines. Returns how many were removed."""
         with self._changed:
             return len(self._forget(max(0, len(self._lines) - kept)))
 
     @property
     def has_first(self) -> bool:
-        """Whether something waits that is printed before all else."""
+        """Whether a line waits that is printed before all others."""
         return bool(self._first)
 
     def __len__(self) -> int:
         return len(self._first) + len(self._lines)
 
     def hold_back(self) -> None:
-        """From now on the program that tells too much waits. Only while another thread prints."""
+        """Let a program that prints too much wait from now on. Only while another thread prints."""
         self.holds_back = True
 
     def let_pass(self) -> None:
-        """Nobody waits any more: the program was stopped, or is over."""
+        """Let no program wait any more: it was stopped, or is over."""
         with self._changed:
             self.holds_back = False
             self._changed.notify_all()
@@ -138,14 +157,103 @@ def _shown(line: str) -> str:
     return printable(line).strip()
 
 
-REST = 0.3
-"""Seconds of rest after each block of lines."""
-LARGEST_BLOCK = 18
-AFTER_STOP = 5
-"""Lines that are told at a stop without a rest: a block leaves room for them and the prompt."""
+class BackgroundRobots:
+    """The robots whose programs run while the learner types, since START doesn't wait for them."""
 
-MANY_NUMBERS = 4
-"""Lines of a block that need a sentence, if they are nothing but digits. A few are not worth one."""
+    def __init__(self, ctx: Context, queue: OutputQueue) -> None:
+        self._ctx, self._queue = ctx, queue
+        self._left_out = 0
+        """Lines that were not printed before the stop."""
+        self.is_following = False
+        """Whether the main thread follows a run: its lines and all others stay in their order."""
+
+    @property
+    def is_running(self) -> bool:
+        """Whether a robot runs that is not being stopped."""
+        runs = (session.run for session in self._ctx.donnie.team.running)
+        return any(run is not None and run.control.state not in _ENDING for run in runs)
+
+    @property
+    def floods(self) -> bool:
+        """Whether more lines wait than are printed at once, while more may come any time."""
+        is_long = len(self._queue) > LARGEST_BLOCK
+        return is_long and bool(self._ctx.donnie.team.running) and not self.is_following
+
+    def stop(self, left_out: int = 0) -> None:
+        """Stop all robots, and say so; ``left_out`` lines were removed already without being printed."""
+        self._left_out = left_out
+        drive(perform(self._ctx, BY_NAME["stop_all"], ""))
+
+    def trim_after_stop(self) -> None:
+        """Keep only the last lines that wait, and say how many were removed."""
+        self._queue.let_pass()
+        left_out = self._left_out + self._queue.trim(LARGEST_BLOCK)
+        self._left_out = 0
+        if left_out:
+            self._ctx.answer("answer-left-out", lines=left_out)
+
+
+class Listener:
+    """Queues the lines of all events until ``close``."""
+
+    def __init__(
+        self,
+        donnie: Donnie,
+        console: Console,
+        queue: OutputQueue,
+        background: BackgroundRobots,
+        *,
+        is_paced: bool,
+    ) -> None:
+        """``is_paced``: a learner types and reads here, so that quick movements are summed up."""
+        self._donnie, self._console, self._queue = donnie, console, queue
+        self._background = background
+        self._is_typing = self._has_lines = False
+        """Whether a line is being typed, and whether events were published meanwhile."""
+        console.lines_wait = lambda: self._has_lines and bool(queue)
+        self._summing_up = SummingUp(
+            donnie.words, console.now, lambda: is_paced and donnie.session.speed is not None
+        )
+        told_as_printed = donnie.outlets.audible.tell_as(self._summing_up)
+        self._unsubscribe = [donnie.session.hub.subscribe(self._on_event), told_as_printed]
+
+    def close(self) -> None:
+        """Unsubscribe: another front end continues with the session."""
+        for unsubscribe in self._unsubscribe:
+            unsubscribe()
+
+    def line_begins(self) -> None:
+        """Interrupt the typing of a line for urgent news from now on."""
+        self._has_lines, self._is_typing = False, True
+
+    def line_ended(self) -> None:
+        self._is_typing = False
+
+    def _on_event(self, stamped: Stamped) -> None:
+        """Queue its lines. From any thread."""
+        event = stamped.event
+        self._put(stamped)
+        if self._is_typing and not isinstance(event, TRANSIENT):
+            self._has_lines = True
+            self._console.nudge()
+        if isinstance(event, Announced) and event.code in URGENT:
+            self._console.has_news = True
+            self._console.nudge()
+
+    def _put(self, stamped: Stamped) -> None:
+        """Print a sum of the movements that were left out, and the event; remember all of its lines.
+
+        An answer is printed before the lines of background robots, if these are more than a block.
+        """
+        lines, before = told_lines(stamped, self._donnie.words), self._summing_up.before(stamped)
+        passes = self._summing_up.passes(stamped)
+        event, remembered = stamped.event, lines
+        if isinstance(event, Answered) and event.is_repeated:
+            remembered = ()
+        if isinstance(event, Answered) and (event.at_once or self._background.floods):
+            self._queue.put_first(lines, is_kept=bool(remembered))
+            lines, remembered, passes = (), (), False
+        self._queue.put((*before, *lines) if passes else before, remembered, stamped.robot)
 
 
 class Paper(Protocol):
@@ -164,10 +272,10 @@ class Paper(Protocol):
 
 
 class Output:
-    """Prints blocks of lines. ``paced`` is for people; a pipe needs no rests."""
+    """Prints blocks of lines. ``paced`` is for learners; a pipe needs no rests."""
 
     def __init__(self, paper: Paper, *, paced: bool, of_numbers: Callable[[int], str] = "{}".format) -> None:
-        """``of_numbers``: the sentence that tells how many numbers those were."""
+        """``of_numbers`` returns the sentence that says how many numbers those were."""
         self._paper = paper
         self._of_numbers = of_numbers
         self.paced = paced
@@ -178,14 +286,14 @@ class Output:
         self._on_screen = OnScreen()
 
     def hold_newline(self) -> None:
-        """Enter was pressed: its new line goes out with whatever comes next."""
+        """Write the newline of Enter together with the next output."""
         self._held = "\n"
 
     def show(self, lines: list[str], prompt: str = "", *, to_the_end: bool = False) -> int:
         """Print the lines, then the prompt.
 
-        Ctrl+C during a rest ends it, without the prompt; the answer is how many lines were not printed.
-        ``to_the_end``: it ends the rests and nothing else, and a few lines need none.
+        Ctrl+C during a rest ends it, without the prompt. Returns how many lines were not printed.
+        ``to_the_end``: Ctrl+C ends only the rests, and a few lines need none.
         """
         if to_the_end:
             self._room = max(self._room, AFTER_STOP)
@@ -199,16 +307,16 @@ class Output:
         return 0
 
     def _next_block(self, lines: list[str], prompt: str) -> tuple[list[str], list[str]]:
-        """What may be printed now, after a rest if one is due, and what comes after it."""
+        """The lines to print now, after a rest if one is due, and the lines after them."""
         if not self.paced:
             return lines, []
         self._make_room(bool(lines))
         size = self._room
         if (prompt == "" or len(lines) > size) and are_silent(lines[:size]):
             size -= 1  # for the sentence
-        heard = self._on_screen.most_heard(lines[:size], self._paper.rows())
-        if heard < len(lines[:size]):
-            size, self._room = heard, 0
+        said = self._on_screen.most_said(lines[:size], self._paper.rows())
+        if said < len(lines[:size]):
+            size, self._room = said, 0
         block, rest = lines[:size], lines[size:]
         self._room -= len(block)
         return block, rest
@@ -243,12 +351,8 @@ class Output:
 
 
 def are_silent(lines: list[str]) -> bool:
-    """Whether Orca would not say them, and they are many."""
+    """Whether they are many lines that Orca would not say."""
     return len(lines) >= MANY_NUMBERS and all(line.replace(" ", "").isdigit() for line in lines)
-
-
-FEWEST = 2
-"""Lines at once; where not even these would be found the answer is one line over and over."""
 
 
 class OnScreen:
@@ -257,23 +361,23 @@ class OnScreen:
     def __init__(self) -> None:
         self._lines: deque[str] = deque()
         self._prompt = PROMPT
-        """What stands where the cursor is; what is typed behind it is taken to be the same each time."""
+        """The line of the cursor; what is typed after it is taken to be the same each time."""
 
     def add(self, lines: Sequence[str], prompt: str, rows: int) -> None:
-        """They were printed, and the prompt, on a screen of so many rows."""
+        """Add the lines and the prompt that were printed on a screen of so many rows."""
         self._lines += self._new_lines(lines)
         self._prompt = prompt
         while len(self._lines) > rows:
             self._lines.popleft()
 
-    def most_heard(self, block: Sequence[str], rows: int) -> int:
-        """How many of these lines may be printed at once; all of them where that makes no difference."""
+    def most_said(self, block: Sequence[str], rows: int) -> int:
+        """How many of these lines may be printed at once; all of them if that makes no difference."""
         if len(set(block).intersection(self._lines)) < FEWEST:
             return len(block)
         sizes = range(len(block), FEWEST - 1, -1)
-        return next((size for size in sizes if self._are_heard(block[:size], rows)), len(block))
+        return next((size for size in sizes if self._are_said(block[:size], rows)), len(block))
 
-    def _are_heard(self, block: Sequence[str], rows: int) -> bool:
+    def _are_said(self, block: Sequence[str], rows: int) -> bool:
         from difflib import SequenceMatcher  # slow to load
 
         before = [*self._lines, self._prompt][-rows:]
@@ -286,5 +390,5 @@ class OnScreen:
         ]
 
     def _new_lines(self, block: Sequence[str]) -> list[str]:
-        """The prompt's line is ended, where there is one."""
+        """The lines of the screen that the block adds: the prompt's line, which is ended, comes first."""
         return [self._prompt, *block] if self._prompt and block else [*block]

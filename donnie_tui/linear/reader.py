@@ -1,6 +1,6 @@
-"""Reading what the learner types: edited key by key on a terminal, or as plain lines from anywhere else.
+"""Readers of typed lines: edited key by key on a terminal, or as plain lines from anywhere else.
 
-Both give the same values. What is typed while a program runs stays with the system until somebody reads.
+Both return the same values. What is typed while a program runs stays with the system until a line is read.
 """
 
 from __future__ import annotations
@@ -10,16 +10,24 @@ from collections import deque
 from collections.abc import Callable, Iterable
 from enum import Enum, auto
 from itertools import takewhile
-from typing import Protocol
+from typing import TYPE_CHECKING, Protocol
 
 from msgspec import Struct
 
+from donnie_tui.commands.declarations import COMMANDS
+from donnie_tui.commands.lookup import find
 from donnie_tui.core.line_history import Past, Recall
+from donnie_tui.i18n.command_words import words_of
 from donnie_tui.linear.console import Console
 from donnie_tui.linear.line_editor import ESCAPE_DELAY, Act, EditLine, Key, KeyDecoder
+from language import keywords
+from language.source import fold_name
+
+if TYPE_CHECKING:
+    from donnie_tui.commands.context import Context
 
 LONGEST_PLAIN = 1024 * 1024
-"""Bytes of a plain line; a longer one is nobody's program and is not kept."""
+"""Bytes of a plain line; a longer one is no program and is not kept."""
 
 
 class How(Enum):
@@ -27,13 +35,13 @@ class How(Enum):
 
     ENTER = auto()
     ESCAPE = auto()
-    """It is to run at once, unfinished as it may be."""
+    """ESC: run it at once, even if it is unfinished."""
     INTERRUPTED = auto()
     """Ctrl+C: it does not count."""
     CLOSED = auto()
     """Nothing more will come: Ctrl+D, the end of the input, or a signal to leave."""
     NEWS = auto()
-    """It goes on once the news are told."""
+    """It continues once the news is printed."""
     TOO_LONG = auto()
     """A line longer than any program's was left out."""
     CHOICES = auto()
@@ -50,11 +58,11 @@ class Reader(Protocol):
     """Where lines come from."""
 
     holds_newline: bool
-    """Whether the new line that ends the typed line must still be written."""
+    """Whether the newline that ends the typed line must still be written."""
 
     @property
     def has_typed(self) -> bool:
-        """Whether something was taken from the input that no line was made of yet."""
+        """Whether input was read that is no whole line yet."""
 
     def read(self, prompt: str, offered: str = "") -> Typed:
         """The next line. ``prompt`` and ``offered``, the text to be edited, were printed already."""
@@ -65,13 +73,13 @@ class EditingReader:
 
     holds_newline = True
 
-    def __init__(self, console: Console, past: Past, complete: Callable[[str], tuple[str, ...]]) -> None:
+    def __init__(self, console: Console, past: Past) -> None:
         self._console = console
         self._past = past
-        self.complete = complete
-        """Knows the words that the last one of a text may become."""
+        self.complete: Callable[[str], tuple[str, ...]] = _no_words
+        """Returns the words that the last word of a text may become."""
         self.on_key: Callable[[Key, str], None] = _nothing
-        """Told of each key before it is done, and of what stands before the cursor."""
+        """Called with each key before it is done, and with the text before the cursor."""
         self._decoder = KeyDecoder()
         self._keys: deque[Key] = deque()
 
@@ -107,7 +115,7 @@ class EditingReader:
                 return Typed(line.text, How.NEWS)
 
     def _is_woken(self, line: EditLine) -> bool:
-        """Whether what would wake us came already, where somebody else waited: it comes but once."""
+        """Whether the reason for a wake-up arrived already, during another wait: it wakes only once."""
         console = self._console
         return console.interrupted or console.has_news or (not line.text and console.lines_wait())
 
@@ -138,7 +146,7 @@ class EditingReader:
         return None, echo
 
     def _completed(self, line: EditLine) -> tuple[tuple[str, ...], str]:
-        """The words to choose from, none if there is but one; and what typing their common part writes."""
+        """The words to choose from, none if there is only one; and what typing their common part writes."""
         typed = line.text_before.rpartition(" ")[2]
         found = self.complete(line.text_before)
         common = _common(found)
@@ -154,8 +162,8 @@ class EditingReader:
 
         The line is not read again; the others stay as they were typed. None if there is no such line.
 
-        Ctrl+C may come as a key, from before anybody listened for signals: it counts like the signal, which
-        drops what was typed before it.
+        Ctrl+C may come as a key, from before signals were handled: it counts like the signal, which drops
+        what was typed before it.
         """
         if self._console.wait(0, reading=True):
             self._keys += self._decoder.feed(self._console.read())
@@ -194,7 +202,7 @@ class EditingReader:
 
 
 def _plain_text(keys: Iterable[Key]) -> str | None:
-    """What these keys type; None where that depends on more than they."""
+    """What these keys type; None if that depends on more than these keys."""
     text = ""
     for key in keys:
         if key.act is Act.BACKSPACE:
@@ -219,6 +227,10 @@ def _changed(line: EditLine, recall: Recall, key: Key) -> str:
 
 def _nothing(_key: Key, _before: str) -> None:
     return
+
+
+def _no_words(_text: str) -> tuple[str, ...]:
+    return ()
 
 
 def _common(words: tuple[str, ...]) -> str:
@@ -292,10 +304,64 @@ class PlainReader:
         return Typed("", How.TOO_LONG) if was_lost else Typed(self._decoded(line), How.ENTER)
 
     def _decoded(self, line: bytes) -> str:
-        """UTF-8, else the old code page of our learners' languages."""
+        """As UTF-8, else in the old code page of Western European languages."""
         try:
             text = line.decode("utf-8")
         except UnicodeDecodeError:
             text = line.decode("cp1252", errors="replace")
         was_first, self._is_first_line_over = not self._is_first_line_over, True
         return text.removeprefix("\ufeff" if was_first else "")
+
+
+MOST_WORDS = 100
+"""Words to choose from; more would be too many to listen to."""
+
+
+def candidates(ctx: Context, before: str) -> tuple[str, ...]:
+    """The words that the last word of ``before`` may become, in small letters if it was typed in these."""
+    blank, last = " " in before.lstrip(), before.rpartition(" ")[2]
+    asked = find(before)
+    if blank and asked is not None and asked[0].argument == "file":
+        return _files(last)
+    if not last:
+        return ()
+    known = [*keywords.all_words(ctx.words.language), *ctx.donnie.session.variables, *_arguments(ctx, before)]
+    if not blank:
+        commands = (each for each in COMMANDS if not each.is_visual)
+        known += [word for each in commands for word in words_of(each.name, ctx.words.language)]
+    folded = fold_name(last)
+    found = sorted({_as_typed(each, last) for each in known if fold_name(each).startswith(folded)})
+    return tuple(found[:MOST_WORDS])
+
+
+def _arguments(ctx: Context, before: str) -> tuple[str, ...]:
+    """The values of the argument of the command with which the line begins, if there are few."""
+    import worlds
+    from donnie_tui.core.map_words import compass_words
+
+    found = find(before)
+    argument = found[0].argument if found is not None else ""
+    if argument == "compass":
+        return compass_words(ctx.words.language)
+    if argument == "robot":
+        return tuple(session.name for session in ctx.donnie.team.sessions)
+    return worlds.names() if argument == "world" else ()
+
+
+def _as_typed(word: str, typed: str) -> str:
+    return word.lower() if typed.islower() else word
+
+
+def _files(typed: str) -> tuple[str, ...]:
+    from pathlib import Path
+
+    folder, _, name = typed.rpartition("/")
+    try:
+        found = sorted(Path(folder or ("/" if typed.startswith("/") else ".")).iterdir())
+        names = [f"{each.name}/" if each.is_dir() else each.name for each in found]
+    except OSError:
+        return ()
+    before = f"{folder}/" if "/" in typed else ""
+    return tuple(
+        before + each for each in names if each.startswith(name) and (name or not each.startswith("."))
+    )[:MOST_WORDS]

@@ -8,7 +8,7 @@ from __future__ import annotations
 import os
 import threading
 import time
-from collections.abc import Callable, Iterator
+from collections.abc import Iterator
 from contextlib import contextmanager
 
 import pytest
@@ -17,11 +17,11 @@ from donnie_tui.bootstrap import Donnie, assemble
 from donnie_tui.commands.interaction import EnterWorld, SwitchMode
 from donnie_tui.commands.preferences import Preferences
 from donnie_tui.linear import console as console_module
-from donnie_tui.linear.asking import Asking
 from donnie_tui.linear.console import Console
 from donnie_tui.linear.conversation import Conversation
 from donnie_tui.linear.greeting import Greeting
-from donnie_tui.settings.folders import state_path
+from donnie_tui.linear.prompter import Prompter
+from donnie_tui.linear.reader import Typed
 from donnie_tui.settings.settings import Settings
 from tests.parity.outcome import Outcome, Recorder
 from tests.patience import PATIENCE
@@ -76,7 +76,7 @@ class ScriptedConsole(Console):
 
     def wait(self, seconds: float | None = None, *, reading: bool = False) -> bool:
         if self.when_idle is not None or (reading and self.once_idle):
-            self._use_the_time(reading)
+            self._work_while_idle(reading)
         with self._changed:
             is_long = reading and (seconds is None or seconds > _LONG)
             self.waits = is_long and not self._nudged and not self._keys
@@ -113,6 +113,8 @@ class LinearMode:
         self._donnie, self._console = donnie, console
         self._recorder = Recorder(donnie)
         self._questions: list[str] = []
+        self.reads_answer = False
+        """Whether the next line is the answer to something that was said."""
         self.left_for = ""
         self._trouble: BaseException | None = None
         self._talk = talk
@@ -126,7 +128,7 @@ class LinearMode:
 
     def _converse(self) -> None:
         try:
-            self._talk.until_left(None, self._text)
+            self._talk.begin(None, self._text)
             self.left_for = "end"
         except EnterWorld as going:
             self.left_for = f"world {going.name}"
@@ -153,7 +155,7 @@ class LinearMode:
         self._enter(line)
         published = self._recorder.take()
         asked = "".join(self._questions[before : before + 1])
-        if not asked and self._waits_for_a_line and published:
+        if not asked and self.reads_answer and published:
             asked = published[-1]
         after: tuple[str, ...] = ()
         if asked and not self.left_for:
@@ -162,12 +164,6 @@ class LinearMode:
             after = self._recorder.take()
             published = tuple(each for each in published if each != asked)
         return Outcome(published, asked, (), after, self.left_for)
-
-    @property
-    def _waits_for_a_line(self) -> bool:
-        """Whether the next line is the answer to something that was said."""
-        desk = self._talk._desk
-        return desk.next_line is not None or desk.reads_next
 
     def _enter(self, line: str) -> None:
         self._console.type(f"{line}\r")
@@ -205,10 +201,9 @@ def linear_mode(settings: Settings, text: str, patched: pytest.MonkeyPatch) -> I
     donnie = assemble(settings, terminal=True)
     console, greeting = ScriptedConsole(), Greeting()
     greeting.was_printed, greeting.terminal = True, _NoTerminal()  # type: ignore[assignment] # as above
-    folder = state_path(os.environ)
-    talk = Conversation(donnie, console, folder, Preferences(settings, os.environ), greeting)
+    talk = Conversation(donnie, console, Preferences(settings, os.environ), greeting)
     mode = LinearMode(donnie, talk, console)
-    _report_questions(patched, mode.asked)
+    _report_questions(patched, mode)
     try:
         mode.begin(text)
         yield mode
@@ -216,12 +211,20 @@ def linear_mode(settings: Settings, text: str, patched: pytest.MonkeyPatch) -> I
         mode.close()
 
 
-def _report_questions(patched: pytest.MonkeyPatch, asked: Callable[[str], None]) -> None:
-    """Report each question as it is asked."""
-    original = Asking.answer_to
+def _report_questions(patched: pytest.MonkeyPatch, mode: LinearMode) -> None:
+    """Report each question as it is asked, and each other line that is no part of the program."""
+    ask_before, read_before = Prompter.ask, Prompter.read_next
 
-    def answer_to(self: Asking, question: str) -> str | None:
-        asked(question)
-        return original(self, question)
+    def ask(self: Prompter, question: str) -> str | None:
+        mode.asked(question)
+        return ask_before(self, question)
 
-    patched.setattr(Asking, "answer_to", answer_to)
+    def read_next(self: Prompter) -> Typed:
+        mode.reads_answer = True
+        try:
+            return read_before(self)
+        finally:
+            mode.reads_answer = False
+
+    patched.setattr(Prompter, "ask", ask)
+    patched.setattr(Prompter, "read_next", read_next)

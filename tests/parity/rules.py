@@ -24,8 +24,8 @@ OF_WAITING_LINES = {
 OF_WAITING_OR_ALL = ("STEP", "OVER", "UNTIL")
 """In the linear mode these begin with what waits, where the robot stands; on the screen from the start."""
 
-WITH_AN_OFFER = ("SAVE LOG", "SALVAR REGISTRO", "REPLACE")
-"""Their question offers an answer, which Escape takes in the linear mode and leaves on the screen."""
+UNANSWERED = ("QUIT", "EXIT", "SAVE LOG", "SALVAR REGISTRO", "REPLACE")
+"""Escape at their question takes what the linear mode offers; each front end says in its way that it stays."""
 ELSEWHERE = re.compile(r"Only in the (full screen: type VISUAL|linear mode: type LINEAR)\.")
 """The answer to a setting of the other front end."""
 
@@ -64,7 +64,7 @@ def is_same(case: str, line: str, linear: Outcome, screen: Outcome) -> bool:
     if not case.startswith("name of a program"):
         linear, screen = _without_name(linear), _without_name(screen)
     linear, screen = _plain(linear), _plain(screen)
-    if line in WITH_AN_OFFER:
+    if line in UNANSWERED:
         return (linear.asked, linear.published) == (screen.asked, screen.published)
     if line == "STOP ALL":  # the answer may come before the programs have ended
         return sorted(linear.published) == sorted(screen.published)

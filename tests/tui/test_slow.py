@@ -7,7 +7,7 @@ import threading
 import pytest
 
 from donnie_tui.bootstrap import assemble
-from donnie_tui.commands import edit, files
+from donnie_tui.commands import files, program
 from donnie_tui.core import recovery
 from donnie_tui.core.recovery import CopyFolder, UnsavedCopy, read_copy
 from donnie_tui.core.workspace import Workspace
@@ -262,13 +262,13 @@ async def test_a_huge_program_that_is_being_parsed_is_reported(work, monkeypatch
 
 
 async def test_a_program_that_changes_during_formatting_is_not_formatted(work, monkeypatch, gate):
-    lay_out = edit.formatted
+    lay_out = program.formatted
 
     def slowly(text, language):
         gate.wait(PATIENCE)
         return lay_out(text, language)
 
-    monkeypatch.setattr(edit, "formatted", slowly)
+    monkeypatch.setattr(program, "formatted", slowly)
     async with work("fw 1   tr 90") as desk:
         await desk.press("ctrl+k", "m")
         await desk.shows("Laying the program out, it takes a while.")
@@ -280,7 +280,7 @@ async def test_a_program_that_changes_during_formatting_is_not_formatted(work, m
 
 
 async def test_a_formatting_that_another_word_replaces_is_still_answered(work, monkeypatch, gate, tmp_path):
-    monkeypatch.setattr(edit, "formatted", lambda *_: gate.wait(PATIENCE))
+    monkeypatch.setattr(program, "formatted", lambda *_: gate.wait(PATIENCE))
     async with work("fw 1   tr 90") as desk:
         await desk.type_line("FORMAT")
         await desk.shows("Laying the program out, it takes a while.")

@@ -3,14 +3,14 @@
 from pathlib import Path
 
 from donnie_tui.commands.declarations import COMMANDS
-from donnie_tui.commands.document import FILE, document
 from donnie_tui.commands.lookup import word_of
+from tests.tools.commands_page import FILE, document
 
 ROOT = Path(__file__).parents[3]
 
 
 def test_the_page_is_what_the_declarations_say():
-    """To write it anew: ``python -m donnie_tui.commands.document``."""
+    """To write it anew: ``python -m tests.tools.commands_page``."""
     assert (ROOT / FILE).read_text(encoding="utf-8") == document()
 
 

@@ -13,8 +13,9 @@ from donnie_tui.commands.lookup import typed_form, word_of
 from donnie_tui.core.events import Answered, Stamped
 from donnie_tui.settings.settings import Settings
 from tests.unit.commands.scripted import Quit, Script
-from tests.unit.commands.test_dispatch import MODULES
 
+MODULES = ("world", "read", "sound", "settings", "help")
+"""Handlers that the scripted interaction is enough for."""
 HERE = [each for each in COMMANDS if each.module in MODULES]
 
 

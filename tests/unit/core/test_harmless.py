@@ -13,7 +13,7 @@ from donnie_tui.core.events import Spoke
 from donnie_tui.core.program_files import decode
 from donnie_tui.core.transcript import lines_of
 from donnie_tui.i18n.words import Words
-from donnie_tui.linear.output import Told
+from donnie_tui.linear.output import OutputQueue
 from donnie_tui.tui.printable import Printable
 from language.diagnostics import Diagnostic, MistakeKind, Span
 from language.source import printable
@@ -35,9 +35,9 @@ def in_the_log(text: str) -> str:
 
 
 def in_the_linear_mode(text: str) -> str:
-    told = Told(lambda: None)
-    told.put([text])
-    return " ".join(told.take())
+    queue = OutputQueue(lambda: None)
+    queue.put([text])
+    return " ".join(queue.take())
 
 
 def from_a_file(text: str) -> str:

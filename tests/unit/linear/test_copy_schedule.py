@@ -8,7 +8,7 @@ from collections.abc import Callable, Iterator
 import pytest
 
 from donnie_tui.linear.console import Console
-from donnie_tui.linear.desk import SOON, CopySchedule
+from donnie_tui.linear.prompter import SOON, CopySchedule
 
 
 class Typing:

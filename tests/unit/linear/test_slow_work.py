@@ -10,13 +10,12 @@ from typing import Any
 
 import pytest
 
-from donnie_tui.commands import edit, files
-from donnie_tui.commands.interaction import drive
+from donnie_tui.commands import files, program
+from donnie_tui.commands.interaction import GivenUp, drive
 from donnie_tui.core.document import Document
 from donnie_tui.core.program_files import write_program
-from donnie_tui.linear.console import Gone
-from donnie_tui.linear.interaction import LinearInteraction
-from donnie_tui.linear.patience import GivenUp, aside
+from donnie_tui.linear.console import Gone, run_in_background
+from donnie_tui.linear.conversation import LinearInteraction
 from language.formatter import formatted
 from tests.patience import PATIENCE
 
@@ -51,26 +50,26 @@ class Console:
         return self.gate.wait(PATIENCE)
 
 
-@pytest.mark.parametrize(("takes", "told"), [(0.5, []), (5, [1.0]), (25, [1.0, 11.0, 21.0])])
-def test_slow_work_is_reported_after_a_second_and_every_ten(takes: float, told: list[float]) -> None:
+@pytest.mark.parametrize(("takes", "expected"), [(0.5, []), (5, [1.0]), (25, [1.0, 11.0, 21.0])])
+def test_slow_work_is_reported_after_a_second_and_every_ten(takes: float, expected: list[float]) -> None:
     console: Any = Console(takes)
     times: list[float] = []
-    done = aside(console, console.wait_at_gate, lambda: times.append(console.time))
+    done = run_in_background(console, console.wait_at_gate, lambda: times.append(console.time))
     assert done is True
-    assert times == told
+    assert times == expected
 
 
 def test_an_exception_of_the_work_is_raised() -> None:
     console: Any = Console(0)
     with pytest.raises(ZeroDivisionError):
-        aside(console, lambda: 1 // 0, lambda: None)
+        run_in_background(console, lambda: 1 // 0, lambda: None)
 
 
 def test_a_signal_to_leave_ends_the_wait() -> None:
     console: Any = Console(100)
     console.leaving = 15
     with pytest.raises(Gone):
-        aside(console, console.wait_at_gate, lambda: None)
+        run_in_background(console, console.wait_at_gate, lambda: None)
     console.gate.set()
 
 
@@ -82,7 +81,7 @@ def test_a_signal_to_leave_during_output_ends_the_wait() -> None:
         console.leaving = 15
 
     with pytest.raises(Gone):
-        aside(console, console.wait_at_gate, lambda: None, show=show)
+        run_in_background(console, console.wait_at_gate, lambda: None, show=show)
     assert console.time == 1.0
     console.gate.set()
 
@@ -94,7 +93,7 @@ def test_control_c_ends_the_wait_for_work_that_can_be_cancelled() -> None:
         console.interrupted = True
 
     with pytest.raises(GivenUp):
-        aside(console, console.wait_at_gate, lambda: None, show=press_control_c, may_be_left=True)
+        run_in_background(console, console.wait_at_gate, lambda: None, show=press_control_c, may_be_left=True)
     assert console.time == 1.0
     console.gate.set()
 
@@ -105,7 +104,7 @@ def test_work_with_effects_is_waited_for_after_control_c_too() -> None:
     def press_control_c() -> None:
         console.interrupted = True
 
-    assert aside(console, console.wait_at_gate, lambda: None, show=press_control_c)
+    assert run_in_background(console, console.wait_at_gate, lambda: None, show=press_control_c)
     assert console.interrupted, "it counts behind"
 
 
@@ -121,19 +120,19 @@ class Slowly:
 
 
 def context(console: Any, answers: list[str]) -> Any:
-    program = Document()
-    program.add("fw   1")
-    desk: Any = SimpleNamespace(
+    text = Document()
+    text.add("fw   1")
+    conversation: Any = SimpleNamespace(
         console=console,
-        showing=SimpleNamespace(show_told=lambda: None),
-        is_attended=False,
-        tell=answers.append,
+        printer=SimpleNamespace(show=lambda: None),
+        streams=SimpleNamespace(is_attended=False),
+        ctx=SimpleNamespace(say=answers.append),
     )
     return SimpleNamespace(
-        program=program,
+        program=text,
         workspace=SimpleNamespace(files=()),
         donnie=SimpleNamespace(in_use=()),
-        interaction=LinearInteraction(desk),
+        interaction=LinearInteraction(conversation),
         words=lambda code, **_: code,
         answer=lambda code, **_: answers.append(code),
     )
@@ -149,9 +148,9 @@ def test_a_slow_report_is_reported(tmp_path: Path, monkeypatch: pytest.MonkeyPat
 
 def test_slow_formatting_is_reported(monkeypatch: pytest.MonkeyPatch) -> None:
     console, answers = Console(5), list[str]()
-    monkeypatch.setattr(edit, "formatted", Slowly(console, formatted))
+    monkeypatch.setattr(program, "formatted", Slowly(console, formatted))
     slow = context(console, answers)
-    drive(edit._lay_out(slow, None))
+    drive(program._lay_out(slow, None))
 
     assert answers == ["slow-layout", "screen-formatted"]
     assert slow.program.text == "FW 1\n"

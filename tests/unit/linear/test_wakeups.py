@@ -10,9 +10,9 @@ import pytest
 
 from donnie_tui.core.events import Outcome
 from donnie_tui.core.line_history import Past
-from donnie_tui.linear.output import Told
+from donnie_tui.linear.loop import RunLoop
+from donnie_tui.linear.output import OutputQueue
 from donnie_tui.linear.reader import EditingReader, How, PlainReader
-from donnie_tui.linear.run_loop import RunLoop
 
 FOR_EVER = 1e9
 
@@ -69,7 +69,7 @@ def _nothing() -> None:
 
 
 def editor(console: Any) -> EditingReader:
-    return EditingReader(console, Past(None), lambda _: ())
+    return EditingReader(console, Past(None))
 
 
 # --- keys that are typed while Donnie still loads
@@ -113,21 +113,24 @@ class Watched:
         )
         session = SimpleNamespace(hub=hub, stop=self._stop)
         team = SimpleNamespace(stop=self._stop, settle=lambda: None, running=())
-        self.desk: Any = SimpleNamespace(
-            console=self.console,
-            session=session,
-            donnie=SimpleNamespace(team=team, stop_real_robot=bool),
-            ends=SimpleNamespace(options=SimpleNamespace(progress=0), can_edit=True, hears_live=False),
-            showing=SimpleNamespace(),
-            beside=SimpleNamespace(),
-            ctx=SimpleNamespace(runs=self.runs),
-            leaving=None,
+        self.left_out = 0
+        self.queue = OutputQueue(_nothing)
+        self.has_ended = False
+        ctx: Any = SimpleNamespace(
+            runs=self.runs,
+            donnie=SimpleNamespace(team=team, session=session, stop_real_robot=bool),
             answer=self._answer,
         )
-        self.left_out = 0
-        self.told = Told(_nothing)
-        self.has_ended = False
-        self.loop = RunLoop(self.desk, self.told, None)
+        streams: Any = SimpleNamespace(
+            console=self.console,
+            queue=self.queue,
+            options=SimpleNamespace(progress=0),
+            is_attended=True,
+            can_edit=True,
+            takes_live_commands=False,
+        )
+        some: Any = SimpleNamespace()
+        self.loop = RunLoop(ctx, streams, some, some, some, some)
         monkeypatch.setattr(self.loop, "_take_live", self._live)
 
     def _answer(self, code: str, **values: int) -> None:
@@ -145,7 +148,7 @@ class Watched:
 
     def _stop(self) -> None:
         self.stops.append(self._happens)
-        self.told.put(self.last_words if not self._is_over else ())
+        self.queue.put(self.last_words if not self._is_over else ())
         self._is_over = True
 
     def wait(self, _: float) -> bool:
@@ -187,7 +190,7 @@ def test_a_stop_prints_three_waiting_lines_and_the_number_of_the_others(
     watched.last_words = ["on and on"] * 97 + ["one", "two", "I was stopped."]
     watched.loop.follow([(None, watched.run)])
 
-    assert watched.told.take() == ["one", "two", "I was stopped."]
+    assert watched.queue.take() == ["one", "two", "I was stopped."]
     assert watched.left_out == 97
 
 

@@ -8,8 +8,8 @@ from typing import Any
 import pytest
 
 from donnie_tui.core.events import Outcome
-from donnie_tui.linear.output import Told
-from donnie_tui.linear.run_loop import RunLoop
+from donnie_tui.linear.loop import RunLoop
+from donnie_tui.linear.output import OutputQueue
 
 
 class Console:
@@ -45,23 +45,27 @@ class Run:
 
 def signs(seconds: float, interval: float, monkeypatch: pytest.MonkeyPatch) -> list[float]:
     """When a run of so many seconds says that it is still there."""
-    console, told_at = Console(), list[float]()
+    console, reported_at = Console(), list[float]()
     hub = SimpleNamespace(add_gate=lambda _: _nothing)
     runs = SimpleNamespace(has_ended=lambda _: False, is_held=False, sum_up=lambda _: None)
-    desk: Any = SimpleNamespace(
+    team, session = SimpleNamespace(settle=_nothing), SimpleNamespace(hub=hub)
+    donnie = SimpleNamespace(team=team, session=session, stop_real_robot=bool)
+    ctx: Any = SimpleNamespace(runs=runs, donnie=donnie)
+    streams: Any = SimpleNamespace(
         console=console,
-        session=SimpleNamespace(hub=hub),
-        donnie=SimpleNamespace(team=SimpleNamespace(settle=_nothing), stop_real_robot=bool),
-        ends=SimpleNamespace(options=SimpleNamespace(progress=interval), can_edit=True, hears_live=False),
-        ctx=SimpleNamespace(runs=runs),
-        beside=SimpleNamespace(is_watching=False),
-        showing=SimpleNamespace(show_told=_nothing),
+        editing=None,
+        queue=OutputQueue(_nothing),
+        options=SimpleNamespace(progress=interval),
+        can_edit=True,
+        takes_live_commands=False,
     )
-    loop = RunLoop(desk, Told(_nothing), None)
-    monkeypatch.setattr(loop, "_report_progress", lambda: told_at.append(round(console.time, 3)))
+    printer: Any = SimpleNamespace(show=_nothing)
+    some: Any = SimpleNamespace()
+    loop = RunLoop(ctx, streams, printer, some, some, some)
+    monkeypatch.setattr(loop, "_report_progress", lambda: reported_at.append(round(console.time, 3)))
     run: Any = Run(console, seconds)
     loop.follow([(None, run)])
-    return told_at
+    return reported_at
 
 
 def _nothing() -> None:

@@ -1,4 +1,4 @@
-"""Writes ``docs/commands.md`` from the declarations: ``python -m donnie_tui.commands.document``."""
+"""Writes ``docs/commands.md`` from the declarations: ``python -m tests.tools.commands_page``."""
 
 from __future__ import annotations
 
@@ -16,13 +16,10 @@ FILE = Path("docs/commands.md")
 _TITLES = {
     "run": "Running a program",
     "files": "Files",
-    "program": "The lines of the program",
-    "edit": "Editing",
-    "read": "Reading the program, and its mistakes",
-    "log": "What was said and typed",
+    "program": "The lines of the program, and its text",
+    "read": "Reading the program, its mistakes, and what was said and typed",
     "sound": "Sound and belt",
-    "world": "The robot's surroundings, and other worlds",
-    "map": "The map",
+    "world": "The robot's surroundings, the map, and other worlds",
     "robots": "The robots",
     "settings": "Settings",
     "help": "Help, and the ways out",
@@ -42,7 +39,7 @@ def document() -> str:
         "",
         "What a learner can type besides GoDonnie, in the linear mode and in the command line of the full",
         "screen, with its keys there. It can be typed at any time where nothing else is said. The page is",
-        "made by `python -m donnie_tui.commands.document`.",
+        "made by `python -m tests.tools.commands_page`.",
     ]
     words = Words(ENGLISH)
     for module, title in _TITLES.items():
