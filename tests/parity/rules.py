@@ -1,6 +1,6 @@
 """Rules for intended differences between the two front ends, so that no case has to list them.
 
-Every other difference is listed in ``differences.toml`` until it is removed.
+No other difference is allowed.
 """
 
 from __future__ import annotations
@@ -25,7 +25,7 @@ OF_WAITING_OR_ALL = ("STEP", "OVER", "UNTIL")
 """In the linear mode these begin with what waits, where the robot stands; on the screen from the start."""
 
 UNANSWERED = ("QUIT", "EXIT", "SAVE LOG", "SALVAR REGISTRO", "REPLACE")
-"""Escape at their question takes what the linear mode offers; each front end says in its way that it stays."""
+"""Escape at their question takes what the linear mode offers, and the screen leaves it."""
 ELSEWHERE = re.compile(r"Only in the (full screen: type VISUAL|linear mode: type LINEAR)\.")
 """The answer to a setting of the other front end."""
 
