@@ -40,7 +40,7 @@ if TYPE_CHECKING:
 DECIDED_FOR = {
     ChannelReason.OVER_SSH: "voice-over-ssh",
     ChannelReason.SCREEN_READER: "voice-for-reader",
-    ChannelReason.READERS_VOICE: "voice-behind-reader",
+    ChannelReason.READERS_VOICE: "voice-after-reader",
     ChannelReason.SPEECH_DISPATCHER: "voice-by-dispatcher",
     ChannelReason.OWN_VOICE: "voice-own",
 }
@@ -113,12 +113,12 @@ class Audible:
         self._unsubscribe()
         self._own.close()
 
-    def tell_as(self, transcript_filter: TranscriptFilter) -> Callable[[], None]:
+    def speak_only(self, transcript_filter: TranscriptFilter) -> Callable[[], None]:
         """Say no more of the stream than what is printed of it. The answer ends that."""
         self._reporting = transcript_filter
-        return self.tell_all
+        return self.speak_everything
 
-    def tell_all(self) -> None:
+    def speak_everything(self) -> None:
         """Speak every sentence."""
         self._reporting = UnfilteredTranscript()
 

@@ -62,7 +62,7 @@ class ScreenInteraction:
     async def confirm(self, question: str) -> bool | None:
         def unclear(typed: str) -> str | None:
             is_clear = not typed.strip() or answered(typed) is not None
-            return None if is_clear else f"{self._words('ask-yes-no')} {question}"
+            return None if is_clear else f"{self._words('yes-or-no')} {question}"
 
         await asyncio.sleep(0)
         typed = await self._host.ask(question, self._words("ask-keys"), "", unclear)

@@ -10,7 +10,7 @@ from collections.abc import Callable, Sequence
 from typing import TYPE_CHECKING, TypeVar
 
 from donnie_tui.core.events import Pointed
-from donnie_tui.core.transcript import said_by
+from donnie_tui.core.transcript import with_robot_name
 from donnie_tui.tui import patience
 from donnie_tui.tui.answer import Answer
 
@@ -38,11 +38,11 @@ class Talk:
         """An answer of our own."""
         if answer is not None:
             sentence, robot = self._words(answer.code, **answer.values), self._donnie.session.hub.robot
-            self.tell_sentences(said_by(robot if answer.of_robot else None, sentence, self._words))
+            self.tell_sentences(with_robot_name(robot if answer.of_robot else None, sentence, self._words))
 
     def tell_sentences(self, *sentences: str) -> None:
         """Answers that are sentences already."""
-        self._donnie.tell(*sentences)
+        self._donnie.publish_answers(*sentences)
 
     def point(self, words: str) -> None:
         """Say what somebody looks at on the map or in a list; any key ends it, and it stands in no log."""
@@ -60,7 +60,7 @@ class Talk:
         return await self._host.choose(title, keys, nothing, choices)
 
     async def press_key(self, asked: str, accepts: Callable[[str], str | None]) -> str | None:
-        keys, behind = self._words("keys-capture"), self._words("keys-behind")
+        keys, behind = self._words("keys-capture"), self._words("keys-second-key")
         return await self._host.press_key(asked, keys, behind, accepts)
 
     async def choose_word(self, words: Sequence[str], below: Offset) -> tuple[str, str]:
