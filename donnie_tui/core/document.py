@@ -92,14 +92,14 @@ class Document:
         return self._editor is not None
 
     def attach(self, editor: TextEditor) -> None:
-        """Have it shown and edited there."""
+        """Shows the document in an editor, which edits it from now on."""
         place, self._ran = self._place, 0
         self._editor, self._is_edited_as_text = editor, True
         self._show()
         editor.go_to(place or 1)
 
     def detach(self) -> None:
-        """Take over what the editor has, which shows another document from now on."""
+        """Takes over the text of the editor, which will show another document."""
         if self._editor is not None:
             self._read_editor()
             self._breakpoints, self._place = self._editor.breakpoints, self._editor.line
@@ -402,7 +402,7 @@ class Document:
             self._ran = 0
 
     def _cleaned(self, text: str) -> str:
-        """The text without control characters. Counts all that was ever typed: that needs no adding up."""
+        """The text without control characters. Its size is added to all that was ever typed."""
         text = cleaned(text)
         if self._size + len(text) + 1 > LARGEST:
             raise ProgramTooLong

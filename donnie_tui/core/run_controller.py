@@ -1,9 +1,8 @@
-"""The runs of a world's robots: starting, holding, stepping and stopping them, for every front end.
+"""Starts, pauses, steps and stops the runs of a world's robots, for every front end.
 
-Requests come from a front end's thread and
-never wait. Holds and ends come from the program's thread, which publishes their sentences, so that they stand
-in order after all that the program said. A front end learns of them as a ``RunObserver`` and calls ``sum_up``
-once a run is over.
+Requests come from a front end's thread and don't wait for the program. The program's thread publishes the
+sentences about its pauses and its end, so that they follow all that the program said. A front end learns
+about both as a ``RunObserver``, and calls ``sum_up`` when a run is over.
 """
 
 from __future__ import annotations
