@@ -413,7 +413,7 @@ class RunController:
             case RunEnded():
                 self._answer(*own.narrator.on_end(event))
                 if event.outcome is Outcome.COMPLETED and own.is_silent and own.is_background:
-                    self._answer_of(own.session, "linear-done")
+                    self._answer_of(own.session, "run-done")
                 own.has_ended = True
                 self.observer.on_change()
             case _:
@@ -446,7 +446,7 @@ class RunController:
         if record.request.is_whole and not self._has_prompt:
             code = "screen-done"
         elif record.is_silent or record.is_stepped:
-            code = "linear-done"
+            code = "run-done"
         else:
             return
         self._answer_of(record.session, code)

@@ -82,7 +82,7 @@ class ChosenWorld(Struct, frozen=True):
 
     def about(self, language: str) -> About | None:
         """Title, description and task; None for a world file without a file of words."""
-        from worlds.words import BadWords, about
+        from worlds.words import BadWords, about, about_file
 
         if self.ships:
             return about(self.name, language)
