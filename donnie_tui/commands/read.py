@@ -22,7 +22,7 @@ from donnie_tui.core.program_text import (
     place_in_words,
 )
 from donnie_tui.core.run_state import line_of
-from donnie_tui.i18n.messages import SPELLING_OF_SIGN
+from donnie_tui.i18n.words import SPELLING_OF_SIGN
 
 MOST_SHOWN = 10
 """Answers that SHOW LOG repeats."""

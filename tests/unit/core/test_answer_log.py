@@ -3,8 +3,7 @@
 import pytest
 
 from donnie_tui.core.answer_log import KEPT, LONGEST_ANSWER, MOST_FOUND, AnswerLog, spelled
-from donnie_tui.i18n.messages import SPELLING_OF_SIGN
-from donnie_tui.i18n.words import Words
+from donnie_tui.i18n.words import SPELLING_OF_SIGN, Words
 
 
 def log(*answers: tuple[str, ...]) -> AnswerLog:
