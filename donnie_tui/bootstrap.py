@@ -78,14 +78,14 @@ class Donnie(Struct, frozen=True):
         """The session of the robot that is talked to."""
         return self.team.chosen
 
-    def tell(self, *sentences: str) -> None:
+    def publish_answers(self, *sentences: str) -> None:
         """Answer the learner: each sentence is printed, spoken and can be repeated."""
         for sentence in sentences:
             self.session.hub.publish(Answered(sentence))
 
     def say(self, code: str, **values: object) -> None:
         """Answer with a sentence of the catalogue."""
-        self.tell(self.words(code, **values))
+        self.publish_answers(self.words(code, **values))
 
     @property
     def in_use(self) -> FilesInUse:

@@ -25,7 +25,7 @@ from donnie_tui.core.recheck import Result, Verdict, recheck
 from donnie_tui.core.recording import LARGEST, Header, NoRecordingError, Recording
 from donnie_tui.core.replay import Replay, undone_in_words
 from donnie_tui.core.timeline import Timeline
-from donnie_tui.core.transcript import told_lines
+from donnie_tui.core.transcript import printed_lines
 from donnie_tui.i18n.words import Unusable, Words
 from donnie_tui.outlets.audible import make_audible
 from donnie_tui.outlets.files import Written
@@ -276,7 +276,7 @@ def _printer(output: Output, words: Words, *, with_words: bool) -> Callable[[Sta
     """Without words if events go to standard output; errors are printed all the same."""
 
     def show(stamped: Stamped) -> None:
-        for line in told_lines(stamped, words):
+        for line in printed_lines(stamped, words):
             if with_words:
                 output.line(line)
             elif isinstance(stamped.event, Answered):

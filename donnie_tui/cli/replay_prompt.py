@@ -15,7 +15,7 @@ from donnie_tui.core.events import Answered, Stamped
 from donnie_tui.core.hub import Hub, Stream
 from donnie_tui.core.replay import Replay, map_at, redone_in_words, rows_of, undone_in_words
 from donnie_tui.core.timeline import Timeline
-from donnie_tui.core.transcript import said_by
+from donnie_tui.core.transcript import with_robot_name
 from donnie_tui.core.wording import keys_of, meant, position_in_words, spelled
 from donnie_tui.i18n.words import Words
 from donnie_tui.settings.settings import faster_than, slower_than, speed_words
@@ -149,7 +149,7 @@ class ReplayPrompt:
         for robot in self._timeline.robots:
             pose = self._timeline.pose(robot)
             if pose is not None:
-                self._say(said_by(robot, position_in_words(pose, self._words), self._words))
+                self._say(with_robot_name(robot, position_in_words(pose, self._words), self._words))
 
     def _map(self, output: Output) -> None:
         rows = () if self._floor is None else self._floor.lines(self._timeline, self._robot)

@@ -34,7 +34,7 @@ from donnie_tui.core.program_files import is_same_file
 from donnie_tui.core.runner import LAST_WORDS, Run, RunRequest
 from donnie_tui.core.session import RunOptions
 from donnie_tui.core.team import Team
-from donnie_tui.core.transcript import told_lines
+from donnie_tui.core.transcript import printed_lines
 from donnie_tui.core.wording import no_such_robot
 from donnie_tui.i18n.words import Unusable, Words
 from donnie_tui.robot.search import Search
@@ -280,7 +280,7 @@ def _printer(donnie: Donnie, output: Output, *, with_words: bool) -> Callable[[S
 
     def show(stamped: Stamped) -> None:
         is_our_own = isinstance(stamped.event, Answered)
-        for line in told_lines(stamped, donnie.words):
+        for line in printed_lines(stamped, donnie.words):
             if is_our_own:
                 output.complaint(line)
             elif with_words:

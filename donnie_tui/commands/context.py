@@ -14,12 +14,12 @@ from donnie_tui.core.map_grid import Trail
 from donnie_tui.core.program_text import no_such_line
 from donnie_tui.core.run_controller import RunController
 from donnie_tui.core.run_state import RunErrors
-from donnie_tui.core.transcript import lines_said_by, said_by
+from donnie_tui.core.transcript import lines_with_robot_name, with_robot_name
 from donnie_tui.core.wording import shown_name
 
 if TYPE_CHECKING:
     from donnie_tui.core.document import Document
-    from donnie_tui.core.line_history import Past
+    from donnie_tui.core.line_history import LineHistory
     from donnie_tui.core.map_grid import MapGrid
     from donnie_tui.core.workspace import Workspace
 
@@ -36,7 +36,7 @@ class Context:
         interaction: Interaction,
         workspace: Workspace,
         answers: AnswerLog,
-        past: Past,
+        past: LineHistory,
         preferences: Preferences,
         screen: Screen | None = None,
     ) -> None:
@@ -62,7 +62,7 @@ class Context:
         )
         self.trail = Trail(lambda: donnie.session.hub.robot)
         self.errors = RunErrors(of=lambda: donnie.session.hub.robot)
-        listeners = (self.trail.hear, self.errors.on_event)
+        listeners = (self.trail.on_event, self.errors.on_event)
         self._unsubscribe = [donnie.team.stream.subscribe(each) for each in listeners]
 
     def close(self) -> None:
@@ -104,11 +104,11 @@ class Context:
 
     def of_robot(self, *lines: str) -> tuple[str, ...]:
         """The lines as they are for the robot that the learner talks to, with its name where needed."""
-        return lines_said_by(self.donnie.session.hub.robot, lines, self.words)
+        return lines_with_robot_name(self.donnie.session.hub.robot, lines, self.words)
 
     def answer_of_robot(self, code: str, **values: object) -> None:
         """As ``answer``, with the name of the robot where there are several."""
-        self.say(said_by(self.donnie.session.hub.robot, self.words(code, **values), self.words))
+        self.say(with_robot_name(self.donnie.session.hub.robot, self.words(code, **values), self.words))
 
     def counted(self, lines: Sequence[str]) -> tuple[str, ...]:
         """A list; the number of its lines comes first where it is long."""

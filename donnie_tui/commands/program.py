@@ -11,7 +11,7 @@ from donnie_tui.commands.dispatch import handles
 from donnie_tui.commands.interaction import GivenUp, NotUnderstood, Option
 from donnie_tui.core.document import ANOTHER_PROGRAM, Document, ProgramTooLong
 from donnie_tui.core.program_text import (
-    Mistake,
+    LineMistake,
     fixed,
     line_in_words,
     mistakes,
@@ -274,7 +274,7 @@ async def fix(ctx: Context, _: str) -> None:
             ctx.screen.mark_mistakes()
 
 
-def _next_mistake(ctx: Context, known: list[Mistake]) -> Mistake:
+def _next_mistake(ctx: Context, known: list[LineMistake]) -> LineMistake:
     place, now = ctx.program.place, ctx.errors.now
     here = (each for each in known if each.line == place)
     reported = (each for each in known if now is not None and each.line == now.line)

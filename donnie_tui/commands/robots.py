@@ -95,7 +95,7 @@ def _robot_in_words(ctx: Context, session: Session) -> str:
 async def use_gripper(ctx: Context, _: str, command: GripperCommand) -> None:
     """Close or open the gripper. The answer of a prompt waits for what comes of it."""
     session = ctx.donnie.session
-    session.settle()
+    session.wait_for_stop()
     try:
         run = session.use_gripper(command)
     except Busy:

@@ -13,7 +13,7 @@ from donnie_tui.commands.dispatch import handles
 from donnie_tui.commands.interaction import NotUnderstood, Option, Screen
 from donnie_tui.core import map_words
 from donnie_tui.core.events import SoundSwitched
-from donnie_tui.core.map_grid import FREE, USUALLY_TOLD, place_in_words
+from donnie_tui.core.map_grid import DEFAULT_MOVES, FREE, place_in_words
 from donnie_tui.core.pointing import Pointer, legend
 from donnie_tui.core.wording import shown_name
 from donnie_tui.settings.settings import Settings, Source
@@ -46,7 +46,7 @@ async def around(ctx: Context, argument: str) -> None:
 @handles("trail")
 async def trail(ctx: Context, argument: str) -> None:
     """The robot's last moves."""
-    count = read_count(argument, USUALLY_TOLD)
+    count = read_count(argument, DEFAULT_MOVES)
     ctx.say_of_robot(*ctx.counted(ctx.trail.in_words(count, ctx.words)))
 
 
@@ -221,9 +221,9 @@ async def show_legend(ctx: Context, _: str) -> None:
 @handles("world")
 async def world(ctx: Context, argument: str) -> None:
     """What the author says of the world, what is in it, what to try there; or the way to another one."""
-    from donnie_tui.core.describe import told_world
+    from donnie_tui.core.describe import world_introduction
     from donnie_tui.core.map_words import map_in_words
-    from donnie_tui.core.transcript import lines_said_by
+    from donnie_tui.core.transcript import lines_with_robot_name
 
     if argument:
         await enter_world(ctx, argument)
@@ -231,8 +231,8 @@ async def world(ctx: Context, argument: str) -> None:
     donnie = ctx.donnie
     about = donnie.world.about(ctx.words.language)
     floor = map_in_words(donnie.picture_now(), donnie.session.pose, ctx.words, about)
-    of_robot = lines_said_by(donnie.session.hub.robot, floor, ctx.words)
-    ctx.say(*told_world(donnie.world.name, about, of_robot, ctx.words))
+    of_robot = lines_with_robot_name(donnie.session.hub.robot, floor, ctx.words)
+    ctx.say(*world_introduction(donnie.world.name, about, of_robot, ctx.words))
 
 
 @handles("worlds")
@@ -320,4 +320,4 @@ def say_arrival(donnie: Donnie, *, is_silent: bool) -> None:
     if is_silent:
         donnie.session.hub.publish(SoundSwitched(False))
     about = donnie.world.about(donnie.words.language)
-    donnie.tell(*arrived(donnie.world.name, about, donnie.picture(), donnie.words))
+    donnie.publish_answers(*arrived(donnie.world.name, about, donnie.picture(), donnie.words))

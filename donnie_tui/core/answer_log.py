@@ -14,7 +14,7 @@ from typing import TextIO
 from unicodedata import normalize
 
 from donnie_tui.core.events import LineFile, Stamped
-from donnie_tui.core.transcript import told_lines
+from donnie_tui.core.transcript import printed_lines
 from donnie_tui.core.wording import Wording
 from language.source import fold_name
 
@@ -158,7 +158,7 @@ class TranscriptLog:
         self._wording = wording
 
     def __call__(self, stamped: Stamped) -> None:
-        lines = told_lines(stamped, self._wording)
+        lines = printed_lines(stamped, self._wording)
         if lines and self._file.takes_more:
             self._file.write("".join(f"{line}\n" for line in lines))
 

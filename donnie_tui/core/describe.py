@@ -160,7 +160,9 @@ def describe(
     )
 
 
-def told_world(name: str, about: About | None, in_words: Sequence[str], wording: Wording) -> tuple[str, ...]:
+def world_introduction(
+    name: str, about: About | None, in_words: Sequence[str], wording: Wording
+) -> tuple[str, ...]:
     """A world for a learner whose robot is in it: the author's words, the things, and what to try.
 
     ``in_words`` are the sentences of MAP about the things.

@@ -133,7 +133,7 @@ class Stream:
         for gate in self._gates:
             gate(robot)
 
-    def wait_until_heard(self, seconds: float) -> None:
+    def wait_until_delivered(self, seconds: float) -> None:
         """Returns once all published events were delivered, or after so many seconds."""
         if self._delivers_here():
             return
@@ -270,6 +270,6 @@ class Hub:
     def stop_holding_back(self) -> None:
         self._program = _NO_THREAD
 
-    def wait_until_heard(self, seconds: float = LAST_WORD) -> None:
+    def wait_until_delivered(self, seconds: float = LAST_WORD) -> None:
         """Returns once all published events were delivered, or after so many seconds."""
-        self._stream.wait_until_heard(seconds)
+        self._stream.wait_until_delivered(seconds)

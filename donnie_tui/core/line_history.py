@@ -15,7 +15,7 @@ LARGEST_FILE = 4 * 1024 * 1024
 LONGEST_LINE = 2000
 
 
-class Past:
+class LineHistory:
     """Typed lines, oldest first."""
 
     def __init__(self, file: str | None = None) -> None:
@@ -49,7 +49,7 @@ class Past:
 class Recall:
     """One walk through the past, from the line that is being typed."""
 
-    def __init__(self, past: Past, draft: str = "") -> None:
+    def __init__(self, past: LineHistory, draft: str = "") -> None:
         self._lines = [*past.lines, draft]
         self._at = len(past.lines)
 

@@ -230,7 +230,7 @@ def _on_the_way(start: Cell, end: Cell, step: int, length: int) -> Cell:
 
 # --- the trail in words
 
-USUALLY_TOLD = 5
+DEFAULT_MOVES = 5
 """Moves that TRAIL gives without a number."""
 
 MOVES_KEPT = 1000
@@ -238,7 +238,7 @@ MOVES_KEPT = 1000
 
 
 class Trail:
-    """The moves of each robot so far. Subscribe ``hear`` to a hub."""
+    """The moves of each robot so far. Subscribe ``on_event`` to a hub."""
 
     def __init__(self, of: Callable[[], str | None] = lambda: None) -> None:
         """``of`` returns the robot's name in its events; None in a world of one robot."""
@@ -255,7 +255,7 @@ class Trail:
     def _moves(self) -> list[Moved | Turned]:
         return list(self._moves_of.get(self._of(), ()))
 
-    def hear(self, stamped: Stamped) -> None:
+    def on_event(self, stamped: Stamped) -> None:
         """Called in any thread."""
         event = stamped.event
         if isinstance(event, Moved | Turned):

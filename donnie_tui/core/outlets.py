@@ -21,7 +21,7 @@ from donnie_tui.core.events import (
     Spoke,
     Stamped,
 )
-from donnie_tui.core.transcript import TranscriptFilter, UnfilteredTranscript, told_lines
+from donnie_tui.core.transcript import TranscriptFilter, UnfilteredTranscript, printed_lines
 from donnie_tui.core.wording import Wording
 
 _URGENCY_OF = {"waiting": Urgency.PROGRESS, "hint": Urgency.HINT, "link": Urgency.ALERT}
@@ -84,7 +84,7 @@ class Voice:
             self._speaker.silence()
 
     def _say(self, stamped: Stamped) -> None:
-        for line in told_lines(stamped, self._wording):
+        for line in printed_lines(stamped, self._wording):
             self._speaker.say(Utterance(line, _urgency_of(stamped.event), self._wording.language))
 
 

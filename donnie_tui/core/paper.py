@@ -6,10 +6,10 @@ accents of Portuguese and Spanish braille.
 The braille pages have 40 cells by 25 lines: a map to scale, and a legend next to or after it. The file is BRF
 (ASCII braille, a form feed after each page) for an embosser or a braille display.
 
-The picture is a sheet in the format A4 as SVG: heat raises everything black on it. Lines only, at least a
-millimetre thick. Nothing is filled but thin walls, which are lines themselves. Braille names the things; it
-is made of dots, so that no font is needed. No print is raised. The title and description of the SVG give
-screen readers the same in text.
+The picture is a sheet of 210 by 297 millimetres as SVG: heat raises everything black on it. Lines only, at
+least a millimetre thick. Nothing is filled but thin walls, which are lines themselves. Braille names the
+things; it is made of dots, so that no font is needed. No print is raised. The title and description of the
+SVG give screen readers the same in text.
 """
 
 from __future__ import annotations

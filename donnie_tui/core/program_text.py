@@ -271,7 +271,7 @@ def not_replaceable(lines: Sequence[str], wanted: str, wording: Wording) -> str:
 # --- mistakes
 
 
-class Mistake(msgspec.Struct, frozen=True):
+class LineMistake(msgspec.Struct, frozen=True):
     """What is wrong in one line, and the text that would fix it."""
 
     line: int
@@ -291,9 +291,9 @@ class Mistake(msgspec.Struct, frozen=True):
         return self.meant if self.end > self.start else f" {self.meant}"
 
 
-def mistakes(found: Iterable[Diagnostic], wording: Wording) -> dict[int, Mistake]:
+def mistakes(found: Iterable[Diagnostic], wording: Wording) -> dict[int, LineMistake]:
     """The first mistake of each line, by line."""
-    by_line: dict[int, Mistake] = {}
+    by_line: dict[int, LineMistake] = {}
     for each in found:
         span = each.span
         is_hint = each.severity is Severity.HINT
@@ -303,12 +303,12 @@ def mistakes(found: Iterable[Diagnostic], wording: Wording) -> dict[int, Mistake
             (span.start, each.meant_end or span.end) if each.meant_at is None else (each.meant_at,) * 2
         )
         fixed_line = int(each.details.get("line", span.line))
-        found_there = Mistake(span.line, message, is_hint, start, end, meant, fixed_line)
+        found_there = LineMistake(span.line, message, is_hint, start, end, meant, fixed_line)
         by_line.setdefault(span.line, found_there)
     return by_line
 
 
-def fixed(text: str, mistake: Mistake) -> str:
+def fixed(text: str, mistake: LineMistake) -> str:
     """The text with what was meant."""
     return text[: mistake.start] + mistake.replacement + text[mistake.end :]
 

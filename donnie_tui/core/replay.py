@@ -38,7 +38,7 @@ from donnie_tui.core.events import (
 from donnie_tui.core.map_grid import Cell
 from donnie_tui.core.map_scene import MapScene
 from donnie_tui.core.timeline import Timeline, is_main_event
-from donnie_tui.core.transcript import said_by, told_lines
+from donnie_tui.core.transcript import printed_lines, with_robot_name
 from donnie_tui.core.wording import Wording, facing, whole_steps
 from language.control import ExecutionControl
 from language.source import printable
@@ -160,16 +160,16 @@ def undone_in_words(undone: Iterable[Stamped], timeline: Timeline, wording: Word
     sentence = wording("undone", what=_what(done.event, wording))
     place = _place(done.event, timeline.pose(done.robot), wording)
     text = f"{sentence} {place}" if place else sentence
-    return said_by(done.robot, text, wording)
+    return with_robot_name(done.robot, text, wording)
 
 
 def redone_in_words(step: Iterable[Stamped], wording: Wording) -> str:
     """One sentence for a step that printed nothing: "Start of a.gd." Else empty."""
     events = tuple(step)
-    if not events or any(told_lines(each, wording) for each in events):
+    if not events or any(printed_lines(each, wording) for each in events):
         return ""
     done = next((each for each in events if is_main_event(each.event)), events[-1])
-    return said_by(done.robot, wording("redone", what=_what(done.event, wording)), wording)
+    return with_robot_name(done.robot, wording("redone", what=_what(done.event, wording)), wording)
 
 
 def _what(event: Event, wording: Wording) -> str:

@@ -40,7 +40,7 @@ from donnie_tui.core.runner import LAST_WORDS, Run, RunRequest
 from donnie_tui.core.session import Busy, RunOptions, Session
 from donnie_tui.core.team import Team
 from donnie_tui.core.timeline import Chronicle
-from donnie_tui.core.transcript import said_by
+from donnie_tui.core.transcript import with_robot_name
 from donnie_tui.core.wording import Wording
 from language.control import ControlState, ExecutionControl
 from language.runtime import Frame
@@ -188,7 +188,7 @@ class RunController:
     def start_in_background(self, request: RunRequest) -> Run:
         """Starts a program that no prompt waits for; returns once it was read. Raises as ``start``."""
         self._team.give(self._session.name, request)
-        self._session.settle()
+        self._session.wait_for_stop()
         run = self.start(request, is_background=True)
         run.wait_until_read(LONGEST_READING)
         return run
@@ -198,7 +198,7 @@ class RunController:
 
         Raises ``NothingToRun``, and ``Busy`` with the name of the first robot that runs something.
         """
-        self._team.settle()
+        self._team.wait_for_stop()
         programs = {name: each for name, each in self._team.given.items() if each.text.strip()}
         if not programs:
             raise NothingToRun
@@ -299,7 +299,7 @@ class RunController:
         self._session.stop()
         record = self._record
         if record is None or not (record.is_attended and record.is_current):
-            self._session.settle()
+            self._session.wait_for_stop()
             self.observer.after_stop()
             self._answer_stopped(self._session, record)
 
@@ -313,7 +313,7 @@ class RunController:
         self._team.stop()
         attended = [each.session for each in self._records.values() if each.is_attended and each.is_current]
         if not any(each in attended for each in running):
-            self._team.settle()
+            self._team.wait_for_stop()
             self.observer.after_stop()
         return bool(running)
 
@@ -489,7 +489,7 @@ class RunController:
 
     def _answer_of(self, session: Session, code: str, **values: object) -> None:
         """A sentence about a robot, with its name where there are several."""
-        self._answer(said_by(session.hub.robot, self._words(code, **values), self._words))
+        self._answer(with_robot_name(session.hub.robot, self._words(code, **values), self._words))
 
     def _answer(self, *sentences: str) -> None:
         for each in sentences:

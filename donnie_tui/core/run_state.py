@@ -14,7 +14,7 @@ from typing import TYPE_CHECKING, TypeAlias
 from donnie_tui.core.events import Error, RunStarted, Stamped
 from donnie_tui.core.runner import Run, RunRequest
 from donnie_tui.core.session import Session
-from donnie_tui.core.transcript import lines_of, lines_said_by
+from donnie_tui.core.transcript import lines_of, lines_with_robot_name
 from donnie_tui.core.wording import Wording
 from language.control import ControlState, ExecutionControl
 from language.source import fold_name
@@ -225,7 +225,7 @@ class RunErrors:
         """The current mistake in plain words, and what to do. ``robot`` has made it."""
         if self.now is None:
             return self._none(wording)
-        return lines_said_by(robot, wording.explanation(self.now), wording)
+        return lines_with_robot_name(robot, wording.explanation(self.now), wording)
 
     def _none(self, wording: Wording) -> tuple[str, ...]:
         return (wording("answer-no-errors"),)

@@ -176,7 +176,7 @@ class Run:
         self._stage.about_to_end(outcome)
         variables = dict(sorted(self._stage.memory.variables.items()))
         hub.publish(RunEnded(outcome, robot.pose(), variables, seconds))
-        hub.wait_until_heard()
+        hub.wait_until_delivered()
         return outcome
 
     def _outcome(self) -> Outcome:

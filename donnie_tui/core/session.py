@@ -322,7 +322,7 @@ class Session:
             run.control.stop()
             self._robot.halt()
 
-    def settle(self) -> bool:
+    def wait_for_stop(self) -> bool:
         """Waits some moments at most for a stopped program to end. Returns whether no program runs."""
         run = self._run
         is_ending = run is not None and run.control.state in (ControlState.STOPPING, ControlState.ENDED)
@@ -351,7 +351,7 @@ class Session:
     def pose(self) -> Pose:
         return self._robot.pose()
 
-    def tell_distances(self) -> None:
+    def publish_distances(self) -> None:
         """Publishes the known distances around the robot, for screens. Nothing else happens."""
         self.hub.publish(Sensed(self._robot.known_distances()))
 

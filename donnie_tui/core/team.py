@@ -145,10 +145,10 @@ class Team:
         for session in self.sessions:
             session.stop()
 
-    def settle(self) -> None:
+    def wait_for_stop(self) -> None:
         """Waits some moments at most for the stopped programs to end."""
         for session in self.sessions:
-            if not session.settle():
+            if not session.wait_for_stop():
                 return
 
     def close(self, seconds: float = 1.0) -> None:

@@ -43,7 +43,7 @@ from donnie_tui.core.wording import Wording, compass_heading, position_in_words,
 from language.source import printable
 
 
-class Movement(Struct, frozen=True):
+class PastMovement(Struct, frozen=True):
     """One movement: its number from 1, the command as typed, the amount done, and the pose after it."""
 
     number: int
@@ -58,24 +58,24 @@ class History:
     """The movements so far, oldest first."""
 
     def __init__(self) -> None:
-        self._movements: list[Movement] = []
+        self._movements: list[PastMovement] = []
 
     def remember(self, event: Moved | Turned) -> None:
         done = event.walked if isinstance(event, Moved) else event.turned
         crashed = event.stopped_by not in (None, StoppedBy.LINK)
         number = len(self._movements) + 1
         turned = isinstance(event, Turned)
-        self._movements.append(Movement(number, event.command, turned, done, crashed, event.pose))
+        self._movements.append(PastMovement(number, event.command, turned, done, crashed, event.pose))
 
     def forget(self) -> None:
         self._movements.clear()
 
     @property
-    def last(self) -> Movement | None:
+    def last(self) -> PastMovement | None:
         return self._movements[-1] if self._movements else None
 
     @property
-    def movements(self) -> tuple[Movement, ...]:
+    def movements(self) -> tuple[PastMovement, ...]:
         return tuple(self._movements)
 
 
@@ -90,13 +90,13 @@ class SentencePublisher:
         """Publishes one sentence. ``sentence`` is its code in the catalogue where that is not ``code``."""
         self._hub.publish(Announced(code, self._say(sentence or code, **values)))
 
-    def state(self, last: Movement | None, pose: Pose) -> None:
+    def state(self, last: PastMovement | None, pose: Pose) -> None:
         if last is None:
             self._no_movement("state", pose)
         else:
             self._movement("state", last)
 
-    def history(self, movements: Iterable[Movement]) -> None:
+    def history(self, movements: Iterable[PastMovement]) -> None:
         for movement in movements:
             self._movement("history", movement)
 
@@ -127,7 +127,7 @@ class SentencePublisher:
     def _no_movement(self, code: str, pose: Pose) -> None:
         self.announce(code, "no-movement", **_whole(pose))
 
-    def _movement(self, code: str, movement: Movement) -> None:
+    def _movement(self, code: str, movement: PastMovement) -> None:
         self.announce(
             code,
             "movement-turned" if movement.turned else "movement-walked",
@@ -153,22 +153,22 @@ OF_NO_ROBOT = ("help", "more-mistakes", BELT_LINK)
 """Announcements about the language or the belt, not about a robot."""
 
 
-def told_lines(stamped: Stamped, wording: Wording) -> tuple[str, ...]:
+def printed_lines(stamped: Stamped, wording: Wording) -> tuple[str, ...]:
     """The lines of an event, with the robot's name before them where the world has several."""
     lines = lines_of(stamped.event, wording)
     if stamped.robot is None or (isinstance(stamped.event, Announced) and stamped.event.code in OF_NO_ROBOT):
         return lines
-    return tuple(said_by(stamped.robot, line, wording) for line in lines)
+    return tuple(with_robot_name(stamped.robot, line, wording) for line in lines)
 
 
-def said_by(robot: str | None, sentence: str, wording: Wording) -> str:
+def with_robot_name(robot: str | None, sentence: str, wording: Wording) -> str:
     """A sentence about a robot, with its name before it; ``robot`` is None where the world has but one."""
     return sentence if robot is None else wording("robot-says", robot=printable(robot), text=sentence)
 
 
-def lines_said_by(robot: str | None, lines: Sequence[str], wording: Wording) -> tuple[str, ...]:
+def lines_with_robot_name(robot: str | None, lines: Sequence[str], wording: Wording) -> tuple[str, ...]:
     """Lines about a robot, its name before the first of them."""
-    return (*(said_by(robot, each, wording) for each in lines[:1]), *lines[1:])
+    return (*(with_robot_name(robot, each, wording) for each in lines[:1]), *lines[1:])
 
 
 def lines_of(event: Event, wording: Wording) -> tuple[str, ...]:
@@ -287,7 +287,7 @@ class SummingUp:
         robot = self._robots.setdefault(stamped.robot, _Robot())
         if isinstance(stamped.event, Moved | Turned):
             robot.last, robot.is_decided = stamped.event, False
-        lines = told_lines(stamped, self._say)
+        lines = printed_lines(stamped, self._say)
         may_wait = _is_routine(stamped, robot)
         ends = isinstance(stamped.event, RunEnded) or (lines and not may_wait)
         before = self._summed_up() if ends or self._has_room() else ()
@@ -310,7 +310,7 @@ class SummingUp:
                 alone = "more-turns" if omitted.turns else "more-steps"
                 code = "more-moves" if omitted.turns and omitted.steps else alone
                 sentence = self._say(code, steps=omitted.steps, turns=omitted.turns)
-                lines.append(said_by(name, sentence, self._say))
+                lines.append(with_robot_name(name, sentence, self._say))
             elif omitted.movements:
                 lines += omitted.only
             lines += omitted.place

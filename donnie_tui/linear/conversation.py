@@ -19,7 +19,7 @@ from donnie_tui.commands.dispatch import attempt
 from donnie_tui.commands.interaction import SLOW, SLOW_AGAIN, EnterWorld, Option, SwitchMode, drive
 from donnie_tui.commands.preferences import Preferences
 from donnie_tui.core.answer_log import AnswerLog
-from donnie_tui.core.line_history import Past
+from donnie_tui.core.line_history import LineHistory
 from donnie_tui.core.workspace import Workspace
 from donnie_tui.linear.console import Console, Gone, run_in_background
 from donnie_tui.linear.greeting import Greeting, has_rescued
@@ -44,7 +44,7 @@ class ConversationState(Struct, frozen=True):
 
     workspace: Workspace
     answers: AnswerLog
-    past: Past
+    past: LineHistory
     editing: EditingReader | None
     plain: PlainReader
     """With what was typed ahead."""
@@ -113,7 +113,7 @@ class Conversation:
 
     def _new_state(self) -> ConversationState:
         has_terminal = self._greeting.terminal is not None
-        past = Past(f"{self._folder}/history" if has_terminal else None)
+        past = LineHistory(f"{self._folder}/history" if has_terminal else None)
         editing = EditingReader(self.console, past) if has_terminal else None
         return ConversationState(
             open_workspace(self._folder), AnswerLog(), past, editing, PlainReader(self.console)

@@ -120,7 +120,7 @@ class Leaving:
         ctx = self._ctx
         if self.code == 0:
             ctx.answer("linear-goodbye")
-        ctx.donnie.session.hub.wait_until_heard()
+        ctx.donnie.session.hub.wait_until_delivered()
         self._printer.show()
         if self.code == 0 and not self._keeps_copies:
             self._prompter.copying.cancel()

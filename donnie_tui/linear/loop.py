@@ -21,7 +21,7 @@ from donnie_tui.core.events import Outcome
 from donnie_tui.core.run_state import RunObserver, RunState
 from donnie_tui.core.runner import Run
 from donnie_tui.core.session import LONGEST_STOP
-from donnie_tui.core.transcript import said_by
+from donnie_tui.core.transcript import with_robot_name
 from donnie_tui.linear.greeting import PROMPT
 from donnie_tui.linear.leaving import Leaving
 from donnie_tui.linear.output import LARGEST_BLOCK, BackgroundRobots
@@ -219,7 +219,7 @@ class RunLoop(RunObserver):
         console.before_suspending = self._ctx.donnie.stop_real_robot
         if self._stopping and console.pressed_interrupt():
             self._on_interrupt()
-        self._ctx.donnie.team.settle()
+        self._ctx.donnie.team.wait_for_stop()
         if console.leaving is None:
             self._sum_up(run)
         if run.outcome is Outcome.QUIT:
@@ -290,7 +290,7 @@ class RunLoop(RunObserver):
         ctx, session = self._ctx, self._ctx.donnie.session
         if session.run is None:  # those that run together with it have not ended
             for other in ctx.donnie.team.running[:1]:
-                ctx.say(said_by(other.hub.robot, ctx.words("linear-still-running"), ctx.words))
+                ctx.say(with_robot_name(other.hub.robot, ctx.words("linear-still-running"), ctx.words))
             return
         if self._runs.state is RunState.PAUSED:
             ctx.answer_of_robot("linear-paused")

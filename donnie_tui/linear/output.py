@@ -31,7 +31,7 @@ from donnie_tui.commands.dispatch import perform
 from donnie_tui.commands.interaction import drive
 from donnie_tui.core.answer_log import LONGEST_ANSWER
 from donnie_tui.core.events import TRANSIENT, Announced, Answered, Stamped
-from donnie_tui.core.transcript import SummingUp, told_lines
+from donnie_tui.core.transcript import SummingUp, printed_lines
 from donnie_tui.linear.console import Console
 from donnie_tui.linear.greeting import PROMPT
 from language.control import ControlState
@@ -214,7 +214,7 @@ class Listener:
         self._summing_up = SummingUp(
             donnie.words, console.now, lambda: is_paced and donnie.session.speed is not None
         )
-        told_as_printed = donnie.outlets.audible.tell_as(self._summing_up)
+        told_as_printed = donnie.outlets.audible.speak_only(self._summing_up)
         self._unsubscribe = [donnie.session.hub.subscribe(self._on_event), told_as_printed]
 
     def close(self) -> None:
@@ -245,7 +245,7 @@ class Listener:
 
         An answer is printed before the lines of background robots, if these are more than a block.
         """
-        lines, before = told_lines(stamped, self._donnie.words), self._summing_up.before(stamped)
+        lines, before = printed_lines(stamped, self._donnie.words), self._summing_up.before(stamped)
         passes = self._summing_up.passes(stamped)
         event, remembered = stamped.event, lines
         if isinstance(event, Answered) and event.is_repeated:

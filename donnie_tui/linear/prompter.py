@@ -287,7 +287,7 @@ class Prompter:
     def _show_and_read(self, prompt: str, *, shown: bool) -> Typed:
         offered, self.offered = self.offered if self._streams.can_edit else "", ""
         self._printer.prompt = None
-        self._ctx.donnie.session.hub.wait_until_heard()
+        self._ctx.donnie.session.hub.wait_until_delivered()
         self._listener.line_begins()
         if not shown:
             self._console.has_news = False
@@ -332,7 +332,7 @@ class Prompter:
         """
         streams, console = self._streams, self._console
         if self._ctx.donnie.team.running:
-            self._ctx.donnie.session.hub.wait_until_heard()
+            self._ctx.donnie.session.hub.wait_until_delivered()
         is_possible = streams.is_attended and not streams.page_size
         while is_possible and self._background.floods and console.leaving is None:
             left_out = self._printer.show_block()

@@ -16,7 +16,7 @@ from msgspec import Struct
 
 from donnie_tui.commands.declarations import COMMANDS
 from donnie_tui.commands.lookup import find, words_of
-from donnie_tui.core.line_history import Past, Recall
+from donnie_tui.core.line_history import LineHistory, Recall
 from donnie_tui.linear.console import Console
 from donnie_tui.linear.line_editor import ESCAPE_DELAY, Act, EditLine, Key, KeyDecoder
 from language import keywords
@@ -72,7 +72,7 @@ class EditingReader:
 
     holds_newline = True
 
-    def __init__(self, console: Console, past: Past) -> None:
+    def __init__(self, console: Console, past: LineHistory) -> None:
         self._console = console
         self._past = past
         self.complete: Callable[[str], tuple[str, ...]] = _no_words

@@ -116,12 +116,12 @@ class Audible:
         self._unsubscribe()
         self._own.close()
 
-    def tell_as(self, transcript_filter: TranscriptFilter) -> Callable[[], None]:
+    def speak_only(self, transcript_filter: TranscriptFilter) -> Callable[[], None]:
         """Say no more of the stream than what is printed of it. The answer ends that."""
         self._reporting = transcript_filter
-        return self.tell_all
+        return self.speak_everything
 
-    def tell_all(self) -> None:
+    def speak_everything(self) -> None:
         """Speak every sentence."""
         self._reporting = UnfilteredTranscript()
 

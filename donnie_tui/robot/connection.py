@@ -188,7 +188,7 @@ class Connection:
     def _stop_what_runs(self) -> None:
         """A program that was started while the robot was looked for has none."""
         self._session.stop()
-        self._session.settle()
+        self._session.wait_for_stop()
 
     def _maker(self, robot: str) -> tuple[Callable[[Pace, Watcher], Connectable], str]:
         if robot == DOUBLE:

@@ -38,7 +38,7 @@ from donnie_tui.core.events import (
     ThingsMoved,
     Turned,
 )
-from donnie_tui.core.transcript import told_lines
+from donnie_tui.core.transcript import printed_lines
 from donnie_tui.core.wording import Wording
 
 MOST_LINES = 100_000
@@ -155,7 +155,7 @@ class Bridge:
         is_own = stamped.robot is None or stamped.robot == self._own()
         self._remember(event) if is_own else self._remember_other(stamped.robot or "", event)
         kind, is_repeated = self._kind(stamped), isinstance(event, Answered) and event.is_repeated
-        lines = tuple(LogLine(text, kind, is_repeated) for text in told_lines(stamped, self._wording))
+        lines = tuple(LogLine(text, kind, is_repeated) for text in printed_lines(stamped, self._wording))
         with self._lock:
             self._missed += max(0, len(self._lines) + len(lines) - MOST_LINES)
             self._lines.extend(lines)

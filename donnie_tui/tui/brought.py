@@ -7,7 +7,7 @@ from collections.abc import Mapping
 from msgspec import Struct
 
 from donnie_tui.core.answer_log import AnswerLog
-from donnie_tui.core.line_history import Past
+from donnie_tui.core.line_history import LineHistory
 from donnie_tui.core.workspace import Workspace
 
 
@@ -16,7 +16,7 @@ class Brought(Struct, frozen=True):
     """The lines of the log, each with the words of its kind."""
     looks: Mapping[str, str]
     answers: AnswerLog
-    typed: Past
+    typed: LineHistory
     """The lines of the command line."""
     workspace: Workspace
     watched: tuple[str, ...]

@@ -10,7 +10,7 @@ from collections.abc import Callable, Sequence
 from typing import TYPE_CHECKING, TypeVar
 
 from donnie_tui.core.events import Pointed
-from donnie_tui.core.transcript import said_by
+from donnie_tui.core.transcript import with_robot_name
 from donnie_tui.tui import patience
 from donnie_tui.tui.answer import Answer
 
@@ -38,11 +38,11 @@ class Talk:
         """An answer of our own."""
         if answer is not None:
             sentence, robot = self._words(answer.code, **answer.values), self._donnie.session.hub.robot
-            self.tell_sentences(said_by(robot if answer.of_robot else None, sentence, self._words))
+            self.tell_sentences(with_robot_name(robot if answer.of_robot else None, sentence, self._words))
 
     def tell_sentences(self, *sentences: str) -> None:
         """Answers that are sentences already."""
-        self._donnie.tell(*sentences)
+        self._donnie.publish_answers(*sentences)
 
     def point(self, words: str) -> None:
         """Say what somebody looks at on the map or in a list; any key ends it, and it stands in no log."""

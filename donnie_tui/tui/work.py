@@ -257,7 +257,7 @@ class Work:
     def ask_distances(self) -> None:
         """Have them told, where they are shown."""
         if self.display.shows_distances:
-            self._donnie.session.tell_distances()
+            self._donnie.session.publish_distances()
 
     def repaint(self) -> None:
         self._host.repaint()

@@ -104,7 +104,7 @@ class Recorder:
                 continue
             if state in _UNSTABLE or not self._waiting.get(session.hub.robot):
                 return False
-        self.donnie.session.hub.wait_until_heard()
+        self.donnie.session.hub.wait_until_delivered()
         return True
 
     def take(self) -> tuple[str, ...]:

@@ -15,7 +15,7 @@ from donnie_tui.cli.replay import ReplayMap
 from donnie_tui.core.recording import NoRecordingError, Recording
 from donnie_tui.core.replay import redone_in_words, undone_in_words
 from donnie_tui.core.timeline import Timeline
-from donnie_tui.core.transcript import told_lines
+from donnie_tui.core.transcript import printed_lines
 from donnie_tui.i18n.words import Words
 from sim.worldfile import load_world
 from tests.patience import PATIENCE
@@ -122,7 +122,7 @@ def test_the_rest_of_any_damaged_recording_is_replayed_both_ways_and_drawn(here:
             )
         timeline = Timeline(Recording(io.BytesIO(bytes(damaged))).events)
         while step := timeline.step():
-            assert redone_in_words(step, words) or any(told_lines(each, words) for each in step)
+            assert redone_in_words(step, words) or any(printed_lines(each, words) for each in step)
         for robot in timeline.robots:
             floor.lines(timeline, robot)
         while undone := timeline.step_back():

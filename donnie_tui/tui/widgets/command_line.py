@@ -22,7 +22,7 @@ from textual.strip import Strip
 from textual.widget import Widget
 from textual.widgets import Input, Static
 
-from donnie_tui.core.line_history import Past, Recall
+from donnie_tui.core.line_history import LineHistory, Recall
 from language.source import cleaned
 
 
@@ -131,9 +131,9 @@ class CommandLine(InputLine):
         """``send`` is told before a line leaves the screen."""
         super().__init__(id=id)
         self._send = send
-        self.have_typed(Past())
+        self.have_typed(LineHistory())
 
-    def have_typed(self, past: Past) -> None:
+    def have_typed(self, past: LineHistory) -> None:
         """These lines can be brought back."""
         self.past = past
         self._recall = Recall(past)

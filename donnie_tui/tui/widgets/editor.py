@@ -28,7 +28,7 @@ from donnie_tui.core.editing import common_lines, followed, shifted
 from donnie_tui.tui import themes
 
 if TYPE_CHECKING:
-    from donnie_tui.core.program_text import Completion, Mistake
+    from donnie_tui.core.program_text import Completion, LineMistake
 
 HERE, CALLER, BREAK, MISTAKE, HINT = ">", "*", "B", "!", "?"
 MARKS = 2
@@ -71,7 +71,7 @@ class Editor(TextArea):
         self._chosen_painted: tuple[Offset, Offset] | None = None
         """Where the selection is, while rows are painted."""
         self._marks: dict[int, str] = {}
-        self._notes: dict[int, Mistake] = {}
+        self._notes: dict[int, LineMistake] = {}
         self._breakpoints: frozenset[int] = frozenset()
         self.complete: Callable[[str, int], Completion] | None = None
         """What may stand at an offset of the text; None where nothing is to be offered."""
@@ -124,19 +124,19 @@ class Editor(TextArea):
         if gutters:  # none would mean all of the text
             self.refresh(*gutters)
 
-    def note(self, mistakes: Mapping[int, Mistake]) -> None:
+    def note(self, mistakes: Mapping[int, LineMistake]) -> None:
         """The mistakes of the text as it is now, by line."""
         if self._notes != mistakes:
             self._notes = dict(mistakes)
             self.refresh()
 
     @property
-    def mistake(self) -> Mistake | None:
+    def mistake(self) -> LineMistake | None:
         """What is wrong in the line of the cursor."""
         return self._notes.get(self.line)
 
     @property
-    def next_mistake(self) -> Mistake | None:
+    def next_mistake(self) -> LineMistake | None:
         """The one of this line, or the next one below, or the first."""
         after = [line for line in sorted(self._notes) if line >= self.line] or sorted(self._notes)
         return self._notes[after[0]] if after else None
@@ -359,7 +359,7 @@ class Editor(TextArea):
         is_last = row + 1 >= wrapped.height or wrapped.offset_to_location(Offset(0, row + 1))[0] != line
         return line + 1, column == 0, is_last
 
-    def _with_note(self, strip: Strip, note: Mistake) -> Strip:
+    def _with_note(self, strip: Strip, note: LineMistake) -> Strip:
         """The sentence behind the line, as far as there is room for more than a word of it."""
         used = len(strip.text.rstrip()) + 2
         room = strip.cell_length - used

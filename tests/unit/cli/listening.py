@@ -10,7 +10,7 @@ import pytest
 from devices.ports.audio import Cue, Utterance, VoiceSettings
 from donnie_tui.bootstrap import Donnie, assemble
 from donnie_tui.core.events import Stamped
-from donnie_tui.core.transcript import told_lines
+from donnie_tui.core.transcript import printed_lines
 from donnie_tui.outlets import audible
 from donnie_tui.settings.settings import Settings
 from tests.unit.audio.known_environment import KnownEnvironment
@@ -67,7 +67,7 @@ class Listening:
         donnie.session.hub.subscribe(self._print)
 
     def _print(self, stamped: Stamped) -> None:
-        self.printed += told_lines(stamped, self.donnie.words)
+        self.printed += printed_lines(stamped, self.donnie.words)
 
 
 @contextmanager

@@ -14,7 +14,7 @@ from devices.ports.audio import SilentSpeaker, Utterance
 from donnie_tui.commands.preferences import find_preference, value_typed
 from donnie_tui.core.events import Announced, Chimed, SoundSwitched, Spoke
 from donnie_tui.core.outlets import Voice, VoiceScope
-from donnie_tui.core.transcript import told_lines
+from donnie_tui.core.transcript import printed_lines
 from donnie_tui.i18n.words import Words
 from donnie_tui.outlets import audible
 from donnie_tui.outlets.audible import make_audible, wants_cues
@@ -196,7 +196,7 @@ def test_a_lost_dispatcher_is_reported_once_with_a_remedy_that_works(
     server = Server(tmp_path)
     monkeypatch.setenv("SPEECHD_ADDRESS", f"unix_socket:{server.address.path}")
     floor, words, told = Floor(), Words(language), list[str]()
-    floor.session.hub.subscribe(lambda stamped: told.extend(told_lines(stamped, words)))
+    floor.session.hub.subscribe(lambda stamped: told.extend(printed_lines(stamped, words)))
     with ExitStack() as closing:
         made = make_audible(Settings(speech="ssip", sound=False), floor.session, words, closing)
         server.kill()
@@ -227,7 +227,7 @@ def test_the_cues_report_that_no_device_works(monkeypatch: pytest.MonkeyPatch) -
     monkeypatch.setattr(audible, "DetectedEnvironment", lambda **_: HOME)
     monkeypatch.setattr("devices.audio.service.AudioSettings", partial(AudioSettings, device="none"))
     floor, told = Floor(), list[str]()
-    floor.session.hub.subscribe(lambda stamped: told.extend(told_lines(stamped, Words())))
+    floor.session.hub.subscribe(lambda stamped: told.extend(printed_lines(stamped, Words())))
     with ExitStack() as closing:
         made = make_audible(Settings(speech="off"), floor.session, Words(), closing)
         assert made.has_cues

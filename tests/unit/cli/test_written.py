@@ -13,7 +13,7 @@ from donnie_tui.core import answer_log
 from donnie_tui.core.events import Spoke
 from donnie_tui.core.hub import Hub
 from donnie_tui.core.session import RunOptions
-from donnie_tui.core.transcript import told_lines
+from donnie_tui.core.transcript import printed_lines
 from donnie_tui.i18n.words import Unusable, Words
 from donnie_tui.outlets.files import Written
 from donnie_tui.settings.settings import Settings
@@ -30,7 +30,7 @@ def test_a_full_log_is_reported_once_and_counts_as_lost(
     monkeypatch.chdir(tmp_path)
     monkeypatch.setattr(answer_log, "next_log", lambda folder: FULL)
     hub, words, told = Hub(lambda: 0.0), Words(), list[str]()
-    hub.subscribe(lambda stamped: told.extend(told_lines(stamped, words)))
+    hub.subscribe(lambda stamped: told.extend(printed_lines(stamped, words)))
     with ExitStack() as closing:
         written = Written(Settings(log=True), hub, words, closing)
         written.log()

@@ -13,7 +13,7 @@ from donnie_tui.commands.dispatch import perform, take_line
 from donnie_tui.commands.interaction import EnterWorld, Option, SwitchMode, drive
 from donnie_tui.commands.preferences import Preferences
 from donnie_tui.core.answer_log import AnswerLog
-from donnie_tui.core.line_history import Past
+from donnie_tui.core.line_history import LineHistory
 from donnie_tui.settings.folders import state_path
 
 T = TypeVar("T")
@@ -118,7 +118,7 @@ class Script:
         self.interaction = ScriptedInteraction(answers)
         workspace = open_workspace(state_path(os.environ))
         preferences = Preferences(donnie.outlets.audible.settings, os.environ)
-        self.ctx = Context(donnie, self.interaction, workspace, AnswerLog(), Past(), preferences)
+        self.ctx = Context(donnie, self.interaction, workspace, AnswerLog(), LineHistory(), preferences)
         self.interaction.say = self.ctx.say
 
     def type(self, line: str) -> bool:

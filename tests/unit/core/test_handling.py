@@ -7,7 +7,7 @@ from donnie_tui.core.actions import GripperCommand
 from donnie_tui.core.events import TRANSIENT, GripperUsed, Reset, RunEnded, RunStarted, Stamped, ThingsMoved
 from donnie_tui.core.session import Busy, RunOptions, Session, SessionSetup
 from donnie_tui.core.timeline import Timeline
-from donnie_tui.core.transcript import told_lines
+from donnie_tui.core.transcript import printed_lines
 from donnie_tui.i18n.words import Words
 from donnie_tui.world.loading import ThingWatch
 from sim.world import World
@@ -55,7 +55,7 @@ class Room:
 
     @property
     def printed(self) -> list[str]:
-        return [line for each in self.heard for line in told_lines(each, self.words)]
+        return [line for each in self.heard for line in printed_lines(each, self.words)]
 
     @property
     def places(self) -> list[tuple[float, float]]:

@@ -7,7 +7,7 @@ import pytest
 
 from donnie_tui.core.events import Announced
 from donnie_tui.core.session import Session, SessionSetup
-from donnie_tui.core.transcript import told_lines
+from donnie_tui.core.transcript import printed_lines
 from donnie_tui.core.wording import coloured, shade
 from donnie_tui.i18n.words import Words
 from sim.picture import Thing
@@ -35,7 +35,7 @@ def push_announcements(
 
     def remember(stamped: object) -> None:
         if isinstance(getattr(stamped, "event", None), Announced) and stamped.event.code == "pushed":  # type: ignore[attr-defined]
-            lines.extend(told_lines(stamped, words))  # type: ignore[arg-type]
+            lines.extend(printed_lines(stamped, words))  # type: ignore[arg-type]
 
     session.hub.subscribe(remember)
     assert session.start(f"FW {steps}", "a.gd").wait(PATIENCE)

@@ -4,16 +4,16 @@ from pathlib import Path
 
 import pytest
 
-from donnie_tui.core.line_history import KEPT, LARGEST_FILE, Past, Recall
+from donnie_tui.core.line_history import KEPT, LARGEST_FILE, LineHistory, Recall
 
 
 def test_typed_lines_are_in_the_history_of_the_next_session(tmp_path: Path) -> None:
     file = tmp_path / "new" / "history"
-    past = Past(str(file))
+    past = LineHistory(str(file))
     for line in ("FW 3", "FW 3", "  ", "TR 90 "):
         past.remember(line)
 
-    assert Past(str(file)).lines == ["FW 3", "TR 90"]
+    assert LineHistory(str(file)).lines == ["FW 3", "TR 90"]
     assert file.stat().st_mode & 0o077 == 0
 
 
@@ -25,14 +25,14 @@ def test_typed_lines_are_in_the_history_of_the_next_session(tmp_path: Path) -> N
 def test_a_damaged_file_is_no_obstacle(content: bytes, tmp_path: Path) -> None:
     file = tmp_path / "history"
     file.write_bytes(content)
-    past = Past(str(file))
+    past = LineHistory(str(file))
     past.remember("FW 1")
 
     assert set(past.lines) <= {"FW 3", "FW 1"}
 
 
 def test_a_folder_in_the_place_of_the_file_is_no_obstacle(tmp_path: Path) -> None:
-    past = Past(str(tmp_path))
+    past = LineHistory(str(tmp_path))
     past.remember("FW 1")
     past.trim()
 
@@ -42,7 +42,7 @@ def test_a_folder_in_the_place_of_the_file_is_no_obstacle(tmp_path: Path) -> Non
 def test_the_file_does_not_grow_without_end(tmp_path: Path) -> None:
     file = tmp_path / "history"
     file.write_text("".join(f"FW {number}\n" for number in range(3 * KEPT)))
-    past = Past(str(file))
+    past = LineHistory(str(file))
     past.trim()
 
     assert (
@@ -54,17 +54,17 @@ def test_the_file_does_not_grow_without_end(tmp_path: Path) -> None:
 
 def test_a_shortened_file_is_still_readable_only_by_the_learner(tmp_path: Path) -> None:
     file = tmp_path / "history"
-    Past(str(file)).remember("FW 1")
+    LineHistory(str(file)).remember("FW 1")
     with file.open("a") as out:
         out.writelines(f"FW {number}\n" for number in range(3 * KEPT))
-    Past(str(file)).trim()
+    LineHistory(str(file)).trim()
 
     assert len(file.read_text().splitlines()) == KEPT
     assert file.stat().st_mode & 0o077 == 0
 
 
 def test_the_end_of_the_history_is_the_line_being_typed() -> None:
-    past = Past()
+    past = LineHistory()
     past.remember("one")
     past.remember("two")
     recall = Recall(past)

@@ -21,14 +21,16 @@ def sensed(floor: Floor) -> list[Sensed]:
 
 def with_published_distances(floor: Floor) -> Floor:
     """The distances are published at every step."""
-    floor.session.hub.subscribe(lambda it: floor.session.tell_distances() if it.event == STEP_CUE else None)
+    floor.session.hub.subscribe(
+        lambda it: floor.session.publish_distances() if it.event == STEP_CUE else None
+    )
     return floor
 
 
 def test_known_distances_are_published_without_noise() -> None:
     floor = Floor(("red", 0, 30), noise=0.5, seed=7)
     for _ in range(3):
-        floor.session.tell_distances()
+        floor.session.publish_distances()
 
     exactly = {bearing: 30 if bearing is Bearing.FRONT else 60 for bearing in Bearing}
     assert sensed(floor) == [Sensed(exactly)] * 3
@@ -72,7 +74,7 @@ def test_publishing_distances_from_a_thread_changes_no_byte_of_a_run(monkeypatch
 
     def look() -> None:
         while not is_over.wait(0.001):  # looks without a pause would leave the program no turn at its locks
-            with_published_distances.session.tell_distances()
+            with_published_distances.session.publish_distances()
 
     looking = threading.Thread(target=look)
     looking.start()
@@ -89,7 +91,7 @@ def test_publishing_distances_does_not_cancel_a_stop() -> None:
 
     def stop_and_look() -> None:
         floor.session.stop()
-        floor.session.tell_distances()
+        floor.session.publish_distances()
 
     floor.session.hub.subscribe(lambda it: stop_and_look() if it.event == STEP_CUE else None)
     floor.run("FW 500")

@@ -14,7 +14,7 @@ from donnie_tui.core.events import (
     Stamped,
     Turned,
 )
-from donnie_tui.core.transcript import SummingUp, told_lines
+from donnie_tui.core.transcript import SummingUp, printed_lines
 from donnie_tui.i18n.words import Words
 
 HERE = Pose(0, 0, 0)
@@ -34,7 +34,7 @@ class Listener:
             stamped = Stamped(1, 0.0, each, robot)
             self.printed += self._summing_up.before(stamped)
             if self._summing_up.passes(stamped):
-                self.printed += told_lines(stamped, self._words)
+                self.printed += printed_lines(stamped, self._words)
 
 
 def walk(steps: int = 1, by: StoppedBy | None = None) -> tuple[Event, Event]:

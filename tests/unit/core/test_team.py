@@ -13,7 +13,7 @@ from donnie_tui.core.hub import Stream
 from donnie_tui.core.runner import Run, RunRequest
 from donnie_tui.core.session import Busy, Session, SessionSetup
 from donnie_tui.core.team import Team
-from donnie_tui.core.transcript import told_lines
+from donnie_tui.core.transcript import printed_lines
 from donnie_tui.i18n.words import Words
 from sim.world import World
 from sim.worldfile import load_text
@@ -63,7 +63,7 @@ class Hall:
 
     @property
     def printed(self) -> list[str]:
-        return [line for each in self.heard for line in told_lines(each, self.words)]
+        return [line for each in self.heard for line in printed_lines(each, self.words)]
 
 
 def test_robots_that_start_together_write_the_same_bytes_every_time_at_any_speed() -> None:

@@ -13,7 +13,7 @@ BLOCKED = Moved("FW 9", 9, 2, StoppedBy.OBSTACLE, Pose(2, 3, 90), True)
 def trail(*events: object) -> Trail:
     made = Trail()
     for number, event in enumerate(events, 1):
-        made.hear(Stamped(number, 0.0, event))  # type: ignore[arg-type] # events
+        made.on_event(Stamped(number, 0.0, event))  # type: ignore[arg-type] # events
     return made
 
 
@@ -59,7 +59,7 @@ def test_each_robot_has_a_trail_of_its_own() -> None:
     talked_to = "alice"
     trail = Trail(lambda: talked_to)
     there = Moved("FW 3", 3, 3, None, Pose(0, 3, 0), True)
-    trail.hear(Stamped(1, 0.0, there, "alice"))
+    trail.on_event(Stamped(1, 0.0, there, "alice"))
 
     assert trail.in_words(5, Words()) == ("FW 3: 3 steps, to 0, 3.",)
     talked_to = "bob"

@@ -42,7 +42,7 @@ class Watched(Hall):
 
     @property
     def answers(self) -> list[str]:
-        self.stream_of_all.wait_until_heard(LONG_ENOUGH)  # the program's thread may deliver them
+        self.stream_of_all.wait_until_delivered(LONG_ENOUGH)  # the program's thread may deliver them
         return [each.event.text for each in self.heard if isinstance(each.event, Answered)]
 
     def start_endless(self) -> Run:

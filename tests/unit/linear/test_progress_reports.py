@@ -48,7 +48,7 @@ def signs(seconds: float, interval: float, monkeypatch: pytest.MonkeyPatch) -> l
     console, reported_at = Console(), list[float]()
     hub = SimpleNamespace(add_gate=lambda _: _nothing)
     runs = SimpleNamespace(has_ended=lambda _: False, is_held=False, sum_up=lambda _: None)
-    team, session = SimpleNamespace(settle=_nothing), SimpleNamespace(hub=hub)
+    team, session = SimpleNamespace(wait_for_stop=_nothing), SimpleNamespace(hub=hub)
     donnie = SimpleNamespace(team=team, session=session, stop_real_robot=bool)
     ctx: Any = SimpleNamespace(runs=runs, donnie=donnie)
     streams: Any = SimpleNamespace(

@@ -9,7 +9,7 @@ from typing import Any
 import pytest
 
 from donnie_tui.core.events import Outcome
-from donnie_tui.core.line_history import Past
+from donnie_tui.core.line_history import LineHistory
 from donnie_tui.linear.loop import RunLoop
 from donnie_tui.linear.output import OutputQueue
 from donnie_tui.linear.reader import EditingReader, How, PlainReader
@@ -69,7 +69,7 @@ def _nothing() -> None:
 
 
 def editor(console: Any) -> EditingReader:
-    return EditingReader(console, Past(None))
+    return EditingReader(console, LineHistory(None))
 
 
 # --- keys that are typed while Donnie still loads
@@ -112,7 +112,7 @@ class Watched:
             close=_nothing,
         )
         session = SimpleNamespace(hub=hub, stop=self._stop)
-        team = SimpleNamespace(stop=self._stop, settle=lambda: None, running=())
+        team = SimpleNamespace(stop=self._stop, wait_for_stop=lambda: None, running=())
         self.left_out = 0
         self.queue = OutputQueue(_nothing)
         self.has_ended = False
