@@ -422,9 +422,7 @@ class TypingEcho:
 
     def _say(self, text: str) -> None:
         if len(text) == 1:
-            from donnie_tui.i18n.words import SPELLING_OF_SIGN
-
-            self._audible.echo(" ".join(spelled(text, SPELLING_OF_SIGN, self._words)))
+            self._audible.echo(" ".join(spelled(text, self._words)))
         elif text.strip():
             self._audible.echo(text[:LONGEST_PASTED])
 
