@@ -103,7 +103,7 @@ def not_understood(command: Command, wording: Wording) -> str:
     """The answer to an argument that the command can't understand."""
     if not command.argument:
         return wording("word-takes-nothing", word=word_of(command, wording.language))
-    return wording("linear-like-this", example=typed_form(command, wording))
+    return wording("command-example", example=typed_form(command, wording))
 
 
 def help_line(command: Command, wording: Wording, keys: str = "") -> str:

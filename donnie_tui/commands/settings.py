@@ -77,7 +77,7 @@ async def set_value(ctx: Context, argument: str) -> None:
     if preference is None:
         ctx.answer("screen-no-setting", name=printable(name[:LONGEST_NAME]))
     elif preference.where is (Where.LINEAR if ctx.screen is not None else Where.SCREEN):
-        ctx.answer("only-in-linear-mode" if ctx.screen is not None else "linear-on-screen")
+        ctx.answer("only-in-linear-mode" if ctx.screen is not None else "only-on-screen")
     elif preference.key == "cues":
         await _set_cue(ctx, typed.strip())
     elif typed.strip():

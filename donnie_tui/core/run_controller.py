@@ -443,7 +443,7 @@ class RunController:
         if event.outcome is Outcome.COMPLETED and record.stepping is not None:
             self._answer(*record.stepping.on_end())
         if event.outcome is Outcome.COMPLETED and record.is_silent and record.is_background:
-            self._answer_of(record.session, "linear-done")
+            self._answer_of(record.session, "run-done")
 
     # --- after the end of a run
 
@@ -472,7 +472,7 @@ class RunController:
         if record.request.is_whole and not self._has_prompt:
             code = "screen-done"
         elif record.is_silent or record.is_stepped:
-            code = "linear-done"
+            code = "run-done"
         else:
             return
         self._answer_of(record.session, code)

@@ -43,7 +43,7 @@ if TYPE_CHECKING:
 DECIDED_FOR = {
     ChannelReason.OVER_SSH: "voice-over-ssh",
     ChannelReason.SCREEN_READER: "voice-for-reader",
-    ChannelReason.READERS_VOICE: "voice-behind-reader",
+    ChannelReason.READERS_VOICE: "voice-after-reader",
     ChannelReason.SPEECH_DISPATCHER: "voice-by-dispatcher",
     ChannelReason.OWN_VOICE: "voice-own",
 }

@@ -60,7 +60,7 @@ class Talk:
         return await self._host.choose(title, keys, nothing, choices)
 
     async def press_key(self, asked: str, accepts: Callable[[str], str | None]) -> str | None:
-        keys, behind = self._words("keys-capture"), self._words("keys-behind")
+        keys, behind = self._words("keys-capture"), self._words("keys-second-key")
         return await self._host.press_key(asked, keys, behind, accepts)
 
     async def choose_word(self, words: Sequence[str], below: Offset) -> tuple[str, str]:

@@ -51,7 +51,7 @@ def test_a_session_is_in_the_language_from_its_first_line(tmp_path: Path, added:
     )
 
     place = pseudo("{steps:step|steps}")
-    assert printed[:2] == [sentence("linear-cause-option"), sentence("linear-hint")]
+    assert printed[:2] == [sentence("linear-cause-option"), sentence("start-hint")]
     assert [line for line in printed if line.startswith(pseudo("I walked"))] == [
         sentence("walked-forward", {place: pseudo("step")}, steps=1),
         sentence("walked-forward", {place: pseudo("steps") + "-II"}, steps=2),
