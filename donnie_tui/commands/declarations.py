@@ -1,8 +1,9 @@
 """The table of commands: their handlers' modules, when they are possible, their keys, what may follow them.
 
-The words of a command are in ``i18n.command_words``, its purpose is the sentence ``action-NAME``, and an
-example of its argument is ``help-typed-ARGUMENT``. Words, keys, footer, palette, HELP, completion and
-``docs/commands.md`` come from here. The first frame needs this module: it imports nothing heavy.
+The words of a command are in ``commands.toml`` of each language. Its purpose is the sentence ``action-NAME``,
+an example of its argument the sentence ``help-typed-ARGUMENT``. Words, keys, footer, palette, HELP,
+completion and ``docs/commands.md`` come from here. The first frame needs this module: it imports nothing
+heavy.
 """
 
 from __future__ import annotations

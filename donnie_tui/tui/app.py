@@ -20,7 +20,7 @@ from textual.screen import Screen
 
 from donnie_tui.commands.keys import KeyTable
 from donnie_tui.i18n.first_words import early
-from donnie_tui.robot.choice import Search
+from donnie_tui.robot.search import Search
 from donnie_tui.settings.folders import UNSAVED, state_folder
 from donnie_tui.settings.settings import Settings
 from donnie_tui.tui.beginning import Beginning

@@ -11,7 +11,7 @@ from collections.abc import Iterable, Iterator
 from dataclasses import dataclass
 
 from donnie_tui.commands.declarations import COMMANDS, Command
-from donnie_tui.i18n.command_words import words_of
+from donnie_tui.commands.lookup import words_of
 
 ENDING = "VAR a = 3\nREPEAT 2 TIMES\nFW 1\nEND REPEAT\nTR 10\na = a + 1\nFW 1\n"
 """A program that comes to its end."""

@@ -11,7 +11,7 @@ from pathlib import Path
 import pytest
 
 from donnie_tui.commands.declarations import COMMANDS
-from donnie_tui.i18n.command_words import words_of
+from donnie_tui.commands.lookup import words_of
 from tests.parity.cases import GROUPS, HELD, IDLE, RUNNING, Group
 from tests.parity.compare import in_linear_mode, on_full_screen
 from tests.parity.rules import is_same
