@@ -113,4 +113,4 @@ class Context:
     def counted(self, lines: Sequence[str]) -> tuple[str, ...]:
         """A list; the number of its lines comes first where it is long."""
         is_long = len(lines) > MOST_AT_ONCE
-        return (*((self.words("linear-lines", lines=len(lines)),) if is_long else ()), *lines)
+        return (*((self.words("number-of-lines", lines=len(lines)),) if is_long else ()), *lines)

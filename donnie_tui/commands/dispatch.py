@@ -111,9 +111,9 @@ def say_in_words(ctx: Context, name: str) -> None:
     """What is typed in words for something of the screen; where there is nothing, where it is."""
     command = BY_NAME.get(name)
     if command is None:
-        ctx.answer("linear-on-screen")
+        ctx.answer("only-on-screen")
     else:
-        ctx.answer("linear-in-words", word=typed_form(command, ctx.words))
+        ctx.answer("type-command", word=typed_form(command, ctx.words))
 
 
 async def take_line(ctx: Context, line: str) -> bool:

@@ -23,6 +23,7 @@ from donnie_tui.core.program_files import (
     program_to_open,
     program_to_save,
     read_program,
+    save_question,
     saved_text,
     write_program,
 )
@@ -178,7 +179,7 @@ async def save_as(ctx: Context, argument: str) -> None:
 async def save_document(ctx: Context, name: str) -> bool:
     """Save the current program. Whether it was saved; if not, the reason was said."""
     if not ctx.program.lines:
-        ctx.answer("linear-nothing-to-save")
+        ctx.answer("nothing-to-save")
         return False
     if not name and not ctx.interaction.is_attended:
         raise NotUnderstood
@@ -194,14 +195,16 @@ async def save_document(ctx: Context, name: str) -> bool:
 async def _save(ctx: Context, name: str) -> bool:
     """Asks before another text than the one last read or written is lost."""
     document, own = ctx.program, str(ctx.program.path or "")
-    name = name or await ctx.interaction.ask(ctx.words("linear-ask-name"), own) or ""
+    name = name or await ctx.interaction.ask(ctx.words("ask-file-name"), own) or ""
     if not name:
         raise GivenUp
     path = Path(own) if name == own else program_to_save(name, ctx.donnie.in_use)
     if str(path) in ctx.donnie.in_use:
         raise DocumentError("file-in-use", str(path))
     slow = ctx.words("slow-saving", name=path.name)
-    asked = await ctx.interaction.background(lambda: document.save_question(path), slow)
+    asked = await ctx.interaction.background(
+        lambda: save_question(path, document.path, document.saved_text), slow
+    )
     if asked:
         await _confirm_replacing(ctx, asked, path)
     return await ctx.interaction.finish(_write(ctx, document, path))
@@ -224,7 +227,7 @@ async def _confirm_replacing(ctx: Context, code: str, path: Path) -> None:
     """Raises ``GivenUp`` unless the learner agrees, ``DocumentError`` where there is no learner to ask."""
     if not ctx.interaction.is_attended:
         raise DocumentError("file-exists", str(path))
-    if not await ctx.interaction.confirm(ctx.words(f"linear-{code}", name=path.name)):
+    if not await ctx.interaction.confirm(ctx.words(code, name=path.name)):
         raise GivenUp
 
 
@@ -238,7 +241,7 @@ async def may_lose_text(ctx: Context) -> bool:
         await ctx.interaction.finished()  # what is being saved just now is not asked about
         if not (ctx.interaction.is_attended and document.is_worth_saving):
             return True
-        question = ctx.words("linear-ask-save", lines=len(document.lines))
+        question = ctx.words("ask-save", lines=len(document.lines))
         wants_to_save = await ctx.interaction.confirm(question)
         if wants_to_save is None:
             ctx.answer("answer-unchanged")

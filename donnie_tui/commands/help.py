@@ -31,7 +31,7 @@ async def say_help(ctx: Context, argument: str) -> None:
         ctx.screen.show_keys()
     elif meant(topic, "help") == "keys":
         for line in _KEY_LINES:
-            ctx.answer(f"linear-keys-{line}")
+            ctx.answer(f"prompt-keys-{line}")
     elif asked is None or asked[0].name != "set" or not _says_setting(ctx, asked[1].partition(" ")[0]):
         ctx.say(*(help_of(topic, ctx.words) or ctx.words.help(topic)))
 
@@ -51,9 +51,9 @@ def _list_commands(ctx: Context) -> None:
     """GoDonnie's words, then the commands."""
     commands = [each for each in COMMANDS if not (each.is_visual or each.is_godonnie)]
     ctx.say(*ctx.words.help(None))
-    ctx.answer("linear-help", count=len(commands))
+    ctx.answer("help-commands", count=len(commands))
     ctx.say(*(help_line(each, ctx.words) for each in commands))
-    ctx.answer("linear-help-keys")
+    ctx.answer("help-keys-hint")
 
 
 @handles("keys_here")
@@ -76,9 +76,9 @@ async def manual(ctx: Context, argument: str) -> None:
     elif ctx.screen is not None:
         ctx.screen.show_manual()
     else:
-        ctx.answer("linear-chapters", count=len(CHAPTERS))
+        ctx.answer("manual-chapters", count=len(CHAPTERS))
         for at, chapter in enumerate(CHAPTERS, 1):
-            ctx.answer("linear-listed", line=at, text=ctx.words(f"manual-{chapter}"))
+            ctx.answer("numbered-line", line=at, text=ctx.words(f"manual-{chapter}"))
 
 
 @handles("tour")
@@ -108,7 +108,7 @@ async def _say_page(ctx: Context, number: int) -> None:
 async def linear(ctx: Context, _: str) -> None:
     """Go on in the linear mode, the robot where it is."""
     if ctx.screen is None:
-        ctx.answer("linear-linear")
+        ctx.answer("already-linear")
     else:
         await _switch_mode(ctx)
 

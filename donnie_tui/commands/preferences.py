@@ -94,7 +94,7 @@ PREFERENCES = (
 BY_NAME = {each.key: each for each in PREFERENCES}
 
 _WITH_A_SENTENCE = ("page", "prompt", "hold", "editor", "enter", "progress", "clock", "free")
-"""Settings with a sentence of their own, ``habit-KEY``."""
+"""Settings with a sentence of their own, ``preference-KEY``."""
 _EXAMPLES = {"progress": "0 10 60", "free": "f"}
 """Values that have no words."""
 _HAVE_WORDS = frozenset(
@@ -142,7 +142,7 @@ class Preferences:
         preference, value = BY_NAME[key], self.value(key)
         if key in _WITH_A_SENTENCE:
             is_never = key == "progress" and value == "0"
-            code = "habit-progress-never" if is_never else f"habit-{key}"
+            code = "preference-progress-never" if is_never else f"preference-{key}"
             number = int(value) if key == "progress" else value_word(preference, value, words.language)
             return words(code, name=spelled(key, words.language, "settings"), value=number)
         if preference.has_words:
@@ -235,12 +235,12 @@ def choices_in_words(preference: Preference, words: Words) -> str:
     key = preference.key
     if preference.numbers is not None:
         least, most = preference.numbers
-        return words("habit-numbers", least=least, most=most)
+        return words("preference-numbers", least=least, most=most)
     if not preference.values and key not in _EXAMPLES:
         return words(f"setting-{key}-wanted")
     values = preference.values or (("dot",) if key == "free" else ())
     typed = [value_word(preference, each, words.language) for each in values]
-    return words("habit-choices", choices=", ".join([*typed, *filter(None, [_EXAMPLES.get(key)])]))
+    return words("preference-options", choices=", ".join([*typed, *filter(None, [_EXAMPLES.get(key)])]))
 
 
 def as_text(value: object) -> str:

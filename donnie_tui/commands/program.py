@@ -40,13 +40,13 @@ async def list_lines(ctx: Context, argument: str) -> None:
         ctx.answer_no_line(begin)
         return
     rows = [
-        ctx.words("linear-listed", line=number, text=lines[number - 1].strip())
+        ctx.words("numbered-line", line=number, text=lines[number - 1].strip())
         for number in range(begin, end + 1)
     ]
     if len(rows) <= MOST_AT_ONCE:
         ctx.say(*rows)
         return
-    page = (ctx.words("linear-lines", lines=len(rows)), *rows)
+    page = (ctx.words("number-of-lines", lines=len(rows)), *rows)
     if ctx.screen is not None:
         ctx.say(page[0])
     await ctx.interaction.show_pages(ctx.words("key-show_program"), page)
@@ -84,11 +84,11 @@ def _changing(ctx: Context) -> Iterator[None]:
     try:
         yield
     except ProgramTooLong:
-        ctx.answer("linear-too-long")
+        ctx.answer("program-too-long")
         return
     now = ctx.program.waiting
     if ran and now > waiting + 1:
-        ctx.answer("linear-waits-again", lines=now)
+        ctx.answer("lines-wait-again", lines=now)
 
 
 @handles("change")
@@ -104,7 +104,7 @@ async def change(ctx: Context, argument: str) -> None:
         return
     present = lines[number - 1].strip()
     if not text:
-        code = "linear-edit" if ctx.interaction.can_edit else "linear-type-line"
+        code = "edit-line" if ctx.interaction.can_edit else "type-line"
         text = await _typed_line(ctx, code, number, present)
     if text.strip() in ("", present):
         raise GivenUp
@@ -121,7 +121,7 @@ async def insert(ctx: Context, argument: str) -> None:
     if not 1 <= number <= len(document.lines) + 1:
         ctx.answer_no_line(number)
         return
-    text = text or await _typed_line(ctx, "linear-type-line", number)
+    text = text or await _typed_line(ctx, "type-line", number)
     if not text.strip():
         raise GivenUp
     with _changing(ctx):
@@ -151,7 +151,7 @@ async def offer_again(ctx: Context, line: str) -> None:
     """
     if ctx.interaction.can_edit:
         number = len(ctx.program.lines) + 1
-        typed = await _typed_line(ctx, "linear-edit", number, line.strip())
+        typed = await _typed_line(ctx, "edit-line", number, line.strip())
         await ctx.interaction.type_again(typed)
     else:
         ctx.program.add(line)
@@ -168,7 +168,7 @@ async def delete(ctx: Context, argument: str) -> None:
     given, document = read_numbers(argument, most=2), ctx.program
     if not given and not document.is_in_editor:
         count, kept = document.delete_waiting(), len(document.lines)
-        ctx.say(_deleted(ctx, kept + 1, kept + count) if count else ctx.words("linear-nothing-to-delete"))
+        ctx.say(_deleted(ctx, kept + 1, kept + count) if count else ctx.words("nothing-to-delete"))
         return
     first, end = (given[0], given[-1]) if given else (document.place,) * 2
     last = len(document.lines)
@@ -185,8 +185,8 @@ async def delete(ctx: Context, argument: str) -> None:
 
 def _deleted(ctx: Context, first: int, last: int) -> str:
     if first == last:
-        return ctx.words("linear-deleted", line=first)
-    return ctx.words("linear-deleted-lines", first=first, last=last)
+        return ctx.words("line-deleted", line=first)
+    return ctx.words("lines-deleted", first=first, last=last)
 
 
 @handles("move")
@@ -229,9 +229,9 @@ def _say_changed(ctx: Context, changed: int | None) -> None:
             document.place = changed
         ctx.say(_numbered(ctx, changed))
     elif document.lines:
-        ctx.answer("linear-lines", lines=len(document.lines))
+        ctx.answer("number-of-lines", lines=len(document.lines))
     else:
-        ctx.answer("linear-no-lines")
+        ctx.answer("no-lines")
 
 
 def say_restored(ctx: Context) -> None:
@@ -365,7 +365,7 @@ async def translate(ctx: Context, argument: str) -> None:
             Option(each, name, number=number)
             for number, (each, name) in enumerate(zip(codes, names, strict=True), 1)
         ]
-        printed = [ctx.words("linear-listed", line=number, text=name) for number, name in enumerate(names, 1)]
+        printed = [ctx.words("numbered-line", line=number, text=name) for number, name in enumerate(names, 1)]
         language = await ctx.interaction.choose(ctx.words("ask-translate"), options, printed)
         if language is None:
             return
@@ -377,7 +377,7 @@ async def translate(ctx: Context, argument: str) -> None:
 async def _lay_out(ctx: Context, language: str | None) -> None:
     document, text = ctx.program, ctx.program.text
     if not document.lines:
-        ctx.answer("linear-no-lines")
+        ctx.answer("no-lines")
         return
     result = await ctx.interaction.background(
         lambda: formatted(text, language), ctx.words("slow-layout"), may_be_left=True

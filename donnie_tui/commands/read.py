@@ -22,7 +22,6 @@ from donnie_tui.core.program_text import (
     place_in_words,
 )
 from donnie_tui.core.run_state import line_of
-from donnie_tui.i18n.messages import SPELLING_OF_SIGN
 
 MOST_SHOWN = 10
 """Answers that SHOW LOG repeats."""
@@ -88,7 +87,7 @@ async def move(ctx: Context, _: str, otherwise: str, find: Callable[[ProgramText
     """To the line that opens the block, into the block, or along the lines of one level."""
     text = ctx.program.structure
     if not text:
-        ctx.answer("linear-no-lines")
+        ctx.answer("no-lines")
         return
     number = find(text, _line_within(ctx, text))
     if number is None:
@@ -108,7 +107,7 @@ async def place(ctx: Context, _: str) -> None:
     if text:
         ctx.say(*place_in_words(text, _line_within(ctx, text), ctx.words))
     else:
-        ctx.answer("linear-no-lines")
+        ctx.answer("no-lines")
 
 
 @handles("outline")
@@ -195,7 +194,7 @@ async def last_word(ctx: Context, _: str) -> None:
 
 
 def _spell(ctx: Context, text: str) -> None:
-    ctx.say(*spelled(text, SPELLING_OF_SIGN, ctx.words), is_repeated=bool(text))
+    ctx.say(*spelled(text, ctx.words), is_repeated=bool(text))
 
 
 @handles("find")
@@ -236,11 +235,11 @@ async def typed(ctx: Context, argument: str) -> None:
     lines = [each for each in enumerate(ctx.past.lines, 1) if not _is_typed(each[1])]
     count = read_count(argument, MOST_TYPED if ctx.screen is None else max(1, len(lines)))
     if not lines:
-        ctx.answer("linear-nothing-typed")
+        ctx.answer("nothing-typed")
         return
     shown = lines[-count:]
     options = [Option(line, line, number=number) for number, line in reversed(shown)]
-    printed = [ctx.words("linear-listed", line=number, text=line) for number, line in shown]
+    printed = [ctx.words("numbered-line", line=number, text=line) for number, line in shown]
     chosen = await ctx.interaction.choose(ctx.words("key-typed"), options, ctx.counted(printed))
     if chosen is not None:
         await ctx.interaction.type_again(chosen)

@@ -29,9 +29,12 @@ LONGEST_BEGINNING = 1.0
 async def run(ctx: Context, _: str, is_whole: bool) -> None:
     """Run what was typed and has not run yet, or the whole program from the start of the world.
 
-    A program that is edited as a whole always runs as a whole.
+    A program that is edited as a whole always runs as a whole. RUN continues a program that is held.
     """
-    await run_program(ctx, is_whole=is_whole)
+    if ctx.runs.is_held and not is_whole:
+        ctx.runs.continue_()
+    else:
+        await run_program(ctx, is_whole=is_whole)
 
 
 async def run_program(
@@ -87,10 +90,10 @@ def _note_run(ctx: Context, ended: Run, *, is_whole: bool) -> None:
         ctx.program.batch_ran()
     elif not is_whole and ctx.program.batch_was_refused():
         first = next(iter(ctx.errors.all), None)
-        code = "linear-kept-known" if first and first.meant else "linear-kept"
+        code = "lines-kept-fixable" if first and first.meant else "lines-kept"
         ctx.answer(code, line=(first.fixed_line or first.line) if first else 1)
         if ctx.program.refusals > 1:
-            ctx.answer("linear-forget", lines=ctx.program.waiting)
+            ctx.answer("delete-forgets-lines", lines=ctx.program.waiting)
 
 
 @handles("start")
@@ -164,7 +167,7 @@ async def pause(ctx: Context, _: str) -> None:
         if ctx.runs.state is RunState.PAUSED:
             await continue_(ctx, "")
         elif not ctx.runs.pause():
-            ctx.answer_of_robot("linear-paused")
+            ctx.answer_of_robot("program-paused")
     except NothingRuns:
         ctx.answer("answer-nothing-runs")
 

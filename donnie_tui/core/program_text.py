@@ -164,7 +164,7 @@ def line_in_words(line: ProgramLine, before: ProgramLine | None, wording: Wordin
 
 def no_such_line(count: int, number: int, wording: Wording) -> str:
     """The program, of so many lines, has no such line."""
-    return wording("answer-no-line", line=number, last=count) if count else wording("linear-no-lines")
+    return wording("answer-no-line", line=number, last=count) if count else wording("no-lines")
 
 
 def place_in_words(text: ProgramText, number: int, wording: Wording) -> tuple[str, ...]:

@@ -75,7 +75,7 @@ class Conversation:
             Output(
                 console,
                 paced=os.isatty(1),
-                of_numbers=lambda count: donnie.words("linear-numbers", count=count),
+                of_numbers=lambda count: donnie.words("numbers-printed", count=count),
             ),
             queue,
             Options(lambda: preferences.settings),
@@ -207,7 +207,7 @@ class Conversation:
 
     def _say_number_of_lines(self) -> None:
         if self.ctx.program.lines:
-            self.ctx.answer("linear-lines", lines=len(self.ctx.program.lines))
+            self.ctx.answer("number-of-lines", lines=len(self.ctx.program.lines))
 
     def _say_notices(self) -> None:
         """Say what is missing. If the prompt is printed already, this comes with the first answer.
@@ -243,7 +243,7 @@ class Conversation:
                 self.typed_lines.continuation = None
                 self.leaving.interrupt(typed.text)
             case How.TOO_LONG:
-                self.ctx.answer("linear-too-long")
+                self.ctx.answer("program-too-long")
             case How.ENTER:
                 self.take_again(typed.text)
             case How.ESCAPE:
@@ -290,7 +290,7 @@ class LinearInteraction:
         ctx.say(*printed)
         if not by_number:
             return None
-        ctx.answer("linear-type-number")
+        ctx.answer("type-number")
         typed = prompter.read_next()
         text = typed.text.strip()
         if typed.how is not How.ENTER or not text.isdecimal() or len(text) > _LONGEST_NUMBER:
@@ -300,7 +300,7 @@ class LinearInteraction:
         if number not in by_number:
             ctx.answer("answer-no-line", line=number, last=max(by_number))
             return None
-        ctx.answer("linear-listed", line=number, text=by_number[number])
+        ctx.answer("numbered-line", line=number, text=by_number[number])
         return by_number[number]
 
     async def confirm(self, question: str) -> bool | None:

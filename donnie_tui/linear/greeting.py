@@ -83,7 +83,7 @@ class Greeting:
             self.has_reported_rescue = True
             return "answer-rescued"
         offers = tour and self.has_prompt and offers_tour(folder, environment)
-        return "tour-offer" if offers else "linear-hint"
+        return "tour-offer" if offers else "start-hint"
 
     def take_prompt(self) -> bool:
         """Whether the prompt was printed already; from now on it belongs to the caller."""

@@ -58,7 +58,7 @@ class Leaving:
         if waiting and not self._streams.is_attended:
             was_tried = any(each.line > len(program.lines) - waiting for each in self._ctx.errors.all)
             if was_tried:
-                self._ctx.answer("linear-did-not-run-mistake", lines=waiting)
+                self._ctx.answer("lines-did-not-run-mistake", lines=waiting)
             else:
                 self.report_waiting_lines()
         self.leave(0)
@@ -67,7 +67,7 @@ class Leaving:
         """Say how many lines did not run, and what they would have needed."""
         program, block = self._ctx.program, self._ctx.program.open_block
         missing = spelling("RUN" if block is None else f"END {block.kind}", self._ctx.words.language)
-        self._ctx.answer("linear-did-not-run", lines=program.waiting, missing=missing)
+        self._ctx.answer("lines-did-not-run", lines=program.waiting, missing=missing)
 
     def leave(self, code: int) -> None:
         """Leave, once each changed program is saved or given up; else stay."""
@@ -85,16 +85,16 @@ class Leaving:
             self.code = code
         else:
             self.code = None
-            self._ctx.answer("linear-stays")
+            self._ctx.answer("stays-unsaved")
 
     def _may_leave(self, program: Document) -> bool:
         """Whether the program is saved, given up, or not worth a question."""
         ctx = self._ctx
         if not (self._streams.is_attended and program.is_worth_saving):
             return True
-        wants_to_save = self._prompter.confirm(ctx.words("linear-ask-save", lines=len(program.lines)))
+        wants_to_save = self._prompter.confirm(ctx.words("ask-save", lines=len(program.lines)))
         if wants_to_save is False:
-            ctx.answer("linear-left")
+            ctx.answer("left-unsaved")
         if not wants_to_save:
             return wants_to_save is False
         with ctx.workspace.as_current(program):
@@ -114,12 +114,12 @@ class Leaving:
         elif not self._streams.is_attended:
             self.code = _INTERRUPTED
         else:
-            self._ctx.answer("linear-cleared" if line else "linear-nothing-to-stop")
+            self._ctx.answer("line-cleared" if line else "nothing-to-stop")
 
     def say_goodbye(self) -> None:
         ctx = self._ctx
         if self.code == 0:
-            ctx.answer("linear-goodbye")
+            ctx.answer("goodbye")
         ctx.donnie.session.hub.wait_until_delivered()
         self._printer.show()
         if self.code == 0 and not self._keeps_copies:
@@ -152,7 +152,7 @@ class Leaving:
         """Raises ``SwitchMode`` with everything, the robot where it stands; says if there is no screen."""
         ctx = self._ctx
         if self._streams.editing is None:
-            ctx.answer("linear-no-screen")
+            ctx.answer("screen-needs-terminal")
             return
         self.offer_to_remember(linear=False)
         if self._console.leaving is None:

@@ -80,7 +80,7 @@ class TypedLines:
         try:
             program.add(line)
         except ProgramTooLong:
-            ctx.answer("linear-too-long")
+            ctx.answer("program-too-long")
             return False
         if chimes:
             from donnie_tui.commands.sound import chime_block
@@ -95,7 +95,7 @@ class TypedLines:
         program = self._ctx.program
         block = program.open_block
         if block and not self._has_mistake(program):
-            self._ctx.answer("linear-still-open", opener=self._spelled(block.kind), line=block.line)
+            self._ctx.answer("block-still-open", opener=self._spelled(block.kind), line=block.line)
         elif program.is_waiting:
             drive(run_program(self._ctx, is_whole=False))
         elif self.continuation is not None:
@@ -115,7 +115,7 @@ class TypedLines:
         A program that was opened and never run does not run because the learner leaves.
         """
         program, block = self._ctx.program, self._ctx.program.open_block
-        if self._quit_was_refused:
+        if self._quit_was_refused or (block is None and not program.is_waiting):
             self._leaving.leave(0)
         elif program.was_opened and program.is_waiting:
             self._leaving.report_waiting_lines()
@@ -123,7 +123,7 @@ class TypedLines:
         elif block is None:
             self._run_and_quit()
         elif self._add(self._command):
-            self._ctx.answer("linear-quit-in-block", opener=self._spelled(block.kind))
+            self._ctx.answer("quit-in-block", opener=self._spelled(block.kind))
 
     def _run_and_quit(self) -> None:
         leaving = self._leaving
@@ -132,7 +132,7 @@ class TypedLines:
             leaving.leave(leaving.code)
         self._quit_was_refused = self._ctx.program.is_waiting
         if self._quit_was_refused and leaving.code is None and self._streams.is_attended:
-            self._ctx.answer("linear-quit-again")
+            self._ctx.answer("quit-again")
 
     def _spelled(self, canonical: str) -> str:
         return keywords.spelling(canonical, self._ctx.words.language)
@@ -290,10 +290,10 @@ class RunLoop(RunObserver):
         ctx, session = self._ctx, self._ctx.donnie.session
         if session.run is None:  # those that run together with it have not ended
             for other in ctx.donnie.team.running[:1]:
-                ctx.say(with_robot_name(other.hub.robot, ctx.words("linear-still-running"), ctx.words))
+                ctx.say(with_robot_name(other.hub.robot, ctx.words("still-running"), ctx.words))
             return
         if self._runs.state is RunState.PAUSED:
-            ctx.answer_of_robot("linear-paused")
+            ctx.answer_of_robot("program-paused")
             return
         frames, lines = self._runs.frames, ctx.program.lines
         line = frames[0].line if frames else 0
@@ -303,9 +303,9 @@ class RunLoop(RunObserver):
         if walked:
             self._report_walk(walked, text)
         elif text:
-            ctx.answer("linear-still-at", line=line, text=text)
+            ctx.answer("still-at-line", line=line, text=text)
         else:
-            ctx.answer("linear-still-running" if frames else "linear-still-reading")
+            ctx.answer("still-running" if frames else "still-reading-program")
 
     def _report_walk(self, walked: int, text: str) -> None:
         """With the number of steps that the program asked for, if the line is just one walk."""
@@ -387,12 +387,16 @@ class RunLoop(RunObserver):
 
     def _act_while_held(self, typed: Typed, line: str) -> None:
         word = keywords.canonical(line)
-        if typed.how in (How.INTERRUPTED, How.CLOSED) or word in ("QUIT", "EXIT"):
+        if typed.how in (How.INTERRUPTED, How.CLOSED):
             self._stop()
+        elif word in ("QUIT", "EXIT"):
+            self._leaving.leave(0)
+            if self._leaving.code is not None:
+                self._stop()
         elif typed.how is How.ESCAPE or word == "RUN":
             self._runs.continue_()
         elif typed.how is How.TOO_LONG:
-            self._ctx.answer("linear-too-long")
+            self._ctx.answer("program-too-long")
         elif not line:
             self._runs.step()
         elif found := find(line):
@@ -400,5 +404,5 @@ class RunLoop(RunObserver):
             if self._leaving.world:
                 self._stop()
         elif not says_slip(self._ctx, line):
-            self._ctx.answer("linear-not-taken", line=printable(line[:LONGEST_QUOTE]))
-            self._ctx.answer("linear-stepping")
+            self._ctx.answer("line-not-taken", line=printable(line[:LONGEST_QUOTE]))
+            self._ctx.answer("stepping-commands")

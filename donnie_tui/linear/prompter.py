@@ -200,7 +200,7 @@ class Printer:
         """Print a page and wait for Enter. Returns whether more is wanted; any line typed here ends it."""
         streams = self._streams
         holds = streams.options.hold
-        question = f"{lines.pop() if holds else self._words('linear-more', lines=left)} "
+        question = f"{lines.pop() if holds else self._words('more-lines', lines=left)} "
         streams.output.show(lines, question)
         typed = streams.reader.read(question)
         streams.end_line(typed)
@@ -241,7 +241,7 @@ class Prompter:
             if typed.how not in (How.CHOICES, How.NEWS):
                 return typed
             if typed.how is How.CHOICES:
-                self._ctx.answer("linear-choices", count=len(typed.choices))
+                self._ctx.answer("completions-found", count=len(typed.choices))
                 self._ctx.say(*typed.choices)
                 self._printer.is_repeating = True
             else:
@@ -270,7 +270,7 @@ class Prompter:
         """Yes or no; None for no answer: Ctrl+C, Escape alone, the end of the input, a signal to leave."""
         answer = self.ask(question)
         while answer and answered(answer) is None:
-            answer = self.ask(self._ctx.words("linear-yes-or-no"))
+            answer = self.ask(self._ctx.words("yes-or-no"))
         return bool(answered(answer)) if answer is not None else None
 
     def _read(self, prompt: str, *, shown: bool) -> Typed:

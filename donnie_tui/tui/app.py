@@ -19,9 +19,10 @@ from textual.screen import Screen
 
 from donnie_tui.commands.keys import KeyTable
 from donnie_tui.i18n.first_words import early
-from donnie_tui.robot.choice import Search
+from donnie_tui.robot.search import Search
 from donnie_tui.settings.folders import UNSAVED, state_folder
 from donnie_tui.settings.settings import Settings
+from donnie_tui.tui.environment import is_plain, wants_mouse
 from donnie_tui.tui.key_queue import PendingScreen
 from donnie_tui.tui.keyboard import STOPS, Keyboard, bindings
 from donnie_tui.tui.screens.main_screen import MainScreen
@@ -29,7 +30,6 @@ from donnie_tui.tui.session_handle import SessionHandle
 from donnie_tui.tui.shutdown import Shutdown
 from donnie_tui.tui.startup import Startup
 from donnie_tui.tui.terminal import TerminalApp, use_mouse
-from donnie_tui.tui.terminal_options import is_plain, wants_mouse
 from donnie_tui.tui.widgets.command_line import CommandLine
 from donnie_tui.tui.widgets.editor import Editor
 from donnie_tui.tui.widgets.rows import KeyLine, TextRows

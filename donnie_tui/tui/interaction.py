@@ -49,6 +49,12 @@ class ScreenInteraction:
     async def ask(
         self, question: str, text: str = "", accepts: Callable[[str], str | None] | None = None
     ) -> str | None:
+        return await self._typed_answer(question, text, accepts) or None
+
+    async def _typed_answer(
+        self, question: str, text: str, accepts: Callable[[str], str | None] | None
+    ) -> str | None:
+        """None after Esc; empty after Enter alone."""
         from donnie_tui.tui.screens.dialogs import Question
 
         await asyncio.sleep(0)
@@ -72,16 +78,16 @@ class ScreenInteraction:
 
     async def press_key(self, question: str, accepts: Callable[[str], str | None]) -> str | None:
         await asyncio.sleep(0)
-        keys, after_menu = self._words("keys-capture"), self._words("keys-behind")
+        keys, after_menu = self._words("keys-capture"), self._words("keys-second-key")
         capture = KeyCapture(question, keys, after_menu, accepts, self._controller.point)
         return await self._app.answer_of(capture)
 
     async def confirm(self, question: str) -> bool | None:
         def unclear(typed: str) -> str | None:
             is_clear = not typed.strip() or answered(typed) is not None
-            return None if is_clear else f"{self._words('ask-yes-no')} {question}"
+            return None if is_clear else f"{self._words('yes-or-no')} {question}"
 
-        typed = await self.ask(question, accepts=unclear)
+        typed = await self._typed_answer(question, "", unclear)
         return None if typed is None else bool(answered(typed))
 
     async def edit_line(self, question: str, text: str = "") -> str | None:

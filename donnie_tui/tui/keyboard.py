@@ -183,7 +183,7 @@ class ScreenKeyEcho:
     """
 
     def __init__(self, audible: Audible, words: Wording) -> None:
-        from donnie_tui.outlets.typing_echo import TypingEcho
+        from donnie_tui.outlets.audible import TypingEcho
 
         self._echo = TypingEcho(audible, words)
 

@@ -95,7 +95,7 @@ class FullScreen:
         is_followed = (app.controller.ctx.runs.state is RunState.READY) == (
             app.controller.donnie.session.run is None
         )
-        return is_followed and self._recorder.is_at_rest()
+        return is_followed and self._recorder.is_at_rest(app.controller.ctx.runs)
 
 
 def _in_front(screen: Screen[object]) -> tuple[str, tuple[str, ...]]:

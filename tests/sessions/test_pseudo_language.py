@@ -6,7 +6,7 @@ from pathlib import Path
 import pytest
 
 from donnie_tui.i18n import po
-from donnie_tui.i18n.messages import Sentence, filled
+from donnie_tui.i18n.words import Sentence, filled
 from language.locales import BUILT_IN, ENGLISH
 from tests.sessions.command import QUIET, donnie
 from tests.tui.terminal import F5, Terminal
@@ -51,7 +51,7 @@ def test_a_session_is_in_the_language_from_its_first_line(tmp_path: Path, added:
     )
 
     place = pseudo("{steps:step|steps}")
-    assert printed[:2] == [sentence("linear-cause-option"), sentence("linear-hint")]
+    assert printed[:2] == [sentence("linear-cause-option"), sentence("start-hint")]
     assert [line for line in printed if line.startswith(pseudo("I walked"))] == [
         sentence("walked-forward", {place: pseudo("step")}, steps=1),
         sentence("walked-forward", {place: pseudo("steps") + "-II"}, steps=2),

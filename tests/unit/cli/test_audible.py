@@ -97,7 +97,7 @@ def test_a_missing_device_is_reported_once(
         ("auto", facts(over_ssh=True), "voice-over-ssh"),
         ("auto", facts(), "voice-own"),
         ("auto", facts(has_ssip=True), "voice-by-dispatcher"),
-        ("auto", facts(has_ssip=True, screen_reader="orca", is_linear=False), "voice-behind-reader"),
+        ("auto", facts(has_ssip=True, screen_reader="orca", is_linear=False), "voice-after-reader"),
         ("tts", facts(), None),
         ("off", facts(screen_reader="orca"), None),
         ("auto", facts(stdout_is_terminal=False), None),

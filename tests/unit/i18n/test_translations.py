@@ -11,10 +11,10 @@ from pathlib import Path
 
 import pytest
 
-from donnie_tui.i18n import messages, po, translations
-from donnie_tui.i18n.messages import find
+from donnie_tui.i18n import po, translations, words
 from donnie_tui.i18n.po import Entry, Mistake
 from donnie_tui.i18n.translations import ambiguous_keywords, compile_all, main, missing_in, mistakes
+from donnie_tui.i18n.words import find
 from language import locales
 from language.locales import BUILT_IN, languages
 from tests.unit.i18n.pseudo_language import CODE, accented, pseudo, write_language
@@ -35,7 +35,7 @@ def added(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Iterator[Path]:
 
 def _forget() -> None:
     locales.forget()
-    for each in (messages._translations, messages.codes, messages._plural_rule, messages._decimal_sign):
+    for each in (words._translations, words.codes, words._plural_rule, words._decimal_sign):
         each.cache_clear()
 
 
@@ -163,12 +163,12 @@ def test_a_compiled_file_is_gettexts_with_the_codes_as_keys() -> None:
 
 
 def test_a_language_speaks_the_same_compiled_or_not(added: Path) -> None:
-    before = [find(each, CODE) for each in ("walked-forward", "screen-start", "linear-hint")]
+    before = [find(each, CODE) for each in ("walked-forward", "screen-start", "start-hint")]
     assert compile_all() == ()
     _forget()
 
     assert (added / "compiled" / "messages.mo").exists()
-    assert [find(each, CODE) for each in ("walked-forward", "screen-start", "linear-hint")] == before
+    assert [find(each, CODE) for each in ("walked-forward", "screen-start", "start-hint")] == before
     assert locales.words(CODE, "keywords", "keywords", "FW") == ("FWZU",)
 
 
@@ -181,7 +181,7 @@ def test_what_is_edited_after_it_was_compiled_counts(added: Path) -> None:
     os.utime(file, ns=(later, later))
     _forget()
 
-    sentence = find("linear-done", CODE)
+    sentence = find("run-done", CODE)
     assert sentence is not None
     assert sentence.text == "Finito."
 
@@ -211,10 +211,10 @@ def test_a_sentence_with_a_mistake_is_english_in_a_session(added: Path) -> None:
 
 def test_a_changed_msgctxt_is_refused_with_its_line(added: Path) -> None:
     file = added / "messages.po"
-    file.write_text(file.read_text("utf-8").replace('"linear-done"', '"linear-dune"'), "utf-8")
-    line = file.read_text("utf-8").splitlines().index('msgctxt "linear-dune"') + 1
+    file.write_text(file.read_text("utf-8").replace('"run-done"', '"run-dune"'), "utf-8")
+    line = file.read_text("utf-8").splitlines().index('msgctxt "run-dune"') + 1
 
-    what = "linear-dune is not in the English file: msgctxt stays as it is there"
+    what = "run-dune is not in the English file: msgctxt stays as it is there"
     assert [str(each) for each in mistakes()] == [f"{file}:{line}: {what}"]
 
 
@@ -253,12 +253,12 @@ def test_a_changed_english_sentence_makes_its_translation_fuzzy_and_unused(
 
     translations.update()
     entries = {each.context: each for each in po.read(added / "messages.po")}
-    assert entries["linear-done"].is_fuzzy
-    assert entries["linear-done"].text == pseudo("Done.")
+    assert entries["run-done"].is_fuzzy
+    assert entries["run-done"].text == pseudo("Done.")
     assert entries["new-one"].text == ""
     assert not entries["walked-forward"].is_fuzzy
     usable = {each.context: each.text for each in po.usable(added / "messages.po")}
-    assert "linear-done" not in usable
+    assert "run-done" not in usable
     assert usable.get("new-one", "") == ""
 
 

@@ -1,4 +1,4 @@
-"""The options of the terminal, chosen before Textual is imported: it reads its switches then.
+"""The environment that Textual finds: prepared before its import, because it reads its switches then.
 
 The plain layout is for screen readers: one column, and nothing that a reader would speak without need.
 """
