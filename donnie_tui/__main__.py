@@ -5,8 +5,7 @@ from __future__ import annotations
 import os
 import sys
 
-from donnie_tui.process import HIGHEST_STANDARD
-from donnie_tui.process.collecting import load_undisturbed
+from donnie_tui.process import HIGHEST_STANDARD, load_undisturbed
 from donnie_tui.process.disconnection import watch_for_hang_up
 
 TYPE_CHECKING = False  # that of typing costs as much as the rest of the first prompt

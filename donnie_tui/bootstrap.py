@@ -22,16 +22,15 @@ from donnie_tui.core.timeline import Chronicle
 from donnie_tui.core.workspace import Workspace
 from donnie_tui.i18n.words import Unusable, Words
 from donnie_tui.outlets.audible import Audible, make_audible
-from donnie_tui.outlets.belt import BeltTelling, belt_settings, connect_belt
+from donnie_tui.outlets.belt import BeltAnnouncer, belt_settings, connect_belt
 from donnie_tui.outlets.files import Outlets, Written
-from donnie_tui.process.collecting import loaded
-from donnie_tui.robot.choice import Search
+from donnie_tui.process import loaded
 from donnie_tui.robot.connection import Connection
+from donnie_tui.robot.search import Search
 from donnie_tui.settings.folders import BREAKPOINTS, RECENT, UNSAVED, is_new_decision, state_path
 from donnie_tui.settings.parsing import SERIAL, SIMULATED
 from donnie_tui.settings.settings import Settings, Source
-from donnie_tui.world.choice import ChosenWorld, choose_world, files_of
-from donnie_tui.world.moved_things import ThingWatch
+from donnie_tui.world.loading import ChosenWorld, ThingWatch, choose_world, files_of
 
 if TYPE_CHECKING:
     from donnie_tui.core.program_files import FilesInUse
@@ -192,7 +191,7 @@ def _assembled(
     team.chosen.hub.subscribe(chronicle)
     written = _written(settings, team.chosen, words, world, out, closing)
     audible = make_audible(settings, team.chosen, words, closing, is_linear=is_linear)
-    outlets = Outlets(audible, BeltTelling(team, words, belt_settings(settings)), written, until_said)
+    outlets = Outlets(audible, BeltAnnouncer(team, words, belt_settings(settings)), written, until_said)
     belt_news = connect_belt(settings, team, words, closing)
     about_robot = _connect_robot(connection, settings, words, world, terminal)
     notices = Notices(
@@ -205,7 +204,7 @@ def _assembled(
 
 
 def _remarks(world: ChosenWorld, words: Words) -> tuple[str, ...]:
-    from donnie_tui.world.choice import remarks
+    from donnie_tui.world.loading import remarks
 
     return remarks(world, words)
 

@@ -18,15 +18,14 @@ from msgspec import Struct
 from devices.ports.robot import STEP, LinkNotice, RobotProblem, StoppedBy, TurnResult, WalkResult
 from devices.serial_robot.config import RobotConfig, axle_length, wheel_radius
 from devices.wire.telemetry import Telemetry
-from donnie_tui.cli import codes
-from donnie_tui.cli.options import Order
+from donnie_tui.cli.options import ExitCode, Order
 from donnie_tui.cli.streams import Input, stopped_by_suspension
 from donnie_tui.core.program_files import DocumentError
 from donnie_tui.i18n.words import Unusable
 from donnie_tui.process.disconnection import ReaderWatch
 from donnie_tui.process.signals import LEAVING, TakenSignals
-from donnie_tui.robot.choice import sentences_of
 from donnie_tui.robot.connection import MeasurableRobot, make_measurable, robot_config
+from donnie_tui.robot.search import sentences_of
 from donnie_tui.settings.file import remember
 from donnie_tui.settings.parsing import DOUBLE, SIMULATED
 
@@ -72,7 +71,7 @@ def calibrate(order: Order, made: Callable[..., MeasurableRobot] = make_measurab
         raise Unusable(" ".join(sentences_of(problem, order.words))) from None
     except _Lost:
         order.output.line(order.words("calibrate-ended"))
-        return codes.UNUSABLE
+        return ExitCode.UNUSABLE
     except KeyboardInterrupt:
         order.output.line(order.words("calibrate-ended"))
         raise
@@ -101,7 +100,7 @@ def _keep(order: Order, sizes: _Sizes) -> int:
     measured = {"wheel_radius": sizes.wheel_radius, "axle_length": sizes.axle_length}
     if not any(measured.values()):
         order.output.line(order.words("calibrate-nothing"))
-        return codes.FAILED
+        return ExitCode.FAILED
     is_real = order.settings.robot != DOUBLE
     for key, metres in measured.items():
         if metres is not None:
@@ -109,7 +108,7 @@ def _keep(order: Order, sizes: _Sizes) -> int:
             if is_real:
                 _write(order, key, metres)
     order.output.line(order.words("calibrate-kept" if is_real else "calibrate-not-kept"))
-    return codes.DONE
+    return ExitCode.DONE
 
 
 def _write(order: Order, key: str, metres: float) -> None:

@@ -17,10 +17,9 @@ from devices.serial_ports.listing import FoundPort, list_ports
 from devices.serial_ports.port import PortProblem
 from devices.serial_ports.reset import GpioReset, reset_of
 from devices.wire.link_state import LinkConfig
-from donnie_tui.cli import codes
-from donnie_tui.cli.options import Order
+from donnie_tui.cli.options import ExitCode, Order
 from donnie_tui.i18n.words import Unusable, Words
-from donnie_tui.robot.choice import find_port, sentences_of
+from donnie_tui.robot.search import find_port, sentences_of
 from donnie_tui.settings.settings import Settings
 
 MOST_AT_ONCE = 8
@@ -44,7 +43,7 @@ def list_devices(
             order.output.line(order.words("device-other", port=each.stable))
     if not (ports or plugged):
         order.output.line(order.words("devices-none"))
-    return codes.UNUSABLE if named and any(problems) else codes.DONE
+    return ExitCode.UNUSABLE if named and any(problems) else ExitCode.DONE
 
 
 def _describe_all(ports: Iterable[str], ask: Callable[..., IdentifiedDevice], order: Order) -> Iterator[bool]:
@@ -85,9 +84,9 @@ def _lines(port: str, found: IdentifiedDevice, words: Words) -> tuple[str, ...]:
 
 
 _CODE_OF = {
-    HaltOutcome.STANDS: codes.DONE,
-    HaltOutcome.UNCONFIRMED: codes.FAILED,
-    HaltOutcome.IN_USE: codes.FAILED,
+    HaltOutcome.STANDS: ExitCode.DONE,
+    HaltOutcome.UNCONFIRMED: ExitCode.FAILED,
+    HaltOutcome.IN_USE: ExitCode.FAILED,
 }
 """Only a robot that is known to stand is one that was stopped."""
 

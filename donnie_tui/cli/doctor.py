@@ -20,16 +20,14 @@ from msgspec import Struct, field
 import donnie_tui
 from devices.audio.channel import Channel, DetectedEnvironment, choose_channel
 from devices.audio.cues import load_user_sounds, unknown_sound_files
-from donnie_tui.cli import codes
 from donnie_tui.cli.front_ends import cause_of_linear, surroundings
-from donnie_tui.cli.options import Order
+from donnie_tui.cli.options import ExitCode, Order
 from donnie_tui.cli.streams import is_terminal
 from donnie_tui.core.program_files import exists
 from donnie_tui.core.wording import name_of_language
 from donnie_tui.i18n.translations import missing_in, mistakes
 from donnie_tui.i18n.words import Words
-from donnie_tui.outlets.audible import wants_cues
-from donnie_tui.outlets.spoken_languages import spoken_languages
+from donnie_tui.outlets.audible import spoken_languages, wants_cues
 from donnie_tui.settings.folders import own_sounds, settings_file
 from donnie_tui.settings.settings import KEYS, Settings, Source
 from language.locales import languages
@@ -312,7 +310,7 @@ def doctor(order: Order) -> int:
     order.output.line(
         order.words("doctor-problems", count=problems) if problems else order.words("doctor-all-well")
     )
-    return codes.DONE
+    return ExitCode.DONE
 
 
 def _lines(finding: Finding, words: Words) -> tuple[str, ...]:

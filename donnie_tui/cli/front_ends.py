@@ -6,16 +6,19 @@ then the kind of terminal. The greeting names the cause.
 
 from __future__ import annotations
 
+import shlex
 import sys
 from collections.abc import Mapping
+from importlib.util import find_spec
 from typing import TYPE_CHECKING
 
 from msgspec import Struct
 from msgspec.structs import replace
 
-from donnie_tui.cli.options import Order
+from donnie_tui.cli.options import ExitCode, Order
 from donnie_tui.cli.streams import is_terminal
 from donnie_tui.commands.interaction import SwitchMode
+from donnie_tui.i18n.words import Unusable
 from donnie_tui.settings.parsing import read_switch
 from donnie_tui.settings.settings import Settings
 
@@ -52,7 +55,7 @@ def start(order: Order) -> int:
 
 
 def _see(settings: Settings, along: _Luggage) -> int:
-    from donnie_tui.tui.terminal import prepare
+    from donnie_tui.tui.environment import prepare
 
     prepare(settings)
     from donnie_tui.tui.full_screen import run_full_screen
@@ -125,3 +128,31 @@ def _by_variable(environment: Mapping[str, str]) -> bool | None:
     except (KeyError, ValueError):
         wanted = environment.get("ACCESSIBLE", "").strip().lower() not in ("", "0", "false")
         return True if wanted else None
+
+
+HOST = "localhost"
+LOWEST_PORT, HIGHEST_PORT = 1, 65535
+
+
+def serve(order: Order) -> int:
+    """Serve until it is stopped. Raises ``Unusable`` without textual-serve, or for an invalid port."""
+    words = order.words
+    if find_spec("textual_serve") is None:
+        raise Unusable(words("serve-missing"))
+    port = order.invocation.arguments.port
+    if not port.isdecimal() or not LOWEST_PORT <= int(port[:6]) <= HIGHEST_PORT:
+        raise Unusable(words("serve-bad-port", port=port[:20]))
+    from textual_serve.server import Server
+
+    order.output.line(words("serve-address", host=HOST, port=port))
+    try:
+        Server(command(order.invocation.options), host=HOST, port=int(port), title="Donnie").serve()
+    except OSError as problem:
+        raise Unusable(words("serve-failed", port=port, reason=problem.strerror or str(problem))) from None
+    return ExitCode.DONE
+
+
+def command(options: dict[str, str]) -> str:
+    """What is run for each page: the full screen with the same options."""
+    given = [part for key, value in options.items() for part in (f"--{key}", value)]
+    return shlex.join([sys.executable, "-m", "donnie_tui", "--visual", *given])

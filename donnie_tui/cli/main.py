@@ -9,8 +9,15 @@ from typing import TYPE_CHECKING
 from msgspec import Struct
 from msgspec.structs import replace
 
-from donnie_tui.cli import codes
-from donnie_tui.cli.options import TO_COME, Invocation, Order, WrongUsage, language_before_parsing, understand
+from donnie_tui.cli.options import (
+    TO_COME,
+    ExitCode,
+    Invocation,
+    Order,
+    WrongUsage,
+    language_before_parsing,
+    understand,
+)
 from donnie_tui.cli.streams import Output
 from donnie_tui.i18n.words import Unusable, Words
 from donnie_tui.settings.file import read_settings
@@ -48,11 +55,11 @@ def main(arguments: list[str], greeting: Greeting | None = None) -> int:
     except Unusable as unusable:
         complaint = unusable.sentence
     except KeyboardInterrupt:
-        return codes.STOPPED
+        return ExitCode.STOPPED
     if greeting is not None:
         greeting.withdraw()
     start.output.complaint(complaint)
-    return codes.UNUSABLE
+    return ExitCode.UNUSABLE
 
 
 def _obey(arguments: list[str], words: Words, start: _Start) -> int:
@@ -113,7 +120,7 @@ def _handler(order: Order) -> Callable[[Order], int]:
         case "calibrate":
             from donnie_tui.cli.calibrate import calibrate as command
         case "serve":
-            from donnie_tui.cli.serve import serve as command
+            from donnie_tui.cli.front_ends import serve as command
         case "stop":
             from donnie_tui.cli.devices import stop as command
         case _ if order.invocation.arguments.run:

@@ -9,6 +9,7 @@ from __future__ import annotations
 import argparse
 import re
 from collections.abc import Callable, Iterator, Mapping
+from enum import IntEnum
 from typing import TYPE_CHECKING, NoReturn, TypeAlias
 
 from msgspec import Struct
@@ -21,6 +22,19 @@ from language.locales import languages
 
 if TYPE_CHECKING:
     from donnie_tui.linear.greeting import Greeting
+
+
+class ExitCode(IntEnum):
+    """How a command ended."""
+
+    DONE = 0
+    FAILED = 1
+    """The program had a mistake."""
+    UNUSABLE = 2
+    """Wrong usage, or a world, file or device that can't be used."""
+    STOPPED = 130
+    """By the user."""
+
 
 COMMON = {
     "world": "NAME_OR_FILE",

@@ -11,8 +11,7 @@ from pathlib import Path
 
 from msgspec import Struct
 
-from donnie_tui.cli import codes
-from donnie_tui.cli.options import Order
+from donnie_tui.cli.options import ExitCode, Order
 from donnie_tui.cli.streams import Output
 from donnie_tui.core.program_files import LARGEST, DocumentError, decode, read_to_the_end, write_program
 from donnie_tui.i18n.mistakes import remark
@@ -59,7 +58,7 @@ def _check(order: Order, name: str, colours: frozenset[str] | None) -> int:
     names = programs_in(name)
     if not names:
         order.output.complaint(order.words("check-no-programs", path=name))
-    return max((_check_file(order, each, colours) for each in names), default=codes.UNUSABLE)
+    return max((_check_file(order, each, colours) for each in names), default=ExitCode.UNUSABLE)
 
 
 def programs_in(name: str) -> tuple[str, ...]:
@@ -79,7 +78,7 @@ def _check_file(order: Order, name: str, colours: frozenset[str] | None) -> int:
         source = read_source(name, order.words)
     except Unusable as unusable:
         order.output.complaint(unusable.sentence)
-        return codes.UNUSABLE
+        return ExitCode.UNUSABLE
     found = diagnostics_of(source.text, colours)
     for each in found:
         order.output.line(line_for(each, source, order.words))
@@ -88,7 +87,7 @@ def _check_file(order: Order, name: str, colours: frozenset[str] | None) -> int:
         order.output.complaint(order.words("more-mistakes", limit=MOST_MISTAKES))
     if not found:
         order.output.complaint(order.words("check-clean", file=source.name))
-    return codes.FAILED if is_wrong else codes.DONE
+    return ExitCode.FAILED if is_wrong else ExitCode.DONE
 
 
 def diagnostics_of(text: str, colours: frozenset[str] | None) -> tuple[Diagnostic, ...]:
@@ -131,12 +130,12 @@ def _format_file(order: Order, name: str) -> int:
         result = formatted(source.text, order.invocation.arguments.to)
         if result.text is None:
             complain(result.diagnostics, source, order.words, order.output)
-            return codes.FAILED
+            return ExitCode.FAILED
         _put(result.text, source, order)
     except Unusable as unusable:
         order.output.complaint(unusable.sentence)
-        return codes.UNUSABLE
-    return codes.DONE
+        return ExitCode.UNUSABLE
+    return ExitCode.DONE
 
 
 def _put(text: str, source: Source, order: Order) -> None:

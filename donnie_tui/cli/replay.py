@@ -16,8 +16,7 @@ from msgspec import Struct
 
 from donnie_tui import __version__
 from donnie_tui.bootstrap import make_team
-from donnie_tui.cli import codes
-from donnie_tui.cli.options import Order
+from donnie_tui.cli.options import ExitCode, Order
 from donnie_tui.cli.replay_prompt import ReplayMap, ReplayPrompt
 from donnie_tui.cli.streams import Guarded, Output, let_sound, stopped_by_signals
 from donnie_tui.core.events import Answered, Moved, RunStarted, Stamped, Turned, as_line
@@ -55,9 +54,9 @@ def run_again(order: Order, recording: Recording) -> int:
             verdict = recheck(recording.events, team, tone)
             team.close()
         if stopped.is_set():
-            return codes.STOPPED
+            return ExitCode.STOPPED
     _print_verdict(order, recording, header, verdict)
-    return codes.FAILED if verdict.result is Result.DIFFERENT else codes.DONE
+    return ExitCode.FAILED if verdict.result is Result.DIFFERENT else ExitCode.DONE
 
 
 def _usable(recording: Recording, words: Words) -> Header:
@@ -120,7 +119,7 @@ def replay(order: Order) -> int:
             return run_again(order, recording)
         telling = _Player(order, recording, closing)
         code = telling.play()
-    return codes.UNUSABLE if telling.has_lost else code
+    return ExitCode.UNUSABLE if telling.has_lost else code
 
 
 def _refuse_what_has_no_meaning(order: Order) -> None:
@@ -197,7 +196,7 @@ class _Player:
         with stopped_by_signals(self._control.stop) as stopped:
             to_the_end = self._play_backwards() if arguments.backwards else self._replay.forwards(self._show)
             let_sound(self._audible.is_still_within, stopped)
-        return codes.DONE if to_the_end else codes.STOPPED
+        return ExitCode.DONE if to_the_end else ExitCode.STOPPED
 
     @property
     def has_lost(self) -> bool:

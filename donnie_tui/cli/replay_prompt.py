@@ -9,7 +9,7 @@ from __future__ import annotations
 from collections.abc import Callable
 from typing import TYPE_CHECKING
 
-from donnie_tui.cli import codes
+from donnie_tui.cli.options import ExitCode
 from donnie_tui.cli.streams import Input, Output, stopped_by_signals
 from donnie_tui.core.events import Answered, Stamped
 from donnie_tui.core.hub import Hub, Stream
@@ -85,8 +85,8 @@ class ReplayPrompt:
                     break
                 self._do(typed, output)
         except KeyboardInterrupt:
-            return codes.STOPPED
-        return codes.DONE
+            return ExitCode.STOPPED
+        return ExitCode.DONE
 
     def _do(self, typed: str, output: Output) -> None:
         name = meant(typed, "replay") if typed else "next"

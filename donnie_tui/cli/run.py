@@ -19,8 +19,7 @@ from pathlib import Path, PurePath
 from typing import TextIO, cast
 
 from donnie_tui.bootstrap import Donnie, assemble
-from donnie_tui.cli import codes
-from donnie_tui.cli.options import Order
+from donnie_tui.cli.options import ExitCode, Order
 from donnie_tui.cli.programs import read_source
 from donnie_tui.cli.streams import (
     Guarded,
@@ -38,7 +37,7 @@ from donnie_tui.core.team import Team
 from donnie_tui.core.transcript import printed_lines
 from donnie_tui.core.wording import no_such_robot
 from donnie_tui.i18n.words import Unusable, Words
-from donnie_tui.robot.choice import Search
+from donnie_tui.robot.search import Search
 from donnie_tui.settings.folders import settings_file
 from donnie_tui.settings.settings import Settings
 from donnie_tui.settings.settings import Source as Origin
@@ -163,7 +162,7 @@ def _programs(order: Order) -> Iterator[str]:
 def _files_of_world(order: Order, outputs: tuple[tuple[str, Path], ...]) -> tuple[str, ...]:
     """None if no output file exists yet, or the world ships with Donnie."""
     import worlds
-    from donnie_tui.world.choice import choose_world, files_of  # slow to load, and few write anything
+    from donnie_tui.world.loading import choose_world, files_of  # slow to load, and few write anything
 
     settings = order.settings
     name = getattr(order.invocation.arguments, "name", None) or settings.world
@@ -185,10 +184,10 @@ _GLANCE = 0.5
 """Seconds between two looks for a signal where waiting can't be interrupted by one."""
 
 _CODE_OF = {
-    Outcome.COMPLETED: codes.DONE,
-    Outcome.QUIT: codes.DONE,
-    Outcome.FAILED: codes.FAILED,
-    Outcome.STOPPED: codes.STOPPED,
+    Outcome.COMPLETED: ExitCode.DONE,
+    Outcome.QUIT: ExitCode.DONE,
+    Outcome.FAILED: ExitCode.FAILED,
+    Outcome.STOPPED: ExitCode.STOPPED,
 }
 
 
@@ -212,7 +211,7 @@ def _run(order: Order, files: Sequence[str], *, trace: bool) -> int:
         with_words = order.settings.events != "-"
         donnie.session.hub.subscribe(_printer(donnie, output, with_words=with_words))
         code = _run_to_the_end(donnie, assigned, output, trace)  # it closes behind itself
-        return codes.UNUSABLE if donnie.outlets.written.lost else code
+        return ExitCode.UNUSABLE if donnie.outlets.written.lost else code
     finally:
         donnie.close()
 
@@ -256,7 +255,7 @@ def _run_to_the_end(donnie: Donnie, programs: Mapping[str, RunRequest], output: 
         if rested.is_set():
             output.complaint(donnie.words("suspended-stopped"))
         let_sound(donnie.outlets.audible.is_still_within, stopped)
-    return max(codes.FAILED if each.outcome is None else _CODE_OF[each.outcome] for each in started)
+    return max(ExitCode.FAILED if each.outcome is None else _CODE_OF[each.outcome] for each in started)
 
 
 def _await_end(run: Run, stopped: threading.Event, donnie: Donnie) -> None:
@@ -273,7 +272,7 @@ def _leave_at_once(donnie: Donnie) -> None:
         donnie.team.stop()
         donnie.connection.close()
     finally:
-        os._exit(codes.STOPPED)
+        os._exit(ExitCode.STOPPED)
 
 
 def _printer(donnie: Donnie, output: Output, *, with_words: bool) -> Callable[[Stamped], None]:

@@ -14,15 +14,14 @@ from pathlib import Path, PurePath
 from typing import TYPE_CHECKING
 
 import worlds.words
-from donnie_tui.cli import codes
-from donnie_tui.cli.options import Order
+from donnie_tui.cli.options import ExitCode, Order
 from donnie_tui.core.chart import shrunk
 from donnie_tui.core.describe import MOST_ROBOTS, describe
 from donnie_tui.core.program_files import DocumentError, write_program
 from donnie_tui.core.wording import name_of
 from donnie_tui.i18n.mistakes import world_note
 from donnie_tui.i18n.words import Unusable, Words
-from donnie_tui.world.choice import WITHOUT_WORLD, ChosenWorld, choose_world, remarks
+from donnie_tui.world.loading import WITHOUT_WORLD, ChosenWorld, choose_world, remarks
 
 if TYPE_CHECKING:
     from sim.geometry import Placement
@@ -93,7 +92,7 @@ def list_worlds(order: Order) -> int:
         about = worlds.words.about(name, order.words.language)
         difficulty = order.words(f"difficulty-{about.difficulty.value}")
         order.output.line(order.words("world-listed", name=name, title=about.title, difficulty=difficulty))
-    return codes.DONE
+    return ExitCode.DONE
 
 
 def describe_world(order: Order) -> int:
@@ -105,13 +104,13 @@ def describe_world(order: Order) -> int:
         (order.output.line if is_told else order.output.complaint)(sentence)
     if arguments.json:
         order.output.text(_json(world) + "\n")
-        return codes.DONE
+        return ExitCode.DONE
     for line in _lines(arguments, world, words):
         order.output.line(line)
     if not arguments.report:
         for remark in remarks(world, words):
             (order.output.line if is_told else order.output.complaint)(remark)
-    return codes.DONE
+    return ExitCode.DONE
 
 
 def _without_world(world: ChosenWorld, words: Words) -> tuple[str, ...]:

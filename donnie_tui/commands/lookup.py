@@ -16,7 +16,7 @@ from msgspec import Struct
 
 from donnie_tui.commands.declarations import COMMANDS, Command
 from donnie_tui.core.wording import Wording
-from donnie_tui.i18n.command_words import words_of
+from language import locales
 from language.locales import languages
 
 if TYPE_CHECKING:
@@ -30,6 +30,14 @@ _HAVE_CHOICES = ("report-file",)
 """Arguments whose first word is one of a few; HELP lists them, ``help-choices-ARGUMENT``."""
 LARGEST_PROGRAM = 20_000
 """Characters of a program that is searched for one name."""
+
+
+def words_of(name: str, language: str) -> tuple[str, ...]:
+    """What the learner may type for the command ``name``: the listed word first, then others for the same.
+
+    English where the language has none. Raises ``KeyError`` for a name that English does not have.
+    """
+    return locales.words(language, "commands", name)
 
 
 def word_of(command: Command, language: str) -> str:

@@ -22,7 +22,6 @@ from donnie_tui.core.program_text import (
     place_in_words,
 )
 from donnie_tui.core.run_state import line_of
-from donnie_tui.i18n.messages import SPELLING_OF_SIGN
 
 MOST_SHOWN = 10
 """Answers that SHOW LOG repeats."""
@@ -195,7 +194,7 @@ async def last_word(ctx: Context, _: str) -> None:
 
 
 def _spell(ctx: Context, text: str) -> None:
-    ctx.say(*spelled(text, SPELLING_OF_SIGN, ctx.words), is_repeated=bool(text))
+    ctx.say(*spelled(text, ctx.words), is_repeated=bool(text))
 
 
 @handles("find")

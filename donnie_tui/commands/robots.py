@@ -12,7 +12,7 @@ from donnie_tui.core.actions import GripperCommand
 from donnie_tui.core.program_files import DocumentError, exists
 from donnie_tui.core.session import LONGEST_STOP, Busy, Session
 from donnie_tui.core.wording import facing, no_such_robot, whole_steps
-from donnie_tui.robot.choice import Choice
+from donnie_tui.robot.search import RobotOption
 from donnie_tui.settings.file import remember
 from donnie_tui.settings.parsing import SIMULATED
 
@@ -130,14 +130,14 @@ def _connections(ctx: Context) -> list[Option]:
     """What can be connected, in the order of the numbers, with its state. Looks for devices."""
     connection = ctx.donnie.connection
     return [
-        Option(str(number), _choice_in_words(ctx, number, choice), choice.robot == connection.robot)
-        for number, choice in enumerate(connection.choices(), 1)
+        Option(str(number), _option_in_words(ctx, number, option), option.robot == connection.robot)
+        for number, option in enumerate(connection.options(), 1)
     ]
 
 
-def _choice_in_words(ctx: Context, number: int, choice: Choice) -> str:
-    port = choice.robot.partition(":")[2]
-    if choice.robot == ctx.donnie.connection.robot:
+def _option_in_words(ctx: Context, number: int, option: RobotOption) -> str:
+    port = option.robot.partition(":")[2]
+    if option.robot == ctx.donnie.connection.robot:
         code = "connect-choice-now"
     elif port and not exists(Path(port)):
         code = "connect-choice-missing"
@@ -145,16 +145,16 @@ def _choice_in_words(ctx: Context, number: int, choice: Choice) -> str:
         code = "connect-choice-forbidden"
     else:
         code = "connect-choice"
-    return ctx.words(code, number=number, what=choice.sentence)
+    return ctx.words(code, number=number, what=option.sentence)
 
 
 def _connect_to(ctx: Context, number: int) -> None:
     """In a thread of its own: the answers are printed as they come."""
-    connection, choices = ctx.donnie.connection, ctx.donnie.connection.choices()
-    if not 1 <= number <= len(choices):
+    connection, options = ctx.donnie.connection, ctx.donnie.connection.options()
+    if not 1 <= number <= len(options):
         ctx.answer("connect-unknown", number=number)
         return
-    robot = choices[number - 1].robot
+    robot = options[number - 1].robot
 
     def say_soon(code: str) -> None:
         ctx.answer(code)

@@ -274,7 +274,7 @@ def world_to_enter(ctx: Context, typed: str) -> str | None:
     """The name or file of a world that can be loaded; None where it can't, after an answer that says why."""
     from donnie_tui.core.describe import world_meant
     from donnie_tui.i18n.words import Unusable
-    from donnie_tui.world.choice import choose_world
+    from donnie_tui.world.loading import choose_world
 
     if not may_leave_world(ctx):
         return None

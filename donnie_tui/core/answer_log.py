@@ -118,15 +118,14 @@ def found_in_words(log: AnswerLog, typed: str, wording: Wording) -> tuple[str, .
     return (wording("find-count", count=len(found)), *found)
 
 
-def spelled(text: str, sign_names: dict[str, str], wording: Wording) -> tuple[str, ...]:
+def spelled(text: str, wording: Wording) -> tuple[str, ...]:
     """Spells a text in lines of bounded length, with names for signs and blanks.
 
     Of a long text only the beginning is spelled; for an empty one, a sentence says that nothing was said.
-    ``sign_names`` maps each sign to the code of its name.
     """
     if not text:
         return (wording("answer-nothing-said"),)
-    names = [_name(each, sign_names, wording) for each in normalize("NFC", text[:LONGEST_SPELLED])]
+    names = [_name(each, wording) for each in normalize("NFC", text[:LONGEST_SPELLED])]
     lines = [""]
     for name in names:
         longer = f"{lines[-1]}, {name}" if lines[-1] else name
@@ -137,11 +136,11 @@ def spelled(text: str, sign_names: dict[str, str], wording: Wording) -> tuple[st
     return tuple(f"{line}." for line in lines if line)
 
 
-def _name(character: str, sign_names: dict[str, str], wording: Wording) -> str:
+def _name(character: str, wording: Wording) -> str:
     if character == " ":
         return wording("spell-blank")
-    if character in sign_names:
-        return wording(sign_names[character])
+    if character in _SPELLING_OF_SIGN:
+        return wording(_SPELLING_OF_SIGN[character])
     return wording("spell-capital", letter=character) if character.isupper() else character
 
 
@@ -168,3 +167,53 @@ def next_log(folder: Path) -> Path:
     numbers = [re.fullmatch(r"log_(\d{1,9})\.txt", each.name) for each in folder.iterdir()]
     highest = max((int(each[1]) for each in numbers if each), default=0)
     return folder / f"log_{highest + 1:03}.txt"
+
+
+CODE_OF_SIGN = {
+    "=": "sign-equals",
+    "==": "sign-double-equals",
+    "<>": "sign-different",
+    "<": "sign-less",
+    ">": "sign-greater",
+    "<=": "sign-less-or-equal",
+    ">=": "sign-greater-or-equal",
+    "+": "sign-plus",
+    "-": "sign-minus",
+    "*": "sign-star",
+    "/": "sign-slash",
+    "(": "sign-opening-parenthesis",
+    ")": "sign-closing-parenthesis",
+    "[": "sign-opening-bracket",
+    "]": "sign-closing-bracket",
+    ",": "sign-comma",
+    ":": "sign-colon",
+    ";": "sign-semicolon",
+    ".": "sign-full-stop",
+    "!": "sign-exclamation",
+    "?": "sign-question",
+    "#": "sign-hash",
+    "$": "sign-dollar",
+    "%": "sign-percent",
+    "&": "sign-ampersand",
+    "@": "sign-at",
+    "'": "sign-apostrophe",
+    "’": "sign-apostrophe",
+    "‘": "sign-apostrophe",
+    '"': "sign-quote",
+    "“": "sign-quote",
+    "”": "sign-quote",
+    "\\": "sign-backslash",
+    "_": "sign-underscore",
+    "^": "sign-caret",
+    "`": "sign-grave",
+    "{": "sign-opening-brace",
+    "}": "sign-closing-brace",
+    "|": "sign-bar",
+    "~": "sign-tilde",
+}
+"""The codes of the names of signs: a screen reader may leave a lone sign out, so sentences name it."""
+
+_SPELLING_OF_SIGN = {
+    sign: code.replace("sign-", "spell-") for sign, code in CODE_OF_SIGN.items() if len(sign) == 1
+}
+"""The codes of their names where letters are spelled."""

@@ -37,7 +37,7 @@ def _read(language: str) -> dict[str, str] | None:
 
 
 def _found(code: str, language: str) -> str:
-    from donnie_tui.i18n.messages import find  # slower
+    from donnie_tui.i18n.words import find  # slower
 
     sentence = find(code, language)
     if sentence is None:

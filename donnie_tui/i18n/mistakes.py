@@ -14,10 +14,10 @@ from collections.abc import Callable
 from pathlib import PurePath
 from typing import TYPE_CHECKING
 
+from donnie_tui.core.answer_log import CODE_OF_SIGN
 from donnie_tui.core.events import Error
 from donnie_tui.core.wording import Wording
 from donnie_tui.i18n import help as helping
-from donnie_tui.i18n.messages import CODE_OF_SIGN
 from language import keywords
 from language.diagnostics import Diagnostic, MistakeKind
 from language.keywords import argument_spelling, argument_words

@@ -18,8 +18,8 @@ from pathlib import Path
 from typing import Any
 
 from donnie_tui.i18n import first_words, po
-from donnie_tui.i18n.messages import CODES, COMPILED, SOURCE, codes
 from donnie_tui.i18n.po import Mistake
+from donnie_tui.i18n.words import CODES, COMPILED, SOURCE, codes
 from language.locales import BUILT_IN, ENGLISH, compiled_file, folders, languages, search_path, table
 
 TABLES = ("keywords", "commands", "words")

@@ -5,10 +5,13 @@ What makes sentences of mistakes, and HELP, is loaded when it is wanted: the fir
 
 from __future__ import annotations
 
+from collections.abc import Callable, Mapping
 from functools import cache
-from typing import TYPE_CHECKING
+from gettext import GNUTranslations, NullTranslations, c2py
+from io import BytesIO
+from typing import TYPE_CHECKING, NamedTuple
 
-from donnie_tui.i18n.messages import filled, find
+from language.locales import ENGLISH, compiled_file, folders
 
 if TYPE_CHECKING:
     from donnie_tui.core.events import Error
@@ -82,3 +85,121 @@ def _error_names() -> dict[str, str]:
     import os
 
     return {os.strerror(number): name for number, name in errno.errorcode.items()}
+
+
+SOURCE, COMPILED = "messages.po", "messages.mo"
+"""A language's sentences as translators edit them, and as gettext reads them."""
+
+CODES = "*"
+"""The key of a compiled file that lists all others."""
+
+_BEGINNINGS = {"capital": str.upper, "small": str.lower}
+
+_LAST_FORM = 9
+"""No language has so many forms."""
+
+
+class Sentence(NamedTuple):
+    """A text and the language that it is in: what a language lacks is English."""
+
+    text: str
+    language: str
+
+
+def find(code: str, language: str, detail: str = "normal") -> Sentence | None:
+    """The sentence of a code at a level of detail, else at the normal one; None where English has none."""
+    for each in (language, ENGLISH):
+        translations = _translations(each)
+        text = translations.gettext(f"{code}|{detail}") or translations.gettext(code)
+        if text:
+            return Sentence(text, each)
+    return None
+
+
+@cache
+def codes(language: str) -> tuple[str, ...]:
+    """Of every sentence that a language has; other levels of detail are like ``walked-forward|brief``."""
+    return tuple(_translations(language).gettext(CODES).split("\n"))
+
+
+class _Missing(NullTranslations):
+    """Has no sentence at all."""
+
+    def gettext(self, message: str) -> str:  # noqa: ARG002
+        return ""
+
+
+@cache
+def _translations(language: str) -> NullTranslations:
+    """Without a file that can be read a language has no sentences, and speaks English."""
+    try:
+        found = GNUTranslations(BytesIO(_compiled(language)))
+    except (OSError, ValueError):
+        return _Missing()
+    found.add_fallback(_Missing())
+    return found
+
+
+def _compiled(language: str) -> bytes:
+    """The compiled file; while a translator edits the sentences, what would be compiled."""
+    file = compiled_file(language, SOURCE, COMPILED)
+    if file is not None:
+        with open(file, "rb") as stream:  # noqa: PTH123 -- pathlib is slow to load
+            return stream.read()
+    from pathlib import Path
+
+    from donnie_tui.i18n import po
+
+    entries = po.usable(Path(folders()[language], SOURCE))
+    return po.compiled(entries, CODES, is_english=language == ENGLISH)
+
+
+# --- filling places
+
+
+def filled(sentence: Sentence, values: Mapping[str, object]) -> str:
+    """The text with its places filled. Raises ``KeyError`` for a place without a value."""
+    text, language = sentence
+    if "{" not in text and "}" not in text:
+        return text
+    return text.format_map({name: _Place(value, language) for name, value in values.items()})
+
+
+class _Place:
+    """A value as the place asks for it."""
+
+    __slots__ = ("_language", "_value")
+
+    def __init__(self, value: object, language: str) -> None:
+        self._value = value
+        self._language = language
+
+    def __format__(self, form: str) -> str:
+        value = self._value
+        if "|" in form:
+            words = form.split("|")
+            return words[min(_form_of(value, self._language), len(words) - 1)]
+        if form in _BEGINNINGS:
+            text = str(value)
+            return _BEGINNINGS[form](text[:1]) + text[1:]
+        shown = format(value, form)
+        return shown.replace(".", _decimal_sign(self._language)) if isinstance(value, float) else shown
+
+
+def _form_of(value: object, language: str) -> int:
+    """Which form of a word agrees with a number, from 0; the last one for a fraction."""
+    if not isinstance(value, int | float) or value != int(value):
+        return _LAST_FORM
+    return _plural_rule(language)(abs(int(value)))
+
+
+@cache
+def _plural_rule(language: str) -> Callable[[int], int]:
+    forms = _translations(language).info().get("plural-forms", "")
+    return c2py(forms.partition("plural=")[2].rstrip("; ") or "n != 1")
+
+
+@cache
+def _decimal_sign(language: str) -> str:
+    sentence = find("decimal-sign", language)
+    return sentence.text if sentence else "."

@@ -21,7 +21,7 @@ from donnie_tui.linear.console import Console, Gone, run_in_background
 from donnie_tui.linear.conversation import Conversation, ConversationState
 from donnie_tui.linear.greeting import Greeting
 from donnie_tui.linear.prompter import Options
-from donnie_tui.robot.choice import Search
+from donnie_tui.robot.search import Search
 from donnie_tui.settings.parsing import SIMULATED
 from donnie_tui.settings.settings import Settings
 
@@ -120,7 +120,7 @@ def _assembled(console: Console, settings: Settings, greeting: Greeting) -> Donn
     import worlds
 
     is_there = settings.robot == SIMULATED
-    search = Search(is_coming=not is_there)
+    search = Search(is_pending=not is_there)
     console.give_up = search.give_up
     words = Words(settings.language, settings.verbosity)
     search.on_slow = lambda: console.write(f"{words('connect-waiting')}\n")

@@ -22,8 +22,7 @@ from enum import Enum, auto
 from msgspec import Struct
 
 from donnie_tui.core.wording import Wording
-from donnie_tui.outlets.audible import Audible
-from donnie_tui.outlets.typing_echo import TypingEcho
+from donnie_tui.outlets.audible import Audible, TypingEcho
 
 ESCAPE_DELAY = 0.05
 """Seconds after which ESC is a key and not the beginning of one."""

@@ -15,9 +15,8 @@ from typing import TYPE_CHECKING, Protocol
 from msgspec import Struct
 
 from donnie_tui.commands.declarations import COMMANDS
-from donnie_tui.commands.lookup import find
+from donnie_tui.commands.lookup import find, words_of
 from donnie_tui.core.line_history import LineHistory, Recall
-from donnie_tui.i18n.command_words import words_of
 from donnie_tui.linear.console import Console
 from donnie_tui.linear.line_editor import ESCAPE_DELAY, Act, EditLine, KeyDecoder, KeyPress
 from language import keywords

@@ -7,7 +7,7 @@ answer on the stream.
 from __future__ import annotations
 
 import os
-from collections.abc import Callable
+from collections.abc import Callable, Mapping
 from contextlib import ExitStack
 from typing import TYPE_CHECKING, Protocol
 
@@ -23,15 +23,18 @@ from devices.audio.channel import (
     choose_channel,
     ssip_address,
 )
+from devices.audio.pronunciation import SignWords, SpokenLanguage
 from devices.ports.audio import CuePlayer, Speaker, Urgency, Utterance
+from donnie_tui.core.answer_log import spelled
 from donnie_tui.core.events import Answered, SoundSwitched, Stamped
 from donnie_tui.core.hub import HasHub
 from donnie_tui.core.outlets import Cues, Voice, VoiceScope
 from donnie_tui.core.transcript import TranscriptFilter, UnfilteredTranscript
-from donnie_tui.core.wording import name_of_language
+from donnie_tui.core.wording import Wording, name_of_language
 from donnie_tui.i18n.words import Words
 from donnie_tui.settings.folders import own_sounds
 from donnie_tui.settings.settings import Settings, Source
+from language.locales import keys, languages, own_words, table
 
 if TYPE_CHECKING:
     from devices.audio.service import AudioService
@@ -314,7 +317,7 @@ class _Maker:
 
     def _worker(self) -> AudioService:
         from devices.audio.service import AudioService, AudioSettings
-        from donnie_tui.outlets.spoken_languages import spoken_languages
+        from donnie_tui.outlets.audible import spoken_languages
 
         settings = AudioSettings(
             voice_of(self._settings),
@@ -329,7 +332,7 @@ class _Maker:
 
     def _ssip(self) -> Speaker:
         from devices.audio.speech_dispatcher import SsipSpeaker
-        from donnie_tui.outlets.spoken_languages import spoken_languages
+        from donnie_tui.outlets.audible import spoken_languages
 
         address = ssip_address(os.environ)
         assert address is not None  # it was reached when the channel was chosen
@@ -348,3 +351,82 @@ class _Maker:
     def _report(self, notice: AudioNotice) -> None:
         language = name_of_language(notice.language, self._words.language) if notice.language else ""
         self._session.hub.publish(Answered(self._words(notice.code.value, language=language)))
+
+
+def spoken_languages() -> Mapping[str, SpokenLanguage]:
+    """By code. A language that names no voice is read by one whose tag is its code."""
+    return {
+        each: SpokenLanguage(_words(each, "voices") or (each,), _sign_words(each)) for each in languages()
+    }
+
+
+def _sign_words(language: str) -> SignWords | None:
+    """None where the numbers are missing: nothing is read in the words of another language."""
+    minus, point, degree, degrees = (
+        "".join(_words(language, each)[:1]) for each in ("minus", "point", "degree", "degrees")
+    )
+    if not (minus and point and degree and degrees):
+        return None
+    spoken = table(language, "words").get("spoken")
+    digit_by_digit = isinstance(spoken, dict) and spoken.get("digit_by_digit") is True
+    return SignWords(
+        *(minus, point, degree, degrees, digit_by_digit),
+        *(_signs(language, "signs"), _signs(language, "punctuation")),
+    )
+
+
+def _signs(language: str, section: str) -> Mapping[str, str]:
+    signs = keys(language, "words", "spoken", section)
+    return {sign: _words(language, section, sign)[0] for sign in signs if _words(language, section, sign)}
+
+
+def _words(language: str, *entry: str) -> tuple[str, ...]:
+    return own_words(language, "words", "spoken", *entry)
+
+
+LONGEST_PASTED = 200
+"""Characters of a pasted text that are said."""
+
+
+class TypingEcho:
+    """Speaks what is typed, for both front ends: characters, words or nothing.
+
+    Silent where a screen reader speaks it. Call it before each change, with the text ``before`` the cursor.
+    """
+
+    def __init__(self, audible: Audible, words: Wording) -> None:
+        self._audible = audible
+        self._words = words
+
+    @property
+    def kind(self) -> str:
+        """What is spoken; ``none`` where a screen reader speaks it."""
+        return self._audible.settings.key_echo if self._audible.echoes else "none"
+
+    def typed(self, text: str, before: str) -> None:
+        """Speak a character, or a pasted text."""
+        if self.kind == "characters":
+            self._say(text)
+        elif self.kind == "words" and text.endswith(" "):
+            self._say_word(before + text)
+
+    def deleted(self, before: str) -> None:
+        """Speak the character before the cursor, which is deleted."""
+        if self.kind == "characters":
+            self._say(before[-1:])
+
+    def ended(self, before: str) -> None:
+        """Enter ends a word too."""
+        if self.kind == "words":
+            self._say_word(before)
+
+    def _say(self, text: str) -> None:
+        if len(text) == 1:
+            self._audible.echo(" ".join(spelled(text, self._words)))
+        elif text.strip():
+            self._audible.echo(text[:LONGEST_PASTED])
+
+    def _say_word(self, line: str) -> None:
+        words = line.split()
+        if words:
+            self._audible.echo(words[-1][:LONGEST_PASTED])

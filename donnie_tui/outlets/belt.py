@@ -47,7 +47,7 @@ class ChosenBelt:
             self._show(levels)
 
 
-class BeltTelling:
+class BeltAnnouncer:
     """Listens to the belt's events. ``is_on``: every change is put into words."""
 
     def __init__(self, team: Team, wording: Wording, settings: BeltSettings | None = None) -> None:

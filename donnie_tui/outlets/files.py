@@ -29,10 +29,10 @@ from donnie_tui.core.hub import Hub
 from donnie_tui.core.outlets import UntilSaid
 from donnie_tui.i18n.words import Unusable, Words
 from donnie_tui.outlets.audible import Audible
-from donnie_tui.outlets.belt import BeltTelling, belt_settings
+from donnie_tui.outlets.belt import BeltAnnouncer, belt_settings
 from donnie_tui.process import HIGHEST_STANDARD
 from donnie_tui.settings.settings import Settings
-from donnie_tui.world.choice import ChosenWorld, files_of
+from donnie_tui.world.loading import ChosenWorld, files_of
 
 if TYPE_CHECKING:
     from donnie_tui.core.recording import Header
@@ -338,7 +338,7 @@ class Outlets(Struct, frozen=True):
 
     audible: Audible
     """What makes a voice and sounds."""
-    belt: BeltTelling
+    belt: BeltAnnouncer
     """The belt in words."""
     written: Written
     until_said: UntilSaid

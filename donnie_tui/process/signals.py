@@ -98,31 +98,31 @@ class WakingSignals(TakenSignals):
         os.close(self._writing)
 
 
-_LAST_DEEDS = 2.0
+_LAST_TASKS = 2.0
 """Seconds that ``close`` waits for what was asked for; it needs a few thousandths unless something hangs."""
 
-Deed: TypeAlias = Callable[[], object]
+Task: TypeAlias = Callable[[], object]
 
 
 class Deputy:
     """Does one thing after the other. From its making to ``close``."""
 
     def __init__(self) -> None:
-        self._deeds: SimpleQueue[Deed | None] = SimpleQueue()  # its ``put`` may interrupt itself
+        self._tasks: SimpleQueue[Task | None] = SimpleQueue()  # its ``put`` may interrupt itself
         self._thread = threading.Thread(target=self._work, name="deputy", daemon=True)
         self._thread.start()
 
-    def do(self, deed: Deed) -> None:
+    def do(self, task: Task) -> None:
         """Have it done. Any thread, a signal's handler too; never waits."""
-        self._deeds.put(deed)
+        self._tasks.put(task)
 
-    def see_done(self, deed: Deed, seconds: float) -> None:
+    def see_done(self, task: Task, seconds: float) -> None:
         """Do it in the deputy's thread and wait, at most so long: the caller may hold a needed lock."""
         done: SimpleQueue[None] = SimpleQueue()
 
         def do_and_notify() -> None:
             try:
-                deed()
+                task()
             finally:
                 done.put(None)
 
@@ -132,18 +132,18 @@ class Deputy:
 
     def close(self) -> None:
         """All that was asked for is done, unless something hangs."""
-        self._deeds.put(None)
-        self._thread.join(_LAST_DEEDS)
+        self._tasks.put(None)
+        self._thread.join(_LAST_TASKS)
 
     def _work(self) -> None:
-        while (deed := self._deeds.get()) is not None:
-            attempt(deed)
+        while (task := self._tasks.get()) is not None:
+            attempt(task)
 
 
-def attempt(deed: Deed) -> None:
+def attempt(task: Task) -> None:
     """Do it; a failure is logged, and nothing else: the next signal must be heeded all the same."""
     try:
-        deed()
+        task()
     except Exception:
         import logging  # slow to load, and not needed as long as all is well
 

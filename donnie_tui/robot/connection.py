@@ -20,20 +20,20 @@ from donnie_tui.core.events import Link
 from donnie_tui.core.session import Busy, ResettableRobot, Session
 from donnie_tui.i18n.words import Unusable, Words
 from donnie_tui.outlets.belt import refuse_shared_port
-from donnie_tui.robot.choice import Search
+from donnie_tui.robot.search import Search
 from donnie_tui.settings.parsing import DOUBLE, SERIAL, SIMULATED
 from donnie_tui.settings.settings import Settings
-from donnie_tui.world.choice import ChosenWorld
+from donnie_tui.world.loading import ChosenWorld
 
 if TYPE_CHECKING:
     from devices.serial_robot.config import RobotConfig
     from devices.serial_robot.robot import SerialRobot
     from devices.wire.telemetry import Telemetry
-    from donnie_tui.robot.choice import Choice, Lister
+    from donnie_tui.robot.search import Lister, RobotOption
 
 
 class Connectable(ResettableRobot, Protocol):
-    """A robot with a line."""
+    """A robot on a serial connection."""
 
     def connect(self) -> None:
         """Raises ``RobotProblem``."""
@@ -42,7 +42,7 @@ class Connectable(ResettableRobot, Protocol):
         """Have ``connect`` end at once. A signal's handler may do it."""
 
     def wait_until_standing(self) -> None:
-        """Behind a stop: until the robot stands. A signal's handler may do it."""
+        """After a stop: until the robot stands. A signal's handler may do it."""
 
     def close(self) -> None: ...
 
@@ -55,7 +55,7 @@ class MeasurableRobot(Connectable, Protocol):
 
 
 class _Connected(Struct):
-    """The robot that has a line just now, if any."""
+    """The robot that is connected now, if any."""
 
     robot: Connectable | None = None
 
@@ -103,12 +103,12 @@ class Connection:
         """Whether a board drives it, a simulated one too: it senses as boards do in any world."""
         return self.robot != SIMULATED
 
-    def choices(self) -> tuple[Choice, ...]:
-        """What a learner may choose among."""
+    def options(self) -> tuple[RobotOption, ...]:
+        """The robots that a learner may choose among."""
         from devices.serial_ports.listing import list_ports
-        from donnie_tui.robot.choice import choices
+        from donnie_tui.robot.search import robot_options
 
-        return choices(self._settings, self._words, self._found or list_ports)
+        return robot_options(self._settings, self._words, self._found or list_ports)
 
     def connect(self, robot: str) -> tuple[str, ...]:
         """Change to that robot; what can't be done, a sentence each. The simulator is left where it can't.
@@ -137,13 +137,13 @@ class Connection:
                 self.search.end()
 
     def wait_until_standing(self) -> None:
-        """Behind a stop, before this process rests or ends: until the robot stands, some 1.3 s at most."""
+        """After a stop, before this process rests or ends: until the robot stands, some 1.3 s at most."""
         robot = self._now.robot
         if robot is not None:
             robot.wait_until_standing()
 
     def close(self) -> None:
-        """Let go of the line; the robot is stopped."""
+        """Close the connection; the robot is stopped."""
         self._now.drop()
 
     # --- changing
@@ -152,12 +152,12 @@ class Connection:
         if self._session.run is not None:
             raise Busy
         if self.robot != SIMULATED:
-            self._go_back()
+            self._back_to_simulated()
         if robot != SIMULATED:
             self._connect(robot)
 
-    def _go_back(self) -> None:
-        """To the simulated robot, at the speed at which the simulated board went."""
+    def _back_to_simulated(self) -> None:
+        """To the simulated robot, at the speed of the simulated board."""
         speed = self._session.speed
         self._session.change_robot(None)
         self._now.drop()
@@ -194,7 +194,7 @@ class Connection:
         if robot == DOUBLE:
             return self._make_double, DOUBLE
         from devices.serial_ports.listing import list_ports, stable_name
-        from donnie_tui.robot.choice import find_port
+        from donnie_tui.robot.search import find_port
 
         settings = replace(self._settings, robot=robot)
         port = (self._stable or stable_name)(find_port(settings, self._words, self._found or list_ports))
@@ -242,7 +242,7 @@ class Connection:
     def _sentences_of(self, problem: RobotProblem | Unusable) -> tuple[str, ...]:
         if isinstance(problem, Unusable):
             return (problem.sentence,)
-        from donnie_tui.robot.choice import sentences_of
+        from donnie_tui.robot.search import sentences_of
 
         return sentences_of(problem, self._words)
 
@@ -257,7 +257,7 @@ def make_measurable(
         return SimulatedSerialRobot(
             config=robot_config(settings), pace=pace, speed=settings.speed, on_notice=on_notice
         )
-    from donnie_tui.robot.choice import find_port
+    from donnie_tui.robot.search import find_port
 
     port = find_port(settings, words, remedy="remedy-calibrate")
     return _serial_robot(port, settings, pace, on_notice=on_notice)

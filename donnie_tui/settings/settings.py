@@ -80,7 +80,7 @@ class Key(Struct, frozen=True):
     """Whether ``wanted`` is one of many that it takes."""
 
     @property
-    def is_choice(self) -> bool:
+    def has_named_values(self) -> bool:
         """Whether ``wanted`` lists the very words that it takes, of which one is chosen."""
         words = self.wanted.split(", ")
         return len(words) > 1 and not any(each.isupper() or any(map(str.isdigit, each)) for each in words)
@@ -298,7 +298,7 @@ def _complain(each: Key, source: Source, told_as: str, given: str) -> Notice:
     if source is Source.OPTION:
         raise BadOption(each.key, given, each.wanted)
     code = "setting-not-understood" if source is Source.FILE else "variable-not-understood"
-    code += "-example" if each.is_example else "-choice" if each.is_choice else ""
+    code += "-example" if each.is_example else "-choice" if each.has_named_values else ""
     return Notice(code, {"name": told_as, "value": given[:40], "wanted": each.wanted})
 
 

@@ -16,7 +16,7 @@ from textual.app import App
 from donnie_tui.commands.interaction import SLOW
 from donnie_tui.commands.keys import KeyTable
 from donnie_tui.i18n.first_words import early
-from donnie_tui.robot.choice import Search
+from donnie_tui.robot.search import Search
 from donnie_tui.settings.parsing import SERIAL
 from donnie_tui.settings.settings import Settings
 from donnie_tui.tui.screens.workplace import Workplace

@@ -10,11 +10,11 @@ import sys
 from pathlib import Path
 from typing import TYPE_CHECKING
 
-from donnie_tui.robot.choice import Search
+from donnie_tui.robot.search import Search
 from donnie_tui.settings.parsing import SERIAL
 from donnie_tui.settings.settings import Settings
 from donnie_tui.tui.app import DonnieApp
-from donnie_tui.tui.terminal import wants_mouse
+from donnie_tui.tui.environment import wants_mouse
 
 if TYPE_CHECKING:
     from donnie_tui.bootstrap import Donnie
@@ -69,7 +69,7 @@ def _shown(
     brought: Brought | None,
 ) -> DonnieApp:
     """The screen until it is left. Raises as ``run_full_screen`` does."""
-    search = Search(is_coming=True) if donnie is None and _takes_time(settings) else None
+    search = Search(is_pending=True) if donnie is None and _takes_time(settings) else None
     app = DonnieApp(
         settings,
         file,

@@ -7,8 +7,7 @@ from textual.widget import Widget
 from textual.widgets import Input, TextArea
 
 from donnie_tui.core.wording import Wording
-from donnie_tui.outlets.audible import Audible
-from donnie_tui.outlets.typing_echo import TypingEcho
+from donnie_tui.outlets.audible import Audible, TypingEcho
 
 
 class KeyEcho:

@@ -8,7 +8,7 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
-from donnie_tui.robot.choice import Search
+from donnie_tui.robot.search import Search
 
 if TYPE_CHECKING:
     from donnie_tui.bootstrap import Donnie

@@ -24,7 +24,7 @@ from donnie_tui.core.recording import Header
 from donnie_tui.i18n.mistakes import world_mistake
 from donnie_tui.i18n.words import Unusable, Words
 from donnie_tui.settings.settings import Settings
-from donnie_tui.world.choice import ChosenWorld
+from donnie_tui.world.loading import ChosenWorld
 
 if TYPE_CHECKING:
     from sim.scene import Scene

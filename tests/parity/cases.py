@@ -11,7 +11,7 @@ from collections.abc import Iterable, Iterator
 from dataclasses import dataclass
 
 from donnie_tui.commands.declarations import COMMANDS, Command
-from donnie_tui.i18n.command_words import words_of
+from donnie_tui.commands.lookup import words_of
 
 ENDING = "VAR a = 3\nREPEAT 2 TIMES\nFW 1\nEND REPEAT\nTR 10\na = a + 1\nFW 1\n"
 """A program that comes to its end."""
@@ -89,7 +89,7 @@ OF_EDITING = _listed(
     "DELETE 5, REDO, FORMAT, UNDO, TRANSLATE pt, UNDO, DELETE 1 99, DELETE 1 8"
 )
 OF_SETTINGS = _listed(
-    "SET, CONFIGURE, "
+    "SET, CONFIGURE, SETTINGS, "
     "SPEED, SPEED 7, FASTER, SLOWER, SPEED 0, SET speech, SET speech off, SET speech nonsense, SET "
     "page ask, SET clock on, AROUND, SET theme light, SET nonsense, SET clock off, DETAIL, DETAIL "
     "nonsense, DETAIL full, WHERE, DETAIL brief, WHERE, LANGUAGE, LANGUAGE nonsense, LANGUAGE pt, ONDE, "

@@ -14,8 +14,8 @@ from devices.ports.robot import Pose
 from donnie_tui.bootstrap import assemble
 from donnie_tui.core.events import Link, Moved, RunEnded, Stamped
 from donnie_tui.core.session import RunOptions
-from donnie_tui.robot.choice import Search, Searchable
 from donnie_tui.robot.connection import Connection
+from donnie_tui.robot.search import Search, Searchable
 from donnie_tui.settings.settings import Settings
 from tests.patience import PATIENCE
 from tests.sessions.command import QUIET, donnie, start

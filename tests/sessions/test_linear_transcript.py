@@ -10,7 +10,7 @@ import pytest
 
 from devices.audio.pronunciation import sign_words, speakable_text
 from devices.audio.speech_queue import first_sentence
-from donnie_tui.outlets.spoken_languages import spoken_languages
+from donnie_tui.outlets.audible import spoken_languages
 from tests.sessions.test_linear_words import (
     DRAWN,
     ELSEWHERE,

@@ -6,7 +6,7 @@ from pathlib import Path
 import pytest
 
 from donnie_tui.i18n import po
-from donnie_tui.i18n.messages import Sentence, filled
+from donnie_tui.i18n.words import Sentence, filled
 from language.locales import BUILT_IN, ENGLISH
 from tests.sessions.command import QUIET, donnie
 from tests.tui.terminal import F5, Terminal

@@ -6,8 +6,7 @@ from pathlib import Path
 
 from donnie_tui.commands.declarations import COMMANDS, Command, When
 from donnie_tui.commands.keys import key_label
-from donnie_tui.commands.lookup import help_of, word_of
-from donnie_tui.i18n.command_words import words_of
+from donnie_tui.commands.lookup import help_of, word_of, words_of
 from donnie_tui.i18n.words import Words
 from language.locales import ENGLISH, languages
 

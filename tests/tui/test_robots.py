@@ -189,10 +189,10 @@ async def test_connect_lists_the_robots_with_their_state_and_enter_takes_one(wor
     monkeypatch.setenv("XDG_CONFIG_HOME", str(tmp_path))
     missing = tmp_path / "ttyACM9"
     async with work() as desk:
-        choices = desk.app.work.donnie.connection.choices()
+        choices = desk.app.work.donnie.connection.options()
         board = type(choices[0])(f"serial:{missing}", f"robot at {missing}")
         monkeypatch.setattr(
-            desk.app.work.donnie.connection, "choices", lambda: (choices[0], board, choices[-1])
+            desk.app.work.donnie.connection, "options", lambda: (choices[0], board, choices[-1])
         )
         await desk.type_line("CONNECT")
         await desk.until(lambda: "Robots to connect to" in desk.screen, "the list")

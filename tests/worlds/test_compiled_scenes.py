@@ -12,14 +12,14 @@ import pytest
 from msgspec import Struct
 
 import worlds
-from donnie_tui.compile_scenes import parsed
 from sim import compiled_scene
 from sim.compiled_scene import compile_scene, path_of, read_scene
 from sim.worldfile import load_world
 from tests.conftest import ROOT
 from tests.patience import PATIENCE
+from tests.tools.compile_scenes import parsed
 
-RECOMPILE = "python -m donnie_tui.compile_scenes compiles them again"
+RECOMPILE = "python -m tests.tools.compile_scenes compiles them again"
 
 
 @pytest.fixture
@@ -121,7 +121,7 @@ def test_a_shipped_world_loads_without_the_parser() -> None:
     code = (
         "import sys\n"
         "from donnie_tui.i18n.words import Words\n"
-        "from donnie_tui.world.choice import choose_world\n"
+        "from donnie_tui.world.loading import choose_world\n"
         "choose_world('living_room', Words())\n"
         "print('lark' in sys.modules, 'PIL' in sys.modules)"
     )

@@ -8,7 +8,7 @@ import worlds.words
 from donnie_tui.bootstrap import assemble
 from donnie_tui.i18n.words import Words
 from donnie_tui.settings.settings import Settings
-from donnie_tui.world.choice import choose_world, remarks
+from donnie_tui.world.loading import choose_world, remarks
 from tests.sessions import command
 
 HEAD = 'include "donnie.inc"\ninclude "things.inc"\n'

@@ -10,7 +10,7 @@ from donnie_tui.bootstrap import make_team
 from donnie_tui.cli.main import main
 from donnie_tui.i18n.words import Words
 from donnie_tui.settings.settings import Settings
-from donnie_tui.world.choice import ChosenWorld
+from donnie_tui.world.loading import ChosenWorld
 from sim.picture import picture
 from sim.scene import Scene
 from sim.worldfile import load, load_text

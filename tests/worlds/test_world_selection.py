@@ -6,7 +6,7 @@ import pytest
 
 import worlds
 from donnie_tui.i18n.words import Unusable, Words
-from donnie_tui.world.choice import choose_world
+from donnie_tui.world.loading import choose_world
 
 WORDS = Words("en", "normal")
 WORLD = 'define bob position ( ranger ( sensor ( ) ) ) bob ( name "ann" ) bob ( name "bea" pose [ 2 0 0 0 ] )'

@@ -6,7 +6,7 @@ import pytest
 
 from donnie_tui.i18n.mistakes import world_note
 from donnie_tui.i18n.words import Unusable, Words
-from donnie_tui.world.choice import choose_world
+from donnie_tui.world.loading import choose_world
 
 DONNIE = 'include "donnie.inc"\ndonnie( )\n'
 REPORTS = {

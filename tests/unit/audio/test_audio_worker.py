@@ -34,7 +34,7 @@ from devices.ports.audio import (
     Utterance,
     VoiceSettings,
 )
-from donnie_tui.outlets.spoken_languages import spoken_languages
+from donnie_tui.outlets.audible import spoken_languages
 from tests.conftest import ROOT
 from tests.patience import PATIENCE
 

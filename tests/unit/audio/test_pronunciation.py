@@ -3,7 +3,7 @@
 import pytest
 
 from devices.audio.pronunciation import sign_words, speakable_text
-from donnie_tui.outlets.spoken_languages import spoken_languages
+from donnie_tui.outlets.audible import spoken_languages
 
 
 def spoken(text: str, language: str, punctuation: str = "some") -> str:

@@ -16,7 +16,7 @@ from devices.audio.messages import (
 )
 from devices.audio.supervisor import KillWorker, Notify, SendRequest, StartWorker, Step, WorkerSupervisor
 from devices.ports.audio import AudioNotice, Cue, NoticeCode, Urgency, Utterance, VoiceSettings
-from donnie_tui.outlets.spoken_languages import spoken_languages
+from donnie_tui.outlets.audible import spoken_languages
 
 KILL_AND_START = [KillWorker(), StartWorker(False)]
 

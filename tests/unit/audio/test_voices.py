@@ -6,7 +6,7 @@ import pytest
 
 from devices.audio.renderer import InstalledVoice, choose_voice
 from devices.ports.audio import VoiceSettings, base_language
-from donnie_tui.outlets.spoken_languages import spoken_languages
+from donnie_tui.outlets.audible import spoken_languages
 
 BRITISH = InstalledVoice("gmw/en", ("en-gb",))
 AMERICAN = InstalledVoice("gmw/en-us", ("en-us",))

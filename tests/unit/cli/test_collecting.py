@@ -5,7 +5,7 @@ from collections.abc import Iterator
 
 import pytest
 
-from donnie_tui.process.collecting import AFTERWARDS, WHILE_LOADING, load_undisturbed, loaded
+from donnie_tui.process import AFTERWARDS, WHILE_LOADING, load_undisturbed, loaded
 
 
 @pytest.fixture(autouse=True)

@@ -20,8 +20,8 @@ from donnie_tui.cli.options import Invocation, Order
 from donnie_tui.cli.streams import Output
 from donnie_tui.i18n.words import Unusable, Words
 from donnie_tui.outlets.belt import belt_settings, refuse_shared_port
-from donnie_tui.robot.choice import choices, find_port
 from donnie_tui.robot.connection import robot_config
+from donnie_tui.robot.search import find_port, robot_options
 from donnie_tui.settings.settings import BadOption, Settings, resolve
 
 ROBOT = FoundPort("/dev/ttyACM0", "/dev/serial/by-id/robot", is_board=True)
@@ -216,7 +216,7 @@ def test_no_board_and_several_boards_are_reported() -> None:
 
 
 def test_offered_robots_are_the_simulator_the_boards_and_the_port_of_the_settings() -> None:
-    offered = choices(Settings(robot="serial:/dev/rfcomm0"), Words(), lambda: (ROBOT, OTHER))
+    offered = robot_options(Settings(robot="serial:/dev/rfcomm0"), Words(), lambda: (ROBOT, OTHER))
 
     assert [each.robot for each in offered] == [
         "sim",
@@ -228,7 +228,7 @@ def test_offered_robots_are_the_simulator_the_boards_and_the_port_of_the_setting
 
 def test_only_the_board_that_was_chosen_before_is_called_a_robot() -> None:
     def offered(settings: Settings, language: str = "en") -> list[str]:
-        made = choices(settings, Words(language), lambda: (ROBOT, BELT, OTHER))
+        made = robot_options(settings, Words(language), lambda: (ROBOT, BELT, OTHER))
         return [each.sentence for each in made if each.robot.startswith("serial")]
 
     robot, belt = ROBOT.stable, BELT.stable

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import pytest
 
-from donnie_tui.robot.choice import Search
+from donnie_tui.robot.search import Search
 
 
 class Robot:
@@ -43,7 +43,7 @@ def test_a_running_search_is_cancelled_at_once() -> None:
 
 @pytest.mark.parametrize("is_expected_later", [False, True])
 def test_a_search_that_is_about_to_begin_ends_as_it_begins(is_expected_later: bool) -> None:
-    search, robot = Search(is_coming=not is_expected_later), Robot()
+    search, robot = Search(is_pending=not is_expected_later), Robot()
     if is_expected_later:
         search.expect()
     assert search.give_up() is True
@@ -53,7 +53,7 @@ def test_a_search_that_is_about_to_begin_ends_as_it_begins(is_expected_later: bo
 
 
 def test_a_cancelled_search_does_not_cancel_the_next_one() -> None:
-    search, robot = Search(is_coming=True), Robot()
+    search, robot = Search(is_pending=True), Robot()
     search.give_up()
     search.end()
 

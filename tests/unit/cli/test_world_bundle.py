@@ -10,7 +10,7 @@ from donnie_tui.core.recording import Header
 from donnie_tui.i18n.words import Words
 from donnie_tui.outlets.files import bundle_of
 from donnie_tui.settings.settings import Settings
-from donnie_tui.world.choice import choose_world
+from donnie_tui.world.loading import choose_world
 from donnie_tui.world.recorded import BundleError, WorldBundle, from_record, pack, unpack, unpacked
 
 ROBOT = "position( pose [ 0 0 0 90 ] ranger( sensor() ) )\n"

@@ -5,9 +5,8 @@ import re
 import pytest
 
 from donnie_tui.commands.declarations import BY_NAME, COMMANDS, Command
-from donnie_tui.commands.lookup import LONGEST_WORD, find, help_line, help_of, typed_form, word_of
+from donnie_tui.commands.lookup import LONGEST_WORD, find, help_line, help_of, typed_form, word_of, words_of
 from donnie_tui.core.reports import asked
-from donnie_tui.i18n.command_words import words_of
 from donnie_tui.i18n.words import Words
 from language import keywords
 from language.locales import languages

@@ -3,7 +3,6 @@
 import pytest
 
 from donnie_tui.core.answer_log import KEPT, LONGEST_ANSWER, MOST_FOUND, AnswerLog, spelled
-from donnie_tui.i18n.messages import SPELLING_OF_SIGN
 from donnie_tui.i18n.words import Words
 
 
@@ -81,11 +80,11 @@ def test_the_whole_log_as_text_has_one_line_per_entry() -> None:
     ],
 )
 def test_spelling_names_capitals_blanks_and_signs(language: str, text: str, told: str) -> None:
-    assert spelled(text, SPELLING_OF_SIGN, Words(language)) == (told,)
+    assert spelled(text, Words(language)) == (told,)
 
 
 def test_a_long_word_is_spelled_in_lines_for_a_braille_display() -> None:
-    lines = spelled("abcdefghij" * 5, SPELLING_OF_SIGN, Words())
+    lines = spelled("abcdefghij" * 5, Words())
 
     assert max(map(len, lines)) <= 40
     assert "".join(each for line in lines for each in line if each.isalpha()) == "abcdefghij" * 5

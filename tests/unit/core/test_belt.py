@@ -6,7 +6,7 @@ import pytest
 
 from devices.ports.robot import Bearing, Pose
 from donnie_tui.core import belt
-from donnie_tui.core.belt import OFF, BeltSettings, bump, felt, in_words, presence, pulse, rows
+from donnie_tui.core.belt import OFF, BeltSettings, bump, in_words, levels_by_bearing, presence, pulse, rows
 from donnie_tui.core.events import (
     Answered,
     BeltShown,
@@ -20,7 +20,7 @@ from donnie_tui.core.events import (
 )
 from donnie_tui.core.team import Team
 from donnie_tui.i18n.words import Words
-from donnie_tui.outlets.belt import BeltTelling, ChosenBelt
+from donnie_tui.outlets.belt import BeltAnnouncer, ChosenBelt
 from tests.floor import Floor
 
 FRONT_ROW = (0, 0, 0, 3, 0, 0, 0)
@@ -71,7 +71,7 @@ def test_felt_directions_are_described_in_words(language: str, sentence: str) ->
     levels = (0, 0, 0, 3, 3, 0, 0, 0, 0, 0, 3, 1, 0, 0)
 
     assert in_words(levels, Words(language)) == sentence
-    assert felt(levels) == {Bearing.FRONT: 3, Bearing.FRONT_RIGHT: 1}
+    assert levels_by_bearing(levels) == {Bearing.FRONT: 3, Bearing.FRONT_RIGHT: 1}
     assert rows(levels) == ((0, 0, 0, 3, 3, 0, 0), (0, 0, 0, 3, 1, 0, 0))
 
 
@@ -181,7 +181,7 @@ def test_the_belt_stays_switched_on_for_the_next_lines_of_a_terminal() -> None:
 
 def test_changes_of_the_belt_are_announced_in_words_on_request() -> None:
     floor = Floor(("red", 0, 22))
-    BeltTelling(team_of(floor), floor.words).is_on = True
+    BeltAnnouncer(team_of(floor), floor.words).is_on = True
     floor.run("BELT ON FW 3 FW 2")
 
     assert [line for line in floor.printed if line.startswith("Belt:")] == [
@@ -198,15 +198,15 @@ def test_the_words_follow_the_columns_of_the_settings() -> None:
 
 def test_one_question_describes_the_belt_without_announcing_each_change() -> None:
     floor = Floor(("red", 0, 4))
-    telling = BeltTelling(team_of(floor), floor.words)
+    announcer = BeltAnnouncer(team_of(floor), floor.words)
     during = list[str]()
     floor.session.hub.subscribe(
-        lambda stamped: during.append(telling.now()) if isinstance(stamped.event, Moved) else None
+        lambda stamped: during.append(announcer.now()) if isinstance(stamped.event, Moved) else None
     )
     floor.run("BELT ON FW 1")
 
     assert during == ["Belt: front strong."]
-    assert telling.now() == "Belt: nothing near."
+    assert announcer.now() == "Belt: nothing near."
     assert not [line for line in floor.printed if line.startswith("Belt:")]
 
 
@@ -239,7 +239,7 @@ def test_the_belt_follows_only_the_selected_robot() -> None:
 )
 def test_each_motor_of_both_rows_can_be_described(language: str, told: tuple[str, ...]) -> None:
     floor = Floor()
-    telling = BeltTelling(team_of(floor), Words(language))
+    announcer = BeltAnnouncer(team_of(floor), Words(language))
     floor.session.hub.publish(BeltShown(FRONT_ROW + FRONT_ROW))
 
-    assert telling.rows() == told
+    assert announcer.rows() == told

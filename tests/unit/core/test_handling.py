@@ -9,7 +9,7 @@ from donnie_tui.core.session import Busy, RunOptions, Session, SessionSetup
 from donnie_tui.core.timeline import Timeline
 from donnie_tui.core.transcript import printed_lines
 from donnie_tui.i18n.words import Words
-from donnie_tui.world.moved_things import ThingWatch
+from donnie_tui.world.loading import ThingWatch
 from sim.world import World
 from sim.worldfile import load_text
 from tests.floor import Floor

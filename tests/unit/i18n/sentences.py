@@ -5,7 +5,7 @@ from pathlib import Path
 
 from donnie_tui import DETAILS
 from donnie_tui.i18n import po
-from donnie_tui.i18n.messages import find
+from donnie_tui.i18n.words import find
 from language.locales import BUILT_IN, ENGLISH, languages
 
 ENTRIES = po.read(Path(BUILT_IN, ENGLISH, "messages.po"))[1:]

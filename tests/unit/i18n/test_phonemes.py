@@ -9,7 +9,7 @@ import subprocess
 import pytest
 
 from devices.audio.pronunciation import sign_words, speakable_text
-from donnie_tui.outlets.spoken_languages import spoken_languages
+from donnie_tui.outlets.audible import spoken_languages
 from language.locales import languages
 from tests.patience import PATIENCE
 from tests.unit.i18n.sentences import all_texts

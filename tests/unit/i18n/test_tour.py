@@ -5,7 +5,7 @@ import re
 import pytest
 
 from donnie_tui.commands.declarations import COMMANDS
-from donnie_tui.i18n.command_words import words_of
+from donnie_tui.commands.lookup import words_of
 from donnie_tui.i18n.help import SCREEN_TOUR_PAGES, TOUR_PAGES, screen_tour_page, tour_page
 from donnie_tui.i18n.words import Words
 from language import keywords

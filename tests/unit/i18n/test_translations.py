@@ -11,10 +11,10 @@ from pathlib import Path
 
 import pytest
 
-from donnie_tui.i18n import messages, po, translations
-from donnie_tui.i18n.messages import find
+from donnie_tui.i18n import po, translations, words
 from donnie_tui.i18n.po import Entry, Mistake
 from donnie_tui.i18n.translations import ambiguous_keywords, compile_all, main, missing_in, mistakes
+from donnie_tui.i18n.words import find
 from language import locales
 from language.locales import BUILT_IN, languages
 from tests.unit.i18n.pseudo_language import CODE, accented, pseudo, write_language
@@ -35,7 +35,7 @@ def added(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Iterator[Path]:
 
 def _forget() -> None:
     locales.forget()
-    for each in (messages._translations, messages.codes, messages._plural_rule, messages._decimal_sign):
+    for each in (words._translations, words.codes, words._plural_rule, words._decimal_sign):
         each.cache_clear()
 
 

@@ -28,7 +28,7 @@ from devices.audio.ssip import (
     parse_address,
 )
 from devices.ports.audio import AudioNotice, NoticeCode, Urgency, Utterance, VoiceSettings
-from donnie_tui.outlets.spoken_languages import spoken_languages
+from donnie_tui.outlets.audible import spoken_languages
 from tests.unit.ssip.server import Server
 
 STREAM = b"208 OK CLIENT NAME SET\r\n225-21\r\n225 OK MESSAGE QUEUED\r\n702-21\r\n702-1\r\n702 END\r\n"

@@ -20,7 +20,7 @@ from donnie_tui.settings.settings import Settings
 
 
 class Searchable(Protocol):
-    """A robot with a line."""
+    """A robot on a serial connection."""
 
     def connect(self) -> None:
         """Raises ``RobotProblem``."""
@@ -32,9 +32,9 @@ class Searchable(Protocol):
 class Search:
     """For one session's robot, each time that it changes."""
 
-    def __init__(self, *, is_coming: bool = False) -> None:
-        """``is_coming``: as after ``expect``."""
-        self._is_coming = is_coming
+    def __init__(self, *, is_pending: bool = False) -> None:
+        """``is_pending``: as after ``expect``."""
+        self._is_pending = is_pending
         self._is_given_up = False
         self._robot: Searchable | None = None
         self.on_slow: Callable[[], object] = _nothing
@@ -42,12 +42,12 @@ class Search:
 
     def expect(self) -> None:
         """It begins soon, and may be given up before. ``end`` is to follow."""
-        self._is_coming = True
+        self._is_pending = True
 
     def give_up(self) -> bool:
         """Whether there was anything to give up. Any thread."""
         robot = self._robot
-        if robot is None and not self._is_coming:
+        if robot is None and not self._is_pending:
             return False
         self._is_given_up = True
         if robot is not None:
@@ -63,7 +63,7 @@ class Search:
 
     def end(self) -> None:
         """Whatever came of it."""
-        self._is_coming, self._robot = False, None
+        self._is_pending, self._robot = False, None
         self._is_given_up = False
 
 
@@ -73,7 +73,7 @@ def _nothing() -> None: ...
 Lister = Callable[[], tuple[FoundPort, ...]]
 
 
-class Choice(Struct, frozen=True):
+class RobotOption(Struct, frozen=True):
     """One robot that a learner may choose."""
 
     robot: str
@@ -81,7 +81,7 @@ class Choice(Struct, frozen=True):
     sentence: str
 
 
-def choices(settings: Settings, words: Words, found: Lister = list_ports) -> tuple[Choice, ...]:
+def robot_options(settings: Settings, words: Words, found: Lister = list_ports) -> tuple[RobotOption, ...]:
     """The simulator, the boards that are plugged in and the one of the settings, and the simulated board."""
     ports = dict.fromkeys(each.stable for each in _boards(settings, found))
     may_be_belt = len(ports) > 1 and not settings.belt
@@ -89,12 +89,12 @@ def choices(settings: Settings, words: Words, found: Lister = list_ports) -> tup
     if configured and not any(is_same_port(configured, port) for port in ports):
         ports[configured] = None
     return (
-        Choice(SIMULATED, words("connect-choice-simulator")),
+        RobotOption(SIMULATED, words("connect-choice-simulator")),
         *(
-            Choice(f"{SERIAL}:{port}", words(_kind(port, configured, may_be_belt), port=port))
+            RobotOption(f"{SERIAL}:{port}", words(_kind(port, configured, may_be_belt), port=port))
             for port in ports
         ),
-        Choice(DOUBLE, words("connect-choice-double")),
+        RobotOption(DOUBLE, words("connect-choice-double")),
     )
 
 
@@ -129,13 +129,13 @@ def sentences_of(problem: PortProblem | RobotProblem, words: Words) -> tuple[str
         code, values = problem.fault.value, {"port": problem.port, "reason": problem.reason}
     else:
         code, values = problem.code, {name: str(value) for name, value in problem.values.items()}
-    told = words(f"problem-{code}", **values)
+    problem_line = words(f"problem-{code}", **values)
     if not words.knows(f"remedy-{code}"):
-        return (told,)
+        return (problem_line,)
     if code != PortFault.FORBIDDEN.value:
-        return told, words(f"remedy-{code}")
+        return problem_line, words(f"remedy-{code}")
     group = group_of(values.get("port", ""))
-    return told, words("remedy-no-group") if group is None else words(f"remedy-{code}", group=group)
+    return problem_line, words("remedy-no-group") if group is None else words(f"remedy-{code}", group=group)
 
 
 def _boards(settings: Settings, found: Lister) -> tuple[FoundPort, ...]:

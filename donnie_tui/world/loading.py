@@ -1,4 +1,4 @@
-"""A world by its name or its file, loaded. Raises ``Unusable`` with the sentence for each failure.
+"""Loads a world by its name or its file, and watches its things. Raises ``Unusable`` for each failure.
 
 The name of a world that ships wins over a file in the current folder; ``./name`` is always the file. A
 configuration file chooses its world, the robots that it offers, and the real robot. For the learner's own
@@ -16,6 +16,7 @@ from msgspec import Struct
 import worlds
 import worlds.words
 from devices.ports.robot import STEP, Pose
+from donnie_tui.core.events import PlacedThing
 from donnie_tui.core.wording import Wording
 from donnie_tui.i18n.words import Unusable, Words
 from sim.compiled_scene import read_scene
@@ -23,15 +24,16 @@ from sim.compiled_scene import read_scene
 if TYPE_CHECKING:
     from pathlib import Path
 
+    from sim.geometry import Placement
     from sim.scene import Scene
+    from sim.world import World
     from sim.worldfile import Offer
     from worlds.words import About
 
-
-_TOLD = "starts-inside"
+_INSIDE = "starts-inside"
 _SLIPS = frozenset({"unknown-property", "unknown-colour", "unknown-model", "second-define"})
 """Of what was ignored or repaired: what the author wrote without effect."""
-MOST_TOLD = 3
+MOST_REMARKS = 3
 """Remarks that are listed one by one."""
 
 
@@ -40,19 +42,19 @@ def remarks(world: ChosenWorld, words: Wording) -> tuple[str, ...]:
     if world.ships:
         return ()
     notes = world.scene.report.notes
-    inside = [note for note in notes if note.code == _TOLD]
+    inside = [note for note in notes if note.code == _INSIDE]
     bad_words = _bad_words(world, words)
-    others = len(inside[MOST_TOLD:]) + sum(note.code in _SLIPS for note in notes)
-    told = (*bad_words, *(words(f"note-{_TOLD}", **note.details) for note in inside[:MOST_TOLD]))
+    others = len(inside[MOST_REMARKS:]) + sum(note.code in _SLIPS for note in notes)
+    listed = (*bad_words, *(words(f"note-{_INSIDE}", **note.details) for note in inside[:MOST_REMARKS]))
     if not others:
-        return told
-    return (*told, words("world-remarks", count=others, path=shlex.quote(world.path)))
+        return listed
+    return (*listed, words("world-remarks", count=others, path=shlex.quote(world.path)))
 
 
 def _bad_words(world: ChosenWorld, words: Wording) -> tuple[str, ...]:
     """Why the author's words can't be used, if there are any."""
     try:
-        worlds.words.beside(world.path, words.language)
+        worlds.words.about_file(world.path, words.language)
     except worlds.words.BadWords as problem:
         code = "key" if problem.key else "line" if problem.line else "file"
         code = "difficulty" if problem.key == "difficulty" else code
@@ -82,12 +84,12 @@ class ChosenWorld(Struct, frozen=True):
 
     def about(self, language: str) -> About | None:
         """Title, description and task; None for a world file without a file of words."""
-        from worlds.words import BadWords, about, beside
+        from worlds.words import BadWords, about, about_file
 
         if self.ships:
             return about(self.name, language)
         try:
-            return beside(self.path, language)
+            return about_file(self.path, language)
         except BadWords:
             return None  # reported when the world was loaded
 
@@ -108,9 +110,9 @@ def files_of(world: ChosenWorld) -> tuple[str, ...]:
 def _own_words(world: ChosenWorld) -> tuple[str, ...]:
     if world.ships:
         return ()
-    from worlds.words import file_beside
+    from worlds.words import words_file
 
-    file = file_beside(world.path)
+    file = words_file(world.path)
     return (file,) if file else ()
 
 
@@ -191,3 +193,28 @@ def _allowed(folders: tuple[str, ...]) -> tuple[Path, ...]:
     from pathlib import Path
 
     return tuple(map(Path, (*folders, worlds.SCENES)))
+
+
+class ThingWatch:
+    """Where the things of a simulated world are now. The robot that has the turn asks it."""
+
+    def __init__(self, world: World) -> None:
+        self._world = world
+        self._last: tuple[PlacedThing, ...] = ()
+
+    def __call__(self) -> tuple[PlacedThing, ...] | None:
+        """All that are not at their start; None if nothing has changed since the last answer."""
+        moved = self._world.moved_things()
+        if not moved and not self._last:
+            return None
+        models = self._world.scene.models
+        places = tuple(PlacedThing(models[index].name, _pose(moved[index]), index) for index in sorted(moved))
+        if places == self._last:
+            return None
+        self._last = places
+        return places
+
+
+def _pose(placement: Placement) -> Pose:
+    heading = round((90.0 - placement.yaw) % 360.0, 6) % 360.0
+    return Pose(round(placement.x / STEP, 6) + 0.0, round(placement.y / STEP, 6) + 0.0, heading)

@@ -1,4 +1,4 @@
-"""Compiles the scenes of the worlds that ship: ``python -m donnie_tui.compile_scenes``.
+"""Compiles the scenes of the worlds that ship: ``python -m tests.tools.compile_scenes``.
 
 Run it after any change of a world, of ``sim.scene`` or of the reading of world files; a test fails until
 then.
