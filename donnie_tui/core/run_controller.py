@@ -314,6 +314,8 @@ class RunController:
             self.stop()
             return True
         running = self._team.running
+        for each in self._records.values():
+            each.was_stopped_with_all = each.is_current
         self.note_stop()
         self._team.stop()
         attended = [each.session for each in self._records.values() if each.is_attended and each.is_current]
@@ -432,7 +434,7 @@ class RunController:
             return
         run.wait(LAST_WORDS)
         record.is_summed_up = True
-        if run.outcome is Outcome.STOPPED:
+        if run.outcome is Outcome.STOPPED and not record.was_stopped_with_all:
             self._answer_stopped(record.session, record)
         if record.is_background:
             return

@@ -141,6 +141,8 @@ class RunRecord:
         """Whether a pause was asked for."""
         self.was_described = threading.Event()
         """Set when a hold was described."""
+        self.was_stopped_with_all = False
+        """Whether STOP ALL stopped it, whose answer is about all robots."""
         self.holds = False
         """Whether a hold was described that no request has answered."""
         self.is_silent = True
