@@ -6,11 +6,10 @@ terminal is given back.
 
 from __future__ import annotations
 
-import asyncio
 import os
 from collections.abc import Awaitable, Callable
 from pathlib import Path
-from typing import TYPE_CHECKING, Any, TypeVar
+from typing import TYPE_CHECKING, Any
 
 from rich.console import RenderableType
 from rich.text import Text
@@ -22,14 +21,14 @@ from donnie_tui.i18n.first_words import early
 from donnie_tui.robot.search import Search
 from donnie_tui.settings.folders import UNSAVED, state_folder
 from donnie_tui.settings.settings import Settings
-from donnie_tui.tui.environment import is_plain, wants_mouse
-from donnie_tui.tui.key_queue import PendingScreen
+from donnie_tui.tui.environment import is_plain
+from donnie_tui.tui.key_queue import Dialogs
 from donnie_tui.tui.keyboard import STOPS, Keyboard, bindings
 from donnie_tui.tui.screens.main_screen import MainScreen
 from donnie_tui.tui.session_handle import SessionHandle
 from donnie_tui.tui.shutdown import Shutdown
 from donnie_tui.tui.startup import Startup
-from donnie_tui.tui.terminal import TerminalApp, use_mouse
+from donnie_tui.tui.terminal import TerminalApp
 from donnie_tui.tui.widgets.command_line import CommandLine
 from donnie_tui.tui.widgets.editor import Editor
 from donnie_tui.tui.widgets.rows import KeyLine, TextRows
@@ -38,8 +37,6 @@ if TYPE_CHECKING:
     from donnie_tui.bootstrap import Donnie
     from donnie_tui.tui.controller import ScreenController, ScreenState
     from donnie_tui.tui.event_queue import RunBegan, RunFinished
-
-T = TypeVar("T")
 
 WIPE = "\x1b[0m\x1b[H\x1b[2J"
 
@@ -76,15 +73,15 @@ class DonnieApp(TerminalApp, inherit_bindings=False):
         self.key_table = KeyTable()
         self._bind(settings.keys)
         self.session = SessionHandle(search)
-        self._pending = PendingScreen(self, self.main_screen, self._release_keys)
+        self._dialogs = Dialogs(self, self.main_screen, self._release_keys)
         self._keyboard = Keyboard(
             self,
             self.session,
             self.main_screen,
             self.key_table,
-            pending=self._pending,
+            dialogs=self._dialogs,
             feed=super().on_event,
-            must_wait=lambda: self.startup.holds_keys or self._pending.holds_keys,
+            must_wait=lambda: self.startup.holds_keys or self._dialogs.holds_keys,
             do=self.do,
         )
         self.startup = Startup(
@@ -106,24 +103,27 @@ class DonnieApp(TerminalApp, inherit_bindings=False):
         )
         self._first_word: str | None = None
         """The command that was typed into the empty program before the session was loaded."""
-        self.next_world = ""
-        """The world in which the screen is to come back."""
-        self.left_for_linear = False
 
-    def _start_controller(self, donnie: Donnie) -> ScreenController:
-        from donnie_tui.tui.controller import ScreenController
+    def _start_controller(self, donnie: Donnie) -> None:
+        from donnie_tui.bootstrap import open_workspace
+        from donnie_tui.commands.preferences import Preferences
+        from donnie_tui.tui.interaction import connect
 
-        controller = self.session.controller = ScreenController(
+        restored, folder = self._restored, str(self._state_folder)
+        controller = self.session.controller = connect(
             self,
+            self._dialogs,
+            self.main_screen,
+            self.key_table,
             donnie,
-            self._state_folder,
-            self._settings,
-            self._restored.workspace if self._restored else None,
+            restored.workspace if restored else open_workspace(folder),
+            Preferences(self._settings, os.environ),
         )
-        controller.begin(self._file, self._text, self._restored)
+        opening = controller.begin(self._file, self._text, restored, folder)
+        if opening is not None:
+            self.startup.open_with(opening)
         if self._first_word is not None:
             self.call_later(self._do_first_word, self._first_word)
-        return controller
 
     @property
     def controller(self) -> ScreenController | None:
@@ -133,13 +133,12 @@ class DonnieApp(TerminalApp, inherit_bindings=False):
     # --- looks
 
     def apply_settings(self, settings: Settings) -> None:
-        """Take the theme, the layout, the keys and the mouse from the settings."""
-        self.apply_theme(settings)
+        """The layout and the keys, too."""
+        super().apply_settings(settings)
         if settings.plain is not None:
             self.main_screen.set_plain(settings.plain)
         self._language = settings.language
         self._bind(settings.keys)
-        use_mouse(self._driver, wanted=wants_mouse(settings))
 
     def _bind(self, chosen: str) -> None:
         """The keys of the table; those that the learner chose replace them."""
@@ -235,35 +234,15 @@ class DonnieApp(TerminalApp, inherit_bindings=False):
     def _await(self, asking: Awaitable[None] | None) -> None:
         """A command that asks something has its effect when it is answered."""
         if asking is not None:
-            self.run_worker(self._finish(asking, self._pending.begin()), exclusive=True)
+            self.run_worker(self._finish(asking, self._dialogs.begin()), exclusive=True)
 
     async def _finish(self, asking: Awaitable[None], name: object) -> None:
         try:
             await asking
         finally:
-            self._pending.done(name)
+            self._dialogs.done(name)
         if self.controller is not None and self.is_running:
-            self.controller.look()
-
-    # --- other screens
-
-    async def answer_of(self, screen: Screen[T]) -> T:
-        """Show a dialog. It disappears if another command is asked for before it is answered."""
-        self._pending.call_for(screen)
-        try:
-            return await self.push_screen_wait(screen)
-        except asyncio.CancelledError:
-            if screen in self.screen_stack:
-                screen.pop_until_active()
-                screen.dismiss()
-            raise
-        finally:
-            self._pending.gone(screen)
-
-    def open_page(self, page: Screen[None]) -> None:
-        """Show something to read."""
-        self._pending.call_for(page)
-        self.push_screen(page)
+            self.controller.display.update()
 
     # --- messages
 
@@ -325,15 +304,6 @@ class DonnieApp(TerminalApp, inherit_bindings=False):
             self.controller.assistant.edited()
 
     # --- the end
-
-    def enter_world(self, name: str) -> None:
-        """Leave the screen for a moment; it comes back in that world."""
-        self.next_world = name
-        self.exit(0)
-
-    def leave_for_linear(self) -> None:
-        self.left_for_linear = True
-        self.exit(0)
 
     def on_unmount(self) -> None:
         """A terminal can still get stuck on the way out; what has none needs nothing more.

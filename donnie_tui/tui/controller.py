@@ -6,44 +6,41 @@ Made once the session is loaded. Keys and typed lines run commands here, and eve
 from __future__ import annotations
 
 import os
-from collections.abc import Awaitable, Mapping, Sequence
+from collections.abc import Awaitable, Coroutine, Mapping, Sequence
 from pathlib import Path
-from typing import TYPE_CHECKING
 
 from msgspec import Struct
-from textual.events import Event
+from textual import events
 from textual.widget import Widget
+from textual.widgets import Input, TextArea
 
-from donnie_tui.bootstrap import Donnie, open_workspace
+from donnie_tui.bootstrap import Donnie
 from donnie_tui.commands.context import Context
 from donnie_tui.commands.declarations import BY_NAME, Command
 from donnie_tui.commands.dispatch import attempt, perform, says_slip
 from donnie_tui.commands.files import compare_with_file, open_named
 from donnie_tui.commands.interaction import begin
-from donnie_tui.commands.keys import not_understood
+from donnie_tui.commands.keys import KeyTable, not_understood
 from donnie_tui.commands.lookup import find
-from donnie_tui.commands.preferences import Preferences
 from donnie_tui.commands.world import say_arrival
 from donnie_tui.core.answer_log import AnswerLog
 from donnie_tui.core.events import Pointed
 from donnie_tui.core.line_history import LineHistory
 from donnie_tui.core.runner import LAST_WORDS, RunRequest
 from donnie_tui.core.session import Busy
+from donnie_tui.core.wording import Wording
 from donnie_tui.core.workspace import Workspace
+from donnie_tui.outlets.audible import Audible, TypingEcho
 from donnie_tui.settings.folders import offers_tour
-from donnie_tui.settings.settings import Settings
 from donnie_tui.tui.display import Display
 from donnie_tui.tui.editor_assistant import EditorAssistant
 from donnie_tui.tui.event_queue import CALM, FRAME, EventBatch, EventQueue, EventReader, LogLine
-from donnie_tui.tui.interaction import ScreenInteraction
-from donnie_tui.tui.keyboard import ScreenKeyEcho
 from donnie_tui.tui.run_view import RunView
+from donnie_tui.tui.screens.main_screen import MainScreen
+from donnie_tui.tui.terminal import TerminalApp
 from language.diagnostics import MistakeKind
 from language.keywords import spelling
 from language.source import printable
-
-if TYPE_CHECKING:
-    from donnie_tui.tui.app import DonnieApp
 
 
 class ScreenState(Struct, frozen=True):
@@ -66,29 +63,14 @@ class ScreenState(Struct, frozen=True):
 class ScreenController:
     """One session at the screen."""
 
-    def __init__(
-        self,
-        app: DonnieApp,
-        donnie: Donnie,
-        folder: Path,
-        settings: Settings,
-        workspace: Workspace | None = None,
-    ) -> None:
-        """``folder`` is the state folder; ``workspace`` is kept from another world."""
-        self.app, self.donnie = app, donnie
-        self.words, self.main_screen = donnie.words, app.main_screen
-        self._state_folder = folder
-        self.workspace = workspace or open_workspace(str(folder))
+    def __init__(self, app: TerminalApp, main_screen: MainScreen, key_table: KeyTable, ctx: Context) -> None:
+        self.ctx, self.donnie, self.words = ctx, ctx.donnie, ctx.words
+        self.workspace, self.answers = ctx.workspace, ctx.answers
+        self.app, self.main_screen = app, main_screen
+        donnie = ctx.donnie
         self.workspace.report_failure = lambda error: donnie.say("answer-not-kept", reason=error.reason)
-        self.workspace.attach(self.main_screen.editor)
-        self.answers = AnswerLog()
-        interaction = ScreenInteraction(self)
-        past = self.main_screen.command_line.past
-        preferences = Preferences(settings, os.environ)
-        self.ctx = Context(
-            donnie, interaction, self.workspace, self.answers, past, preferences, screen=interaction
-        )
-        self.display = Display(self.main_screen, donnie, self.ctx.runs, self.workspace, app.key_table)
+        self.workspace.attach(main_screen.editor)
+        self.display = Display(main_screen, donnie, ctx.runs, self.workspace, key_table)
         queue = EventQueue(
             app.post_message, self.words, lambda: donnie.session.pose, lambda: donnie.session.name
         )
@@ -96,30 +78,39 @@ class ScreenController:
             queue, self.words, set_timer=app.set_timer, receive=self._receive, write=self._write
         )
         self._key_echo = ScreenKeyEcho(donnie.outlets.audible, self.words)
-        self.run_view = RunView(self)
-        self.assistant = EditorAssistant(self)
+        self.run_view = RunView(app, ctx, self.events, self.display, main_screen.editor)
+        self.assistant = EditorAssistant(app, ctx, self.display, main_screen.editor)
         self._apply_completion()
         self._apply_motion()
         self._unsubscribe = donnie.team.stream.subscribe(queue)
+        self.next_world = ""
+        """The world in which the screen is to come back."""
+        self.left_for_linear = False
 
-    def begin(self, file: Path | None, text: str | None, restored: ScreenState | None = None) -> None:
-        """Open what was asked for. ``text``: what the other mode left, unsaved changes included."""
-        notices, settings = self.donnie.notices, self.ctx.preferences.settings
+    def begin(
+        self, file: Path | None, text: str | None, restored: ScreenState | None, state_folder: str
+    ) -> Coroutine[None, None, None] | None:
+        """Say what is to be known at the start; what is returned opens the first file.
+
+        ``text``: what the other mode left, unsaved changes included.
+        """
+        notices, settings, opening = self.donnie.notices, self.ctx.preferences.settings, None
         self.ctx.say(*(notices.all if restored is None else notices.about_devices))
         for entry in not_understood(settings.keys):
             self.ctx.answer("keys-not-understood", entry=printable(entry[:40]))
         if text is not None:
             self.workspace.replace(text, file, in_file="")
-            self.app.startup.open_with(attempt(self.ctx, compare_with_file(self.ctx)))
+            opening = attempt(self.ctx, compare_with_file(self.ctx))
         elif file is not None:
-            self.app.startup.open_with(attempt(self.ctx, open_named(self.ctx, str(file))))
-        elif settings.tour and offers_tour(str(self._state_folder), os.environ):
+            opening = attempt(self.ctx, open_named(self.ctx, str(file)))
+        elif settings.tour and offers_tour(state_folder, os.environ):
             self.ctx.answer("tour-offer")
         if restored is not None:
             self._restore(restored)
         elif self.workspace.rescued():
             self.ctx.answer("answer-rescued")
-        self.look()
+        self.display.update()
+        return opening
 
     def _restore(self, state: ScreenState) -> None:
         """Continue with the answers of the world before, and say that this one is there."""
@@ -158,7 +149,7 @@ class ScreenController:
     async def _perform(self, command: Command, argument: str | None) -> None:
         await perform(self.ctx, command, argument)
         self.run_view.show_past()
-        self.look()
+        self.display.update()
 
     def run_line(self, text: str) -> Awaitable[None] | None:
         """Run a line of the command line: a command of the screen, or one of GoDonnie."""
@@ -172,7 +163,7 @@ class ScreenController:
                 self.ctx.runs.start(RunRequest(text, self.words("typed-program"), is_whole=False))
             except Busy:
                 self.ctx.answer_of_robot("screen-busy")
-            self.look()
+            self.display.update()
         return None
 
     def _end_answer(self) -> None:
@@ -189,7 +180,7 @@ class ScreenController:
         self.ctx.answer("screen-open-block", closer=closer)
         return True
 
-    def key_pressed(self, event: Event, focused: Widget | None) -> None:
+    def key_pressed(self, event: events.Event, focused: Widget | None) -> None:
         """Any key ends what is being said, and is itself spoken where the learner wants that."""
         self.donnie.outlets.audible.hush()
         self._key_echo(event, focused)
@@ -202,7 +193,7 @@ class ScreenController:
         self.display.receive(batch)
         self.run_view.polling.on_event()
         if batch.others or batch.things is not None:
-            self.ask_distances()
+            self.display.ask_distances()
 
     def _write(self, lines: Sequence[LogLine]) -> None:
         """Into the log, and into what can be said again."""
@@ -222,16 +213,6 @@ class ScreenController:
             self.point(pointer.words(self.words))
         self.display.looked()
 
-    def look(self) -> None:
-        """Bring the screen up to date."""
-        self.ask_distances()
-        self.display.look()
-
-    def ask_distances(self) -> None:
-        """Have them published, where they are shown."""
-        if self.display.shows_distances:
-            self.donnie.session.publish_distances()
-
     # --- settings
 
     def apply_setting(self, key: str) -> None:
@@ -244,7 +225,7 @@ class ScreenController:
         elif key == "motion":
             self._apply_motion()
         self.app.apply_settings(self.ctx.preferences.settings)
-        self.look()
+        self.display.update()
 
     def _apply_completion(self) -> None:
         self.assistant.offer_words(wanted=self.ctx.preferences.settings.completion)
@@ -258,7 +239,8 @@ class ScreenController:
         """The other mode has the text from now on: no copy of it is needed."""
         self.assistant.stop_copying()
         self.workspace.hand_over()
-        self.app.leave_for_linear()
+        self.left_for_linear = True
+        self.app.exit(0)
 
     def leave(self) -> None:
         """For good, on purpose."""
@@ -272,7 +254,8 @@ class ScreenController:
         self.ctx.answer("world-going", name=name)
         self.events.flush()
         self.assistant.stop_copying()
-        self.app.enter_world(name)
+        self.next_world = name
+        self.app.exit(0)
 
     def hand_over(self) -> Donnie:
         """Give the session to the other mode, where it continues; what runs here ends."""
@@ -290,3 +273,41 @@ class ScreenController:
         self.donnie.close()
         self.workspace.detach()
         self.workspace.write_copies()
+
+
+class ScreenKeyEcho:
+    """Speaks what is typed: in the program, in the command line and in questions.
+
+    It gets each key and each paste before the widget with the focus.
+    """
+
+    def __init__(self, audible: Audible, words: Wording) -> None:
+        self._echo = TypingEcho(audible, words)
+
+    def __call__(self, event: events.Event, focused: Widget | None) -> None:
+        before = _before_cursor(focused) if self._echo.kind != "none" else None
+        if before is None:
+            return
+        match event:
+            case events.Paste(text=text):
+                self._echo.typed(text, before)
+            case events.Key(key="backspace"):
+                self._echo.deleted(before)
+            case events.Key(key="enter"):
+                self._echo.ended(before)
+            case events.Key(character=str() as character) if event.is_printable:
+                self._echo.typed(character, before)
+            case _:
+                pass
+
+
+def _before_cursor(widget: Widget | None) -> str | None:
+    """What stands before the cursor in its line; None where nothing can be typed."""
+    match widget:
+        case TextArea():
+            row, column = widget.cursor_location
+            return widget.document.get_line(row)[:column]
+        case Input():
+            return widget.value[: widget.cursor_position]
+        case _:
+            return None

@@ -172,6 +172,16 @@ class Display:
 
     # --- all the rest
 
+    def update(self) -> None:
+        """Bring everything up to date, the distances too."""
+        self.ask_distances()
+        self.look()
+
+    def ask_distances(self) -> None:
+        """Have them published, where they are shown."""
+        if self.shows_distances:
+            self._donnie.session.publish_distances()
+
     def look(self) -> None:
         """Titles, marks, status line, keys and inspector as they should be now."""
         self.show_titles()

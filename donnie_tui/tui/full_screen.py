@@ -51,7 +51,7 @@ def _through_worlds(settings: Settings, file: Path | None, text: str | None, don
     restored: ScreenState | None = None
     while True:
         app = _shown(settings, file, text, donnie, restored)
-        if not app.next_world:
+        if not app.session.next_world:
             break
         settings, restored = _in_next_world(app)
         file = text = donnie = None
@@ -86,7 +86,7 @@ def _shown(
     finally:
         app.shutdown.end_watchdog()
     has_failed = app.startup.trouble is not None or app.return_code == CRASHED
-    if app.left_for_linear and not has_failed:
+    if app.session.left_for_linear and not has_failed:
         _switch(app)
     app.session.close()
     if app.startup.trouble is not None:
@@ -100,7 +100,7 @@ def _in_next_world(app: DonnieApp) -> tuple[Settings, ScreenState]:
 
     controller = app.controller
     assert controller is not None  # it asked for that world
-    settings = settings_there(controller.donnie, controller.ctx.preferences.settings, app.next_world)
+    settings = settings_there(controller.donnie, controller.ctx.preferences.settings, app.session.next_world)
     return settings, controller.state
 
 

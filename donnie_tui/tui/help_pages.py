@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-from msgspec import Struct
-
 from donnie_tui.commands.declarations import COMMANDS, Command
 from donnie_tui.commands.interaction import Option
 from donnie_tui.commands.keys import MENU, PALETTE, KeyTable, key_label
@@ -12,6 +10,7 @@ from donnie_tui.core.wording import Wording
 from donnie_tui.i18n.help import SCREEN_TOUR_PAGES, screen_tour_page
 from donnie_tui.i18n.words import Words
 from donnie_tui.tui.screens.main_screen import MainScreen
+from donnie_tui.tui.screens.pages import TourPage
 from language.keywords import canonical
 
 _MOST_LINES = 9
@@ -25,13 +24,6 @@ _NEAR = {
 }
 """The commands that are near at hand in each pane."""
 _EVERYWHERE = ("stop", "keys_here", "help", "quit")
-
-
-class TourPage(Struct, frozen=True):
-    """A page of the tour: what stands above it, and its lines."""
-
-    title: str
-    lines: tuple[str, ...]
 
 
 def help_lines(place: MainScreen, words: Words, table: KeyTable) -> tuple[str, ...]:

@@ -8,24 +8,50 @@ from typing import TYPE_CHECKING, Any, TypeVar
 
 from textual.app import SuspendNotSupported
 
+from donnie_tui.bootstrap import Donnie
 from donnie_tui.commands.arguments import answered
+from donnie_tui.commands.context import Context
 from donnie_tui.commands.files import may_lose_all
 from donnie_tui.commands.interaction import MapPane, Option
 from donnie_tui.commands.keys import KeyTable
+from donnie_tui.commands.preferences import Preferences
+from donnie_tui.core.answer_log import AnswerLog
 from donnie_tui.core.map_scene import Line
 from donnie_tui.core.pointing import Pointer
 from donnie_tui.core.runner import RunRequest
+from donnie_tui.core.workspace import Workspace
 from donnie_tui.i18n.help import manual
+from donnie_tui.i18n.words import Words
+from donnie_tui.tui.controller import ScreenController
 from donnie_tui.tui.help_pages import help_lines, keys_here, tour_pages
+from donnie_tui.tui.key_queue import Dialogs
 from donnie_tui.tui.normal_screen import PagerError, show_in_pager
+from donnie_tui.tui.screens.main_screen import MainScreen
 from donnie_tui.tui.screens.pages import Help, KeyCapture, Tour
+from donnie_tui.tui.terminal import TerminalApp
 from donnie_tui.tui.timers import Reminder
 
 if TYPE_CHECKING:
     from donnie_tui.core.runner import Run
-    from donnie_tui.tui.controller import ScreenController
 
 T = TypeVar("T")
+
+
+def connect(
+    app: TerminalApp,
+    dialogs: Dialogs,
+    place: MainScreen,
+    key_table: KeyTable,
+    donnie: Donnie,
+    workspace: Workspace,
+    preferences: Preferences,
+) -> ScreenController:
+    """Connect a session with the screen."""
+    interaction = ScreenInteraction(app, dialogs, place, key_table, donnie.words)
+    past = place.command_line.past
+    ctx = Context(donnie, interaction, workspace, AnswerLog(), past, preferences, screen=interaction)
+    interaction._controller = controller = ScreenController(app, place, key_table, ctx)
+    return controller
 
 
 class ScreenInteraction:
@@ -37,9 +63,12 @@ class ScreenInteraction:
 
     can_edit = is_attended = True
 
-    def __init__(self, controller: ScreenController) -> None:
-        self._controller, self._app = controller, controller.app
-        self._place, self._words = controller.main_screen, controller.words
+    def __init__(
+        self, app: TerminalApp, dialogs: Dialogs, place: MainScreen, key_table: KeyTable, words: Words
+    ) -> None:
+        self._app, self._dialogs, self._place, self._words = app, dialogs, place, words
+        self.key_table = key_table
+        self._controller: ScreenController
         self._finishing = asyncio.Lock()
         self._tour_page = 0
         """The page of the tour that was left, from 0."""
@@ -59,7 +88,7 @@ class ScreenInteraction:
 
         await asyncio.sleep(0)
         keys, point = self._words("ask-keys"), self._controller.point
-        return await self._app.answer_of(Question(question, keys, point, value=text, accepts=accepts))
+        return await self._dialogs.answer_of(Question(question, keys, point, value=text, accepts=accepts))
 
     async def choose(
         self,
@@ -74,13 +103,13 @@ class ScreenInteraction:
         listed = [each for each in options if rows[each.text] is each]
         await asyncio.sleep(0)
         keys, nothing = self._words("chooser-keys"), self._words("palette-nothing")
-        return await self._app.answer_of(Chooser(question, keys, nothing, listed, self._controller.point))
+        return await self._dialogs.answer_of(Chooser(question, keys, nothing, listed, self._controller.point))
 
     async def press_key(self, question: str, accepts: Callable[[str], str | None]) -> str | None:
         await asyncio.sleep(0)
         keys, after_menu = self._words("keys-capture"), self._words("keys-second-key")
         capture = KeyCapture(question, keys, after_menu, accepts, self._controller.point)
-        return await self._app.answer_of(capture)
+        return await self._dialogs.answer_of(capture)
 
     async def confirm(self, question: str) -> bool | None:
         def unclear(typed: str) -> str | None:
@@ -213,7 +242,7 @@ class ScreenInteraction:
             return
         await asyncio.sleep(0)
         below, point = editor.cursor_screen_offset, self._controller.point
-        word, letter = await self._app.answer_of(Completions(found.words, below, point))
+        word, letter = await self._dialogs.answer_of(Completions(found.words, below, point))
         if word:
             editor.put_in_place_of(found.typed, word)
         elif letter:
@@ -264,7 +293,7 @@ class ScreenInteraction:
             self._tour_page = page
 
         pages = tour_pages(self._words, self.key_table)
-        self._app.open_page(Tour(pages, self._tour_page, turned, self._controller.point))
+        self._dialogs.open(Tour(pages, self._tour_page, turned, self._controller.point))
 
     def repaint(self) -> None:
         self._app.repaint()
@@ -279,9 +308,5 @@ class ScreenInteraction:
     def is_plain(self) -> bool:
         return self._place.is_plain
 
-    @property
-    def key_table(self) -> KeyTable:
-        return self._app.key_table
-
     def _open_page(self, title: str, lines: Sequence[str], further: Callable[[], None] | None = None) -> None:
-        self._app.open_page(Help(title, tuple(lines), self._controller.point, further))
+        self._dialogs.open(Help(title, tuple(lines), self._controller.point, further))

@@ -11,9 +11,10 @@ Keys for a dialog wait as well, until it is shown: what is typed after the key o
 
 from __future__ import annotations
 
+import asyncio
 from collections import deque
 from collections.abc import Awaitable, Callable
-from typing import Any, TypeAlias
+from typing import Any, TypeAlias, TypeVar
 
 from textual.app import App
 from textual.events import Event
@@ -32,6 +33,7 @@ LOOKS = 4
 makes steps, and only one look however long it stands still."""
 
 KeyCommand: TypeAlias = Callable[[], None]
+T = TypeVar("T")
 
 
 class KeyQueue:
@@ -119,8 +121,8 @@ class KeyQueue:
             await self._feed(self._held.popleft())
 
 
-class PendingScreen:
-    """A dialog or page that is about to be shown; ``release_keys`` releases the keys that wait for it.
+class Dialogs:
+    """Shows dialogs and pages; ``release_keys`` releases the keys that wait for them.
 
     Keys wait from the start of a command that asks until its question is shown, and from the answer until the
     command is done; no longer than a moment, for some commands look for robots.
@@ -152,12 +154,30 @@ class PendingScreen:
         if asking is self._asking:
             self._stop_waiting()
 
-    def call_for(self, screen: Screen[Any]) -> None:
+    async def answer_of(self, screen: Screen[T]) -> T:
+        """Show a dialog. It disappears if another command is asked for before it is answered."""
+        self._call_for(screen)
+        try:
+            return await self._app.push_screen_wait(screen)
+        except asyncio.CancelledError:
+            if screen in self._app.screen_stack:
+                screen.pop_until_active()
+                screen.dismiss()
+            raise
+        finally:
+            self._gone(screen)
+
+    def open(self, page: Screen[None]) -> None:
+        """Show something to read."""
+        self._call_for(page)
+        self._app.push_screen(page)
+
+    def _call_for(self, screen: Screen[Any]) -> None:
         """It is in front from now on, and there once its own queue is emptied."""
         self._screen = screen
         screen.call_later(self._is_there, screen)
 
-    def gone(self, screen: Screen[Any]) -> None:
+    def _gone(self, screen: Screen[Any]) -> None:
         """It was answered, or is not wanted any more."""
         self._is_there(screen)
         self._has_gone = True

@@ -1,4 +1,4 @@
-"""The keyboard: which keys there are, what a pressed key does and when, and what is spoken of it.
+"""The keyboard: which keys there are, and what a pressed key does and when.
 
 A stop waits for nothing. Whatever else a key does comes after what was typed before it.
 """
@@ -11,18 +11,15 @@ from typing import TYPE_CHECKING
 from textual import events
 from textual.app import App
 from textual.binding import Binding, BindingsMap
-from textual.widget import Widget
 from textual.widgets import Input, TextArea
 
 from donnie_tui.commands.keys import MENU, PALETTE, KeyTable, behind_menu, key_label
-from donnie_tui.tui.key_queue import KeyQueue, PendingScreen
+from donnie_tui.tui.key_queue import Dialogs, KeyQueue
 from donnie_tui.tui.screens.main_screen import MainScreen
 from donnie_tui.tui.session_handle import SessionHandle
 
 if TYPE_CHECKING:
-    from donnie_tui.core.wording import Wording
     from donnie_tui.i18n.words import Words
-    from donnie_tui.outlets.audible import Audible
     from donnie_tui.tui.screens.pages import KeyMenu
 
 STOPS = ("stop", "stop_all")
@@ -59,7 +56,7 @@ class Keyboard:
         place: MainScreen,
         key_table: KeyTable,
         *,
-        pending: PendingScreen,
+        dialogs: Dialogs,
         feed: Callable[[events.Event], Awaitable[None]],
         must_wait: Callable[[], bool],
         do: Callable[[str], None],
@@ -69,7 +66,7 @@ class Keyboard:
         ``must_wait``: whether there is nothing yet that keys could be for.
         """
         self._app, self._session, self._place, self._key_table = app, session, place, key_table
-        self._pending = pending
+        self._dialogs = dialogs
         self._feed, self._must_wait, self._do = feed, must_wait, do
         self._queue = KeyQueue(app, self._take, must_wait)
         self._menu: KeyMenu | None = None
@@ -107,7 +104,7 @@ class Keyboard:
 
     def _is_too_late(self, event: events.Key) -> bool:
         """Esc right after a question may be meant for it: it drives no robot until it is pressed again."""
-        if self._app.screen is not self._place or not self._pending.forget_gone():
+        if self._app.screen is not self._place or not self._dialogs.forget_gone():
             return False
         name, controller = self._key_table.command_of(event.key), self._session.controller
         if event.key != "escape" or name is None or controller is None or self._session.runs:
@@ -174,43 +171,3 @@ class Keyboard:
             typed = event.character if event.is_printable else None
             label = typed or key_label(event.key, language)
             self._session.say("menu-no-key", key=f"{key_label(MENU, language)} {label}")
-
-
-class ScreenKeyEcho:
-    """Speaks what is typed: in the program, in the command line and in questions.
-
-    It gets each key and each paste before the widget with the focus.
-    """
-
-    def __init__(self, audible: Audible, words: Wording) -> None:
-        from donnie_tui.outlets.audible import TypingEcho
-
-        self._echo = TypingEcho(audible, words)
-
-    def __call__(self, event: events.Event, focused: Widget | None) -> None:
-        before = _before_cursor(focused) if self._echo.kind != "none" else None
-        if before is None:
-            return
-        match event:
-            case events.Paste(text=text):
-                self._echo.typed(text, before)
-            case events.Key(key="backspace"):
-                self._echo.deleted(before)
-            case events.Key(key="enter"):
-                self._echo.ended(before)
-            case events.Key(character=str() as character) if event.is_printable:
-                self._echo.typed(character, before)
-            case _:
-                pass
-
-
-def _before_cursor(widget: Widget | None) -> str | None:
-    """What stands before the cursor in its line; None where nothing can be typed."""
-    match widget:
-        case TextArea():
-            row, column = widget.cursor_location
-            return widget.document.get_line(row)[:column]
-        case Input():
-            return widget.value[: widget.cursor_position]
-        case _:
-            return None

@@ -5,18 +5,21 @@ Programs run in their own threads and reach the screen through the event queue; 
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
+from textual.app import App
 from textual.message import Message
 
+from donnie_tui.commands.context import Context
 from donnie_tui.core.run_state import RunObserver, RunState
 from donnie_tui.core.transcript import lines_of
-from donnie_tui.tui.event_queue import RunBegan, RunFinished
+from donnie_tui.tui.display import Display
+from donnie_tui.tui.event_queue import EventReader, RunBegan, RunFinished
 from donnie_tui.tui.timers import Polling, Reminder
+from donnie_tui.tui.widgets.editor import Editor
 
 if TYPE_CHECKING:
     from donnie_tui.core.timeline import Timeline
-    from donnie_tui.tui.controller import ScreenController
 
 
 class RunStateChanged(Message):
@@ -26,11 +29,14 @@ class RunStateChanged(Message):
 class RunView(RunObserver):
     """Updates the screen with the programs of the robot that the learner talks to."""
 
-    def __init__(self, controller: ScreenController) -> None:
-        self._controller, self._events = controller, controller.events
-        self._runs = controller.ctx.runs
+    def __init__(
+        self, app: App[Any], ctx: Context, events: EventReader, display: Display, editor: Editor
+    ) -> None:
+        self._app, self._ctx, self._events = app, ctx, events
+        self._display, self._editor = display, editor
+        self._runs = ctx.runs
         self._runs.observer = self
-        self.polling = Polling(controller.look, controller.app.set_timer)
+        self.polling = Polling(display.update, app.set_timer)
         self._reading: Reminder | None = None
         self._past: Timeline | None = None
         """What the map shows; None is the present."""
@@ -38,18 +44,18 @@ class RunView(RunObserver):
     # --- one run
 
     def on_change(self) -> None:
-        self._controller.app.post_message(RunStateChanged())
+        self._app.post_message(RunStateChanged())
 
     def on_began(self, event: RunBegan) -> None:
         """What waits in the queue is this run's: the end of the last one took everything."""
         self.show_past()
         self._stop_reminder()
         if self._runs.is_whole:
-            self._reading = Reminder(self._controller.app, self._report_reading)
-        self._controller.display.begin(event.pose, fresh=event.fresh)
+            self._reading = Reminder(self._app, self._report_reading)
+        self._display.begin(event.pose, fresh=event.fresh)
         self._events.begun()
         self.polling.begin()
-        self._controller.look()
+        self._display.update()
 
     def _stop_reminder(self) -> None:
         if self._reading is not None:
@@ -59,8 +65,7 @@ class RunView(RunObserver):
     def _report_reading(self) -> None:
         """A huge program is still read and checked: nothing of it has run yet."""
         if self._runs.state is RunState.RUNNING and not self._runs.frames:
-            lines = self._controller.main_screen.editor.line_count
-            self._controller.ctx.answer("slow-reading", lines=lines)
+            self._ctx.answer("slow-reading", lines=self._editor.line_count)
         else:
             self._stop_reminder()
 
@@ -69,58 +74,58 @@ class RunView(RunObserver):
         frames = self._runs.frames
         if self._runs.is_held and frames:
             self.show_past()
-            self._controller.ask_distances()
+            self._display.ask_distances()
             if self._runs.is_whole:
-                self._controller.main_screen.editor.go_to(frames[0].line)
+                self._editor.go_to(frames[0].line)
             self._events.flush()
-        self._controller.look()
+        self._display.update()
 
     def on_finished(self, event: RunFinished) -> None:
         """Sum the run up, unless another robot was chosen meanwhile."""
-        controller = self._controller
-        if event.robot not in (None, controller.donnie.session.name):
+        display = self._display
+        if event.robot not in (None, self._ctx.donnie.session.name):
             return
         self._stop_reminder()
         self.show_past()
-        controller.ask_distances()
+        display.ask_distances()
         self._events.take()
-        controller.display.move((event.event.pose,))
+        display.move((event.event.pose,))
         self.polling.end()
         if event.errors and self._runs.is_whole:
-            controller.main_screen.editor.go_to(event.errors[0].line, event.errors[0].column)
+            self._editor.go_to(event.errors[0].line, event.errors[0].column)
         self._runs.sum_up(event.robot)
         self._events.flush()
         if event.errors and self._runs.is_whole:
-            controller.display.acted()
-            controller.display.looked()  # the status line is about the first mistake, not the log's last one
+            display.acted()
+            display.looked()  # the status line is about the first mistake, not the log's last one
         elif event.errors:
-            controller.display.keep(lines_of(event.errors[0], controller.words)[0])
-        controller.look()
+            display.keep(lines_of(event.errors[0], self._ctx.words)[0])
+        display.update()
 
     # --- which robot, and where it stands
 
     def robot_changed(self) -> None:
         """The learner talks to another robot, or it stands elsewhere: the map shows its way."""
-        controller = self._controller
+        display, donnie = self._display, self._ctx.donnie
         self._runs.forget_ended()
         self._stop_reminder()
         if self._runs.state is RunState.READY:
             self.polling.end()
         else:
             self.polling.begin()
-        controller.display.show_world()
-        controller.display.begin(controller.donnie.session.pose, fresh=True)
+        display.show_world()
+        display.begin(donnie.session.pose, fresh=True)
         self._runs.to_present()
         self._past = None
-        controller.display.show_past(controller.donnie.chronicle.timeline())
-        controller.look()
+        display.show_past(donnie.chronicle.timeline())
+        display.update()
 
     def show_past(self) -> None:
         """The map as STEP BACK left it, or as it is now."""
         past, before = self._runs.past, self._past
         self._past = past
         if past is not None:
-            self._controller.display.show_past(past)
+            self._display.show_past(past)
         elif before is not None:
             before.go_to(len(before))
-            self._controller.display.show_past(before)
+            self._display.show_past(before)

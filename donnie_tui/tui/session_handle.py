@@ -33,6 +33,15 @@ class SessionHandle:
             controller.ctx.runs.is_busy or bool(controller.donnie.team.running)
         )
 
+    @property
+    def next_world(self) -> str:
+        """The world in which the screen is to come back; empty where it is not."""
+        return self.controller.next_world if self.controller is not None else ""
+
+    @property
+    def left_for_linear(self) -> bool:
+        return self.controller is not None and self.controller.left_for_linear
+
     def give_up_search(self) -> bool:
         """Whether a robot was looked for."""
         controller = self.controller

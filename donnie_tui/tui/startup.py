@@ -173,7 +173,7 @@ class Startup:
     async def _open(self, opening: Coroutine[None, None, None]) -> None:
         await opening
         if self._session.controller is not None:
-            self._session.controller.look()
+            self._session.controller.display.update()
         self._opened()
 
     def _opened(self) -> None:

@@ -22,6 +22,7 @@ from textual.widgets import Input, TextArea
 
 from donnie_tui.settings.settings import Settings
 from donnie_tui.tui import themes
+from donnie_tui.tui.environment import wants_mouse
 from donnie_tui.tui.terminal_output import Painted
 from language.source import HARMFUL
 
@@ -73,10 +74,11 @@ class TerminalApp(App[int], inherit_bindings=False):
 
     # --- the looks
 
-    def apply_theme(self, settings: Settings) -> None:
-        """Take the theme of the settings, where there are colours."""
+    def apply_settings(self, settings: Settings) -> None:
+        """Take the theme from the settings, where there are colours, and the use of the mouse."""
         if not self.no_color:
             self.theme = themes.name_of(settings.theme)
+        use_mouse(self._driver, wanted=wants_mouse(settings))
 
     def get_css_variables(self) -> dict[str, str]:
         """Worked out once for each theme, which stays as it is."""

@@ -63,9 +63,9 @@ class FullScreen:
 
     @property
     def _left_for(self) -> str:
-        if self._app.next_world:
-            return f"world {self._app.next_world}"
-        if self._app.left_for_linear:
+        if self._app.session.next_world:
+            return f"world {self._app.session.next_world}"
+        if self._app.session.left_for_linear:
             return "other mode"
         return "" if self._app.is_running and not self._app._exit else "end"
 

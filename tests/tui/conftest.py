@@ -98,7 +98,7 @@ class ScreenDriver:
     def load(self, text: str, breakpoints: frozenset[int] = frozenset()) -> None:
         """Another program in the editor."""
         self.place.editor.show(text, breakpoints)
-        self.app.controller.look()
+        self.app.controller.display.update()
 
     async def run(self, text: str) -> None:
         """The program, run with F5 to its end."""

@@ -244,7 +244,7 @@ async def test_linear_leaves_with_the_text_and_its_file(work, program):
         await desk.type_line("linear")
         await desk.until(lambda: not desk.app.is_running, "the end")
 
-        assert desk.app.left_for_linear
+        assert desk.app.session.left_for_linear
         assert desk.place.editor.text == "XFW 1\nTR 90"
         assert desk.app.controller.workspace.document.path == program
 

@@ -164,7 +164,7 @@ async def test_linear_as_the_only_line_and_enter_changes_the_mode(work, word):
     async with work() as desk:
         desk.place.editor.load_text(word)
         await desk.press("enter")
-        await desk.until(lambda: desk.app.left_for_linear, "the way out")
+        await desk.until(lambda: desk.app.session.left_for_linear, "the way out")
 
         assert desk.place.editor.text == ""
 
@@ -195,7 +195,7 @@ async def test_linear_in_a_program_is_text(work, tmp_path):
         burst(desk, *"LINEAR", "enter", "a")
         await desk.until(lambda: desk.place.editor.text == "LINEAR\na")
 
-        assert not desk.app.left_for_linear
+        assert not desk.app.session.left_for_linear
 
 
 async def test_the_first_line_names_the_way_to_the_linear_mode(work):
@@ -208,7 +208,7 @@ async def test_leaving_for_the_linear_mode_leaves_no_copy(work, tmp_path):
         await desk.press(*"FW")
         await desk.until(lambda: list(tmp_path.rglob("*.gd")), "the copy")
         await desk.type_line("LINEAR")
-        await desk.until(lambda: desk.app.left_for_linear, "the way out")
+        await desk.until(lambda: desk.app.session.left_for_linear, "the way out")
 
     assert list(tmp_path.rglob("*.gd")) == []
 

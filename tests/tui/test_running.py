@@ -278,7 +278,7 @@ async def test_a_look_at_a_program_paints_only_what_is_new(work, monkeypatch):
             painted(each, monkeypatch) for each in (place.editor, place.inspector, place.log_rows)
         )
 
-        desk.app.controller.look()
+        desk.app.controller.display.update()
         await desk.painted()
         assert (text, variables, log) == ([], [], [])
 

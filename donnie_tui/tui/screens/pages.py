@@ -10,8 +10,9 @@ it, an empty one for none, or None if the learner went back.
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping, Sequence
-from typing import TYPE_CHECKING, ClassVar
+from typing import ClassVar
 
+from msgspec import Struct
 from textual import events
 from textual.app import ComposeResult
 from textual.binding import Binding, BindingType
@@ -25,9 +26,6 @@ from donnie_tui.commands.lookup import word_of
 from donnie_tui.core.wording import Wording
 from donnie_tui.tui.widgets.command_line import InputLine
 from donnie_tui.tui.widgets.rows import TextRows
-
-if TYPE_CHECKING:
-    from donnie_tui.tui.help_pages import TourPage
 
 
 class Help(ModalScreen[None]):
@@ -68,6 +66,13 @@ class Help(ModalScreen[None]):
             self.dismiss(None)
         else:
             self._further()
+
+
+class TourPage(Struct, frozen=True):
+    """A page of the tour: what stands above it, and its lines."""
+
+    title: str
+    lines: tuple[str, ...]
 
 
 class Tour(Help):
