@@ -176,8 +176,8 @@ def _always() -> bool:
     return True
 
 
-class Walk(Struct, frozen=True):
-    """What becomes of a walk."""
+class WalkResult(Struct, frozen=True):
+    """How far a walk led, and what ended it."""
 
     metres: float
     steps: int
@@ -219,10 +219,10 @@ class Mover:
 
     def walk(
         self, start: Spot, bearing: Bearing, steps: int, going: Going = _always, careful: bool = False
-    ) -> Walk:
+    ) -> WalkResult:
         """Up to ``steps`` steps forward or backward: ``bearing`` is FRONT or BACK.
 
-        Beside a very long wall this takes its time: ``going`` is asked now and then whether to go on; if
+        Along a very long wall this takes its time: ``going`` is asked now and then whether to go on; if
         not, the walk does not happen.
         """
         angle = start.yaw + (180.0 if bearing is Bearing.BACK else 0.0)
@@ -234,14 +234,14 @@ class Mover:
                 done += free
                 continue
             if done % STEPS_A_QUESTION == STEPS_A_QUESTION - 1 and not going():
-                return Walk(0.0, 0, StoppedBy.USER)
+                return WalkResult(0.0, 0, StoppedBy.USER)
             if self.is_blocked(here, bearing):
-                return Walk(done * STEP, done, StoppedBy.OBSTACLE)
+                return WalkResult(done * STEP, done, StoppedBy.OBSTACLE)
             contact = self.contact(here, angle, STEP)
             if contact.metres < STEP - TOUCHING:
-                return Walk(done * STEP + contact.metres, done, self._stopped_by(contact))
+                return WalkResult(done * STEP + contact.metres, done, self._stopped_by(contact))
             done += 1
-        return Walk(steps * STEP, steps, None)
+        return WalkResult(steps * STEP, steps, None)
 
     def turn(self, spot: Spot, degrees: int) -> int:
         """How many of ``degrees`` (counter-clockwise if positive) the robot can turn, whole ones."""

@@ -213,7 +213,7 @@ Line = tuple[tuple[float, float], ...]
 class Device(Enum):
     RANGER = "ranger"
     EYES = "eyes"
-    """Tells colours apart: a blobfinder."""
+    """Distinguishes colours: a blobfinder."""
     CAMERA = "camera"
     BUMPER = "bumper"
     GRIPPER = "gripper"

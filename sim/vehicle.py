@@ -383,13 +383,13 @@ class Vehicle:
         self._pushing.take_along(advance, angle)
 
     def show(self) -> None:
-        """Tell where it is just now, some 20 times a second of real time; nothing at unlimited speed."""
+        """Reports the current pose, some 20 times a second of real time; not at unlimited speed."""
         speed, seconds = self.clock.speed, self.clock.seconds
         if speed is not None and self.watcher is not None and seconds - self._shown > 0.9 * SLICE * speed:
             self._shown = seconds
             self.watcher.passing(pose_of(self.here.truth))
 
     def report(self, motion: Motion) -> None:
-        """Tell that it has come a whole step, or so many degrees, further."""
+        """Reports one more whole step, or so many degrees."""
         if self.watcher is not None:
             self.watcher.progressed(motion, pose_of(self.here.belief))

@@ -13,7 +13,7 @@ from msgspec import Struct
 from worlds import path
 
 WORDS = ".toml"
-"""Beside ``maze.world`` lies ``maze.toml`` with its words."""
+"""``maze.toml`` next to ``maze.world`` has its words."""
 ENGLISH = "en"
 LARGEST = 100_000
 """Bytes of words that are read."""
@@ -28,7 +28,7 @@ class Difficulty(Enum):
     """Sensors and loops."""
     HARD = "hard"
     """A program that decides for itself."""
-    UNTOLD = ""
+    UNSTATED = ""
     """The author of a world says nothing of it."""
 
 
@@ -66,14 +66,14 @@ class BadWords(Exception):
         """Where it can't be read, if that is known."""
 
 
-def file_beside(world: str) -> str | None:
-    """The file with an author's words beside a world file; None where there is none."""
+def words_file(world: str) -> str | None:
+    """The path of the file with the author's words for a world file; None where there is none."""
     file = _file_of(world)
     return str(file) if file.is_file() else None
 
 
-def beside(world: str, language: str) -> About | None:
-    """What the author of a world file says of it in a file beside it, None without one. Raises ``BadWords``.
+def about_file(world: str, language: str) -> About | None:
+    """What the author of a world file says of it in its file of words, None without one. Raises ``BadWords``.
 
     In that language if it is there, else in English, else in the first one of the file.
     """

@@ -55,7 +55,7 @@ def start(order: Order) -> int:
 
 
 def _see(settings: Settings, along: _Luggage) -> int:
-    from donnie_tui.tui.terminal import prepare
+    from donnie_tui.tui.environment import prepare
 
     prepare(settings)
     from donnie_tui.tui.full_screen import run_full_screen

@@ -51,7 +51,7 @@ class Command(Struct, frozen=True, eq=False):
 _HELD, _ALWAYS = When.HELD, When.ALWAYS
 
 COMMANDS = (
-    Command("run", "run", keys=("f5", "escape"), is_godonnie=True),
+    Command("run", "run", _HELD, keys=("f5", "escape"), is_godonnie=True),
     Command("again", "run", keys=("ctrl+k shift+a",)),
     Command("stop", "run", _ALWAYS, keys=("f8",)),
     Command("pause", "run", _ALWAYS, keys=("f6",)),
@@ -184,7 +184,7 @@ COMMANDS = (
     Command("show_variables", "run", _ALWAYS, keys=("f4",)),
     Command("language", "settings", _ALWAYS, keys=("ctrl+k f2",), argument="language"),
     Command("detail", "settings", _ALWAYS, keys=("ctrl+k semicolon",), argument="detail"),
-    Command("set", "settings", _ALWAYS, keys=("ctrl+k dollar_sign",), argument="setting"),
+    Command("set", "settings", _ALWAYS, keys=("ctrl+k comma", "ctrl+k dollar_sign"), argument="setting"),
     Command("tour", "help", keys=("ctrl+k shift+t",)),
     Command("help", "help", _ALWAYS, keys=("f1",), argument="topic", is_godonnie=True),
     Command("manual", "help", _ALWAYS, keys=("ctrl+k f1",), argument="topic"),
@@ -209,7 +209,6 @@ COMMANDS = (
     Command("theme", "settings", _ALWAYS, keys=("ctrl+k y",), argument="theme", is_visual=True),
     Command("plain", "settings", _ALWAYS, keys=("ctrl+k z",), is_visual=True),
     Command("redraw", "settings", _ALWAYS, keys=("ctrl+k f5",), is_visual=True),
-    Command("settings", "settings", _ALWAYS, keys=("ctrl+k comma",), is_visual=True, in_words="set"),
     Command("change_keys", "settings", _ALWAYS, keys=("ctrl+k shift+k",), is_visual=True),
     Command("keys_here", "help", _ALWAYS, keys=("ctrl+k 0",), is_visual=True, in_words="help"),
     Command("open_log", "read", _ALWAYS, keys=("ctrl+k g",), is_visual=True, in_words="show_log"),

@@ -23,6 +23,7 @@ from donnie_tui.core.program_files import (
     program_to_open,
     program_to_save,
     read_program,
+    save_question,
     saved_text,
     write_program,
 )
@@ -201,7 +202,9 @@ async def _save(ctx: Context, name: str) -> bool:
     if str(path) in ctx.donnie.in_use:
         raise DocumentError("file-in-use", str(path))
     slow = ctx.words("slow-saving", name=path.name)
-    asked = await ctx.interaction.background(lambda: document.save_question(path), slow)
+    asked = await ctx.interaction.background(
+        lambda: save_question(path, document.path, document.saved_text), slow
+    )
     if asked:
         await _confirm_replacing(ctx, asked, path)
     return await ctx.interaction.finish(_write(ctx, document, path))

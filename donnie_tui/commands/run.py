@@ -29,9 +29,12 @@ LONGEST_BEGINNING = 1.0
 async def run(ctx: Context, _: str, is_whole: bool) -> None:
     """Run what was typed and has not run yet, or the whole program from the start of the world.
 
-    A program that is edited as a whole always runs as a whole.
+    A program that is edited as a whole always runs as a whole. RUN continues a program that is held.
     """
-    await run_program(ctx, is_whole=is_whole)
+    if ctx.runs.is_held and not is_whole:
+        ctx.runs.continue_()
+    else:
+        await run_program(ctx, is_whole=is_whole)
 
 
 async def run_program(

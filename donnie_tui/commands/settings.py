@@ -71,7 +71,7 @@ async def set_value(ctx: Context, argument: str) -> None:
     """SET alone lists the settings, SET name gives one with its choices, SET name value changes it."""
     name, _, typed = argument.partition(" ")
     if not name:
-        await settings(ctx, "")
+        await _list(ctx)
         return
     preference = find_preference(name, ctx.words)
     if preference is None:
@@ -90,8 +90,7 @@ async def set_value(ctx: Context, argument: str) -> None:
         await _ask_for_value(ctx, preference)
 
 
-@handles("settings")
-async def settings(ctx: Context, _: str) -> None:
+async def _list(ctx: Context) -> None:
     """One setting after the other, until the learner goes back; where there is no list, all of them."""
     words = ctx.words
     printed = [

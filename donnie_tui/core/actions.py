@@ -15,7 +15,7 @@ from itertools import groupby, takewhile
 from typing import Protocol, TypeAlias, TypeGuard
 
 from devices.ports.robot import Bearing, GripResult, Motion, Pose, Robot, RobotProblem, Sighting, StoppedBy
-from donnie_tui.core.belt import BeltFeeling
+from donnie_tui.core.belt import BeltDisplay
 from donnie_tui.core.events import (
     CueSounded,
     GripperUsed,
@@ -137,14 +137,14 @@ class RobotWatcher:
 
     def __init__(self, hub: Hub) -> None:
         self._hub = hub
-        self.belt: BeltFeeling | None = None
+        self.belt: BeltDisplay | None = None
         """Set after construction: it needs the robot, which needs its watcher first."""
 
     def progressed(self, motion: Motion, pose: Pose) -> None:  # noqa: ARG002 -- the port gives the pose
         name, bearing = _CUE_OF[motion]
         self._hub.publish(CueSounded(name, bearing, None))
         if self.belt is not None:
-            self.belt.felt()
+            self.belt.update()
 
     def passing(self, pose: Pose) -> None:
         self._hub.publish(Passing(pose))
@@ -158,7 +158,7 @@ class RobotActions:
         robot: Robot,
         hub: Hub,
         sentences: SentencePublisher,
-        belt: BeltFeeling,
+        belt: BeltDisplay,
         *,
         may_continue: Callable[[], bool],
         until_said: UntilSaid | None = None,
@@ -259,8 +259,8 @@ class RobotActions:
     def _feel(self, stopped_by: StoppedBy | None, ahead: Bearing) -> None:
         """Shows the end of a movement on the belt."""
         if stopped_by in (StoppedBy.COLLISION, StoppedBy.STALL):
-            self._belt.bumped(ahead)
-        self._belt.felt()
+            self._belt.show_bump(ahead)
+        self._belt.update()
 
     # --- sensing
 

@@ -4,7 +4,7 @@ Seven columns go around the body: from the back over the left, the front (column
 again. Both rows show the same, except for an approach. Levels are 0 off, 1 weak, 2 medium, 3 strong. The
 upper row of seven comes first.
 
-``BeltFeeling`` follows the robot's sensors as the robot moves, real or simulated. It publishes only changes,
+``BeltDisplay`` follows the robot's sensors as the robot moves, real or simulated. It publishes only changes,
 as ``belt`` events, so that learners without a belt can read or listen to them. It is called in the program's
 thread. Rule: the belt never changes what the robot does or reads.
 """
@@ -85,7 +85,7 @@ def bump(bearing: Bearing, settings: BeltSettings) -> Levels:
     return row + row
 
 
-def felt(levels: Levels, settings: BeltSettings | None = None) -> dict[Bearing, int]:
+def levels_by_bearing(levels: Levels, settings: BeltSettings | None = None) -> dict[Bearing, int]:
     """The level of each direction, without those that are off. The upper row alone may pulse."""
     columns, lower = (settings or BeltSettings()).columns, levels[COLUMNS:]
     strongest = {bearing: max((lower[each] for each in columns[bearing]), default=0) for bearing in Bearing}
@@ -96,7 +96,7 @@ def in_words(levels: Levels, wording: Wording, settings: BeltSettings | None = N
     """The levels in words: "Belt: front strong, front right weak."."""
     parts = [
         f"{wording(f'belt-{bearing.name.lower()}')} {wording(_WORD_OF_LEVEL[level])}"
-        for bearing, level in felt(levels, settings).items()
+        for bearing, level in levels_by_bearing(levels, settings).items()
     ]
     return wording("belt-felt", what=", ".join(parts)) if parts else wording("belt-nothing")
 
@@ -124,7 +124,7 @@ def _row(levels: Mapping[Bearing, int], settings: BeltSettings) -> Levels:
 _CUE = "belt"
 
 
-class BeltFeeling:
+class BeltDisplay:
     """Shows the robot's surroundings on the belt while it is on."""
 
     def __init__(self, robot: Robot, hub: Hub, settings: BeltSettings) -> None:
@@ -140,7 +140,7 @@ class BeltFeeling:
         """Switches the belt on or off; on shows the surroundings at once."""
         self.is_on = on
         if on:
-            self.felt()
+            self.update()
         else:
             self._show(OFF)
 
@@ -154,7 +154,7 @@ class BeltFeeling:
         self._show(OFF)
         self._levels, self._steps = {}, {}
 
-    def felt(self) -> None:
+    def update(self) -> None:
         """Shows what changed after a small move; what came a level nearer pulses first."""
         if not self.is_on:
             return
@@ -167,7 +167,7 @@ class BeltFeeling:
             self._sound(min(nearer, key=self._steps.__getitem__))
         self._show(presence(levels, self._settings))
 
-    def bumped(self, bearing: Bearing) -> None:
+    def show_bump(self, bearing: Bearing) -> None:
         """Shows that the robot hit something there."""
         if self.is_on:
             self._show(bump(bearing, self._settings))

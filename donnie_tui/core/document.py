@@ -18,7 +18,6 @@ import msgspec
 
 from donnie_tui.core.editing import (
     Origin,
-    Replaced,
     TextEditor,
     UndoHistory,
     Version,
@@ -80,7 +79,7 @@ class Document:
         self._running: list[str] | None = None
         """The lines when a batch was taken that has not run yet."""
         self._size = 0
-        self._versions = UndoHistory()
+        self.versions = UndoHistory()
         self._editor: TextEditor | None = None
         self._is_edited_as_text = False
         """Whether it was in an editor: there a program is meant to stay from its first line on."""
@@ -93,14 +92,14 @@ class Document:
         return self._editor is not None
 
     def attach(self, editor: TextEditor) -> None:
-        """Have it shown and edited there."""
+        """Shows the document in an editor, which edits it from now on."""
         place, self._ran = self._place, 0
         self._editor, self._is_edited_as_text = editor, True
         self._show()
         editor.go_to(place or 1)
 
     def detach(self) -> None:
-        """Take over what the editor has, which shows another document from now on."""
+        """Takes over the text of the editor, which will show another document."""
         if self._editor is not None:
             self._read_editor()
             self._breakpoints, self._place = self._editor.breakpoints, self._editor.line
@@ -117,7 +116,7 @@ class Document:
             lines = lines_in(self._editor.text)
             if lines != self._lines:
                 self._lines = lines
-                self._versions.forget_undone()
+                self.versions.forget_undone()
 
     # --- the text
 
@@ -234,16 +233,6 @@ class Document:
         is_program = self.path is not None or self._is_edited_as_text or is_long
         return is_program and not self.is_saved and bool(self.text.strip())
 
-    def save_question(self, path: Path) -> str:
-        """The code of the question before a save replaces ``path``; empty where nothing would be lost."""
-        from donnie_tui.core.program_files import changed_since, exists, is_same_file
-
-        if not exists(path):
-            return ""
-        if self.path is None or not is_same_file(path, self.path):
-            return "ask-replace"
-        return "ask-replace-changed" if changed_since(path, self.saved_text) else ""
-
     # --- running
 
     @property
@@ -302,7 +291,7 @@ class Document:
             return True
         self.rejected = next((line for line in self._unrun if line.strip()), None)
         del self._lines[self._ran :]
-        self._versions.forget_lines(self._ran)
+        self.versions.forget_lines(self._ran)
         return False
 
     # --- changing
@@ -314,7 +303,7 @@ class Document:
             self.insert(len(self.lines) + 1, line)
             return
         line = self._cleaned(line)
-        self._versions.add_line(len(self._lines))
+        self.versions.add_line(len(self._lines))
         self._lines.append(line)
 
     def change(self, number: int, line: str) -> None:
@@ -374,15 +363,15 @@ class Document:
             before = self.text
             self.rewrite(before[:start] + text + before[end:])
         else:
-            self._versions.forget_undone()
+            self.versions.forget_undone()
             self._editor.replace_range(start, end, self._cleaned(text))
 
     def replace(self, text: str, path: Path | None, *, in_file: str | None = None) -> None:
         """Put another program in its place, which waits. ``in_file``: the text of its file, if it differs."""
         self.rejected = None
-        self._versions.forget_undone()
+        self.versions.forget_undone()
         if self.lines:
-            self._versions.add(self._version(self._origin))
+            self.versions.add(self._version(self._origin))
         self._lines = lines_in(text)
         self._ran = self._place = 0
         self.was_opened = bool(self._lines)
@@ -403,17 +392,17 @@ class Document:
     def _edit(self, lines: list[str], breakpoints: frozenset[int], touched: int) -> None:
         """Make a change from line ``touched`` on. Where it had run the whole program waits again."""
         if self._editor is not None:
-            self._versions.forget_undone()
+            self.versions.forget_undone()
             self._editor.change_lines(lines)
             self._lines = lines
             return
-        self._versions.add(self._version(None))
+        self.versions.add(self._version(None))
         self._lines, self._breakpoints = lines, breakpoints
         if touched <= self._ran:
             self._ran = 0
 
     def _cleaned(self, text: str) -> str:
-        """The text without control characters. Counts all that was ever typed: that needs no adding up."""
+        """The text without control characters. Its size is added to all that was ever typed."""
         text = cleaned(text)
         if self._size + len(text) + 1 > LARGEST:
             raise ProgramTooLong
@@ -430,7 +419,7 @@ class Document:
         """
         if self._editor is not None and (changed := self._step_in_editor(self._editor.undo)) is not None:
             return changed
-        before = self._versions.undo(self._version_now)
+        before = self.versions.undo(self._version_now)
         if isinstance(before, int):  # a line that was added last is removed, whether it has run or not
             before = Version(self._lines[:before], min(self._ran, before), self._runs)
         return None if before is None else self._become(before)
@@ -439,13 +428,8 @@ class Document:
         """Redo the change that was undone last; as ``undo``."""
         if self._editor is not None and (changed := self._step_in_editor(self._editor.redo)) is not None:
             return changed
-        after = self._versions.redo(self._version_now)
+        after = self.versions.redo(self._version_now)
         return None if after is None else self._become(after)
-
-    @property
-    def replaced(self) -> tuple[Replaced, ...]:
-        """The unsaved programs that UNDO or REDO would restore, the oldest first."""
-        return self._versions.replaced
 
     def _step_in_editor(self, step: Callable[[], None]) -> int | None:
         """A step in the editor's own history; None where it changed nothing."""

@@ -1,6 +1,6 @@
-"""The lines that the learner typed, in this session and in earlier ones.
+"""The lines that the learner typed in this session and in earlier ones, and the keys that recall them.
 
-Rule: the file is optional. A problem with it is not reported and affects nothing else.
+The file that keeps them is optional. A problem with it is not reported and affects nothing else.
 """
 
 from __future__ import annotations
@@ -34,7 +34,7 @@ class LineHistory:
                 _add(self._file, [line])
 
     def trim(self) -> None:
-        """Shorten the file to what is remembered, once it has grown to twice that."""
+        """Shortens the file to the remembered lines, when it has grown to twice as many."""
         file = self._file
         if file and len(_read(file)) > 2 * KEPT:
             with contextlib.suppress(OSError):
@@ -47,7 +47,7 @@ class LineHistory:
 
 
 class Recall:
-    """One walk through the past, from the line that is being typed."""
+    """Recalls line by line, from the line that is being typed."""
 
     def __init__(self, past: LineHistory, draft: str = "") -> None:
         self._lines = [*past.lines, draft]

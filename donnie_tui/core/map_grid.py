@@ -1,8 +1,8 @@
-"""The map as letters: the floor of a world, the robot's trail on it, its start and the robot itself.
+"""The floor of a world as letters, with one robot, its start and its trail; and the trail in words.
 
-Values only, for every front end. Cells are counted from the south-west corner of the simulator's picture, a
-step each (several in a very large world). The floor has no end: beyond the picture it is free. The trail is
-bounded; its oldest cells are forgotten first.
+Cells are counted from the south-west corner of the simulator's picture. A cell is one step wide, or several
+in a very large world. The floor has no end: beyond the picture it is free. The trail is bounded: its oldest
+cells are forgotten first.
 """
 
 from __future__ import annotations
@@ -26,7 +26,7 @@ TRAIL, START, FREE, WALL = "o", "A", ".", "#"
 LONGEST_TRAIL = 5000
 """Cells of the trail that are kept; a learner's world has some 1600 in all."""
 FARTHEST = 10**9
-"""Cells beyond which the map does not follow."""
+"""The distance in cells up to which the map follows the robot."""
 
 _ARROWS = ("^", "/", ">", "\\", "v", "/", "<", "\\")
 
@@ -50,7 +50,7 @@ class Kind(Enum):
     OTHER = "other"
     """Another robot."""
     RAY = "ray"
-    """What a sensor looked along."""
+    """The line along which a sensor measured."""
 
 
 class Bounds(Struct, frozen=True):
@@ -70,13 +70,13 @@ class Bounds(Struct, frozen=True):
         return self.top - self.bottom + 1
 
     def around(self, cell: Cell) -> Bounds:
-        """Widened so that the cell is inside."""
+        """The same, widened so that the cell is inside."""
         return Bounds(
             min(self.left, cell.x), min(self.bottom, cell.y), max(self.right, cell.x), max(self.top, cell.y)
         )
 
     def part(self, cell: Cell, widest: int, highest: int) -> Bounds:
-        """What is seen of it with the cell in the middle, as far as there is something on all sides."""
+        """A part of at most that size, with the cell in its middle unless an edge is near."""
         left, right = _part(self.left, self.right, cell.x, widest)
         bottom, top = _part(self.bottom, self.top, cell.y, highest)
         return Bounds(left, bottom, right, top)
@@ -100,7 +100,7 @@ class MapGrid:
         self.begin(pose)
 
     def begin(self, pose: Pose) -> frozenset[Cell]:
-        """The robot starts here, and nothing has been walked yet. The cells that may look different."""
+        """Starts here, without a trail. Returns the cells that may look different."""
         before = frozenset((*self._trail, self.start, self.robot))
         self._trail.clear()
         self._order.clear()
@@ -111,7 +111,7 @@ class MapGrid:
         return before | {self.start}
 
     def move(self, pose: Pose) -> frozenset[Cell]:
-        """The robot is there now, in a straight line from where it was. The cells that look different."""
+        """Moves the robot there in a straight line. Returns the cells that look different."""
         cell, arrow = self.cell_of(pose), arrow_of(pose.heading)
         if (cell, arrow) == (self.robot, self._arrow):
             return frozenset()
@@ -148,14 +148,14 @@ class MapGrid:
         return picture.left + cell.x * picture.cell, picture.bottom + cell.y * picture.cell
 
     def thing(self, cell: Cell) -> Thing | None:
-        """What stands there, if anything does: of several the one whose middle is nearest."""
+        """The thing at a cell; of several, the one whose middle is nearest."""
         letter, (x, y) = self.floor_letter(cell), self.place(cell)
         alike = [each for each in self.picture.things if each.letter == letter]
         return min(alike, key=lambda each: hypot(each.x - x, each.y - y), default=None)
 
     @property
     def bounds(self) -> Bounds:
-        """The picture, and wherever the robot has been beyond it."""
+        """The picture, and all cells beyond it where the robot was."""
         return self._bounds
 
     def letter(self, cell: Cell) -> str:
@@ -177,7 +177,7 @@ class MapGrid:
         return {WALL: Kind.WALL, FREE: Kind.FREE}.get(self.floor_letter(cell), Kind.THING)
 
     def floor_letter(self, cell: Cell) -> str:
-        """What stands there, the robot and its trail apart: ``WALL``, ``FREE`` or the letter of a thing."""
+        """The letter without the robot and its trail: ``WALL``, ``FREE`` or that of a thing."""
         if 0 <= cell.x < self.picture.width and 0 <= cell.y < self.picture.height:
             return self.picture.rows[self.picture.height - 1 - cell.y][cell.x]
         return FREE
@@ -192,13 +192,13 @@ class MapGrid:
 
 
 def floor_size(picture: Picture) -> tuple[int, int]:
-    """Steps from west to east and from south to north, the walls around it apart."""
+    """The steps from west to east and from south to north, without the walls around the floor."""
     columns = ["".join(column) for column in zip(*picture.rows, strict=True)]
     return _inner(columns) * picture.cell, _inner(picture.rows) * picture.cell
 
 
 def _inner(lines: Sequence[str]) -> int:
-    """How many lines there are without those that are nothing but wall at either end."""
+    """The number of lines, without those at either end that are only wall."""
     walls = [line == WALL * len(line) for line in lines]
     return len(walls) - walls[0] - walls[-1] if len(walls) > 2 else len(walls)
 

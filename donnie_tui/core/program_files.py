@@ -168,6 +168,18 @@ def changed_since(path: Path, known: str) -> bool:
         return False
 
 
+def save_question(path: Path, own: Path | None, known: str) -> str:
+    """The code of the question before a save replaces ``path``; empty where nothing would be lost.
+
+    ``own`` is the file of the program, and ``known`` its text when it was last read or written.
+    """
+    if not exists(path):
+        return ""
+    if own is None or not is_same_file(path, own):
+        return "ask-replace"
+    return "ask-replace-changed" if changed_since(path, known) else ""
+
+
 def decode(data: bytes, name: str) -> str:
     """UTF-8, else the old Windows code page of our learners' languages; cleaned. Raises ``DocumentError``."""
     if len(data) > LARGEST:

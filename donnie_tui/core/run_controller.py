@@ -1,9 +1,8 @@
-"""The runs of a world's robots: starting, holding, stepping and stopping them, for every front end.
+"""Starts, pauses, steps and stops the runs of a world's robots, for every front end.
 
-Requests come from a front end's thread and
-never wait. Holds and ends come from the program's thread, which publishes their sentences, so that they stand
-in order after all that the program said. A front end learns of them as a ``RunObserver`` and calls ``sum_up``
-once a run is over.
+Requests come from a front end's thread and don't wait for the program. The program's thread publishes the
+sentences about its pauses and its end, so that they follow all that the program said. A front end learns
+about both as a ``RunObserver``, and calls ``sum_up`` when a run is over.
 """
 
 from __future__ import annotations
@@ -31,6 +30,7 @@ from donnie_tui.core.run_state import (
     NothingRuns,
     NothingToRun,
     Request,
+    RunNarrator,
     RunObserver,
     RunRecord,
     RunState,
@@ -47,7 +47,6 @@ from language.runtime import Frame
 from language.source import fold_name
 
 if TYPE_CHECKING:
-    from donnie_tui.core.stepping import Stepping
     from donnie_tui.core.timeline import Timeline
 
 LONGEST_PAUSE = 1.0
@@ -150,7 +149,7 @@ class RunController:
         record = RunRecord(
             session,
             request,
-            self.watched,
+            self._narrator(session, request),
             is_attended=not is_unattended,
             is_steppable=not is_unattended,
             is_background=is_background,
@@ -208,10 +207,11 @@ class RunController:
         names = tuple(name for name in self._team.names if name in programs)
 
         def prepare(session: Session, run: Run) -> None:
+            request = programs[session.name]
             record = RunRecord(
                 session,
-                programs[session.name],
-                self.watched,
+                request,
+                self._narrator(session, request),
                 is_steppable=not self._has_prompt,
                 is_background=True,
             )
@@ -220,6 +220,9 @@ class RunController:
 
         runs = self._team.start_together(programs, RunOptions(terminal=False), prepare=prepare)
         return dict(zip(names, runs, strict=True))
+
+    def _narrator(self, session: Session, request: RunRequest) -> RunNarrator:
+        return RunNarrator(session, request, self.watched, self._words, self._chronicle)
 
     def _follow(self, record: RunRecord, control: ExecutionControl) -> None:
         record.control = control
@@ -271,8 +274,8 @@ class RunController:
         self.past = None
         if record is not None:
             record.holds, record.is_silent, record.is_stepped = False, True, is_step
-            if record.stepping is not None and not is_step:
-                record.stepping.run_on()
+            if record.narrator.stepping is not None and not is_step:
+                record.narrator.stepping.run_on()
         if run is not None:  # else it has just ended
             ask(run.control)
 
@@ -282,8 +285,10 @@ class RunController:
         is_first_step = self.past is None
         past = self.past = self.past or self._chronicle.timeline()
         record = self._record
-        if record is not None and record.stepping is not None:
-            return record.stepping.step_back(past, self._session.variables, is_first_step=is_first_step)
+        if record is not None and record.narrator.stepping is not None:
+            return record.narrator.stepping.step_back(
+                past, self._session.variables, is_first_step=is_first_step
+            )
         from donnie_tui.core.stepping import undo_event
 
         return (undo_event(past, self._words),)
@@ -309,6 +314,8 @@ class RunController:
             self.stop()
             return True
         running = self._team.running
+        for each in self._records.values():
+            each.was_stopped_with_all = each.is_current
         self.note_stop()
         self._team.stop()
         attended = [each.session for each in self._records.values() if each.is_attended and each.is_current]
@@ -375,42 +382,19 @@ class RunController:
 
     def _on_control(self, record: RunRecord, state: ControlState) -> None:
         if state is ControlState.PAUSED and record.control is not None:
-            self._describe_hold(record, record.control.held_at)
+            was_paused, record.is_pausing = record.is_pausing, False
+            self._answer(
+                *record.narrator.on_hold(
+                    record.control.held_at, was_paused=was_paused, is_steppable=record.is_steppable
+                )
+            )
             record.was_described.set()
             record.holds = record.is_steppable
         self.observer.on_change()
 
-    def _describe_hold(self, record: RunRecord, place: tuple[int, int]) -> None:
-        frames = record.session.frames
-        if not frames:
-            return
-        self._answer(*record.changes(frames[0].variables, self._words))
-        was_paused, record.is_pausing = record.is_pausing, False
-        if was_paused or not place[0]:
-            self._answer_of(record.session, "answer-paused-at", line=frames[0].line)
-        if not record.is_steppable:
-            return
-        if record.stepping is None:
-            record.stepping = self._new_stepping(record, is_first=not was_paused)
-        self._answer(*record.stepping.on_hold(place, frames))
-
-    def _new_stepping(self, record: RunRecord, *, is_first: bool) -> Stepping:
-        from donnie_tui.core.stepping import Stepping  # only programs that are held
-
-        request = record.request
-        return Stepping(
-            record.session.parse(request.text, request.first_line).program,
-            request.lines or request.text.split("\n"),
-            self._words,
-            last_seq=lambda: self._chronicle.last_seq,
-            is_first=is_first,
-        )
-
     def _look(self, record: RunRecord) -> None:
         """Before each statement, where variables are watched."""
-        frames = record.session.frames if self.watched else ()
-        if frames:
-            self._answer(*record.changes(frames[0].variables, self._words))
+        self._answer(*record.narrator.on_statement())
 
     def _on_event(self, stamped: Stamped) -> None:
         event = stamped.event
@@ -426,24 +410,16 @@ class RunController:
         match event:
             case RunStarted():
                 own.is_silent = True
-            case Read() if own.stepping is not None:
-                own.stepping.on_read(event)
+            case Read() if own.narrator.stepping is not None:
+                own.narrator.stepping.on_read(event)
             case RunEnded():
-                self._describe_end(own, event)
+                self._answer(*own.narrator.on_end(event))
+                if event.outcome is Outcome.COMPLETED and own.is_silent and own.is_background:
+                    self._answer_of(own.session, "run-done")
                 own.has_ended = True
                 self.observer.on_change()
             case _:
                 pass
-
-    def _describe_end(self, record: RunRecord, event: RunEnded) -> None:
-        """What the program leaves: the last changes, and what ended the loop that was stepped through."""
-        run = record.session.run
-        if run is None or not run.was_refused:
-            self._answer(*record.changes(event.variables.items(), self._words))
-        if event.outcome is Outcome.COMPLETED and record.stepping is not None:
-            self._answer(*record.stepping.on_end())
-        if event.outcome is Outcome.COMPLETED and record.is_silent and record.is_background:
-            self._answer_of(record.session, "run-done")
 
     # --- after the end of a run
 
@@ -458,7 +434,7 @@ class RunController:
             return
         run.wait(LAST_WORDS)
         record.is_summed_up = True
-        if run.outcome is Outcome.STOPPED:
+        if run.outcome is Outcome.STOPPED and not record.was_stopped_with_all:
             self._answer_stopped(record.session, record)
         if record.is_background:
             return

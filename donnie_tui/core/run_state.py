@@ -1,4 +1,4 @@
-"""The state of runs: what a front end can request in which state, what is known of a run, and its mistakes.
+"""The state of runs: what a front end can request in which state, what is said of a run, and its mistakes.
 
 ``TRANSITIONS`` says in which state a run takes which request. Of several mistakes the first one counts until
 the learner asks for another: it is the one to correct first.
@@ -11,10 +11,11 @@ from collections.abc import Callable, Iterable, Sequence
 from enum import Enum, auto
 from typing import TYPE_CHECKING, TypeAlias
 
-from donnie_tui.core.events import Error, RunStarted, Stamped
+from donnie_tui.core.events import Error, Outcome, RunEnded, RunStarted, Stamped
 from donnie_tui.core.runner import Run, RunRequest
 from donnie_tui.core.session import Session
-from donnie_tui.core.transcript import lines_of, lines_with_robot_name
+from donnie_tui.core.timeline import Chronicle
+from donnie_tui.core.transcript import lines_of, lines_with_robot_name, with_robot_name
 from donnie_tui.core.wording import Wording
 from language.control import ControlState, ExecutionControl
 from language.source import fold_name
@@ -119,13 +120,13 @@ class RunRecord:
         self,
         session: Session,
         request: RunRequest,
-        watched: Sequence[str],
+        narrator: RunNarrator,
         *,
         is_attended: bool = True,
         is_steppable: bool = True,
         is_background: bool = False,
     ) -> None:
-        self.session, self.request = session, request
+        self.session, self.request, self.narrator = session, request, narrator
         self.is_background = is_background
         """Whether the learner does not wait for it: its end gets few words."""
         self.is_attended = is_attended
@@ -140,17 +141,14 @@ class RunRecord:
         """Whether a pause was asked for."""
         self.was_described = threading.Event()
         """Set when a hold was described."""
+        self.was_stopped_with_all = False
+        """Whether STOP ALL stopped it, whose answer is about all robots."""
         self.holds = False
         """Whether a hold was described that no request has answered."""
         self.is_silent = True
         """Whether nothing was said since it began or since the last request."""
         self.is_stepped = False
         """Whether the last request was for one step: the learner waits for what it does."""
-        self.stepping: Stepping | None = None
-        self._watched = watched
-        remembered = {} if request.is_whole else session.variables
-        self._known = {fold_name(name): value for name, value in remembered.items()}
-        """Variables by folded name, as they were when they were compared last."""
 
     @property
     def is_current(self) -> bool:
@@ -165,16 +163,76 @@ class RunRecord:
             return RunState.READY
         return STATE_OF.get(self.control.state, RunState.RUNNING)
 
-    def changes(self, variables: Iterable[tuple[str, int]], words: Wording) -> tuple[str, ...]:
+
+class RunNarrator:
+    """What is said about one run: at its holds, when a watched variable changes, and at its end."""
+
+    def __init__(
+        self,
+        session: Session,
+        request: RunRequest,
+        watched: Sequence[str],
+        words: Wording,
+        chronicle: Chronicle,
+    ) -> None:
+        self._session, self._request, self._watched = session, request, watched
+        self._words, self._chronicle = words, chronicle
+        self.stepping: Stepping | None = None
+        """From the first hold that is described in full."""
+        remembered = {} if request.is_whole else session.variables
+        self._known = {fold_name(name): value for name, value in remembered.items()}
+        """Variables by folded name, as they were when they were compared last."""
+
+    def on_statement(self) -> tuple[str, ...]:
+        """The changes of watched variables before a statement."""
+        frames = self._session.frames if self._watched else ()
+        return self._changes(frames[0].variables) if frames else ()
+
+    def on_hold(self, place: tuple[int, int], *, was_paused: bool, is_steppable: bool) -> tuple[str, ...]:
+        """The sentences of a hold before the statement at that line and column, or within one at line 0."""
+        frames, words = self._session.frames, self._words
+        if not frames:
+            return ()
+        sentences = [*self._changes(frames[0].variables)]
+        if was_paused or not place[0]:
+            paused = words("answer-paused-at", line=frames[0].line)
+            sentences.append(with_robot_name(self._session.hub.robot, paused, words))
+        if is_steppable:
+            self.stepping = self.stepping or self._new_stepping(is_first=not was_paused)
+            sentences += self.stepping.on_hold(place, frames)
+        return tuple(sentences)
+
+    def on_end(self, event: RunEnded) -> tuple[str, ...]:
+        """The last changes, and what ended the loop that was stepped through."""
+        run = self._session.run
+        was_refused = run is not None and run.was_refused
+        changes = () if was_refused else self._changes(event.variables.items())
+        if event.outcome is Outcome.COMPLETED and self.stepping is not None:
+            return (*changes, *self.stepping.on_end())
+        return changes
+
+    def _changes(self, variables: Iterable[tuple[str, int]]) -> tuple[str, ...]:
         """A sentence for each watched variable that has changed; each change once."""
         if not self._watched:
             return ()
         now = {fold_name(name): value for name, value in variables}
         from donnie_tui.core.stepping import changes  # few learners watch a variable
 
-        sentences = tuple(changes(self._watched, self._known, now, words))
+        sentences = tuple(changes(self._watched, self._known, now, self._words))
         self._known |= now
         return sentences
+
+    def _new_stepping(self, *, is_first: bool) -> Stepping:
+        from donnie_tui.core.stepping import Stepping  # only programs that are held
+
+        request = self._request
+        return Stepping(
+            self._session.parse(request.text, request.first_line).program,
+            request.lines or request.text.split("\n"),
+            self._words,
+            last_seq=lambda: self._chronicle.last_seq,
+            is_first=is_first,
+        )
 
 
 # --- mistakes

@@ -18,7 +18,7 @@ from devices.ports.robot import Pace, Pose, Robot, Watcher
 from donnie_tui import __version__
 from donnie_tui.core.actions import GripperCommand, GripperRun, MovedThings, RobotActions, RobotWatcher
 from donnie_tui.core.announcer import Announcer
-from donnie_tui.core.belt import BeltFeeling, BeltSettings
+from donnie_tui.core.belt import BeltDisplay, BeltSettings
 from donnie_tui.core.events import HowStarted, Outcome, Reset, RunStarted, Sensed
 from donnie_tui.core.hub import Hub, Stream
 from donnie_tui.core.outlets import UntilSaid
@@ -142,7 +142,7 @@ class Session:
     def _take(self, make_robot: MakeRobot) -> None:
         watcher = RobotWatcher(self.hub)
         self._robot = make_robot(self._pace, watcher)
-        self._belt = watcher.belt = BeltFeeling(self._robot, self.hub, self._setup.belt)
+        self._belt = watcher.belt = BeltDisplay(self._robot, self.hub, self._setup.belt)
         self._actions = RobotActions(
             self._robot,
             self.hub,

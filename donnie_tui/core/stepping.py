@@ -1,10 +1,10 @@
-"""A program that is stepped through: what each step did, what is next, and the way back.
+"""Describes a program that is stepped through: what each step did, what is next, and the way back.
 
-``Stepping`` keeps the holds of one run, each with its sentences and its variables. ``StepNarrator`` puts one
-hold into words: the statement that is next, rounds of loops, and what a condition found. A condition is
-computed again from the variables and from the sensor readings since the last hold.
+``Stepping`` keeps the holds of one run, each with its sentences and its variables. ``StepNarrator`` makes the
+sentences of a hold: the statement that is next, the round of a loop, the result of a condition. It computes a
+condition again, from the variables and from the sensor readings since the last hold.
 
-Where the program ran on between two holds, STEP BACK undoes event by event, in the words of ``retelling``.
+If the program ran on between two holds, STEP BACK undoes event by event, with the sentences of ``replay``.
 Memory is bounded: the newest holds are kept, and only the first events of a long step are listed.
 """
 
@@ -89,8 +89,11 @@ class Stepping:
         return self._narrator.on_end()
 
     def on_hold(self, place: tuple[int, int], frames: Sequence[Frame]) -> tuple[str, ...]:
-        """The sentences of a hold before the statement at that line and column: the result of the last one,
-        and what is next. None at line 0, where the program is held within a statement."""
+        """The sentences of a hold before the statement at that line and column.
+
+        They have the result of the last statement, and what is next. There are none at line 0, where the
+        program is held within a statement.
+        """
         if not place[0]:
             return ()
         sentences = self._narrator.on_hold(*place, frames)
@@ -100,7 +103,7 @@ class Stepping:
         return sentences
 
     def run_on(self) -> None:
-        """The program does more than one step from here."""
+        """Notes that the program runs more than one step from here."""
         self._narrator.lose_count()
         self._ran_on = True
 
@@ -172,7 +175,7 @@ class _Round(Struct):
     loop: Statement
     calls: int
     count: int | None
-    """None where its beginning was not seen."""
+    """The number of the round; None where the beginning of the loop was not seen."""
     total: int | None = None
     has_gone_round: bool = False
 
@@ -197,7 +200,7 @@ class StepNarrator:
         self._rounds: list[_Round] = []
         self._before: Statement | None = None
         self._variables: Mapping[str, int] = {}
-        """Those that could be seen there."""
+        """The variables at that statement."""
         self._is_first = is_first
         self._level = self._calls = 0
 
@@ -206,12 +209,12 @@ class StepNarrator:
         self._reads.append(event.value)
 
     def lose_count(self) -> None:
-        """Statements run without a hold: the number of the round is not known any more."""
+        """Forgets the numbers of the rounds, as statements run without a hold."""
         self._rounds.clear()
         self._before, self._is_first = None, False
 
     def on_hold(self, line: int, column: int, frames: Sequence[Frame]) -> tuple[str, ...]:
-        """The program holds before that statement: the result of the last one, and what is next."""
+        """The result of the last statement, and what is next. The program holds before that one."""
         statement, level = self._found.get((line, column), (None, 0))
         variables = {fold_name(name): value for name, value in frames[0].variables} if frames else {}
         sentences = [*self._condition()]
@@ -223,7 +226,7 @@ class StepNarrator:
         return tuple(sentences)
 
     def on_end(self) -> tuple[str, ...]:
-        """The program is over: the result of the statement before which it was held last."""
+        """The result of the last statement, at the end of the program."""
         return tuple(self._condition())
 
     # --- the statement that is next
@@ -258,7 +261,7 @@ class StepNarrator:
             yield from self._round_in_words(current, variables)
 
     def _begins(self, loop: Statement, calls: int) -> bool:
-        """Whether the loop begins here: the statement before it was outside. Else it may be any round."""
+        """Whether this is the first round: the statement before was outside of the loop."""
         if self._before is None:
             return self._is_first
         was_inside = loop.span.start <= self._before.span.start < loop.span.end
@@ -294,7 +297,7 @@ class StepNarrator:
                 yield self._condition_in_words(condition, left, right)
 
     def _counted(self, loop: For, reads: Iterator[int]) -> Iterator[tuple[str, int]]:
-        """Its variable as it was set before the condition; nothing where the beginning was not seen."""
+        """The loop's variable as set before the condition; nothing if the beginning was not seen."""
         current = self._rounds[-1]
         if current.count is None and not current.has_gone_round:
             return

@@ -6,7 +6,7 @@ the movements for them.
 The voice takes its text from here, so that all that is spoken is also printed. Text from a program is made
 printable here, so that it can't move a cursor.
 
-``SummingUp`` sums up movements that come faster than a learner can follow. While a program runs at the
+``SummaryFilter`` sums up movements that come faster than a learner can follow. While a program runs at the
 robot's pace, at most ``MOST`` lines are printed in a second. Only the sentences "a movement was done" and
 "this is where it led" may be summed up. What the program says, what is seen, obstacles, mistakes and answers
 are always printed in order, each after the sum of what was before it. The stream keeps everything: a
@@ -259,7 +259,7 @@ class _Robot(Struct):
     omitted: _Omitted = field(default_factory=_Omitted)
 
 
-class SummingUp:
+class SummaryFilter:
     """The filter for a learner at a prompt: sums up movements that come too fast."""
 
     def __init__(self, wording: Wording, now: Callable[[], float], is_wanted: Callable[[], bool]) -> None:

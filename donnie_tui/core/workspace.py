@@ -194,7 +194,9 @@ class Workspace:
     def _replaced(self) -> list[Replaced]:
         """The unsaved programs that others took the place of, the newest last."""
         present = {Replaced(each.text, each.path) for each in self.documents}
-        found = [each for document in self.documents for each in document.replaced if each not in present]
+        found = [
+            each for document in self.documents for each in document.versions.replaced if each not in present
+        ]
         return list(dict.fromkeys(found))[-MOST_REPLACED:]
 
     # --- copies

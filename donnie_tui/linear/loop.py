@@ -115,7 +115,7 @@ class TypedLines:
         A program that was opened and never run does not run because the learner leaves.
         """
         program, block = self._ctx.program, self._ctx.program.open_block
-        if self._quit_was_refused:
+        if self._quit_was_refused or (block is None and not program.is_waiting):
             self._leaving.leave(0)
         elif program.was_opened and program.is_waiting:
             self._leaving.report_waiting_lines()
@@ -387,8 +387,12 @@ class RunLoop(RunObserver):
 
     def _act_while_held(self, typed: Typed, line: str) -> None:
         word = keywords.canonical(line)
-        if typed.how in (How.INTERRUPTED, How.CLOSED) or word in ("QUIT", "EXIT"):
+        if typed.how in (How.INTERRUPTED, How.CLOSED):
             self._stop()
+        elif word in ("QUIT", "EXIT"):
+            self._leaving.leave(0)
+            if self._leaving.code is not None:
+                self._stop()
         elif typed.how is How.ESCAPE or word == "RUN":
             self._runs.continue_()
         elif typed.how is How.TOO_LONG:

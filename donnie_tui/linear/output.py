@@ -31,7 +31,7 @@ from donnie_tui.commands.dispatch import perform
 from donnie_tui.commands.interaction import drive
 from donnie_tui.core.answer_log import LONGEST_ANSWER
 from donnie_tui.core.events import TRANSIENT, Announced, Answered, Stamped
-from donnie_tui.core.transcript import SummingUp, printed_lines
+from donnie_tui.core.transcript import SummaryFilter, printed_lines
 from donnie_tui.linear.console import Console
 from donnie_tui.linear.greeting import PROMPT
 from language.control import ControlState
@@ -211,7 +211,7 @@ class Listener:
         self._is_typing = self._has_lines = False
         """Whether a line is being typed, and whether events were published meanwhile."""
         console.lines_wait = lambda: self._has_lines and bool(queue)
-        self._summing_up = SummingUp(
+        self._summing_up = SummaryFilter(
             donnie.words, console.now, lambda: is_paced and donnie.session.speed is not None
         )
         told_as_printed = donnie.outlets.audible.speak_only(self._summing_up)

@@ -26,11 +26,12 @@ from donnie_tui.settings.settings import Settings
 from donnie_tui.tui.beginning import Beginning
 from donnie_tui.tui.coming import Coming
 from donnie_tui.tui.ending import Ending
+from donnie_tui.tui.environment import is_plain, wants_mouse
 from donnie_tui.tui.keyboard import STOPS, Keyboard, bindings
 from donnie_tui.tui.screen_host import ScreenHost
 from donnie_tui.tui.screens.workplace import Workplace
 from donnie_tui.tui.session_behind import SessionBehind
-from donnie_tui.tui.terminal import TerminalApp, is_plain, use_mouse, wants_mouse
+from donnie_tui.tui.terminal import TerminalApp, use_mouse
 from donnie_tui.tui.widgets.command_line import CommandLine
 from donnie_tui.tui.widgets.editor import Editor
 from donnie_tui.tui.widgets.rows import KeyLine, TextRows

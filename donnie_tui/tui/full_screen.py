@@ -14,7 +14,7 @@ from donnie_tui.robot.search import Search
 from donnie_tui.settings.parsing import SERIAL
 from donnie_tui.settings.settings import Settings
 from donnie_tui.tui.app import DonnieApp
-from donnie_tui.tui.terminal import wants_mouse
+from donnie_tui.tui.environment import wants_mouse
 
 if TYPE_CHECKING:
     from donnie_tui.bootstrap import Donnie

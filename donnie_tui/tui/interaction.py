@@ -44,7 +44,7 @@ class ScreenInteraction:
         self, question: str, text: str = "", accepts: Callable[[str], str | None] | None = None
     ) -> str | None:
         await asyncio.sleep(0)
-        return await self._host.ask(question, self._words("ask-keys"), text, accepts)
+        return await self._host.ask(question, self._words("ask-keys"), text, accepts) or None
 
     async def choose(
         self,
@@ -62,9 +62,10 @@ class ScreenInteraction:
     async def confirm(self, question: str) -> bool | None:
         def unclear(typed: str) -> str | None:
             is_clear = not typed.strip() or answered(typed) is not None
-            return None if is_clear else f"{self._words('ask-yes-no')} {question}"
+            return None if is_clear else f"{self._words('yes-or-no')} {question}"
 
-        typed = await self.ask(question, accepts=unclear)
+        await asyncio.sleep(0)
+        typed = await self._host.ask(question, self._words("ask-keys"), "", unclear)
         return None if typed is None else bool(answered(typed))
 
     async def edit_line(self, question: str, text: str = "") -> str | None:

@@ -54,7 +54,7 @@ def remarks(world: ChosenWorld, words: Wording) -> tuple[str, ...]:
 def _bad_words(world: ChosenWorld, words: Wording) -> tuple[str, ...]:
     """Why the author's words can't be used, if there are any."""
     try:
-        worlds.words.beside(world.path, words.language)
+        worlds.words.about_file(world.path, words.language)
     except worlds.words.BadWords as problem:
         code = "key" if problem.key else "line" if problem.line else "file"
         code = "difficulty" if problem.key == "difficulty" else code
@@ -84,12 +84,12 @@ class ChosenWorld(Struct, frozen=True):
 
     def about(self, language: str) -> About | None:
         """Title, description and task; None for a world file without a file of words."""
-        from worlds.words import BadWords, about, beside
+        from worlds.words import BadWords, about, about_file
 
         if self.ships:
             return about(self.name, language)
         try:
-            return beside(self.path, language)
+            return about_file(self.path, language)
         except BadWords:
             return None  # reported when the world was loaded
 
@@ -110,9 +110,9 @@ def files_of(world: ChosenWorld) -> tuple[str, ...]:
 def _own_words(world: ChosenWorld) -> tuple[str, ...]:
     if world.ships:
         return ()
-    from worlds.words import file_beside
+    from worlds.words import words_file
 
-    file = file_beside(world.path)
+    file = words_file(world.path)
     return (file,) if file else ()
 
 

@@ -10,8 +10,8 @@ MOST = {
     "donnie_tui": 351,
     "devices": 0,
     "language": 0,
-    "sim": 4,
-    "worlds": 5,
+    "sim": 0,
+    "worlds": 0,
     "tests": 3,
     "docs": 0,
 }

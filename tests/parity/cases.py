@@ -89,7 +89,7 @@ OF_EDITING = _listed(
     "DELETE 5, REDO, FORMAT, UNDO, TRANSLATE pt, UNDO, DELETE 1 99, DELETE 1 8"
 )
 OF_SETTINGS = _listed(
-    "SET, CONFIGURE, "
+    "SET, CONFIGURE, SETTINGS, "
     "SPEED, SPEED 7, FASTER, SLOWER, SPEED 0, SET speech, SET speech off, SET speech nonsense, SET "
     "page ask, SET clock on, AROUND, SET theme light, SET nonsense, SET clock off, DETAIL, DETAIL "
     "nonsense, DETAIL full, WHERE, DETAIL brief, WHERE, LANGUAGE, LANGUAGE nonsense, LANGUAGE pt, ONDE, "

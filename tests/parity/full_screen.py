@@ -93,7 +93,7 @@ class FullScreen:
         if not is_asking and any(not worker.is_finished for worker in app.workers):
             return False
         is_followed = (app.work.ctx.runs.state is RunState.READY) == (app.work.donnie.session.run is None)
-        return is_followed and self._recorder.is_at_rest()
+        return is_followed and self._recorder.is_at_rest(app.work.ctx.runs)
 
 
 def _in_front(screen: Screen[object]) -> tuple[str, tuple[str, ...]]:

@@ -177,7 +177,7 @@ class LinearMode:
                 raise self._trouble
             if self.left_for or not self._thread.is_alive():
                 return
-            if self._console.waits and self._recorder.is_at_rest() and self._console.waits:
+            if self._console.waits and self._recorder.is_at_rest(self._talk.ctx.runs) and self._console.waits:
                 return
             time.sleep(0.001)
         raise AssertionError(f"the conversation never came to rest: {self._console.printed[-500:]}")

@@ -21,6 +21,7 @@ from donnie_tui.core.events import (
     Waited,
     as_record,
 )
+from donnie_tui.core.run_controller import RunController
 from language.control import ControlState
 
 _OF_THE_SCREEN = (Passing, Sensed, Pointed, Chimed)
@@ -92,7 +93,7 @@ class Recorder:
                 pass
         self.stamped.append(stamped)
 
-    def is_at_rest(self) -> bool:
+    def is_at_rest(self, runs: RunController) -> bool:
         """Whether every program is over, is held, or is in a WAIT that does not end during a test."""
         for name in self.donnie.team.names:
             session = self.donnie.team.session(name)
@@ -101,6 +102,8 @@ class Recorder:
                 continue
             state = run.control.state
             if state is ControlState.PAUSED:
+                if not _is_described(runs, session.hub.robot):
+                    return False
                 continue
             if state in _UNSTABLE or not self._waiting.get(session.hub.robot):
                 return False
@@ -111,6 +114,14 @@ class Recorder:
         """What was published since the last time, as lines of text."""
         taken, self.stamped = self.stamped, []
         return tuple(line for each in taken for line in _lines(each))
+
+
+def _is_described(runs: RunController, robot: str | None) -> bool:
+    """Whether the program's thread has said where the program is held."""
+    record = runs._records.get(robot)
+    if record is None or not record.is_current:
+        return True
+    return record.holds if record.is_steppable else record.was_described.is_set()
 
 
 def _lines(stamped: Stamped) -> Iterable[str]:

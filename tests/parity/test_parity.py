@@ -1,8 +1,7 @@
 """Every word of the use cases has the same outcome in the linear mode and on the full screen.
 
 Idle, while a program runs, and while one is held; alone, with what may follow it, and with what may not.
-Where the two still differ, ``differences.toml`` says so, and what is decided. Nothing else may differ, and
-every case that stands there must.
+What may differ is in ``rules.py``.
 """
 
 from __future__ import annotations
@@ -14,27 +13,21 @@ import pytest
 from donnie_tui.commands.declarations import COMMANDS
 from donnie_tui.commands.lookup import words_of
 from tests.parity.cases import GROUPS, HELD, IDLE, RUNNING, Group
+from tests.parity.compare import in_linear_mode, on_full_screen
 from tests.parity.rules import is_same
-from tests.parity.table import decisions, differences, outcomes, shown
 
 
 @pytest.mark.parametrize("group", GROUPS, ids=lambda each: each.cases[0])
 async def test_a_line_has_the_same_outcome_in_both_front_ends(group: Group, tmp_path: Path) -> None:
-    known = differences()
-    wrong: list[str] = []
-    for case, line, linear, screen in await outcomes(group, tmp_path):
-        differs = not is_same(case, line, linear, screen)
-        if differs and case not in known:
-            wrong.append(f"{case}\n  linear: {shown(linear)}\n  screen: {shown(screen)}")
-        elif not differs and case in known:
-            wrong.append(f"{case}\n  no longer differs: take it out of differences.toml (table.py does that)")
+    linear = in_linear_mode(group, tmp_path / "linear")
+    screen = await on_full_screen(group, tmp_path / "screen")
+    wrong = [
+        f"{case}\n  linear: {of_linear.as_text()}\n  screen: {of_screen.as_text()}"
+        for case, line, of_linear, of_screen in zip(group.cases, group.lines, linear, screen, strict=True)
+        if not is_same(case, line, of_linear, of_screen)
+    ]
+
     assert not wrong, "\n".join(wrong)
-
-
-def test_the_table_has_only_existing_cases_and_made_decisions() -> None:
-    cases = {case for group in GROUPS for case in group.cases}
-    assert [case for case in differences() if case not in cases] == []
-    assert {each.decision for each in differences().values()} == set(decisions())
 
 
 @pytest.mark.parametrize("situation", [IDLE, RUNNING, HELD])

@@ -25,7 +25,7 @@ PROGRAMS = {
 }
 ELSEWHERE = {"quit", "visual", "connect"}
 """They leave, or look for devices."""
-NOT_ALONE = {"open", "save_as", "save_log", "run_to"}
+NOT_ALONE = {"open", "save_as", "save_log", "run_to", "search"}
 """The linear mode asks for their argument or explains it."""
 SETTING = {"en": ["SET page off"], "pt": ["AJUSTAR página nada"], "es": ["AJUSTAR página nada"]}
 DRAWN = {"map_picture"}

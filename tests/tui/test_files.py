@@ -331,7 +331,7 @@ async def test_a_wrong_answer_to_yes_or_no_is_reported_and_typed_over(work, tmp_
         await desk.type_line(f"SAVE AS {there}")
         await desk.answer("perhaps")
         asked = desk.app.screen.query_one("#asked")
-        await desk.until(lambda: str(asked.render()).startswith("Type yes or no."), "the way to answer")
+        await desk.until(lambda: str(asked.render()).startswith("Type y or n."), "the way to answer")
         await desk.press("n", "o", "enter")
         await desk.until(lambda: desk.app.screen is desk.place, "the answer")
 

@@ -51,7 +51,7 @@ def test_a_key_may_be_given_to_another_action():
     assert "f5" not in table.of("run")
     assert table.label("run", "en") == "Ctrl+K 9"
     assert table.of("pause") == ("f6",)
-    assert table.action_of("f5") == "step"
+    assert table.command_of("f5") == "step"
 
 
 @pytest.mark.parametrize("key", ["f9", "escape", "ctrl+e", "alt+x", "shift+f3", "ctrl+k 9", "ctrl+k enter"])
@@ -148,7 +148,7 @@ async def test_an_action_that_loses_its_key_is_reported(work):
 async def test_all_keys_can_be_reset(work, tmp_path):
     async with work() as desk:
         change(desk.app.work.ctx, "keys", "run f9")
-        await desk.told("Keys: F9 RUN.")
+        await desk.shows("Keys: F9 RUN.")
         await open_keys(desk)
         await choose(desk, *"as they came")
         await desk.shows("Keys: as they came.")
@@ -289,7 +289,7 @@ async def test_a_question_and_its_keys_are_whole_on_a_small_terminal(work):
         await desk.until(lambda: desk.app.screen is not desk.place, "the question")
         await desk.pilot.pause()
         shown = " ".join(desk.screen.split())
-        assert "new program is not saved. Save it? yes or no:" in shown
+        assert "1 line is not saved. Save first, y or n? Enter means no." in shown
         assert "Enter answers, Esc goes back" in shown
         await desk.press("escape", "ctrl+p")
         await desk.until(lambda: "Type what to do" in desk.screen, "the list")

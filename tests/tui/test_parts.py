@@ -237,7 +237,7 @@ async def test_undo_goes_from_the_last_key_back_to_the_program_before():
         assert (document.undo(), document.lines) == (1, ("BW 1",))
         assert (document.undo(), document.lines) == (ANOTHER_PROGRAM, ("FW",))
         assert (document.redo(), document.lines) == (ANOTHER_PROGRAM, ("BW 1",))
-        assert [each.text for each in document.replaced] == ["FW\n"]
+        assert [each.text for each in document.versions.replaced] == ["FW\n"]
 
 
 async def test_a_line_that_is_only_ended_is_undone_before_the_program():

@@ -57,18 +57,18 @@ async def test_enter_alone_leaves_a_question_as_it_says(work) -> None:  # type: 
         assert desk.app.screen is desk.place
 
 
-async def test_enter_alone_is_neither_yes_nor_no(work) -> None:  # type: ignore[no-untyped-def]
+async def test_enter_alone_means_no_and_recover_restores_the_program(work) -> None:  # type: ignore[no-untyped-def]
     async with work("FW 1") as desk:
-        await desk.press("ctrl+q")
-        await desk.until(lambda: desk.app.screen is not desk.place, "the question")
+        await desk.press("ctrl+n")
+        await desk.until(lambda: "Enter means no." in desk.screen, "the question")
         await desk.press("enter")
-        await desk.until(lambda: "Type yes or no." in desk.screen, "the question again")
+        await desk.until(lambda: desk.app.work.text == "", "the new program")
 
-        await desk.press("escape")
-        await desk.until(lambda: desk.app.screen is desk.place, "the workplace")
+        await desk.type_line("RECOVER")
+        await desk.until(lambda: desk.app.work.text == "FW 1", "the program")
 
 
-@pytest.mark.parametrize("typed", ["SAVE", "SAVE AS", "NEW", "OPEN", "QUIT", "SAVE LOG", "WORLD maze"])
+@pytest.mark.parametrize("typed", ["SAVE", "SAVE AS", "NEW", "OPEN", "QUIT", "SAVE LOG"])
 async def test_a_cancelled_question_reports_that_nothing_changed(work, typed) -> None:  # type: ignore[no-untyped-def]
     async with work("FW 1") as desk:
         await desk.type_line(typed)
@@ -86,7 +86,7 @@ async def test_a_missing_name_for_saving_first_is_reported_once(work) -> None:  
     async with work("FW 1") as desk:
         await desk.press("ctrl+n")
         await desk.answer("yes")
-        await desk.until(lambda: "Save as:" in desk.screen, "the question for the name")
+        await desk.until(lambda: "Which file name?" in desk.screen, "the question for the name")
         await desk.press("enter")
         await desk.shows("Nothing was changed.")
         await desk.type_line("WHERE")

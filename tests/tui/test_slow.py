@@ -204,10 +204,11 @@ async def test_another_command_cancels_opening_and_that_is_reported(work, monkey
     async with work() as desk:
         await desk.type_line(f"OPEN {path}")
         await desk.shows("Opening walk.gd, it takes a while.")
-        await desk.type_line("GO TO 1")
+        await desk.type_line("OPEN")
         await desk.shows("Nothing was changed.")
+        await desk.press("escape")
         gate.set()
-        await desk.until(has_read.is_set, "the file that nobody wants any more")
+        await desk.until(has_read.is_set, "the file that is no longer wanted")
         await asyncio.to_thread(has_read.wait)  # what came of it is at the screen before this is
         await desk.type_line("POS")
         await desk.shows("> POS")

@@ -184,11 +184,11 @@ async def test_what_is_chosen_about_the_voice_counts_at_once(work, tmp_path, mon
     monkeypatch.setenv("XDG_CONFIG_HOME", str(tmp_path))
     async with work() as desk:
         change(desk.app.work.ctx, "rate", "300")
-        await desk.told("Words a minute: 300.")
+        await desk.shows("Set rate: 300.")
         audible: Audible = desk.app.work.donnie.outlets.audible
         assert audible.settings.rate == 300
         change(desk.app.work.ctx, "wait_for_speech", "on")
-        await desk.told("Programs wait for the voice: on.")
+        await desk.shows("Set wait_for_speech: on.")
         assert audible.settings.wait_for_speech
 
 
@@ -204,7 +204,7 @@ async def test_each_sound_has_a_volume_of_its_own_that_is_chosen_from_a_list(
         await desk.press(*"bump", "enter")
         await desk.until(lambda: "bump: A collision. Off." in desk.screen, "the volumes")
         await desk.press(*"off", "enter")
-        await desk.shows("Sounds, each: bump 0.")
+        await desk.shows("Set cue bump: off.")
         await desk.press("escape")
         await desk.until(lambda: desk.app.screen is desk.place, "the workplace")
         assert audible.settings.cues == {"bump": 0}

@@ -44,7 +44,7 @@ def test_a_procedure_is_typed_run_watched_stopped_and_left(terminal):
     donnie.type(F8)
     donnie.shows("Stopped at line 6.")
     donnie.type(CTRL_Q)
-    donnie.shows("is not saved. Save it? yes or no:")
+    donnie.shows("is not saved. Save first, y or n?")
     donnie.type("no" + ENTER)
 
     assert donnie.ended() == 0
@@ -68,7 +68,7 @@ def test_a_signal_halts_keeps_the_text_and_gives_the_terminal_back(terminal, tmp
     assert donnie.ended() == 128 + number
     assert left_as_found(donnie)
     copies = list((tmp_path / ".local/state/donnie/unsaved").glob("*.gd"))
-    assert [each.read_text(encoding="utf-8") for each in copies] == ["FW 1000"]
+    assert [each.read_text(encoding="utf-8") for each in copies] == ["FW 1000\n"]
 
 
 @pytest.mark.parametrize("controls", [True, False], ids=["heard", "unheard"])
@@ -83,7 +83,7 @@ def test_a_lost_line_halts_and_keeps_the_text(terminal, tmp_path, controls):
 
     assert donnie.process.wait(PATIENCE) == 128 + signal.SIGHUP
     copies = list((tmp_path / ".local/state/donnie/unsaved").glob("*.gd"))
-    assert [each.read_text(encoding="utf-8") for each in copies] == ["FW 1000"]
+    assert [each.read_text(encoding="utf-8") for each in copies] == ["FW 1000\n"]
 
 
 def test_ctrl_space_offers_words_and_ctrl_z_takes_back_what_was_chosen(terminal):

@@ -39,7 +39,7 @@ def test_it_works_on_this_kind_of_terminal(terminal, name):
     donnie.type("\x1b[15~" if name != "linux" else "\x1b[[E")
     donnie.shows("The program is done.")
     donnie.type(CTRL_Q)
-    donnie.shows("yes or no:")
+    donnie.shows("Save first, y or n?")
     donnie.type("no" + ENTER)
 
     assert donnie.ended() == 0

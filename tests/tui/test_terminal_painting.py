@@ -95,6 +95,6 @@ def test_the_cursor_stands_right_after_what_is_typed(terminal):
     donnie.type("\x1b[D")
     donnie.until(lambda: under_the_cursor(donnie) == ("> FW 1", "2"), "the cursor at the last letter")
     donnie.type(CTRL_Q)
-    donnie.shows("yes or no:")
+    donnie.shows("Save first, y or n?")
     donnie.type("maybe")
     donnie.until(lambda: under_the_cursor(donnie) == ("maybe", " "), "the cursor after the answer")

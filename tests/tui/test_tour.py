@@ -11,7 +11,7 @@ from tests.tui.conftest import WAITING
 
 async def touring(desk) -> None:  # type: ignore[no-untyped-def]
     desk.app.work.do("tour")
-    await desk.until(lambda: "Tour, page" in desk.screen and "Enter goes on" in desk.screen, "the tour")
+    await desk.until(lambda: "Tour, page" in desk.screen and "Enter continues" in desk.screen, "the tour")
 
 
 async def closed(desk) -> None:  # type: ignore[no-untyped-def]

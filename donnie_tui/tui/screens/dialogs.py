@@ -1,4 +1,4 @@
-"""A question at the bottom of the screen, answered by typing. Esc, or Enter alone, goes back.
+"""A question at the bottom of the screen, answered by typing. Esc goes back.
 
 A list to choose from: the palette, worlds, robots, recent programs, the outline, settings.
 
@@ -28,7 +28,7 @@ from donnie_tui.tui.widgets.rows import TextRows
 
 
 class Question(ModalScreen[str | None]):
-    """Asks for one line. ``accepts`` answers what is wrong with an answer, or None if nothing is."""
+    """Asks for one line; None after Esc. ``accepts`` returns what is wrong with an answer, or None."""
 
     BINDINGS: ClassVar[list[BindingType]] = [Binding("escape", "go_back", show=False, priority=True)]
     AUTO_FOCUS = "#answer"
@@ -69,7 +69,7 @@ class Question(ModalScreen[str | None]):
             self.query_one(InputLine).select_all()
             self._point(wrong)
         else:
-            self.dismiss(answer or None)
+            self.dismiss(answer)
 
     def action_go_back(self) -> None:
         self.dismiss(None)

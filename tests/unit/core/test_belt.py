@@ -6,7 +6,7 @@ import pytest
 
 from devices.ports.robot import Bearing, Pose
 from donnie_tui.core import belt
-from donnie_tui.core.belt import OFF, BeltSettings, bump, felt, in_words, presence, pulse, rows
+from donnie_tui.core.belt import OFF, BeltSettings, bump, in_words, levels_by_bearing, presence, pulse, rows
 from donnie_tui.core.events import (
     Answered,
     BeltShown,
@@ -71,7 +71,7 @@ def test_felt_directions_are_described_in_words(language: str, sentence: str) ->
     levels = (0, 0, 0, 3, 3, 0, 0, 0, 0, 0, 3, 1, 0, 0)
 
     assert in_words(levels, Words(language)) == sentence
-    assert felt(levels) == {Bearing.FRONT: 3, Bearing.FRONT_RIGHT: 1}
+    assert levels_by_bearing(levels) == {Bearing.FRONT: 3, Bearing.FRONT_RIGHT: 1}
     assert rows(levels) == ((0, 0, 0, 3, 3, 0, 0), (0, 0, 0, 3, 1, 0, 0))
 
 

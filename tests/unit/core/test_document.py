@@ -11,8 +11,9 @@ from donnie_tui.core.document import (
     Batch,
     Document,
     ProgramTooLong,
-    Replaced,
 )
+from donnie_tui.core.editing import Replaced
+from donnie_tui.core.program_files import save_question
 
 
 def typed(*lines: str) -> Document:
@@ -325,10 +326,10 @@ def test_a_replaced_program_is_known_while_no_file_contains_it() -> None:
     program.replace("X\n", Path("other.gd"))
     program.add("Y")
     program.replace("", None)
-    assert program.replaced == (Replaced("A\n", None), Replaced("X\nY\n", Path("other.gd")))
+    assert program.versions.replaced == (Replaced("A\n", None), Replaced("X\nY\n", Path("other.gd")))
 
     program.undo()
-    assert program.replaced == (Replaced("A\n", None),)
+    assert program.versions.replaced == (Replaced("A\n", None),)
 
 
 def test_no_command_adds_a_line_with_control_characters() -> None:
@@ -347,13 +348,15 @@ def test_a_question_comes_before_another_text_is_lost(tmp_path: Path) -> None:
     other.write_text("")
     program.mark_saved(own)
 
-    assert [program.save_question(each) for each in (own, other, tmp_path / "new.gd")] == [
+    assert [
+        save_question(each, program.path, program.saved_text) for each in (own, other, tmp_path / "new.gd")
+    ] == [
         "",
         "ask-replace",
         "",
     ]
     own.write_text("FW 2\n")
-    assert program.save_question(own) == "ask-replace-changed"
+    assert save_question(own, program.path, program.saved_text) == "ask-replace-changed"
 
 
 def test_a_word_is_searched_from_the_line_that_was_read_last_and_once_round() -> None:

@@ -14,7 +14,7 @@ from donnie_tui.core.events import (
     Stamped,
     Turned,
 )
-from donnie_tui.core.transcript import SummingUp, printed_lines
+from donnie_tui.core.transcript import SummaryFilter, printed_lines
 from donnie_tui.i18n.words import Words
 
 HERE = Pose(0, 0, 0)
@@ -27,7 +27,7 @@ class Listener:
     def __init__(self, language: str = "en", *, has_pace: bool = True) -> None:
         self.now, self.printed, self.has_pace = 0.0, list[str](), has_pace
         self._words = Words(language)
-        self._summing_up = SummingUp(self._words, lambda: self.now, lambda: self.has_pace)
+        self._summing_up = SummaryFilter(self._words, lambda: self.now, lambda: self.has_pace)
 
     def receive(self, *events: Event, robot: str | None = None) -> None:
         for each in events:
@@ -189,7 +189,7 @@ def test_unprinted_movements_are_summed_up_when_the_speed_becomes_unlimited() ->
 
 def test_every_listener_gets_the_same_answer_about_an_event() -> None:
     """The voice says what is printed."""
-    summing_up = SummingUp(Words("en"), lambda: 0.0, lambda: True)
+    summing_up = SummaryFilter(Words("en"), lambda: 0.0, lambda: True)
     for event in [each for _ in range(6) for each in walk()]:
         stamped = Stamped(1, 0.0, event)
         asked = [(summing_up.before(stamped), summing_up.passes(stamped)) for _ in range(3)]

@@ -41,8 +41,8 @@ class Server:
 
     def has_said(self, words: str) -> bool:
         """Wait for a text with these words; False if it never comes."""
-        with self.heard:
-            return self.heard.wait_for(lambda: any(words in each for each in self.texts[-9:]), PATIENCE)
+        with self.changed:
+            return self.changed.wait_for(lambda: any(words in each for each in self.texts[-9:]), PATIENCE)
 
     def end(self, number: int) -> None:
         """Report the end of a message, numbered from 1."""
