@@ -16,7 +16,7 @@ from donnie_tui.cli.streams import Output
 from donnie_tui.core.program_files import LARGEST, DocumentError, decode, read_to_the_end, write_program
 from donnie_tui.i18n.mistakes import remark
 from donnie_tui.i18n.words import Unusable, Words
-from donnie_tui.settings.settings import Source as Origin
+from donnie_tui.settings.settings import SettingSource
 from language.checker import check as hints_for
 from language.diagnostics import MOST_MISTAKES, Diagnostic, Severity
 from language.formatter import formatted
@@ -112,7 +112,7 @@ def complain(diagnostics: tuple[Diagnostic, ...], source: Source, words: Words, 
 
 def _colours(order: Order) -> frozenset[str] | None:
     """What the robot sees, if a world was named; every colour of the language otherwise."""
-    if order.settings.source_of("world") is not Origin.OPTION:
+    if order.settings.source_of("world") is not SettingSource.OPTION:
         return None
     from donnie_tui.bootstrap import colours_of_world
 
