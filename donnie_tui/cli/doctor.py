@@ -20,7 +20,7 @@ from msgspec import Struct, field
 import donnie_tui
 from devices.audio.channel import Channel, DetectedEnvironment, choose_channel
 from devices.audio.cues import load_user_sounds, unknown_sound_files
-from donnie_tui.cli.front_ends import cause_of_linear, process_environment
+from donnie_tui.cli.front_end import cause_of_linear, process_environment
 from donnie_tui.cli.options import ExitCode, Order
 from donnie_tui.cli.streams import is_terminal
 from donnie_tui.core.program_files import exists
@@ -80,7 +80,7 @@ def amiss(code: str, **values: object) -> Finding:
 def examine(
     settings: Settings, environment: Mapping[str, str], cause_of_linear: str | None
 ) -> Iterator[Finding]:
-    """All looks, one after the other. ``cause_of_linear`` as ``front_ends`` has it."""
+    """All findings, one after the other. ``cause_of_linear`` as ``front_end`` has it."""
     python = ".".join(map(str, sys.version_info[:3]))
     yield well("doctor-version", version=donnie_tui.__version__, python=python)
     yield from look_at_packages()
@@ -300,7 +300,7 @@ def _short(value: object) -> str:
 
 
 def doctor(order: Order) -> int:
-    """Tell all findings as they are made. The exit code is 0: having looked is what was asked for."""
+    """Print each finding as it is made. The exit code is 0, whatever was found."""
     problems = 0
     cause = cause_of_linear(None, order.settings.linear, process_environment(order.environment))
     for finding in examine(order.settings, order.environment, cause):

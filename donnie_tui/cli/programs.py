@@ -105,7 +105,7 @@ def line_for(diagnostic: Diagnostic, source: Source, words: Words) -> str:
 
 
 def complain(diagnostics: tuple[Diagnostic, ...], source: Source, words: Words, output: Output) -> None:
-    """Tell mistakes where they are not what was asked for."""
+    """Print mistakes as complaints, where they are not what was asked for."""
     for each in diagnostics:
         output.complaint(line_for(each, source, words))
 

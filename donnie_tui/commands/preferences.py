@@ -230,7 +230,7 @@ def value_typed(preference: Preference, typed: str, words: Words) -> str | None:
     return typed
 
 
-def choices_in_words(preference: Preference, words: Words) -> str:
+def values_in_words(preference: Preference, words: Words) -> str:
     """What the setting can be."""
     key = preference.key
     if preference.numbers is not None:

@@ -198,7 +198,7 @@ class Settings(Struct, frozen=True):
     reset_line: str = "auto"
     """What restarts a board by force."""
     linear: bool | None = None
-    """What the settings file says; the variables and the options are weighed in ``cli.front_ends``."""
+    """What the settings file says; the variables and the options are weighed in ``cli.front_end``."""
     theme: str = "dark"
     """The look of the full screen."""
     plain: bool | None = None

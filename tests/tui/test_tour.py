@@ -80,7 +80,7 @@ async def test_it_is_in_the_learner_s_language(work, language, first, last) -> N
 async def test_a_page_is_said_whole(work, monkeypatch) -> None:  # type: ignore[no-untyped-def]
     async with work() as desk:
         said: list[str] = []
-        monkeypatch.setattr(desk.app.controller.talk, "point", said.append)
+        monkeypatch.setattr(desk.app.controller, "point", said.append)
         await touring(desk)
         await desk.until(lambda: said, "the first page")
 

@@ -2,7 +2,7 @@
 
 import pytest
 
-from donnie_tui.cli.front_ends import ProcessEnvironment, cause_of_linear
+from donnie_tui.cli.front_end import ProcessEnvironment, cause_of_linear
 from tests.unit.i18n.sentences import CODES
 
 TTY, PIPE = True, False

@@ -7,10 +7,10 @@ from donnie_tui.commands.preferences import (
     PREFERENCES,
     Preferences,
     Where,
-    choices_in_words,
     find_preference,
     value_typed,
     value_word,
+    values_in_words,
 )
 from donnie_tui.core.wording import spelled
 from donnie_tui.i18n.words import Words
@@ -38,7 +38,7 @@ def test_every_value_is_understood_in_every_language_and_from_the_settings(prefe
     for language in languages():
         word = value_word(preference, value, language)
         assert value_typed(preference, word, Words(language)) == value
-        assert word in choices_in_words(preference, Words(language))
+        assert word in values_in_words(preference, Words(language))
     _, notices = resolve({}, {}, {preference.key: value})
     assert notices == ()
 
