@@ -3,4 +3,4 @@
 __version__ = "0.1.0"
 
 DETAILS = ("brief", "normal", "full")
-"""How much it tells."""
+"""How much Donnie prints."""

@@ -29,7 +29,7 @@ from donnie_tui.robot.connection import Connection
 from donnie_tui.robot.search import Search
 from donnie_tui.settings.folders import BREAKPOINTS, RECENT, UNSAVED, is_new_decision, state_path
 from donnie_tui.settings.parsing import SERIAL, SIMULATED
-from donnie_tui.settings.settings import Settings, Source
+from donnie_tui.settings.settings import Settings, SettingSource
 from donnie_tui.world.loading import ChosenWorld, ThingWatch, choose_world, files_of
 
 if TYPE_CHECKING:
@@ -250,7 +250,7 @@ def _connect_robot(
     Raises ``Unusable`` if it is missing and the learner can't choose another one.
     """
     robot = settings.robot
-    if world.physical_port is not None and settings.source_of("robot") is Source.DEFAULT:
+    if world.physical_port is not None and settings.source_of("robot") is SettingSource.DEFAULT:
         robot = f"{SERIAL}:{world.physical_port}"
     if not terminal:
         connection.insist(robot)

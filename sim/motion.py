@@ -176,7 +176,7 @@ def _always() -> bool:
     return True
 
 
-class WalkResult(Struct, frozen=True):
+class WalkOutcome(Struct, frozen=True):
     """How far a walk led, and what ended it."""
 
     metres: float
@@ -219,7 +219,7 @@ class Mover:
 
     def walk(
         self, start: Spot, bearing: Bearing, steps: int, going: Going = _always, careful: bool = False
-    ) -> WalkResult:
+    ) -> WalkOutcome:
         """Up to ``steps`` steps forward or backward: ``bearing`` is FRONT or BACK.
 
         Along a very long wall this takes its time: ``going`` is asked now and then whether to go on; if
@@ -234,14 +234,14 @@ class Mover:
                 done += free
                 continue
             if done % STEPS_A_QUESTION == STEPS_A_QUESTION - 1 and not going():
-                return WalkResult(0.0, 0, StoppedBy.USER)
+                return WalkOutcome(0.0, 0, StoppedBy.USER)
             if self.is_blocked(here, bearing):
-                return WalkResult(done * STEP, done, StoppedBy.OBSTACLE)
+                return WalkOutcome(done * STEP, done, StoppedBy.OBSTACLE)
             contact = self.contact(here, angle, STEP)
             if contact.metres < STEP - TOUCHING:
-                return WalkResult(done * STEP + contact.metres, done, self._stopped_by(contact))
+                return WalkOutcome(done * STEP + contact.metres, done, self._stopped_by(contact))
             done += 1
-        return WalkResult(steps * STEP, steps, None)
+        return WalkOutcome(steps * STEP, steps, None)
 
     def turn(self, spot: Spot, degrees: int) -> int:
         """How many of ``degrees`` (counter-clockwise if positive) the robot can turn, whole ones."""

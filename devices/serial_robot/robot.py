@@ -24,8 +24,14 @@ from devices.ports.robot import (
 )
 from devices.serial_robot.config import RobotConfig
 from devices.serial_robot.link import RobotLink
-from devices.serial_robot.movement import MovementPlan, Progress, RobotMovement, whole
-from devices.serial_robot.odometry import HeadingTracker, WheelOdometry
+from devices.serial_robot.movement import (
+    HeadingTracker,
+    MovementPlan,
+    Progress,
+    RobotMovement,
+    WheelOdometry,
+    whole,
+)
 from devices.serial_robot.senses import HEAD_AHEAD, BoardSensors, Clearance, scan_angles, sightings, to_steps
 from devices.wire import commands
 from devices.wire.commands import MotorDrive

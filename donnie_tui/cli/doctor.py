@@ -20,7 +20,7 @@ from msgspec import Struct, field
 import donnie_tui
 from devices.audio.channel import Channel, DetectedEnvironment, choose_channel
 from devices.audio.cues import load_user_sounds, unknown_sound_files
-from donnie_tui.cli.front_ends import cause_of_linear, surroundings
+from donnie_tui.cli.front_end import cause_of_linear, process_environment
 from donnie_tui.cli.options import ExitCode, Order
 from donnie_tui.cli.streams import is_terminal
 from donnie_tui.core.program_files import exists
@@ -29,7 +29,7 @@ from donnie_tui.i18n.translations import missing_in, mistakes
 from donnie_tui.i18n.words import Words
 from donnie_tui.outlets.audible import spoken_languages, wants_cues
 from donnie_tui.settings.folders import own_sounds, settings_file
-from donnie_tui.settings.settings import KEYS, Settings, Source
+from donnie_tui.settings.settings import KEYS, Settings, SettingSource
 from language.locales import languages
 
 if TYPE_CHECKING:
@@ -80,7 +80,7 @@ def amiss(code: str, **values: object) -> Finding:
 def examine(
     settings: Settings, environment: Mapping[str, str], cause_of_linear: str | None
 ) -> Iterator[Finding]:
-    """All looks, one after the other. ``cause_of_linear`` as ``front_ends`` has it."""
+    """All findings, one after the other. ``cause_of_linear`` as ``front_end`` has it."""
     python = ".".join(map(str, sys.version_info[:3]))
     yield well("doctor-version", version=donnie_tui.__version__, python=python)
     yield from look_at_packages()
@@ -280,10 +280,10 @@ def look_at_settings(settings: Settings, environment: Mapping[str, str]) -> Iter
     yield well("doctor-settings-file" if exists(Path(path)) else "doctor-no-settings-file", path=path)
     for key in KEYS:
         source = settings.source_of(key.name)
-        if source is not Source.DEFAULT:
+        if source is not SettingSource.DEFAULT:
             told = (
                 environment.get(key.variable, "")
-                if source is Source.ENVIRONMENT
+                if source is SettingSource.ENVIRONMENT
                 else getattr(settings, key.name)
             )
             yield well(
@@ -300,9 +300,9 @@ def _short(value: object) -> str:
 
 
 def doctor(order: Order) -> int:
-    """Tell all findings as they are made. The exit code is 0: having looked is what was asked for."""
+    """Print each finding as it is made. The exit code is 0, whatever was found."""
     problems = 0
-    cause = cause_of_linear(None, order.settings.linear, surroundings(order.environment))
+    cause = cause_of_linear(None, order.settings.linear, process_environment(order.environment))
     for finding in examine(order.settings, order.environment, cause):
         for line in _lines(finding, order.words):
             order.output.line(line)

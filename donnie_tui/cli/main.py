@@ -120,11 +120,11 @@ def _handler(order: Order) -> Callable[[Order], int]:
         case "calibrate":
             from donnie_tui.cli.calibrate import calibrate as command
         case "serve":
-            from donnie_tui.cli.front_ends import serve as command
+            from donnie_tui.cli.front_end import serve as command
         case "stop":
             from donnie_tui.cli.devices import stop as command
         case _ if order.invocation.arguments.run:
             from donnie_tui.cli.run import run_original as command
         case _:
-            from donnie_tui.cli.front_ends import start as command
+            from donnie_tui.cli.front_end import start as command
     return command

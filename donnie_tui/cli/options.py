@@ -52,7 +52,7 @@ COMMON = {
 """The options of every command with the form of their values, which ``settings`` reads."""
 
 
-class Option(Struct, frozen=True):
+class OptionSpec(Struct, frozen=True):
     """An option or argument of one command, in the terms of argparse."""
 
     names: tuple[str, ...]
@@ -69,49 +69,49 @@ class Option(Struct, frozen=True):
     """Options of one group exclude each other."""
 
 
-_FILE = Option(("file",), "option-file", "FILE", nargs="?")
-_FILES = Option(("file",), "option-file-or-input", "FILE", nargs="+")
-_PORT = Option(("port",), "option-port", "PORT", nargs="?")
+_FILE = OptionSpec(("file",), "option-file", "FILE", nargs="?")
+_FILES = OptionSpec(("file",), "option-file-or-input", "FILE", nargs="+")
+_PORT = OptionSpec(("port",), "option-port", "PORT", nargs="?")
 
-OPTIONS: dict[str, tuple[Option, ...]] = {
+OPTIONS: dict[str, tuple[OptionSpec, ...]] = {
     "": (
         _FILE,
-        Option(("--linear", "-t", "-T"), "option-linear", group="mode"),
-        Option(("--visual",), "option-visual", group="mode"),
-        Option(("--plain",), "option-plain"),
-        Option(("-f", "-F"), "option-f", "FILE", dest="run"),
-        Option(("-m", "-M"), "option-m", dest="mute"),
-        Option(("-l", "-L"), "option-l", dest="log"),
+        OptionSpec(("--linear", "-t", "-T"), "option-linear", group="mode"),
+        OptionSpec(("--visual",), "option-visual", group="mode"),
+        OptionSpec(("--plain",), "option-plain"),
+        OptionSpec(("-f", "-F"), "option-f", "FILE", dest="run"),
+        OptionSpec(("-m", "-M"), "option-m", dest="mute"),
+        OptionSpec(("-l", "-L"), "option-l", dest="log"),
     ),
-    "run": (_FILES, Option(("--trace",), "option-trace")),
+    "run": (_FILES, OptionSpec(("--trace",), "option-trace")),
     "check": (_FILES,),
     "format": (
         _FILES,
-        Option(("--to",), "option-to", f"{{{','.join(languages())}}}", choices=languages()),
-        Option(("-w", "--write"), "option-write"),
+        OptionSpec(("--to",), "option-to", f"{{{','.join(languages())}}}", choices=languages()),
+        OptionSpec(("-w", "--write"), "option-write"),
     ),
     "worlds": (),
     "world": (
-        Option(("name",), "option-world", "NAME", nargs="?"),
-        Option(("--map",), "option-map", group="form"),
-        Option(("--report",), "option-report", group="form"),
-        Option(("--json",), "option-json", group="form"),
-        Option(("--svg",), "option-svg", "FILE", group="form"),
-        Option(("--brf",), "option-brf", "FILE", group="form"),
+        OptionSpec(("name",), "option-world", "NAME", nargs="?"),
+        OptionSpec(("--map",), "option-map", group="form"),
+        OptionSpec(("--report",), "option-report", group="form"),
+        OptionSpec(("--json",), "option-json", group="form"),
+        OptionSpec(("--svg",), "option-svg", "FILE", group="form"),
+        OptionSpec(("--brf",), "option-brf", "FILE", group="form"),
     ),
     "replay": (
-        Option(("file",), "option-recording", "FILE"),
-        Option(("--backwards",), "option-backwards"),
-        Option(("--from",), "option-from", "N", dest="start", type=int),
-        Option(("--step",), "option-step"),
-        Option(("--map",), "option-replay-map"),
-        Option(("--check",), "option-recheck"),
+        OptionSpec(("file",), "option-recording", "FILE"),
+        OptionSpec(("--backwards",), "option-backwards"),
+        OptionSpec(("--from",), "option-from", "N", dest="start", type=int),
+        OptionSpec(("--step",), "option-step"),
+        OptionSpec(("--map",), "option-replay-map"),
+        OptionSpec(("--check",), "option-recheck"),
     ),
     "doctor": (),
-    "devices": (Option(("port",), "option-ports", "PORT", nargs="*"),),
+    "devices": (OptionSpec(("port",), "option-ports", "PORT", nargs="*"),),
     "stop": (_PORT,),
     "calibrate": (),
-    "serve": (Option(("--port",), "option-serve-port", "PORT", default="8000"),),
+    "serve": (OptionSpec(("--port",), "option-serve-port", "PORT", default="8000"),),
 }
 """The options of each command; those of the program itself stand under the empty name."""
 
@@ -296,7 +296,7 @@ def parser_of(command: str, sentence: Sentences) -> argparse.ArgumentParser:
     return parser
 
 
-def _add(parser: argparse._ActionsContainer, option: Option, sentence: Sentences) -> None:
+def _add(parser: argparse._ActionsContainer, option: OptionSpec, sentence: Sentences) -> None:
     given: dict[str, object] = {
         name: getattr(option, name)
         for name in ("metavar", "dest", "nargs", "default", "type", "choices")

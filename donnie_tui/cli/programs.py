@@ -16,7 +16,7 @@ from donnie_tui.cli.streams import Output
 from donnie_tui.core.program_files import LARGEST, DocumentError, decode, read_to_the_end, write_program
 from donnie_tui.i18n.mistakes import remark
 from donnie_tui.i18n.words import Unusable, Words
-from donnie_tui.settings.settings import Source as Origin
+from donnie_tui.settings.settings import SettingSource
 from language.checker import check as hints_for
 from language.diagnostics import MOST_MISTAKES, Diagnostic, Severity
 from language.formatter import formatted
@@ -105,14 +105,14 @@ def line_for(diagnostic: Diagnostic, source: Source, words: Words) -> str:
 
 
 def complain(diagnostics: tuple[Diagnostic, ...], source: Source, words: Words, output: Output) -> None:
-    """Tell mistakes where they are not what was asked for."""
+    """Print mistakes as complaints, where they are not what was asked for."""
     for each in diagnostics:
         output.complaint(line_for(each, source, words))
 
 
 def _colours(order: Order) -> frozenset[str] | None:
     """What the robot sees, if a world was named; every colour of the language otherwise."""
-    if order.settings.source_of("world") is not Origin.OPTION:
+    if order.settings.source_of("world") is not SettingSource.OPTION:
         return None
     from donnie_tui.bootstrap import colours_of_world
 

@@ -39,8 +39,7 @@ from donnie_tui.core.wording import no_such_robot
 from donnie_tui.i18n.words import Unusable, Words
 from donnie_tui.robot.search import Search
 from donnie_tui.settings.folders import settings_file
-from donnie_tui.settings.settings import Settings
-from donnie_tui.settings.settings import Source as Origin
+from donnie_tui.settings.settings import Settings, SettingSource
 
 MOST_NAMES = 5
 """Robots that are named where one is unknown."""
@@ -291,7 +290,7 @@ def _printer(donnie: Donnie, output: Output, *, with_words: bool) -> Callable[[S
 
 def _print_notices(settings: Settings, donnie: Donnie, output: Output) -> None:
     """Print notices; those about the voice only if a voice was chosen."""
-    asked_for = settings.source_of("speech") is not Origin.DEFAULT
+    asked_for = settings.source_of("speech") is not SettingSource.DEFAULT
     notices = donnie.notices
     for notice in notices.all if asked_for else notices.about_world + notices.about_devices:
         output.complaint(notice)

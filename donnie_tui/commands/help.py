@@ -39,11 +39,11 @@ async def say_help(ctx: Context, argument: str) -> None:
 def _says_setting(ctx: Context, name: str) -> bool:
     """A setting and what it can be; whether there is one of that name."""
     from donnie_tui.commands.preferences import find_preference
-    from donnie_tui.commands.settings import say_with_choices
+    from donnie_tui.commands.settings import say_with_values
 
     preference = find_preference(name, ctx.words) if name else None
     if preference is not None:
-        say_with_choices(ctx, preference)
+        say_with_values(ctx, preference)
     return preference is not None
 
 

@@ -120,7 +120,7 @@ class Interaction(Protocol):
     async def follow(self, runs: Sequence[tuple[str | None, Run]]) -> bool:
         """Wait for the end of runs where a prompt follows it, each by its robot's name in events.
 
-        False where the learner goes on meanwhile.
+        False where the learner continues meanwhile.
         """
 
     async def wait(self, seconds: float) -> bool:

@@ -56,7 +56,7 @@ def behind_menu(key: str) -> str:
 
 
 def key_label(key: str, language: str) -> str:
-    """The key as it is told: ``F5``, ``Ctrl+S``, ``Esc``, ``Ctrl+K Shift+A``, ``Ctrl+K Mayús+A``.
+    """What the key is called: ``F5``, ``Ctrl+S``, ``Esc``, ``Ctrl+K Shift+A``, ``Ctrl+K Mayús+A``.
 
     Many terminals send Ctrl+Space as what Textual calls ``ctrl+@``.
     """
@@ -155,7 +155,7 @@ def not_understood(chosen: str) -> tuple[str, ...]:
     return tuple(each.strip() for each in chosen.split(",") if each.strip() and _pair(each) not in known)
 
 
-def with_choice(chosen: str, name: str, key: str | None) -> str:
+def with_key(chosen: str, name: str, key: str | None) -> str:
     """A choice in which that command has this key; with None it has only its own keys."""
     kept = [pair for pair in understood(chosen) if pair[0] != name and pair[1] != key]
     return ", ".join(" ".join(pair) for pair in ([*kept, (name, key)] if key else kept))

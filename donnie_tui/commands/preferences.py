@@ -25,7 +25,7 @@ from donnie_tui.settings.settings import (
     SPEAK,
     THEMES,
     Settings,
-    Source,
+    SettingSource,
 )
 from language.locales import languages
 from language.source import fold_name
@@ -124,7 +124,7 @@ class Preferences:
             raise ValueError(text)
         name = BY_KEY[key].name
         changed: dict[str, Any] = {name: BY_KEY[key].read(text)}  # read as its field is
-        sources = {**self.settings.sources, name: Source.OPTION}
+        sources = {**self.settings.sources, name: SettingSource.OPTION}
         self.settings = replace(self.settings, sources=sources, **changed)
 
     def keep(self, key: str) -> None:
@@ -230,7 +230,7 @@ def value_typed(preference: Preference, typed: str, words: Words) -> str | None:
     return typed
 
 
-def choices_in_words(preference: Preference, words: Words) -> str:
+def values_in_words(preference: Preference, words: Words) -> str:
     """What the setting can be."""
     key = preference.key
     if preference.numbers is not None:

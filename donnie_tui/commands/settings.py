@@ -15,11 +15,11 @@ from donnie_tui.commands.preferences import (
     PREFERENCES,
     Preference,
     Where,
-    choices_in_words,
     find_preference,
     label,
     value_label,
     value_typed,
+    values_in_words,
 )
 from donnie_tui.commands.sound import CUES, LOUD, chime, cue_meant, cue_volume_typed, cue_word
 from donnie_tui.core.wording import spelled
@@ -83,7 +83,7 @@ async def set_value(ctx: Context, argument: str) -> None:
     elif typed.strip():
         value = value_typed(preference, typed.strip(), ctx.words)
         if value is None:
-            say_with_choices(ctx, preference)
+            say_with_values(ctx, preference)
         else:
             change(ctx, preference.key, value)
     else:
@@ -145,15 +145,15 @@ async def _choose_from_list(ctx: Context, preference: Preference) -> None:
     ]
     printed = [ctx.preferences.in_words(key, words)]
     if preference.has_words:
-        printed.append(choices_in_words(preference, words))
+        printed.append(values_in_words(preference, words))
     chosen = await ctx.interaction.choose(label(key, words), options, printed)
     if chosen is not None:
         change(ctx, key, chosen)
 
 
-def say_with_choices(ctx: Context, preference: Preference) -> None:
+def say_with_values(ctx: Context, preference: Preference) -> None:
     """The setting as it is, and what it can be."""
-    ctx.say(ctx.preferences.in_words(preference.key, ctx.words), choices_in_words(preference, ctx.words))
+    ctx.say(ctx.preferences.in_words(preference.key, ctx.words), values_in_words(preference, ctx.words))
 
 
 def change(ctx: Context, key: str, value: str) -> None:
@@ -196,7 +196,7 @@ async def _set_cue(ctx: Context, argument: str) -> None:
         if volume is not None:
             _change_cue(ctx, cue, volume)
         else:
-            ctx.say(_cue_in_words(ctx, cue), choices_in_words(BY_KEY["volume"], ctx.words))
+            ctx.say(_cue_in_words(ctx, cue), values_in_words(BY_KEY["volume"], ctx.words))
 
 
 async def _choose_cues(ctx: Context) -> None:
@@ -273,7 +273,7 @@ def _key_row(ctx: Context, name: str) -> str:
 
 
 async def _change_key(ctx: Context, name: str) -> None:
-    from donnie_tui.commands.keys import is_free_to_give, key_label, with_choice
+    from donnie_tui.commands.keys import is_free_to_give, key_label, with_key
 
     assert ctx.screen is not None
     words = ctx.words
@@ -286,6 +286,6 @@ async def _change_key(ctx: Context, name: str) -> None:
     if key is None:
         return
     before = ctx.screen.key_table.command_of(key) if key else None
-    change(ctx, "keys", with_choice(ctx.preferences.settings.keys, name, key or None))
+    change(ctx, "keys", with_key(ctx.preferences.settings.keys, name, key or None))
     for each in (name, *((before,) if before not in (None, name) else ())):
         ctx.answer("keys-now", row=_key_row(ctx, str(each)).partition(".")[0])

@@ -16,7 +16,7 @@ from donnie_tui.core.events import SoundSwitched
 from donnie_tui.core.map_grid import DEFAULT_MOVES, FREE, place_in_words
 from donnie_tui.core.pointing import Pointer, legend
 from donnie_tui.core.wording import shown_name
-from donnie_tui.settings.settings import Settings, Source
+from donnie_tui.settings.settings import Settings, SettingSource
 from language.source import printable
 
 LONGEST_NAME = 40
@@ -310,7 +310,7 @@ def settings_there(donnie: Donnie, settings: Settings, name: str) -> Settings:
     )
     if robot == settings.robot:
         return found
-    return replace(found, robot=robot, sources={**settings.sources, "robot": Source.OPTION})
+    return replace(found, robot=robot, sources={**settings.sources, "robot": SettingSource.OPTION})
 
 
 def say_arrival(donnie: Donnie, *, is_silent: bool) -> None:

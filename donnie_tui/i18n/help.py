@@ -20,7 +20,7 @@ from donnie_tui.core.wording import Wording
 from language import keywords
 
 
-class Entry(Struct, frozen=True):
+class HelpTopic(Struct, frozen=True):
     """One command: how it is written, and used. ``leaders`` are the words that it may begin with."""
 
     leaders: tuple[str, ...]
@@ -30,51 +30,51 @@ class Entry(Struct, frozen=True):
     """A program that uses it."""
 
 
-ENTRIES: dict[str, Entry] = {
-    "FW": Entry(("FW", "FORWARD"), "{value}", "{FW} 5"),
-    "BW": Entry(("BW", "BACKWARD"), "{value}", "{BW} 5"),
-    "TR": Entry(("TR", "RIGHT TURN"), "{value}", "{TR} 90"),
-    "TL": Entry(("TL", "LEFT TURN"), "{value}", "{TL} 90"),
-    "SPEAK": Entry(("SPEAK",), '"{text}"', '{SPEAK} "{hello}"'),
-    "SCAN": Entry(("SCAN",), "", "{SCAN}"),
-    "STATE": Entry(("STATE",), "", "{FW} 3 {STATE}"),
-    "HISTORY": Entry(("HISTORY",), "", "{FW} 3 {TR} 90 {HISTORY}"),
-    "POS": Entry(("POS", "POSITION"), "X, Y, A", "{SPEAK} {POS} X"),
-    "DISTANCE": Entry(("DISTANCE",), "{direction}", "{SPEAK} {DISTANCE} F"),
-    "COLOR": Entry(("COLOR",), "{colour}", "{SPEAK} {COLOR} {red}"),
-    "VAR": Entry(("VAR",), "{name} = {value}", "{VAR} a = 5"),
-    "IF": Entry(
+ENTRIES: dict[str, HelpTopic] = {
+    "FW": HelpTopic(("FW", "FORWARD"), "{value}", "{FW} 5"),
+    "BW": HelpTopic(("BW", "BACKWARD"), "{value}", "{BW} 5"),
+    "TR": HelpTopic(("TR", "RIGHT TURN"), "{value}", "{TR} 90"),
+    "TL": HelpTopic(("TL", "LEFT TURN"), "{value}", "{TL} 90"),
+    "SPEAK": HelpTopic(("SPEAK",), '"{text}"', '{SPEAK} "{hello}"'),
+    "SCAN": HelpTopic(("SCAN",), "", "{SCAN}"),
+    "STATE": HelpTopic(("STATE",), "", "{FW} 3 {STATE}"),
+    "HISTORY": HelpTopic(("HISTORY",), "", "{FW} 3 {TR} 90 {HISTORY}"),
+    "POS": HelpTopic(("POS", "POSITION"), "X, Y, A", "{SPEAK} {POS} X"),
+    "DISTANCE": HelpTopic(("DISTANCE",), "{direction}", "{SPEAK} {DISTANCE} F"),
+    "COLOR": HelpTopic(("COLOR",), "{colour}", "{SPEAK} {COLOR} {red}"),
+    "VAR": HelpTopic(("VAR",), "{name} = {value}", "{VAR} a = 5"),
+    "IF": HelpTopic(
         ("IF",),
         "{condition} {THEN} {commands} {ELSE} {commands} {END IF}",
         "{IF} {DISTANCE} F > 3 {THEN} {FW} 1 {ELSE} {TR} 90 {END IF}",
     ),
-    "REPEAT": Entry(
+    "REPEAT": HelpTopic(
         ("REPEAT",),
         "{value} {TIMES} {commands} {END REPEAT}",
         "{REPEAT} 4 {TIMES} {FW} 2 {TR} 90 {END REPEAT}",
     ),
-    "WHILE": Entry(
+    "WHILE": HelpTopic(
         ("WHILE",),
         "{condition} {DO} {commands} {END WHILE}",
         "{WHILE} {DISTANCE} F > 3 {DO} {FW} 1 {END WHILE}",
     ),
-    "FOR": Entry(
+    "FOR": HelpTopic(
         ("FOR",),
         "{name} = {value}; {condition}; {name} = {value} {DO} {commands} {END FOR}",
         "{FOR} {VAR} i = 1; i <= 3; i = i + 1 {DO} {SPEAK} i {END FOR}",
     ),
-    "PROCEDURE": Entry(
+    "PROCEDURE": HelpTopic(
         ("PROCEDURE",),
         "{name}: {name} {DO} {commands} {END PROCEDURE}",
         "{PROCEDURE} P: n {DO} {FW} n {END PROCEDURE} P [3]",
     ),
-    "WAIT": Entry(("WAIT",), "{value}", "{WAIT} 3"),
-    "SOUND": Entry(("SOUND",), "{ON}, {OFF}", "{SOUND} {OFF}"),
-    "BELT": Entry(("BELT",), "{ON}, {OFF}", "{BELT} {ON}"),
-    "VIBRATE": Entry(("VIBRATE",), "{direction}", "{BELT} {ON} {VIBRATE} F"),
-    "RUN": Entry(("RUN",), "", "{RUN}"),
-    "HELP": Entry(("HELP",), "{word}", "{HELP} {FW}"),
-    "QUIT": Entry(("QUIT", "EXIT"), "", "{QUIT}"),
+    "WAIT": HelpTopic(("WAIT",), "{value}", "{WAIT} 3"),
+    "SOUND": HelpTopic(("SOUND",), "{ON}, {OFF}", "{SOUND} {OFF}"),
+    "BELT": HelpTopic(("BELT",), "{ON}, {OFF}", "{BELT} {ON}"),
+    "VIBRATE": HelpTopic(("VIBRATE",), "{direction}", "{BELT} {ON} {VIBRATE} F"),
+    "RUN": HelpTopic(("RUN",), "", "{RUN}"),
+    "HELP": HelpTopic(("HELP",), "{word}", "{HELP} {FW}"),
+    "QUIT": HelpTopic(("QUIT", "EXIT"), "", "{QUIT}"),
 }
 """By topic, in the order in which a learner needs them."""
 
@@ -111,7 +111,7 @@ def form(topic: str, words: Wording) -> str:
     return words("help-form", form=_forms(ENTRIES[topic], words)) + "."
 
 
-def _forms(entry: Entry, words: Wording) -> str:
+def _forms(entry: HelpTopic, words: Wording) -> str:
     spelled = dict.fromkeys(_spelled(leader, words) for leader in entry.leaders)
     rest = _filled(entry.rest, words)
     forms = [f"{leader} {rest}".strip() for leader in spelled]

@@ -24,9 +24,9 @@ from donnie_tui.core.workspace import Workspace
 from donnie_tui.linear.console import Console, Gone, run_in_background
 from donnie_tui.linear.greeting import Greeting, has_rescued
 from donnie_tui.linear.leaving import Leaving
-from donnie_tui.linear.line_editor import Key, KeyEcho
+from donnie_tui.linear.line_editor import EditorEcho, KeyPress
 from donnie_tui.linear.loop import RunLoop, TypedLines
-from donnie_tui.linear.output import BackgroundRobots, Listener, Output, OutputQueue
+from donnie_tui.linear.output import BackgroundRobots, Listener, OutputQueue, PacedOutput
 from donnie_tui.linear.prompter import Options, Printer, Prompter, Streams
 from donnie_tui.linear.reader import EditingReader, How, PlainReader, Typed, candidates
 from donnie_tui.settings.folders import UNSAVED, state_path
@@ -72,7 +72,7 @@ class Conversation:
             console,
             state.editing,
             state.plain,
-            Output(
+            PacedOutput(
                 console,
                 paced=os.isatty(1),
                 of_numbers=lambda count: donnie.words("numbers-printed", count=count),
@@ -106,7 +106,7 @@ class Conversation:
         if streams.is_attended:
             console.on_key = donnie.outlets.audible.hush
         if state.editing:
-            self._key_echo = KeyEcho(donnie.outlets.audible, donnie.words)
+            self._key_echo = EditorEcho(donnie.outlets.audible, donnie.words)
             state.editing.on_key = self._say_key
             state.editing.complete = partial(candidates, ctx)
         streams.apply_options()
@@ -119,7 +119,7 @@ class Conversation:
             open_workspace(self._folder), AnswerLog(), past, editing, PlainReader(self.console)
         )
 
-    def _say_key(self, key: Key, before: str) -> None:
+    def _say_key(self, key: KeyPress, before: str) -> None:
         if self._donnie.outlets.audible.echoes:
             self._key_echo(key, before)
 

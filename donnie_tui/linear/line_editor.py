@@ -1,18 +1,14 @@
-"""Bytes of a terminal become keys. No input or output: bytes in, keys out.
+"""The line that is being typed: bytes become keys, and keys change the line. No input or output.
 
-Rules: bytes that are incomplete wait for the rest; a lone ESC can't be told from the beginning of an arrow
-key, so whoever feeds the decoder calls ``give_up_waiting`` once nothing more has come for ``ESCAPE_DELAY``.
-A sequence that is not known is swallowed whole, so that no key types rubbish.
+``KeyDecoder`` keeps the bytes of an incomplete key until the rest arrives. A lone ESC looks like the
+beginning of an arrow key, so the reader calls ``give_up_waiting`` if nothing more comes for ``ESCAPE_DELAY``.
+An unknown sequence is ignored as a whole, so that no key types rubbish.
 
-What the own voice says of the keys of the linear mode.
-
-The line that is being typed: keys change it, and each change is told as the bytes that a terminal needs.
-
-Rule: as little as readline writes, because a screen reader says what is written. A character typed at the
-end writes itself and nothing else.
+``EditLine`` returns each change as the bytes that a terminal needs. They are as few as readline writes,
+because a screen reader says what is written: a character typed at the end writes only itself.
 
 A cluster is what one key deletes and one arrow passes: a character with the marks on it. Characters
-joined into one emoji count as one cluster, two cells wide.
+joined into one emoji are one cluster, two cells wide.
 """
 
 from __future__ import annotations
@@ -29,7 +25,7 @@ from donnie_tui.core.wording import Wording
 from donnie_tui.outlets.audible import Audible, TypingEcho
 
 ESCAPE_DELAY = 0.05
-"""Seconds after which ESC is ESC."""
+"""Seconds after which ESC is a key and not the beginning of one."""
 
 
 class Act(Enum):
@@ -39,7 +35,7 @@ class Act(Enum):
     ENTER = auto()
     ESCAPE = auto()
     INTERRUPT = auto()
-    """Ctrl+C, where it is no signal yet."""
+    """Ctrl+C, before it is a signal."""
     CLOSE = auto()
     """Ctrl+D: leaves on an empty line, deletes elsewhere."""
     BACKSPACE = auto()
@@ -54,10 +50,10 @@ class Act(Enum):
     KILL_BEFORE = auto()
     KILL_WORD = auto()
     COMPLETE = auto()
-    """Tab, where it is a key and not a part of a pasted text."""
+    """Tab, unless it is a part of a pasted text."""
 
 
-class Key(Struct, frozen=True):
+class KeyPress(Struct, frozen=True):
     """One key. ``text`` is what TEXT types."""
 
     act: Act
@@ -99,7 +95,7 @@ _LONGEST_SEQUENCE = 32
 
 
 class KeyDecoder:
-    """Remembers the bytes of a key that has not come whole."""
+    """Decodes bytes, and remembers those of an incomplete key."""
 
     def __init__(self) -> None:
         self._decode = codecs.getincrementaldecoder("utf-8")("replace").decode
@@ -107,14 +103,14 @@ class KeyDecoder:
 
     @property
     def is_waiting(self) -> bool:
-        """Whether an ESC has come that may be the beginning of more."""
+        """Whether an ESC arrived that may be the beginning of more."""
         return bool(self._pending)
 
-    def feed(self, data: bytes) -> list[Key]:
+    def feed(self, data: bytes) -> list[KeyPress]:
         """The keys that are complete now."""
         text = self._pending + self._decode(data)
         self._pending = ""
-        keys: list[Key] = []
+        keys: list[KeyPress] = []
         at = 0
         while at < len(text):
             if text[at] == "\x1b" and _is_unfinished(text, at):
@@ -123,43 +119,43 @@ class KeyDecoder:
             at = _next_key(text, at, keys)
         return keys
 
-    def give_up_waiting(self) -> list[Key]:
-        """Nothing more came: the ESC was a key of its own."""
+    def give_up_waiting(self) -> list[KeyPress]:
+        """The keys if nothing more comes: the ESC was a key."""
         pending, self._pending = self._pending, ""
         if not pending:
             return []
-        return [Key(Act.ESCAPE), *([Key(Act.TEXT, pending[1:])] if pending[1:] else [])]
+        return [KeyPress(Act.ESCAPE), *([KeyPress(Act.TEXT, pending[1:])] if pending[1:] else [])]
 
 
 def _is_unfinished(text: str, at: int) -> bool:
-    """Whether the sequence that begins there may go on."""
+    """Whether the sequence that begins there may continue."""
     return len(text) - at < _LONGEST_SEQUENCE and bool(re.compile(_UNFINISHED).match(text, at))
 
 
-def _next_key(text: str, at: int, keys: list[Key]) -> int:
-    """Append the key at ``at``, if it means anything; the answer is where the next one begins."""
+def _next_key(text: str, at: int, keys: list[KeyPress]) -> int:
+    """Append the key at ``at``, if it means anything. Returns where the next one begins."""
     typed = _TEXT.match(text, at)
     if typed:
-        keys.append(Key(Act.TEXT, typed[0]))
+        keys.append(KeyPress(Act.TEXT, typed[0]))
         return typed.end()
     if text[at] == "\x1b":
         return _escape(text, at, keys)
-    if text[at] == "\t":  # in the middle of what came at once it is a part of a pasted text
-        keys.append(Key(Act.TEXT, " ") if at + 1 < len(text) else Key(Act.COMPLETE))
+    if text[at] == "\t":  # in the middle of one read it is a part of a pasted text
+        keys.append(KeyPress(Act.TEXT, " ") if at + 1 < len(text) else KeyPress(Act.COMPLETE))
     elif text[at] in _CONTROLS:
-        keys.append(Key(_CONTROLS[text[at]]))
+        keys.append(KeyPress(_CONTROLS[text[at]]))
     return at + 1
 
 
-def _escape(text: str, at: int, keys: list[Key]) -> int:
+def _escape(text: str, at: int, keys: list[KeyPress]) -> int:
     sequence = re.compile(_SEQUENCE).match(text, at)
     if not sequence:
-        keys.append(Key(Act.ESCAPE))
+        keys.append(KeyPress(Act.ESCAPE))
         return at + 1
     parameters, final, letter = sequence.groups()
     act = _act(parameters or "", final or "", letter or "")
     if act:
-        keys.append(Key(act))
+        keys.append(KeyPress(act))
     return sequence.end()
 
 
@@ -171,14 +167,14 @@ def _act(parameters: str, final: str, letter: str) -> Act | None:
     return _NUMBERS.get(parameters.split(";")[0]) if final == "~" else _LETTERS.get(final)
 
 
-class KeyEcho:
-    """Told of each key before it is done."""
+class EditorEcho:
+    """Lets the voice say each key of the editor, before the key changes the line."""
 
     def __init__(self, audible: Audible, words: Wording) -> None:
         self._echo = TypingEcho(audible, words)
 
-    def __call__(self, key: Key, before: str) -> None:
-        """``before``: what stands before the cursor."""
+    def __call__(self, key: KeyPress, before: str) -> None:
+        """``before`` is the text before the cursor."""
         match key.act:
             case Act.BACKSPACE:
                 self._echo.deleted(before)
@@ -193,10 +189,10 @@ LONGEST = 20_000
 
 
 class EditLine:
-    """The clusters and the cursor. Every method gives back what is to be written."""
+    """The clusters and the cursor. Every method that changes them returns what is to be written."""
 
     def __init__(self, prompt_width: int, columns: Callable[[], int], text: str = "") -> None:
-        """The prompt and ``text`` stand on the terminal already, the cursor behind them.
+        """The prompt and ``text`` are printed already, and the cursor is after them.
 
         Of a prompt that is longer than a row the last row counts.
         """
@@ -211,11 +207,11 @@ class EditLine:
 
     @property
     def cursor_place(self) -> tuple[int, int]:
-        """The row below the one of the prompt, and the column, where the cursor stands."""
+        """The place of the cursor: rows below the prompt's, and the column."""
         return self._places()[self._cursor]
 
     def do(self, act: Act) -> str:
-        """What ``act`` changes, nothing if it can change nothing."""
+        """Move or delete as ``act`` says."""
         match act:
             case Act.LEFT:
                 return self._go(self._cursor - 1)
@@ -240,18 +236,18 @@ class EditLine:
 
     @property
     def text_before(self) -> str:
-        """What stands before the cursor."""
+        """The text before the cursor."""
         return "".join(self._text[: self._cursor])
 
     def complete(self, typed: str, word: str) -> str:
-        """``typed``, which stands before the cursor, becomes ``word``."""
+        """Replace ``typed``, the text before the cursor, with ``word``."""
         if word.startswith(typed):
             return self.type(word[len(typed) :]) if len(word) > len(typed) else ""
         first, added = self._cursor - len(clusters(typed)), clusters(word)
         return self._put(first, self._cursor, added, first + len(added))
 
     def type(self, text: str) -> str:
-        """Insert ``text`` at the cursor. Beyond ``LONGEST`` nothing more is taken."""
+        """Insert ``text`` at the cursor, as far as it fits into ``LONGEST``."""
         room = LONGEST - len(self._text)
         first = max(0, self._cursor - 1)
         with_marks = clusters("".join(self._text[first : self._cursor]) + text)
@@ -261,11 +257,11 @@ class EditLine:
         return self._put(first, self._cursor, added, first + len(added)) if added else ""
 
     def replace(self, text: str) -> str:
-        """Another line takes its place."""
+        """Replace the whole line."""
         return self._put(0, len(self._text), clusters(text)[:LONGEST], None)
 
-    def settle(self) -> str:
-        """What brings the cursor to where the offered text ends, if that is the right margin."""
+    def place_cursor(self) -> str:
+        """Put the cursor where the offered text ends, if that is the right margin."""
         return _wrapped(self._text, self._places())
 
     def finish(self) -> str:
@@ -289,7 +285,7 @@ class EditLine:
         return self._put(first, last, [], first)
 
     def _put(self, first: int, last: int, added: list[str], cursor: int | None) -> str:
-        """Put ``added`` in the place of the clusters ``first`` to ``last``, and paint what that changes."""
+        """Replace the clusters ``first`` to ``last`` with ``added``, and paint what that changes."""
         before = self._places()
         here = before[self._cursor]
         self._text[first:last] = added
@@ -335,7 +331,7 @@ def _wrapped(written: list[str], at: list[tuple[int, int]]) -> str:
 
 
 def _erased(old_end: tuple[int, int], new_end: tuple[int, int]) -> str:
-    """What clears the rest of a line that became shorter. The cursor stands at its new end."""
+    """What clears the rest of a line that became shorter. The cursor is at its new end."""
     if new_end >= old_end:
         return ""
     return "\x1b[K" if new_end[0] == old_end[0] else "\x1b[J"
@@ -356,7 +352,7 @@ def clusters(text: str) -> list[str]:
 
 
 def width(cluster: str) -> int:
-    """Cells that a cluster fills: 2 if it is wide, 0 if it is but a mark."""
+    """Cells that a cluster fills: 2 if it is wide, 0 if it is only a mark."""
     if unicodedata.east_asian_width(cluster[0]) in "WF":
         return 2
     return 0 if _is_mark(cluster[0]) else 1

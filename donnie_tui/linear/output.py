@@ -41,10 +41,6 @@ CAPACITY = 500
 """Lines of a robot that may wait before its program waits."""
 LARGEST_BLOCK = 18
 """Lines that are printed at once, at most."""
-
-URGENT = ("link",)
-"""Codes of announcements that are printed in the middle of a line that is being typed."""
-_ENDING = (ControlState.STOPPING, ControlState.ENDED)
 REST = 0.3
 """Seconds of rest after each block of lines."""
 AFTER_STOP = 5
@@ -53,6 +49,9 @@ MANY_NUMBERS = 4
 """Lines of nothing but digits in a block that need a sentence after them."""
 FEWEST = 2
 """Lines at once; if not even these are said, the answer is one line over and over."""
+URGENT = ("link",)
+"""Codes of announcements that are printed in the middle of a line that is being typed."""
+_ENDING = (ControlState.STOPPING, ControlState.ENDED)
 
 
 class OutputQueue:
@@ -214,8 +213,8 @@ class Listener:
         self._summing_up = SummaryFilter(
             donnie.words, console.now, lambda: is_paced and donnie.session.speed is not None
         )
-        told_as_printed = donnie.outlets.audible.speak_only(self._summing_up)
-        self._unsubscribe = [donnie.session.hub.subscribe(self._on_event), told_as_printed]
+        stop_filtering = donnie.outlets.audible.speak_only(self._summing_up)
+        self._unsubscribe = [donnie.session.hub.subscribe(self._on_event), stop_filtering]
 
     def close(self) -> None:
         """Unsubscribe: another front end continues with the session."""
@@ -271,7 +270,7 @@ class Paper(Protocol):
     def rows(self) -> int: ...
 
 
-class Output:
+class PacedOutput:
     """Prints blocks of lines. ``paced`` is for learners; a pipe needs no rests."""
 
     def __init__(self, paper: Paper, *, paced: bool, of_numbers: Callable[[int], str] = "{}".format) -> None:

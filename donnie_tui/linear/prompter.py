@@ -4,7 +4,6 @@ from __future__ import annotations
 
 from collections.abc import Callable
 from enum import Enum
-from typing import Protocol
 
 from msgspec import Struct
 
@@ -15,7 +14,7 @@ from donnie_tui.core.wording import meant
 from donnie_tui.i18n.words import Words
 from donnie_tui.linear.console import Console
 from donnie_tui.linear.greeting import PROMPT
-from donnie_tui.linear.output import LARGEST_BLOCK, BackgroundRobots, Listener, Output, OutputQueue
+from donnie_tui.linear.output import LARGEST_BLOCK, BackgroundRobots, Listener, OutputQueue, PacedOutput
 from donnie_tui.linear.reader import EditingReader, How, Reader, Typed
 from donnie_tui.settings.settings import Settings
 
@@ -25,7 +24,7 @@ SOON = 1.0
 """Seconds between two copies while lines come without a pause."""
 
 
-class Page(Enum):
+class PageBreak(Enum):
     """What is between two screenfuls of an answer."""
 
     REST = "rest"
@@ -50,8 +49,8 @@ class Options:
         self._settings = settings
 
     @property
-    def page(self) -> Page:
-        return Page(self._settings().page)
+    def page(self) -> PageBreak:
+        return PageBreak(self._settings().page)
 
     @property
     def prompt(self) -> PromptStyle:
@@ -96,7 +95,7 @@ class Streams(Struct, frozen=True):
     editing: EditingReader | None
     """Edits lines key by key; None where that is impossible."""
     plain: Reader
-    output: Output
+    output: PacedOutput
     queue: OutputQueue
     options: Options
     is_attended: bool
@@ -124,13 +123,13 @@ class Streams(Struct, frozen=True):
         """Lines of a page, after which the learner is asked for more; 0 without pages."""
         if self.options.hold:
             return 1
-        return self.output.block_size if self.options.page is Page.ASK else 0
+        return self.output.block_size if self.options.page is PageBreak.ASK else 0
 
     def apply_options(self) -> None:
         """Let the terminal and the output behave as the options say."""
         if self.editing is not None:
             self.console.edit(self.options.editor)
-        self.output.paced = self.is_terminal and self.options.page is Page.REST
+        self.output.paced = self.is_terminal and self.options.page is PageBreak.REST
 
     def end_line(self, typed: Typed) -> None:
         """If the terminal has not printed the newline of Enter, hold it back until there is an answer."""
@@ -345,16 +344,6 @@ class Prompter:
         return False
 
 
-class Input(Protocol):
-    """What ``CopySchedule`` needs of the console."""
-
-    when_idle: Callable[[], None] | None
-
-    def now(self) -> float: ...
-
-    def has_input(self) -> bool: ...
-
-
 class CopySchedule:
     """When the copies of unsaved programs are written: at each prompt, while the learner thinks.
 
@@ -362,7 +351,7 @@ class CopySchedule:
     than ``SOON``: each line would have the whole program written again.
     """
 
-    def __init__(self, console: Input, keep_copies: Callable[[], bool]) -> None:
+    def __init__(self, console: Console, keep_copies: Callable[[], bool]) -> None:
         """``keep_copies`` returns whether there was anything to write."""
         self._console, self._keep_copies = console, keep_copies
         self._due = console.now()

@@ -18,7 +18,7 @@ from donnie_tui.commands.declarations import COMMANDS
 from donnie_tui.commands.lookup import find, words_of
 from donnie_tui.core.line_history import LineHistory, Recall
 from donnie_tui.linear.console import Console
-from donnie_tui.linear.line_editor import ESCAPE_DELAY, Act, EditLine, Key, KeyDecoder
+from donnie_tui.linear.line_editor import ESCAPE_DELAY, Act, EditLine, KeyDecoder, KeyPress
 from language import keywords
 from language.source import fold_name
 
@@ -77,10 +77,10 @@ class EditingReader:
         self._past = past
         self.complete: Callable[[str], tuple[str, ...]] = _no_words
         """Returns the words that the last word of a text may become."""
-        self.on_key: Callable[[Key, str], None] = _nothing
+        self.on_key: Callable[[KeyPress, str], None] = _nothing
         """Called with each key before it is done, and with the text before the cursor."""
         self._decoder = KeyDecoder()
-        self._keys: deque[Key] = deque()
+        self._keys: deque[KeyPress] = deque()
 
     @property
     def has_typed(self) -> bool:
@@ -91,8 +91,8 @@ class EditingReader:
         recall = Recall(self._past, offered)
         self._console.repaint = lambda: f"\n{prompt}{line.text}"
         try:
-            if settling := line.settle():
-                self._console.write(settling)
+            if placing := line.place_cursor():
+                self._console.write(placing)
             return self._edit(line, recall)
         finally:
             self._console.repaint = str
@@ -200,7 +200,7 @@ class EditingReader:
         self._decoder = KeyDecoder()
 
 
-def _plain_text(keys: Iterable[Key]) -> str | None:
+def _plain_text(keys: Iterable[KeyPress]) -> str | None:
     """What these keys type; None if that depends on more than these keys."""
     text = ""
     for key in keys:
@@ -213,7 +213,7 @@ def _plain_text(keys: Iterable[Key]) -> str | None:
     return text
 
 
-def _changed(line: EditLine, recall: Recall, key: Key) -> str:
+def _changed(line: EditLine, recall: Recall, key: KeyPress) -> str:
     match key.act:
         case Act.TEXT:
             return line.type(key.text)
@@ -224,7 +224,7 @@ def _changed(line: EditLine, recall: Recall, key: Key) -> str:
             return line.do(act)
 
 
-def _nothing(_key: Key, _before: str) -> None:
+def _nothing(_key: KeyPress, _before: str) -> None:
     return
 
 

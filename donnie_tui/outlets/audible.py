@@ -33,7 +33,7 @@ from donnie_tui.core.transcript import TranscriptFilter, UnfilteredTranscript
 from donnie_tui.core.wording import Wording, name_of_language
 from donnie_tui.i18n.words import Words
 from donnie_tui.settings.folders import own_sounds
-from donnie_tui.settings.settings import Settings, Source
+from donnie_tui.settings.settings import Settings, SettingSource
 from language.locales import keys, languages, own_words, table
 
 if TYPE_CHECKING:
@@ -197,7 +197,7 @@ class Audible:
 
     def adjust(self, **changed: object) -> None:
         """Settings from now on, by the names of their fields."""
-        sources = {**self._settings.sources, **dict.fromkeys(changed, Source.OPTION)}
+        sources = {**self._settings.sources, **dict.fromkeys(changed, SettingSource.OPTION)}
         self._settings = replace(self._settings, sources=sources, **changed)
         if changed.keys() & _OF_THE_CHANNEL or self._lacks_cues():
             self._make_anew()
@@ -238,7 +238,7 @@ def wants_cues(settings: Settings, facts: DetectedEnvironment) -> bool:
     """Whether this machine can play cues, or they were asked for."""
     if not settings.sound or isinstance(settings.sound, str) or not facts.has_sound_device:
         return False
-    asked_for = settings.source_of("sound") is not Source.DEFAULT
+    asked_for = settings.source_of("sound") is not SettingSource.DEFAULT
     return asked_for or (facts.stdout_is_terminal and not facts.over_ssh)
 
 
@@ -247,7 +247,7 @@ def voice_of(settings: Settings) -> VoiceSettings:
     from devices.ports.audio import VoiceSettings
 
     names = {"rate": "words_per_minute", "pitch": "pitch", "volume": "volume"}
-    chosen = {name for key, name in names.items() if settings.source_of(key) is not Source.DEFAULT}
+    chosen = {name for key, name in names.items() if settings.source_of(key) is not SettingSource.DEFAULT}
     return VoiceSettings(
         settings.rate, settings.pitch, settings.volume / 100, settings.punctuation, frozenset(chosen)
     )

@@ -142,7 +142,7 @@ FRONT_END_SPEED = 5.0
 """Times the real robot's pace in the front ends; ``donnie run`` is unlimited by default."""
 
 
-class Source(Enum):
+class SettingSource(Enum):
     """Where a value came from, strongest first."""
 
     OPTION = "option"
@@ -198,7 +198,7 @@ class Settings(Struct, frozen=True):
     reset_line: str = "auto"
     """What restarts a board by force."""
     linear: bool | None = None
-    """What the settings file says; the variables and the options are weighed in ``cli.front_ends``."""
+    """What the settings file says; the variables and the options are weighed in ``cli.front_end``."""
     theme: str = "dark"
     """The look of the full screen."""
     plain: bool | None = None
@@ -224,11 +224,11 @@ class Settings(Struct, frozen=True):
     """Whether every sentence also goes to a numbered file, as with the original's ``-l``."""
     notices: tuple[Notice, ...] = ()
     """What to report about the settings themselves once a front end listens."""
-    sources: Mapping[str, Source] = field(default_factory=dict)
+    sources: Mapping[str, SettingSource] = field(default_factory=dict)
     """Where each field came from; what is not in it is a default."""
 
-    def source_of(self, name: str) -> Source:
-        return self.sources.get(name, Source.DEFAULT)
+    def source_of(self, name: str) -> SettingSource:
+        return self.sources.get(name, SettingSource.DEFAULT)
 
 
 class BadOption(Exception):
@@ -254,7 +254,7 @@ def resolve(
         "language": language_of(environment),
         "world_folders": folders_of(environment.get("STAGEPATH", "")),
     }
-    sources: dict[str, Source] = {}
+    sources: dict[str, SettingSource] = {}
     notices = [_unknown(key) for key in file if key not in BY_KEY]
     for each in KEYS:
         for source, told_as, given in _given(each, options, environment, file):
@@ -276,15 +276,15 @@ def language_of(environment: Mapping[str, str]) -> str:
 
 def _given(
     each: Key, options: Mapping[str, str], environment: Mapping[str, str], file: Mapping[str, object]
-) -> list[tuple[Source, str, str]]:
+) -> list[tuple[SettingSource, str, str]]:
     """Where the key is given, strongest first: the source, what it is called there, and the text."""
-    given: list[tuple[Source, str, str]] = []
+    given: list[tuple[SettingSource, str, str]] = []
     if each.key in options:
-        given.append((Source.OPTION, f"--{each.key}", options[each.key]))
+        given.append((SettingSource.OPTION, f"--{each.key}", options[each.key]))
     if environment.get(each.variable):
-        given.append((Source.ENVIRONMENT, each.variable, environment[each.variable]))
+        given.append((SettingSource.ENVIRONMENT, each.variable, environment[each.variable]))
     if each.key in file:
-        given.append((Source.FILE, each.key, _as_text(file[each.key])))
+        given.append((SettingSource.FILE, each.key, _as_text(file[each.key])))
     return given
 
 
@@ -294,10 +294,10 @@ def _as_text(value: object) -> str:
     return str(value) if isinstance(value, str | int | float) else repr(type(value))
 
 
-def _complain(each: Key, source: Source, told_as: str, given: str) -> Notice:
-    if source is Source.OPTION:
+def _complain(each: Key, source: SettingSource, told_as: str, given: str) -> Notice:
+    if source is SettingSource.OPTION:
         raise BadOption(each.key, given, each.wanted)
-    code = "setting-not-understood" if source is Source.FILE else "variable-not-understood"
+    code = "setting-not-understood" if source is SettingSource.FILE else "variable-not-understood"
     code += "-example" if each.is_example else "-choice" if each.has_named_values else ""
     return Notice(code, {"name": told_as, "value": given[:40], "wanted": each.wanted})
 

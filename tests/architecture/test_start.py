@@ -8,7 +8,7 @@ from pathlib import Path
 from tests.conftest import ROOT
 from tests.patience import PATIENCE
 
-FRONT_END = "import donnie_tui.cli.main, donnie_tui.cli.front_ends, donnie_tui.tui.full_screen"
+FRONT_END = "import donnie_tui.cli.main, donnie_tui.cli.front_end, donnie_tui.tui.full_screen"
 LINEAR = "from donnie_tui.cli.main import main; main(['--linear', '--speech', 'off', '--sound', 'off'])"
 
 HEAVY = {

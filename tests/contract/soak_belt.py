@@ -6,7 +6,7 @@ from collections.abc import Callable
 from random import Random
 
 from devices.belt.protocol import HOLD, LETTERS, MOTORS, OFF, BeltSender
-from devices.board_simulator.belt import SimulatedBelt
+from devices.board_simulator.board import SimulatedBelt
 
 STEP = 0.01
 SHOWN_WITHIN = 0.5

@@ -10,7 +10,7 @@ from pathlib import Path
 
 import pytest
 
-from devices.board_simulator.belt import SimulatedBelt
+from devices.board_simulator.board import SimulatedBelt
 from devices.board_simulator.pty import PtyBoard
 from devices.serial_ports.port import PortFault, PortProblem
 from donnie_tui.bootstrap import assemble

@@ -10,7 +10,7 @@ from textual.driver import Driver
 from textual.drivers.linux_driver import LinuxDriver
 
 from donnie_tui.commands.declarations import COMMANDS
-from donnie_tui.commands.keys import KeyTable, is_free_to_give, not_understood, with_choice
+from donnie_tui.commands.keys import KeyTable, is_free_to_give, not_understood, with_key
 from donnie_tui.commands.settings import change
 from donnie_tui.core.run_state import RunState
 from donnie_tui.tui.terminal import use_mouse
@@ -72,10 +72,10 @@ def test_an_invalid_key_setting_is_reported():
 
 
 def test_a_later_key_setting_replaces_an_earlier_one():
-    chosen = with_choice("run f9, step f6", "run", "f2")
+    chosen = with_key("run f9, step f6", "run", "f2")
     assert chosen == "step f6, run f2"
-    assert with_choice(chosen, "stop", "f6") == "run f2, stop f6"
-    assert with_choice(chosen, "run", None) == "step f6"
+    assert with_key(chosen, "stop", "f6") == "run f2, stop f6"
+    assert with_key(chosen, "run", None) == "step f6"
 
 
 # --- changing them

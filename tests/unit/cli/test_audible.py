@@ -18,7 +18,7 @@ from donnie_tui.core.transcript import printed_lines
 from donnie_tui.i18n.words import Words
 from donnie_tui.outlets import audible
 from donnie_tui.outlets.audible import make_audible, wants_cues
-from donnie_tui.settings.settings import Settings, Source
+from donnie_tui.settings.settings import Settings, SettingSource
 from language.locales import languages
 from tests.floor import Floor
 from tests.sessions.learner import until
@@ -28,7 +28,7 @@ from tests.unit.ssip.server import Server
 HOME = KnownEnvironment(
     stdout_is_terminal=True, over_ssh=False, screen_reader=None, has_voice=True, has_sound_device=True
 )
-ASKED = {"sound": Source.OPTION}
+ASKED = {"sound": SettingSource.OPTION}
 
 
 class Noting(SilentSpeaker):

@@ -2,7 +2,7 @@
 
 import pytest
 
-from donnie_tui.cli.front_ends import Surroundings, cause_of_linear
+from donnie_tui.cli.front_end import ProcessEnvironment, cause_of_linear
 from tests.unit.i18n.sentences import CODES
 
 TTY, PIPE = True, False
@@ -42,12 +42,12 @@ def test_the_mode_is_decided_in_order(
     stdout: bool,
     cause: str | None,
 ) -> None:
-    assert cause_of_linear(option, configured, Surroundings(stdin, stdout, variables)) == cause
+    assert cause_of_linear(option, configured, ProcessEnvironment(stdin, stdout, variables)) == cause
 
 
 @pytest.mark.parametrize("option", [None, False])
 def test_the_full_screen_needs_a_terminal_for_the_errors_too(option: bool | None) -> None:
-    around = Surroundings(TTY, TTY, {"TERM": "xterm"}, stderr_is_terminal=PIPE)
+    around = ProcessEnvironment(TTY, TTY, {"TERM": "xterm"}, stderr_is_terminal=PIPE)
 
     assert cause_of_linear(option, None, around) == "no-terminal"
 

@@ -4,7 +4,7 @@ from argparse import Namespace
 
 import pytest
 
-from donnie_tui.cli import front_ends
+from donnie_tui.cli import front_end
 from donnie_tui.cli.options import Invocation, Order
 from donnie_tui.cli.streams import Output
 from donnie_tui.commands.interaction import SwitchMode
@@ -49,7 +49,7 @@ def visits(monkeypatch: pytest.MonkeyPatch) -> list[tuple[object, ...]]:
 
 
 def test_a_switch_keeps_the_program_its_name_and_the_session(visits: list[tuple[object, ...]]) -> None:
-    assert front_ends.start(order("b.gd", option_linear=True)) == 0
+    assert front_end.start(order("b.gd", option_linear=True)) == 0
     assert visits == [
         ("linear", "b.gd", "option", None, None),
         ("screen", "a.gd", "FW 1", LIVING),
@@ -61,6 +61,6 @@ def test_the_linear_mode_starts_where_there_is_no_terminal(
     visits: list[tuple[object, ...]], monkeypatch: pytest.MonkeyPatch
 ) -> None:
     """Under the tests there is no terminal."""
-    front_ends.start(order())
+    front_end.start(order())
 
     assert visits[0] == ("linear", None, "no-terminal", None, None)

@@ -10,7 +10,7 @@ from donnie_tui.core.program_files import DocumentError
 from donnie_tui.i18n.words import Words
 from donnie_tui.settings.file import read_settings, remember, with_setting
 from donnie_tui.settings.folders import settings_file, state_folder
-from donnie_tui.settings.settings import KEYS, BadOption, Settings, Source, language_of, resolve
+from donnie_tui.settings.settings import KEYS, BadOption, Settings, SettingSource, language_of, resolve
 
 
 def test_without_any_source_the_defaults_count() -> None:
@@ -30,12 +30,12 @@ def test_speech_on_is_the_built_in_voice() -> None:
 @pytest.mark.parametrize(
     ("options", "variables", "file", "speed", "source"),
     [
-        ({"speed": "2"}, {"DONNIE_SPEED": "3"}, {"speed": 4}, 2.0, Source.OPTION),
-        ({}, {"DONNIE_SPEED": "3"}, {"speed": 4}, 3.0, Source.ENVIRONMENT),
-        ({}, {}, {"speed": 4}, 4.0, Source.FILE),
-        ({}, {"DONNIE_SPEED": ""}, {"speed": "max"}, None, Source.FILE),
-        ({}, {"DONNIE_SPEED": "fast"}, {"speed": 4}, 4.0, Source.FILE),
-        ({}, {"DONNIE_SPEED": "fast"}, {"speed": []}, 5.0, Source.DEFAULT),
+        ({"speed": "2"}, {"DONNIE_SPEED": "3"}, {"speed": 4}, 2.0, SettingSource.OPTION),
+        ({}, {"DONNIE_SPEED": "3"}, {"speed": 4}, 3.0, SettingSource.ENVIRONMENT),
+        ({}, {}, {"speed": 4}, 4.0, SettingSource.FILE),
+        ({}, {"DONNIE_SPEED": ""}, {"speed": "max"}, None, SettingSource.FILE),
+        ({}, {"DONNIE_SPEED": "fast"}, {"speed": 4}, 4.0, SettingSource.FILE),
+        ({}, {"DONNIE_SPEED": "fast"}, {"speed": []}, 5.0, SettingSource.DEFAULT),
     ],
 )
 def test_the_strongest_valid_source_wins(
@@ -43,7 +43,7 @@ def test_the_strongest_valid_source_wins(
     variables: dict[str, str],
     file: dict[str, object],
     speed: float | None,
-    source: Source,
+    source: SettingSource,
 ) -> None:
     settings, _ = resolve(options, variables, file)
 

@@ -7,14 +7,14 @@ from donnie_tui.commands.preferences import (
     PREFERENCES,
     Preferences,
     Where,
-    choices_in_words,
     find_preference,
     value_typed,
     value_word,
+    values_in_words,
 )
 from donnie_tui.core.wording import spelled
 from donnie_tui.i18n.words import Words
-from donnie_tui.linear.prompter import Options, Page, PromptStyle
+from donnie_tui.linear.prompter import Options, PageBreak, PromptStyle
 from donnie_tui.settings.parsing import LONGEST_PROGRESS
 from donnie_tui.settings.settings import Settings, resolve
 from language.locales import languages
@@ -38,7 +38,7 @@ def test_every_value_is_understood_in_every_language_and_from_the_settings(prefe
     for language in languages():
         word = value_word(preference, value, language)
         assert value_typed(preference, word, Words(language)) == value
-        assert word in choices_in_words(preference, Words(language))
+        assert word in values_in_words(preference, Words(language))
     _, notices = resolve({}, {}, {preference.key: value})
     assert notices == ()
 
@@ -93,9 +93,9 @@ def test_a_setting_of_one_front_end_is_no_setting_of_the_other():
 def test_the_linear_mode_behaves_as_the_settings_say():
     settings = Settings()
     options = Options(lambda: settings)
-    assert (options.page, options.prompt, options.hold) == (Page.REST, PromptStyle.SHORT, False)
+    assert (options.page, options.prompt, options.hold) == (PageBreak.REST, PromptStyle.SHORT, False)
     assert (options.editor, options.enter, options.progress) == (True, False, 10)
 
     settings = Settings(page="ask", prompt="word", hold="on", editor="plain", enter="runs", progress="0")
-    assert (options.page, options.prompt_at(2), options.hold) == (Page.ASK, "Donnie 2> ", True)
+    assert (options.page, options.prompt_at(2), options.hold) == (PageBreak.ASK, "Donnie 2> ", True)
     assert (options.editor, options.enter, options.progress) == (False, True, 0)

@@ -13,7 +13,7 @@ from devices.audio.cues import CUE_NAMES
 from donnie_tui.commands.preferences import PREFERENCES, Where
 from donnie_tui.commands.sound import CUES, chime_block, cue_meant, cue_word
 from donnie_tui.core.events import SoundSwitched, Spoke
-from donnie_tui.linear.line_editor import Act, Key, KeyEcho
+from donnie_tui.linear.line_editor import Act, EditorEcho, KeyPress
 from donnie_tui.settings.folders import settings_file
 from donnie_tui.settings.settings import Settings, resolve
 from language.locales import languages
@@ -243,11 +243,11 @@ def test_programs_wait_for_the_voice_as_soon_as_that_is_set(home: Listening) -> 
 
 
 def typed_keys(home: Listening, text: str) -> list[str]:
-    echo, before = KeyEcho(home.donnie.outlets.audible, home.donnie.words), ""
+    echo, before = EditorEcho(home.donnie.outlets.audible, home.donnie.words), ""
     for letter in text:
-        echo(Key(Act.TEXT, letter), before)
+        echo(KeyPress(Act.TEXT, letter), before)
         before += letter
-    echo(Key(Act.ENTER), before)
+    echo(KeyPress(Act.ENTER), before)
     return home.audio.heard
 
 
@@ -266,7 +266,7 @@ def test_typed_text_is_said_by_keys_or_by_words_as_set(home: Listening, kind: st
 
 def test_a_deleted_character_is_said(home: Listening) -> None:
     home.donnie.outlets.adjust_sound(key_echo="characters")
-    KeyEcho(home.donnie.outlets.audible, home.donnie.words)(Key(Act.BACKSPACE), "x <")
+    EditorEcho(home.donnie.outlets.audible, home.donnie.words)(KeyPress(Act.BACKSPACE), "x <")
     assert home.audio.heard == ["less sign."]
 
 

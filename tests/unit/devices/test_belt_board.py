@@ -8,7 +8,7 @@ from pathlib import Path
 import pytest
 
 from devices.belt.protocol import encode_frame
-from devices.board_simulator.belt import SimulatedBelt
+from devices.board_simulator.board import SimulatedBelt
 
 ONE = encode_frame((0, 0, 0, 3) + (0,) * 10)
 ALL = encode_frame((3,) * 14)

@@ -7,7 +7,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from devices.belt.protocol import AFTER_RESYNC, HOLD, MOTORS, OFF, PERIOD, RESYNC, BeltSender, encode_frame
-from devices.board_simulator.belt import SimulatedBelt
+from devices.board_simulator.board import SimulatedBelt
 
 DARK = encode_frame(OFF)
 FRONT = (0, 0, 0, 3, 0, 0, 0) * 2

@@ -13,7 +13,7 @@ import pytest
 
 from devices.belt.protocol import MOTORS, OFF, RESYNC, encode_frame
 from devices.belt.serial_belt import BeltNotice, SerialBelt
-from devices.board_simulator.belt import SimulatedBelt
+from devices.board_simulator.board import SimulatedBelt
 from devices.serial_ports.port import PortFault, PortProblem
 from tests.patience import PATIENCE
 

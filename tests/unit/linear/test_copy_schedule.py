@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import os
 from collections.abc import Callable, Iterator
+from typing import Any
 
 import pytest
 
@@ -29,7 +30,7 @@ class Typist:
     """Types lines; ``copies`` are what was written down."""
 
     def __init__(self) -> None:
-        self.console = Typing()
+        self.console: Any = Typing()
         self.lines: list[str] = []
         self.copies: list[tuple[str, ...]] = []
         self.schedule = CopySchedule(self.console, self.keep_copies)

@@ -20,7 +20,7 @@ class Paper:
         self._stream = pyte.Stream(self.screen)
         self._stream.feed(PROMPT + offered)
         self.line = EditLine(len(PROMPT), lambda: COLUMNS, offered)
-        self.write(self.line.settle())
+        self.write(self.line.place_cursor())
 
     def write(self, painted: str) -> None:
         self._stream.feed(painted)

@@ -4,17 +4,17 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from donnie_tui.linear.line_editor import Act, Key, KeyDecoder
+from donnie_tui.linear.line_editor import Act, KeyDecoder, KeyPress
 
 
-def decoded(*pieces: bytes) -> list[Key]:
+def decoded(*pieces: bytes) -> list[KeyPress]:
     decoder = KeyDecoder()
     keys = [key for piece in pieces for key in decoder.feed(piece)]
     return keys + decoder.give_up_waiting()
 
 
-def text(typed: str) -> Key:
-    return Key(Act.TEXT, typed)
+def text(typed: str) -> KeyPress:
+    return KeyPress(Act.TEXT, typed)
 
 
 @pytest.mark.parametrize(
@@ -48,7 +48,7 @@ def text(typed: str) -> Key:
     ],
 )
 def test_a_key_is_what_its_bytes_say(data: bytes, act: Act) -> None:
-    assert decoded(data) == [Key(act)]
+    assert decoded(data) == [KeyPress(act)]
 
 
 @pytest.mark.parametrize(
@@ -63,16 +63,21 @@ def test_an_escape_waits_for_what_may_follow() -> None:
 
     assert decoder.feed(b"\x1b") == []
     assert decoder.is_waiting
-    assert decoder.feed(b"[A") == [Key(Act.OLDER)]
+    assert decoder.feed(b"[A") == [KeyPress(Act.OLDER)]
     assert not decoder.is_waiting
 
 
 def test_an_escape_before_text_is_a_key_of_its_own() -> None:
-    assert decoded(b"FW 3\x1bSCAN\r") == [text("FW 3"), Key(Act.ESCAPE), text("SCAN"), Key(Act.ENTER)]
+    assert decoded(b"FW 3\x1bSCAN\r") == [
+        text("FW 3"),
+        KeyPress(Act.ESCAPE),
+        text("SCAN"),
+        KeyPress(Act.ENTER),
+    ]
 
 
 def test_two_escapes_are_two_keys() -> None:
-    assert decoded(b"\x1b\x1b") == [Key(Act.ESCAPE), Key(Act.ESCAPE)]
+    assert decoded(b"\x1b\x1b") == [KeyPress(Act.ESCAPE), KeyPress(Act.ESCAPE)]
 
 
 def test_a_character_may_come_in_pieces() -> None:
@@ -90,7 +95,7 @@ def test_a_tab_in_what_is_pasted_is_a_blank() -> None:
 def test_a_sequence_without_an_end_does_not_wait_forever() -> None:
     decoder = KeyDecoder()
 
-    assert decoder.feed(b"\x1b[" + b"1" * 100)[0] == Key(Act.ESCAPE)
+    assert decoder.feed(b"\x1b[" + b"1" * 100)[0] == KeyPress(Act.ESCAPE)
     assert not decoder.is_waiting
 
 
@@ -101,7 +106,7 @@ def test_a_sequence_without_an_end_does_not_wait_forever() -> None:
     )
 )
 def test_pieces_make_no_difference(pieces: list[bytes]) -> None:
-    def typed(keys: list[Key]) -> list[tuple[Act, str]]:
+    def typed(keys: list[KeyPress]) -> list[tuple[Act, str]]:
         """One text or several is the same."""
         return [(key.act, letter) for key in keys for letter in key.text or " "]
 
@@ -109,6 +114,10 @@ def test_pieces_make_no_difference(pieces: list[bytes]) -> None:
 
 
 def test_tab_completes_at_the_end_of_what_was_typed_and_is_a_blank_in_a_paste() -> None:
-    assert KeyDecoder().feed(b"\t") == [Key(Act.COMPLETE)]
-    assert KeyDecoder().feed(b"EXP\t") == [Key(Act.TEXT, "EXP"), Key(Act.COMPLETE)]
-    assert KeyDecoder().feed(b"FW\t3") == [Key(Act.TEXT, "FW"), Key(Act.TEXT, " "), Key(Act.TEXT, "3")]
+    assert KeyDecoder().feed(b"\t") == [KeyPress(Act.COMPLETE)]
+    assert KeyDecoder().feed(b"EXP\t") == [KeyPress(Act.TEXT, "EXP"), KeyPress(Act.COMPLETE)]
+    assert KeyDecoder().feed(b"FW\t3") == [
+        KeyPress(Act.TEXT, "FW"),
+        KeyPress(Act.TEXT, " "),
+        KeyPress(Act.TEXT, "3"),
+    ]

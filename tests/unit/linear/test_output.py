@@ -1,6 +1,6 @@
 """Blocks, rests, and the new line that is held back; with a clock that only moves during waits."""
 
-from donnie_tui.linear.output import AFTER_STOP, REST, Output
+from donnie_tui.linear.output import AFTER_STOP, REST, PacedOutput
 
 
 class Paper:
@@ -38,7 +38,7 @@ def numbered(count: int) -> list[str]:
 
 def test_an_answer_and_the_prompt_are_one_write() -> None:
     paper = Paper()
-    output = Output(paper, paced=True)
+    output = PacedOutput(paper, paced=True)
     output.hold_newline()
     output.show(["one", "two"], "> ")
 
@@ -47,7 +47,7 @@ def test_an_answer_and_the_prompt_are_one_write() -> None:
 
 def test_a_line_without_an_answer_is_followed_by_the_prompt() -> None:
     paper = Paper()
-    output = Output(paper, paced=True)
+    output = PacedOutput(paper, paced=True)
     output.hold_newline()
     output.show([], "2> ")
 
@@ -56,7 +56,7 @@ def test_a_line_without_an_answer_is_followed_by_the_prompt() -> None:
 
 def test_a_long_answer_comes_in_blocks_of_eighteen_with_a_rest_between() -> None:
     paper = Paper()
-    left_out = Output(paper, paced=True).show(numbered(40), "> ")
+    left_out = PacedOutput(paper, paced=True).show(numbered(40), "> ")
 
     assert left_out == 0
     assert [(time, text.count("\n")) for time, text in paper.written] == [
@@ -69,7 +69,7 @@ def test_a_long_answer_comes_in_blocks_of_eighteen_with_a_rest_between() -> None
 
 def test_lines_at_a_stop_need_no_rest_and_fit_on_the_screen_with_the_last_block() -> None:
     paper = Paper()
-    output = Output(paper, paced=True)
+    output = PacedOutput(paper, paced=True)
     output.show(numbered(18))
     output.show(numbered(AFTER_STOP), "> ", to_the_end=True)
 
@@ -79,7 +79,7 @@ def test_lines_at_a_stop_need_no_rest_and_fit_on_the_screen_with_the_last_block(
 
 def test_a_long_answer_at_a_stop_rests_after_its_first_lines() -> None:
     paper = Paper()
-    output = Output(paper, paced=True)
+    output = PacedOutput(paper, paced=True)
     output.show(["before"] * 18)
     output.show(numbered(AFTER_STOP + 18), "> ", to_the_end=True)
 
@@ -89,7 +89,7 @@ def test_a_long_answer_at_a_stop_rests_after_its_first_lines() -> None:
 def test_a_block_of_nothing_but_numbers_has_a_word_since_orca_is_silent_about_digits() -> None:
     paper = Paper()
     numbers = [str(number) for number in range(1, 41)]
-    Output(paper, paced=True, of_numbers="{} numbers.".format).show(numbers, "> ")
+    PacedOutput(paper, paced=True, of_numbers="{} numbers.".format).show(numbers, "> ")
 
     assert [text.split("\n")[-2:] for text in paper.texts] == [
         ["17 numbers.", ""],
@@ -103,28 +103,28 @@ def test_a_block_of_nothing_but_numbers_has_a_word_since_orca_is_silent_about_di
 def test_a_few_numbers_need_no_word_nor_do_numbers_among_words_or_in_a_pipe() -> None:
     for lines, paced in ((["1", "2", "3"], True), (["1", "2", "-3", "4"], True), (["1"] * 50, False)):
         paper = Paper()
-        Output(paper, paced=paced).show(lines)
+        PacedOutput(paper, paced=paced).show(lines)
 
         assert paper.texts == ["".join(f"{line}\n" for line in lines)]
 
 
 def test_a_small_terminal_gets_smaller_blocks() -> None:
     paper = Paper(rows=10)
-    Output(paper, paced=True).show(numbered(8))
+    PacedOutput(paper, paced=True).show(numbered(8))
 
     assert [text.count("\n") for text in paper.texts] == [4, 4]
 
 
 def test_a_large_terminal_gets_no_larger_blocks_than_a_reader_keeps_up_with() -> None:
     paper = Paper(rows=50)
-    Output(paper, paced=True).show(numbered(40))
+    PacedOutput(paper, paced=True).show(numbered(40))
 
     assert [text.count("\n") for text in paper.texts] == [18, 18, 4]
 
 
 def test_lines_that_come_one_by_one_are_paced_too() -> None:
     paper = Paper()
-    output = Output(paper, paced=True)
+    output = PacedOutput(paper, paced=True)
     for line in numbered(20):
         output.show([line])
 
@@ -133,7 +133,7 @@ def test_lines_that_come_one_by_one_are_paced_too() -> None:
 
 def test_a_prompt_never_waits() -> None:
     paper = Paper()
-    output = Output(paper, paced=True)
+    output = PacedOutput(paper, paced=True)
     output.show(numbered(18))
     output.show([], "> ")
 
@@ -142,14 +142,14 @@ def test_a_prompt_never_waits() -> None:
 
 def test_a_pipe_gets_everything_at_once() -> None:
     paper = Paper()
-    Output(paper, paced=False).show(numbered(1000))
+    PacedOutput(paper, paced=False).show(numbered(1000))
 
     assert [text.count("\n") for text in paper.texts] == [1000]
 
 
 def test_control_c_ends_a_long_answer() -> None:
     paper = Paper(interrupt_at=REST)
-    left_out = Output(paper, paced=True).show(numbered(40), "> ")
+    left_out = PacedOutput(paper, paced=True).show(numbered(40), "> ")
 
     assert left_out == 22
     assert len(paper.texts) == 1
@@ -157,7 +157,7 @@ def test_control_c_ends_a_long_answer() -> None:
 
 def test_the_end_of_a_stopped_program_is_printed_after_any_key() -> None:
     paper = Paper(interrupt_at=0.1)
-    left_out = Output(paper, paced=True).show(numbered(40), "> ", to_the_end=True)
+    left_out = PacedOutput(paper, paced=True).show(numbered(40), "> ", to_the_end=True)
 
     assert left_out == 0
     assert "".join(paper.texts).endswith("line 40\n> ")

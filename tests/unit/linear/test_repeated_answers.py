@@ -10,7 +10,7 @@ from itertools import groupby
 
 import pytest
 
-from donnie_tui.linear.output import Output
+from donnie_tui.linear.output import PacedOutput
 from tests.unit.linear.test_output import Paper
 
 TYPED = "SHOW LOG"
@@ -47,7 +47,7 @@ def spoken_lines(paper: Paper, screen: Screen) -> list[str]:
 def test_a_reader_says_an_answer_each_time_it_is_printed(rows: int, is_cleared: bool) -> None:
     for count in range(1, 61):
         paper, screen = Paper(rows), Screen(rows, is_cleared=is_cleared)
-        output = Output(paper, paced=True)
+        output = PacedOutput(paper, paced=True)
         answer = [f"I walked {number} steps." for number in range(count)]
         for _ in range(3):
             paper.wait(10)
@@ -60,7 +60,7 @@ def test_a_reader_says_an_answer_each_time_it_is_printed(rows: int, is_cleared: 
 
 def test_what_was_never_printed_comes_in_blocks_of_eighteen_all_the_same() -> None:
     paper = Paper()
-    output = Output(paper, paced=True)
+    output = PacedOutput(paper, paced=True)
     output.show([f"one {number}" for number in range(18)])
     paper.wait(10)
     output.show([f"two {number}" for number in range(18)], "> ")
@@ -70,7 +70,7 @@ def test_what_was_never_printed_comes_in_blocks_of_eighteen_all_the_same() -> No
 
 def test_a_program_that_says_one_thing_over_and_over_is_not_held_up() -> None:
     paper = Paper()
-    output = Output(paper, paced=True)
+    output = PacedOutput(paper, paced=True)
     for _ in range(3):
         output.show(["on and on"] * 18)
         paper.wait(10)

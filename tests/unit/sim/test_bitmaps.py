@@ -12,8 +12,15 @@ from hypothesis import strategies as st
 from sim.geometry import signed_area
 from sim.world import World
 from sim.worldfile import load_text
-from sim.worldfile.bitmaps import MOST_PIXELS, Bitmap, UnreadableBitmapError, read_bitmap
-from sim.worldfile.floor_plans import Rectangle, count_outlines, rectangles
+from sim.worldfile.floor_plans import (
+    MOST_PIXELS,
+    Bitmap,
+    Rectangle,
+    UnreadableBitmapError,
+    count_outlines,
+    read_bitmap,
+    rectangles,
+)
 from tests.effort import examples
 from tests.unit.sim.floors import IDEAL, Unpaced
 

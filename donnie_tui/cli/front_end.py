@@ -43,7 +43,7 @@ def start(order: Order) -> int:
     arguments = order.invocation.arguments
     settings = replace(order.settings, plain=True) if arguments.plain else order.settings
     option = True if arguments.linear else False if arguments.visual else None
-    cause = cause_of_linear(option, settings.linear, surroundings(order.environment))
+    cause = cause_of_linear(option, settings.linear, process_environment(order.environment))
     along = _Luggage(arguments.file or None, order.greeting)
     while True:
         try:
@@ -71,7 +71,7 @@ def _talk(settings: Settings, cause: str, along: _Luggage) -> int:
     return run_linear(settings, along.file, cause, along.greeting, text=along.text, donnie=along.donnie)
 
 
-class Surroundings(Struct, frozen=True):
+class ProcessEnvironment(Struct, frozen=True):
     """What the process was started in."""
 
     stdin_is_terminal: bool
@@ -87,13 +87,13 @@ class Surroundings(Struct, frozen=True):
         return is_browser or (self.stdin_is_terminal and self.stdout_is_terminal and self.stderr_is_terminal)
 
 
-def surroundings(environment: Mapping[str, str]) -> Surroundings:
+def process_environment(environment: Mapping[str, str]) -> ProcessEnvironment:
     """Those of this process."""
     stdin, stdout, stderr = map(is_terminal, (sys.stdin, sys.stdout, sys.stderr))
-    return Surroundings(stdin, stdout, environment, stderr)
+    return ProcessEnvironment(stdin, stdout, environment, stderr)
 
 
-def cause_of_linear(option: bool | None, configured: bool | None, around: Surroundings) -> str | None:
+def cause_of_linear(option: bool | None, configured: bool | None, around: ProcessEnvironment) -> str | None:
     """Why the mode is linear, for the greeting; None for the full screen.
 
     ``option``: True for ``--linear``, False for ``--visual``. A full screen without a terminal is
