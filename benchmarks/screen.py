@@ -45,11 +45,11 @@ async def screen(world: str = "living_room", size: tuple[int, int] = (120, 40)) 
     with tempfile.TemporaryDirectory() as folder:
         app = DonnieApp(settings, assemble=lambda: assemble(settings, terminal=True), folder=Path(folder))
         async with app.run_test(size=size) as pilot:
-            while app.work is None:
+            while app.controller is None:
                 await pilot.pause(0.01)
             await pilot.pause()
             yield app
-        app.close_session()
+        app.session.close()
 
 
 class Bytes:
@@ -72,11 +72,11 @@ async def map_at_work(whole: bool, world: str) -> tuple[float, float]:
     """Bytes and seconds for the frames of a walk; ``whole``: the map is painted anew each time."""
     async with screen(world) as app:
         written = Bytes(app, whole=whole)
-        place = app.workplace
+        place = app.main_screen
         began = time.process_time()
         for frame in range(FRAMES):
             pose = Pose(float(frame // 4 % 20), float(frame // 80), 90.0)
-            app.work.display.move((pose,))
+            app.controller.display.move((pose,))
             if whole:
                 place.map.refresh()
             await asyncio.sleep(0)
@@ -89,7 +89,7 @@ async def key_to_screen(busy: Callable[[DonnieApp], None] | None) -> float:
     async with screen() as app:
         if busy is not None:
             busy(app)
-        line = app.workplace.command_line
+        line = app.main_screen.command_line
         line.focus()
         taken = []
         for _ in range(60):
@@ -100,8 +100,8 @@ async def key_to_screen(busy: Callable[[DonnieApp], None] | None) -> float:
                 await asyncio.sleep(0)
             taken.append(time.perf_counter() - began)
             await asyncio.sleep(0.01)
-        if app.work.ctx.runs.state is not RunState.READY:
-            app.work.halt()
+        if app.controller.ctx.runs.state is not RunState.READY:
+            app.session.halt()
         return median(taken)
 
 
@@ -114,12 +114,12 @@ def _key(letter: str) -> object:
 def walking(app: DonnieApp) -> None:
     """The robot moves twenty times a second."""
     poses = iter(range(10**9))
-    app.set_interval(1 / 20, lambda: app.work.display.move((Pose(float(next(poses) % 20), 5.0, 90.0),)))
+    app.set_interval(1 / 20, lambda: app.controller.display.move((Pose(float(next(poses) % 20), 5.0, 90.0),)))
 
 
 def computing(app: DonnieApp) -> None:
     sys.setswitchinterval(SWITCH)
-    app.work.load("VAR x = 0\nWHILE 1 == 1 DO\nx = x + 1\nEND WHILE")
+    app.controller.load("VAR x = 0\nWHILE 1 == 1 DO\nx = x + 1\nEND WHILE")
     app.do("run")
 
 
@@ -150,13 +150,13 @@ async def lost_to_the_screen() -> Lost:
     async with screen() as app:
         Bytes(app, whole=False)
         sys.setswitchinterval(SWITCH)
-        app.work.load(COUNTED)
+        app.controller.load(COUNTED)
         await asyncio.sleep(0.5)
         first = _spent()
         app.do("run")
         await asyncio.sleep(BEGUN)
         begun = last = _spent()
-        while app.work.donnie.session.run is not None:
+        while app.controller.donnie.session.run is not None:
             last = _spent()
             await asyncio.sleep(0.5)
         ended = _spent()

@@ -1,9 +1,7 @@
-"""The full-screen application: the screen first, the work behind it.
+"""The Textual application: shows the main screen at once and loads the session after its first frame.
 
-What Textual calls is here, and the putting together; ``beginning``, ``keyboard``, ``ending`` and
-``screen_host`` do the rest. Rules: the first frame needs nothing but Textual, so it is there at once; the
-session and all that belongs to it are loaded afterwards. Whatever ends the application, the robot is halted,
-the text is kept and the terminal given back.
+What Textual calls is here. Whatever ends the application, the robots are halted, the text is kept and the
+terminal is given back.
 """
 
 from __future__ import annotations
@@ -23,24 +21,22 @@ from donnie_tui.i18n.first_words import early
 from donnie_tui.robot.search import Search
 from donnie_tui.settings.folders import UNSAVED, state_folder
 from donnie_tui.settings.settings import Settings
-from donnie_tui.tui.beginning import Beginning
-from donnie_tui.tui.coming import Coming
-from donnie_tui.tui.ending import Ending
-from donnie_tui.tui.environment import is_plain, wants_mouse
+from donnie_tui.tui.environment import is_plain
+from donnie_tui.tui.key_queue import Dialogs
 from donnie_tui.tui.keyboard import STOPS, Keyboard, bindings
-from donnie_tui.tui.screen_host import ScreenHost
-from donnie_tui.tui.screens.workplace import Workplace
-from donnie_tui.tui.session_behind import SessionBehind
-from donnie_tui.tui.terminal import TerminalApp, use_mouse
+from donnie_tui.tui.screens.main_screen import MainScreen
+from donnie_tui.tui.session_handle import SessionHandle
+from donnie_tui.tui.shutdown import Shutdown
+from donnie_tui.tui.startup import Startup
+from donnie_tui.tui.terminal import TerminalApp
 from donnie_tui.tui.widgets.command_line import CommandLine
 from donnie_tui.tui.widgets.editor import Editor
 from donnie_tui.tui.widgets.rows import KeyLine, TextRows
 
 if TYPE_CHECKING:
     from donnie_tui.bootstrap import Donnie
-    from donnie_tui.tui.bridge import Began, Ended
-    from donnie_tui.tui.brought import Brought
-    from donnie_tui.tui.work import Work
+    from donnie_tui.tui.controller import ScreenController, ScreenState
+    from donnie_tui.tui.event_queue import RunBegan, RunFinished
 
 WIPE = "\x1b[0m\x1b[H\x1b[2J"
 
@@ -60,178 +56,139 @@ class DonnieApp(TerminalApp, inherit_bindings=False):
         assemble: Callable[[], Donnie],
         search: Search | None = None,
         folder: Path | None = None,
-        brought: Brought | None = None,
+        restored: ScreenState | None = None,
     ) -> None:
         """``text``: what the other mode left, unsaved changes included. ``folder`` holds the copies.
 
-        ``brought``: what came along from another world.
-
-        ``search``: what gives up the search for a robot, where ``assemble`` looks for one.
+        ``search`` gives up the search for a robot, where ``assemble`` looks for one. ``restored`` is kept
+        from the world before.
         """
         super().__init__(settings)
-        self._settings, self._file, self._text, self._brought = settings, file, text, brought
+        self._settings, self._file, self._text, self._restored = settings, file, text, restored
         self._language = settings.language
-        self._state = Path(folder or state_folder(os.environ))
-        self.workplace = Workplace(
-            self.size, plain=is_plain(settings), focus=brought.focus if brought else ""
+        self._state_folder = Path(folder or state_folder(os.environ))
+        self.main_screen = MainScreen(
+            self.size, plain=is_plain(settings), focus=restored.focus if restored else ""
         )
         self.key_table = KeyTable()
         self._bind(settings.keys)
-        self._behind = SessionBehind(search)
-        self._coming = Coming(self, self.workplace, self._let_keys)
-        self._keyboard = self._with_keyboard()
-        self.beginning = Beginning(
+        self.session = SessionHandle(search)
+        self._dialogs = Dialogs(self, self.main_screen, self._release_keys)
+        self._keyboard = Keyboard(
             self,
-            self._behind,
-            self.workplace,
+            self.session,
+            self.main_screen,
+            self.key_table,
+            dialogs=self._dialogs,
+            feed=super().on_event,
+            must_wait=lambda: self.startup.holds_keys or self._dialogs.holds_keys,
+            do=self.do,
+        )
+        self.startup = Startup(
+            self,
+            self.session,
+            self.main_screen,
             settings,
             search=search,
             assemble=assemble,
-            work_with=self._work_with,
-            let_keys=self._let_keys,
+            start_controller=self._start_controller,
+            release_keys=self._release_keys,
         )
-        self.ending = Ending(
+        self.shutdown = Shutdown(
             self,
-            self._behind,
-            self._state / UNSAVED,
+            self.session,
+            self._state_folder / UNSAVED,
             stop_all=lambda: self.do("stop_all"),
             repaint=self.repaint,
         )
-        self._host = self._as_host()
         self._first_word: str | None = None
-        """What was asked for in the empty program before there was anything to do it with."""
+        """The command that was typed into the empty program before the session was loaded."""
 
-    def _with_keyboard(self) -> Keyboard:
-        return Keyboard(
+    def _start_controller(self, donnie: Donnie) -> None:
+        from donnie_tui.bootstrap import open_workspace
+        from donnie_tui.commands.preferences import Preferences
+        from donnie_tui.tui.interaction import connect
+
+        restored, folder = self._restored, str(self._state_folder)
+        controller = self.session.controller = connect(
             self,
-            self._behind,
-            self.workplace,
+            self._dialogs,
+            self.main_screen,
             self.key_table,
-            coming=self._coming,
-            feed=super().on_event,
-            must_wait=lambda: self.beginning.holds_keys or self._coming.holds_keys,
-            do=self.do,
-        )
-
-    def _as_host(self) -> ScreenHost:
-        return ScreenHost(
-            self,
-            self.workplace,
-            self.key_table,
-            begin_with=self.beginning.open_with,
-            wear=self.wear,
-            repaint=self.repaint,
-            point=self._behind.point,
-            coming=self._coming,
-        )
-
-    def _work_with(self, donnie: Donnie) -> Work:
-        from donnie_tui.tui.work import Work
-
-        work = self._behind.work = Work(
-            self._host,
             donnie,
-            self._state,
-            self._settings,
-            self._brought.workspace if self._brought else None,
+            restored.workspace if restored else open_workspace(folder),
+            Preferences(self._settings, os.environ),
         )
-        work.begin(self._file, self._text, self._brought)
+        opening = controller.begin(self._file, self._text, restored, folder)
+        if opening is not None:
+            self.startup.open_with(opening)
         if self._first_word is not None:
             self.call_later(self._do_first_word, self._first_word)
-        return work
-
-    # --- what there is, and how it was left
 
     @property
-    def work(self) -> Work | None:
-        """None until it is loaded."""
-        return self._behind.work
-
-    @property
-    def trouble(self) -> Exception | None:
-        """What kept it from being loaded."""
-        return self.beginning.trouble
-
-    @property
-    def is_opening(self) -> bool:
-        """While the first file is read."""
-        return self.beginning.is_opening
-
-    @property
-    def left_for_linear(self) -> bool:
-        return self._host.left_for_linear
-
-    @property
-    def next_world(self) -> str:
-        """The world in which the screen is to come back."""
-        return self._host.next_world
-
-    def close_session(self) -> None:
-        """After the screen is gone: nothing is left running."""
-        self._behind.close()
+    def controller(self) -> ScreenController | None:
+        """None until the session is loaded."""
+        return self.session.controller
 
     # --- looks
 
-    def wear(self, settings: Settings) -> None:
-        """The look, the layout and the keys that somebody chose."""
-        self.wear_theme(settings)
+    def apply_settings(self, settings: Settings) -> None:
+        """The layout and the keys, too."""
+        super().apply_settings(settings)
         if settings.plain is not None:
-            self.workplace.set_plain(settings.plain)
+            self.main_screen.set_plain(settings.plain)
         self._language = settings.language
         self._bind(settings.keys)
-        use_mouse(self._driver, wanted=wants_mouse(settings))
 
     def _bind(self, chosen: str) -> None:
-        """The keys of the table, with those that somebody chose in their place."""
+        """The keys of the table; those that the learner chose replace them."""
         self.key_table.choose(chosen)
         self._bindings = bindings(self.key_table)
 
     def get_default_screen(self) -> Screen[None]:
-        return self.workplace
+        return self.main_screen
 
     def on_mount(self) -> None:
-        self.ending.begin()
+        self.shutdown.begin()
         self.app_resume_signal.subscribe(self, lambda _: self.show_cursor())
-        self.beginning.greet(self.key_table, self._brought)
-        self.call_after_refresh(self.beginning.begin)
+        self.startup.greet(self.key_table, self._restored)
+        self.call_after_refresh(self.startup.begin)
 
     def watch_app_focus(self, has_focus: bool) -> None:
-        """A page of a browser, or a window behind another, begins without the focus: nothing has it yet."""
-        place = self.workplace
+        """A page of a browser, or a window in the background, begins without the focus."""
+        place = self.main_screen
         if has_focus and place.is_mounted and self.screen is place and place.focused is None:
             place.set_focus(place.first_focus)  # before the next key
 
     def _display(self, screen: Screen[Any], renderable: RenderableType | None) -> None:
         """A new layout, or another screen, is painted once: Textual would leave it out while one is held."""
         if renderable is not None:
-            self.workplace.hold_nothing()
+            self.main_screen.hold_nothing()
         super()._display(screen, renderable)
 
     @property
     def is_read_by_rows(self) -> bool:
-        return self.workplace.is_plain
+        return self.main_screen.is_plain
 
-    # --- doing
+    # --- keys and commands
 
     async def on_event(self, event: events.Event) -> None:
-        await self._keyboard.hear(event)
+        await self._keyboard.on_event(event)
 
     def check_action(self, action: str, parameters: tuple[object, ...]) -> bool | None:
-        """Actions belong to the workplace, but a stop is always possible; else Ctrl+C copies."""
+        """Actions belong to the main screen, but a stop is always possible; else Ctrl+C copies."""
         if action == "do":
             only_while_running = len(parameters) > 1
-            return self._stops(parameters) or (self.screen is self.workplace and not only_while_running)
+            is_stop = self.session.runs and parameters[0] in STOPS
+            return is_stop or (self.screen is self.main_screen and not only_while_running)
         if action in ("key_menu", "command_palette"):
-            return self.screen is self.workplace
+            return self.screen is self.main_screen
         return super().check_action(action, parameters)
 
-    def _stops(self, parameters: tuple[object, ...]) -> bool:
-        return self._behind.runs and parameters[0] in STOPS
-
-    def _let_keys(self) -> None:
-        """Those that waited; as it ends there is nothing more that they could be for."""
+    def _release_keys(self) -> None:
+        """Those that waited. As the application ends there is nothing more that they could be for."""
         if self.screen_stack:
-            self._keyboard.let_go()
+            self._keyboard.release()
 
     def action_do(self, name: str, _only_while_running: bool = False) -> None:
         """A key was pressed."""
@@ -241,110 +198,112 @@ class DonnieApp(TerminalApp, inherit_bindings=False):
         self.do("quit")
 
     def action_key_menu(self) -> None:
-        """The keys behind a key."""
-        if self.work is not None and self.screen is self.workplace:
-            self._keyboard.open_menu(self.work.words)
+        """The keys after the menu key."""
+        if self.controller is not None and self.screen is self.main_screen:
+            self._keyboard.open_menu(self.controller.words)
 
     def action_command_palette(self) -> None:
-        """Every action to choose from; there once there are words."""
-        if self.work is not None and self.screen is self.workplace:
-            self._await(self._choose_action(self.work))
+        """Every command to choose from; there once there are words."""
+        if self.controller is not None and self.screen is self.main_screen:
+            self._await(self._choose_command(self.controller))
 
-    async def _choose_action(self, work: Work) -> None:
-        from donnie_tui.tui.screens.pages import palette
+    async def _choose_command(self, controller: ScreenController) -> None:
+        from donnie_tui.tui.help_pages import palette
 
-        chosen = await self._host.choose(*palette(work.words, self.key_table))
+        options = palette(controller.words, self.key_table)
+        chosen = await controller.ctx.interaction.choose(controller.words("palette-ask"), options)
         if chosen is not None:
-            asking = work.do(chosen)
+            asking = controller.do(chosen)
             if asking is not None:
                 await asking
 
     def do(self, name: str) -> None:
-        """Do an action of the table."""
-        if self.work is not None:
-            self._await(self.work.do(name))
+        """Run a command of the table."""
+        if self.controller is not None:
+            self._await(self.controller.do(name))
         else:
-            self.workplace.log_lines([(early("screen-starting", self._language), "")])
+            self.main_screen.log_lines([(early("screen-starting", self._language), "")])
 
     def on_key_line_clicked(self, event: KeyLine.Clicked) -> None:
         self._keyboard.act(event.action)
 
     def on_command_line_typed(self, event: CommandLine.Typed) -> None:
-        if self.work is not None:
-            self._await(self.work.typed(event.text))
+        if self.controller is not None:
+            self._await(self.controller.run_line(event.text))
 
     def _await(self, asking: Awaitable[None] | None) -> None:
-        """An action that asks something has its effect when it is answered."""
+        """A command that asks something has its effect when it is answered."""
         if asking is not None:
-            self.run_worker(self._finish(asking, self._coming.begins()), exclusive=True)
+            self.run_worker(self._finish(asking, self._dialogs.begin()), exclusive=True)
 
     async def _finish(self, asking: Awaitable[None], name: object) -> None:
         try:
             await asking
         finally:
-            self._coming.done(name)
-        if self.work is not None and self.is_running:
-            self.work.look()
+            self._dialogs.done(name)
+        if self.controller is not None and self.is_running:
+            self.controller.display.update()
 
-    # --- what happened
+    # --- messages
 
-    def on_began(self, event: Began) -> None:
-        if self.work is not None:
-            self.work.began(event)
+    def on_run_began(self, event: RunBegan) -> None:
+        if self.controller is not None:
+            self.controller.run_view.on_began(event)
 
-    def on_happened(self) -> None:
-        if self.work is not None:
-            self.work.happened()
+    def on_events_queued(self) -> None:
+        if self.controller is not None:
+            self.controller.events.on_queued()
 
-    def on_run_held(self) -> None:
-        if self.work is not None:
-            self.work.held()
+    def on_run_state_changed(self) -> None:
+        if self.controller is not None:
+            self.controller.run_view.on_state_changed()
 
-    def on_ended(self, event: Ended) -> None:
+    def on_run_finished(self, event: RunFinished) -> None:
         """QUIT, typed with other commands, leaves once they are done."""
-        if self.work is not None:
-            self.work.ended(event)
+        if self.controller is not None:
+            self.controller.run_view.on_finished(event)
             if event.asks_to_quit:
                 self.do("quit")
 
     def on_editor_first_word_typed(self, event: Editor.FirstWordTyped) -> None:
-        """At the very start it counts too: once there is something to do it with."""
-        if self.work is None:
+        """At the very start it counts too, as soon as the session is loaded."""
+        if self.controller is None:
             self._first_word = event.name
         else:
             self._do_first_word(event.name)
 
     def _do_first_word(self, name: str) -> None:
         """It is not meant as the program's text."""
-        self.workplace.editor.load_text("")
+        self.main_screen.editor.load_text("")
         self.do(name)
 
     def on_editor_line_finished(self, event: Editor.LineFinished) -> None:
-        if self.work is not None:
-            self.work.line_finished(event.row)
+        if self.controller is not None:
+            self.controller.assistant.line_finished(event.row)
 
     def on_map_view_explored(self) -> None:
-        if self.work is not None:
-            self.work.explored()
+        if self.controller is not None:
+            self.controller.on_explored()
 
     def on_text_rows_read(self, event: TextRows.Read) -> None:
-        """Whoever moves through rows hears each: of the help, of the keys behind a key, of the log."""
+        """Each row that the learner moves to is spoken: of the help, of the keys after a key, of the log."""
         if event.has_focus and event.text:
-            self._behind.point(event.text)
+            self.session.point(event.text)
 
-    def on_workplace_entered(self) -> None:
-        if self.work is not None:
-            self.work.entered()
+    def on_main_screen_entered(self) -> None:
+        """The focus came to another part: it is spoken, and shown in the status line."""
+        if self.controller is not None:
+            self.controller.point(self.controller.display.focus_sentence)
 
-    def on_workplace_looked(self) -> None:
-        if self.work is not None:
-            self.work.display.looked()
+    def on_main_screen_looked(self) -> None:
+        if self.controller is not None:
+            self.controller.display.looked()
 
     def on_text_area_changed(self) -> None:
-        if self.work is not None:
-            self.work.edited()
+        if self.controller is not None:
+            self.controller.assistant.edited()
 
-    # --- ending
+    # --- the end
 
     def on_unmount(self) -> None:
         """A terminal can still get stuck on the way out; what has none needs nothing more.
@@ -352,7 +311,7 @@ class DonnieApp(TerminalApp, inherit_bindings=False):
         A console has no other screen to go back to: what was painted must not be in the shell's way.
         """
         if self.is_headless:
-            self.ending.end_lifeline()
+            self.shutdown.end_watchdog()
         elif self._driver is not None:
             self._driver.write(WIPE)
 
@@ -360,8 +319,8 @@ class DonnieApp(TerminalApp, inherit_bindings=False):
         self._fatal_error()
 
     def _fatal_error(self) -> None:
-        """A fault of ours, of which Textual prints pages: the robot stops, the text is kept, one sentence."""
-        self.ending.save_from_fault()
+        """Our own fault, of which Textual prints pages: the robot stops, the text is kept, one sentence."""
+        self.shutdown.save_from_fault()
         if not self._exit_renderables:
             self._exit_renderables.append(Text(early("screen-fault", self._language)))
         self._close_messages_no_wait()

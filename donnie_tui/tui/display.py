@@ -1,6 +1,6 @@
-"""What the workplace shows of the session: titles, marks, map, inspector, status line, keys, log.
+"""What the main screen shows of the session: titles, marks, map, inspector, status line, keys, log.
 
-Knows what was seen last (pose, distances, readings, belt) and nothing about how it came.
+It knows the last values (pose, distances, readings, belt) and nothing about where they are from.
 """
 
 from __future__ import annotations
@@ -18,9 +18,9 @@ from donnie_tui.core.run_state import RunState
 from donnie_tui.core.timeline import Timeline
 from donnie_tui.core.wording import shown_name
 from donnie_tui.core.workspace import Workspace
-from donnie_tui.tui.bridge import Mail
-from donnie_tui.tui.screens.workplace import Workplace
-from donnie_tui.tui.situation import inspector_lines, robot_sentence, state_sentences
+from donnie_tui.tui.event_queue import EventBatch
+from donnie_tui.tui.pane_text import inspector_lines, robot_sentence, state_sentences
+from donnie_tui.tui.screens.main_screen import MainScreen
 from donnie_tui.tui.widgets.rows import LOOKS
 from language.runtime import Frame
 
@@ -37,10 +37,10 @@ _OFFERED = {
 
 
 class Display:
-    """Brings the workplace up to date."""
+    """Updates the main screen."""
 
     def __init__(
-        self, place: Workplace, donnie: Donnie, runs: RunController, workspace: Workspace, table: KeyTable
+        self, place: MainScreen, donnie: Donnie, runs: RunController, workspace: Workspace, table: KeyTable
     ) -> None:
         self._place = place
         self._table = table
@@ -55,9 +55,9 @@ class Display:
         """Whether a belt has shown anything yet."""
         self._kinds: dict[str, str] = {}
         self._answer = ""
-        """The last sentence that was told, until somebody looks elsewhere."""
+        """The last answer, until the learner looks elsewhere."""
         self._has_acted = False
-        """Whether somebody pressed anything since: what moves by itself leaves the sentence where it is."""
+        """Whether the learner pressed anything since: what moves by itself leaves the sentence there."""
         self.show_world()
 
     def show_world(self) -> None:
@@ -85,7 +85,7 @@ class Display:
             self._readings.clear()
 
     def _show_others(self) -> frozenset[Cell]:
-        """The robots that are not talked to stay where they are when this one begins anew."""
+        """The robots that are not chosen stay where they are when this one begins anew."""
         others = (each for each in self._donnie.team.sessions if each is not self._donnie.session)
         return frozenset().union(*(self.scene.move_other(each.name, each.pose) for each in others))
 
@@ -95,19 +95,19 @@ class Display:
             self._pose = poses[-1]
             self._place.map.update_cells(frozenset().union(*map(self.scene.move, poses)))
 
-    def receive(self, mail: Mail) -> None:
+    def receive(self, batch: EventBatch) -> None:
         """What happened since the last look, but for the words."""
-        if mail.things is not None:
-            self._place.map.update_cells(self.scene.place_things(mail.things))
-        self.move(mail.poses)
-        for name, pose in mail.others:
+        if batch.things is not None:
+            self._place.map.update_cells(self.scene.place_things(batch.things))
+        self.move(batch.poses)
+        for name, pose in batch.others:
             self._place.map.update_cells(self.scene.move_other(name, pose))
-        for look in mail.looks:
+        for look in batch.looks:
             self._place.map.update_cells(self.scene.look_along(look))
-        self._readings.update({(each.sensor, each.argument): each for each in mail.readings})
-        self._has_belt = self._has_belt or mail.belt is not None
-        self._distances = self._distances if mail.distances is None else mail.distances
-        if mail.belt is not None or mail.distances is not None:
+        self._readings.update({(each.sensor, each.argument): each for each in batch.readings})
+        self._has_belt = self._has_belt or batch.belt is not None
+        self._distances = self._distances if batch.distances is None else batch.distances
+        if batch.belt is not None or batch.distances is not None:
             self._show_inspector()
 
     def show_fields(self, lines: Iterable[Line]) -> None:
@@ -145,16 +145,16 @@ class Display:
 
     def write(self, lines: Iterable[tuple[str, str]]) -> None:
         """Lines with the codes of their kinds."""
-        told = list(lines)
-        seen = [each for each in told if each[1] != "typed"] if self._place.is_plain else told
+        given = list(lines)
+        seen = [each for each in given if each[1] != "typed"] if self._place.is_plain else given
         self._place.log_lines([(text, self._kind_words(kind)) for text, kind in seen])
         self._show_inspector()
-        answers = [text for text, kind in told if kind != "typed"]
+        answers = [text for text, kind in given if kind != "typed"]
         if answers:
             self.keep(answers[-1])
 
     def keep(self, sentence: str) -> None:
-        """In the status line, until somebody looks elsewhere."""
+        """Show a sentence in the status line until the learner looks elsewhere."""
         self._has_acted = False
         self._answer = sentence if sentence.endswith((".", "!", "?", ":")) else f"{sentence}."
         self.say_status()
@@ -171,6 +171,16 @@ class Display:
         return self._kinds[kind]
 
     # --- all the rest
+
+    def update(self) -> None:
+        """Bring everything up to date, the distances too."""
+        self.ask_distances()
+        self.look()
+
+    def ask_distances(self) -> None:
+        """Have them published, where they are shown."""
+        if self.shows_distances:
+            self._donnie.session.publish_distances()
 
     def look(self) -> None:
         """Titles, marks, status line, keys and inspector as they should be now."""
@@ -231,11 +241,11 @@ class Display:
         self._place.status.say(*(f" {self._answer} {rest}".replace("  ", " ") for rest in (*whole, *short)))
 
     def acted(self) -> None:
-        """Somebody pressed a key or the mouse."""
+        """The learner pressed a key or the mouse."""
         self._has_acted = True
 
     def looked(self) -> None:
-        """The focus or the cursor is elsewhere: who moved it has heard the last answer."""
+        """The focus or the cursor is elsewhere: the last answer is read by then."""
         if self._has_acted:
             self._answer = ""
         self.say_status()

@@ -1,4 +1,7 @@
-"""What the environment says to Textual, which reads its switches when it is imported."""
+"""The environment that Textual finds: prepared before its import, because it reads its switches then.
+
+The plain layout is for screen readers: one column, and nothing that a reader would speak without need.
+"""
 
 from __future__ import annotations
 
@@ -8,24 +11,8 @@ from functools import cache
 
 from donnie_tui.settings.settings import Settings
 
-
-def is_plain(settings: Settings) -> bool:
-    """As it was chosen; where nothing was, plain if a screen reader runs."""
-    if settings.plain is not None:
-        return settings.plain
-    return _is_listened_to()
-
-
-@cache
-def _is_listened_to() -> bool:
-    """Looked up once: it is asked three times before the first frame, and all processes are looked at."""
-    from devices.audio.channel import find_screen_reader
-
-    return find_screen_reader(os.environ) is not None
-
-
 _WITHOUT_KEY_REPORTS = ("linux", "vt", "screen", "tmux")
-"""How the names of terminals begin that have never heard of key reports: some show a letter instead."""
+"""How the names of terminals begin that don't know key reports: some show a letter instead."""
 
 
 def prepare(settings: Settings, environment: MutableMapping[str, str] = os.environ) -> None:
@@ -39,3 +26,18 @@ def prepare(settings: Settings, environment: MutableMapping[str, str] = os.envir
 def wants_mouse(settings: Settings) -> bool:
     """Mouse reports cost bytes over SSH and take the terminal's own selection; a reader needs neither."""
     return settings.mouse and not is_plain(settings)
+
+
+def is_plain(settings: Settings) -> bool:
+    """As the learner chose; without a choice, plain if a screen reader runs."""
+    if settings.plain is not None:
+        return settings.plain
+    return _screen_reader_runs()
+
+
+@cache
+def _screen_reader_runs() -> bool:
+    """Looked up once: it is asked three times before the first frame, and looks at all processes."""
+    from devices.audio.channel import find_screen_reader
+
+    return find_screen_reader(os.environ) is not None

@@ -1,7 +1,7 @@
 """The full screen from its first start to the end: through other worlds, and to the linear mode.
 
-Rule: whatever the screen ends with, nothing of it is left running, and what it could not do is raised once
-the terminal is given back.
+However the screen is left, nothing of it keeps running. An exception is raised once the terminal is given
+back.
 """
 
 from __future__ import annotations
@@ -18,14 +18,14 @@ from donnie_tui.tui.environment import wants_mouse
 
 if TYPE_CHECKING:
     from donnie_tui.bootstrap import Donnie
-    from donnie_tui.tui.brought import Brought
+    from donnie_tui.tui.controller import ScreenState
 
 SWITCH = 0.0002
 """Seconds that a program which computes may keep the interpreter from the screen. A key passes from thread to
 thread some five times until it is seen, so Python's own 0.005 would be felt."""
 
 CRASHED = 1
-"""Textual's return code after a fault of ours; the text is kept for the next start."""
+"""The return code of Textual after an internal error; the text is kept for the next start."""
 
 
 def run_full_screen(
@@ -48,16 +48,16 @@ def run_full_screen(
 def _through_worlds(settings: Settings, file: Path | None, text: str | None, donnie: Donnie | None) -> int:
     if donnie:
         donnie.outlets.audible.move_to(is_linear=False)
-    brought: Brought | None = None
+    restored: ScreenState | None = None
     while True:
-        app = _shown(settings, file, text, donnie, brought)
-        if not app.next_world:
+        app = _shown(settings, file, text, donnie, restored)
+        if not app.session.next_world:
             break
-        settings, brought = _in_next_world(app)
+        settings, restored = _in_next_world(app)
         file = text = donnie = None
-    from donnie_tui.tui.outside import leave_behind
+    from donnie_tui.tui.normal_screen import print_last_lines
 
-    leave_behind(app.workplace.log_rows.lines)
+    print_last_lines(app.main_screen.log_rows.lines)
     return CRASHED if app.return_code == CRASHED else app.return_value or 0
 
 
@@ -66,7 +66,7 @@ def _shown(
     file: Path | None,
     text: str | None,
     donnie: Donnie | None,
-    brought: Brought | None,
+    restored: ScreenState | None,
 ) -> DonnieApp:
     """The screen until it is left. Raises as ``run_full_screen`` does."""
     search = Search(is_pending=True) if donnie is None and _takes_time(settings) else None
@@ -76,31 +76,32 @@ def _shown(
         text=text,
         assemble=lambda: donnie or _assembled(settings, search),
         search=search,
-        brought=brought,
+        restored=restored,
     )
     try:
         app.run(mouse=wants_mouse(settings))
     except BaseException:
-        app.close_session()
+        app.session.close()
         raise
     finally:
-        app.ending.end_lifeline()
-    has_failed = app.trouble is not None or app.return_code == CRASHED
-    if app.left_for_linear and not has_failed:
+        app.shutdown.end_watchdog()
+    has_failed = app.startup.trouble is not None or app.return_code == CRASHED
+    if app.session.left_for_linear and not has_failed:
         _switch(app)
-    app.close_session()
-    if app.trouble is not None:
-        raise app.trouble
+    app.session.close()
+    if app.startup.trouble is not None:
+        raise app.startup.trouble
     return app
 
 
-def _in_next_world(app: DonnieApp) -> tuple[Settings, Brought]:
+def _in_next_world(app: DonnieApp) -> tuple[Settings, ScreenState]:
     """The settings as they were chosen, and what is kept on the way there."""
     from donnie_tui.commands.world import settings_there
 
-    assert app.work is not None  # it went there
-    settings = settings_there(app.work.donnie, app.work.ctx.preferences.settings, app.next_world)
-    return settings, app.work.brought_along()
+    controller = app.controller
+    assert controller is not None  # it asked for that world
+    settings = settings_there(controller.donnie, controller.ctx.preferences.settings, app.session.next_world)
+    return settings, controller.state
 
 
 def _takes_time(settings: Settings) -> bool:
@@ -117,6 +118,6 @@ def _assembled(settings: Settings, search: Search | None) -> Donnie:
 def _switch(app: DonnieApp) -> None:
     from donnie_tui.commands.interaction import SwitchMode
 
-    path = app.work.workspace.document.path if app.work is not None else None
-    donnie = app.work.hand_over() if app.work is not None else None
-    raise SwitchMode(app.workplace.editor.text, str(path) if path else None, donnie)
+    path = app.controller.workspace.document.path if app.controller is not None else None
+    donnie = app.controller.hand_over() if app.controller is not None else None
+    raise SwitchMode(app.main_screen.editor.text, str(path) if path else None, donnie)

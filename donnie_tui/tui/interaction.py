@@ -6,45 +6,89 @@ import asyncio
 from collections.abc import Callable, Coroutine, Iterable, Sequence
 from typing import TYPE_CHECKING, Any, TypeVar
 
+from textual.app import SuspendNotSupported
+
+from donnie_tui.bootstrap import Donnie
 from donnie_tui.commands.arguments import answered
+from donnie_tui.commands.context import Context
 from donnie_tui.commands.files import may_lose_all
 from donnie_tui.commands.interaction import MapPane, Option
 from donnie_tui.commands.keys import KeyTable
+from donnie_tui.commands.preferences import Preferences
+from donnie_tui.core.answer_log import AnswerLog
 from donnie_tui.core.map_scene import Line
 from donnie_tui.core.pointing import Pointer
 from donnie_tui.core.runner import RunRequest
-from donnie_tui.tui import patience
-from donnie_tui.tui.answer import Answer
+from donnie_tui.core.workspace import Workspace
+from donnie_tui.i18n.help import manual
+from donnie_tui.i18n.words import Words
+from donnie_tui.tui.controller import ScreenController
+from donnie_tui.tui.help_pages import help_lines, keys_here, tour_pages
+from donnie_tui.tui.key_queue import Dialogs
+from donnie_tui.tui.normal_screen import PagerError, show_in_pager
+from donnie_tui.tui.screens.main_screen import MainScreen
+from donnie_tui.tui.screens.pages import Help, KeyCapture, Tour
+from donnie_tui.tui.terminal import TerminalApp
+from donnie_tui.tui.timers import Reminder
 
 if TYPE_CHECKING:
     from donnie_tui.core.runner import Run
-    from donnie_tui.tui.application import Host
-    from donnie_tui.tui.host import WorkHost
 
 T = TypeVar("T")
+
+
+def connect(
+    app: TerminalApp,
+    dialogs: Dialogs,
+    place: MainScreen,
+    key_table: KeyTable,
+    donnie: Donnie,
+    workspace: Workspace,
+    preferences: Preferences,
+) -> ScreenController:
+    """Connect a session with the screen."""
+    interaction = ScreenInteraction(app, dialogs, place, key_table, donnie.words)
+    past = place.command_line.past
+    ctx = Context(donnie, interaction, workspace, AnswerLog(), past, preferences, screen=interaction)
+    interaction._controller = controller = ScreenController(app, place, key_table, ctx)
+    return controller
 
 
 class ScreenInteraction:
     """``commands.interaction.Interaction`` and ``Screen`` of the application.
 
     A question begins with ``asyncio.sleep(0)``: a command runs at once as far as its first question, and the
-    rest of it in a worker, which Textual needs for a dialog.
+    rest of it in a worker, which Textual needs for a dialog. What is shown is spoken too.
     """
 
     can_edit = is_attended = True
 
-    def __init__(self, work: WorkHost, host: Host) -> None:
-        self._work, self._host = work, host
+    def __init__(
+        self, app: TerminalApp, dialogs: Dialogs, place: MainScreen, key_table: KeyTable, words: Words
+    ) -> None:
+        self._app, self._dialogs, self._place, self._words = app, dialogs, place, words
+        self.key_table = key_table
+        self._controller: ScreenController
         self._finishing = asyncio.Lock()
-        self._words = work.words
+        self._tour_page = 0
+        """The page of the tour that was left, from 0."""
 
     # --- questions
 
     async def ask(
         self, question: str, text: str = "", accepts: Callable[[str], str | None] | None = None
     ) -> str | None:
+        return await self._typed_answer(question, text, accepts) or None
+
+    async def _typed_answer(
+        self, question: str, text: str, accepts: Callable[[str], str | None] | None
+    ) -> str | None:
+        """None after Esc; empty after Enter alone."""
+        from donnie_tui.tui.screens.dialogs import Question
+
         await asyncio.sleep(0)
-        return await self._host.ask(question, self._words("ask-keys"), text, accepts) or None
+        keys, point = self._words("ask-keys"), self._controller.point
+        return await self._dialogs.answer_of(Question(question, keys, point, value=text, accepts=accepts))
 
     async def choose(
         self,
@@ -53,19 +97,26 @@ class ScreenInteraction:
         printed: Sequence[str] = (),  # noqa: ARG002 -- for front ends without lists
     ) -> str | None:
         """Options with the same text are one row."""
+        from donnie_tui.tui.screens.dialogs import Chooser
+
         rows = {each.text: each for each in reversed(options)}
         listed = [each for each in options if rows[each.text] is each]
         await asyncio.sleep(0)
         keys, nothing = self._words("chooser-keys"), self._words("palette-nothing")
-        return await self._host.choose(question, keys, nothing, listed)
+        return await self._dialogs.answer_of(Chooser(question, keys, nothing, listed, self._controller.point))
+
+    async def press_key(self, question: str, accepts: Callable[[str], str | None]) -> str | None:
+        await asyncio.sleep(0)
+        keys, after_menu = self._words("keys-capture"), self._words("keys-second-key")
+        capture = KeyCapture(question, keys, after_menu, accepts, self._controller.point)
+        return await self._dialogs.answer_of(capture)
 
     async def confirm(self, question: str) -> bool | None:
         def unclear(typed: str) -> str | None:
             is_clear = not typed.strip() or answered(typed) is not None
             return None if is_clear else f"{self._words('yes-or-no')} {question}"
 
-        await asyncio.sleep(0)
-        typed = await self._host.ask(question, self._words("ask-keys"), "", unclear)
+        typed = await self._typed_answer(question, "", unclear)
         return None if typed is None else bool(answered(typed))
 
     async def edit_line(self, question: str, text: str = "") -> str | None:
@@ -77,7 +128,7 @@ class ScreenInteraction:
         lines: Sequence[str],
         printed: Sequence[str] | None = None,  # noqa: ARG002 -- for front ends without windows
     ) -> None:
-        self._work.pages.show_lines(title, lines)
+        self._open_page(self._words("lines-title", title=title), lines)
 
     # --- time
 
@@ -94,11 +145,14 @@ class ScreenInteraction:
         await asyncio.sleep(0)
         if is_slow:
             return await asyncio.to_thread(task)
+        reminder = Reminder(self._app, lambda: self._controller.ctx.say(slow))
         try:
-            return await patience.patiently(self._host, task, lambda: self._work.ctx.say(slow))
+            return await asyncio.to_thread(task)
         except asyncio.CancelledError:
-            self._work.talk.tell(Answer("answer-unchanged"))
+            self._controller.ctx.answer("answer-unchanged")
             raise
+        finally:
+            reminder.stop()
 
     async def finish(self, task: Coroutine[Any, Any, T]) -> T:
         await asyncio.sleep(0)
@@ -114,7 +168,7 @@ class ScreenInteraction:
             async with self._finishing:
                 pass
 
-    async def follow(self, runs: Sequence[tuple[str | None, Run]]) -> bool:  # noqa: ARG002 -- the screen goes on
+    async def follow(self, runs: Sequence[tuple[str | None, Run]]) -> bool:  # noqa: ARG002 -- the screen continues
         return False
 
     async def wait(self, seconds: float) -> bool:
@@ -129,19 +183,20 @@ class ScreenInteraction:
         """Pages are windows here."""
 
     def setting_changed(self, key: str) -> None:
-        self._work.apply_setting(key)
+        self._controller.apply_setting(key)
 
     def before_robot_changes(self) -> None:
         """The text is that robot's, if there is any."""
-        if self._work.workplace.editor.text.strip():
-            team = self._work.donnie.team
-            team.give(team.chosen.name, RunRequest(self._work.workplace.editor.text, self._work.program_name))
+        text, path = self._place.editor.text, self._controller.workspace.document.path
+        if text.strip():
+            team, name = self._controller.donnie.team, path.name if path else self._words("new-program")
+            team.give(team.chosen.name, RunRequest(text, name))
 
     def robot_changed(self) -> None:
-        self._work.run_view.robot_changed()
+        self._controller.run_view.robot_changed()
 
     async def type_again(self, line: str) -> None:
-        again = self._work.typed(line)
+        again = self._controller.run_line(line)
         if again is not None:
             await asyncio.sleep(0)
             await again
@@ -149,27 +204,27 @@ class ScreenInteraction:
     # --- ways out
 
     async def enter_world(self, name: str) -> None:
-        self._work.change_world(name)
+        self._controller.change_world(name)
 
     async def switch_mode(self) -> None:
-        self._work.switch_to_linear()
+        self._controller.switch_to_linear()
 
     async def quit(self) -> None:
-        if await may_lose_all(self._work.ctx):
-            self._work.leave()
+        if await may_lose_all(self._controller.ctx):
+            self._controller.leave()
 
     # --- what only a screen can do
 
     @property
     def map(self) -> MapPane:
-        return self._work.workplace.map
+        return self._place.map
 
     @property
     def log_text(self) -> str:
-        return "".join(f"{line}\n" for line in self._work.workplace.log_rows.lines)
+        return "".join(f"{line}\n" for line in self._place.log_rows.lines)
 
     def focus(self, pane: str) -> None:
-        place = self._work.workplace
+        place = self._place
         panes = {"program": place.program_pane, "map": place.map_pane, "log": place.log_pane}
         if pane == "variables":
             place.toggle_inspector()
@@ -177,67 +232,81 @@ class ScreenInteraction:
             place.go_to(panes[pane])
 
     async def complete(self) -> None:
-        editor = self._work.workplace.editor
+        from donnie_tui.tui.screens.dialogs import Completions
+
+        editor = self._place.editor
         editor.focus()
-        found = self._work.while_typing.completion(editor.text, editor.offset_of_cursor)
+        found = self._controller.assistant.completion(editor.text, editor.offset_of_cursor)
         if not found.words:
-            self._work.ctx.answer("screen-nothing-to-complete")
+            self._controller.ctx.answer("screen-nothing-to-complete")
             return
         await asyncio.sleep(0)
-        word, letter = await self._host.choose_word(found.words, editor.cursor_screen_offset)
+        below, point = editor.cursor_screen_offset, self._controller.point
+        word, letter = await self._dialogs.answer_of(Completions(found.words, below, point))
         if word:
             editor.put_in_place_of(found.typed, word)
         elif letter:
             editor.insert(letter)
 
     def mark_mistakes(self) -> None:
-        self._work.while_typing.check_now()
+        self._controller.assistant.check_now()
 
     def place_cursor(self, line: int, column: int) -> None:
-        self._work.workplace.editor.go_to(line, column)
+        self._place.editor.go_to(line, column)
 
     def explore(self, change: Callable[[Pointer], object]) -> None:
         """With the focus on the map: the cursor is on what is said."""
-        place = self._work.workplace
+        place = self._place
         if not place.map.has_focus:
             place.go_to(place.map_pane)
         place.map.explore(change)
 
     def show_sensor_ranges(self, lines: Iterable[Line]) -> None:
-        self._work.display.show_fields(lines)
+        self._controller.display.show_fields(lines)
 
     def search_log(self, word: str) -> None:
-        self._work.workplace.log_rows.search(word)
+        self._place.log_rows.search(word)
 
     def show_in_pager(self, text: str) -> None:
-        self._work.pages.show_outside(text)
+        """In the pager, where the terminal's own ways of reading work."""
+        try:
+            with self._app.suspend():
+                show_in_pager(text)
+        except SuspendNotSupported:
+            self._controller.ctx.answer("screen-no-pager")
+        except PagerError as problem:
+            self._controller.ctx.answer(problem.code, **problem.values)
 
     def show_help(self) -> None:
-        self._work.pages.show_help()
+        """F1 in the help opens the manual."""
+        lines = help_lines(self._place, self._words, self.key_table)
+        self._open_page(self._words("help-title"), lines, self.show_manual)
 
     def show_keys(self) -> None:
-        self._work.pages.show_keys_here()
+        heading, *lines = keys_here(self._place, self._words, self.key_table)
+        self._open_page(self._words("lines-title", title=heading.rstrip(":.")), lines)
 
     def show_tour(self) -> None:
-        self._work.pages.show_tour()
+        """From the page that was left to try what it says."""
+
+        def turned(page: int) -> None:
+            self._tour_page = page
+
+        pages = tour_pages(self._words, self.key_table)
+        self._dialogs.open(Tour(pages, self._tour_page, turned, self._controller.point))
 
     def repaint(self) -> None:
-        self._host.repaint()
+        self._app.repaint()
 
     def robot_moved(self) -> None:
-        self._work.run_view.robot_changed()
+        self._controller.run_view.robot_changed()
 
     def show_manual(self) -> None:
-        self._work.pages.show_manual()
+        self._open_page(self._words("manual-title"), manual(self._words))
 
     @property
     def is_plain(self) -> bool:
-        return self._work.workplace.is_plain
+        return self._place.is_plain
 
-    @property
-    def key_table(self) -> KeyTable:
-        return self._host.key_table
-
-    async def press_key(self, question: str, accepts: Callable[[str], str | None]) -> str | None:
-        await asyncio.sleep(0)
-        return await self._work.talk.press_key(question, accepts)
+    def _open_page(self, title: str, lines: Sequence[str], further: Callable[[], None] | None = None) -> None:
+        self._dialogs.open(Help(title, tuple(lines), self._controller.point, further))

@@ -1,24 +1,30 @@
 """Textual as a terminal wants it that may be slow, plain, without colours, or read aloud.
 
-Rules: a style sheet is read once, what is the same is not painted again, nothing is written that a terminal
-might show as letters, and the terminal's own cursor is where the focus is.
+A style sheet is read once, unchanged cells are not painted again, no byte is written that a terminal might
+show as letters, and the terminal's own cursor is where the focus is.
 """
 
 from __future__ import annotations
 
 import os
+import re
 from typing import Any, Protocol, cast
 
+from rich.cells import cell_len
 from rich.console import RenderableType
+from rich.segment import Segment
 from textual.app import App
+from textual.color import Color
+from textual.filter import LineFilter
 from textual.geometry import Offset
 from textual.screen import Screen
 from textual.widgets import Input, TextArea
 
 from donnie_tui.settings.settings import Settings
 from donnie_tui.tui import themes
-from donnie_tui.tui.printable import Printable
+from donnie_tui.tui.environment import wants_mouse
 from donnie_tui.tui.terminal_output import Painted
+from language.source import HARMFUL
 
 
 class _Driver(Protocol):
@@ -46,6 +52,8 @@ def use_mouse(driver: object, *, wanted: bool) -> None:
 
 SHOW_CURSOR = "\x1b[?25h"
 
+_HARMFUL = re.compile(HARMFUL)
+
 
 class TerminalApp(App[int], inherit_bindings=False):
     """Looks and output; what is shown is up to those who build on it."""
@@ -61,15 +69,16 @@ class TerminalApp(App[int], inherit_bindings=False):
         self._read_with = self.get_css_variables()
         """The colours and sizes with which the style sheets were read last."""
         self.stylesheet.set_variables(self._read_with)
-        self._filters.append(Printable())
+        self._filters.append(PrintableFilter())
         self._painted = Painted()
 
     # --- the looks
 
-    def wear_theme(self, settings: Settings) -> None:
-        """The one that somebody chose, where there are colours."""
+    def apply_settings(self, settings: Settings) -> None:
+        """Take the theme from the settings, where there are colours, and the use of the mouse."""
         if not self.no_color:
             self.theme = themes.name_of(settings.theme)
+        use_mouse(self._driver, wanted=wants_mouse(settings))
 
     def get_css_variables(self) -> dict[str, str]:
         """Worked out once for each theme, which stays as it is."""
@@ -79,7 +88,7 @@ class TerminalApp(App[int], inherit_bindings=False):
         return self.theme_variables
 
     def get_theme_variable_defaults(self) -> dict[str, str]:
-        """Before a theme of ours is chosen the style sheet is read with Textual's own."""
+        """Before a theme is chosen the style sheet is read with these."""
         return themes.theme(themes.DARK).variables
 
     def refresh_css(self, animate: bool = True) -> None:
@@ -93,18 +102,18 @@ class TerminalApp(App[int], inherit_bindings=False):
 
     @property
     def is_read_by_rows(self) -> bool:
-        """Whether somebody may hear what is painted: rows are written whole then."""
+        """Whether a screen reader may read what is painted: rows are written whole then."""
         return False
 
     def _display(self, screen: Screen[Any], renderable: RenderableType | None) -> None:
-        """Whatever is painted passes here. In the plain layout readers hear it: rows are written whole."""
+        """All that is painted passes here. In the plain layout readers speak it: rows are written whole."""
         is_typing = isinstance(screen.focused, (TextArea, Input))
-        thrifty = self._painted.less(
+        smaller = self._painted.less(
             renderable,
             rows=self.is_read_by_rows,
             typing=self.cursor_position if is_typing else None,
         )
-        super()._display(screen, thrifty)
+        super()._display(screen, smaller)
 
     def repaint(self) -> None:
         """All of it: something else may have written over the terminal."""
@@ -117,7 +126,7 @@ class TerminalApp(App[int], inherit_bindings=False):
         self._painted.forget()
 
     def _set_pointer_shape(self, shape: str) -> None:
-        """Nobody asks for it, it costs bytes, and a console shows it as letters."""
+        """Written by no program here: it costs bytes, and a console shows it as letters."""
 
     @property
     def cursor_position(self) -> Offset:
@@ -136,3 +145,24 @@ class TerminalApp(App[int], inherit_bindings=False):
         """Textual hides the terminal's cursor; braille displays and console readers need it."""
         if self._driver is not None:
             self._driver.write(SHOW_CURSOR)
+
+
+class PrintableFilter(LineFilter):
+    """Paints no control character of a program or a file name: it could set the terminal's title.
+
+    One that has a width becomes blanks, one that has none disappears.
+    """
+
+    def apply(self, segments: list[Segment], background: Color) -> list[Segment]:  # noqa: ARG002 -- Textual's
+        return [_printable(segment) for segment in segments]
+
+
+def _printable(segment: Segment) -> Segment:
+    text, style, control = segment
+    if control or (text.isascii() and text.isprintable()) or not _HARMFUL.search(text):
+        return segment
+    return Segment(_HARMFUL.sub(_blank, text), style)
+
+
+def _blank(found: re.Match[str]) -> str:
+    return " " * cell_len(found.group())

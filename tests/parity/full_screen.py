@@ -27,9 +27,9 @@ class FullScreen:
     """An application without a terminal, and a typist at its command line."""
 
     def __init__(self, app: DonnieApp, pilot: Pilot[int]) -> None:
-        assert app.work is not None
+        assert app.controller is not None
         self._app, self._pilot = app, pilot
-        self._recorder = Recorder(app.work.donnie)
+        self._recorder = Recorder(app.controller.donnie)
 
     async def begin(self) -> None:
         await self._wait_until_idle()
@@ -51,21 +51,21 @@ class FullScreen:
         return Outcome(published, asked, listed, self._recorder.take(), left_for)
 
     async def _enter(self, line: str) -> None:
-        command_line = self._app.workplace.command_line
+        command_line = self._app.main_screen.command_line
         command_line.value = line
         command_line.finish()
         await self._wait_until_idle()
 
     async def _leave_question(self) -> None:
-        while self._app.screen is not self._app.workplace and not self._left_for:
+        while self._app.screen is not self._app.main_screen and not self._left_for:
             await self._pilot.press("escape")
             await self._wait_until_idle()
 
     @property
     def _left_for(self) -> str:
-        if self._app.next_world:
-            return f"world {self._app.next_world}"
-        if self._app.left_for_linear:
+        if self._app.session.next_world:
+            return f"world {self._app.session.next_world}"
+        if self._app.session.left_for_linear:
             return "other mode"
         return "" if self._app.is_running and not self._app._exit else "end"
 
@@ -82,18 +82,20 @@ class FullScreen:
                 await self._pilot.pause()
                 if self._is_at_rest():
                     return
-        raise AssertionError(f"the screen never came to rest: {self._app.workplace.log_rows.lines[-9:]}")
+        raise AssertionError(f"the screen never came to rest: {self._app.main_screen.log_rows.lines[-9:]}")
 
     def _is_at_rest(self) -> bool:
         app = self._app
         if self._left_for:
             return True
-        assert app.work is not None
-        is_asking = app.screen is not app.workplace
+        assert app.controller is not None
+        is_asking = app.screen is not app.main_screen
         if not is_asking and any(not worker.is_finished for worker in app.workers):
             return False
-        is_followed = (app.work.ctx.runs.state is RunState.READY) == (app.work.donnie.session.run is None)
-        return is_followed and self._recorder.is_at_rest(app.work.ctx.runs)
+        is_followed = (app.controller.ctx.runs.state is RunState.READY) == (
+            app.controller.donnie.session.run is None
+        )
+        return is_followed and self._recorder.is_at_rest(app.controller.ctx.runs)
 
 
 def _in_front(screen: Screen[object]) -> tuple[str, tuple[str, ...]]:
@@ -118,10 +120,14 @@ async def full_screen(settings: Settings, text: str, folder: Path) -> AsyncItera
     try:
         async with app.run_test(size=(80, 24)) as pilot:
             end = time.monotonic() + PATIENCE
-            while (app.work is None or app.is_opening) and app.trouble is None and time.monotonic() < end:
+            while (
+                (app.controller is None or app.startup.is_opening)
+                and app.startup.trouble is None
+                and time.monotonic() < end
+            ):
                 await pilot.pause()
             screen = FullScreen(app, pilot)
             await screen.begin()
             yield screen
     finally:
-        app.close_session()
+        app.session.close()

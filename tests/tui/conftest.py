@@ -43,15 +43,15 @@ class ScreenDriver:
     def __init__(self, app: DonnieApp, pilot: Pilot[int]) -> None:
         self.app = app
         self.pilot = pilot
-        self.place = app.workplace
+        self.place = app.main_screen
 
     async def until(self, condition: Callable[[], Any], what: str = "") -> None:
         end = time.monotonic() + PATIENCE
         while time.monotonic() < end:
             if condition():
                 return
-            if self.app.trouble is not None:
-                raise self.app.trouble
+            if self.app.startup.trouble is not None:
+                raise self.app.startup.trouble
             await self.pilot.pause(0.01)
         raise AssertionError(f"never happened: {what or condition}; the log: {self.log}")
 
@@ -93,16 +93,21 @@ class ScreenDriver:
         await self.until(lambda: any(text in line for line in self.log), text)
 
     async def idle(self) -> None:
-        await self.until(lambda: self.app.work.ctx.runs.state is RunState.READY, "the end of the run")
+        await self.until(lambda: self.app.controller.ctx.runs.state is RunState.READY, "the end of the run")
+
+    def load(self, text: str, breakpoints: frozenset[int] = frozenset()) -> None:
+        """Another program in the editor."""
+        self.place.editor.show(text, breakpoints)
+        self.app.controller.display.update()
 
     async def run(self, text: str) -> None:
         """The program, run with F5 to its end."""
-        self.app.work.load(text)
+        self.load(text)
         await self.press("f5")
         await self.shows("The program is done.")
 
     async def doing(self, doing: RunState) -> None:
-        await self.until(lambda: self.app.work.ctx.runs.state is doing, str(doing))
+        await self.until(lambda: self.app.controller.ctx.runs.state is doing, str(doing))
 
     @property
     def log(self) -> tuple[str, ...]:
@@ -156,11 +161,11 @@ def work(tmp_path: Path):
         try:
             async with app.run_test(size=size) as pilot:
                 desk = ScreenDriver(app, pilot)
-                await desk.until(lambda: app.work is not None and not app.is_opening, "the session")
+                await desk.until(lambda: app.controller and not app.startup.is_opening, "the session")
                 await pilot.pause()
                 yield desk
         finally:
-            app.close_session()
+            app.session.close()
 
     return working
 

@@ -63,7 +63,7 @@ def own_folders(tmp_path, monkeypatch):
     monkeypatch.chdir(tmp_path)
 
 
-async def back_to_the_workplace(desk) -> None:
+async def back_to_the_main_screen(desk) -> None:
     while desk.app.screen is not desk.place:
         await desk.press("escape")
         await desk.pilot.pause()
@@ -74,7 +74,7 @@ async def test_every_word_is_answered_in_the_log_or_by_a_screen(work):
         for action in COMMANDS:
             if action.name in LEAVING:
                 continue
-            desk.app.work.load(PROGRAM)
+            desk.load(PROGRAM)
             await desk.pilot.pause()
             desk.place.command_line.focus()
             await desk.pilot.pause()
@@ -82,7 +82,7 @@ async def test_every_word_is_answered_in_the_log_or_by_a_screen(work):
             typed = f"{word_of(action, 'en')} {ARGUMENTS.get(action.name, '')}".strip()
             desk.app.on_command_line_typed(type(desk.place.command_line).Typed(typed))
             await desk.until(is_answered, f"an answer to {action.name}")
-            await back_to_the_workplace(desk)
+            await back_to_the_main_screen(desk)
             await desk.idle()
 
 
@@ -107,7 +107,7 @@ def doing(monkeypatch):
 
     def instead_of(desk) -> list[str]:
         done: list[str] = []
-        monkeypatch.setattr(desk.app.work, "do", lambda name, argument=None: done.append(name))
+        monkeypatch.setattr(desk.app.controller, "do", lambda name, argument=None: done.append(name))
         return done
 
     return instead_of
@@ -132,10 +132,10 @@ async def test_every_action_is_reached_by_a_key(work, doing):
             before = len(done)
             burst(desk, *(pressed(part) for part in key.split()))
             await desk.until(lambda before=before: len(done) > before, f"{key} for {name}")
-        await desk.until(lambda: desk.app.screen is desk.place, "the workplace")
+        await desk.until(lambda: desk.app.screen is desk.place, "the main screen")
 
         assert done == [name for name, _ in keys]
-        assert desk.app.work.text == "FW 1"
+        assert desk.place.editor.text == "FW 1"
 
 
 def pressed(key: str) -> str:
@@ -152,7 +152,7 @@ async def test_every_action_is_chosen_from_the_palette_by_its_word(work, doing):
             await desk.until(lambda before=before: len(done) > before, f"{name}, chosen")
 
         assert done == list(LISTED)
-        assert desk.app.work.text == "FW 1"
+        assert desk.place.editor.text == "FW 1"
 
 
 def letters(word: str) -> list[str]:
@@ -176,8 +176,8 @@ async def test_an_action_asks_for_a_missing_argument(work, way):
             await desk.until(
                 lambda b=before, t=printed: any(t in line for line in desk.log[b:]), f"{printed} of {name}"
             )
-            await back_to_the_workplace(desk)
-            desk.app.work.load(PROGRAM)
+            await back_to_the_main_screen(desk)
+            desk.load(PROGRAM)
 
 
 def test_no_key_does_two_things():
@@ -198,4 +198,4 @@ async def test_the_menu_key_lists_its_letters_and_esc_closes_the_list(work):
         await desk.until(lambda: "Ctrl+K" not in desk.screen and "Esc goes back" in desk.screen, "the menu")
         assert "A: WHOLE MAP: Shows all, or follows Donnie." in desk.screen
         await desk.press("escape")
-        await desk.until(lambda: desk.app.screen is desk.place, "the workplace")
+        await desk.until(lambda: desk.app.screen is desk.place, "the main screen")

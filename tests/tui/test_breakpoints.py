@@ -54,17 +54,17 @@ async def test_a_step_back_shows_the_earlier_place_and_a_run_continues_from_the_
     async with work("FW 3\nTR 90\nFW 2") as desk:
         await desk.press("f5")
         await desk.shows("The program is done.")
-        assert desk.app.work.display.scene.robot == desk.app.work.display.scene.cell_at(2, 3)
+        assert desk.app.controller.display.scene.robot == desk.app.controller.display.scene.cell_at(2, 3)
         for _ in range(8):
             await desk.press("ctrl+k", "k")
             await desk.pilot.pause()
         await desk.shows("Back: FW 3.")
-        assert desk.app.work.display.scene.robot == desk.app.work.display.scene.cell_at(0, 0)
+        assert desk.app.controller.display.scene.robot == desk.app.controller.display.scene.cell_at(0, 0)
         await desk.type_line("FW 1")
         await desk.shows("I walked 1 step forward.")
         await desk.idle()
 
-        assert desk.app.work.display.scene.robot == desk.app.work.display.scene.cell_at(3, 3)
+        assert desk.app.controller.display.scene.robot == desk.app.controller.display.scene.cell_at(3, 3)
 
 
 # --- breakpoints of each program
@@ -88,7 +88,7 @@ async def test_each_open_program_has_its_own_breakpoints(work):
     async with work("FW 1\nFW 2") as desk:
         await desk.press("ctrl+b")
         await desk.shows("Breakpoint at line 1.")
-        workspace = desk.app.work.workspace
+        workspace = desk.app.controller.workspace
         workspace.turn_to(workspace.add_document())
         assert desk.place.editor.breakpoints == frozenset()
         workspace.turn_to(workspace.documents[0])

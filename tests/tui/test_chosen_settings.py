@@ -45,6 +45,6 @@ async def test_the_settings_list_changes_one_and_comes_back(work, tmp_path):
 
 async def test_another_key_works_at_once(work):
     async with work('SPEAK "by another key"') as desk:
-        change(desk.app.work.ctx, "keys", "run f9")
+        change(desk.app.controller.ctx, "keys", "run f9")
         await desk.press("f9")
         await desk.shows("by another key")

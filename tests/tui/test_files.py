@@ -18,7 +18,7 @@ def program(tmp_path: Path) -> Path:
 
 async def test_a_file_of_the_command_line_is_open_at_the_start(work, program):
     async with work(file=program) as desk:
-        assert desk.app.work.text == "FW 1\nTR 90"
+        assert desk.place.editor.text == "FW 1\nTR 90"
         assert "Opened walk.gd, 2 lines." in desk.log
         assert ">Program: walk.gd " in desk.screen
 
@@ -33,7 +33,7 @@ async def test_open_takes_the_name_after_the_word(work, program):
         await desk.type_line(f"OPEN {program}")
         await desk.shows("Opened walk.gd, 2 lines.")
 
-        assert desk.app.work.text == "FW 1\nTR 90"
+        assert desk.place.editor.text == "FW 1\nTR 90"
 
 
 async def test_open_asks_for_the_name_and_rejects_a_wrong_one_at_once(work, program):
@@ -52,9 +52,9 @@ async def test_esc_goes_back_from_a_question(work):
         await desk.press("ctrl+o")
         await desk.until(lambda: desk.app.screen is not desk.place, "the question")
         await desk.press("escape")
-        await desk.until(lambda: desk.app.screen is desk.place, "the workplace")
+        await desk.until(lambda: desk.app.screen is desk.place, "the main screen")
 
-        assert desk.app.work.text == "FW 1"
+        assert desk.place.editor.text == "FW 1"
         assert desk.place.editor.has_focus
 
 
@@ -120,7 +120,7 @@ async def test_an_unsaved_program_is_closed_only_after_a_question(work, tmp_path
         await desk.answer(str(tmp_path / "kept.gd"))
         await desk.shows("A new program.")
 
-        assert desk.app.work.text == ""
+        assert desk.place.editor.text == ""
         assert (tmp_path / "kept.gd").read_text(encoding="utf-8") == "FW 2\n"
 
 
@@ -132,7 +132,7 @@ async def test_cancelling_the_question_keeps_the_program(work):
         await desk.pilot.pause()
 
         assert desk.app.is_running
-        assert desk.app.work.text == "FW 2"
+        assert desk.place.editor.text == "FW 2"
 
 
 async def test_a_discarded_program_is_not_announced_and_restored_by_recover(work, tmp_path):
@@ -145,7 +145,7 @@ async def test_a_discarded_program_is_not_announced_and_restored_by_recover(work
     async with work() as desk:
         await desk.type_line("RECOVER")
         await desk.shows("Here it is again, 1 line.")
-        assert desk.app.work.text == "FW 2"
+        assert desk.place.editor.text == "FW 2"
         assert "A program was rescued. RECOVER opens it." not in desk.log
 
 
@@ -156,14 +156,14 @@ async def test_a_program_replaced_by_another_one_is_restored_by_recover(work, tm
     async with work() as desk:
         await desk.type_line("RECOVER")
         await desk.shows("Here it is again, 1 line.")
-        desk.app.work.load("FW 8")
+        desk.load("FW 8")
         await desk.type_line("NEW")
         await desk.answer("no")
-        await desk.until(lambda: desk.app.work.text == "", "the empty program")
-        desk.app.work.load("FW 7")
+        await desk.until(lambda: desk.place.editor.text == "", "the empty program")
+        desk.load("FW 7")
         await desk.type_line(word)
         await desk.answer("no")
-        await desk.until(lambda: desk.app.work.text in ("", "FW 8"), "another program")
+        await desk.until(lambda: desk.place.editor.text in ("", "FW 8"), "another program")
 
     left = [each.read_text() for each in (tmp_path / "unsaved").iterdir()]
     assert sorted(left) == ["FW 7\n", "FW 8\n"]
@@ -171,9 +171,9 @@ async def test_a_program_replaced_by_another_one_is_restored_by_recover(work, tm
 
 async def test_a_switch_to_the_linear_mode_rescues_the_other_programs(work, tmp_path):
     async with work("FW 2") as desk:
-        workspace = desk.app.work.workspace
+        workspace = desk.app.controller.workspace
         workspace.turn_to(workspace.add_document())
-        desk.app.work.load("FW 3")
+        desk.load("FW 3")
         await desk.type_line("LINEAR")
         await desk.until(lambda: not desk.app.is_running, "the end")
 
@@ -203,7 +203,7 @@ async def test_a_copy_of_a_crash_is_offered_and_restored_as_unsaved(work, tmp_pa
         await desk.type_line("RECOVER")
         await desk.shows("Here it is again, 2 lines.")
 
-        assert desk.app.work.text == "FW 9\nFW 8"
+        assert desk.place.editor.text == "FW 9\nFW 8"
         assert "changed" in desk.screen
 
 
@@ -221,10 +221,10 @@ def no_copy_is_written() -> bool:
 async def test_an_unwritable_state_folder_is_reported_once(work, tmp_path):
     (tmp_path / "unsaved").write_text("a file in its place")
     async with work("FW 1") as desk:
-        desk.app.work.workspace.keep_copies()
+        desk.app.controller.workspace.keep_copies()
         await desk.shows("What you type can't be kept safe")
         desk.place.editor.insert("FW 2")
-        desk.app.work.workspace.keep_copies()
+        desk.app.controller.workspace.keep_copies()
         await desk.until(no_copy_is_written, "the second try")
 
         assert sum("kept safe" in line for line in desk.log) == 1
@@ -244,14 +244,14 @@ async def test_linear_leaves_with_the_text_and_its_file(work, program):
         await desk.type_line("linear")
         await desk.until(lambda: not desk.app.is_running, "the end")
 
-        assert desk.app.left_for_linear
-        assert desk.app.work.text == "XFW 1\nTR 90"
-        assert desk.app.work.workspace.document.path == program
+        assert desk.app.session.left_for_linear
+        assert desk.place.editor.text == "XFW 1\nTR 90"
+        assert desk.app.controller.workspace.document.path == program
 
 
 async def test_a_program_from_the_other_mode_keeps_its_file_and_its_changes(work, program):
     async with work("FW 1\nTR 90\nFW 7\n", file=program) as desk:
-        assert desk.app.work.text == "FW 1\nTR 90\nFW 7"
+        assert desk.place.editor.text == "FW 1\nTR 90\nFW 7"
         assert "Program: walk.gd, changed" in desk.screen
 
 
@@ -313,15 +313,15 @@ async def test_all_programs_of_a_crash_are_restored_one_by_one(work, tmp_path):
         await desk.shows("A program was rescued. RECOVER opens it.")
         await desk.type_line("RECOVER")
         await desk.shows("Here it is again, 1 line.")
-        assert desk.app.work.text == "FW 2"
+        assert desk.place.editor.text == "FW 2"
         await desk.shows("There is one more. RECOVER opens it.")
 
         await desk.type_line("RECOVER")
         await desk.answer("no")
-        await desk.until(lambda: desk.app.work.text == "FW 1", "the other one")
+        await desk.until(lambda: desk.place.editor.text == "FW 1", "the other one")
         await desk.type_line("RECOVER")
         await desk.answer("no")
-        await desk.until(lambda: desk.app.work.text == "FW 2", "what was given up for it")
+        await desk.until(lambda: desk.place.editor.text == "FW 2", "what was given up for it")
 
 
 async def test_a_wrong_answer_to_yes_or_no_is_reported_and_typed_over(work, tmp_path):

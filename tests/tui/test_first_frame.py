@@ -27,12 +27,12 @@ async def begin(app: DonnieApp) -> None:
         async with app.run_test(size=(80, 24)) as pilot:
             await until_work(app, pilot)
     finally:
-        app.close_session()
+        app.session.close()
 
 
 async def until_work(app: DonnieApp, pilot: Pilot[int]) -> None:
     for _ in range(1000):
-        if app.work is not None:
+        if app.controller is not None:
             return
         await pilot.pause(0.01)
     raise AssertionError("the work never began")
@@ -45,7 +45,7 @@ async def test_the_first_frame_has_the_greeting(app: DonnieApp, monkeypatch: pyt
 
     def rendered(self, crop):
         strips = render_lines(self, crop)
-        if self is app.workplace.log_rows:
+        if self is app.main_screen.log_rows:
             painted.append([strip.text.strip(" >") for strip in strips])
         return strips
 
@@ -63,7 +63,7 @@ async def test_only_what_takes_the_focus_gets_its_style_twice_before_the_session
     update_nodes = Stylesheet.update_nodes
 
     def updated(self, nodes, animate=False):
-        if app.work is None:
+        if app.controller is None:
             styled.extend(node.id or "" for node in nodes if isinstance(node, Widget))
         update_nodes(self, nodes, animate=animate)
 
@@ -71,8 +71,8 @@ async def test_only_what_takes_the_focus_gets_its_style_twice_before_the_session
 
     await begin(app)
 
-    assert not {"workplace", "map-pane", "inspector-pane", "log-pane"} & {*styled}
-    assert app.workplace.is_plain or "program-pane" not in styled
+    assert not {"main-screen", "map-pane", "inspector-pane", "log-pane"} & {*styled}
+    assert app.main_screen.is_plain or "program-pane" not in styled
 
 
 async def test_the_colours_of_a_theme_are_worked_out_once(
@@ -90,7 +90,7 @@ async def test_the_colours_of_a_theme_are_worked_out_once(
                 await pilot.pause()
                 assert app.theme_variables["muted"] == themes.theme(name).variables["muted"]
     finally:
-        app.close_session()
+        app.session.close()
 
     assert len(worked_out) == len(themes.NAMES) - 1  # the one of the start was there already
 
@@ -100,7 +100,7 @@ async def test_what_widgets_paint_row_by_row_has_no_styles_of_its_own(app: Donni
     try:
         async with app.run_test(size=(80, 24)) as pilot:
             await until_work(app, pilot)
-            place = app.workplace
+            place = app.main_screen
             of_textual = {"input", "text-area", "screen"}
             for widget in (
                 place,
@@ -112,4 +112,4 @@ async def test_what_widgets_paint_row_by_row_has_no_styles_of_its_own(app: Donni
             ):
                 assert {name.partition("--")[0] for name in widget._component_styles} <= of_textual
     finally:
-        app.close_session()
+        app.session.close()

@@ -19,7 +19,7 @@ def begin(monkeypatch, work_through, **settings):
     async def worked_through(app):
         async with app.run_test(size=(80, 24)) as pilot:
             desk = ScreenDriver(app, pilot)
-            await desk.until(lambda: app.work is not None and not app.is_opening, "the session")
+            await desk.until(lambda: app.controller is not None and not app.startup.is_opening, "the session")
             await work_through(desk)
 
     monkeypatch.setattr(full_screen.DonnieApp, "run", lambda app, **_: asyncio.run(worked_through(app)))
@@ -50,10 +50,10 @@ def test_another_world_has_the_same_program(monkeypatch, tmp_path):
     seen = []
 
     async def work_through(desk):
-        seen.append((desk.app.work.donnie.world.name, desk.place.editor.text))
+        seen.append((desk.app.controller.donnie.world.name, desk.place.editor.text))
         if len(seen) == 1:
-            desk.app.work.load(WALK)
-            desk.app.work.change_world("maze")
+            desk.load(WALK)
+            desk.app.controller.change_world("maze")
         else:
             desk.app.exit(0)
         await desk.until(lambda: not desk.app.is_running, "the end")
@@ -68,13 +68,13 @@ def test_a_typed_name_selects_that_world_and_keeps_the_log_and_the_history(monke
     seen = []
 
     async def work_through(desk):
-        seen.append(desk.app.work.donnie.world.name)
+        seen.append(desk.app.controller.donnie.world.name)
         if len(seen) == 1:
             await desk.type_line('SPEAK "before"')
             await desk.shows("before")
-            desk.app.work.load("WHILE 1 == 1 DO\nWAIT 1\nEND WHILE")
+            desk.load("WHILE 1 == 1 DO\nWAIT 1\nEND WHILE")
             await desk.press("f5")
-            await desk.until(lambda: desk.app.work.ctx.runs.state is not RunState.READY, "the run")
+            await desk.until(lambda: desk.app.controller.ctx.runs.state is not RunState.READY, "the run")
             await desk.type_line("WORLDS living room")
         else:
             await desk.shows("5 things. WORLD says more.")

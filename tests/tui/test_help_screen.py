@@ -20,7 +20,7 @@ async def test_f1_shows_every_key_and_word_and_esc_goes_back(work):
         await desk.press("down", "down")
         assert caret(desk) == rows.content_region.offset + Offset(0, 2)
         await desk.press("escape")
-        await desk.until(lambda: desk.app.screen is desk.place, "the workplace")
+        await desk.until(lambda: desk.app.screen is desk.place, "the main screen")
 
         assert desk.place.editor.has_focus
 
@@ -41,7 +41,7 @@ async def test_f1_in_the_help_opens_the_manual(work, language):
         await desk.press("escape")
         await desk.until(lambda: desk.app.screen is help_screen, "the help again")
         await desk.press("escape")
-        await desk.until(lambda: desk.app.screen is desk.place, "the workplace")
+        await desk.until(lambda: desk.app.screen is desk.place, "the main screen")
 
 
 async def test_help_with_a_word_of_the_screen_prints_its_purpose(work):

@@ -7,8 +7,8 @@ import pytest
 from textual.app import App, ComposeResult
 
 from donnie_tui.commands.settings import change
-from donnie_tui.tui import intake, outside
-from donnie_tui.tui.intake import CALM, FRAME, Intake
+from donnie_tui.tui import event_queue, normal_screen
+from donnie_tui.tui.event_queue import CALM, FRAME, EventReader
 from donnie_tui.tui.widgets.rows import MOST_LINES, TextRows
 
 LONG = "one two three four five six seven eight nine ten"
@@ -61,32 +61,32 @@ async def test_a_search_goes_to_the_next_older_line_and_from_the_oldest_to_the_n
 # --- pace
 
 
-def test_the_mailbox_is_read_at_the_chosen_interval(monkeypatch):
+def test_the_queue_is_read_at_the_chosen_interval(monkeypatch):
     now = SimpleNamespace(seconds=100.0)
-    monkeypatch.setattr(intake, "time", SimpleNamespace(monotonic=lambda: now.seconds))
+    monkeypatch.setattr(event_queue, "time", SimpleNamespace(monotonic=lambda: now.seconds))
     due: list[float] = []
-    mail = SimpleNamespace(missed=0, lines=())
-    it = Intake(
-        SimpleNamespace(take=lambda: mail),
+    batch = SimpleNamespace(missed=0, lines=())
+    it = EventReader(
+        SimpleNamespace(take=lambda: batch),
         str,
         set_timer=lambda seconds, _do: due.append(seconds) or SimpleNamespace(stop=lambda: None),
-        receive=lambda _mail: None,
+        receive=lambda _batch: None,
         write=lambda _lines: None,
     )
     for frame in (FRAME, CALM):
         it.frame = frame
         it.take()
-        it.happened()
+        it.on_queued()
     assert due == pytest.approx([FRAME, CALM])
 
 
 async def test_little_motion_is_a_calm_map_at_the_start_and_when_it_is_chosen(work):
     async with work(motion="reduced") as desk:
-        assert desk.app.work._intake.frame == CALM
-        change(desk.app.work.ctx, "motion", "full")
-        assert desk.app.work._intake.frame == FRAME
-        change(desk.app.work.ctx, "motion", "reduced")
-        assert desk.app.work._intake.frame == CALM
+        assert desk.app.controller.events.frame == CALM
+        change(desk.app.controller.ctx, "motion", "full")
+        assert desk.app.controller.events.frame == FRAME
+        change(desk.app.controller.ctx, "motion", "reduced")
+        assert desk.app.controller.events.frame == CALM
 
 
 # --- the end, and the scale
@@ -94,7 +94,7 @@ async def test_little_motion_is_a_calm_map_at_the_start_and_when_it_is_chosen(wo
 
 def test_the_last_twenty_lines_are_left_behind_in_their_order(capsys, monkeypatch):
     monkeypatch.delenv("TEXTUAL_DRIVER", raising=False)
-    outside.leave_behind([f"line {i}" for i in range(30)])
+    normal_screen.print_last_lines([f"line {i}" for i in range(30)])
 
     assert capsys.readouterr().out.splitlines() == [f"line {i}" for i in range(10, 30)]
 

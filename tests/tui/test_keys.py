@@ -100,7 +100,7 @@ async def test_an_action_gets_another_key_that_counts_at_once_and_is_kept(work, 
         await desk.until(lambda: "RUN: Ctrl+E, F5, Esc. Runs the program." in desk.screen, "the list again")
         assert desk.place.keys.words.startswith(" Ctrl+E Run")
         await desk.press("escape")
-        await desk.until(lambda: desk.app.screen is desk.place, "the workplace")
+        await desk.until(lambda: desk.app.screen is desk.place, "the main screen")
 
         await desk.press("ctrl+e")
         await desk.doing(RunState.RUNNING)
@@ -118,7 +118,7 @@ async def test_a_key_after_the_menu_key_can_be_chosen_too(work):
         await desk.press("4")
         await desk.until(lambda: "RUN: Ctrl+K 4" in desk.screen, "the list again")
         await desk.press("escape")
-        await desk.until(lambda: desk.app.screen is desk.place, "the workplace")
+        await desk.until(lambda: desk.app.screen is desk.place, "the main screen")
         await desk.press("ctrl+k", "4")
         await desk.shows("7")
 
@@ -147,7 +147,7 @@ async def test_an_action_that_loses_its_key_is_reported(work):
 
 async def test_all_keys_can_be_reset(work, tmp_path):
     async with work() as desk:
-        change(desk.app.work.ctx, "keys", "run f9")
+        change(desk.app.controller.ctx, "keys", "run f9")
         await desk.shows("Keys: F9 RUN.")
         await open_keys(desk)
         await choose(desk, *"as they came")
@@ -165,7 +165,7 @@ async def test_invalid_keys_of_the_file_are_reported(work):
 
 async def test_the_help_and_the_palette_show_the_chosen_keys(work):
     async with work() as desk:
-        change(desk.app.work.ctx, "keys", "save f5")
+        change(desk.app.controller.ctx, "keys", "save f5")
         await desk.press("f1")
         await desk.until(lambda: "Letters write" in desk.screen, "the help")
         assert "F5, Ctrl+S, F2: Saves the program." in desk.screen
@@ -176,7 +176,7 @@ async def test_the_help_and_the_palette_show_the_chosen_keys(work):
 
 async def test_a_chosen_key_for_stop_stops_at_once(work):
     async with work(WAITING, speed=1.0) as desk:
-        change(desk.app.work.ctx, "keys", "stop f3")
+        change(desk.app.controller.ctx, "keys", "stop f3")
         await desk.press("f5")
         await desk.doing(RunState.RUNNING)
         await desk.press("f3")

@@ -57,7 +57,7 @@ async def test_undo_prints_the_first_changed_line(work, typed, printed):
 
 async def test_an_end_of_line_behind_the_last_line_stays(work):
     async with work() as desk:
-        desk.app.work.load("FW 1\nFW 2\n")
+        desk.load("FW 1\nFW 2\n")
         await desk.type_line("DELETE 2")
         await desk.shows("Line 2 deleted.")
         assert desk.place.editor.text == "FW 1\n"
@@ -155,7 +155,7 @@ async def test_set_changes_a_setting_by_its_name(work, typed):
         await desk.type_line(typed)
         await desk.shows("Look: light.")
 
-        assert desk.app.work.ctx.preferences.settings.theme == "light"
+        assert desk.app.controller.ctx.preferences.settings.theme == "light"
 
 
 @pytest.mark.parametrize(
@@ -191,7 +191,7 @@ async def test_set_understands_the_values_of_voice_and_sound_as_the_linear_mode_
 ):
     async with work() as desk:
         await desk.type_line(typed)
-        await desk.until(lambda: getattr(desk.app.work.ctx.preferences.settings, field) == value, value)
+        await desk.until(lambda: getattr(desk.app.controller.ctx.preferences.settings, field) == value, value)
 
 
 async def test_set_says_which_name_it_does_not_know(work):
@@ -250,7 +250,7 @@ async def test_a_slip_in_a_word_of_the_screen_is_answered_with_that_word(work, t
     async with work(PROGRAM) as desk:
         await desk.type_line(typed)
         await desk.shows(printed)
-        assert desk.app.work.ctx.runs.state is RunState.READY
+        assert desk.app.controller.ctx.runs.state is RunState.READY
 
 
 async def test_a_slip_in_a_word_of_godonnie_is_answered_by_the_language(work):
@@ -272,7 +272,7 @@ async def test_mistakes_are_visited_and_explained_as_in_the_linear_mode(work):
 
         async def run():
             await desk.press("f5")
-            await desk.until(lambda: desk.place.editor.line == 1 and desk.app.work.ctx.errors.all)
+            await desk.until(lambda: desk.place.editor.line == 1 and desk.app.controller.ctx.errors.all)
             await desk.idle()
 
         await run()

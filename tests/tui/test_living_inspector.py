@@ -7,7 +7,7 @@ import pytest
 from donnie_tui.core.events import Sensed
 from donnie_tui.core.run_state import RunState
 from donnie_tui.i18n.words import Words
-from donnie_tui.tui.situation import inspector_lines
+from donnie_tui.tui.pane_text import inspector_lines
 
 
 def ahead(desk) -> int:
@@ -17,7 +17,7 @@ def ahead(desk) -> int:
 
 def known(desk) -> list[str]:
     """What the inspector should say, in its order."""
-    distances = desk.app.work.donnie.session._robot.known_distances()
+    distances = desk.app.controller.donnie.session._robot.known_distances()
     return [str(distances[bearing]) for bearing in sorted(distances, key=lambda each: each.value)]
 
 
@@ -40,7 +40,7 @@ async def test_the_distances_follow_a_moving_robot_and_are_right_where_it_stops(
         start = ahead(desk)
         await desk.press("f5")
         await desk.until(lambda: ahead(desk) <= start - 2, "they follow")
-        assert desk.app.work.ctx.runs.state is RunState.RUNNING
+        assert desk.app.controller.ctx.runs.state is RunState.RUNNING
 
         await desk.press("f8")
         await desk.idle()
@@ -96,9 +96,9 @@ async def test_a_robot_without_rangers_has_no_distances(work):
 
 async def test_a_reader_is_not_given_each_distance_of_a_moving_robot(work):
     async with work("FW 30", world="corridor", plain=True, speed=5.0) as desk:
-        session = desk.app.work.donnie.session
+        session = desk.app.controller.donnie.session
         heard: list[Sensed] = []
-        desk.app.work.donnie.team.stream.subscribe(
+        desk.app.controller.donnie.team.stream.subscribe(
             lambda it: heard.append(it.event) if isinstance(it.event, Sensed) else None
         )
         await desk.press("f5")

@@ -353,7 +353,7 @@ async def test_the_belt_is_shown_next_to_the_variables_in_words_and_by_motor(wor
         assert "Upper row" not in desk.screen
         await desk.press("f5")
         await desk.until(lambda: "Belt: " in desk.screen and "Upper row: " in desk.screen, "the belt")
-        levels = desk.app.work.donnie.outlets.belt.rows()
+        levels = desk.app.controller.donnie.outlets.belt.rows()
         await desk.until(lambda: all(each in desk.place.inspector.lines for each in levels), "the rows")
         assert any(digit in levels[2] for digit in "123")
 

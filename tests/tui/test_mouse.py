@@ -5,7 +5,7 @@ from textual.geometry import Offset
 
 async def test_a_click_on_a_key_of_the_bottom_line_presses_it(work):
     async with work() as desk:
-        desk.app.work.load("FW 2")
+        desk.load("FW 2")
         at = desk.place.keys.words.index("Run") + 1
         before = desk.app.focused
 
@@ -19,7 +19,7 @@ async def test_a_click_next_to_the_keys_presses_none(work):
     async with work() as desk:
         keys = desk.place.keys
         done = []
-        desk.app.work.do = lambda name, argument=None: done.append(name)
+        desk.app.controller.do = lambda name, argument=None: done.append(name)
 
         for at in (0, keys.words.index("  "), keys.words.index("  ") + 1):
             await desk.pilot.click(keys, offset=Offset(at, 0))

@@ -5,7 +5,7 @@ from textual.app import App
 
 from donnie_tui.core.run_state import RunState
 from donnie_tui.core.session import Session
-from donnie_tui.tui.screens import workplace
+from donnie_tui.tui.screens import main_screen
 from donnie_tui.tui.terminal import TerminalApp
 
 
@@ -43,7 +43,7 @@ async def test_the_plain_layout_shows_each_answer_once_and_nothing_else(work):
 
 async def test_in_the_plain_layout_a_command_goes_as_its_answer_comes(work, monkeypatch):
     """In one picture: Fenrir says letters that go and leave nothing new."""
-    monkeypatch.setattr(workplace, "LONGEST_HELD", 600.0)
+    monkeypatch.setattr(main_screen, "LONGEST_HELD", 600.0)
     pictures = []
     display = TerminalApp._display
 
@@ -67,7 +67,7 @@ async def test_in_the_plain_layout_a_command_goes_as_its_answer_comes(work, monk
 )
 async def test_what_a_plain_command_opens_is_painted_at_once(work, monkeypatch, typed, seen):
     """It was left out while the command was held back, and the terminal showed the old screen."""
-    monkeypatch.setattr(workplace, "LONGEST_HELD", 600.0)
+    monkeypatch.setattr(main_screen, "LONGEST_HELD", 600.0)
     async with work("", plain=True, world="living_room") as desk:
         painted = []
         display = App._display
@@ -132,7 +132,7 @@ async def test_a_look_into_the_past_needs_nothing_to_run(work):
         await desk.doing(RunState.RUNNING)
         await desk.type_line("STEP BACK")
         await desk.shows("A program is running.")
-        assert isinstance(desk.app.work._donnie.session, Session)
+        assert isinstance(desk.app.controller.donnie.session, Session)
         await desk.press("f8")
 
 

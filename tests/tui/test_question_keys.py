@@ -7,7 +7,7 @@ import asyncio
 import pytest
 from textual import events
 
-from donnie_tui.tui import coming
+from donnie_tui.tui import key_queue
 from tests.tui.conftest import burst
 
 LINES = "FW 1\nTR 90\nBW 2"
@@ -31,14 +31,14 @@ async def test_a_name_that_comes_with_the_key_that_asks_for_it_is_the_answer(wor
         burst(desk, "ctrl+s", *"lesson", "enter")
         await desk.shows("Saved lesson.gd")
 
-        assert desk.app.work.text == LINES
+        assert desk.place.editor.text == LINES
     assert (tmp_path / "lesson.gd").read_text(encoding="utf-8").splitlines() == LINES.splitlines()
 
 
 async def test_what_comes_behind_an_answer_in_the_same_burst_goes_where_it_leads(work) -> None:  # type: ignore[no-untyped-def]
     async with work(LINES) as desk:
         burst(desk, "ctrl+g", "3", "enter", *"12", "ctrl+g", "1", "enter", *"FW")
-        await desk.until(lambda: desk.app.work.text == "FWFW 1\nTR 90\n12BW 2", "all in its place")
+        await desk.until(lambda: desk.place.editor.text == "FWFW 1\nTR 90\n12BW 2", "all in its place")
 
 
 async def test_a_word_that_comes_with_the_key_of_search_is_searched(work) -> None:  # type: ignore[no-untyped-def]
@@ -46,7 +46,7 @@ async def test_a_word_that_comes_with_the_key_of_search_is_searched(work) -> Non
         burst(desk, "ctrl+f", *"BW", "enter")
         await desk.until(lambda: desk.place.editor.line == 3, "the line that was found")
 
-        assert desk.app.work.text == LINES
+        assert desk.place.editor.text == LINES
 
 
 async def test_no_with_the_key_that_leaves_leaves_and_is_not_saved(work, tmp_path) -> None:  # type: ignore[no-untyped-def]
@@ -54,14 +54,14 @@ async def test_no_with_the_key_that_leaves_leaves_and_is_not_saved(work, tmp_pat
         burst(desk, *"FW", "ctrl+q", *"no", "enter")
         await desk.until(lambda: desk.app.return_code is not None, "the way out")
 
-        assert desk.app.work.text == "FW"
+        assert desk.place.editor.text == "FW"
 
 
 async def test_letters_that_come_with_the_key_of_a_list_narrow_it(work) -> None:  # type: ignore[no-untyped-def]
     async with work(LINES) as desk:
         burst(desk, "ctrl+p", *"coordinates", "enter", "X")
         await until_answered(desk)
-        await desk.until(lambda: desk.app.work.text == f"X{LINES}", "the letter behind it")
+        await desk.until(lambda: desk.place.editor.text == f"X{LINES}", "the letter behind it")
 
 
 async def test_a_question_typed_as_a_word_has_the_line_behind_it(work, tmp_path) -> None:  # type: ignore[no-untyped-def]
@@ -81,16 +81,16 @@ async def test_a_question_typed_as_a_word_has_the_line_behind_it(work, tmp_path)
 async def test_letters_in_front_of_a_page_that_comes_are_not_for_the_program(work) -> None:  # type: ignore[no-untyped-def]
     async with work(LINES) as desk:
         burst(desk, "f1", "q", "1")
-        await desk.until(lambda: desk.app.screen is desk.place and desk.app.work.text == f"1{LINES}")
+        await desk.until(lambda: desk.app.screen is desk.place and desk.place.editor.text == f"1{LINES}")
 
 
 async def test_keys_do_not_wait_for_what_takes_long_without_asking(work, monkeypatch) -> None:  # type: ignore[no-untyped-def]
     """As looking for a robot does: the text is there to be typed in meanwhile."""
-    monkeypatch.setattr(coming, "SLOW", 0.01)
+    monkeypatch.setattr(key_queue, "SLOW", 0.01)
     async with work() as desk:
-        monkeypatch.setattr(desk.app.work, "do", lambda _name: asyncio.Event().wait())
+        monkeypatch.setattr(desk.app.controller, "do", lambda _name: asyncio.Event().wait())
         burst(desk, "ctrl+n", *"FW")
-        await desk.until(lambda: desk.app.work.text == "FW", "the letters")
+        await desk.until(lambda: desk.place.editor.text == "FW", "the letters")
 
 
 @pytest.mark.parametrize(("language", "printed"), [("en", "RUN"), ("pt", "EXECUTAR"), ("es", "EJECUTAR")])
@@ -102,24 +102,24 @@ async def test_esc_after_a_question_that_closed_itself_moves_no_robot(work, lang
         await until_answered(desk)
         await desk.press("escape")
         await desk.until(lambda: desk.log[-1].endswith(f": {printed}."), "what Esc does")
-        assert desk.app.work.pose.y == 0
+        assert desk.app.controller.donnie.session.pose.y == 0
         await desk.press("escape")
-        await desk.until(lambda: desk.app.work.pose.y == 1, "the run")
+        await desk.until(lambda: desk.app.controller.donnie.session.pose.y == 1, "the run")
 
 
 async def test_a_second_esc_in_one_burst_moves_no_robot(work) -> None:  # type: ignore[no-untyped-def]
     async with work("FW 1") as desk:
         burst(desk, "ctrl+g", "escape", "escape", "X")
         await desk.shows("Esc again: RUN.")
-        await desk.until(lambda: desk.app.work.text == "XFW 1", "the letter")
+        await desk.until(lambda: desk.place.editor.text == "XFW 1", "the letter")
 
-        assert desk.app.work.pose.y == 0
+        assert desk.app.controller.donnie.session.pose.y == 0
 
 
 async def test_esc_after_any_other_key_runs_the_program(work) -> None:  # type: ignore[no-untyped-def]
     async with work("FW 1") as desk:
         burst(desk, "ctrl+g", "1", "enter", "end", "escape")
-        await desk.until(lambda: desk.app.work.pose.y == 1, "the run")
+        await desk.until(lambda: desk.app.controller.donnie.session.pose.y == 1, "the run")
 
         assert not any("Esc again: RUN." in line for line in desk.log)
 
@@ -129,7 +129,7 @@ async def test_a_meaningless_key_after_the_menu_key_closes_the_list_and_is_repor
     async with work("FW 1") as desk:
         burst(desk, "ctrl+k", key, "m", "a")
         await desk.shows("does nothing.")
-        await desk.until(lambda: desk.app.work.text == "maFW 1", "what was typed behind it")
+        await desk.until(lambda: desk.place.editor.text == "maFW 1", "what was typed behind it")
 
         assert desk.app.screen is desk.place
 
@@ -153,4 +153,4 @@ async def test_letters_behind_the_first_focus_of_a_page_are_written(work):
         desk.app._last_focused_on_app_blur = None
         desk.app.post_message(events.AppFocus())
         burst(desk, *"fwq")
-        await desk.until(lambda: desk.app.work.text == "fwq", "the letters")
+        await desk.until(lambda: desk.place.editor.text == "fwq", "the letters")

@@ -36,7 +36,7 @@ async def test_moving_in_the_proposed_answer_edits_it(work, key, changed) -> Non
 
 async def test_the_first_key_replaces_a_wrong_answer_too(work) -> None:  # type: ignore[no-untyped-def]
     async with work("FW 1") as desk:
-        desk.app.work.load("FW 2")
+        desk.load("FW 2")
         await desk.press("x", "ctrl+n")
         answer = await field(desk, "")
         await desk.press(*"maybe", "enter")
@@ -53,7 +53,7 @@ async def test_enter_alone_leaves_a_question_as_it_says(work) -> None:  # type: 
         await desk.press("enter")
         await desk.shows("Nothing was changed.")
 
-        assert desk.app.work.text == "FW 1"
+        assert desk.place.editor.text == "FW 1"
         assert desk.app.screen is desk.place
 
 
@@ -62,10 +62,10 @@ async def test_enter_alone_means_no_and_recover_restores_the_program(work) -> No
         await desk.press("ctrl+n")
         await desk.until(lambda: "Enter means no." in desk.screen, "the question")
         await desk.press("enter")
-        await desk.until(lambda: desk.app.work.text == "", "the new program")
+        await desk.until(lambda: desk.place.editor.text == "", "the new program")
 
         await desk.type_line("RECOVER")
-        await desk.until(lambda: desk.app.work.text == "FW 1", "the program")
+        await desk.until(lambda: desk.place.editor.text == "FW 1", "the program")
 
 
 @pytest.mark.parametrize("typed", ["SAVE", "SAVE AS", "NEW", "OPEN", "QUIT", "SAVE LOG"])
@@ -78,7 +78,7 @@ async def test_a_cancelled_question_reports_that_nothing_changed(work, typed) ->
         await desk.type_line("WHERE")
         await desk.shows("Position 0, 0.")
 
-        assert desk.app.work.text == "FW 1"
+        assert desk.place.editor.text == "FW 1"
         assert desk.log.count("Nothing was changed.") == 1
 
 
@@ -92,5 +92,5 @@ async def test_a_missing_name_for_saving_first_is_reported_once(work) -> None:  
         await desk.type_line("WHERE")
         await desk.shows("Position 0, 0.")
 
-        assert desk.app.work.text == "FW 1"
+        assert desk.place.editor.text == "FW 1"
         assert desk.log.count("Nothing was changed.") == 1

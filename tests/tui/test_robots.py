@@ -3,7 +3,7 @@
 from devices.ports.robot import Pose
 from donnie_tui.core.events import Error, Outcome, RunEnded
 from donnie_tui.core.run_state import RunState
-from donnie_tui.tui.bridge import Ended
+from donnie_tui.tui.event_queue import RunFinished
 from tests.tui.conftest import WAITING
 
 
@@ -14,15 +14,15 @@ async def test_another_robot_can_be_talked_to_while_the_first_one_runs(work):
 
         await desk.type_line("ROBOT bob")
         await desk.shows("You talk to bob.")
-        assert desk.app.work.ctx.runs.state is RunState.READY
-        assert [each.name for each in desk.app.work.donnie.team.running] == ["alice"]
+        assert desk.app.controller.ctx.runs.state is RunState.READY
+        assert [each.name for each in desk.app.controller.donnie.team.running] == ["alice"]
 
         await desk.type_line("SPEAK 7")
         await desk.shows("bob: 7")
 
         await desk.type_line("ROBOT alice")
         await desk.shows("You talk to alice.")
-        assert desk.app.work.ctx.runs.state is RunState.RUNNING
+        assert desk.app.controller.ctx.runs.state is RunState.RUNNING
 
         await desk.type_line("STOP ALL")
         await desk.doing(RunState.READY)
@@ -30,7 +30,7 @@ async def test_another_robot_can_be_talked_to_while_the_first_one_runs(work):
 
 async def test_nothing_is_looked_at_again_and_again_for_a_robot_that_stands(work):
     async with work(WAITING, speed=1.0, world="two_robots") as desk:
-        polling = desk.app.work.run_view.polling
+        polling = desk.app.controller.run_view.polling
         await desk.press("f5")
         await desk.until(lambda: polling.is_on, "alice runs")
 
@@ -55,12 +55,12 @@ async def test_an_end_that_comes_once_another_robot_is_talked_to_is_not_that_one
         rows, mistake = desk.map_rows(), Error("syntax", 2, 5, "What?", None)
         end = RunEnded(Outcome.FAILED, Pose(1.0, 1.0, 0.0), {}, 0.0)
 
-        desk.app.post_message(Ended(end, (mistake,), "alice"))
+        desk.app.post_message(RunFinished(end, (mistake,), "alice"))
         await desk.type_line("WHERE")
         await desk.until(lambda: any(line.startswith("bob: ") for line in desk.log), "where bob is")
 
         assert desk.map_rows() == rows
-        assert desk.app.work.ctx.errors.now is None
+        assert desk.app.controller.ctx.errors.now is None
 
 
 async def test_all_that_were_given_a_program_start_together_and_stop_together(work):
@@ -69,10 +69,10 @@ async def test_all_that_were_given_a_program_start_together_and_stop_together(wo
         await desk.shows("You talk to bob.")
 
         await desk.type_line("TOGETHER")
-        team = desk.app.work.donnie.team
+        team = desk.app.controller.donnie.team
         await desk.until(lambda: len(team.running) == 2, "both run")
         await desk.until(
-            lambda: desk.app.work.ctx.runs.state is RunState.RUNNING, "the chosen one is watched"
+            lambda: desk.app.controller.ctx.runs.state is RunState.RUNNING, "the chosen one is watched"
         )
 
         await desk.type_line("STOP ALL")
@@ -92,12 +92,12 @@ async def test_an_unknown_robot_changes_nothing(work):
         await desk.type_line("ROBOT carol")
 
         await desk.shows("There is no robot carol here. There are alice and bob.")
-        assert desk.app.work.donnie.session.name == "alice"
+        assert desk.app.controller.donnie.session.name == "alice"
 
 
 async def test_ctrl_c_stops_all_robots_the_key_for_stop_the_chosen_one(work):
     async with work(WAITING, speed=1.0, world="two_robots") as desk:
-        team = desk.app.work.donnie.team
+        team = desk.app.controller.donnie.team
         await desk.type_line("ROBOT bob")
         await desk.shows("You talk to bob.")
         await desk.type_line("TOGETHER")
@@ -124,7 +124,7 @@ async def test_robot_alone_lists_all_robots_with_their_state_and_enter_chooses_o
 
         await desk.press("down", "enter")
         await desk.shows("You talk to bob.")
-        assert desk.app.work.donnie.session.name == "bob"
+        assert desk.app.controller.donnie.session.name == "bob"
         await desk.type_line("STOP ALL")
 
 
@@ -139,7 +139,7 @@ async def test_the_map_is_that_of_the_robot_that_is_talked_to(work):
         assert [each.name for each in scene.picture.things if each.is_robot] == ["alice"]
         assert list(scene.others) == ["alice"]
         assert scene.place(scene.others["alice"]) == (0, 3)
-        bob = desk.app.work.donnie.session.pose
+        bob = desk.app.controller.donnie.session.pose
         assert scene.place(scene.robot) == (round(bob.x), round(bob.y))
 
         await desk.type_line("MAP")
@@ -189,10 +189,10 @@ async def test_connect_lists_the_robots_with_their_state_and_enter_takes_one(wor
     monkeypatch.setenv("XDG_CONFIG_HOME", str(tmp_path))
     missing = tmp_path / "ttyACM9"
     async with work() as desk:
-        choices = desk.app.work.donnie.connection.options()
+        choices = desk.app.controller.donnie.connection.options()
         board = type(choices[0])(f"serial:{missing}", f"robot at {missing}")
         monkeypatch.setattr(
-            desk.app.work.donnie.connection, "options", lambda: (choices[0], board, choices[-1])
+            desk.app.controller.donnie.connection, "options", lambda: (choices[0], board, choices[-1])
         )
         await desk.type_line("CONNECT")
         await desk.until(lambda: "Robots to connect to" in desk.screen, "the list")
@@ -202,7 +202,7 @@ async def test_connect_lists_the_robots_with_their_state_and_enter_takes_one(wor
         assert "3: a simulated board, to try without a robot." in desk.screen
         await desk.press(*"board", "enter")
         await desk.shows("Robot connected.")
-        assert desk.app.work.donnie.connection.robot == "double"
+        assert desk.app.controller.donnie.connection.robot == "double"
 
         await desk.type_line("CONNECT 1")
         await desk.shows("I use the simulator.")

@@ -15,10 +15,10 @@ from donnie_tui.core.run_state import RunState
 from donnie_tui.i18n.first_words import early
 from donnie_tui.i18n.words import Words
 from donnie_tui.settings.settings import Settings
-from donnie_tui.tui import lifeline
+from donnie_tui.tui import shutdown
 from donnie_tui.tui.app import DonnieApp
-from donnie_tui.tui.ending import FAULT
-from donnie_tui.tui.screens.pages import help_text
+from donnie_tui.tui.help_pages import help_text
+from donnie_tui.tui.shutdown import FAULT
 from language.locales import languages
 from tests.tui.conftest import WAITING, burst
 
@@ -49,12 +49,12 @@ async def test_an_internal_fault_is_one_sentence_and_the_text_is_kept(tmp_path: 
 
     with pytest.raises(RuntimeError):
         async with app.run_test() as pilot:
-            while app.work is None:
+            while app.controller is None:
                 await pilot.pause(0.01)
-            app.workplace.editor.load_text("FW 3")
+            app.main_screen.editor.load_text("FW 3")
             app.call_later(fail)
             await app._exception_event.wait()
-    app.close_session()
+    app.session.close()
     copies = list((tmp_path / "unsaved").glob("*.gd"))
 
     assert left == [early("screen-fault", "en")]
@@ -73,7 +73,7 @@ async def test_an_internal_fault_halts_the_robot_before_the_text_is_saved(work):
     with pytest.raises(RuntimeError):
         async with work(WAITING, speed=1.0) as desk:
             desk.app._print_error_renderables = lambda: None
-            running, workspace = desk.app.work.ctx.runs, desk.app.work.workspace
+            running, workspace = desk.app.controller.ctx.runs, desk.app.controller.workspace
             await desk.press("f5")
             await desk.until(lambda: running.frames, "the program is on its way")
             workspace.write_copies = lambda: doing.append(running.state)
@@ -164,7 +164,7 @@ async def test_linear_as_the_only_line_and_enter_changes_the_mode(work, word):
     async with work() as desk:
         desk.place.editor.load_text(word)
         await desk.press("enter")
-        await desk.until(lambda: desk.app.left_for_linear, "the way out")
+        await desk.until(lambda: desk.app.session.left_for_linear, "the way out")
 
         assert desk.place.editor.text == ""
 
@@ -195,7 +195,7 @@ async def test_linear_in_a_program_is_text(work, tmp_path):
         burst(desk, *"LINEAR", "enter", "a")
         await desk.until(lambda: desk.place.editor.text == "LINEAR\na")
 
-        assert not desk.app.left_for_linear
+        assert not desk.app.session.left_for_linear
 
 
 async def test_the_first_line_names_the_way_to_the_linear_mode(work):
@@ -208,7 +208,7 @@ async def test_leaving_for_the_linear_mode_leaves_no_copy(work, tmp_path):
         await desk.press(*"FW")
         await desk.until(lambda: list(tmp_path.rglob("*.gd")), "the copy")
         await desk.type_line("LINEAR")
-        await desk.until(lambda: desk.app.left_for_linear, "the way out")
+        await desk.until(lambda: desk.app.session.left_for_linear, "the way out")
 
     assert list(tmp_path.rglob("*.gd")) == []
 
@@ -288,10 +288,10 @@ def test_the_help_lists_each_word_once_and_the_palette(language):
 
 @pytest.mark.parametrize("patience", [0.0, 60.0], ids=["halted before the screen answers", "answered"])
 async def test_an_interrupt_from_elsewhere_stops_as_the_key_does(work, monkeypatch, patience):
-    monkeypatch.setattr(lifeline, "ANSWER", patience)
+    monkeypatch.setattr(shutdown, "ANSWER", patience)
     async with work(WAITING, speed=1.0) as desk:
         await desk.press("f5")
         await desk.doing(RunState.RUNNING)
-        await desk.until(lambda: desk.app.work.ctx.runs.frames)
+        await desk.until(lambda: desk.app.controller.ctx.runs.frames)
         os.kill(os.getpid(), signal.SIGINT)
         await desk.shows("Stopped at line")

@@ -50,7 +50,7 @@ async def test_a_typed_command_goes_on_where_the_robot_stands_with_the_variables
 
 
 def way(desk):
-    grid = desk.app.work.display.scene.grid
+    grid = desk.app.controller.display.scene.grid
     return grid.start, grid.robot
 
 
@@ -86,7 +86,7 @@ async def test_f8_stops_a_program_without_end_and_says_where(work):
     async with work(COMPUTING) as desk:
         await desk.press("f5")
         await desk.doing(RunState.RUNNING)
-        await desk.until(lambda: desk.app.work.ctx.runs.frames, "a line being run")
+        await desk.until(lambda: desk.app.controller.ctx.runs.frames, "a line being run")
         await desk.press("f8")
         await desk.shows("Stopped at line ")
 
@@ -150,7 +150,7 @@ async def test_pause_holds_the_program_marks_its_line_and_goes_on(work):
         await desk.press("f6")
         await desk.doing(RunState.PAUSED)
         await desk.shows("Paused at line ")
-        line = desk.app.work.ctx.runs.frames[0].line
+        line = desk.app.controller.ctx.runs.frames[0].line
         await desk.until(lambda: f"> {line}  " in desk.screen, "the mark")
         assert "Paused" in desk.status
         assert desk.place.editor.line == line
@@ -162,9 +162,9 @@ async def test_pause_holds_the_program_marks_its_line_and_goes_on(work):
 @pytest.mark.parametrize("language", ["en", "pt", "es"])
 async def test_an_unused_sensor_value_is_a_hint_for_a_program_and_a_typed_command(work, language):
     async with work("DISTANCE F", language=language) as desk:
-        hints = hints_for("DISTANCE F", desk.app.work.donnie.session, desk.app.work.words)
+        hints = hints_for("DISTANCE F", desk.app.controller.donnie.session, desk.app.controller.words)
         await desk.press("f5")
-        await desk.shows(desk.app.work.words("screen-done"))
+        await desk.shows(desk.app.controller.words("screen-done"))
         assert desk.log[-3:-1] == hints
         await desk.type_line("DISTANCE F")
         await desk.until(lambda: desk.log[-2:] == hints, "the hint")
@@ -185,7 +185,7 @@ async def test_speed_can_be_changed_and_is_reported(work):
         await desk.type_line("SPEED fast")
         await desk.shows("A speed is a number from")
 
-        assert desk.app.work.donnie.session.speed is None
+        assert desk.app.controller.donnie.session.speed is None
 
 
 async def test_reset_puts_the_robot_back_and_forgets_the_variables(work):
@@ -223,7 +223,7 @@ async def test_quit_in_the_program_is_a_mistake_and_in_the_command_line_leaves(w
     async with work("QUIT") as desk:
         await desk.press("f5")
         await desk.shows("Error, line 1")
-        desk.app.work.load("")
+        desk.load("")
         await desk.type_line("quit")
         await desk.until(lambda: not desk.app.is_running, "the end")
 
@@ -278,7 +278,7 @@ async def test_a_look_at_a_program_paints_only_what_is_new(work, monkeypatch):
             painted(each, monkeypatch) for each in (place.editor, place.inspector, place.log_rows)
         )
 
-        desk.app.work.look()
+        desk.app.controller.display.update()
         await desk.painted()
         assert (text, variables, log) == ([], [], [])
 

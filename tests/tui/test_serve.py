@@ -181,7 +181,7 @@ async def page_of(browser: str) -> AsyncIterator[Page]:
 
 @pytest.mark.skipif(CHROMIUM is None, reason="needs chromium")
 @pytest.mark.filterwarnings("ignore::ResourceWarning")
-async def test_a_browser_shows_the_workplace_and_tab_gives_it_the_keyboard(browser):
+async def test_a_browser_shows_the_main_screen_and_tab_gives_it_the_keyboard(browser):
     async with page_of(browser) as page:
         await page.call("Network.enable")
         await page.call("Page.reload")

@@ -12,7 +12,7 @@ from donnie_tui.core import recovery
 from donnie_tui.core.recovery import CopyFolder, UnsavedCopy, read_copy
 from donnie_tui.core.workspace import Workspace
 from donnie_tui.settings.settings import Settings
-from donnie_tui.tui import beginning, patience
+from donnie_tui.tui import startup, timers
 from tests.patience import PATIENCE
 from tests.tui import conftest
 
@@ -20,8 +20,8 @@ from tests.tui import conftest
 @pytest.fixture(autouse=True)
 def soon(monkeypatch, tmp_path):
     """What is slow is slow at once."""
-    monkeypatch.setattr(patience, "SLOW", 0.01)
-    monkeypatch.setattr(beginning, "SLOW", 0.01)
+    monkeypatch.setattr(timers, "SLOW", 0.01)
+    monkeypatch.setattr(startup, "SLOW", 0.01)
     monkeypatch.setenv("XDG_CONFIG_HOME", str(tmp_path / "config"))
 
 
@@ -58,14 +58,14 @@ async def test_a_slow_disk_is_reported_and_blocks_no_key(work, tmp_path, slow_sa
         await _begin_saving(desk, path)
         desk.place.editor.focus()
         await desk.press("x")
-        await desk.until(lambda: desk.app.work.text == "xFW 1", "the letter")
-        desk.app.work.workspace.write_copies()
+        await desk.until(lambda: desk.place.editor.text == "xFW 1", "the letter")
+        desk.app.controller.workspace.write_copies()
         assert not path.exists()
         slow_saving.set()
         await desk.shows("Saved walk.gd, 1 line.")
         assert path.read_text() == "FW 1\n"
-        assert not desk.app.work.workspace.document.is_saved, "what was typed meanwhile is not saved"
-        desk.app.work.workspace.write_copies()
+        assert not desk.app.controller.workspace.document.is_saved, "what was typed meanwhile is not saved"
+        desk.app.controller.workspace.write_copies()
         assert _copies_in(tmp_path) == ["xFW 1"], "nor is its copy given up"
 
 
@@ -91,7 +91,7 @@ async def test_the_log_is_saved_to_a_slow_disk_in_the_background(work, monkeypat
         await desk.shows("Writing my notes.txt, it takes a while.")
         desk.place.editor.focus()
         await desk.press("x")
-        await desk.until(lambda: desk.app.work.text == "xFW 1", "the letter")
+        await desk.until(lambda: desk.place.editor.text == "xFW 1", "the letter")
         gate.set()
         await desk.shows("Wrote my notes.txt.")
         assert "> SAVE LOG" in path.read_text(encoding="utf-8")
@@ -130,11 +130,11 @@ async def test_a_copy_on_a_slow_disk_holds_no_typing_and_has_the_last_letters(
         await desk.press("a")
         await desk.until(lambda: came, "the first copy is being written")
         await desk.press("b", "c")
-        desk.app.work.workspace.keep_copies()
-        desk.app.work.workspace.keep_copies()
+        desk.app.controller.workspace.keep_copies()
+        desk.app.controller.workspace.keep_copies()
         await desk.press("d")
-        desk.app.work.workspace.keep_copies()
-        assert desk.app.work.text == "abcdFW 1"
+        desk.app.controller.workspace.keep_copies()
+        assert desk.place.editor.text == "abcdFW 1"
         assert len(came) == 1, "one at a time"
         gate.set()
         await desk.until(lambda: _copies_in(tmp_path) == ["abcdFW 1"], "the last letters")
@@ -147,7 +147,7 @@ async def test_a_lost_connection_leaves_the_last_copy(work, monkeypatch, tmp_pat
         await desk.until(lambda: came, "a copy is being written")
         await desk.press("b")
         threading.Timer(0.1, gate.set).start()
-        desk.app.ending.leave(signal.SIGHUP)
+        desk.app.shutdown.leave(signal.SIGHUP)
         assert _copies_in(tmp_path) == ["abFW 1"]
 
 
@@ -188,11 +188,11 @@ async def test_a_slow_file_is_reported_and_typed_text_is_replaced_only_after_a_q
         await desk.shows("Opening walk.gd, it takes a while.")
         desk.place.editor.focus()
         await desk.press("x")
-        await desk.until(lambda: desk.app.work.text == "x", "the letter")
+        await desk.until(lambda: desk.place.editor.text == "x", "the letter")
         gate.set()
         await desk.answer("no")
         await desk.shows("Opened walk.gd, 1 line.")
-        assert desk.app.work.text == "FW 1"
+        assert desk.place.editor.text == "FW 1"
 
 
 async def test_another_command_cancels_opening_and_that_is_reported(work, monkeypatch, tmp_path, gate):
@@ -212,7 +212,7 @@ async def test_another_command_cancels_opening_and_that_is_reported(work, monkey
         await asyncio.to_thread(has_read.wait)  # what came of it is at the screen before this is
         await desk.type_line("POS")
         await desk.shows("> POS")
-        assert desk.app.work.text == ""
+        assert desk.place.editor.text == ""
         assert not any(line.startswith("Opened") for line in desk.log)
 
 
@@ -239,7 +239,7 @@ async def test_a_program_comes_back_with_the_name_of_its_file(work, tmp_path):
     async with work() as desk:
         await desk.type_line("RECOVER")
         await desk.shows("Here walk.gd is again, 1 line.")
-        assert desk.app.work.workspace.document.path == path
+        assert desk.app.controller.workspace.document.path == path
         assert "walk.gd, changed" in desk.screen
         await desk.until(lambda: len(_copies_in(tmp_path)) == 1, "one copy, this start's own")
         await desk.press("ctrl+s")
@@ -254,7 +254,7 @@ def _copies_in(folder):
 
 async def test_a_huge_program_that_is_being_parsed_is_reported(work, monkeypatch):
     async with work("WAIT 1000", speed=1.0) as desk:
-        monkeypatch.setattr(type(desk.app.work.ctx.runs), "frames", property(lambda _: ()))
+        monkeypatch.setattr(type(desk.app.controller.ctx.runs), "frames", property(lambda _: ()))
         await desk.press("f5")
         await desk.shows("Reading 1 line of program.")
         await desk.press("f8")
@@ -276,7 +276,7 @@ async def test_a_program_that_changes_during_formatting_is_not_formatted(work, m
         desk.place.editor.insert("-- mine\n", (0, 0))
         gate.set()
         await desk.shows("The program was changed meanwhile")
-        assert desk.app.work.text == "-- mine\nfw 1   tr 90"
+        assert desk.place.editor.text == "-- mine\nfw 1   tr 90"
 
 
 async def test_a_formatting_that_another_word_replaces_is_still_answered(work, monkeypatch, gate, tmp_path):
@@ -306,7 +306,7 @@ async def test_a_report_is_written_to_its_end_whatever_is_asked_meanwhile(work, 
 
 
 async def test_a_large_world_is_reported_while_it_loads_and_when_it_is_ready(work, monkeypatch, gate):
-    tell = beginning.Beginning._tell_early
+    tell = startup.Startup._print
 
     def report_early(self, code, **values):
         tell(self, code, **values)
@@ -316,7 +316,7 @@ async def test_a_large_world_is_reported_while_it_loads_and_when_it_is_ready(wor
         gate.wait(PATIENCE)
         return assemble(Settings(world="open_floor", speech="off", sound=False, speed=None), **others)
 
-    monkeypatch.setattr(beginning.Beginning, "_tell_early", report_early)
+    monkeypatch.setattr(startup.Startup, "_print", report_early)
     monkeypatch.setattr(conftest, "assemble", slowly)
     async with work(world="my/large.world") as desk:
         assert "Loading the world large.world, it takes a while." in desk.log

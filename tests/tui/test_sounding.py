@@ -14,9 +14,9 @@ from donnie_tui.tui.screens.pages import Help, KeyMenu
 async def test_any_key_ends_what_is_being_said(work) -> None:  # type: ignore[no-untyped-def]
     """A key silences the voice."""
     async with work() as desk:
-        before = desk.app.work.donnie.outlets.audible.hushed
+        before = desk.app.controller.donnie.outlets.audible.hushed
         await desk.press("x")
-        assert desk.app.work.donnie.outlets.audible.hushed > before
+        assert desk.app.controller.donnie.outlets.audible.hushed > before
 
 
 async def test_what_the_screen_begins_with_is_said(work, monkeypatch) -> None:  # type: ignore[no-untyped-def]
@@ -62,11 +62,11 @@ async def test_each_row_of_a_list_is_said_as_it_is_reached_and_stands_in_no_log(
             lambda: "open_floor" in "".join(pointed[-1:]), "the title and the world that it is in"
         )
         del pointed[:]
-        hushed = desk.app.work.donnie.outlets.audible.hushed
+        hushed = desk.app.controller.donnie.outlets.audible.hushed
         await desk.press("down")
         await desk.until(lambda: pointed, "the next world")
         assert pointed == [desk.app.screen._fitting[desk.app.screen.rows.line].text]
-        assert desk.app.work.donnie.outlets.audible.hushed > hushed, "what was being said has ended"
+        assert desk.app.controller.donnie.outlets.audible.hushed > hushed, "what was being said has ended"
         assert not any(pointed[0] in line for line in desk.log)
         await desk.press(*"qqq")
         await desk.until(lambda: pointed[-1] == "Nothing of that name.", "that nothing fits")
@@ -90,13 +90,13 @@ async def test_each_row_of_the_help_and_of_the_keys_behind_a_key_is_said(work, p
         await desk.until(lambda: pointed[-1].endswith(f". {rows.lines[0]}"), "the title and the first")
         await desk.until(lambda: rows.has_focus, "the focus")
         del pointed[:]
-        hushed = desk.app.work.donnie.outlets.audible.hushed
+        hushed = desk.app.controller.donnie.outlets.audible.hushed
         for key in ("down", "down", "up", "end", "home"):
             await desk.press(key)
         await desk.until(lambda: len(pointed) == 5, "the rows")
         second = rows._rows[2] if rows._heights[1] > 1 else rows.lines[2]
         assert pointed == [rows.lines[1], second, rows.lines[1], rows.lines[-1], rows.lines[0]]
-        assert desk.app.work.donnie.outlets.audible.hushed > hushed, "what was being said has ended"
+        assert desk.app.controller.donnie.outlets.audible.hushed > hushed, "what was being said has ended"
         assert not any(pointed[0] in line for line in desk.log)
 
 
@@ -126,7 +126,7 @@ async def test_where_tab_leads_is_said(work, pointed) -> None:  # type: ignore[n
         await desk.press("ctrl+o")
         await desk.until(lambda: desk.app.screen is not desk.place, "a question")
         await desk.press("escape")
-        await desk.until(lambda: desk.app.screen is desk.place, "the workplace")
+        await desk.until(lambda: desk.app.screen is desk.place, "the main screen")
         await desk.pilot.pause()
         assert pointed.count("Program, line 1 of 1.") == 1, "nobody went anywhere"
 
@@ -140,7 +140,7 @@ async def test_words_to_complete_and_questions_are_said_too(work, pointed) -> No
         await desk.press("down")
         await desk.until(lambda: pointed[-1] != first, "the second")
         await desk.press("escape")
-        await desk.until(lambda: desk.app.screen is desk.place, "the workplace")
+        await desk.until(lambda: desk.app.screen is desk.place, "the main screen")
         await desk.press("ctrl+o")
         await desk.until(lambda: "?" in pointed[-1] or ":" in pointed[-1], "the question")
 
@@ -183,11 +183,11 @@ async def test_what_is_chosen_about_the_voice_counts_at_once(work, tmp_path, mon
     """The next sentence has the new values."""
     monkeypatch.setenv("XDG_CONFIG_HOME", str(tmp_path))
     async with work() as desk:
-        change(desk.app.work.ctx, "rate", "300")
+        change(desk.app.controller.ctx, "rate", "300")
         await desk.shows("Set rate: 300.")
-        audible: Audible = desk.app.work.donnie.outlets.audible
+        audible: Audible = desk.app.controller.donnie.outlets.audible
         assert audible.settings.rate == 300
-        change(desk.app.work.ctx, "wait_for_speech", "on")
+        change(desk.app.controller.ctx, "wait_for_speech", "on")
         await desk.shows("Set wait_for_speech: on.")
         assert audible.settings.wait_for_speech
 
@@ -198,7 +198,7 @@ async def test_each_sound_has_a_volume_of_its_own_that_is_chosen_from_a_list(
     """SET cues lists the cues."""
     monkeypatch.setenv("XDG_CONFIG_HOME", str(tmp_path))
     async with work() as desk:
-        audible: Audible = desk.app.work.donnie.outlets.audible
+        audible: Audible = desk.app.controller.donnie.outlets.audible
         await desk.type_line("SET cue")
         await desk.until(lambda: "bump: A collision. Volume 100." in desk.screen, "the sounds")
         await desk.press(*"bump", "enter")
@@ -206,7 +206,7 @@ async def test_each_sound_has_a_volume_of_its_own_that_is_chosen_from_a_list(
         await desk.press(*"off", "enter")
         await desk.shows("Set cue bump: off.")
         await desk.press("escape")
-        await desk.until(lambda: desk.app.screen is desk.place, "the workplace")
+        await desk.until(lambda: desk.app.screen is desk.place, "the main screen")
         assert audible.settings.cues == {"bump": 0}
 
         await desk.type_line("SET cue open 40")
@@ -226,10 +226,10 @@ async def test_what_is_typed_is_said_by_the_own_voice_where_that_is_chosen(
     async with work() as desk:
         await desk.press("a")
         assert heard == []
-        change(desk.app.work.ctx, "key_echo", "characters")
+        change(desk.app.controller.ctx, "key_echo", "characters")
         await desk.press("b", "backspace")
         assert heard == ["b.", "b."]
-        change(desk.app.work.ctx, "key_echo", "words")
+        change(desk.app.controller.ctx, "key_echo", "words")
         desk.place.command_line.focus()
         await desk.pilot.pause()
         await desk.press(*"FW 1", "enter")

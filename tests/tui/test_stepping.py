@@ -104,12 +104,12 @@ async def test_resuming_after_steps_back_continues_from_the_present(work, key):
         here = ["oooov", "o", "o", "A"]
         assert trail(desk) == here
         for _ in range(4):
-            desk.app.work.do("step_back")
+            desk.app.controller.do("step_back")
         assert trail(desk) == ["^"]
 
         await desk.press(key)
 
         await desk.until(lambda: trail(desk) == here, "the present")
-        desk.app.work.do("stop")
+        desk.app.controller.do("stop")
         await desk.idle()
         assert trail(desk) == here

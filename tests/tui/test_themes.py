@@ -112,7 +112,7 @@ async def test_selected_text_has_the_colours_of_what_is_chosen_whatever_its_synt
 async def test_each_kind_of_line_in_the_log_has_its_look_and_its_words(work, name, size):
     async with work("", size=size) as desk:
         desk.app.theme = name
-        desk.app.work.display.write(("Sentence.", kind) for kind in KINDS)
+        desk.app.controller.display.write(("Sentence.", kind) for kind in KINDS)
         desk.place.go_to(desk.place.log_pane)
         await desk.until(lambda: len(desk.place.log_rows.lines) > len(KINDS), "the log")
         desk.place.command_line.focus()

@@ -10,12 +10,12 @@ from tests.tui.conftest import WAITING
 
 
 async def touring(desk) -> None:  # type: ignore[no-untyped-def]
-    desk.app.work.do("tour")
+    desk.app.controller.do("tour")
     await desk.until(lambda: "Tour, page" in desk.screen and "Enter continues" in desk.screen, "the tour")
 
 
 async def closed(desk) -> None:  # type: ignore[no-untyped-def]
-    await desk.until(lambda: desk.app.screen is desk.place, "the workplace")
+    await desk.until(lambda: desk.app.screen is desk.place, "the main screen")
 
 
 async def turn_to(desk, page: int, key: str = "enter") -> None:  # type: ignore[no-untyped-def]
@@ -71,7 +71,7 @@ async def test_it_names_the_keys_as_they_are(work) -> None:  # type: ignore[no-u
 )
 async def test_it_is_in_the_learner_s_language(work, language, first, last) -> None:  # type: ignore[no-untyped-def]
     async with work(language=language) as desk:
-        desk.app.work.do("tour")
+        desk.app.controller.do("tour")
         await desk.until(lambda: first in desk.screen, first)
         await desk.press(*["enter"] * (SCREEN_TOUR_PAGES - 1))
         await desk.until(lambda: last in desk.screen, last)
@@ -80,7 +80,7 @@ async def test_it_is_in_the_learner_s_language(work, language, first, last) -> N
 async def test_a_page_is_said_whole(work, monkeypatch) -> None:  # type: ignore[no-untyped-def]
     async with work() as desk:
         said: list[str] = []
-        monkeypatch.setattr(desk.app.work.talk, "point", said.append)
+        monkeypatch.setattr(desk.app.controller, "point", said.append)
         await touring(desk)
         await desk.until(lambda: said, "the first page")
 
@@ -113,13 +113,13 @@ async def test_what_it_says_to_do_does_it(work) -> None:  # type: ignore[no-unty
             await desk.idle()
         await desk.press("up")
         assert desk.place.command_line.value == "SPEED 3"
-        desk.app.work.load("FWD 1")
+        desk.load("FWD 1")
         desk.place.editor.focus()
         await desk.until(lambda: "!" in desk.screen and "FWD" in desk.screen, "the mistake")
         await desk.press("ctrl+t")
-        await desk.until(lambda: desk.app.work.text == "FW 1", "the word that was meant")
+        await desk.until(lambda: desk.place.editor.text == "FW 1", "the word that was meant")
         await desk.press("ctrl+z")
-        await desk.until(lambda: desk.app.work.text == "FWD 1", "the change taken back")
+        await desk.until(lambda: desk.place.editor.text == "FWD 1", "the change taken back")
 
 
 async def test_its_keys_for_running_step_by_step_do_so(work) -> None:  # type: ignore[no-untyped-def]

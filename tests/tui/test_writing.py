@@ -21,7 +21,7 @@ async def test_ctrl_space_lists_the_words_and_enter_takes_one(work):
         await desk.until(lambda: isinstance(desk.app.screen, Completions), "the list")
         assert "REPEAT" in desk.screen
         await desk.press("enter")
-        await desk.until(lambda: desk.app.work.text == "REPEAT", desk.app.work.text)
+        await desk.until(lambda: desk.place.editor.text == "REPEAT", desk.place.editor.text)
 
 
 async def test_the_cursor_of_the_terminal_stands_on_the_chosen_word(work):
@@ -42,7 +42,7 @@ async def test_a_letter_goes_on_typing_and_leaves_the_list(work):
         await desk.press(*"RE", "ctrl+@")
         await desk.until(lambda: isinstance(desk.app.screen, Completions), "the list")
         await desk.press("P")
-        await desk.until(lambda: desk.app.work.text == "REP", "the letter")
+        await desk.until(lambda: desk.place.editor.text == "REP", "the letter")
 
 
 async def test_the_likely_word_is_shown_behind_the_cursor_and_taken_with_the_right_arrow(work):
@@ -52,7 +52,7 @@ async def test_the_likely_word_is_shown_behind_the_cursor_and_taken_with_the_rig
         assert desk.place.editor.suggestion == "AT"
         await desk.press("right")
 
-        assert desk.app.work.text == "REPEAT"
+        assert desk.place.editor.text == "REPEAT"
 
 
 async def test_what_is_only_offered_is_underlined(work):
@@ -68,7 +68,7 @@ async def test_what_is_only_offered_is_underlined(work):
 
 async def test_completion_can_be_switched_off_and_that_is_kept(work, tmp_path):
     async with work() as desk:
-        change(desk.app.work.ctx, "completion", "off")
+        change(desk.app.controller.ctx, "completion", "off")
         await desk.press(*"REPE")
         await desk.pilot.pause()
 
@@ -92,10 +92,10 @@ async def test_one_key_fixes_a_mistake(work):
         await desk.press("ctrl+t")
         await desk.shows("Line 2: REPEAT 2 TIMES FW 1 END REPEAT")
 
-        assert desk.app.work.text == "FW 1\nREPEAT 2 TIMES FW 1 END REPEAT"
+        assert desk.place.editor.text == "FW 1\nREPEAT 2 TIMES FW 1 END REPEAT"
         assert desk.place.editor.next_mistake is None
         await desk.press("ctrl+z")
-        assert "TIMS" in desk.app.work.text
+        assert "TIMS" in desk.place.editor.text
 
 
 async def test_typing_continues_at_the_cursor_after_a_fix(work):
@@ -104,7 +104,7 @@ async def test_typing_continues_at_the_cursor_after_a_fix(work):
         await desk.press("ctrl+t")
         await desk.shows("Line 1: FW 1 TR 90")
         await desk.press("enter", *"FW 2")
-        await desk.until(lambda: desk.app.work.text == "FW 1 TR 90\nFW 2", desk.app.work.text)
+        await desk.until(lambda: desk.place.editor.text == "FW 1 TR 90\nFW 2", desk.place.editor.text)
 
 
 async def test_ctrl_z_names_the_undone_change_and_ctrl_y_redoes_it(work):
@@ -114,11 +114,11 @@ async def test_ctrl_z_names_the_undone_change_and_ctrl_y_redoes_it(work):
         desk.place.editor.focus()
         await desk.press("ctrl+z")
         await desk.shows("Line 1: FW 1")
-        assert desk.app.work.text == "FW 1\nFW 2"
+        assert desk.place.editor.text == "FW 1\nFW 2"
 
         await desk.press("ctrl+y")
         await desk.shows("Line 1: FW 2")
-        assert desk.app.work.text == "FW 2"
+        assert desk.place.editor.text == "FW 2"
 
 
 async def test_a_mistake_without_a_fix_is_reported(work):
@@ -160,7 +160,7 @@ async def test_completions_are_listed_on_request_where_completion_is_off(work, t
         await desk.pilot.pause()
         assert desk.place.editor.suggestion == ""
         await desk.press("right")
-        assert desk.app.work.text == "REPE"
+        assert desk.place.editor.text == "REPE"
         await desk.press("ctrl+space")
         await desk.until(lambda: desk.app.screen is not desk.place, "the list")
 
@@ -186,20 +186,20 @@ async def test_replace_counts_and_is_one_thing_to_undo(work):
         await desk.type_line("REPLACE FW")
         await desk.answer("BW")
         await desk.shows("2 times replaced.")
-        assert desk.app.work.text == "BW 1 BW 2"
+        assert desk.place.editor.text == "BW 1 BW 2"
         await desk.type_line("UNDO")
 
-        await desk.until(lambda: desk.app.work.text == "FW 1 FW 2", "the text before")
+        await desk.until(lambda: desk.place.editor.text == "FW 1 FW 2", "the text before")
 
 
 async def test_format_and_translate_change_the_text(work):
     async with work("repeat 2 times fw 1 end repeat") as desk:
         await desk.type_line("FORMAT")
         await desk.shows("Laid out anew.")
-        assert desk.app.work.text == "REPEAT 2 TIMES\n  FW 1\nEND REPEAT"
+        assert desk.place.editor.text == "REPEAT 2 TIMES\n  FW 1\nEND REPEAT"
         await desk.type_line("TRANSLATE pt")
-        await desk.until(lambda: "REPITA" in desk.app.work.text, "the keywords")
-        desk.app.work.load("FW FW")
+        await desk.until(lambda: "REPITA" in desk.place.editor.text, "the keywords")
+        desk.load("FW FW")
         await desk.type_line("FORMAT")
         await desk.shows("There is a mistake in line 1")
 
@@ -218,18 +218,18 @@ async def test_several_programs_keep_their_texts_and_files(work, tmp_path):
         assert "new program, 1 line, changed" in desk.screen
         await desk.press("home", "enter")
         await desk.shows("Now one.gd.")
-        assert desk.app.work.text == "FW 1"
+        assert desk.place.editor.text == "FW 1"
 
-        workspace = desk.app.work.workspace
+        workspace = desk.app.controller.workspace
         workspace.turn_to(workspace.documents[1])
-        assert desk.app.work.text == "FW 2"
+        assert desk.place.editor.text == "FW 2"
         assert workspace.document.path is None
 
 
 async def test_leaving_asks_for_each_program_that_is_not_saved(work):
     async with work() as desk:
         await desk.press(*"FW 1")
-        workspace = desk.app.work.workspace
+        workspace = desk.app.controller.workspace
         workspace.turn_to(workspace.add_document())
         await desk.press("ctrl+q")
         await desk.answer("no")

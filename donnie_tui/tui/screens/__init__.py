@@ -1,1 +1,1 @@
-"""What fills the terminal: the workplace, the help, and the questions in front of them."""
+"""What fills the terminal: the main screen, the help, and the dialogs in front of them."""

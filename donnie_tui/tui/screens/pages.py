@@ -1,18 +1,10 @@
-"""The help: every key and word of the screen, then every command of GoDonnie. Rows to read, nothing else.
+"""Screens to read, and the keys after the menu key.
 
-What is shown first is said; each row is said as it is reached.
-
-The tour, a page at a time: Enter turns the page, Backspace turns back, Esc lets one try what it says.
-
-A page is said whole; it is short.
-
-The keys behind a key: each with what it does, and said. The next key does it, Esc goes back.
-
-The command palette: every command, with its keys.
-
-Waits for the key that an action is to have. Esc goes back, Backspace takes a chosen key away again.
-
-The answer is the key as the settings file has it, an empty one for none, or None if somebody went back.
+``Help`` shows lines; what is shown first is spoken, then each row as it is reached. ``Tour`` shows a page at
+a time: Enter turns the page, Backspace turns back, Esc lets the learner try what it says. ``KeyMenu`` lists
+what each key after the menu key does; the next key does it. ``KeyCapture`` waits for the key that a command
+is to have: Esc goes back, Backspace takes a chosen key away. Its answer is the key as the settings file has
+it, an empty one for none, or None if the learner went back.
 """
 
 from __future__ import annotations
@@ -28,10 +20,9 @@ from textual.containers import Vertical
 from textual.screen import ModalScreen
 from textual.widgets import Static
 
-from donnie_tui.commands.declarations import BY_NAME, COMMANDS, Command
-from donnie_tui.commands.interaction import Option
-from donnie_tui.commands.keys import MENU, KeyTable, behind_menu, key_label
-from donnie_tui.commands.lookup import help_line, word_of
+from donnie_tui.commands.declarations import BY_NAME
+from donnie_tui.commands.keys import MENU, behind_menu, key_label
+from donnie_tui.commands.lookup import word_of
 from donnie_tui.core.wording import Wording
 from donnie_tui.tui.widgets.command_line import InputLine
 from donnie_tui.tui.widgets.rows import TextRows
@@ -77,37 +68,15 @@ class Help(ModalScreen[None]):
             self._further()
 
 
-def help_text(words: Wording, table: KeyTable) -> tuple[str, ...]:
-    """The lines of the help, in the learner's language."""
-    return (
-        words("help-screen-words"),
-        *(_line(each, words, table) for each in COMMANDS),
-        words("help-palette"),
-        words("help-program-words"),
-        *_program_lines(words),
-    )
-
-
-def _program_lines(words: Wording) -> tuple[str, ...]:
-    """GoDonnie's commands, but for those that the screen has listed."""
-    listed = {word_of(each, words.language) for each in COMMANDS}
-    return tuple(line for line in words.help(None) if line.partition(":")[0] not in listed)
-
-
-def _line(command: Command, words: Wording, table: KeyTable) -> str:
-    """The typed word first: it works everywhere; then its keys, then what it does."""
-    return help_line(command, words, table.labels(command.name, words.language))
-
-
-class Page(Struct, frozen=True):
-    """What stands above it, and its lines."""
+class TourPage(Struct, frozen=True):
+    """A page of the tour: what stands above it, and its lines."""
 
     title: str
     lines: tuple[str, ...]
 
 
 class Tour(Help):
-    """Begins at one of ``pages`` and tells ``turned`` where it is, from 0; behind the last one it closes."""
+    """Begins at one of ``pages`` and calls ``turned`` with each place, from 0; closes after the last one."""
 
     BINDINGS: ClassVar[list[BindingType]] = [
         Binding("enter,pagedown", "turn(1)", show=False, priority=True),
@@ -116,7 +85,7 @@ class Tour(Help):
 
     def __init__(
         self,
-        pages: Sequence[Page],
+        pages: Sequence[TourPage],
         at: int,
         turned: Callable[[int], None],
         point: Callable[[str], object],
@@ -144,7 +113,7 @@ class Tour(Help):
 
 
 class KeyMenu(ModalScreen[None]):
-    """Lists ``names``, the actions by their keys. The application does what is chosen."""
+    """Lists ``names``, the commands by their keys. The application runs what is chosen."""
 
     BINDINGS: ClassVar[list[BindingType]] = [Binding("escape", "leave", show=False, priority=True)]
     AUTO_FOCUS = "#key-rows"
@@ -191,18 +160,6 @@ def _place(key_and_name: tuple[str, str]) -> tuple[bool, bool, str]:
     """Letters first, then letters with Shift, then all else."""
     key = key_and_name[0]
     return not (len(key) == 1 and key.isalpha()), not key.startswith("shift+"), key
-
-
-def palette(words: Wording, table: KeyTable) -> tuple[str, str, str, tuple[Option, ...]]:
-    """What a chooser is given: title, keys, what is said where nothing fits, and the commands by name."""
-    rows = tuple(Option(each.name, _row(each, words, table)) for each in COMMANDS)
-    return words("palette-ask"), words("chooser-keys"), words("palette-nothing"), rows
-
-
-def _row(command: Command, words: Wording, table: KeyTable) -> str:
-    label = table.label(command.name, words.language)
-    keys = f" ({label})" if label else ""
-    return f"{word_of(command, words.language)}{keys}: {words(f'action-{command.name}')}"
 
 
 class _KeyLine(InputLine):

@@ -27,7 +27,7 @@ from language.source import cleaned
 
 
 class Pane(Vertical):
-    """One titled part of the workplace."""
+    """One titled part of the main screen."""
 
     def __init__(self, content: Widget, *, id: str) -> None:  # noqa: A002 -- Textual's own name
         super().__init__(id=id)

@@ -14,7 +14,7 @@ from donnie_tui.core.program_files import decode
 from donnie_tui.core.transcript import lines_of
 from donnie_tui.i18n.words import Words
 from donnie_tui.linear.output import OutputQueue
-from donnie_tui.tui.printable import Printable
+from donnie_tui.tui.terminal import PrintableFilter
 from language.diagnostics import Diagnostic, MistakeKind, Span
 from language.source import printable
 
@@ -27,7 +27,7 @@ WHOLE = "ação \u00a0 日本 👩\u200d🔬 שלום"
 
 
 def on_the_screen(text: str) -> str:
-    return "".join(each.text for each in Printable().apply([Segment(text)], Color(0, 0, 0)))
+    return "".join(each.text for each in PrintableFilter().apply([Segment(text)], Color(0, 0, 0)))
 
 
 def in_the_log(text: str) -> str:

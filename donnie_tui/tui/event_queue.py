@@ -1,19 +1,21 @@
-"""From the program's thread to the screen: what happened is put into a mailbox, and the screen is woken.
+"""The queue of events from the program's thread to the screen's.
 
-Rules: the program never waits for the screen; the mailbox is bounded, so a program that talks without end
-costs no memory (what did not fit is counted); one message at a time is under way, so the screen's own queue
-never fills. Nothing here touches a widget.
+The program never waits for the screen. The queue is bounded, so a program that speaks without end costs no
+memory; lines that did not fit are counted. One message at a time is under way, so Textual's own queue never
+fills. Nothing here touches a widget.
 """
 
 from __future__ import annotations
 
 import threading
+import time
 from collections import deque
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Mapping, Sequence
 from typing import NamedTuple
 
 from msgspec import Struct
 from textual.message import Message
+from textual.timer import Timer
 
 from devices.ports.robot import Bearing, Pose, StoppedBy
 from donnie_tui.core.events import (
@@ -47,6 +49,14 @@ MOST_POSES = 5_000
 MOST_LOOKS = 50
 
 
+FRAME = 1 / 20
+"""Seconds between two looks into the queue: the map moves at most so often."""
+CALM = 1 / 2
+"""The same with reduced motion: whole squares, at most twice a second."""
+FLUSH = 1 / 5
+"""Seconds between two writes into the log."""
+
+
 class LogLine(NamedTuple):
     """One line of the log, and what kind of thing it is about (``kind-...`` in the catalogue)."""
 
@@ -56,7 +66,7 @@ class LogLine(NamedTuple):
     """Whether it was said before: LAST does not count it again."""
 
 
-class Mail(Struct, frozen=True):
+class EventBatch(Struct, frozen=True):
     """What happened since the last look."""
 
     lines: tuple[LogLine, ...]
@@ -76,17 +86,17 @@ class Mail(Struct, frozen=True):
     """What is known of them now; None if that is what it was."""
 
 
-NO_MAIL = Mail((), 0, (), (), None)
+NOTHING = EventBatch((), 0, (), (), None)
 
 
-class Happened(Message):
-    """There is mail. Two of them are as good as one."""
+class EventsQueued(Message):
+    """Events wait. Two of these messages are as good as one."""
 
     def can_replace(self, message: Message) -> bool:
-        return isinstance(message, Happened)
+        return isinstance(message, EventsQueued)
 
 
-class Began(Message):
+class RunBegan(Message):
     """A run began, with the robot here; ``fresh``: at its start, without a past."""
 
     def __init__(self, program: str, pose: Pose, *, fresh: bool = False) -> None:
@@ -96,7 +106,7 @@ class Began(Message):
         self.fresh = fresh
 
 
-class Ended(Message):
+class RunFinished(Message):
     """A run of ``robot`` ended, where there are several; ``errors`` are its mistakes."""
 
     def __init__(self, event: RunEnded, errors: tuple[Error, ...], robot: str | None = None) -> None:
@@ -111,7 +121,7 @@ class Ended(Message):
         return self.event.outcome is Outcome.QUIT
 
 
-class Bridge:
+class EventQueue:
     """A listener of the hub. ``post`` may be called from any thread."""
 
     def __init__(
@@ -119,13 +129,13 @@ class Bridge:
         post: Callable[[Message], object],
         wording: Wording,
         pose: Callable[[], Pose],
-        own: Callable[[], str] = str,
+        name: Callable[[], str] = str,
     ) -> None:
-        """``pose`` and ``own`` tell where the robot is that is talked to, and its name."""
+        """``pose`` and ``name`` return those of the robot that the learner talks to."""
         self._post = post
         self._wording = wording
         self._pose = pose
-        self._own = own
+        self._name = name
         self._lock = threading.Lock()
         self._lines: deque[LogLine] = deque(maxlen=MOST_LINES)
         self._missed = 0
@@ -146,20 +156,20 @@ class Bridge:
         """Whether a run has begun that the screen has not begun yet."""
 
     def __call__(self, stamped: Stamped) -> None:
-        """Told by the stream, in the thread that published."""
+        """Called by the stream, in the thread that published."""
         event = stamped.event
         if isinstance(event, Pointed):
             return
         if isinstance(event, (Moved, Turned)):
             self._stopped_by[stamped.robot] = event.stopped_by
-        is_own = stamped.robot is None or stamped.robot == self._own()
-        self._remember(event) if is_own else self._remember_other(stamped.robot or "", event)
+        is_chosen = stamped.robot is None or stamped.robot == self._name()
+        self._remember(event) if is_chosen else self._remember_other(stamped.robot or "", event)
         kind, is_repeated = self._kind(stamped), isinstance(event, Answered) and event.is_repeated
         lines = tuple(LogLine(text, kind, is_repeated) for text in printed_lines(stamped, self._wording))
         with self._lock:
             self._missed += max(0, len(self._lines) + len(lines) - MOST_LINES)
             self._lines.extend(lines)
-        self._wake(event, stamped.robot, is_own)
+        self._wake(event, stamped.robot, is_chosen)
 
     def _remember(self, event: Event) -> None:
         with self._lock:
@@ -217,25 +227,25 @@ class Bridge:
             case _:
                 return ""
 
-    def _wake(self, event: Event, robot: str | None, is_own: bool) -> None:
+    def _wake(self, event: Event, robot: str | None, is_chosen: bool) -> None:
         match event:
-            case RunStarted(program=program, how=how) if is_own:
+            case RunStarted(program=program, how=how) if is_chosen:
                 self._is_beginning = True
-                self._post(Began(program, self._pose(), fresh=how is not None and how.begins_anew))
-            case RunEnded() if is_own:
-                self._post(Ended(event, self._taken_errors(), robot))
+                self._post(RunBegan(program, self._pose(), fresh=how is not None and how.begins_anew))
+            case RunEnded() if is_chosen:
+                self._post(RunFinished(event, self._taken_errors(), robot))
             case _:
                 self._call()
 
     def _call(self) -> None:
         with self._lock:
-            if self._awake or not self._has_mail:
+            if self._awake or not self._has_events:
                 return
             self._awake = True
-        self._post(Happened())
+        self._post(EventsQueued())
 
     @property
-    def _has_mail(self) -> bool:
+    def _has_events(self) -> bool:
         moved = self._poses or self._others or self._things is not None
         sensed = self._readings or self._looks or self._distances is not None
         return bool(self._lines or moved or sensed)
@@ -247,16 +257,16 @@ class Bridge:
         return errors
 
     def begun(self) -> None:
-        """The screen shows the beginning of the run: what is in the mailbox may follow. In its thread."""
+        """The screen shows the beginning of the run: what is in the queue may follow. In its thread."""
         self._is_beginning = False
 
-    def take(self) -> Mail:
-        """Empty the mailbox: for the screen, in its thread. What happens in a run waits for its beginning."""
+    def take(self) -> EventBatch:
+        """Empty the queue: for the screen, in its thread. The events of a run wait for its beginning."""
         with self._lock:
             if self._is_beginning:
-                return NO_MAIL
+                return NOTHING
             readings = tuple(self._readings.values())
-            mail = Mail(
+            batch = EventBatch(
                 tuple(self._lines),
                 self._missed,
                 tuple(self._poses),
@@ -274,4 +284,79 @@ class Bridge:
             self._others.clear()
             self._things = self._distances = None
             self._missed, self._belt, self._awake = 0, None, False
-        return mail
+        return batch
+
+
+class EventReader:
+    """Empties the queue, in the screen's thread: often enough to be alive, seldom enough to be cheap."""
+
+    def __init__(
+        self,
+        queue: EventQueue,
+        words: Wording,
+        *,
+        set_timer: Callable[[float, Callable[[], None]], Timer],
+        receive: Callable[[EventBatch], None],
+        write: Callable[[Sequence[LogLine]], None],
+    ) -> None:
+        """``receive`` gets all events at once, ``write`` the lines for the log in larger pieces."""
+        self.frame = FRAME
+        self._queue = queue
+        self._words = words
+        self._set_timer = set_timer
+        self._receive = receive
+        self._write = write
+        self._lines: list[LogLine] = []
+        self.taken_at = self._written_at = -FLUSH
+        """When the queue was emptied last, by the monotonic clock."""
+        self._taking: Timer | None = None
+        self._writing: Timer | None = None
+
+    def on_queued(self) -> None:
+        """Events wait: take them now, or when it is time again."""
+        due = self.taken_at + self.frame - time.monotonic()
+        if due <= 0:
+            self.take()
+        elif self._taking is None:
+            self._taking = self._set_timer(due, self.take)
+
+    def begun(self) -> None:
+        """A run is shown to have begun: take what has happened in it so far."""
+        self._queue.begun()
+        self.take()
+
+    def take(self) -> None:
+        """Empty the queue now."""
+        if self._taking is not None:
+            self._taking.stop()
+            self._taking = None
+        self.taken_at = time.monotonic()
+        batch = self._queue.take()
+        if batch.missed:
+            self._lines.append(LogLine(self._words("answer-left-out", lines=batch.missed), "answer"))
+        self._lines.extend(batch.lines)
+        self._receive(batch)
+        self._write_soon()
+
+    def flush(self) -> None:
+        """Take all events and write the log now."""
+        self.take()
+        self.write()
+
+    def _write_soon(self) -> None:
+        if not self._lines or self._writing is not None:
+            return
+        due = self._written_at + FLUSH - time.monotonic()
+        if due > 0:
+            self._writing = self._set_timer(due, self.write)
+        else:
+            self.write()
+
+    def write(self) -> None:
+        """Write the log now."""
+        if self._writing is not None:
+            self._writing.stop()
+            self._writing = None
+        self._written_at = time.monotonic()
+        lines, self._lines = self._lines, []
+        self._write(lines)

@@ -1,45 +1,152 @@
-"""What stops the robots when the screen can't: a thread that hears the signals and watches the output.
+"""The end of the full screen where nothing else works: by a signal, a lost connection, stuck output, a fault.
 
 A terminal that takes no output holds the main thread, and with it every key and every handler of the event
-loop. Rules: nothing here waits for that thread; whatever fails, the next signal is heeded. What is left of
-the process after a signal is ended in time.
+loop. So a thread of its own, the watchdog, gets the signals and watches the output. It waits for nothing in
+the main thread, and takes the next signal whatever fails. The robots halt first, then the text is kept; the
+process ends in time.
 """
 
 from __future__ import annotations
 
+import asyncio
 import os
 import select
 import signal
 import threading
 import time
+import traceback
 from collections.abc import Callable
 from contextlib import suppress
 from functools import partial
+from pathlib import Path
 from types import FrameType
 from typing import Any
 
+from textual.app import App
+
 from donnie_tui.process.signals import LEAVING, Deputy, Handler, WakingSignals, attempt, numbers_of, suspend
+from donnie_tui.tui.session_handle import SessionHandle
+
+FAULT = "fault.txt"
+"""In the folder of the copies: what went wrong at last."""
+
+LAST = 1.0
+"""Seconds for each thing that is to be saved when the screen does not leave by itself."""
+
+
+class Shutdown:
+    """Takes signals and faults from ``begin`` to ``end_watchdog``."""
+
+    def __init__(
+        self,
+        app: App[int],
+        session: SessionHandle,
+        folder: Path,
+        *,
+        stop_all: Callable[[], object],
+        repaint: Callable[[], object],
+    ) -> None:
+        """``folder`` holds the copies; ``stop_all`` is as the key of that name."""
+        self._app, self._session, self._folder = app, session, folder
+        self._stop_all, self._repaint = stop_all, repaint
+        self._watchdog: Watchdog | None = None
+
+    def begin(self) -> None:
+        """From now on a signal or a lost connection ends the screen. SIGINT only stops the program."""
+        loop = asyncio.get_running_loop()
+
+        def notify(number: int) -> None:
+            with suppress(RuntimeError):  # the loop may be gone
+                loop.call_soon_threadsafe(self._signalled, number)
+
+        def stuck() -> None:
+            if self._session.stop_real_robot():
+                notify(0)
+
+        watchdog = Watchdog(
+            halt=self._session.halt,
+            before_rest=self._session.stop_real_robot,
+            notify=notify,
+            on_stuck=stuck,
+            part=self._part,
+            writer=lambda: getattr(self._app._driver, "_writer_thread", None),
+        )
+        with suppress(ValueError):
+            watchdog.begin()
+            self._watchdog = watchdog
+
+    def end_watchdog(self) -> None:
+        """In the main thread, once nothing is written to the screen any more."""
+        if self._watchdog is not None:
+            self._watchdog.end()
+
+    # --- in the screen's thread
+
+    def _signalled(self, number: int) -> None:
+        if number == signal.SIGINT:
+            self._interrupt()
+        elif number == BACK:
+            self._repaint()
+        elif number:
+            self.leave(number)
+        else:
+            self._session.say("stuck-stopped")
+
+    def _interrupt(self) -> None:
+        """As the key that stops all."""
+        if not self._session.give_up_search() and self._session.runs:
+            self._stop_all()
+        if self._watchdog is not None:
+            self._watchdog.answered.set()
+
+    def leave(self, number: int) -> None:
+        """As that signal wants it."""
+        self._session.halt()
+        self._session.keep_text()
+        self._app.exit(128 + number)
+
+    def save_from_fault(self) -> None:
+        """Save what can be saved, while an exception that nothing caught is handled."""
+        with suppress(Exception):
+            self._session.halt()
+        with suppress(Exception):
+            self._session.keep_text()
+        with suppress(OSError):
+            self._folder.mkdir(parents=True, exist_ok=True)
+            (self._folder / FAULT).write_text(traceback.format_exc(), encoding="utf-8")
+
+    # --- in the thread of the watchdog
+
+    def _part(self, number: int) -> None:
+        """The screen did not leave by itself: what can be saved in a moment, and the end."""
+        for last in (self._session.keep_text, self._session.close):
+            saving = threading.Thread(target=last, daemon=True)
+            saving.start()
+            saving.join(LAST)
+        give_back(self._app._driver)
+        os._exit(128 + number)
+
 
 LOOK = 0.5
 """Seconds between two looks at the output."""
 MOST_LOOKS = 5
-"""So many at the same waiting piece, and the terminal takes nothing any more. Told again after as many: a key
-may have started a robot meanwhile."""
+"""After so many at the same waiting piece the terminal counts as stuck. It is reported again after as many: a
+key may have started a robot meanwhile."""
 ANSWER = 0.3
-"""Seconds in which the screen stops a program by itself, and tells where."""
+"""Seconds in which the screen stops a program by itself, and says where."""
 LEAVE = 2.0
 """Seconds in which the screen leaves by itself after a signal."""
 LONGEST_REST = 2.0
 """Seconds that the main thread waits before it rests; it may hold what the robot's stop needs."""
 
 BACK = getattr(signal, "SIGCONT", -1)
-"""Told to the screen when the process goes on: whatever ran meanwhile wrote over it."""
+"""The signal that the process continues: whatever ran meanwhile wrote over the screen."""
 
 _HANGING_UP = getattr(signal, "SIGHUP", signal.SIGTERM)
 """As if it had come: the terminal is gone, where the thread that writes to it has ended."""
 
 
-class Lifeline:
+class Watchdog:
     """Signals and the output, from ``begin`` to ``end``, both in the main thread."""
 
     def __init__(
@@ -47,17 +154,17 @@ class Lifeline:
         *,
         halt: Callable[[], object],
         before_rest: Callable[[], object],
-        tell: Callable[[int], object],
+        notify: Callable[[int], object],
         on_stuck: Callable[[], object],
         part: Callable[[int], object],
         writer: Callable[[], Any],
     ) -> None:
-        """``halt`` stops all robots, ``tell`` passes a signal on to the screen, ``part`` ends the process.
+        """``halt`` stops all robots, ``notify`` passes a signal on to the screen, ``part`` ends the process.
 
         ``before_rest``: as ``Console.before_suspending``; ``on_stuck``: the terminal takes nothing;
         ``writer``: Textual's thread that writes, or None.
         """
-        self._halt, self._before_rest, self._tell = halt, before_rest, tell
+        self._halt, self._before_rest, self._notify = halt, before_rest, notify
         self._on_stuck, self._part, self._writer = on_stuck, part, writer
         self.answered = threading.Event()
         """The screen has done what an interrupt asks for."""
@@ -74,7 +181,7 @@ class Lifeline:
         handlers |= dict.fromkeys(numbers_of("SIGCONT"), self._back)
         self._signals = WakingSignals(handlers)
         self._deputy = Deputy()
-        self._thread = threading.Thread(target=self._watch, name="lifeline", daemon=True)
+        self._thread = threading.Thread(target=self._watch, name="watchdog", daemon=True)
         self._thread.start()
 
     def end(self) -> None:
@@ -92,18 +199,18 @@ class Lifeline:
     def _rest(self, number: int, frame: FrameType | None) -> None:
         """Textual gives the terminal back before it rests; the robot comes before that."""
         self._deputy.see_done(self._before_rest, LONGEST_REST)
-        own = self._signals.handler_before(number)
-        if own is not None:
-            own(number, frame)
+        found = self._signals.handler_before(number)
+        if found is not None:
+            found(number, frame)
         else:
             suspend()
 
     def _back(self, number: int, frame: FrameType | None) -> None:
         """Textual takes the terminal again, but paints nothing where the size is what it was."""
-        own = self._signals.handler_before(number)
-        if own is not None:
-            own(number, frame)
-        self._tell(number)
+        found = self._signals.handler_before(number)
+        if found is not None:
+            found(number, frame)
+        self._notify(number)
 
     # --- the thread
 
@@ -127,7 +234,7 @@ class Lifeline:
 
     def _interrupt(self, number: int) -> None:
         self.answered.clear()
-        attempt(partial(self._tell, number))
+        attempt(partial(self._notify, number))
         if not self.answered.wait(ANSWER):
             attempt(self._halt)
 
@@ -135,7 +242,7 @@ class Lifeline:
         attempt(self._halt)
         if self._leaving is None:
             self._leaving, self._until = number, time.monotonic() + LEAVE
-            attempt(partial(self._tell, number))
+            attempt(partial(self._notify, number))
 
     def _look_at_output(self) -> None:
         """Whether a piece of output waits that waited at the last look too."""
@@ -150,9 +257,9 @@ class Lifeline:
 
 
 def _first(writer: Any) -> object:
-    """The oldest piece that nobody has taken."""
+    """The oldest piece that is not written yet."""
     try:
-        return writer._queue.queue[0]  # Textual tells nobody that it is stuck
+        return writer._queue.queue[0]  # Textual does not report that it is stuck
     except (AttributeError, IndexError):
         return None
 

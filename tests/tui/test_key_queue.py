@@ -6,7 +6,7 @@ from collections.abc import Awaitable, Callable
 from functools import partial
 from types import SimpleNamespace
 
-from donnie_tui.tui.turns import LOOKS, Turns
+from donnie_tui.tui.key_queue import LOOKS, KeyQueue
 
 
 class Pump:
@@ -56,7 +56,7 @@ class Application(Pump):
         self.focused = Pump(self)
         self.timers: list[Timer] = []
         self.done: list[str] = []
-        self.turns = Turns(self, self._feed)
+        self.turns = KeyQueue(self, self._feed)
 
     def set_timer(self, _seconds: float, call: Callable[[], object]) -> Timer:
         self.timers.append(Timer(call))

@@ -17,25 +17,33 @@ from donnie_tui.core.events import (
     Stamped,
 )
 from donnie_tui.i18n.words import Words
-from donnie_tui.tui.bridge import MOST_LINES, NO_MAIL, Began, Bridge, Ended, Happened, LogLine
-from donnie_tui.tui.intake import Intake
+from donnie_tui.tui.event_queue import (
+    MOST_LINES,
+    NOTHING,
+    EventQueue,
+    EventReader,
+    EventsQueued,
+    LogLine,
+    RunBegan,
+    RunFinished,
+)
 
 HERE = Pose(0.0, 0.0, 0.0)
 
 
-def bridge() -> tuple[Bridge, list]:
+def queue() -> tuple[EventQueue, list]:
     posted: list = []
-    return Bridge(posted.append, Words(), lambda: HERE), posted
+    return EventQueue(posted.append, Words(), lambda: HERE), posted
 
 
-def publish(listener: Bridge, *events) -> None:
+def publish(listener: EventQueue, *events) -> None:
     for number, event in enumerate(events, 1):
         listener(Stamped(number, 0.0, event))
 
 
 def test_the_stop_of_one_robot_is_not_the_reason_in_the_line_of_another():
     posted: list = []
-    listener = Bridge(posted.append, Words(), lambda: HERE, lambda: "alice")
+    listener = EventQueue(posted.append, Words(), lambda: HERE, lambda: "alice")
     for robot, reason in (("alice", StoppedBy.OBSTACLE), ("bob", None)):
         listener(Stamped(1, 0.0, Moved("FW", 5, 2, reason, HERE, forward=True), robot))
     for robot in ("bob", "alice"):
@@ -48,16 +56,16 @@ def test_the_stop_of_one_robot_is_not_the_reason_in_the_line_of_another():
 
 
 def test_lines_wait_in_the_mailbox_and_the_screen_is_woken_once():
-    listener, posted = bridge()
+    listener, posted = queue()
     publish(listener, Spoke("one"), Spoke("two\nthree"), Answered("four"))
 
-    assert [type(each) for each in posted] == [Happened]
+    assert [type(each) for each in posted] == [EventsQueued]
     assert [line.text for line in listener.take().lines] == ["one", "two", "three", "four"]
     assert listener.take().lines == ()
 
 
 def test_after_a_look_the_screen_is_woken_again():
-    listener, posted = bridge()
+    listener, posted = queue()
     publish(listener, Spoke("one"))
     listener.take()
     publish(listener, Spoke("two"))
@@ -66,7 +74,7 @@ def test_after_a_look_the_screen_is_woken_again():
 
 
 def test_an_interrupted_movement_is_reported_with_its_reason():
-    listener, _ = bridge()
+    listener, _ = queue()
     publish(
         listener,
         Moved("FW 3", 3, 1, StoppedBy.OBSTACLE, HERE, True),
@@ -79,7 +87,7 @@ def test_an_interrupted_movement_is_reported_with_its_reason():
 
 
 def test_a_program_that_talks_without_end_costs_no_memory_and_what_is_lost_is_counted():
-    listener, posted = bridge()
+    listener, posted = queue()
     for _ in range(MOST_LINES + 500):
         publish(listener, Spoke("again"))
     mail = listener.take()
@@ -90,7 +98,7 @@ def test_a_program_that_talks_without_end_costs_no_memory_and_what_is_lost_is_co
 
 
 def test_poses_come_from_every_thread_and_wake_the_screen_once():
-    listener, posted = bridge()
+    listener, posted = queue()
     threads = [
         threading.Thread(target=publish, args=(listener, *[Passing(Pose(i, 0, 0)) for i in range(200)]))
         for _ in range(4)
@@ -105,12 +113,12 @@ def test_poses_come_from_every_thread_and_wake_the_screen_once():
 
 
 def test_unchanged_distances_do_not_wake_the_screen():
-    listener, posted = bridge()
+    listener, posted = queue()
     publish(listener, Sensed({Bearing.FRONT: 4}))
     assert listener.take().distances == {Bearing.FRONT: 4}
 
     publish(listener, Sensed({Bearing.FRONT: 4}))
-    assert (listener.take(), len(posted)) == (NO_MAIL, 1)
+    assert (listener.take(), len(posted)) == (NOTHING, 1)
 
     publish(listener, Sensed({Bearing.FRONT: 3}))
     assert (listener.take().distances, len(posted)) == ({Bearing.FRONT: 3}, 2)
@@ -118,24 +126,24 @@ def test_unchanged_distances_do_not_wake_the_screen():
 
 def test_events_of_a_run_wait_until_its_beginning_is_shown():
     """Else the way that the robot went would be wiped away with the last one's."""
-    listener, posted = bridge()
+    listener, posted = queue()
     publish(listener, Answered("Saved."), RunStarted("p", "w", "d", 0, "0"), Passing(HERE))
-    assert listener.take() == NO_MAIL
+    assert listener.take() == NOTHING
 
     listener.begun()
     mail = listener.take()
 
-    assert [type(each) for each in posted] == [Happened, Began]
+    assert [type(each) for each in posted] == [EventsQueued, RunBegan]
     assert (mail.poses, [each.text for each in mail.lines]) == ((HERE,), ["Saved."])
 
 
 def test_the_end_of_a_run_brings_its_mistakes():
-    listener, posted = bridge()
+    listener, posted = queue()
     mistake = Error("syntax", 2, 5, "What?", None)
     publish(listener, RunStarted("p", "w", "d", 0, "0"), mistake, RunEnded(Outcome.FAILED, HERE, {}, 0.0))
 
-    assert isinstance(posted[0], Began)
-    assert isinstance(posted[-1], Ended)
+    assert isinstance(posted[0], RunBegan)
+    assert isinstance(posted[-1], RunFinished)
     assert posted[-1].errors == (mistake,)
     listener.begun()
     assert listener.take().lines[0] == LogLine("Error, line 2, column 5: What?", "error")
@@ -143,29 +151,29 @@ def test_the_end_of_a_run_brings_its_mistakes():
 
 def test_the_end_of_another_robots_run_is_not_the_end_of_this_one():
     posted: list = []
-    listener = Bridge(posted.append, Words(), lambda: HERE, lambda: "alice")
+    listener = EventQueue(posted.append, Words(), lambda: HERE, lambda: "alice")
     for robot in ("bob", "alice"):
         listener(Stamped(1, 0.0, RunEnded(Outcome.COMPLETED, Pose(1.0, 0.0, 0.0), {}, 0.0), robot))
 
-        assert any(isinstance(each, Ended) for each in posted) == (robot == "alice")
+        assert any(isinstance(each, RunFinished) for each in posted) == (robot == "alice")
     assert listener.take().others == (("bob", Pose(1.0, 0.0, 0.0)),)
 
 
 def test_the_number_of_lost_lines_comes_before_the_remaining_lines():
-    listener, _ = bridge()
+    listener, _ = queue()
     for _ in range(MOST_LINES + 500):
         publish(listener, Spoke("again"))
     written: list[LogLine] = []
-    intake = Intake(
+    reader = EventReader(
         listener, Words(), set_timer=lambda *_: None, receive=lambda _: None, write=written.extend
     )
-    intake.take()
-    intake.write()
+    reader.take()
+    reader.write()
 
     assert [each.text for each in written[:2]] == ["500 lines were left out.", "again"]
     assert len(written) == MOST_LINES + 1
 
 
 def test_two_wakeups_are_as_good_as_one():
-    assert Happened().can_replace(Happened())
-    assert not Happened().can_replace(Began("p", HERE))
+    assert EventsQueued().can_replace(EventsQueued())
+    assert not EventsQueued().can_replace(RunBegan("p", HERE))

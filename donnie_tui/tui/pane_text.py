@@ -1,7 +1,4 @@
-"""The words beside the panes: the status line and the inspector.
-
-Values in, words out; whoever knows the values asks here. Sentences are the catalogue's.
-"""
+"""The text of the status line and of the inspector: values in, sentences of the catalogue out."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""The workplace: program, map, inspector, log, command line, status line, keys, in the order of reading.
+"""The main screen: program, map, inspector, log, command line, status line, keys, in the order of reading.
 
 A view: it is told what to show and posts what was done to it; it decides nothing about programs. On a small
 terminal one pane is shown at a time, with the command line and the status line always there.
@@ -43,7 +43,7 @@ def _is_small(size: Size) -> bool:
     return size.width < NARROW or size.height < LOW
 
 
-class Workplace(Screen[None]):
+class MainScreen(Screen[None]):
     """The main screen."""
 
     HORIZONTAL_BREAKPOINTS = [(0, "-narrow"), (NARROW, "-normal"), (WIDE, "-wide")]  # noqa: RUF012 -- Textual's
@@ -53,14 +53,14 @@ class Workplace(Screen[None]):
         """The focus, or what is read in it, is elsewhere."""
 
     class Entered(Message):
-        """The focus came from one part of the workplace to another."""
+        """The focus came from one part of the main screen to another."""
 
     def __init__(self, size: Size, *, plain: bool = False, focus: str = "") -> None:
         """``size`` is what the terminal seems to have: a class that is changed later costs a restyling.
 
         ``focus`` is the part in which somebody was before, as ``focus_was`` told it; empty at the start.
         """
-        super().__init__(id="workplace", classes="-plain" if plain else "")
+        super().__init__(id="main-screen", classes="-plain" if plain else "")
         for breakpoints, cells in (
             (self.HORIZONTAL_BREAKPOINTS, size.width),
             (self.VERTICAL_BREAKPOINTS, size.height),

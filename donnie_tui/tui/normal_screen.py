@@ -1,4 +1,4 @@
-"""Outside the full screen: the log in the pager, and its last lines on the normal screen at the end."""
+"""The terminal's normal screen: the log in a pager, and its last lines after the end."""
 
 from __future__ import annotations
 
@@ -11,20 +11,26 @@ import tempfile
 from collections.abc import Mapping, Sequence
 from pathlib import Path
 
-from donnie_tui.tui.answer import Answer
-
-LEFT_BEHIND = 20
+LAST_LINES = 20
 """Lines of the log that stay on the normal screen."""
 
 
-def leave_behind(lines: Sequence[str]) -> None:
-    """What was told last, where the shell goes on: it can be read again there."""
+class PagerError(Exception):
+    """Why the pager shows nothing: the code of a sentence, and its values."""
+
+    def __init__(self, code: str, **values: str) -> None:
+        super().__init__(code)
+        self.code, self.values = code, values
+
+
+def print_last_lines(lines: Sequence[str]) -> None:
+    """The end of the log, where the shell continues: it can be read again there."""
     from language.source import printable
 
     if os.environ.get("TEXTUAL_DRIVER"):
         return  # a browser has no such screen
     try:
-        for line in lines[-LEFT_BEHIND:]:
+        for line in lines[-LAST_LINES:]:
             sys.stdout.write(f"{printable(line)}\n")
         sys.stdout.flush()
     except (OSError, ValueError):
@@ -32,7 +38,7 @@ def leave_behind(lines: Sequence[str]) -> None:
 
 
 def pager(environment: Mapping[str, str]) -> list[str] | None:
-    """The command that shows a text: what the person chose, else less or more; None where there is none."""
+    """The command that shows a text: the one of PAGER, else less or more; None where there is none."""
     try:
         wanted = [shlex.split(environment.get("PAGER", "")), ["less"], ["more"]]
     except ValueError:
@@ -40,19 +46,15 @@ def pager(environment: Mapping[str, str]) -> list[str] | None:
     return next((each for each in wanted if each and shutil.which(each[0])), None)
 
 
-NO_PAGER = Answer("screen-no-pager")
-
-
-def show_in_pager(text: str) -> Answer | None:
-    """Wait until it was read. Otherwise why it can't be: no pager, one that can't be run, a full disk."""
+def show_in_pager(text: str) -> None:
+    """Wait until it was read. Raises ``PagerError``: no pager, one that can't be run, a full disk."""
     command = pager(os.environ)
     if command is None:
-        return NO_PAGER
+        raise PagerError("screen-no-pager")
     try:
         with tempfile.TemporaryDirectory() as folder:
             file = Path(folder) / "log.txt"
             file.write_text(text, encoding="utf-8", errors="replace")
             subprocess.run([*command, str(file)], check=False)
     except OSError as problem:
-        return Answer("screen-pager-failed", {"reason": problem.strerror or str(problem)})
-    return None
+        raise PagerError("screen-pager-failed", reason=problem.strerror or str(problem)) from None

@@ -9,8 +9,8 @@ from typing import Any
 
 import pytest
 
-from donnie_tui.tui import lifeline
-from donnie_tui.tui.lifeline import Lifeline
+from donnie_tui.tui import shutdown
+from donnie_tui.tui.shutdown import Watchdog
 from tests.patience import PATIENCE
 
 
@@ -34,20 +34,20 @@ def made(
     *,
     halt: Callable[[], object] = lambda: None,
     before_rest: Callable[[], object] = lambda: None,
-    tell: Callable[[int], object] = lambda number: None,
+    notify: Callable[[int], object] = lambda number: None,
     on_stuck: Callable[[], object] = lambda: None,
     part: Callable[[int], object] = lambda number: None,
     writer: Callable[[], Any] = lambda: None,
-) -> Lifeline:
-    return Lifeline(
-        halt=halt, before_rest=before_rest, tell=tell, on_stuck=on_stuck, part=part, writer=writer
+) -> Watchdog:
+    return Watchdog(
+        halt=halt, before_rest=before_rest, notify=notify, on_stuck=on_stuck, part=part, writer=writer
     )
 
 
 @pytest.mark.parametrize("failing", [False, True])
 def test_stuck_output_is_reported_repeatedly(monkeypatch, failing):
     """A key may have started a robot since the first report, or the first report may have failed."""
-    monkeypatch.setattr(lifeline, "LOOK", 0.001)
+    monkeypatch.setattr(shutdown, "LOOK", 0.001)
     stuck, waiting = Recorder(failing, times=2), Queue[str]()
     waiting.put("what the terminal does not take")
     line = made(on_stuck=stuck, writer=lambda: SimpleNamespace(_queue=waiting, is_alive=lambda: True))
@@ -58,16 +58,16 @@ def test_stuck_output_is_reported_repeatedly(monkeypatch, failing):
         line.end()
 
 
-@pytest.mark.parametrize("failing", ["halt", "tell", "part"])
+@pytest.mark.parametrize("failing", ["halt", "notify", "part"])
 def test_a_signal_ends_the_process_whatever_fails(monkeypatch, failing):
-    monkeypatch.setattr(lifeline, "LOOK", 0.001)
-    monkeypatch.setattr(lifeline, "LEAVE", 0.01)
-    halt, tell, part = (
+    monkeypatch.setattr(shutdown, "LOOK", 0.001)
+    monkeypatch.setattr(shutdown, "LEAVE", 0.01)
+    halt, notify, part = (
         Recorder(failing == "halt"),
-        Recorder(failing == "tell"),
+        Recorder(failing == "notify"),
         Recorder(failing == "part", times=2),
     )
-    line = made(halt=halt, tell=tell, part=part)
+    line = made(halt=halt, notify=notify, part=part)
     line.begin()
     try:
         signal.raise_signal(signal.SIGTERM)
@@ -76,14 +76,14 @@ def test_a_signal_ends_the_process_whatever_fails(monkeypatch, failing):
         line.end()
 
     assert halt.all == [0]
-    assert tell.all == [signal.SIGTERM]
+    assert notify.all == [signal.SIGTERM]
     assert set(part.all) == {signal.SIGTERM}
 
 
 def test_the_robot_is_halted_where_the_screen_can_not_be_notified(monkeypatch):
-    monkeypatch.setattr(lifeline, "ANSWER", 0.0)
+    monkeypatch.setattr(shutdown, "ANSWER", 0.0)
     halt = Recorder(times=2)
-    line = made(halt=halt, tell=Recorder(failing=True))
+    line = made(halt=halt, notify=Recorder(failing=True))
     line.begin()
     try:
         signal.raise_signal(signal.SIGINT)
@@ -115,7 +115,7 @@ def test_control_z_suspends_the_process_after_the_robot_has_stopped(rested):
 
 def test_control_z_suspends_although_the_main_thread_holds_the_lock_of_the_stop(monkeypatch, rested):
     """The handler interrupts the main thread anywhere."""
-    monkeypatch.setattr(lifeline, "LONGEST_REST", 0.01)
+    monkeypatch.setattr(shutdown, "LONGEST_REST", 0.01)
     held, stopped = threading.Lock(), threading.Event()
 
     def stop() -> None:

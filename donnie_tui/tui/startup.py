@@ -1,6 +1,6 @@
-"""How the full screen begins: a greeting at once, then the session behind it, then the first file.
+"""The start of the full screen: a greeting at once, then the session, then the first file.
 
-Rules: the first frame waits for nothing; what takes long is done beside the screen and told; keys that are
+The first frame waits for nothing. What takes long runs in the background and is reported. Keys that are
 typed meanwhile wait for what they are meant for.
 """
 
@@ -19,65 +19,63 @@ from donnie_tui.i18n.first_words import early
 from donnie_tui.robot.search import Search
 from donnie_tui.settings.parsing import SERIAL
 from donnie_tui.settings.settings import Settings
-from donnie_tui.tui.screens.workplace import Workplace
-from donnie_tui.tui.session_behind import SessionBehind
+from donnie_tui.tui.screens.main_screen import MainScreen
+from donnie_tui.tui.session_handle import SessionHandle
 
 if TYPE_CHECKING:
     from donnie_tui.bootstrap import Donnie
-    from donnie_tui.tui.brought import Brought
-    from donnie_tui.tui.work import Work
-
+    from donnie_tui.tui.controller import ScreenState
 
 _TITLES = ("pane-program-empty", "pane-map-empty", "pane-inspector", "pane-log")
 """Of the panes, before there is a program and a world."""
 
 
-class Beginning:
-    """From the empty screen to the learner's work."""
+class Startup:
+    """From the empty screen to the loaded session."""
 
     def __init__(
         self,
         app: App[int],
-        behind: SessionBehind,
-        place: Workplace,
+        session: SessionHandle,
+        place: MainScreen,
         settings: Settings,
         *,
         search: Search | None,
         assemble: Callable[[], Donnie],
-        work_with: Callable[[Donnie], Work],
-        let_keys: Callable[[], None],
+        start_controller: Callable[[Donnie], object],
+        release_keys: Callable[[], None],
     ) -> None:
-        """``work_with`` begins the work with what ``assemble`` made; ``let_keys`` lets those go on that wait.
+        """``start_controller`` takes what ``assemble`` made; ``release_keys`` releases those that wait.
 
-        ``search``: what gives up the search for a robot, where ``assemble`` looks for one.
+        ``search`` gives up the search for a robot, where ``assemble`` looks for one.
         """
-        self._app, self._behind, self._place, self._settings = app, behind, place, settings
+        self._app, self._session, self._place, self._settings = app, session, place, settings
         self._search, self._assemble = search, assemble
-        self._work_with, self._let_keys = work_with, let_keys
+        self._start_controller, self._release_keys = start_controller, release_keys
         self._is_searching = False
         self.is_opening = False
         """While the first file is read."""
         self.trouble: Exception | None = None
-        """What kept the work from being loaded."""
+        """What kept the session from being loaded."""
         self._was_slow = False
-        """Whether it was told that the world takes a while: then it is told when it is there."""
+        """Whether a slow world was reported: then its end is reported too."""
         self._greeting: tuple[str, ...] = ()
         """What was shown before there was a voice."""
 
     @property
     def holds_keys(self) -> bool:
-        """While a robot is looked for, or the first file is read: what is typed then waits."""
+        """Whether keys wait: while a robot is looked for, or the first file is read."""
         return self._is_searching or self.is_opening
 
-    def greet(self, key_table: KeyTable, brought: Brought | None = None) -> None:
-        """The titles, and which keys there are; or what was told in the world before."""
+    def greet(self, key_table: KeyTable, restored: ScreenState | None = None) -> None:
+        """Show the titles, and which keys there are or the log of the world before."""
         language, place = self._settings.language, self._place
         for pane, code in zip(place.panes, _TITLES, strict=True):
             pane.entitle(early(code, language))
         place.status.say(f" {early('status-starting', language)}")
-        if brought is not None:
-            place.log_rows.looks.update(brought.looks)
-            place.log_lines(brought.log)
+        if restored is not None:
+            place.log_rows.looks.update(restored.looks)
+            place.log_lines(restored.log)
             return
         named = (("run", "RUN"), ("help", "HELP"))
         keys = {name: key_table.label(name, language) or word for name, word in named}
@@ -88,45 +86,45 @@ class Beginning:
     # --- the session
 
     def begin(self) -> None:
-        """The screen is there; now what it shows. A failure is told by the caller, on the normal screen."""
+        """Load the session. The caller reports a failure, on the normal screen."""
         try:
             if self._search is None and self._has_shipped_world:
-                self._begin_work(self._assemble())
+                self._use(self._assemble())
             else:
                 self._is_searching = True
-                if self._settings.robot.startswith(SERIAL):  # of a configuration file nobody knows that yet
-                    self._tell_of_search()
+                if self._settings.robot.startswith(SERIAL):  # of a configuration file that is not known yet
+                    self._report_search()
                 self._app.run_worker(self._search_and_begin())
         except Exception as trouble:  # noqa: BLE001 -- raised again once the terminal is given back
             self._fail(trouble)
 
     async def _search_and_begin(self) -> None:
-        """Looking for a robot takes some seconds, in which the keys that give it up are heard.
+        """Looking for a robot takes some seconds, in which keys can give it up.
 
         A learner's own world may be large, and takes as long as it takes.
         """
-        slowly = self._app.set_timer(SLOW, self._tell_of_world)
+        slowly = self._app.set_timer(SLOW, self._report_world)
         if self._search is not None:
             loop = asyncio.get_running_loop()
-            self._search.on_slow = lambda: loop.call_soon_threadsafe(self._tell_early, "connect-waiting")
+            self._search.on_slow = lambda: loop.call_soon_threadsafe(self._print, "connect-waiting")
         try:
             await asyncio.to_thread(self._assemble_and_keep)
             slowly.stop()
-            if self._behind.found is not None:
-                self._begin_work(self._behind.found)
+            if self._session.assembled is not None:
+                self._use(self._session.assembled)
         except Exception as trouble:  # noqa: BLE001 -- as above
             self._fail(trouble)
         self._is_searching = False
-        self._let_waiting_keys()
+        self._release_waiting_keys()
 
     def _assemble_and_keep(self) -> None:
-        self._behind.found = self._assemble()
+        self._session.assembled = self._assemble()
 
-    def _begin_work(self, donnie: Donnie) -> None:
+    def _use(self, donnie: Donnie) -> None:
         donnie.outlets.audible.say_printed(*self._greeting)
-        work = self._work_with(donnie)
+        self._start_controller(donnie)
         if self._was_slow:
-            work.talk.tell_sentences(work.words("slow-world-done", name=self._world_name))
+            donnie.say("slow-world-done", name=self._world_name)
         self._app.call_after_refresh(donnie.get_ready_to_move)
 
     def _fail(self, trouble: Exception) -> None:
@@ -140,22 +138,22 @@ class Beginning:
 
         return self._settings.world in worlds.names()
 
-    # --- what takes long is told
+    # --- reports
 
-    def _tell_of_search(self) -> None:
+    def _report_search(self) -> None:
         if self._search is not None:
-            self._tell_early("connect-trying")
+            self._print("connect-trying")
 
-    def _tell_of_world(self) -> None:
+    def _report_world(self) -> None:
         if self._search is None:
-            self._tell_early("slow-world", name=self._world_name)
+            self._print("slow-world", name=self._world_name)
             self._was_slow = True
 
     @property
     def _world_name(self) -> str:
         return Path(self._settings.world).name
 
-    def _tell_early(self, code: str, **values: object) -> None:
+    def _print(self, code: str, **values: object) -> None:
         """In print alone: there is no voice before there is a session."""
         from donnie_tui.i18n.words import Words
 
@@ -167,22 +165,22 @@ class Beginning:
     # --- the first file
 
     def open_with(self, opening: Coroutine[None, None, None]) -> None:
-        """Keys are for what is opened; where that takes long, they are for what there is."""
+        """Read the first file. Keys wait for it, but not where it takes long."""
         self.is_opening = True
         self._app.set_timer(SLOW, self._opened)
         self._app.run_worker(self._open(opening), group="opening")
 
     async def _open(self, opening: Coroutine[None, None, None]) -> None:
         await opening
-        if self._behind.work is not None:
-            self._behind.work.look()
+        if self._session.controller is not None:
+            self._session.controller.display.update()
         self._opened()
 
     def _opened(self) -> None:
         if self.is_opening:
             self.is_opening = False
-            self._let_waiting_keys()
+            self._release_waiting_keys()
 
-    def _let_waiting_keys(self) -> None:
+    def _release_waiting_keys(self) -> None:
         if not self.holds_keys:
-            self._let_keys()
+            self._release_keys()

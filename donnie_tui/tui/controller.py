@@ -1,0 +1,313 @@
+"""The controller of the full screen: connects the session with the main screen.
+
+Made once the session is loaded. Keys and typed lines run commands here, and events reach the panes.
+"""
+
+from __future__ import annotations
+
+import os
+from collections.abc import Awaitable, Coroutine, Mapping, Sequence
+from pathlib import Path
+
+from msgspec import Struct
+from textual import events
+from textual.widget import Widget
+from textual.widgets import Input, TextArea
+
+from donnie_tui.bootstrap import Donnie
+from donnie_tui.commands.context import Context
+from donnie_tui.commands.declarations import BY_NAME, Command
+from donnie_tui.commands.dispatch import attempt, perform, says_slip
+from donnie_tui.commands.files import compare_with_file, open_named
+from donnie_tui.commands.interaction import begin
+from donnie_tui.commands.keys import KeyTable, not_understood
+from donnie_tui.commands.lookup import find
+from donnie_tui.commands.world import say_arrival
+from donnie_tui.core.answer_log import AnswerLog
+from donnie_tui.core.events import Pointed
+from donnie_tui.core.line_history import LineHistory
+from donnie_tui.core.runner import LAST_WORDS, RunRequest
+from donnie_tui.core.session import Busy
+from donnie_tui.core.wording import Wording
+from donnie_tui.core.workspace import Workspace
+from donnie_tui.outlets.audible import Audible, TypingEcho
+from donnie_tui.settings.folders import offers_tour
+from donnie_tui.tui.display import Display
+from donnie_tui.tui.editor_assistant import EditorAssistant
+from donnie_tui.tui.event_queue import CALM, FRAME, EventBatch, EventQueue, EventReader, LogLine
+from donnie_tui.tui.run_view import RunView
+from donnie_tui.tui.screens.main_screen import MainScreen
+from donnie_tui.tui.terminal import TerminalApp
+from language.diagnostics import MistakeKind
+from language.keywords import spelling
+from language.source import printable
+
+
+class ScreenState(Struct, frozen=True):
+    """What is kept on the way to another world: the programs, the log and what was typed."""
+
+    log: tuple[tuple[str, str], ...]
+    """The lines of the log, each with the words of its kind."""
+    looks: Mapping[str, str]
+    answers: AnswerLog
+    typed: LineHistory
+    """The lines of the command line."""
+    workspace: Workspace
+    watched: tuple[str, ...]
+    focus: str
+    """The part of the screen that had the focus."""
+    is_silent: bool
+    """Whether SOUND OFF was said."""
+
+
+class ScreenController:
+    """One session at the screen."""
+
+    def __init__(self, app: TerminalApp, main_screen: MainScreen, key_table: KeyTable, ctx: Context) -> None:
+        self.ctx, self.donnie, self.words = ctx, ctx.donnie, ctx.words
+        self.workspace, self.answers = ctx.workspace, ctx.answers
+        self.app, self.main_screen = app, main_screen
+        donnie = ctx.donnie
+        self.workspace.report_failure = lambda error: donnie.say("answer-not-kept", reason=error.reason)
+        self.workspace.attach(main_screen.editor)
+        self.display = Display(main_screen, donnie, ctx.runs, self.workspace, key_table)
+        queue = EventQueue(
+            app.post_message, self.words, lambda: donnie.session.pose, lambda: donnie.session.name
+        )
+        self.events = EventReader(
+            queue, self.words, set_timer=app.set_timer, receive=self._receive, write=self._write
+        )
+        self._key_echo = ScreenKeyEcho(donnie.outlets.audible, self.words)
+        self.run_view = RunView(app, ctx, self.events, self.display, main_screen.editor)
+        self.assistant = EditorAssistant(app, ctx, self.display, main_screen.editor)
+        self._apply_completion()
+        self._apply_motion()
+        self._unsubscribe = donnie.team.stream.subscribe(queue)
+        self.next_world = ""
+        """The world in which the screen is to come back."""
+        self.left_for_linear = False
+
+    def begin(
+        self, file: Path | None, text: str | None, restored: ScreenState | None, state_folder: str
+    ) -> Coroutine[None, None, None] | None:
+        """Say what is to be known at the start; what is returned opens the first file.
+
+        ``text``: what the other mode left, unsaved changes included.
+        """
+        notices, settings, opening = self.donnie.notices, self.ctx.preferences.settings, None
+        self.ctx.say(*(notices.all if restored is None else notices.about_devices))
+        for entry in not_understood(settings.keys):
+            self.ctx.answer("keys-not-understood", entry=printable(entry[:40]))
+        if text is not None:
+            self.workspace.replace(text, file, in_file="")
+            opening = attempt(self.ctx, compare_with_file(self.ctx))
+        elif file is not None:
+            opening = attempt(self.ctx, open_named(self.ctx, str(file)))
+        elif settings.tour and offers_tour(state_folder, os.environ):
+            self.ctx.answer("tour-offer")
+        if restored is not None:
+            self._restore(restored)
+        elif self.workspace.rescued():
+            self.ctx.answer("answer-rescued")
+        self.display.update()
+        return opening
+
+    def _restore(self, state: ScreenState) -> None:
+        """Continue with the answers of the world before, and say that this one is there."""
+        self.answers = self.ctx.answers = state.answers
+        self.answers.end_answer()
+        self.main_screen.command_line.have_typed(state.typed)
+        self.ctx.past = state.typed
+        self.ctx.runs.watched.extend(state.watched)
+        say_arrival(self.donnie, is_silent=state.is_silent)
+
+    @property
+    def state(self) -> ScreenState:
+        """What is kept for another world."""
+        log = self.main_screen.log_rows
+        return ScreenState(
+            log.with_kinds,
+            log.looks,
+            self.answers,
+            self.main_screen.command_line.past,
+            self.workspace,
+            tuple(self.ctx.runs.watched),
+            self.main_screen.focus_was,
+            is_silent=not self.donnie.outlets.audible.is_on,
+        )
+
+    # --- commands
+
+    def do(self, name: str, argument: str | None = None) -> Awaitable[None] | None:
+        """Run a command. What is left of it after its first question is to be awaited.
+
+        ``argument`` is None where a key or the palette asked for it.
+        """
+        self._end_answer()
+        return begin(self._perform(BY_NAME[name], argument))
+
+    async def _perform(self, command: Command, argument: str | None) -> None:
+        await perform(self.ctx, command, argument)
+        self.run_view.show_past()
+        self.display.update()
+
+    def run_line(self, text: str) -> Awaitable[None] | None:
+        """Run a line of the command line: a command of the screen, or one of GoDonnie."""
+        self._end_answer()
+        self.display.write([(f"> {text}", "typed")])
+        found = find(text)
+        if found is not None:
+            return self.do(found[0].name, found[1])
+        if not says_slip(self.ctx, text) and not self._opens_block(text):
+            try:
+                self.ctx.runs.start(RunRequest(text, self.words("typed-program"), is_whole=False))
+            except Busy:
+                self.ctx.answer_of_robot("screen-busy")
+            self.display.update()
+        return None
+
+    def _end_answer(self) -> None:
+        """What is said from now on is the answer to something else."""
+        self.events.flush()
+        self.answers.end_answer()
+
+    def _opens_block(self, typed: str) -> bool:
+        """Whether it does; then the learner, who types line by line, learns where there is room for it."""
+        missing = self.donnie.session.parse(typed).diagnostics
+        if not missing or any(each.kind is not MistakeKind.MISSING_END for each in missing):
+            return False
+        closer = spelling(missing[0].expected[0], self.words.language)
+        self.ctx.answer("screen-open-block", closer=closer)
+        return True
+
+    def key_pressed(self, event: events.Event, focused: Widget | None) -> None:
+        """Any key ends what is being said, and is itself spoken where the learner wants that."""
+        self.donnie.outlets.audible.hush()
+        self._key_echo(event, focused)
+        self.display.acted()
+
+    # --- events
+
+    def _receive(self, batch: EventBatch) -> None:
+        """What the robot senses has changed, too, where others or things are elsewhere now."""
+        self.display.receive(batch)
+        self.run_view.polling.on_event()
+        if batch.others or batch.things is not None:
+            self.display.ask_distances()
+
+    def _write(self, lines: Sequence[LogLine]) -> None:
+        """Into the log, and into what can be said again."""
+        for line in lines:
+            if not line.is_repeated:
+                self.answers.add_line(line.text)
+        self.display.write((line.text, line.kind) for line in lines)
+
+    def point(self, words: str) -> None:
+        """Speak what the learner looks at on the map or in a list; any key ends it, and no log keeps it."""
+        self.donnie.session.hub.publish(Pointed(words))
+
+    def on_explored(self) -> None:
+        """Another square of the map: spoken, and shown in the status line."""
+        pointer = self.main_screen.map.pointer
+        if pointer is not None and pointer.cell is not None:
+            self.point(pointer.words(self.words))
+        self.display.looked()
+
+    # --- settings
+
+    def apply_setting(self, key: str) -> None:
+        """Show the session as the setting of that name says from now on."""
+        if key == "lang":
+            self.display.relabel()
+            self.assistant.check_now()
+        elif key == "completion":
+            self._apply_completion()
+        elif key == "motion":
+            self._apply_motion()
+        self.app.apply_settings(self.ctx.preferences.settings)
+        self.display.update()
+
+    def _apply_completion(self) -> None:
+        self.assistant.offer_words(wanted=self.ctx.preferences.settings.completion)
+
+    def _apply_motion(self) -> None:
+        self.events.frame = CALM if self.ctx.preferences.settings.motion == "reduced" else FRAME
+
+    # --- the end
+
+    def switch_to_linear(self) -> None:
+        """The other mode has the text from now on: no copy of it is needed."""
+        self.assistant.stop_copying()
+        self.workspace.hand_over()
+        self.left_for_linear = True
+        self.app.exit(0)
+
+    def leave(self) -> None:
+        """For good, on purpose."""
+        self.assistant.stop_copying()
+        self.workspace.leave_copies()
+        self.app.exit(0)
+
+    def change_world(self, name: str) -> None:
+        """Another world, with the same program: everything begins anew there."""
+        self.ctx.runs.stop_to_leave()
+        self.ctx.answer("world-going", name=name)
+        self.events.flush()
+        self.assistant.stop_copying()
+        self.next_world = name
+        self.app.exit(0)
+
+    def hand_over(self) -> Donnie:
+        """Give the session to the other mode, where it continues; what runs here ends."""
+        self.ctx.close()
+        self._unsubscribe()
+        self.donnie.team.stop()
+        for session in self.donnie.team.sessions:
+            if session.run is not None:
+                session.run.wait(LAST_WORDS)
+        self.workspace.write_copies()
+        return self.donnie
+
+    def close(self) -> None:
+        """After the screen is gone: nothing is left running, nor to be written."""
+        self.donnie.close()
+        self.workspace.detach()
+        self.workspace.write_copies()
+
+
+class ScreenKeyEcho:
+    """Speaks what is typed: in the program, in the command line and in questions.
+
+    It gets each key and each paste before the widget with the focus.
+    """
+
+    def __init__(self, audible: Audible, words: Wording) -> None:
+        self._echo = TypingEcho(audible, words)
+
+    def __call__(self, event: events.Event, focused: Widget | None) -> None:
+        before = _before_cursor(focused) if self._echo.kind != "none" else None
+        if before is None:
+            return
+        match event:
+            case events.Paste(text=text):
+                self._echo.typed(text, before)
+            case events.Key(key="backspace"):
+                self._echo.deleted(before)
+            case events.Key(key="enter"):
+                self._echo.ended(before)
+            case events.Key(character=str() as character) if event.is_printable:
+                self._echo.typed(character, before)
+            case _:
+                pass
+
+
+def _before_cursor(widget: Widget | None) -> str | None:
+    """What stands before the cursor in its line; None where nothing can be typed."""
+    match widget:
+        case TextArea():
+            row, column = widget.cursor_location
+            return widget.document.get_line(row)[:column]
+        case Input():
+            return widget.value[: widget.cursor_position]
+        case _:
+            return None
