@@ -15,7 +15,7 @@ from msgspec import Struct
 from devices.ports.robot import Pace, Watcher
 from donnie_tui.core.events import Announced, Answered
 from donnie_tui.core.hub import Stream
-from donnie_tui.core.outlets import UntilSaid
+from donnie_tui.core.outlets import SpeechWait
 from donnie_tui.core.session import ResettableRobot, Session, SessionSetup
 from donnie_tui.core.team import Team
 from donnie_tui.core.timeline import Chronicle
@@ -180,18 +180,18 @@ def _assembled(
 
     words = Words(settings.language, settings.verbosity)
     world = _inhabited_world(settings, words)
-    until_said, shared = UntilSaid(), World(world.scene, seed=settings.seed)
-    team = make_team(settings, words, world, terminal, until_said=until_said, shared=shared)
+    speech_wait, shared = SpeechWait(), World(world.scene, seed=settings.seed)
+    team = make_team(settings, words, world, terminal, speech_wait=speech_wait, shared=shared)
     connection = Connection(settings, words, world, team.chosen, search=search)
     closing.callback(connection.close)
     closing.callback(team.close)
     if team.has_several:
-        _announce_hold_ups(team, shared, words, until_said, closing)
+        _announce_hold_ups(team, shared, words, speech_wait, closing)
     chronicle = Chronicle()
     team.chosen.hub.subscribe(chronicle)
     written = _written(settings, team.chosen, words, world, out, closing)
     audible = make_audible(settings, team.chosen, words, closing, is_linear=is_linear)
-    outlets = Outlets(audible, BeltAnnouncer(team, words, belt_settings(settings)), written, until_said)
+    outlets = Outlets(audible, BeltAnnouncer(team, words, belt_settings(settings)), written, speech_wait)
     belt_news = connect_belt(settings, team, words, closing)
     about_robot = _connect_robot(connection, settings, words, world, terminal)
     notices = Notices(
@@ -210,12 +210,12 @@ def _remarks(world: ChosenWorld, words: Words) -> tuple[str, ...]:
 
 
 def _announce_hold_ups(
-    team: Team, shared: World, words: Words, until_said: UntilSaid, closing: ExitStack
+    team: Team, shared: World, words: Words, speech_wait: SpeechWait, closing: ExitStack
 ) -> None:
     """A program that says something at its own pace holds the others up on purpose."""
     from donnie_tui.core.team import TurnMonitor
 
-    turn_monitor = TurnMonitor(team, shared.turn, words, is_excused=lambda: until_said.waiting > 0)
+    turn_monitor = TurnMonitor(team, shared.turn, words, is_excused=lambda: speech_wait.waiting > 0)
     turn_monitor.watch()
     closing.callback(turn_monitor.close)
 
@@ -278,7 +278,7 @@ def make_team(
     world: ChosenWorld,
     terminal: bool,
     *,
-    until_said: UntilSaid | None = None,
+    speech_wait: SpeechWait | None = None,
     shared: World | None = None,
 ) -> Team:
     """The robots of a simulated world. The first one is the learner's until another one is chosen."""
@@ -298,7 +298,7 @@ def make_team(
             SessionSetup(world.name, settings.seed, terminal, belt_settings(settings), shown_as),
             stream=stream,
             moved_things=moved_things,
-            until_said=until_said,
+            speech_wait=speech_wait,
         )
 
     return Team(names, make_session, stream, shared.expect)

@@ -26,8 +26,8 @@ if TYPE_CHECKING:
 LONGEST_WORD = 24
 """Characters of the longest word of a command, blanks included, with room to spare."""
 _MOST_WORDS = 3
-_HAVE_CHOICES = ("report-file",)
-"""Arguments whose first word is one of a few; HELP lists them, ``help-choices-ARGUMENT``."""
+_HAVE_VALUES = ("report-file",)
+"""Arguments whose first word is one of a few; HELP lists them, ``help-values-ARGUMENT``."""
 LARGEST_PROGRAM = 20_000
 """Characters of a program that is searched for one name."""
 
@@ -120,9 +120,9 @@ def help_of(topic: str, wording: Wording) -> tuple[str, ...]:
     command = found[0]
     form = wording("help-form", form=_form(command, wording)) + "."
     example = wording("help-example", example=typed_form(command, wording)) + "."
-    has_choices = command.argument in _HAVE_CHOICES
-    choices = (wording(f"help-choices-{command.argument}"),) if has_choices else ()
-    return help_line(command, wording), form, *choices, example
+    has_values = command.argument in _HAVE_VALUES
+    values = (wording(f"help-values-{command.argument}"),) if has_values else ()
+    return help_line(command, wording), form, *values, example
 
 
 def _form(command: Command, wording: Wording) -> str:

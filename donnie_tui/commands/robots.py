@@ -138,13 +138,13 @@ def _connections(ctx: Context) -> list[Option]:
 def _option_in_words(ctx: Context, number: int, option: RobotOption) -> str:
     port = option.robot.partition(":")[2]
     if option.robot == ctx.donnie.connection.robot:
-        code = "connect-choice-now"
+        code = "connect-option-now"
     elif port and not exists(Path(port)):
-        code = "connect-choice-missing"
+        code = "connect-option-missing"
     elif port and not os.access(port, os.R_OK | os.W_OK):
-        code = "connect-choice-forbidden"
+        code = "connect-option-forbidden"
     else:
-        code = "connect-choice"
+        code = "connect-option"
     return ctx.words(code, number=number, what=option.sentence)
 
 

@@ -32,7 +32,7 @@ from donnie_tui.core.events import (
     Waited,
 )
 from donnie_tui.core.hub import Hub
-from donnie_tui.core.outlets import UntilSaid
+from donnie_tui.core.outlets import SpeechWait
 from donnie_tui.core.transcript import History, SentencePublisher
 from donnie_tui.core.wording import compass_heading, whole_steps
 from language.control import ExecutionControl
@@ -161,7 +161,7 @@ class RobotActions:
         belt: BeltDisplay,
         *,
         may_continue: Callable[[], bool],
-        until_said: UntilSaid | None = None,
+        speech_wait: SpeechWait | None = None,
         moved_things: MovedThings = lambda: None,
     ) -> None:
         """``may_continue`` is called during long commands; False ends them."""
@@ -172,7 +172,7 @@ class RobotActions:
         self.past = History()
         self._belt = belt
         self.handling = Handling(robot, hub, sentences, moved_things)
-        self._said = until_said or UntilSaid()
+        self._speech_wait = speech_wait or SpeechWait()
 
     def forget(self) -> None:
         """Clears the history and switches the belt off."""
@@ -183,7 +183,7 @@ class RobotActions:
 
     def speak(self, what: int | str) -> None:
         self._hub.publish(Spoke(str(what)))
-        self._said.wait(self._may_continue)
+        self._speech_wait.wait(self._may_continue)
 
     def state(self) -> None:
         self._sentences.state(self.past.last, self._robot.pose())

@@ -1,7 +1,7 @@
 """The listeners that make events audible: the voice and the cues.
 
-SOUND OFF silences voice and cues and never the printed line; the belt has its own switch. ``UntilSaid`` makes
-a program wait until the voice has finished, if the learner wants that; a stop ends the wait.
+SOUND OFF silences voice and cues and never the printed line; the belt has its own switch. ``SpeechWait``
+makes a program wait until the voice has finished, if the learner wants that; a stop ends the wait.
 """
 
 from __future__ import annotations
@@ -128,7 +128,7 @@ LONGEST = 30.0
 """Seconds for one SPEAK, so that a slow or hanging voice blocks no program."""
 
 
-class UntilSaid:
+class SpeechWait:
     """Lets a program wait for its voice; without a voice it does not wait."""
 
     def __init__(self) -> None:

@@ -21,7 +21,7 @@ from donnie_tui.core.announcer import Announcer
 from donnie_tui.core.belt import BeltDisplay, BeltSettings
 from donnie_tui.core.events import HowStarted, Outcome, Reset, RunStarted, Sensed
 from donnie_tui.core.hub import Hub, Stream
-from donnie_tui.core.outlets import UntilSaid
+from donnie_tui.core.outlets import SpeechWait
 from donnie_tui.core.runner import Readable, Run, Stage, takes_turns
 from donnie_tui.core.transcript import SentencePublisher
 from donnie_tui.core.wording import Wording
@@ -112,7 +112,7 @@ class Session:
         setup: SessionSetup,
         *,
         stream: Stream | None = None,
-        until_said: UntilSaid | None = None,
+        speech_wait: SpeechWait | None = None,
         moved_things: MovedThings = lambda: None,
     ) -> None:
         """``stream``: the one that the robots of a world share. ``moved_things`` returns the places of the
@@ -125,7 +125,7 @@ class Session:
         self.wording = wording
         self.sentences = SentencePublisher(self.hub, wording)
         self._setup = setup
-        self._own_robot, self._until_said = make_robot, until_said
+        self._own_robot, self._speech_wait = make_robot, speech_wait
         self._moved_things = moved_things
         self._take(make_robot)
         self.name = self.hub.robot or self._robot.name
@@ -149,7 +149,7 @@ class Session:
             self.sentences,
             self._belt,
             may_continue=self._pace.may_continue,
-            until_said=self._until_said,
+            speech_wait=self._speech_wait,
             moved_things=self._moved_things,
         )
 

@@ -240,12 +240,6 @@ class Workspace:
         self._is_finished = True
         self.write_copies()
 
-    def discard_copies(self) -> None:
-        """No copy is needed any more."""
-        for copy in (*self._copies_of_replaced.values(), *self._copies.values()):
-            copy.want_none()
-        self._is_finished = True
-
     @cached_property
     def _writer(self) -> CopyWriter:
         from donnie_tui.core.recovery import CopyWriter

@@ -26,7 +26,7 @@ from devices.ports.audio import Cue
 from donnie_tui import __version__
 from donnie_tui.core.events import Answered, CueSounded, RunEnded, SoundSwitched, Stamped
 from donnie_tui.core.hub import Hub
-from donnie_tui.core.outlets import UntilSaid
+from donnie_tui.core.outlets import SpeechWait
 from donnie_tui.i18n.words import Unusable, Words
 from donnie_tui.outlets.audible import Audible
 from donnie_tui.outlets.belt import BeltAnnouncer, belt_settings
@@ -341,7 +341,7 @@ class Outlets(Struct, frozen=True):
     belt: BeltAnnouncer
     """The belt in words."""
     written: Written
-    until_said: UntilSaid
+    speech_wait: SpeechWait
     """What programs wait at."""
 
     def adjust_sound(self, **changed: object) -> None:
@@ -352,4 +352,4 @@ class Outlets(Struct, frozen=True):
     def let_programs_wait(self) -> None:
         """Programs wait until their sentences were spoken, if the learner wants that."""
         waits = self.audible.settings.wait_for_speech
-        self.until_said.is_quiet_within = self.audible.is_quiet_within if waits else None
+        self.speech_wait.is_quiet_within = self.audible.is_quiet_within if waits else None

@@ -89,19 +89,19 @@ def robot_options(settings: Settings, words: Words, found: Lister = list_ports) 
     if configured and not any(is_same_port(configured, port) for port in ports):
         ports[configured] = None
     return (
-        RobotOption(SIMULATED, words("connect-choice-simulator")),
+        RobotOption(SIMULATED, words("connect-option-simulator")),
         *(
             RobotOption(f"{SERIAL}:{port}", words(_kind(port, configured, may_be_belt), port=port))
             for port in ports
         ),
-        RobotOption(DOUBLE, words("connect-choice-double")),
+        RobotOption(DOUBLE, words("connect-option-double")),
     )
 
 
 def _kind(port: str, configured: str, may_be_belt: bool) -> str:
     """Of several boards only the one that was chosen before is known to be a robot; none is asked."""
     is_known = bool(configured) and is_same_port(port, configured)
-    return "connect-choice-board" if may_be_belt and not is_known else "connect-choice-port"
+    return "connect-option-board" if may_be_belt and not is_known else "connect-option-port"
 
 
 def find_port(

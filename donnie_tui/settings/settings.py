@@ -298,7 +298,7 @@ def _complain(each: Key, source: SettingSource, told_as: str, given: str) -> Not
     if source is SettingSource.OPTION:
         raise BadOption(each.key, given, each.wanted)
     code = "setting-not-understood" if source is SettingSource.FILE else "variable-not-understood"
-    code += "-example" if each.is_example else "-choice" if each.has_named_values else ""
+    code += "-example" if each.is_example else "-values" if each.has_named_values else ""
     return Notice(code, {"name": told_as, "value": given[:40], "wanted": each.wanted})
 
 

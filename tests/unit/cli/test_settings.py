@@ -76,7 +76,7 @@ def test_a_bad_value_is_an_error_on_the_command_line_and_a_notice_elsewhere(key:
 
     settings, notices = resolve({}, {}, {key: value})
     assert settings == Settings()
-    codes = [notice.code.removesuffix("-choice") for notice in notices]
+    codes = [notice.code.removesuffix("-values") for notice in notices]
     assert codes == ["setting-not-understood"]
 
 

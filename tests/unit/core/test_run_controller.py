@@ -1,6 +1,7 @@
 """A run takes the requests that its state allows, and describes its holds and its end."""
 
 import threading
+import time
 from collections.abc import Callable
 from itertools import product
 
@@ -57,8 +58,12 @@ class Lesson(RunObserver):
             self._changed.notify_all()
 
     def until(self, happened: Callable[[], bool]) -> None:
+        """Look again from time to time: not everything that a program does is reported as a change."""
+        end = time.monotonic() + PATIENCE
         with self._changed:
-            assert self._changed.wait_for(happened, PATIENCE)
+            while not happened():
+                assert time.monotonic() < end
+                self._changed.wait(0.05)
 
     def start(
         self, text: str, begin: Callable[[ExecutionControl], None] | None = None, *, is_whole: bool = True

@@ -241,8 +241,7 @@ def test_a_recovered_program_is_saved_if_its_file_has_the_same_text(tmp_path: Pa
         later = workspace_in(tmp_path)
         recovered(later)
         assert (later.document.path, later.document.is_saved) == (tmp_path / "walk.gd", text == "FW 1\n")
-        later.discard_copies()
-        later.write_copies()
+        later.hand_over()
 
 
 def test_recover_without_a_copy_says_so(tmp_path: Path) -> None:
