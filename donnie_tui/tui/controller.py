@@ -172,7 +172,7 @@ class ScreenController:
         self.answers.end_answer()
 
     def _opens_block(self, typed: str) -> bool:
-        """Whether it does; then the learner, who types line by line, learns where there is room for it."""
+        """Whether it does; then an answer names the place where a block has room."""
         missing = self.donnie.session.parse(typed).diagnostics
         if not missing or any(each.kind is not MistakeKind.MISSING_END for each in missing):
             return False

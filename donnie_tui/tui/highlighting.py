@@ -1,7 +1,7 @@
 """Which stretch of a program is a command, a number, a text, a comment: from the language's own lexer.
 
-No second description of GoDonnie: what the parser reads as a command looks like one. Stretches are told as
-the editor wants them: by line, in UTF-8 bytes.
+No second description of GoDonnie: what the parser reads as a command looks like one. Stretches are as the
+editor wants them: by line, in UTF-8 bytes.
 """
 
 from __future__ import annotations

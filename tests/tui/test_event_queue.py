@@ -1,8 +1,12 @@
 """What happens in a program's thread waits in a mailbox for the screen, which is woken once."""
 
 import threading
+from types import SimpleNamespace
+
+import pytest
 
 from devices.ports.robot import Bearing, Pose, StoppedBy
+from donnie_tui.commands.settings import change
 from donnie_tui.core.events import (
     Announced,
     Answered,
@@ -17,7 +21,10 @@ from donnie_tui.core.events import (
     Stamped,
 )
 from donnie_tui.i18n.words import Words
+from donnie_tui.tui import event_queue
 from donnie_tui.tui.event_queue import (
+    CALM,
+    FRAME,
     MOST_LINES,
     NOTHING,
     EventQueue,
@@ -177,3 +184,31 @@ def test_the_number_of_lost_lines_comes_before_the_remaining_lines():
 def test_two_wakeups_are_as_good_as_one():
     assert EventsQueued().can_replace(EventsQueued())
     assert not EventsQueued().can_replace(RunBegan("p", HERE))
+
+
+def test_the_queue_is_read_at_the_chosen_interval(monkeypatch):
+    now = SimpleNamespace(seconds=100.0)
+    monkeypatch.setattr(event_queue, "time", SimpleNamespace(monotonic=lambda: now.seconds))
+    due: list[float] = []
+    batch = SimpleNamespace(missed=0, lines=())
+    it = EventReader(
+        SimpleNamespace(take=lambda: batch),
+        str,
+        set_timer=lambda seconds, _do: due.append(seconds) or SimpleNamespace(stop=lambda: None),
+        receive=lambda _batch: None,
+        write=lambda _lines: None,
+    )
+    for frame in (FRAME, CALM):
+        it.frame = frame
+        it.take()
+        it.on_queued()
+    assert due == pytest.approx([FRAME, CALM])
+
+
+async def test_little_motion_is_a_calm_map_at_the_start_and_when_it_is_chosen(work):
+    async with work(motion="reduced") as desk:
+        assert desk.app.controller.events.frame == CALM
+        change(desk.app.controller.ctx, "motion", "full")
+        assert desk.app.controller.events.frame == FRAME
+        change(desk.app.controller.ctx, "motion", "reduced")
+        assert desk.app.controller.events.frame == CALM

@@ -23,8 +23,8 @@ class Pictured(LogRows):
     def seen(self):
         return tuple(self.render_line(y).text.strip() for y in range(HEIGHT))
 
-    def _tell(self):
-        super()._tell()
+    def _fill(self):
+        super()._fill()
         self.look()
 
     def _turn(self):
@@ -72,7 +72,7 @@ async def listening():
         seen.log.styles.height = HEIGHT
         pilot.app.query_one("#elsewhere").focus()
         await pilot.pause()
-        seen.log.suit_listeners(True)
+        seen.log.set_paged(True)
         await pilot.pause()
         seen.log.pictures[:] = [seen.rows]
         yield seen
@@ -132,7 +132,7 @@ async def test_a_number_alone_becomes_a_sentence_for_listeners():
         assert seen.rows[:3] == ("5.", "12345678901234567890123", "-5")
         assert seen.log.lines[0] == "5"
 
-        seen.log.suit_listeners(False)
+        seen.log.set_paged(False)
         assert "5." not in seen.rows
 
 

@@ -362,3 +362,16 @@ async def test_the_belt_is_shown_next_to_the_variables_in_words_and_by_motor(wor
         await desk.press("f8")
         await desk.idle()
         await desk.until(lambda: "Belt: nothing near." in desk.place.inspector.lines, "the end of the run")
+
+
+async def test_plus_comes_nearer_and_minus_goes_further_away(work):
+    async with work(world="living_room") as desk:
+        view = desk.place.map
+        view.focus()
+        widths = {0: view.virtual_size.width}
+        for key, zoom in (("plus", 1), ("minus", 0), ("minus", -1)):
+            await desk.press(key)
+            await desk.until(lambda zoom=zoom: view.zoom == zoom, key)
+            widths[zoom] = view.virtual_size.width
+
+        assert widths[1] > widths[0] > widths[-1]

@@ -154,3 +154,17 @@ async def test_letters_behind_the_first_focus_of_a_page_are_written(work):
         desk.app.post_message(events.AppFocus())
         burst(desk, *"fwq")
         await desk.until(lambda: desk.place.editor.text == "fwq", "the letters")
+
+
+async def test_a_question_closes_when_the_program_quits(work):
+    """A program that was running says QUIT, and what is not saved is asked about."""
+    async with work("FW 1") as desk:
+        await desk.type_line("SAVE AS")
+        await desk.until(lambda: desk.app.screen is not desk.place, "the name is asked")
+        name = desk.app.screen
+        desk.app.do("quit")
+        await desk.until(lambda: desk.app.screen not in (name, desk.place), "whether to save is asked")
+        assert desk.app.screen_stack == [desk.place, desk.app.screen]
+
+        await desk.press("escape")
+        await desk.until(lambda: desk.app.screen is desk.place, "no question is left")

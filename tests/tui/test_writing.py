@@ -4,7 +4,7 @@ import pytest
 
 from donnie_tui.commands.settings import change
 from donnie_tui.tui.screens.dialogs import Completions
-from tests.tui.kept_settings import kept
+from tests.tui.settings_files import kept
 
 
 @pytest.fixture(autouse=True)

@@ -5,7 +5,7 @@ A list to choose from: the palette, worlds, robots, recent programs, the outline
 Typing narrows it, Up and Down, Home and End move, Enter chooses, Esc goes back. The terminal's own cursor
 stands on the row that Enter would choose, and ``>`` before it.
 
-The words that may stand at the cursor, in a list below it. Enter takes one, Esc or a letter goes on.
+The words that may stand at the cursor, in a list below it. Enter takes one, Esc or a letter continues.
 """
 
 from __future__ import annotations
@@ -108,7 +108,7 @@ class _Narrowing(InputLine):
 
 
 class Chooser(ModalScreen[str | None]):
-    """Answers the value of the chosen row, None if somebody went back."""
+    """Answers the value of the chosen row, None if the learner went back."""
 
     BINDINGS: ClassVar[list[BindingType]] = [
         Binding("escape,ctrl+q", "go_back", show=False, priority=True),

@@ -1,6 +1,6 @@
 """The main screen: program, map, inspector, log, command line, status line, keys, in the order of reading.
 
-A view: it is told what to show and posts what was done to it; it decides nothing about programs. On a small
+A view: it shows what it is given and posts what was done to it; it decides nothing about programs. On a small
 terminal one pane is shown at a time, with the command line and the status line always there.
 """
 
@@ -58,7 +58,7 @@ class MainScreen(Screen[None]):
     def __init__(self, size: Size, *, plain: bool = False, focus: str = "") -> None:
         """``size`` is what the terminal seems to have: a class that is changed later costs a restyling.
 
-        ``focus`` is the part in which somebody was before, as ``focus_was`` told it; empty at the start.
+        ``focus`` is the ``focus_was`` of the screen before; empty at the start.
         """
         super().__init__(id="main-screen", classes="-plain" if plain else "")
         for breakpoints, cells in (
@@ -87,7 +87,7 @@ class MainScreen(Screen[None]):
         self._shown.set_class(not plain, "-chosen")
         self._was_seen = False
         self.first_focus: Widget = self._parts.get(focus) or (self.command_line if plain else self.editor)
-        """Each change of panes costs a restyling: it is where somebody is from the start."""
+        """Each change of panes costs a restyling: it is where the learner is from the start."""
         self.AUTO_FOCUS = f"#{self.first_focus.id}"  # type: ignore[misc] # Textual asks the screen, not its class
 
     def compose(self) -> ComposeResult:
@@ -133,7 +133,7 @@ class MainScreen(Screen[None]):
     def set_plain(self, plain: bool) -> None:
         self.set_class(plain, "-plain")
         self.editor.show_line_numbers = not plain
-        self.log_rows.suit_listeners(plain)
+        self.log_rows.set_paged(plain)
         self._arrange()
         self._give_room()
 
@@ -163,7 +163,7 @@ class MainScreen(Screen[None]):
 
     def go_to(self, pane: Pane) -> None:
         """Show a pane and give it the focus."""
-        self._bring_up(pane)
+        self._show_pane(pane)
         pane.content.focus()
 
     def toggle_inspector(self) -> None:
@@ -185,9 +185,9 @@ class MainScreen(Screen[None]):
         self.hold_nothing()
         pane = self.focused_pane
         if pane is None and self.is_plain:
-            pane = self.log_pane  # what is told at the command line is heard there
+            pane = self.log_pane  # a reader speaks there what is answered at the command line
         if pane is not None:
-            self._bring_up(pane)
+            self._show_pane(pane)
         self.post_message(self.Looked())
         before, self._entered = self._entered, self.focused
         if before not in (None, self._entered):  # not at the start, nor after a question
@@ -200,7 +200,7 @@ class MainScreen(Screen[None]):
         self._arrange()
         self._give_room()
 
-    def _bring_up(self, pane: Pane) -> None:
+    def _show_pane(self, pane: Pane) -> None:
         if pane is self.map_pane:
             self._inspect(False)
         if pane is not self._shown:
@@ -208,13 +208,13 @@ class MainScreen(Screen[None]):
             self._arrange()
 
     def _arrange(self) -> None:
-        """On a small terminal Tab goes on to panes that are not seen: they are there, with no size."""
+        """On a small terminal Tab leads to panes that are not seen: they are there, with no size."""
         for pane in self.panes:
             pane.set_class(pane is self._shown, "-shown")
         self.query_one("#upper").set_class(self._shown is not self.log_pane, "-shown")
         self.set_class(self._shown in (self.map_pane, self.inspector_pane), "-alone")
 
-    # --- what is told to it
+    # --- what it shows
 
     def show_map(self, scene: MapScene) -> None:
         """A floor; its pane takes what the floor needs, as far as the program keeps its room."""

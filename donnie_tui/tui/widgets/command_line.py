@@ -2,7 +2,7 @@
 
 One line to type in, as the command line and the questions have it.
 
-The line in which commands and words are typed. Enter does them, Up and Down bring back earlier ones.
+The line in which commands and words are typed. Enter does them, Up and Down recall earlier ones.
 """
 
 from __future__ import annotations
@@ -101,7 +101,7 @@ class InputLine(Input):
 
     @property
     def cursor_screen_offset(self) -> Offset:
-        """Textual tells one column more at the end of the text; braille displays follow this one."""
+        """Textual reports one column more at the end of the text; braille displays follow this one."""
         before = cell_len(self.value[: self.cursor_position].expandtabs(4))
         x, y, _width, _height = self.content_region
         return Offset(x + before - self.scroll_offset.x, y)
@@ -128,13 +128,13 @@ class CommandLine(InputLine):
             self.text = text
 
     def __init__(self, *, id: str, send: Callable[[], None] = lambda: None) -> None:  # noqa: A002 -- Textual's
-        """``send`` is told before a line leaves the screen."""
+        """``send`` is called before a line leaves the screen."""
         super().__init__(id=id)
         self._send = send
         self.have_typed(LineHistory())
 
     def have_typed(self, past: LineHistory) -> None:
-        """These lines can be brought back."""
+        """These lines can be recalled."""
         self.past = past
         self._recall = Recall(past)
 

@@ -1,8 +1,8 @@
-"""The program being written: Textual's own editor, with GoDonnie's looks and marks beside the line numbers.
+"""The program being written: Textual's own editor, with GoDonnie's looks and marks next to the line numbers.
 
-Esc and Tab are left to the screen: Esc runs, Tab goes on to the next pane. Two columns before the numbers
+Esc and Tab are left to the screen: Esc runs, Tab leads to the next pane. Two columns before the numbers
 are for marks: ``>`` the line that is being run, ``*`` the lines that called it; ``B`` a breakpoint, ``!`` a
-mistake and ``?`` a hint, whose sentence stands behind the line where there is room.
+mistake and ``?`` a hint, whose sentence follows the line where there is room.
 """
 
 from __future__ import annotations
@@ -66,7 +66,7 @@ class Editor(TextArea):
     def __init__(self, *, id: str) -> None:  # noqa: A002 -- Textual's own name
         super().__init__(id=id, soft_wrap=True, tab_behavior="focus", show_line_numbers=True)
         self.cursor_blink = False
-        self.is_nobodys = True
+        self.is_new = True
         """Whether the text is no file's: only there a first word and Enter is no text."""
         self._chosen_painted: tuple[Offset, Offset] | None = None
         """Where the selection is, while rows are painted."""
@@ -99,7 +99,7 @@ class Editor(TextArea):
 
     @property
     def _first_word(self) -> str | None:
-        if not self.is_nobodys or len(self.text) >= 20:
+        if not self.is_new or len(self.text) >= 20:
             return None
         from donnie_tui.commands.lookup import FIRST_WORDS  # not for the first frame
 

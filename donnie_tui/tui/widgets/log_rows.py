@@ -1,9 +1,9 @@
-"""The log. For those who listen a row that was told stays where it stands: a reader says what moves again.
+"""The log. In the plain layout a printed row stays in its place: a screen reader repeats what moves.
 
 So a page is filled from above. When the next row has no room, or a command is typed on a page that is half
 full, a page without a word comes first, and then the rows on it: a reader compares what it sees, and passes
-over a sentence that stood on the page before. A page is held for a while before it goes. Whoever reads the
-log with its keys, and whoever has no reader, goes through all rows as in every other list.
+over a sentence that stood on the page before. A page is held for a while. With the keys of the log, and in
+the other layout, all rows can be read as in every other list.
 """
 
 from __future__ import annotations
@@ -15,38 +15,38 @@ from textual.timer import Timer
 from donnie_tui.tui.widgets.rows import TextRows
 
 REST = 0.3
-"""Seconds that a full page stays: a reader tells what stands there when it looks."""
+"""Seconds that a full page stays: a reader speaks what it finds when it looks."""
 BREATH = 0.1
 """Seconds that a page stays empty, long enough to be looked at."""
 _FLOOD = 200
-"""Rows; whatever tells more at once is not to be heard line by line."""
+"""Rows; more at once are not to be spoken line by line."""
 _SHORT = 20
-"""Digits of a number to which a full stop is added; a longer one may go on in the next row."""
+"""Digits of a number to which a full stop is added; a longer one may continue in the next row."""
 
 
 class LogRows(TextRows):
-    """What was told, the newest being read."""
+    """All lines of the log, the newest being read."""
 
     def __init__(self, *, id: str) -> None:  # noqa: A002 -- Textual's own name
         super().__init__(id=id, follows=True)
-        self._is_listened_to = False
+        self._is_paged = False
         self._page = 0
-        """The first row of the page that is being told."""
-        self._told = 0
-        """So many rows were seen by those who listen."""
+        """The first row of the page that is being filled."""
+        self._paged = 0
+        """So many rows have been on a page."""
         self._waiting: Timer | None = None
         """Until the page goes, or something comes onto an empty one."""
 
-    def suit_listeners(self, wanted: bool) -> None:
-        """No kinds behind the lines, which a reader would say; and no row moves, or goes by unseen."""
-        if wanted != self._is_listened_to:
-            self._is_listened_to = wanted
+    def set_paged(self, wanted: bool) -> None:
+        """No kinds after the lines, which a reader would speak; and no row moves, or passes unseen."""
+        if wanted != self._is_paged:
+            self._is_paged = wanted
             self._lay_out()
 
     def begin_answer(self) -> bool:
-        """Something was asked. Whether it is told on a new page, as there is little room."""
-        room = self._page + self.size.height - self._told
-        turns = self._is_telling and self._waiting is None and room * 2 < self.size.height
+        """Whether the answer comes on a new page, as there is little room."""
+        room = self._page + self.size.height - self._paged
+        turns = self._fills_pages and self._waiting is None and room * 2 < self.size.height
         if turns:
             self._turn()
         return turns
@@ -54,38 +54,38 @@ class LogRows(TextRows):
     # --- pages
 
     @property
-    def _is_telling(self) -> bool:
+    def _fills_pages(self) -> bool:
         """Whether rows come page by page."""
-        return self._is_listened_to and self._row is None and not self.has_focus
+        return self._is_paged and self._row is None and not self.has_focus
 
     def _follow(self) -> None:
-        if not self._is_telling:
+        if not self._fills_pages:
             super()._follow()
         elif self._waiting is None:
-            self._tell()
+            self._fill()
 
-    def _tell(self) -> None:
+    def _fill(self) -> None:
         """What there is room for on the page; the rest after it."""
         self._waiting = None
         rows, height = len(self._rows), self.size.height
         if not height:
-            self._told = rows
-        elif rows - self._told > _FLOOD:
-            self._told = rows - height
+            self._paged = rows
+        elif rows - self._paged > _FLOOD:
+            self._paged = rows - height
             self._turn()
         else:
-            told, self._told = self._told, max(self._told, min(rows, self._page + height))
-            self._extent(range(told, self._told))
+            first, self._paged = self._paged, max(self._paged, min(rows, self._page + height))
+            self._extent(range(first, self._paged))
             self._go_to_page()
-            if self._told < rows:
+            if self._paged < rows:
                 self._wait(REST, self._turn)
 
     def _turn(self) -> None:
         """An empty page, and then what comes onto it."""
-        self._page = self._told
+        self._page = self._paged
         self._go_to_page()
         self.refresh()
-        self._wait(BREATH, self._tell)
+        self._wait(BREATH, self._fill)
 
     def _go_to_page(self) -> None:
         self._extent(())
@@ -101,38 +101,38 @@ class LogRows(TextRows):
             self._waiting = None
 
     def _show_newest(self) -> None:
-        """As many rows as there is room for, told or not: there is no page to be heard before."""
+        """As many rows as there is room for, paged or not: no page is to be spoken before."""
         self._give_up_waiting()
-        self._told = len(self._rows)
-        self._page = max(0, self._told - self.size.height)
+        self._paged = len(self._rows)
+        self._page = max(0, self._paged - self.size.height)
         self.refresh()
 
     def on_resize(self) -> None:
-        """Before the rows are laid out, as Textual asks the heir first."""
+        """Before the rows are laid out, as Textual asks the subclass first."""
         self._show_newest()
 
     def watch_has_focus(self, has_focus: bool) -> None:
-        """Whoever comes to read sees all of it; whoever leaves hears what is told, wherever it was read.
+        """With the focus all of it is seen; without it a reader speaks what comes, wherever it was read.
 
-        Nothing moves for that, as far as it can be: it would be said again.
+        Nothing moves for that, as far as possible: it would be spoken again.
         """
         super().watch_has_focus(has_focus)
-        if self._is_listened_to:
+        if self._is_paged:
             self._give_up_waiting()
             self._row = self._row if has_focus else None
-            self._told, self._page = len(self._rows), self.scroll_offset.y
+            self._paged, self._page = len(self._rows), self.scroll_offset.y
             if has_focus:
                 self._follow()
 
     # --- as rows
 
     def search(self, wanted: str) -> bool:
-        """What was found is told: from elsewhere a listener would hear no answer in an older place."""
-        return (not self._is_listened_to or self.has_focus) and super().search(wanted)
+        """What was found is printed: without the focus no reader would speak an answer in an older place."""
+        return (not self._is_paged or self.has_focus) and super().search(wanted)
 
     def _forget_oldest(self) -> int:
         rows = super()._forget_oldest()
-        self._told, self._page = max(0, self._told - rows), max(0, self._page - rows)
+        self._paged, self._page = max(0, self._paged - rows), max(0, self._page - rows)
         return rows
 
     def _rewrap(self) -> None:
@@ -141,22 +141,22 @@ class LogRows(TextRows):
 
     @property
     def _shows_kinds(self) -> bool:
-        return not self._is_listened_to and super()._shows_kinds
+        return not self._is_paged and super()._shows_kinds
 
     @property
     def _begins_with_kinds(self) -> bool:
-        return not self._is_listened_to and super()._begins_with_kinds
+        return not self._is_paged and super()._begins_with_kinds
 
     @property
     def _height(self) -> int:
         rows = len(self._rows)
-        return max(rows, self._page + self.size.height) if self._is_listened_to else rows
+        return max(rows, self._page + self.size.height) if self._is_paged else rows
 
     @property
     def _painted_rows(self) -> int:
-        return self._told if self._is_telling else len(self._rows)
+        return self._paged if self._fills_pages else len(self._rows)
 
     def _words_of(self, row: int) -> str:
         """A number alone is a sentence: Orca takes nothing but digits for something typed."""
         words = super()._words_of(row)
-        return f"{words}." if self._is_listened_to and words.isdecimal() and len(words) <= _SHORT else words
+        return f"{words}." if self._is_paged and words.isdecimal() and len(words) <= _SHORT else words

@@ -133,7 +133,7 @@ class MapView(PaintedRows, can_focus=True):
         self._fit()
 
     def show_names(self, labels: Callable[[MapScale, int], dict[Cell, str]] | None) -> None:
-        """Names beside the things, as ``labels`` places them; None: no names."""
+        """Names next to the things, as ``labels`` places them; None: no names."""
         self._labels = labels
         self._fit()
 
@@ -180,7 +180,7 @@ class MapView(PaintedRows, can_focus=True):
             self.scale.factor = 2 ** max(0, -self._zoom)
 
     def _write_names(self, squares: frozenset[Cell]) -> None:
-        """A name beside a thing that moved goes with it."""
+        """A name next to a thing that moved moves too."""
         if self._labels is None or self.scale is None:
             return
         written = self._labels(self.scale, self._columns)
@@ -197,7 +197,7 @@ class MapView(PaintedRows, can_focus=True):
 
     @property
     def _followed(self) -> Cell:
-        """The square that is to be seen: who looks elsewhere than at the map explores nothing on it."""
+        """The square that is to be seen: without the focus nothing is explored."""
         assert self.scale is not None
         return self._square if self.has_focus else self.scale.robot
 

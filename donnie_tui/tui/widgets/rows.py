@@ -5,10 +5,10 @@ The fixed rows at the bottom: the status line and the keys. Written only when th
 Rows of text to read: the log, the inspector, the help. Each line may have its kind in words at the right,
 or before the sentence where there is little room.
 
-Made for programs that talk without end: lines are kept as texts, wrapped only where they are too long, and
+Made for programs that speak without end: lines are kept as texts, wrapped only where they are too long, and
 painted only where they are seen. One row is being read: the terminal's own cursor stands on it while the
 rows have the focus, and ``>`` before it. Rows that follow read their newest one, whatever comes, unless
-somebody reads further up. The log, ``LogRows``, suits those who listen too.
+the learner reads further up. ``LogRows`` is for screen readers too.
 """
 
 from __future__ import annotations
@@ -151,7 +151,7 @@ class TextRows(PaintedRows, can_focus=True):
     ]
 
     class Read(Message):
-        """Another row is being read, by whoever has come to these rows or from elsewhere."""
+        """Another row is being read, from these rows or from elsewhere."""
 
         def __init__(self, text: str, *, has_focus: bool) -> None:
             super().__init__()
@@ -233,7 +233,7 @@ class TextRows(PaintedRows, can_focus=True):
         first = sum(self._heights[:line])
         self._read(first)
         if line < len(self._heights):
-            self._bring_into_view(first, min(self._heights[line], max(1, self.size.height)))
+            self._scroll_to_rows(first, min(self._heights[line], max(1, self.size.height)))
 
     @property
     def is_read(self) -> bool:
@@ -340,9 +340,9 @@ class TextRows(PaintedRows, can_focus=True):
         """Show the row that is being read; the newest of all once there is room for any."""
         if self._row is None and not self.size.height:
             return
-        self._bring_into_view(self.row, 1)
+        self._scroll_to_rows(self.row, 1)
 
-    def _bring_into_view(self, row: int, rows: int) -> None:
+    def _scroll_to_rows(self, row: int, rows: int) -> None:
         place = Region(0, row, 1, rows)
         self.scroll_to_region(place, animate=False, force=True, immediate=True)
 
@@ -384,7 +384,7 @@ class TextRows(PaintedRows, can_focus=True):
 
     @property
     def _said(self) -> str:
-        """Of the row being read: where a line begins all of it, so that a sentence is heard whole."""
+        """Of the row being read: where a line begins all of it, so that a sentence is spoken whole."""
         line = self.line
         begins = self.row == sum(self._heights[:line])
         return self._lines[line] if begins and self._lines else self.row_text
@@ -402,7 +402,7 @@ class TextRows(PaintedRows, can_focus=True):
     # --- painting
 
     def render_lines(self, crop: Region) -> list[Strip]:
-        """The first frame is painted before anybody is told what size it has."""
+        """The first frame is painted before the size is known."""
         self._fit_rows()
         return super().render_lines(crop)
 

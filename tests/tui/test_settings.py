@@ -3,7 +3,7 @@
 import pytest
 
 from donnie_tui.commands.settings import change
-from tests.tui.kept_settings import kept
+from tests.tui.settings_files import kept
 
 
 @pytest.fixture(autouse=True)

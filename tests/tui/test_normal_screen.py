@@ -1,0 +1,23 @@
+"""The terminal's normal screen: the end of the log after the end, and the pager."""
+
+from contextlib import nullcontext
+
+from donnie_tui.tui import normal_screen
+
+
+def test_the_last_twenty_lines_are_left_behind_in_their_order(capsys, monkeypatch):
+    monkeypatch.delenv("TEXTUAL_DRIVER", raising=False)
+    normal_screen.print_last_lines([f"line {i}" for i in range(30)])
+
+    assert capsys.readouterr().out.splitlines() == [f"line {i}" for i in range(10, 30)]
+
+
+async def test_a_pager_that_can_not_be_run_is_reported_in_a_sentence(work, monkeypatch, tmp_path):
+    broken = tmp_path / "pager"
+    broken.write_text("no program")
+    broken.chmod(0o755)
+    monkeypatch.setenv("PAGER", str(broken))
+    async with work() as desk:
+        monkeypatch.setattr(desk.app, "suspend", nullcontext)
+        await desk.type_line("LOG")
+        await desk.shows("The log can't be shown: Exec format error. SAVE LOG writes it into a file.")
