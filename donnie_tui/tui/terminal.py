@@ -8,10 +8,10 @@ from __future__ import annotations
 
 import os
 import re
-from typing import Any, Protocol, cast
+from typing import TYPE_CHECKING, Any, Protocol, cast
 
 from rich.cells import cell_len
-from rich.console import RenderableType
+from rich.console import Console, RenderableType
 from rich.segment import Segment
 from textual.app import App
 from textual.color import Color
@@ -23,8 +23,19 @@ from textual.widgets import Input, TextArea
 from donnie_tui.settings.settings import Settings
 from donnie_tui.tui import themes
 from donnie_tui.tui.environment import wants_mouse
-from donnie_tui.tui.terminal_output import Painted
 from language.source import HARMFUL
+
+if TYPE_CHECKING:
+    from donnie_tui.tui.terminal_output import Painted
+
+
+def diff_output(console: Console) -> Painted | None:
+    """What leaves unchanged cells out of the output; None where this version of Textual doesn't fit."""
+    try:
+        from donnie_tui.tui.terminal_output import Painted, fits
+    except (ImportError, TypeError):
+        return None
+    return Painted() if fits(console) else None
 
 
 class _Driver(Protocol):
@@ -70,7 +81,7 @@ class TerminalApp(App[int], inherit_bindings=False):
         """The colours and sizes with which the style sheets were read last."""
         self.stylesheet.set_variables(self._read_with)
         self._filters.append(PrintableFilter())
-        self._painted = Painted()
+        self._painted = diff_output(self.console)
 
     # --- the looks
 
@@ -107,23 +118,25 @@ class TerminalApp(App[int], inherit_bindings=False):
 
     def _display(self, screen: Screen[Any], renderable: RenderableType | None) -> None:
         """All that is painted passes here. In the plain layout readers speak it: rows are written whole."""
-        is_typing = isinstance(screen.focused, (TextArea, Input))
-        smaller = self._painted.less(
-            renderable,
-            rows=self.is_read_by_rows,
-            typing=self.cursor_position if is_typing else None,
-        )
-        super()._display(screen, smaller)
+        if self._painted is not None:
+            is_typing = isinstance(screen.focused, (TextArea, Input))
+            typing = self.cursor_position if is_typing else None
+            renderable = self._painted.less(renderable, rows=self.is_read_by_rows, typing=typing)
+        super()._display(screen, renderable)
 
     def repaint(self) -> None:
         """All of it: something else may have written over the terminal."""
-        self._painted.forget()
+        self._forget_cells()
         self.refresh()
         self.show_cursor()
 
+    def _forget_cells(self) -> None:
+        if self._painted is not None:
+            self._painted.forget()
+
     def on_resize(self) -> None:
         """Terminals move what they show."""
-        self._painted.forget()
+        self._forget_cells()
 
     def _set_pointer_shape(self, shape: str) -> None:
         """Written by no program here: it costs bytes, and a console shows it as letters."""

@@ -1,8 +1,11 @@
-"""What is sent to the terminal: of what is painted anew only the cells that changed. SSH has few bytes.
+"""The output to the terminal: of what is painted only the cells that changed are sent. SSH has few bytes.
 
-Rule: a row that a program moves up by one, or a letter in a line, costs what differs from what stood there.
-In the plain layout screen readers tell what is written, and half a sentence is none: there a row that differs
-is written whole, but for the letters that are being typed in it.
+A row that a program moves up by one, or a letter in a line, costs what differs from what stood there. In the
+plain layout screen readers speak what is written, and half a sentence is none: there a row that differs is
+written whole, but for the letters that are being typed in it.
+
+This module alone uses the private names of Textual for its updates. ``diff_output`` in ``terminal`` checks
+with ``fits`` whether they are as this module needs them; otherwise Textual's own output is sent.
 """
 
 from __future__ import annotations
@@ -16,13 +19,14 @@ from rich.cells import cell_len
 from rich.color import ColorSystem
 from rich.console import Console, RenderableType
 from rich.control import Control
+from rich.segment import Segment
 from rich.style import Style
 from textual._compositor import (  # Textual's only names for what it paints
     ChopsUpdate,
     CompositorUpdate,
     LayoutUpdate,
 )
-from textual.geometry import Offset
+from textual.geometry import Offset, Region
 from textual.strip import Strip
 
 _GAP = 16
@@ -39,6 +43,23 @@ Piece = tuple[Style, str]
 """A style, and a text with the way to its place."""
 
 
+def fits(console: Console) -> bool:
+    """Whether the updates of this version of Textual have the form that is read here.
+
+    Two small ones are rendered: the first must be Textual's own output, of the second one letter is left.
+    """
+    try:
+        first, second = (Strip([Segment(text, Style.null())]) for text in ("ab", "ac"))
+        whole = LayoutUpdate([[first]], Region(0, 0, 2, 1))
+        part = ChopsUpdate([{0: second}], [(0, 0, 2)], [[2]])
+        painted = Painted()
+        given = First(whole, painted).render_segments(console)
+        sent = Changes(part, painted).render_segments(console)
+        return given == whole.render_segments(console) and "c" in sent and "a" not in sent
+    except (AttributeError, LookupError, TypeError, ValueError):
+        return False
+
+
 class Painted:
     """The cells that the terminal shows, as far as they are known."""
 
@@ -48,7 +69,7 @@ class Painted:
         """What was painted where nothing was known; not looked at before something else is painted."""
 
     def forget(self) -> None:
-        """Nobody knows what the terminal shows: all of it is painted next."""
+        """The terminal may show anything: all of it is painted next."""
         self._cells.clear()
         self._first = None
 
@@ -212,7 +233,7 @@ def _of_blank(style: Style) -> Style:
 
 
 def _pieces_of(x: int, y: int, cells: Sequence[Cell]) -> Iterator[Piece]:
-    """One for each style; blanks take the style before them where nobody sees a difference."""
+    """One for each style; blanks take the style before them where no difference is seen."""
     worn: list[Cell] = []
     for letter, look in cells:
         before = worn[-1][1] if worn else look

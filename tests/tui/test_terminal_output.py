@@ -1,17 +1,23 @@
 """Only what changed is sent to the terminal, and the terminal shows the same as if all had been sent."""
 
 import random
+import sys
 
 import pyte
 import pytest
 from rich.console import Console
 from rich.segment import Segment
 from rich.style import Style
-from textual._compositor import ChopsUpdate, LayoutUpdate
+from textual import _compositor
+from textual._compositor import ChopsUpdate, CompositorUpdate, LayoutUpdate
+from textual.app import App
 from textual.geometry import Offset, Region
 from textual.strip import Strip
 
-from donnie_tui.tui.terminal_output import Changes, Painted
+from donnie_tui import tui
+from donnie_tui.tui import terminal_output
+from donnie_tui.tui.terminal import diff_output
+from donnie_tui.tui.terminal_output import Changes, Painted, fits
 
 COLUMNS, ROWS = 30, 4
 CONSOLE = Console(force_terminal=True, color_system="truecolor")
@@ -180,3 +186,40 @@ async def test_a_move_to_the_next_pane_writes_only_the_changes(work, written, pl
             await desk.painted()
 
             assert 0 < cost(written) < most
+
+
+def test_the_installed_version_of_textual_fits():
+    assert fits(CONSOLE)
+    assert isinstance(diff_output(CONSOLE), Painted)
+
+
+class WithoutChops(CompositorUpdate):
+    """An update of another version: of another form."""
+
+    def __init__(self, rows, *_others):
+        self.rows = rows
+
+    def render_segments(self, console):
+        return "of another version"
+
+
+@pytest.mark.parametrize("name", ["ChopsUpdate", "LayoutUpdate"])
+async def test_textuals_own_output_is_sent_where_its_updates_have_another_form(work, monkeypatch, name):
+    monkeypatch.setattr(terminal_output, name, WithoutChops)
+    monkeypatch.setattr(terminal_output, "Update", WithoutChops)
+    sent = []
+    async with work("FW 1") as desk:
+        monkeypatch.setattr(App, "_display", lambda self, screen, renderable: sent.append(renderable))
+        await desk.type_line("POS")
+        await desk.until(lambda: any(isinstance(each, ChopsUpdate) for each in sent), "Textual's update")
+
+    assert diff_output(CONSOLE) is None
+    assert not any(isinstance(each, Changes) for each in sent)
+
+
+def test_textuals_own_output_is_sent_where_its_updates_have_no_such_name(monkeypatch):
+    monkeypatch.delattr(_compositor, "ChopsUpdate")
+    monkeypatch.delitem(sys.modules, "donnie_tui.tui.terminal_output")
+    monkeypatch.delattr(tui, "terminal_output")
+
+    assert diff_output(CONSOLE) is None
