@@ -24,7 +24,16 @@ from typing import Any
 
 from textual.app import App
 
-from donnie_tui.process.signals import LEAVING, Deputy, Handler, WakingSignals, attempt, numbers_of, suspend
+from donnie_tui.process.signals import (
+    LEAVING,
+    Deputy,
+    Handler,
+    WakingSignals,
+    attempt,
+    is_hung_up,
+    numbers_of,
+    suspend,
+)
 from donnie_tui.tui.session_handle import SessionHandle
 
 FAULT = "fault.txt"
@@ -221,7 +230,7 @@ class Watchdog:
             for number in self._signals.numbers():
                 self._act_on(number)
             if time.monotonic() >= due:  # many signals must not put it off
-                attempt(self._look_at_output)
+                attempt(self._look_at_terminal)
                 due = time.monotonic() + LOOK
             if self._leaving is not None and time.monotonic() >= self._until and not self._ended.is_set():
                 attempt(partial(self._part, self._leaving))
@@ -244,8 +253,10 @@ class Watchdog:
             self._leaving, self._until = number, time.monotonic() + LEAVE
             attempt(partial(self._notify, number))
 
-    def _look_at_output(self) -> None:
-        """Whether a piece of output waits that waited at the last look too."""
+    def _look_at_terminal(self) -> None:
+        """Leave if it is gone; report a piece of output that waited at the last look too."""
+        if is_hung_up(0):  # an idle screen writes nothing, and no signal may come
+            self._leave(_HANGING_UP)
         writer = self._writer()
         head = _first(writer)
         self._looks = self._looks + 1 if head is not None and head is self._head else 0

@@ -86,6 +86,13 @@ def test_a_lost_line_halts_and_keeps_the_text(terminal, tmp_path, controls):
     assert [each.read_text(encoding="utf-8") for each in copies] == ["FW 1000\n"]
 
 
+def test_an_idle_screen_ends_when_its_connection_is_lost_without_a_signal(terminal):
+    donnie = terminal(controls=False)
+    donnie.hang_up()
+
+    assert donnie.process.wait(PATIENCE) == 128 + signal.SIGHUP
+
+
 def test_ctrl_space_offers_words_and_ctrl_z_takes_back_what_was_chosen(terminal):
     """As the bytes that a terminal sends."""
     donnie = terminal()
