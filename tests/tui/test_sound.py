@@ -188,7 +188,7 @@ async def test_what_is_chosen_about_the_voice_counts_at_once(work, tmp_path, mon
         audible: Audible = desk.app.controller.donnie.outlets.audible
         assert audible.settings.rate == 300
         change(desk.app.controller.ctx, "wait_for_speech", "on")
-        await desk.shows("Set wait_for_speech: on.")
+        await desk.shows("Set wait: on.")
         assert audible.settings.wait_for_speech
 
 

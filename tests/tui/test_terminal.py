@@ -44,7 +44,7 @@ def test_a_procedure_is_typed_run_watched_stopped_and_left(terminal):
     donnie.type(F8)
     donnie.shows("Stopped at line 6.")
     donnie.type(CTRL_Q)
-    donnie.shows("is not saved. Save first, y or n?")
+    donnie.shows("6 lines are not saved. Save first, y or n?")
     donnie.type("no" + ENTER)
 
     assert donnie.ended() == 0
@@ -195,7 +195,7 @@ def test_a_lesson_from_typing_to_leaving(terminal):
     donnie.shows("Idioma: português.")
     donnie.shows("Linha de comando.")
     donnie.type("SAIR" + ENTER)
-    donnie.shows("sim ou não:")
+    donnie.shows("Salvar, s ou n?")
     donnie.type("não" + ENTER)
 
     assert donnie.ended() == 0
