@@ -73,8 +73,8 @@ class FullScreen:
         """Return once the screen has nothing to do and no program is on its way to a hold or an end."""
         end = time.monotonic() + PATIENCE
         while time.monotonic() < end:
-            if self._app.trouble is not None:
-                raise self._app.trouble
+            if self._app.startup.trouble is not None:
+                raise self._app.startup.trouble
             if self._left_for:
                 return
             await self._pilot.pause()
