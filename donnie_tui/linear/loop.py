@@ -115,7 +115,7 @@ class TypedLines:
         A program that was opened and never run does not run because the learner leaves.
         """
         program, block = self._ctx.program, self._ctx.program.open_block
-        if self._quit_was_refused or (block is None and not program.is_waiting):
+        if self._quit_was_refused:
             self._leaving.leave(0)
         elif program.was_opened and program.is_waiting:
             self._leaving.report_waiting_lines()

@@ -24,7 +24,9 @@ OF_WAITING_LINES = {
 OF_WAITING_OR_ALL = ("STEP", "OVER", "UNTIL")
 """In the linear mode these begin with what waits, where the robot stands; on the screen from the start."""
 
-UNANSWERED = ("QUIT", "EXIT", "SAVE LOG", "SALVAR REGISTRO", "REPLACE")
+LAST_LINE = ("QUIT", "EXIT")
+"""In the linear mode it runs as the last line of what was typed; both ask about unsaved lines."""
+UNANSWERED = ("SAVE LOG", "SALVAR REGISTRO", "REPLACE")
 """Escape at their question takes what the linear mode offers, and the screen leaves it."""
 ELSEWHERE = re.compile(r"Only in the (full screen: type VISUAL|linear mode: type LINEAR)\.")
 """The answer to a setting of the other front end."""
@@ -64,6 +66,8 @@ def is_same(case: str, line: str, linear: Outcome, screen: Outcome) -> bool:
     if not case.startswith("name of a program"):
         linear, screen = _without_name(linear), _without_name(screen)
     linear, screen = _plain(linear), _plain(screen)
+    if line in LAST_LINE:
+        return linear.asked == screen.asked
     if line in UNANSWERED:
         return (linear.asked, linear.published) == (screen.asked, screen.published)
     if line == "STOP ALL":  # the answer may come before the programs have ended
