@@ -151,7 +151,7 @@ _LONGEST_REST = 2.0
 """Seconds that the main thread waits for a rest to begin; it may hold what the stop before it needs."""
 
 _LONGEST_SPEECH = 2400
-"""Moments that the voice may take behind the end: two minutes."""
+"""Moments that the voice may take after the end: two minutes."""
 
 
 @contextmanager

@@ -50,8 +50,8 @@ _SIGNS = {
 }
 
 
-def behind_menu(key: str) -> str:
-    """A key that was pressed, as it is named behind the menu key: a capital is its letter with Shift."""
+def after_menu(key: str) -> str:
+    """A key that was pressed, as it is named after the menu key: a capital is its letter with Shift."""
     return f"shift+{key.lower()}" if len(key) == 1 and key.isupper() else key
 
 

@@ -31,7 +31,7 @@ def numbers_of(*names: str) -> tuple[int, ...]:
 
 
 LEAVING = numbers_of("SIGTERM", "SIGHUP", "SIGQUIT")
-"""They want us to leave."""
+"""Signals that end Donnie."""
 
 
 class TakenSignals:
@@ -163,5 +163,5 @@ def is_hung_up(number: int) -> bool:
     """Whether that file is a terminal that is gone; a pipe whose writer is done is none."""
     poll = select.poll()
     poll.register(number, 0)
-    is_gone = any(told & select.POLLHUP for _, told in poll.poll(0))
+    is_gone = any(mask & select.POLLHUP for _, mask in poll.poll(0))
     return is_gone and S_ISCHR(os.fstat(number).st_mode)

@@ -212,7 +212,7 @@ class Display:
 
     @property
     def shows_distances(self) -> bool:
-        """Not to those who listen while the robot moves: they would hear every one that it goes through."""
+        """False in the plain layout while the robot moves: readers would speak every distance on the way."""
         return not (self._place.is_plain and self._runs.state is RunState.RUNNING)
 
     def _show_inspector(self) -> None:

@@ -81,4 +81,4 @@ LONG = (
     "SHOW LOG",
     "SET",
 )
-"""More than forty: Gate 1 of the accessibility requirements."""
+"""More than forty steps, as the accessibility requirements ask of one lesson."""
