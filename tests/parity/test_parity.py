@@ -7,6 +7,7 @@ What may differ is in ``rules.py``.
 from __future__ import annotations
 
 from pathlib import Path
+from typing import Any
 
 import pytest
 
@@ -17,7 +18,13 @@ from tests.parity.compare import in_linear_mode, on_full_screen
 from tests.parity.rules import is_same
 
 
-@pytest.mark.parametrize("group", GROUPS, ids=lambda each: each.cases[0])
+def _marked(group: Group) -> Any:
+    """The same words while a program runs or is held take a minute more."""
+    is_slow = group.name in (RUNNING, HELD)
+    return pytest.param(group, marks=pytest.mark.slow if is_slow else (), id=group.cases[0])
+
+
+@pytest.mark.parametrize("group", map(_marked, GROUPS))
 async def test_a_line_has_the_same_outcome_in_both_front_ends(group: Group, tmp_path: Path) -> None:
     linear = in_linear_mode(group, tmp_path / "linear")
     screen = await on_full_screen(group, tmp_path / "screen")

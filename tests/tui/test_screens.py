@@ -36,14 +36,18 @@ def by_size(size: tuple[int, int]) -> str:
     return f"{size[0]}x{size[1]}"
 
 
+THEMES = [
+    pytest.param("donnie-dark", id="dark"),
+    pytest.param(CONTRAST, id="contrast", marks=pytest.mark.slow),
+]
+
+
 def looks(*sizes: tuple[int, int]) -> Callable[[F], F]:
     """At the usual two sizes and these, in the default and in the high-contrast theme."""
 
     def parametrized(test: F) -> F:
         of_size = pytest.mark.parametrize("size", [SMALL, LARGE, *sizes], ids=by_size)
-        return of_size(
-            pytest.mark.parametrize("theme", ["donnie-dark", CONTRAST], ids=["dark", "contrast"])(test)
-        )
+        return of_size(pytest.mark.parametrize("theme", THEMES)(test))
 
     return parametrized
 

@@ -210,7 +210,7 @@ async def test_each_sound_has_a_volume_of_its_own_that_is_chosen_from_a_list(
         assert audible.settings.cues == {"bump": 0}
 
         await desk.type_line("SET cue open 40")
-        await desk.shows("Sounds, each: bump 0, open 40.")
+        await desk.shows("Set cue open: 40.")
         assert audible.settings.cues == {"bump": 0, "block-opened": 40}
         assert 'cues = "bump 0, block-opened 40"' in (tmp_path / "donnie" / "settings.toml").read_text()
 

@@ -77,6 +77,7 @@ def damaged(text: str, chance: random.Random) -> str:
 
 
 @pytest.mark.hypothesis  # random, though seeded: the slow check tries more
+@pytest.mark.slow
 def test_a_damaged_world_loads_or_raises_a_mistake_with_a_place() -> None:
     chance, texts = random.Random(1), sources()
     loaded = 0

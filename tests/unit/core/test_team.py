@@ -66,6 +66,7 @@ class Hall:
         return [line for each in self.heard for line in printed_lines(each, self.words)]
 
 
+@pytest.mark.slow
 def test_robots_that_start_together_write_the_same_bytes_every_time_at_any_speed() -> None:
     streams = set()
     for number in range(60):

@@ -88,6 +88,7 @@ def test_too_deep_nesting_is_one_mistake_with_its_limit(source: str, code: str, 
     ],
     ids=lambda source: f"{source[:8]!r}",
 )
+@pytest.mark.slow
 def test_a_long_text_needs_memory_linear_in_its_length(source: str) -> None:
     tracemalloc.start()
     parsed = parse(source)
