@@ -51,7 +51,7 @@ def test_the_wheel_has_what_is_compiled_of_each_language_and_not_what_translator
         each.removeprefix(folder) for each in zipfile.ZipFile(wheel).namelist() if each.startswith(folder)
     }
 
-    compiled = ("messages.mo", "start.txt", "keywords.json", "commands.json")
+    compiled = ("messages.mo", "start.txt", "keywords.json", "commands.json", "words.json")
     assert names == {f"compiled/{each}" for each in compiled}
 
 
